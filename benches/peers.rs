@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use zpg::analysis::Analysis;
 use zpg::scene::{Camera, Scene};
+use zpg::solids::staging::Viewpoint;
 use zpg::study::accuracy::rungs::{Kernel, Settings};
 use zpg::study::accuracy::stage::Stage;
 use zpg::study::accuracy::tiles::{TILE, Tile};
@@ -165,6 +166,7 @@ impl Prepared {
     fn povray(&self, folder: &Path, case: &Case, sturm: bool) -> Option<usize> {
         let options = PovOptions {
             size: (SIZE[0], SIZE[1]),
+            viewpoint: Viewpoint::Scene,
             ..PovOptions::default()
         };
         let mut translation = to_pov(&self.scene, &options).expect("one shape is translated");
@@ -194,6 +196,7 @@ impl Prepared {
         let tracer = Tracer::new(&self.scene).expect("one shape is compiled");
         let options = MitsubaOptions {
             size: (SIZE[0], SIZE[1]),
+            viewpoint: Viewpoint::Scene,
             depth: 1,
             tolerance: None,
             memory: None,

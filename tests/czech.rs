@@ -16,7 +16,7 @@ use crate::support::program::{self, folder, text};
 const ENGLISH: &str = "\
     the of is are not with and or for this that it its from at be has have no nothing file files line \
     error errors warning scene picture pixels use usage options option default print found cannot \
-    expected unexpected missing number numbers wrote fixed left invalid value values which there every \
+    expected unexpected missing number numbers wrote fixed invalid value values which there every \
     each one two more other what where shape shapes object record records";
 
 /// A scene with a bit of everything, right.

@@ -9,6 +9,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use zpg::analysis::file::load;
+use zpg::solids::staging::Viewpoint;
 use zpg::translate::registry::named;
 use zpg::translate::target::{Options, Prepared};
 
@@ -115,6 +116,7 @@ fn written(path: &Path, target: &str) -> String {
     });
     let options = Options {
         size: (640, 480),
+        viewpoint: Viewpoint::Scene,
         depth: 10,
         // Coarse: what is held is what is written, not how round it is.
         tolerance: Some(0.05),

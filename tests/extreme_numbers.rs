@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use zpg::analysis::Analysis;
 use zpg::geometry::dd::Dd;
 use zpg::geometry::vec::Vec3;
+use zpg::solids::staging::{Viewpoint, staged};
 use zpg::trace::precision::Precision;
 use zpg::trace::{Numbers, Ray, Settings, Tracer, selected_camera};
 
@@ -237,7 +238,8 @@ fn try_kind(kind: usize, cases: u32) -> (u32, u32, Option<String>) {
         if !loaded.is_sound() {
             return Ok(());
         }
-        let Ok(tracer) = Tracer::new(&loaded.scene) else {
+        let scene = staged(&loaded.scene, Viewpoint::Scene, 4.0 / 3.0);
+        let Ok(tracer) = Tracer::new(&scene) else {
             return Ok(());
         };
         valid.fetch_add(1, Ordering::Relaxed);
@@ -251,7 +253,7 @@ fn try_kind(kind: usize, cases: u32) -> (u32, u32, Option<String>) {
                 return Err(TestCaseError::fail(format!("{kind} {o:?} {d:?}: {fault}")));
             }
         }
-        let camera = selected_camera(&loaded.scene, 4.0 / 3.0);
+        let camera = selected_camera(&scene, 4.0 / 3.0);
         for numbers in [Numbers::F32, Numbers::F64, Numbers::Dd] {
             let settings = Settings {
                 width: 4,

@@ -11,7 +11,7 @@ use crate::support::{cases, seeds};
 use zpg::analysis::Analysis;
 use zpg::diagnostics::{Code, Diagnostic, Span};
 use zpg::scene::{Camera, Scene};
-use zpg::solids::frame::selected_cameras;
+use zpg::solids::staging::selected_cameras;
 use zpg::trace::plan::Plan;
 use zpg::trace::{Images, Settings, Tracer, members};
 

@@ -76,6 +76,7 @@ mod sarif;
 mod scene_json;
 mod shapes_doubt;
 mod shapes_quadrics;
+mod staging;
 mod strangers;
 mod stretched;
 mod surfaces;

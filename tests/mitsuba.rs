@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::lint_generated::scenes;
 use crate::support::{cases, mitsuba, seeds, takes_part};
 use zpg::analysis::Analysis;
+use zpg::solids::staging::Viewpoint;
 use zpg::study::geometry::{self, Comparison};
 use zpg::syntax::Captions;
 use zpg::trace::{Images, Tracer, selected_camera};
@@ -23,6 +24,7 @@ fn translated(
     let tracer = Tracer::with_images(scene, &images).unwrap();
     let options = Options {
         size: SIZE,
+        viewpoint: Viewpoint::Scene,
         depth: 10,
         tolerance: None,
         memory: None,

@@ -11,6 +11,7 @@ use self::forms::{File, files};
 use crate::support::picture_file::SIZE;
 use crate::support::{mitsuba, program};
 use zpg::analysis::Analysis;
+use zpg::solids::staging::Viewpoint;
 use zpg::trace::{Images, Settings, Tracer, selected_camera};
 use zpg::translate::mitsuba::{Integrator, Options, write};
 
@@ -190,6 +191,7 @@ fn mitsuba_draws_the_same() {
     let tracer = Tracer::with_images(&loaded.scene, &images).unwrap();
     let options = Options {
         size: VIEW,
+        viewpoint: Viewpoint::Scene,
         depth: 10,
         tolerance: None,
         memory: None,

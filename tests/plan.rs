@@ -135,7 +135,7 @@ fn diffuse_needs_a_light_that_shines() {
 }
 
 #[test]
-fn without_any_light_there_is_a_headlight() {
+fn without_any_light_there_are_automatic_lights() {
     let on = scene("4 -101 2 3");
     decides("diffuse", &on, (1, 5), &scene("4 -101 2 3\n5 -401 1"));
 }

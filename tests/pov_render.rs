@@ -6,8 +6,7 @@ use support::make::Make;
 use support::povray;
 use zpg::geometry::Matrix;
 use zpg::scene::{Camera, Scene, Texture, View};
-use zpg::solids::bounds::node_bounds;
-use zpg::solids::frame::automatic_camera;
+use zpg::solids::staging::{Viewpoint, cameras, staged};
 use zpg::study::naive::Naive;
 use zpg::trace::{Images, Settings, Tracer};
 use zpg::translate::pov::{self, Options, Stereo, Translation};
@@ -30,15 +29,13 @@ fn compare(name: &str, scene: &Scene) {
         ..Options::default()
     };
     let translation = pov::write(scene, &options).expect("a translation");
-    let camera = match scene.view {
-        View::Mono(i) => scene.cameras[i],
-        _ => automatic_camera(
-            scene,
-            &node_bounds(scene),
-            f64::from(SIZE.0) / f64::from(SIZE.1),
-        ),
-    };
-    compare_view(name, scene, &translation, camera);
+    let staged = staged(
+        scene,
+        Viewpoint::Scene,
+        f64::from(SIZE.0) / f64::from(SIZE.1),
+    );
+    let camera = *cameras(&staged).next().expect("a camera");
+    compare_view(name, &staged, &translation, camera);
 }
 
 /// Compares what one camera sees.
@@ -432,7 +429,7 @@ fn coloured_and_bright_lights() {
 
 #[test]
 #[ignore = "needs POV-Ray"]
-fn automatic_camera_headlight_and_box() {
+fn automatic_camera_lights_and_box() {
     let mut m = Make::default();
     let a = m.sphere([10.0, 20.0, -5.0], 30.0);
     let a = m.checkered(a, 8, 6);

@@ -9,6 +9,7 @@ use zpg::diagnostics::Code;
 use zpg::geometry::Matrix;
 use zpg::scene::sight::{Blind, Sight};
 use zpg::scene::{Camera, Rgb};
+use zpg::solids::staging::{Viewpoint, staged};
 use zpg::trace::camera::View;
 use zpg::trace::{Settings, Tracer};
 
@@ -277,7 +278,7 @@ fn cameras_with_matrices_stand_where_others_do() {
 /// A scene's picture of 20 × 15 pixels.
 fn picture(text: &str) -> Vec<Rgb> {
     let loaded = Analysis::new("scene.zpg", text.into());
-    let scene = &loaded.scene;
+    let scene = &*staged(&loaded.scene, Viewpoint::Scene, 4.0 / 3.0);
     let camera = zpg::trace::selected_camera(scene, 4.0 / 3.0);
     let settings = Settings {
         width: 20,

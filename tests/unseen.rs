@@ -7,7 +7,7 @@ use zpg::analysis::Analysis;
 use zpg::geometry::Matrix;
 use zpg::scene::{Camera, Geometry, NodeId, Paint, Scene, Texture};
 use zpg::solids::bounds::node_bounds;
-use zpg::solids::frame::selected_cameras;
+use zpg::solids::staging::selected_cameras;
 use zpg::trace::plan::unseen::view;
 use zpg::trace::plan::{Effect, Plan};
 use zpg::trace::{Images, Numbers, Settings, Tracer, members};

@@ -10,7 +10,7 @@ use std::path::Path;
 use zpg::analysis::Analysis;
 use zpg::geometry::Matrix;
 use zpg::scene::{Geometry, NodeId, Paint, Scene, Texture, TriangleNormals};
-use zpg::solids::frame::selected_cameras;
+use zpg::solids::staging::selected_cameras;
 use zpg::trace::plan::Plan;
 use zpg::trace::stats::Counts;
 use zpg::trace::{Images, Numbers, Settings, Tracer};

@@ -9,6 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
+use super::camera::CameraArgs;
 use super::draft::{self, try_folder, unwritable};
 use super::size::Size;
 use super::terminal::{print, progress_bar, stop_on_interrupt};
@@ -16,11 +17,12 @@ use super::{LookChoice, Status, complain, load_sound, refuse, usage};
 use crate::analysis::Analysis;
 use crate::analysis::file::STDIN;
 use crate::diagnostics::{Complaint, Error, Language};
+use crate::solids::staging;
 use crate::study::accuracy::advice::in_language;
 use crate::study::accuracy::print::terminal;
 use crate::study::accuracy::rungs::Axis;
 use crate::study::accuracy::{self, Options, Report, run::BUDGET, shapes};
-use crate::trace::{Images, selected_camera};
+use crate::trace::Images;
 
 /// Tell what accuracy costs in time: what each setting brings to the picture of a scene, and what it takes
 #[derive(Debug, clap::Args)]
@@ -52,6 +54,9 @@ pub struct Args {
         allow_hyphen_values = true
     )]
     size: Size,
+
+    #[command(flatten)]
+    camera: CameraArgs,
 
     /// The settings to try, with commas between them [default: all of them]
     #[arg(long, value_enum, value_delimiter = ',', value_name = "AXIS")]
@@ -196,7 +201,10 @@ fn study(
     let images = loaded.source.folder().unwrap_or(Path::new("."));
     let images = Images::load(&loaded.scene, images)?;
     let Size { width, height } = args.size;
-    let camera = selected_camera(&loaded.scene, f64::from(width) / f64::from(height));
+    let scene = args.camera.staged(&loaded.scene, args.size)?;
+    let camera = *staging::cameras(&scene)
+        .next()
+        .ok_or_else(Error::nothing_to_draw)?;
     let axes = match args.axes.is_empty() {
         true => Axis::ALL.to_vec(),
         false => args.axes.iter().map(|&a| a.into()).collect(),
@@ -210,7 +218,7 @@ fn study(
         stop: stop_on_interrupt(look),
     };
     let progress = Shown::new(options.budget, look);
-    let scene = Arc::new(loaded.scene.clone());
+    let scene = Arc::new(scene.into_owned());
     let name = file.to_string_lossy();
     let report = accuracy::run(&name, &scene, &images, camera, &options, &|what, share| {
         progress.show(what, share);

@@ -1,16 +1,89 @@
-//! A camera of the scene, by its ID.
+//! Who takes the picture: a camera of the scene, or one that looks at it from a side.
 
+use super::size::Size;
+use super::usage;
 use crate::diagnostics::{Complaint, Error};
-use crate::scene::{Camera, Scene};
+use crate::scene::Scene;
+use crate::solids::staging::{self, Side, Viewpoint};
+use std::borrow::Cow;
+
+/// The options that choose a camera.
+#[derive(Debug, Clone, Copy, Default, clap::Args)]
+pub struct CameraArgs {
+    /// Take the picture with this camera of the scene
+    #[arg(long, value_name = "ID", value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
+    camera: Option<u32>,
+
+    /// Look at the scene from this side instead, whatever its cameras are
+    #[arg(long, value_enum, value_name = "SIDE", conflicts_with = "camera")]
+    view: Option<SideArg>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum SideArg {
+    /// Along −z
+    Front,
+    /// Along +z
+    Back,
+    /// Along +x
+    Left,
+    /// Along −x
+    Right,
+    /// Along −y
+    Top,
+    /// Along +y
+    Bottom,
+    /// From the right, the front and above alike
+    Iso,
+}
+
+impl From<SideArg> for Side {
+    fn from(side: SideArg) -> Side {
+        match side {
+            SideArg::Front => Side::Front,
+            SideArg::Back => Side::Back,
+            SideArg::Left => Side::Left,
+            SideArg::Right => Side::Right,
+            SideArg::Top => Side::Top,
+            SideArg::Bottom => Side::Bottom,
+            SideArg::Iso => Side::Iso,
+        }
+    }
+}
 
 /// So many cameras are named where there is none of the ID that was asked for.
 const NAMED: usize = 20;
 
-/// The camera with this ID. If there is none, the error names those that there are.
-pub fn camera(scene: &Scene, id: u32) -> Result<Camera, Error> {
+impl CameraArgs {
+    /// Whose view that is in a scene.
+    ///
+    /// # Errors
+    ///
+    /// There is no camera with the ID. The error names those that there are.
+    pub fn viewpoint(self, scene: &Scene) -> Result<Viewpoint, Error> {
+        match (self.camera, self.view) {
+            (Some(id), _) => Ok(Viewpoint::Camera(number(scene, id)?)),
+            (None, Some(side)) => Ok(Viewpoint::Side(side.into())),
+            (None, None) => Ok(Viewpoint::Scene),
+        }
+    }
+
+    /// The scene with the camera that takes a picture of this size, and with light.
+    ///
+    /// # Errors
+    ///
+    /// As [`viewpoint`](Self::viewpoint).
+    pub fn staged(self, scene: &Scene, size: Size) -> Result<Cow<'_, Scene>, Error> {
+        let aspect = f64::from(size.width) / f64::from(size.height);
+        Ok(staging::staged(scene, self.viewpoint(scene)?, aspect))
+    }
+}
+
+/// The number of the camera with this ID.
+fn number(scene: &Scene, id: u32) -> Result<usize, Error> {
     let cameras = &scene.cameras;
-    if let Some(camera) = cameras.iter().find(|c| c.id == id) {
-        return Ok(*camera);
+    if let Some(number) = cameras.iter().position(|c| c.id == id) {
+        return Ok(number);
     }
     let mut named: Vec<String> = (cameras.iter().take(NAMED))
         .map(|c| c.id.to_string())

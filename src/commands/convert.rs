@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use super::camera::CameraArgs;
 use super::draft::{self, try_file};
 use super::memory::Memory;
 use super::paths::is_stdout;
@@ -54,6 +55,9 @@ pub struct Args {
         allow_hyphen_values = true
     )]
     size: Size,
+
+    #[command(flatten)]
+    camera: CameraArgs,
 
     /// How often a ray may be mirrored or refracted
     #[arg(long, default_value_t = 10, value_name = "N", value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
@@ -120,7 +124,12 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
+    let viewpoint = match args.camera.viewpoint(&loaded.scene) {
+        Ok(viewpoint) => viewpoint,
+        Err(error) => return refuse(&loaded, error, look),
+    };
     let options = Options {
+        viewpoint,
         size: (args.size.width, args.size.height),
         depth: args.depth,
         tolerance: args.tolerance,

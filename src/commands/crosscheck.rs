@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
+use super::camera::CameraArgs;
 use super::draft::{self, try_folder, unwritable};
 use super::size::Size;
 use super::spare::spare;
@@ -16,8 +17,6 @@ use crate::analysis::Analysis;
 use crate::analysis::file::STDIN;
 use crate::commands::refuse;
 use crate::diagnostics::{Complaint, Error, Language, Value};
-use crate::scene::{Camera, Scene};
-use crate::solids::frame::selected_cameras;
 use crate::study::program::ProgramError;
 use crate::trace;
 use crate::trace::film::{Packing, write_rgb8};
@@ -61,6 +60,9 @@ pub struct Args {
         allow_hyphen_values = true
     )]
     size: Size,
+
+    #[command(flatten)]
+    camera: CameraArgs,
 
     /// The folder for pictures and numbers; SCENE-povray or SCENE-mitsuba if not given
     #[arg(short, long, value_name = "DIR")]
@@ -290,12 +292,6 @@ fn program(args: &Args, name: &str) -> PathBuf {
         Some(path) => path.clone(),
         None => PathBuf::from(name),
     }
-}
-
-/// The cameras that take the picture.
-fn cameras(scene: &Scene, size: Size) -> Vec<Camera> {
-    let aspect = f64::from(size.width) / f64::from(size.height);
-    selected_cameras(scene, aspect)
 }
 
 /// Compares what each camera sees, and writes the pictures. `suffixes` are what the names of a camera's

@@ -44,6 +44,17 @@ help-any-config = Soubor s nastavením místo všech souborů zpg.toml, nebo jed
     .value = SOUBOR|KLÍČ=HODNOTA
 help-any-isolated = Nečte žádný soubor zpg.toml
 help-any-force_exclude = Vynechá, co vylučuje nastavení, i když je to výslovně uvedeno jako CESTA
+help-any-camera = Kamera, kterou se má obrázek pořídit
+    .value = ID
+help-any-view = Dívá se na scénu z této strany, ať má jakékoli kamery
+    .value = STRANA
+    .front = podél −z
+    .back = podél +z
+    .left = podél +x
+    .right = podél −x
+    .top = podél −y
+    .bottom = podél +y
+    .iso = zprava, zepředu a shora stejně
 help-any-json = Vypíše odpověď jako JSON
 
 ## zpg
@@ -270,8 +281,6 @@ help-render-precision = Čísla, kterými se počítá od paprsku k tomu, co zas
     .dd = double-double, dvojice čísel dvojité přesnosti, asi 32 číslic
 help-render-crop = Vykreslí jen tuto část obrázku
     .value = X,Y,Š,V
-help-render-camera = Kamera, kterou se má obrázek pořídit
-    .value = ID
 help-render-stereo = Jak zapsat oba obrázky z dvojice kamer [výchozí: pair]
     .value = JAK
     .pair = dva soubory, JMÉNO_left a JMÉNO_right
@@ -321,8 +330,6 @@ help-probe-point = Bod
     .value = X Y Z
 help-probe-size = Šířka a výška obrázku, ke kterému patří --pixel
     .value = ŠxV
-help-probe-camera = Kamera, ke které patří --pixel; výchozí je kamera obrázku, z dvojice kamer levá
-    .value = ID
 help-probe-object = Ptá se jen na tento objekt, v té podobě, jakou má na konci souboru; kvádr renderovacího záznamu se nebere v úvahu
     .value = ID
 help-probe-precision = Čísla, kterými se počítá; u dd jsou t, body a normály texty o 32 číslicích. Na --point nemá vliv

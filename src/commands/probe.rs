@@ -8,19 +8,21 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use super::camera::CameraArgs;
 use super::memory::Memory;
 use super::size::Size;
 use super::terminal::print;
-use super::{LookChoice, Needs, Status, camera, complain, load_for, refuse, usage};
+use super::{LookChoice, Needs, Status, complain, load_for, refuse, usage};
 use crate::analysis::Analysis;
 use crate::analysis::file::{STDIN, unreadable};
 use crate::diagnostics::{Complaint, Error, Span, Value};
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;
-use crate::scene::{Camera, Render, Scene};
+use crate::scene::{Render, Scene};
+use crate::solids::staging;
 use crate::syntax::table::Kind;
 use crate::trace::camera::View;
-use crate::trace::{Crop, Images, Numbers, Ray, Settings, Tracer, members, selected_camera};
+use crate::trace::{Crop, Images, Numbers, Ray, Settings, Tracer, members};
 use answer::{PixelAnswer, PointAnswer, RayAnswer};
 use rays::{BadRay, Input};
 
@@ -81,9 +83,8 @@ pub struct Args {
     )]
     size: Size,
 
-    /// The camera that --pixel is seen by; of a stereo pair the left one, if nothing is said
-    #[arg(long, value_name = "ID", requires = "pixel", value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
-    camera: Option<u32>,
+    #[command(flatten)]
+    camera: CameraArgs,
 
     /// Ask about this object as it stands at the end of the file, not about the whole scene; the
     /// render record's box does not apply
@@ -176,7 +177,7 @@ fn answer(args: &Args, loaded: &mut Analysis, look: LookChoice) -> Result<Status
     }
     if let Some(path) = &args.rays {
         let mut input = open(path)?;
-        let tracer = tracer(args, loaded)?;
+        let tracer = tracer(args, loaded, &loaded.scene)?;
         let bad = |e: BadRay| complain(look, &e.complaint(path));
         let status = match args.precision {
             Numbers::F32 => rays::stream::<f32>(&tracer, &mut input, bad, look),
@@ -195,7 +196,7 @@ fn answer(args: &Args, loaded: &mut Analysis, look: LookChoice) -> Result<Status
     let Some(RayArg(ray)) = args.ray else {
         return Err(Error::Request(Complaint::new("no-question")));
     };
-    let tracer = tracer(args, loaded)?;
+    let tracer = tracer(args, loaded, &loaded.scene)?;
     let answer = ray_answer(&tracer, &ray, args.precision)?;
     check(args, loaded, &tracer)?;
     Ok(print(look, Status::Clean, |out| {
@@ -274,10 +275,10 @@ fn render_span(loaded: &Analysis) -> Span {
 }
 
 /// The tracer of a scene, with its pictures.
-fn tracer(args: &Args, loaded: &Analysis) -> Result<Tracer, Error> {
+fn tracer(args: &Args, loaded: &Analysis, scene: &Scene) -> Result<Tracer, Error> {
     let folder = loaded.source.folder().unwrap_or(Path::new("."));
-    let images = Images::load(&loaded.scene, folder)?;
-    let mut tracer = Tracer::with_images(&loaded.scene, &images)?;
+    let images = Images::load(scene, folder)?;
+    let mut tracer = Tracer::with_images(scene, &images)?;
     let threads = rayon::current_num_threads();
     (args.memory.confine(&mut tracer, 0.0, threads))
         .map_err(|e| Error::at(render_span(loaded), e))?;
@@ -285,7 +286,6 @@ fn tracer(args: &Args, loaded: &Analysis) -> Result<Tracer, Error> {
 }
 
 fn pixel_answer(args: &Args, loaded: &Analysis, pixel: [u32; 2]) -> Result<PixelAnswer, Error> {
-    let scene = &loaded.scene;
     let Size { width, height } = args.size;
     let [x, y] = pixel;
     if x >= width || y >= height {
@@ -297,11 +297,11 @@ fn pixel_answer(args: &Args, loaded: &Analysis, pixel: [u32; 2]) -> Result<Pixel
                 .with("height", height.to_string()),
         ));
     }
-    let camera: Camera = match args.camera {
-        Some(id) => camera(scene, id)?,
-        None => selected_camera(scene, f64::from(width) / f64::from(height)),
-    };
-    let tracer = tracer(args, loaded)?;
+    let scene = args.camera.staged(&loaded.scene, args.size)?;
+    let camera = *staging::cameras(&scene)
+        .next()
+        .ok_or_else(Error::nothing_to_draw)?;
+    let tracer = tracer(args, loaded, &scene)?;
     let settings = Settings {
         width,
         height,

@@ -13,18 +13,19 @@ use std::time::Instant;
 
 use serde::Serialize;
 
+use super::camera::CameraArgs;
 use super::draft::{self, try_file};
 use super::memory::{self, Memory};
 use super::paths::is_stdout;
 use super::size::Size;
 use super::spare::spare;
 use super::terminal::{self, progress_bar, stop_on_interrupt, tell};
-use super::{LookChoice, Status, camera, complain, load_sound, refuse, usage};
+use super::{LookChoice, Status, complain, load_sound, refuse, usage};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Complaint, Error, Span, Value};
 use crate::parallel;
 use crate::scene::{Camera, Scene};
-use crate::solids::frame::selected_cameras;
+use crate::solids::staging;
 use crate::study::accuracy::{cost, words};
 use crate::trace::plan::Plan;
 use crate::trace::stats::{Counts, Intersections, Rays, Work};
@@ -88,9 +89,8 @@ pub struct Args {
     #[arg(long, value_name = "X,Y,W,H", allow_hyphen_values = true)]
     crop: Option<CropArg>,
 
-    /// Take the picture with this camera of the scene
-    #[arg(long, value_name = "ID", value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
-    camera: Option<u32>,
+    #[command(flatten)]
+    camera: CameraArgs,
 
     /// How the two pictures of a stereo camera are put [default: pair]
     #[arg(long, value_enum)]
@@ -247,7 +247,8 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
 
 /// Draws, and says what was written and, if that is asked, what it has cost.
 fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<String, Error> {
-    let scene = &loaded.scene;
+    let staged = args.camera.staged(&loaded.scene, args.size)?;
+    let scene = &*staged;
     let stop = stop_on_interrupt(look);
     let settings = Settings {
         stop: Some(stop.clone()),
@@ -348,7 +349,13 @@ fn draw(args: &Args, loaded: &Analysis, load: f64, look: LookChoice) -> Result<S
     seconds.encode = start.elapsed().as_secs_f64();
 
     if args.cost {
-        said += &spent(&cameras[0], loaded, &settings, (&seconds, &counts), look)?;
+        said += &spent(
+            &cameras[0],
+            (loaded, scene),
+            &settings,
+            (&seconds, &counts),
+            look,
+        )?;
     }
     if let Some(path) = &args.stats {
         let stats = Stats {
@@ -375,17 +382,14 @@ const COST_SECONDS: f64 = 1.0;
 /// What a picture has cost, in some ten lines.
 fn spent(
     camera: &Camera,
-    loaded: &Analysis,
+    (loaded, scene): (&Analysis, &Scene),
     settings: &Settings,
     (seconds, counts): (&Seconds, &Counts),
     look: LookChoice,
 ) -> Result<String, Error> {
     let language = look.language();
-    let images = Images::load(
-        &loaded.scene,
-        loaded.source.folder().unwrap_or(Path::new(".")),
-    )?;
-    let scene = Arc::new(loaded.scene.clone());
+    let images = Images::load(scene, loaded.source.folder().unwrap_or(Path::new(".")))?;
+    let scene = Arc::new(scene.clone());
     let cost = cost::cost(scene, &images, *camera, settings, COST_SECONDS)?;
     let background = language.say("accuracy-background", &[]);
     let percent = |share: f64| format!("{:.0} %", 100.0 * share);
@@ -462,11 +466,7 @@ fn settings(args: &Args) -> Result<Settings, Error> {
 
 /// The cameras that take the picture: one, or left and right.
 fn cameras(args: &Args, scene: &Scene) -> Result<Vec<Camera>, Error> {
-    let aspect = f64::from(args.size.width) / f64::from(args.size.height);
-    let cameras = match args.camera {
-        Some(id) => vec![camera(scene, id)?],
-        None => selected_cameras(scene, aspect),
-    };
+    let cameras: Vec<Camera> = staging::cameras(scene).copied().collect();
     match args.stereo.is_some() && cameras.len() < 2 {
         true => Err(Complaint::new("stereo-of-one").into()),
         false => Ok(cameras),

@@ -1,14 +1,14 @@
 //! Small pictures: of the scene, or of one object fitted into view.
 
+use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::analysis::Analysis;
 use crate::diagnostics::Error;
-use crate::scene::{Camera, NodeId, Render, Scene, Vec3, View};
-use crate::solids::bounds::NodeBounds;
-use crate::solids::frame::{automatic_camera, seen_box, selected_cameras};
+use crate::scene::{Camera, NodeId, Render, Scene, View};
+use crate::solids::staging::{Viewpoint, cameras, staged};
 use crate::trace::film::Packing;
 use crate::trace::plan::Plan;
 use crate::trace::{Images, Settings, Tracer};
@@ -20,7 +20,7 @@ use super::entity;
 pub enum Subject {
     /// What the render record names, with the scene's own camera and lights.
     Scene,
-    /// One object, with a light at the camera.
+    /// One object, with the automatic camera and lights.
     Object(u32),
 }
 
@@ -37,27 +37,22 @@ impl Stage {
     ///
     /// There is nothing to draw, or the tracer cannot draw it.
     pub fn new(analysis: &Analysis, subject: Subject, aspect: f64) -> Result<Stage, Error> {
-        let own;
         let scene = match subject {
-            Subject::Scene => &analysis.scene,
+            Subject::Scene => staged(&analysis.scene, Viewpoint::Scene, aspect),
             Subject::Object(id) => {
                 let node = entity::entity(analysis, id).and_then(|e| e.node());
-                own = alone(
-                    &analysis.scene,
-                    id,
-                    node.ok_or_else(Error::nothing_to_draw)?,
-                );
-                &own
+                let node = node.ok_or_else(Error::nothing_to_draw)?;
+                let alone = alone(&analysis.scene, id, node);
+                Cow::Owned(staged(&alone, Viewpoint::Scene, aspect).into_owned())
             }
         };
+        let scene = &*scene;
         let plan = Plan::of_picture(scene).ok_or_else(Error::nothing_to_draw)?;
         let folder = analysis.source.folder().unwrap_or(Path::new("."));
         let images = Images::load(scene, folder)?;
         let tracer = Tracer::planned(scene, &images, plan)?;
-        let camera = match subject {
-            Subject::Scene => selected_cameras(scene, aspect).swap_remove(0),
-            Subject::Object(_) => camera_around(scene, analysis.bounds(), aspect),
-        };
+        let camera = cameras(scene).next().copied();
+        let camera = camera.ok_or_else(Error::nothing_to_draw)?;
         Ok(Stage { tracer, camera })
     }
 
@@ -103,26 +98,4 @@ fn alone(scene: &Scene, id: u32, node: NodeId) -> Scene {
     scene.ambient_lights.clear();
     scene.point_lights.clear();
     scene
-}
-
-/// From where an object is seen: more of its shape shows from the front, above and the right than from the
-/// front alone. Not of length 1.
-const VIEWPOINT: Vec3 = [0.5, 0.45, 1.0];
-
-/// The camera that frames an object, moved around its centre.
-fn camera_around(scene: &Scene, bounds: &[NodeBounds], aspect: f64) -> Camera {
-    let straight = automatic_camera(scene, bounds, aspect);
-    let seen = seen_box(scene, bounds);
-    let centre = if seen.is_empty() {
-        [0.0; 3]
-    } else {
-        seen.centre()
-    };
-    let length = VIEWPOINT.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let distance = (straight.position[2] - centre[2]) / length;
-    Camera {
-        position: std::array::from_fn(|i| centre[i] + VIEWPOINT[i] * distance),
-        direction: VIEWPOINT.map(|x| -x),
-        ..straight
-    }
 }

@@ -173,7 +173,7 @@ impl Ring {
 mod tests {
     use super::*;
     use crate::analysis::Analysis;
-    use crate::solids::frame::selected_cameras;
+    use crate::solids::staging::selected_cameras;
 
     const SIZE: u32 = 33;
 

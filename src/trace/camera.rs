@@ -4,7 +4,7 @@ use super::ray::Ray;
 use crate::geometry::vec::Vec3;
 use crate::scene::Camera;
 use crate::scene::sight::Sight;
-use crate::solids::frame::Basis;
+use crate::solids::staging::Basis;
 
 /// A camera set up for pictures of one size.
 #[derive(Debug, Clone)]

@@ -18,7 +18,7 @@ use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;
 use crate::parallel;
 use crate::scene::{Camera, Scene};
-use crate::solids::frame;
+use crate::solids::staging;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -147,7 +147,7 @@ impl Samples {
 /// the left one.
 pub fn selected_camera(scene: &Scene, aspect: f64) -> Camera {
     // There is always one.
-    frame::selected_cameras(scene, aspect).swap_remove(0)
+    staging::selected_cameras(scene, aspect).swap_remove(0)
 }
 
 impl Tracer {
@@ -239,10 +239,6 @@ impl Tracer {
         let Settings { width, height, .. } = *settings;
         let view = View::new(camera, width, height)
             .ok_or_else(|| cannot_draw("draw-projection", Span::default(), camera.id))?;
-        let headlight = [Light {
-            position: view.position(),
-            power: Vec3::ONE,
-        }];
         let limits = Limits {
             depth: settings.depth,
             cutoff: settings.cutoff,
@@ -250,7 +246,7 @@ impl Tracer {
         let outside = self.clip.is_none()
             && view.is_pinhole()
             && !self.holds(&mut self.walker::<f64>(), view.position());
-        let lights = self.lights.as_deref().unwrap_or(&headlight);
+        let lights = &self.lights[..];
         let features = self.features(outside);
         Ok(draw(&Drawing {
             tracer: self,

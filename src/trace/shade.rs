@@ -46,7 +46,7 @@ struct Branch<R: Precision> {
 /// The scratch of one thread.
 pub struct Shader<'t, R: Precision = f64> {
     tracer: &'t Tracer,
-    /// Ambient light of the scene, and its point lights or the headlight.
+    /// Ambient light of the scene, and its point lights.
     ambient: Vec3,
     lights: &'t [Light],
     limits: Limits,

@@ -23,8 +23,7 @@ pub struct Light {
 pub struct Tracer {
     pub graph: Graph,
     pub(super) ambient: Vec3,
-    /// `None`: there is no light at all, and the camera brings one.
-    pub(super) lights: Option<Vec<Light>>,
+    pub(super) lights: Vec<Light>,
     pub(super) background: Vec3,
     /// The region that is drawn, where it cuts anything.
     pub(super) clip: Option<Aabb>,
@@ -69,11 +68,10 @@ impl Tracer {
             position: l.position.into(),
             power: Vec3(l.colour) * l.intensity,
         });
-        let dark = scene.ambient_lights.is_empty() && scene.point_lights.is_empty();
         let region = render.clip.map(|(min, max)| Aabb::new(min, max));
         Ok(Tracer {
             ambient,
-            lights: (!dark).then(|| points.collect()),
+            lights: points.collect(),
             background: render.background.into(),
             clip: region.filter(|_| plan.on(Effect::ClipBox)),
             graph,

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use crate::geometry::Matrix;
 use crate::scene::{Node, NodeId, Scene, Texture, View, Volume};
+use crate::solids::staging::is_dark;
 use crate::syntax::table::{RECORD_TYPES, RecordKind, RecordType};
 use crate::trace::plan::{self, Plan};
 
@@ -31,7 +32,7 @@ pub enum Effect {
     Background,
     RenderBox,
     AutomaticCamera,
-    Headlight,
+    AutomaticLights,
     Depth,
     Cutoff,
 }
@@ -50,7 +51,7 @@ impl Effect {
         Effect::Background,
         Effect::RenderBox,
         Effect::AutomaticCamera,
-        Effect::Headlight,
+        Effect::AutomaticLights,
         Effect::Depth,
         Effect::Cutoff,
     ];
@@ -69,7 +70,7 @@ impl Effect {
             Effect::Background => "background",
             Effect::RenderBox => "render box",
             Effect::AutomaticCamera => "automatic camera",
-            Effect::Headlight => "headlight",
+            Effect::AutomaticLights => "automatic lights",
             Effect::Depth => "depth of rays",
             Effect::Cutoff => "cutoff of faint rays",
         }
@@ -242,7 +243,7 @@ fn shows(effect: Effect, scene: &Scene, plan: &Plan) -> bool {
         Effect::Background => true,
         Effect::RenderBox => plan.on(Planned::ClipBox),
         Effect::AutomaticCamera => scene.view == View::Automatic,
-        Effect::Headlight => scene.ambient_lights.is_empty() && scene.point_lights.is_empty(),
+        Effect::AutomaticLights => is_dark(scene),
         Effect::Depth | Effect::Cutoff => refracts || plan.on(Planned::Reflection),
     }
 }

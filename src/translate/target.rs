@@ -11,6 +11,7 @@ use super::fidelity::Report;
 use crate::analysis::Analysis;
 use crate::diagnostics::{Complaint, Error};
 use crate::scene::Scene;
+use crate::solids::staging::Viewpoint;
 use crate::syntax::Captions;
 use crate::trace::{Images, Tracer};
 
@@ -85,6 +86,8 @@ impl<'a> Prepared<'a> {
 pub struct Options<'a> {
     /// Width and height of the picture in pixels.
     pub size: (u32, u32),
+    /// Who takes the picture.
+    pub viewpoint: Viewpoint,
     /// How often a ray may be mirrored or refracted.
     pub depth: u32,
     /// How far meshes may be from curved surfaces, in scene units, if that was said.

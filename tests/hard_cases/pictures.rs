@@ -42,11 +42,11 @@ fn precision_option(precision: Precision) -> Vec<&'static str> {
     }
 }
 
-/// With a headlight everything in view is lit: what is black must be wrong.
+/// With a lamp at the camera everything in view is lit: what is black must be wrong.
 pub fn row_24_box_above_a_plane(precision: Precision) {
     let scene = Written::new(
         "3 12 -1 -1 -1 1 1 1\n4 3 0 1 0 1.00007\n2 -101 3 4\n\
-         5 -501 3 0.5 4  -3 -1 -4  0 1 0 45",
+         5 -501 3 0.5 4  -3 -1 -4  0 1 0 45\n6 -402 1\n6 -1 3 0.5 4",
     );
     let pixels = render(&scene.path, (96, 72), precision);
     // Rays above the horizon see nothing; the camera looks down, so the lower half sees all.

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use super::{povray, takes_part};
 use zpg::analysis::Analysis;
-use zpg::scene::Scene;
-use zpg::solids::frame::selected_cameras;
+use zpg::scene::{Camera, Scene};
+use zpg::solids::staging::{Viewpoint, cameras, staged};
 use zpg::study::compare::Comparison;
 use zpg::trace::{Images, Settings, Tracer};
 use zpg::translate::pov::{self, Options, pictures::Pictures};
@@ -22,6 +22,11 @@ pub fn compare(name: &str, scene: &Scene, folder: &Path, size: (u32, u32)) -> Ve
         ..Options::default()
     };
     let translation = pov::write(scene, &options).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let scene = &*staged(
+        scene,
+        Viewpoint::Scene,
+        f64::from(size.0) / f64::from(size.1),
+    );
     let images = Images::load(scene, folder).unwrap_or_else(|e| panic!("{name}: {e:?}"));
     let tracer = Tracer::with_images(scene, &images).unwrap_or_else(|e| panic!("{name}: {e}"));
     let settings = Settings {
@@ -31,7 +36,7 @@ pub fn compare(name: &str, scene: &Scene, folder: &Path, size: (u32, u32)) -> Ve
         cutoff: 0.0,
         ..Settings::default()
     };
-    let cameras = selected_cameras(scene, f64::from(size.0) / f64::from(size.1));
+    let cameras: Vec<Camera> = cameras(scene).copied().collect();
     assert_eq!(cameras.len(), translation.files.len());
     let mut all = Vec::new();
     for (i, camera) in cameras.iter().enumerate() {

@@ -4,6 +4,7 @@ use zpg::diagnostics::Span;
 use zpg::geometry::Matrix;
 use zpg::geometry::vec::Vec3;
 use zpg::scene::*;
+use zpg::solids::staging::{Viewpoint, staged};
 use zpg::syntax::table::ShapeKind;
 use zpg::trace::{Picture, Ray, Settings, Tracer, selected_camera};
 
@@ -182,8 +183,9 @@ impl Builder {
 }
 
 pub fn picture(scene: &Scene, settings: &Settings) -> Picture {
-    let tracer = Tracer::new(scene).unwrap();
     let aspect = settings.width as f64 / settings.height as f64;
+    let scene = &*staged(scene, Viewpoint::Scene, aspect);
+    let tracer = Tracer::new(scene).unwrap();
     let camera = selected_camera(scene, aspect);
     tracer.render(&camera, settings, || ()).unwrap()
 }

@@ -1,9 +1,11 @@
 //! Geometry, beside Mitsuba's.
 
 use super::{Args, Compared, Outcome, Pictures};
-use super::{cameras, each_camera, failed, images, made_folder, program, stem};
+use super::{each_camera, failed, images, made_folder, program, stem};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Complaint, Error, Language, Value};
+use crate::scene::Camera;
+use crate::solids::staging::{self, Viewpoint};
 use crate::study::accuracy::words::local;
 use crate::study::geometry::{self, Comparison, Shared, our_normals, their_normals};
 use crate::study::mitsuba::{PROGRAM, render};
@@ -20,11 +22,13 @@ const NAMED: usize = 3;
 
 /// Looks, compares and writes what is seen.
 pub fn compare(args: &Args, loaded: &Analysis) -> Result<Vec<Compared<Comparison>>, Error> {
-    let scene = &loaded.scene;
+    let staged = args.camera.staged(&loaded.scene, args.size)?;
+    let scene = &*staged;
     let size = (args.size.width, args.size.height);
     let tracer = Tracer::with_images(scene, &images(loaded)?)?;
     let options = Options {
         size,
+        viewpoint: Viewpoint::Scene,
         depth: args.depth,
         tolerance: args.tolerance,
         memory: None,
@@ -32,7 +36,7 @@ pub fn compare(args: &Args, loaded: &Analysis) -> Result<Vec<Compared<Comparison
         stem: stem(args),
         captions: Captions::of(&loaded.document, &loaded.source.text),
     };
-    let cameras = cameras(scene, args.size);
+    let cameras: Vec<Camera> = staging::cameras(scene).copied().collect();
     if let Some(camera) = cameras.iter().find(|c| !is_exact(c, size)) {
         let text = |(width, height): (u32, u32)| format!("{width}x{height}");
         let squares = square_size(&cameras, size);

@@ -1,10 +1,12 @@
 //! Pictures, beside POV-Ray's.
 
 use super::{Args, Compared, Outcome, Pictures};
-use super::{cameras, each_camera, failed, images, made_folder, program, stem};
+use super::{each_camera, failed, images, made_folder, program, stem};
 use crate::analysis::Analysis;
 use crate::commands::{LookChoice, draft, terminal};
 use crate::diagnostics::{Complaint, Error, Language};
+use crate::scene::Camera;
+use crate::solids::staging::{self, Viewpoint};
 use crate::study::accuracy::words::local;
 use crate::study::compare::Comparison;
 use crate::study::povray::{PROGRAM, render};
@@ -22,7 +24,8 @@ pub fn compare(
     loaded: &Analysis,
     look: LookChoice,
 ) -> Result<Vec<Compared<Comparison>>, Error> {
-    let scene = &loaded.scene;
+    let staged = args.camera.staged(&loaded.scene, args.size)?;
+    let scene = &*staged;
     let size = (args.size.width, args.size.height);
     let bar = args.max_diff / 255.0;
     let name = plain(&stem(args));
@@ -30,6 +33,7 @@ pub fn compare(
     let (pictures, copies) = pictures::Pictures::beside(&images, &name);
     let options = pov::Options {
         size,
+        viewpoint: Viewpoint::Scene,
         depth: args.depth,
         pictures,
         stereo: pov::Stereo::TwoFiles,
@@ -49,7 +53,7 @@ pub fn compare(
         draft::write(&folder.join(name), |out| out.write_all(png))?;
     }
     let program = program(args, PROGRAM);
-    let cameras = cameras(scene, args.size);
+    let cameras: Vec<Camera> = staging::cameras(scene).copied().collect();
     let suffixes = translation.files.iter().map(|f| f.suffix);
     each_camera(args, &folder, suffixes, |i, suffix| {
         let name = format!("{name}{suffix}");

@@ -1,4 +1,5 @@
 use super::*;
+use crate::solids::staging::Viewpoint;
 use crate::syntax::Captions;
 use crate::testing::scene;
 use crate::trace::selected_camera;
@@ -26,6 +27,7 @@ fn compared_in(text: &str, change: impl Fn(&Output, &mut [f32])) -> Comparison {
     let tracer = Tracer::new(&scene).unwrap();
     let options = mitsuba::Options {
         size: SIZE,
+        viewpoint: Viewpoint::Scene,
         depth: 10,
         tolerance: None,
         memory: None,

@@ -162,16 +162,13 @@ pub struct Scenery<'s, T> {
 }
 
 impl<'s, T: Number> Scenery<'s, T> {
-    pub fn new(scene: &'s Scene, lens: &Lens<T>, depth: u32, cutoff: f64) -> Scenery<'s, T> {
-        let mut lights: Vec<_> = (scene.point_lights.iter())
+    pub fn new(scene: &'s Scene, depth: u32, cutoff: f64) -> Scenery<'s, T> {
+        let lights: Vec<_> = (scene.point_lights.iter())
             .map(|l| {
                 let power = scale(vector(l.colour), T::of(l.intensity));
                 (vector(l.position), power)
             })
             .collect();
-        if scene.point_lights.is_empty() && scene.ambient_lights.is_empty() {
-            lights.push((lens.position, vector([1.0; 3])));
-        }
         let ambient = (scene.ambient_lights.iter()).fold(vector([0.0; 3]), |sum, l| {
             add(sum, scale(vector(l.colour), T::of(l.intensity)))
         });

@@ -69,7 +69,7 @@ impl<'s, T: Number> Naive<'s, T> {
 
     fn ready(&self) -> Result<(Scenery<'s, T>, Solids<'s, T>), Unfit> {
         let solids = Solids::new(self.scene)?;
-        let mut scenery = Scenery::new(self.scene, &self.lens, self.depth, self.cutoff);
+        let mut scenery = Scenery::new(self.scene, self.depth, self.cutoff);
         scenery.records = (0..self.scene.shapes.len() as u32).collect();
         scenery.textures = (solids.textures.iter())
             .map(|&texture| match texture {

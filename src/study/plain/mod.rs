@@ -123,7 +123,7 @@ impl<'a, T: Number> Plain<'a, T> {
             .collect::<Option<Vec<_>>>();
         let forms = forms.ok_or_else(|| Complaint::new("accuracy-unfit-facets"))?;
         let backs = graph.matrices.iter().map(back).collect::<Option<Vec<_>>>();
-        let mut scenery = Scenery::new(scene, &lens, settings.depth, settings.cutoff);
+        let mut scenery = Scenery::new(scene, settings.depth, settings.cutoff);
         scenery.records = graph.records.clone();
         scenery.textures = graph
             .textures

@@ -14,6 +14,7 @@ pub mod unseen;
 use crate::diagnostics::Span;
 use crate::parallel;
 use crate::scene::{Node, NodeId, Rgb, Scene, View};
+use crate::solids::staging::is_dark;
 use reach::Reach;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
@@ -108,6 +109,9 @@ impl Sources {
     }
 }
 
+/// What the render record does where there is no light.
+const UNLIT: &str = "draws a scene without any light, so automatic lights shine";
+
 /// Scenes with so many nodes are searched on two threads. For smaller ones, waking a thread takes longer than it saves.
 /// For larger ones, both searches at once would take too much memory.
 const AT_ONCE: Range<usize> = 1 << 10..1 << 17;
@@ -168,7 +172,7 @@ impl Plan {
         let ambient = Sources::of(ambient.map(|l| l.id));
         let points = (scene.point_lights.iter()).filter(|l| lit(l.colour, l.intensity));
         let points = Sources::of(points.map(|l| l.id));
-        let dark = scene.ambient_lights.is_empty() && scene.point_lights.is_empty();
+        let dark = is_dark(scene);
 
         let diffuse = reach.diffuse.some() && (dark || points.some());
         let glass = reach.glass.some();
@@ -189,24 +193,19 @@ impl Plan {
         let projecting = cameras.iter().filter(|c| c.projection.is_some());
         let stereo = matches!(scene.view, View::Stereo { .. });
 
-        let headlight = Sources::of(dark.then_some(1));
+        let automatic = Sources::of(dark.then_some(1));
         let mut out = Decisions {
             spans: FxHashMap::default(),
             list: Vec::with_capacity(17),
         };
         use Effect::*;
-        let light = [
-            (&points, "is a point light"),
-            (
-                &headlight,
-                "draws a scene without any light, so the camera brings a headlight",
-            ),
-        ];
+        let light = [(&points, "is a point light"), (&automatic, UNLIT)];
         out.decide(
             Ambient,
-            reach.diffuse.some() && ambient.some(),
+            reach.diffuse.some() && (dark || ambient.some()),
             &[
                 (&ambient, "is an ambient light"),
+                (&automatic, UNLIT),
                 (&reach.diffuse, "is diffuse"),
             ],
         );

@@ -5,8 +5,8 @@ use crate::diagnostics::Complaint;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Node, Scene, Texture, Vec3};
 use crate::solids::bounds::{NodeBounds, node_bounds};
-use crate::solids::frame::seen_box;
 use crate::solids::shapes::facts::Facts;
+use crate::solids::staging::seen_box;
 
 /// How much larger than its bounded parts the region is that things without end are cut to: a floor that
 /// reaches beyond what stands on it.

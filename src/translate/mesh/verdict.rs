@@ -110,7 +110,7 @@ fn of_effect(target: &str, effect: Effect) -> Verdict {
         Effect::RenderBox => {
             Verdict::approximate("what it cuts is closed", "everything is cut to it")
         }
-        Effect::AutomaticCamera | Effect::Headlight => Verdict::exact("left to the viewer"),
+        Effect::AutomaticCamera | Effect::AutomaticLights => Verdict::exact("left to the viewer"),
         Effect::Depth | Effect::Cutoff => Verdict::exact("left to the viewer"),
     }
 }

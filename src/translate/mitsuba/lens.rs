@@ -4,7 +4,7 @@ use crate::geometry::Matrix;
 use crate::geometry::array::{add, cross, dot, length, sub};
 use crate::scene::sight::Sight;
 use crate::scene::{Camera, Vec3};
-use crate::solids::frame::Basis;
+use crate::solids::staging::Basis;
 use crate::trace::camera::View;
 
 /// A camera as Mitsuba has it.

@@ -24,7 +24,7 @@ use crate::diagnostics::{Complaint, Error};
 use crate::geometry::Aabb;
 use crate::scene::{Camera, Scene};
 use crate::solids::bounds::node_bounds;
-use crate::solids::frame::selected_cameras;
+use crate::solids::staging::{self, staged};
 use crate::trace::{Tracer, Walkers, camera::View};
 use bsdf::Bsdfs;
 pub use frame::Frame;
@@ -62,7 +62,9 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     let render = scene.render.ok_or_else(Error::nothing_to_draw)?;
     let graph = &tracer.graph;
     let aspect = f64::from(options.size.0) / f64::from(options.size.1);
-    let cameras = selected_cameras(scene, aspect);
+    let staged = staged(scene, options.viewpoint, aspect);
+    let scene = &*staged;
+    let cameras: Vec<Camera> = staging::cameras(scene).copied().collect();
     let of_meshes = mesh::Options {
         tolerance: options.tolerance,
         memory: options.memory,
@@ -168,7 +170,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         let nearest = frame.scale * nearest(tracer, camera, options.size);
         let view = scenery::view(scene, there, &all, nearest, reach, options)?;
         let lights = match options.integrator {
-            Integrator::Path => scenery::lights(scene, camera, &frame, &parts.extent.region),
+            Integrator::Path => scenery::lights(scene, &frame, &parts.extent.region),
             Integrator::Aov => String::new(),
         };
         let moved = match frame.is_plain() {

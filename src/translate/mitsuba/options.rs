@@ -1,5 +1,6 @@
 //! What a translation is asked to be.
 
+use crate::solids::staging::Viewpoint;
 use crate::syntax::Captions;
 
 /// What Mitsuba is to compute.
@@ -18,6 +19,8 @@ pub enum Integrator {
 pub struct Options {
     /// Width and height of the picture in pixels.
     pub size: (u32, u32),
+    /// Who takes the picture.
+    pub viewpoint: Viewpoint,
     /// How often a ray may be mirrored or refracted.
     pub depth: u32,
     /// As in [`mesh::Options`](crate::translate::mesh::Options).

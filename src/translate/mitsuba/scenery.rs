@@ -10,7 +10,7 @@ use super::xml::{number, rgb, transform, vector};
 use crate::diagnostics::Error;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Camera, Scene};
-use crate::solids::frame::{Basis, headlight};
+use crate::solids::staging::Basis;
 use crate::translate::about_camera;
 
 /// Samples a pixel of a path-traced picture.
@@ -198,7 +198,7 @@ fn environment(scene: &Scene) -> Option<Environment> {
 }
 
 /// The lamps. They are as bright as ours at the middle of the scene: Mitsuba's fade with distance.
-pub fn lights(scene: &Scene, camera: &Camera, frame: &Frame, region: &Aabb) -> String {
+pub fn lights(scene: &Scene, frame: &Frame, region: &Aabb) -> String {
     let mut out = String::new();
     if let Some(e) = environment(scene) {
         // Writing to a string does not fail.
@@ -209,7 +209,7 @@ pub fn lights(scene: &Scene, camera: &Camera, frame: &Frame, region: &Aabb) -> S
         );
     }
     let middle = region.centre();
-    for lamp in scene.point_lights.iter().chain(&headlight(scene, camera)) {
+    for lamp in &scene.point_lights {
         let position = frame.place(lamp.position);
         let d: [f64; 3] = std::array::from_fn(|i| position[i] - middle[i]);
         let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];

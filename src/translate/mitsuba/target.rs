@@ -28,6 +28,7 @@ impl Target for Mitsuba {
         let stem = options.output.and_then(Path::file_stem);
         let own = Options {
             size: options.size,
+            viewpoint: options.viewpoint,
             depth: options.depth,
             tolerance: options.tolerance,
             memory: options.memory,

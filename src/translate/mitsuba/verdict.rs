@@ -135,9 +135,9 @@ fn of_effect(effect: Effect) -> Verdict {
         ),
         Effect::RenderBox => Verdict::exact("what it cuts is a mesh, and open"),
         Effect::AutomaticCamera => Verdict::exact("the camera is written out"),
-        Effect::Headlight => Verdict::approximate(
+        Effect::AutomaticLights => Verdict::approximate(
             "as bright as ours at the scene's middle: it fades with distance",
-            "a point emitter",
+            "a point and a constant emitter",
         ),
         Effect::Depth => Verdict::exact("max_depth"),
         Effect::Cutoff => Verdict::exact("paths end at random, which is right on average"),

@@ -9,7 +9,7 @@ use super::reach::reach;
 use super::text::{number, vector};
 use crate::diagnostics::Complaint;
 use crate::scene::Vec3;
-use crate::solids::frame::seen_box;
+use crate::solids::staging::seen_box;
 use crate::translate::fidelity::Fidelity;
 
 /// The size that the scene is scaled to: POV-Ray's tolerances, 1e-6 to 1e-3, are small beside that, and its

@@ -60,6 +60,7 @@ use super::{Fidelity, File, Report};
 use crate::diagnostics::{Complaint, Error};
 use crate::scene::{Optics, Render, Scene};
 use crate::solids::contacts;
+use crate::solids::staging::{Viewpoint, staged};
 use crate::syntax::Captions;
 use build::Builder;
 use camera::Eye;
@@ -73,6 +74,8 @@ use text::{entity, number, rgb, vector};
 pub struct Options {
     /// Width and height of the picture in pixels.
     pub size: (u32, u32),
+    /// Who takes the picture.
+    pub viewpoint: Viewpoint,
     /// How often a ray may be mirrored or refracted.
     pub depth: u32,
     pub pictures: Pictures,
@@ -94,6 +97,7 @@ impl Default for Options {
     fn default() -> Options {
         Options {
             size: (640, 480),
+            viewpoint: Viewpoint::Scene,
             depth: 10,
             pictures: Pictures::default(),
             stereo: Stereo::TwoFiles,
@@ -140,6 +144,8 @@ const MOST_LEVELS: u32 = 256;
 /// Something in it has no translation.
 pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
     let report = Report::of("pov", scene, |f| verdict::verdict(f, &options.pictures));
+    let staged = staged(scene, options.viewpoint, options.aspect());
+    let scene = &*staged;
     let reordered = cuts::reordered(scene);
     let scene = reordered.as_ref().unwrap_or(scene);
     let spread = spread::spread(scene);
@@ -157,7 +163,7 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
     let root = emitter.declare(render.root);
     let everywhere = emitter.everywhere;
     let (objects, geodesics) = (emitter.text, emitter.geodesics);
-    let light_scale = light_scale(&builder, &render, &eyes, options);
+    let light_scale = light_scale(&builder, &render, options);
 
     let mut looks = String::new();
     if builder.unseen {
@@ -169,14 +175,14 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
     builder
         .looks
         .write(&mut looks, &builder.aspects, scene, &options.pictures);
-    let on_surface = scenery::is_lit_from_surface(scene, &eyes, &builder.bounds, render.root);
+    let on_surface = scenery::is_lit_from_surface(scene, &builder.bounds, render.root);
     let file = |eyes: &[Eye]| {
         let mut out = String::new();
         header(&mut out, &builder, eyes, options);
         settings(&mut out, scene, &render, &frame, light_scale, options);
         let captions = &options.captions;
         out.push_str(&camera::cameras(eyes, &frame, captions));
-        let mut lights = scenery::point_lights(scene, eyes, &frame, captions);
+        let mut lights = scenery::point_lights(scene, &frame, captions);
         let mut picture = picture(root.as_deref(), &render, &frame, captions);
         if on_surface {
             picture = scenery::light_group(&std::mem::take(&mut lights), &picture);
@@ -271,7 +277,7 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
     })
 }
 
-fn light_scale(builder: &Builder, render: &Render, eyes: &[Eye], options: &Options) -> f64 {
+fn light_scale(builder: &Builder, render: &Render, options: &Options) -> f64 {
     let default = Optics::default();
     let looks: Vec<&Optics> = builder
         .looks
@@ -280,7 +286,7 @@ fn light_scale(builder: &Builder, render: &Render, eyes: &[Eye], options: &Optio
         .chain(std::iter::once(&default))
         .collect();
     let optics = looks.iter().copied();
-    scenery::light_scale(builder.scene, render, eyes, optics, options.depth)
+    scenery::light_scale(builder.scene, render, optics, options.depth)
 }
 
 /// How to render the file so that its pixels can be compared.

@@ -1,16 +1,14 @@
 //! Lights.
 
-use super::camera::Eye;
 use super::frame::{Frame, power_of_two_about};
 use super::text::{entity, number, rgb, vector};
 use crate::scene::{NodeId, Optics, Render, Rgb, Scene};
 use crate::solids::bounds::NodeBounds;
-use crate::solids::frame::headlight;
 use crate::syntax::Captions;
 use crate::trace::plan::unseen::view::on_surfaces;
 
-/// The point lights, one a line; where there is no light at all, a headlight for each camera.
-pub fn point_lights(scene: &Scene, eyes: &[Eye], frame: &Frame, captions: &Captions) -> String {
+/// The point lights, one a line.
+pub fn point_lights(scene: &Scene, frame: &Frame, captions: &Captions) -> String {
     let mut out = String::new();
     let place = frame.modifiers();
     for light in &scene.point_lights {
@@ -22,37 +20,12 @@ pub fn point_lights(scene: &Scene, eyes: &[Eye], frame: &Frame, captions: &Capti
             entity(light.id, captions)
         ));
     }
-    for (eye, switch) in eyes.iter().zip(["Eye = 0", "Eye = 1"]) {
-        let Some(light) = headlight(scene, &eye.camera) else {
-            continue;
-        };
-        let text = format!(
-            "light_source {{ {}, rgb 1*Light_Scale {place} }} // the scene has no light\n",
-            vector(&light.position)
-        );
-        out.push_str(&if eyes.len() > 1 {
-            format!("#if ({switch})\n  {text}#end\n")
-        } else {
-            text
-        });
-    }
     out
 }
 
 /// Whether any lamp lies on a surface.
-pub fn is_lit_from_surface(
-    scene: &Scene,
-    eyes: &[Eye],
-    bounds: &[NodeBounds],
-    root: NodeId,
-) -> bool {
-    let heads = eyes
-        .iter()
-        .filter_map(|eye| headlight(scene, &eye.camera))
-        .map(|l| l.position);
-    let places: Vec<_> = (scene.point_lights.iter().map(|l| l.position))
-        .chain(heads)
-        .collect();
+pub fn is_lit_from_surface(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> bool {
+    let places: Vec<_> = scene.point_lights.iter().map(|l| l.position).collect();
     on_surfaces(scene, bounds, root, &places).contains(&true)
 }
 
@@ -91,13 +64,11 @@ const DIMMEST: f64 = 1.0 / 256.0;
 pub fn light_scale<'a>(
     scene: &Scene,
     render: &Render,
-    eyes: &[Eye],
     optics: impl Iterator<Item = &'a Optics> + Clone,
     depth: u32,
 ) -> f64 {
     let mut light = ambient(scene);
-    let head = eyes.first().and_then(|e| headlight(scene, &e.camera));
-    for point in scene.point_lights.iter().chain(head.as_ref()) {
+    for point in &scene.point_lights {
         for (s, c) in light.iter_mut().zip(point.colour) {
             *s += point.intensity * c;
         }

@@ -38,6 +38,7 @@ impl Target for Pov {
         };
         let own = Options {
             size: options.size,
+            viewpoint: options.viewpoint,
             depth: options.depth,
             pictures,
             stereo: match options.output {

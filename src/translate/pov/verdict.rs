@@ -66,7 +66,7 @@ fn of_effect(effect: Effect) -> Verdict {
         Effect::Background => Verdict::exact("background"),
         Effect::RenderBox => Verdict::exact("clipped_by"),
         Effect::AutomaticCamera => Verdict::exact("the camera is written out"),
-        Effect::Headlight => Verdict::exact("a light_source at the camera"),
+        Effect::AutomaticLights => Verdict::exact("ambient_light and a light_source"),
         Effect::Depth => Verdict::exact("max_trace_level"),
         Effect::Cutoff => Verdict::exact("adc_bailout 0: all rays are followed"),
     }

@@ -1,4 +1,4 @@
-//! N603: a headlight shines where there is no light.
+//! N603: automatic lights shine where there is none.
 
 use crate::diagnostics::{Code, Diagnostic};
 use crate::lint::Context;

@@ -7,7 +7,7 @@ use crate::lint::records::chosen_cameras;
 use crate::lint::spelling::spelled;
 use crate::scene::record::Params;
 use crate::scene::{Camera, Vec3};
-use crate::solids::frame::Basis;
+use crate::solids::staging::Basis;
 use crate::syntax::table::RecordKind;
 
 /// The sine of the angle between the two below which nobody has chosen it.

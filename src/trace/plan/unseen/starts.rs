@@ -6,13 +6,13 @@ use crate::geometry::{Aabb, Matrix};
 use crate::scene::sight::Sight;
 use crate::scene::{Camera, Scene, Vec3, View};
 use crate::solids::bounds::NodeBounds;
-use crate::solids::frame::{Basis, automatic_camera};
+use crate::solids::staging::{Basis, automatic_camera};
 use crate::solids::within::{CLEAR, Standing, far};
 
 /// Where rays may start.
 enum Start {
     Point(Vec3),
-    /// Somewhere on a straight way to infinity, which this box is.
+    /// Somewhere in this box, which may reach to infinity.
     Way(Aabb),
     /// Somewhere between four points of a plane.
     Face([Vec3; 4]),
@@ -29,9 +29,8 @@ impl Starts {
         if scene.cameras.is_empty() || scene.view == View::Automatic {
             // The narrower a picture is, the further away is its camera.
             let Camera { position, .. } = automatic_camera(scene, bounds, 1.0);
-            let mut way = Aabb::new(position, position);
-            way.max[2] = f64::INFINITY;
-            all.push(Start::Way(way));
+            // It goes away to the right, up and to the front.
+            all.push(Start::Way(Aabb::new(position, [f64::INFINITY; 3])));
         }
         Starts(all)
     }
