@@ -314,7 +314,7 @@ fn wrong_usage_in_both_languages() {
             "`x` není číslo",
         ),
         (
-            &["render", "a.zpg", "b.zpg"],
+            &["plan", "a.zpg", "b.zpg"],
             "error: unexpected argument `b.zpg`\n",
             "chyba: neočekávaný argument `b.zpg`\n",
         ),
@@ -330,8 +330,8 @@ fn wrong_usage_in_both_languages() {
         ),
         (
             &["render"],
-            "error: missing: <FILE>",
-            "chyba: chybí: <SOUBOR>",
+            "error: missing: <PATH>...",
+            "chyba: chybí: <CESTA>...",
         ),
         (
             &["explain", "--color"],

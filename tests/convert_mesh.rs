@@ -36,6 +36,46 @@ fn errors(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
+/// Without `--to`, the ending of the name after `-o` says what it is to be; what was written is said.
+#[test]
+fn the_ending_says_what_it_is_to_be() {
+    let folder = folder();
+    for (name, begins) in [
+        ("a.pov", &b"// "[..]),
+        ("a.XML", b"<"),
+        ("a.ply", b"ply"),
+        ("a.obj", b"#"),
+        ("a.glb", b"glTF"),
+        ("a.json", b"{"),
+        ("a.zpg", b""),
+    ] {
+        let output = zpg(folder.path(), &["convert", "thing.zpg", "-o", name], "");
+        assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+        let said = errors(&output);
+        assert!(said.contains(&format!("Wrote {name}\n")), "{said}");
+        let bytes = std::fs::read(folder.path().join(name)).expect("a file");
+        assert!(bytes.starts_with(begins), "{name}");
+        let quiet = zpg(
+            folder.path(),
+            &["convert", "thing.zpg", "-o", name, "-q"],
+            "",
+        );
+        assert!(!errors(&quiet).contains("Wrote"));
+    }
+    for arguments in [
+        &["convert", "thing.zpg"][..],
+        &["convert", "thing.zpg", "-o", "a.png"],
+    ] {
+        let output = zpg(folder.path(), arguments, "");
+        assert_eq!(output.status.code(), Some(2));
+        assert!(
+            errors(&output).contains("which format?"),
+            "{}",
+            errors(&output)
+        );
+    }
+}
+
 #[test]
 fn meshes_are_named_after_the_scene() {
     let folder = folder();

@@ -161,7 +161,7 @@ fn wrong_usage() {
         &["check", "--select", "W399"],
         &["check", "--memory", "x"],
         &["render"],
-        &["render", "a.zpg", "b.zpg"],
+        &["plan", "a.zpg", "b.zpg"],
         &["render", "a.zpg", "--depth", "x"],
         &["render", "a.zpg", "--depth", "99999999999"],
         &["render", "a.zpg", "--threads", "-1"],

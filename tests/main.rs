@@ -19,6 +19,7 @@ mod convert_json;
 mod convert_mesh;
 mod crosscheck;
 mod czech;
+mod drawing;
 mod editors;
 mod emitted;
 mod explain_examples;

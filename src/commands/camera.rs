@@ -55,6 +55,11 @@ impl From<SideArg> for Side {
 const NAMED: usize = 20;
 
 impl CameraArgs {
+    /// Whether a camera or a side was asked for.
+    pub fn is_given(self) -> bool {
+        self.camera.is_some() || self.view.is_some()
+    }
+
     /// Whose view that is in a scene.
     ///
     /// # Errors

@@ -9,12 +9,13 @@ use super::memory::Memory;
 use super::paths::is_stdout;
 use super::size::Size;
 use super::spare::spare;
+use super::terminal::tell;
 use super::{LookChoice, Needs, Status, complain, load_for, refuse, usage};
 use crate::analysis::file::STDIN;
 use crate::diagnostics::{Complaint, Error, Value};
 use crate::translate::Fidelity;
 use crate::translate::fidelity::row;
-use crate::translate::registry::{TARGETS, named};
+use crate::translate::registry::{TARGETS, named, of_file};
 use crate::translate::target::{Options, Output, Prepared, Target};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
@@ -25,18 +26,18 @@ Every translation ends with a report on standard error: what of the scene is app
 much, what is dropped, and how many features are exact; --verbose lists these too.
 
 Examples:
-  zpg convert scene.zpg --to pov -o scene.pov
-  zpg convert scene.zpg --to mitsuba -o scene.xml
-  zpg convert scene.zpg --to glb --tolerance 0.01
+  zpg convert scene.zpg -o scene.pov
+  zpg convert scene.zpg --to mitsuba
+  zpg convert scene.zpg -o scene.glb --tolerance 0.01
   zpg convert scene.zpg --to json | jq .nodes
   zpg convert made-by-a-program.json --to zpg")]
 pub struct Args {
     /// The scene, as records or as JSON; `-` is standard input
     file: PathBuf,
 
-    /// What to translate it to
+    /// What to translate it to; if not given, what the ending of -o stands for
     #[arg(long, value_name = "TO", value_parser = target())]
-    to: &'static dyn Target,
+    to: Option<&'static dyn Target>,
 
     /// Where to write; `-` is standard output. If not given: standard output, and a mesh to SCENE.ply (obj, glb) in the
     /// current folder. A stereo pair is written to NAME_left and NAME_right; on standard output it is
@@ -100,6 +101,15 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &complaint);
         return Status::Failure;
     }
+    let named = args.output.as_deref().and_then(of_file);
+    let Some(to) = args.to.or(named) else {
+        let complaint = Complaint::new("no-target");
+        complain(
+            look,
+            &complaint.with("names", TARGETS.map(|t| t.name()).join(", ")),
+        );
+        return Status::Failure;
+    };
     // What cannot be written is known before anything is read.
     let named = args.output.iter().filter(|path| !is_stdout(path));
     if let Err(complaint) = named
@@ -111,12 +121,12 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     }
     let outputs = [&args.output, &args.report].into_iter().flatten();
     let on_stdout = outputs.filter(|path| is_stdout(path)).count();
-    let is_text = !MESHES.contains(&args.to.name());
+    let is_text = !MESHES.contains(&to.name());
     if on_stdout > 1 || on_stdout > 0 && args.output.is_none() && is_text {
         complain(look, &Complaint::new("two-on-stdout"));
         return Status::Failure;
     }
-    let needs = match args.to.draws() {
+    let needs = match to.draws() {
         true => Needs::Render,
         false => Needs::Nothing,
     };
@@ -138,11 +148,11 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         file: &args.file,
         output: args.output.as_deref().filter(|path| !is_stdout(path)),
     };
-    if options.output != args.output.as_deref() && MESHES.contains(&args.to.name()) {
+    if options.output != args.output.as_deref() && MESHES.contains(&to.name()) {
         complain(look, &Complaint::new("mesh-on-stdout"));
         return Status::Failure;
     }
-    let made = args.to.write(&Prepared::new(&loaded), &options);
+    let made = to.write(&Prepared::new(&loaded), &options);
     let spared = made.and_then(|made| {
         let files = made.files.iter().filter_map(|(path, _)| path.as_deref());
         spare(
@@ -181,12 +191,26 @@ fn deliver(args: &Args, made: &Output, look: LookChoice) -> Status {
     // Nobody is left to be told when standard error is gone.
     let _ = write!(io::stderr(), "{said}");
     match written {
-        Ok(()) => Status::Clean,
+        Ok(()) if look.quiet => Status::Clean,
+        Ok(()) => say_written(made.files.iter().chain(&report), look),
         Err(complaint) => {
             complain(look, &complaint);
             Status::Failure
         }
     }
+}
+
+/// Says which files there are now: on standard error, as one of them may be a device that standard output goes to.
+fn say_written<'f>(
+    files: impl Iterator<Item = &'f (Option<PathBuf>, Vec<u8>)>,
+    look: LookChoice,
+) -> Status {
+    let named = files.filter_map(|(path, _)| path.as_deref());
+    for path in named.filter(|path| !is_stdout(path) && path.is_file()) {
+        let line = Complaint::new("wrote-file").with("path", path);
+        tell(&line.wording(look.language()));
+    }
+    Status::Clean
 }
 
 /// Writes all files, or none if one of them cannot be begun; what has no path goes to standard output.

@@ -176,12 +176,12 @@ help-convert = Převede scénu pro jiný program
         liší, co je vynecháno a kolik vlastností je převedeno přesně. S --verbose vyjmenuje i ty přesné.
 
         Příklady:
-          zpg convert scena.zpg --to pov -o scena.pov
-          zpg convert scena.zpg --to mitsuba -o scena.xml
-          zpg convert scena.zpg --to glb --tolerance 0.01
+          zpg convert scena.zpg -o scena.pov
+          zpg convert scena.zpg --to mitsuba
+          zpg convert scena.zpg -o scena.glb --tolerance 0.01
           zpg convert scena.zpg --to json | jq .nodes
           zpg convert vytvorena-programem.json --to zpg
-help-convert-to = Do čeho scénu převést
+help-convert-to = Do čeho scénu převést; bez této volby to určí přípona za -o
     .value = CÍL
     .pov = POV-Ray 3.7, jeden soubor
     .mitsuba = Mitsuba 3: XML a vedle něj sítě
@@ -248,22 +248,36 @@ help-crosscheck-json = Vypíše čísla jako JSON
 
 ## zpg render
 
-help-render = Vykreslí scénu
+help-render = Vykreslí scény
     .after =
-        Bez -o se obrázek scény SCÉNA.zpg zapíše do souboru SCÉNA.png v aktuální složce. PNG je osmibitové sRGB, EXR
-        a PFM obsahují lineární neoříznutá 32bitová čísla. Na standardní výstup se vypíše, co bylo zapsáno; s `-o -` tam
-        jde jen samo PNG. Scéna s výběrem dvojice kamer dá dva obrázky, SCÉNA_left.png a SCÉNA_right.png, pokud --stereo
-        neurčí jinak. Po přerušení (Ctrl-C) nezůstane žádný soubor.
+        Bez -o se obrázek scény SCÉNA.zpg zapíše do souboru SCÉNA.png v aktuální složce. PNG, WebP
+        (bezztrátový) a JPEG jsou osmibitové sRGB, EXR a PFM obsahují lineární neoříznutá 32bitová čísla. Na standardní
+        výstup se vypíše, co bylo zapsáno; s `-o -` tam jde jen samo PNG. Co je s obrázkem v nepořádku, například že v záběru
+        nic není, se vypíše na chybový výstup. Scéna s výběrem dvojice kamer dá dva obrázky, SCÉNA_left.png
+        a SCÉNA_right.png, pokud --stereo neurčí jinak. Obrázky několika scén nebo scén ze složky se zapíšou do složky,
+        kterou určuje -o. Po přerušení (Ctrl-C) nezůstane žádný soubor.
 
         Příklady:
           zpg render scena.zpg
-          zpg render scena.zpg -o velky.png --size 1920x1080 --samples 16
+          zpg render scena.zpg -o velky.png --size 1920x1080 --quality good
+          zpg render scena.zpg --view top --watch
+          zpg render sceny -o obrazky
           zpg render scena.zpg -o film.exr --adaptive 0.01
-          zpg render scena.zpg -o - | convert - scena.jpg
+          zpg render scena.zpg -o scena.jpg --exposure 0.7
           zpg render scena.zpg --cost
           zpg render scena.zpg --crop 200,100,64,64 --stats naklady.json
-help-render-output = Kam obrázek zapsat: .png, .exr nebo .pfm; `-` je standardní výstup
+help-render-paths = Scény jako záznamy nebo JSON, nebo složky se scénami; `-` je standardní vstup
+    .value = CESTA
+help-render-output = Kam obrázek zapsat: .png, .jpg, .webp, .exr nebo .pfm; `-` je standardní výstup. Nebo složka
     .value = VÝSTUP
+help-render-watch = Kreslí znovu, kdykoli se scéna nebo obrázek, který používá, změní
+help-render-quality = Jak hladké budou hrany [výchozí: draft]
+    .value = KVALITA
+    .draft = jeden vzorek v každém pixelu
+    .good = --adaptive 0.05: asi desetinásobek času, čtvrtina chyby
+    .final = --adaptive 0.01: asi dvacetinásobek času, desetina chyby
+help-render-exposure = Zesvětlí všechno tolikrát
+    .value = KOLIKRÁT
 help-render-size = Šířka a výška v pixelech
     .value = ŠxV
 help-render-samples = Počet vzorků v každém pixelu; jeden leží v jeho středu

@@ -4,7 +4,7 @@
 //! What they share: [`belongings`] of files stay theirs, [`camera`] says who takes the picture, [`load`] loads a scene and says why a command refuses, [`paths`] expands folders, [`difference`] shows how a file would change, [`draft`] writes files that
 //! appear when they are complete, [`help`] gives `--help` in other languages, [`language`] chooses one, [`memory`] says how much memory and how many threads may be taken, [`rewrite`] changes files, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`,
 //! [`terminal`] knows about colour and about output that nobody reads any more, [`usage`] says what
-//! is wrong with arguments.
+//! is wrong with arguments, [`watch`] does something again when a scene changes.
 
 pub mod accuracy;
 mod belongings;
@@ -34,6 +34,7 @@ pub mod size;
 mod spare;
 pub mod terminal;
 pub mod usage;
+mod watch;
 
 pub use load::{Needs, load_for, load_sound, refuse};
 pub use terminal::{LookChoice, complain, report};

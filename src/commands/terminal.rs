@@ -123,6 +123,15 @@ pub fn warn(look: LookChoice, complaint: &Complaint) {
     tell(&format!("{kind}: {}", complaint.wording(look.language())));
 }
 
+/// Says on standard error what may help, unless nobody wants to.
+pub fn note(look: LookChoice, complaint: &Complaint) {
+    if look.quiet {
+        return;
+    }
+    let kind = look.language().say("note", &[]);
+    tell(&format!("{kind}: {}", complaint.wording(look.language())));
+}
+
 /// Writes a line to standard error.
 pub fn tell(line: &str) {
     // Nobody is left to be told when standard error is gone.

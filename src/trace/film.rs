@@ -111,6 +111,9 @@ pub fn write_rgb(
     Ok(())
 }
 
+/// From 1 to 100.
+const JPEG_QUALITY: u8 = 95;
+
 impl Film {
     pub fn pixel(&self, x: u32, y: u32) -> [f32; 3] {
         self.pixels[y as usize * self.width as usize + x as usize]
@@ -118,8 +121,39 @@ impl Film {
 
     /// 8-bit sRGB.
     pub fn write_png(&self, out: impl Write, packing: Packing) -> io::Result<()> {
-        let bytes: Vec<u8> = self.pixels.iter().flatten().map(|&x| srgb8(x)).collect();
-        write_rgb8(out, [self.width, self.height], &bytes, packing)
+        write_rgb8(out, [self.width, self.height], &self.rgb8(), packing)
+    }
+
+    /// 8-bit sRGB, of nearly the highest quality: colours of neighbours are not mixed.
+    pub fn write_jpeg(&self, out: impl Write) -> io::Result<()> {
+        use jpeg_encoder::{ColorType, Encoder, SamplingFactor};
+        let mut encoder = Encoder::new(out, JPEG_QUALITY);
+        encoder.set_sampling_factor(SamplingFactor::F_1_1);
+        let [width, height] = [self.width, self.height].map(u16::try_from);
+        let too_large = |_| io::Error::other("a JPEG is at most 65535 pixels wide and high");
+        let (width, height) = (width.map_err(too_large)?, height.map_err(too_large)?);
+        let encoded = encoder.encode(&self.rgb8(), width, height, ColorType::Rgb);
+        encoded.map_err(io::Error::other)
+    }
+
+    /// 8-bit sRGB, without loss.
+    pub fn write_webp(&self, out: impl Write) -> io::Result<()> {
+        use image_webp::{ColorType, WebPEncoder};
+        let encoder = WebPEncoder::new(out);
+        let encoded = encoder.encode(&self.rgb8(), self.width, self.height, ColorType::Rgb8);
+        encoded.map_err(io::Error::other)
+    }
+
+    /// Makes everything so many times as bright.
+    pub fn expose(&mut self, times: f64) {
+        for pixel in &mut self.pixels {
+            *pixel = developed(pixel.map(|x| f64::from(x) * times));
+        }
+    }
+
+    /// 8-bit sRGB, row by row from the top.
+    fn rgb8(&self) -> Vec<u8> {
+        self.pixels.iter().flatten().map(|&x| srgb8(x)).collect()
     }
 
     /// Portable float map: linear, unclamped, little-endian, from the bottom row up.

@@ -2,6 +2,7 @@
 
 use super::target::Target;
 use super::{json, mesh, mitsuba, pov};
+use std::path::Path;
 
 /// In the order of `--help`.
 pub static TARGETS: [&dyn Target; 7] = [
@@ -17,4 +18,11 @@ pub static TARGETS: [&dyn Target; 7] = [
 /// The target of this name.
 pub fn named(name: &str) -> Option<&'static dyn Target> {
     TARGETS.into_iter().find(|target| target.name() == name)
+}
+
+/// The target whose files have names that end like this one.
+pub fn of_file(path: &Path) -> Option<&'static dyn Target> {
+    let ending = path.extension()?.to_str()?;
+    let is_its = |target: &&dyn Target| target.ending().eq_ignore_ascii_case(ending);
+    TARGETS.into_iter().find(is_its)
 }

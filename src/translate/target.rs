@@ -20,6 +20,11 @@ pub trait Target: fmt::Debug + Sync {
     /// As `--to` names it; also what the files are called after, where they are named for the target.
     fn name(&self) -> &'static str;
 
+    /// What the name of its main file ends with, without the dot.
+    fn ending(&self) -> &'static str {
+        self.name()
+    }
+
     /// In a line, for `--help`.
     fn help(&self) -> &'static str;
 

@@ -2,12 +2,12 @@
 
 mod report;
 mod statistics;
-mod watch;
 
 use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use super::difference::diff;
 use super::draft::{self, try_file_in_new_folder, unwritable};
@@ -18,7 +18,7 @@ use super::rewrite::{allow, bytes_of, replace};
 use super::settings::{Chosen, Scenes, pass_through};
 use super::spare::spare_scenes;
 use super::terminal::Complaints;
-use super::{LookChoice, Status, complain, terminal};
+use super::{LookChoice, Status, complain, terminal, watch};
 use crate::analysis::config::{ConfigError, Configs, whole};
 use crate::analysis::file;
 use crate::analysis::{Analysis, Settings, allowing, fixing, repair};
@@ -165,7 +165,8 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         return Status::Failure;
     }
     if args.watch {
-        return watch::run(&args.chosen.roots(), look, || once(args, look));
+        let (roots, never) = (args.chosen.roots(), AtomicBool::new(false));
+        return watch::run(&roots, look, &never, |_| false, || once(args, look));
     }
     once(args, look)
 }

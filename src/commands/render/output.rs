@@ -1,8 +1,11 @@
 //! Picture files, and pictures on standard output.
 
+use std::collections::HashSet;
+use std::ffi::OsStr;
+use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::commands::draft::Draft;
+use crate::commands::draft::{Draft, unwritable};
 use crate::commands::paths::is_stdout;
 use crate::diagnostics::Complaint;
 use crate::trace::film::Packing;
@@ -11,8 +14,34 @@ use crate::trace::{CostMap, Film};
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Format {
     Png,
+    Jpeg,
+    WebP,
     Exr,
     Pfm,
+}
+
+impl Format {
+    /// By the ending of a name.
+    fn of(path: &Path) -> Option<Format> {
+        let extension = path.extension().unwrap_or_default().to_string_lossy();
+        Some(match extension.to_lowercase().as_str() {
+            "png" => Format::Png,
+            "jpg" | "jpeg" => Format::Jpeg,
+            "webp" => Format::WebP,
+            "exr" => Format::Exr,
+            "pfm" => Format::Pfm,
+            _ => return None,
+        })
+    }
+
+    /// So many pixels a picture is wide and high at most.
+    fn longest_side(self) -> u32 {
+        match self {
+            Format::Jpeg => u16::MAX.into(),
+            Format::WebP => 1 << 14,
+            Format::Png | Format::Exr | Format::Pfm => u32::MAX,
+        }
+    }
 }
 
 /// A picture to be.
@@ -23,18 +52,19 @@ pub struct Output {
 }
 
 impl Output {
-    /// Makes sure that the file can be written. `-` is standard output, which takes a PNG.
-    pub fn create(path: &Path) -> Result<Output, Complaint> {
-        let extension = path.extension().unwrap_or_default().to_string_lossy();
-        let format = match extension.to_lowercase().as_str() {
-            _ if is_stdout(path) => Format::Png,
-            "png" => Format::Png,
-            "exr" => Format::Exr,
-            "pfm" => Format::Pfm,
-            _ => {
-                return Err(Complaint::new("unknown-format").with("path", path));
-            }
+    /// Makes sure that a picture of this width and height can be written to the file. `-` is standard output, which takes
+    /// a PNG.
+    pub fn create(path: &Path, size: [u32; 2]) -> Result<Output, Complaint> {
+        let format = match is_stdout(path) {
+            true => Some(Format::Png),
+            false => Format::of(path),
         };
+        let format = format.ok_or_else(|| Complaint::new("unknown-format").with("path", path))?;
+        if size.into_iter().any(|side| side > format.longest_side()) {
+            let most = format.longest_side().to_string();
+            let complaint = Complaint::new("too-large-for-format").with("most", most);
+            return Err(complaint.with("path", path));
+        }
         Ok(Output {
             path: path.to_owned(),
             draft: Draft::create(path)?,
@@ -44,7 +74,7 @@ impl Output {
 
     /// The same for a map of costs, which is a PNG.
     pub fn create_map(path: &Path) -> Result<Output, Complaint> {
-        let output = Output::create(path)?;
+        let output = Output::create(path, [0; 2])?;
         match output.format {
             Format::Png if !is_stdout(path) => Ok(output),
             _ => Err(Complaint::new("map-is-png").with("path", path)),
@@ -60,9 +90,73 @@ impl Output {
     pub fn finish(self, film: &Film) -> Result<Option<PathBuf>, Complaint> {
         self.draft.finish(|out| match self.format {
             Format::Png => film.write_png(out, Packing::Quick),
+            Format::Jpeg => film.write_jpeg(out),
+            Format::WebP => film.write_webp(out),
             Format::Exr => film.write_exr(out),
             Format::Pfm => film.write_pfm(out),
         })?;
         Ok(Some(self.path).filter(|path| !is_stdout(path)))
     }
+}
+
+/// Where the pictures of scenes go: a file each. Without `output` that is the current folder. Several scenes need a
+/// folder, which is made.
+pub fn places(
+    scenes: &[PathBuf],
+    several: bool,
+    output: Option<&Path>,
+) -> Result<Vec<PathBuf>, Complaint> {
+    let folder = match output {
+        Some(path) if is_stdout(path) && several => {
+            return Err(Complaint::new("several-on-stdout"));
+        }
+        Some(path) if several || is_folder(path) => {
+            if Format::of(path).is_some() && !path.is_dir() {
+                return Err(Complaint::new("several-in-one-file").with("path", path));
+            }
+            fs::create_dir_all(path).map_err(|e| unwritable(path, &e))?;
+            path
+        }
+        Some(path) => return Ok(vec![path.to_owned()]),
+        None => Path::new(""),
+    };
+    let mut taken = HashSet::new();
+    let place = |scene: &PathBuf| {
+        let stem = scene.file_stem().filter(|stem| *stem != "-");
+        let picture = folder.join(with_added(stem.unwrap_or("scene".as_ref()), "", "png"));
+        match taken.insert(picture.clone()) {
+            true => Ok(picture),
+            false => Err(Complaint::new("would-write-twice").with("path", picture.as_path())),
+        }
+    };
+    scenes.iter().map(place).collect()
+}
+
+/// Whether a path names a folder: it is one, or ends with a slash.
+fn is_folder(path: &Path) -> bool {
+    path.is_dir() || path.to_string_lossy().ends_with(std::path::is_separator)
+}
+
+/// Whether a file is the picture, one of its pair, or a draft of it.
+pub fn is_made(picture: &Path, file: &Path) -> bool {
+    let pair = left_and_right(picture);
+    let names = pair.iter().map(PathBuf::as_path).chain([picture]);
+    let mut names = names.filter_map(Path::file_name);
+    file.file_name()
+        .is_some_and(|file| names.any(|name| name == file))
+}
+
+/// The paths of a stereo pair.
+pub fn left_and_right(path: &Path) -> Vec<PathBuf> {
+    let extension = path.extension().unwrap_or_default().to_string_lossy();
+    ["_left", "_right"]
+        .map(|side| with_added(path.with_extension("").as_os_str(), side, &extension))
+        .into()
+}
+
+/// A path with something added to its file name, and an extension.
+fn with_added(path: &OsStr, name: &str, extension: &str) -> PathBuf {
+    let mut path = path.to_owned();
+    path.push(format!("{name}.{extension}"));
+    path.into()
 }

@@ -15,6 +15,10 @@ impl Target for Mitsuba {
         "mitsuba"
     }
 
+    fn ending(&self) -> &'static str {
+        "xml"
+    }
+
     fn help(&self) -> &'static str {
         "Mitsuba 3: XML, with meshes beside it"
     }

@@ -1,9 +1,10 @@
-//! Checking again whenever something changes.
+//! Doing something again whenever a scene changes.
 
 use std::collections::HashSet;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{self, Receiver};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::time::Duration;
 
 use notify::{Event, EventKind, RecursiveMode, Watcher};
@@ -13,11 +14,19 @@ use crate::commands::terminal::{is_unread, tell};
 use crate::commands::{LookChoice, Status, complain};
 use crate::diagnostics::Complaint;
 
-/// An editor writes a file in several steps: so long nothing must happen before it is read.
+/// An editor writes a file in several steps: so long nothing must happen before it is read. So often is looked whether it
+/// is to stop, too.
 const QUIET: Duration = Duration::from_millis(100);
 
-/// Runs `check` now and after every change of a scene or of settings, until it is stopped.
-pub fn run(paths: &[PathBuf], look: LookChoice, check: impl Fn() -> Status) -> Status {
+/// Runs `work` now and after every change of a scene, of a picture that scenes name, or of settings, until it is stopped.
+/// Changes of files that `is_made` by the work do not count. Once `stop` is set, it ends.
+pub fn run(
+    paths: &[PathBuf],
+    look: LookChoice,
+    stop: &AtomicBool,
+    is_made: impl Fn(&Path) -> bool,
+    work: impl Fn() -> Status,
+) -> Status {
     if paths.iter().any(|p| p.as_os_str() == STDIN) {
         complain(look, &Complaint::new("stdin-not-watched"));
         return Status::Failure;
@@ -44,15 +53,17 @@ pub fn run(paths: &[PathBuf], look: LookChoice, check: impl Fn() -> Status) -> S
         if io::stdout().is_terminal() {
             let _ = write!(io::stdout(), "\x1b[2J\x1b[H");
         }
-        let status = check();
-        if is_unread() {
+        let status = work();
+        if is_unread() || stop.load(Ordering::Relaxed) {
             return status;
         }
         if !look.quiet {
             tell(&look.language().say("watching", &[]));
         }
-        if !wait(&changes, look) {
-            return Status::Failure;
+        match wait(&changes, look, stop, &is_made) {
+            Some(true) => {}
+            Some(false) => return Status::Interrupted,
+            None => return Status::Failure,
         }
     }
 }
@@ -74,24 +85,31 @@ fn folders(paths: &[PathBuf]) -> HashSet<(PathBuf, RecursiveMode)> {
     paths.iter().map(of).collect()
 }
 
-/// Waits until something has changed and it is quiet again. `false`: nothing will come any more.
-fn wait(changes: &Receiver<notify::Result<Event>>, look: LookChoice) -> bool {
+/// Waits until something has changed and it is quiet again: `true`, or `false` where it is to stop. `None`: nothing will
+/// come any more.
+fn wait(
+    changes: &Receiver<notify::Result<Event>>,
+    look: LookChoice,
+    stop: &AtomicBool,
+    is_made: &dyn Fn(&Path) -> bool,
+) -> Option<bool> {
     loop {
-        match changes.recv() {
-            Ok(Ok(event)) if matters(&event) => break,
+        match changes.recv_timeout(QUIET) {
+            _ if stop.load(Ordering::Relaxed) => return Some(false),
+            Ok(Ok(event)) if matters(&event, is_made) => break,
             Ok(Err(e)) => complain(look, &unwatchable(&e)),
-            Ok(_) => {}
-            Err(_) => return false,
+            Ok(_) | Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => return None,
         }
     }
     while changes.recv_timeout(QUIET).is_ok() {}
-    true
+    Some(true)
 }
 
-/// Whether an event may change what is found: not that a file was read.
-fn matters(event: &Event) -> bool {
+/// Whether an event may change what comes out: not that a file was read.
+fn matters(event: &Event, is_made: &dyn Fn(&Path) -> bool) -> bool {
     let kind = !matches!(event.kind, EventKind::Access(_));
-    let file = |path: &PathBuf| is_read(path);
+    let file = |path: &PathBuf| is_read(path) && !is_made(path);
     kind && event.paths.iter().any(file)
 }
 

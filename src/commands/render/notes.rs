@@ -1,0 +1,129 @@
+//! What is wrong with a picture, in one line each on standard error.
+
+use super::Args;
+use crate::commands::LookChoice;
+use crate::commands::terminal::note;
+use crate::diagnostics::Complaint;
+use crate::scene::{Camera, Scene, View};
+use crate::solids::staging::is_dark;
+use crate::trace::camera;
+use crate::trace::{Film, Picture, Settings, Tracer};
+
+/// At most so many places of a picture are looked at across and down.
+const PLACES: u32 = 32;
+
+/// A colour value may exceed white by so much: rounding makes no picture too bright.
+const WHITE: f32 = 1.001;
+
+/// Fewer pixels than this, in per cent, may be brighter than white: highlights are.
+const BRIGHT: f64 = 1.0;
+
+/// Says what the scene lacks, and why a picture shows nothing.
+pub fn say(
+    args: &Args,
+    tracer: &Tracer,
+    (scene, cameras): (&Scene, &[Camera]),
+    settings: &Settings,
+    pictures: &[Picture],
+    look: LookChoice,
+) {
+    if look.quiet {
+        return;
+    }
+    if scene.view == View::Automatic && !args.camera.is_given() {
+        note(look, &Complaint::new("note-no-camera"));
+    }
+    if is_dark(scene) {
+        note(look, &Complaint::new("note-no-light"));
+    }
+    for (camera, picture) in cameras.iter().zip(pictures) {
+        if let Some(message) = fault(tracer, camera, settings, picture) {
+            note(look, &Complaint::new(message));
+        }
+    }
+}
+
+/// Why a picture shows nothing, or not what is meant.
+fn fault(
+    tracer: &Tracer,
+    camera: &Camera,
+    settings: &Settings,
+    picture: &Picture,
+) -> Option<&'static str> {
+    let view = camera::View::new(camera, settings.width, settings.height)?;
+    if view.is_pinhole() && tracer.holds(&mut tracer.walker::<f64>(), view.position()) {
+        return Some("note-camera-inside");
+    }
+    let film = &picture.film;
+    let [left, top] = settings.crop.map_or([0, 0], |crop| [crop.x, crop.y]);
+    let [across, down] = [film.width, film.height].map(|side| side.div_ceil(PLACES).max(1));
+    let places = (0..film.height).step_by(down as usize).flat_map(|y| {
+        let columns = (0..film.width).step_by(across as usize);
+        columns.map(move |x| (x, y))
+    });
+    let seen = tracer.pixels(camera, settings, |pixels| {
+        let is_seen = |&(x, y): &(u32, u32)| pixels.seen(left + x, top + y).is_some();
+        places.filter(is_seen).collect::<Vec<_>>()
+    });
+    let seen = seen.ok()?;
+    let first = film.pixels.first()?;
+    match seen.is_empty() {
+        // What is smaller than the distance of these places is of another colour than the background.
+        true => film
+            .pixels
+            .iter()
+            .all(|p| p == first)
+            .then_some("note-nothing-in-view"),
+        false => {
+            let is_black = |&(x, y): &(u32, u32)| film.pixel(x, y) == [0.0; 3];
+            let all_black = seen.iter().all(is_black);
+            all_black.then_some("note-nothing-lit")
+        }
+    }
+}
+
+/// Says how much of the pictures is brighter than white, and what mends it.
+pub fn say_brightness(films: &[Film], exposure: f64, look: LookChoice) {
+    let pixels = || films.iter().flat_map(|film| &film.pixels);
+    let largest = |pixel: &[f32; 3]| pixel.iter().copied().fold(0.0, f32::max);
+    let bright = pixels().filter(|&pixel| largest(pixel) > WHITE).count();
+    let share = 100.0 * bright as f64 / pixels().count().max(1) as f64;
+    if share < BRIGHT {
+        return;
+    }
+    let most = pixels().map(largest).fold(1.0, f32::max);
+    note(
+        look,
+        &Complaint::new("note-too-bright")
+            .with("percent", format!("{share:.0}"))
+            .with("exposure", rounded_down(exposure / f64::from(most))),
+    );
+}
+
+/// A number above 0 with two digits, no larger than it is.
+fn rounded_down(x: f64) -> String {
+    let digits = (1.0 - x.log10().floor()).max(0.0);
+    let unit = 10f64.powf(-digits);
+    // Without this, 0.29 would become 0.28.
+    let whole = (x / unit + 1e-9).floor();
+    format!("{:.*}", digits as usize, whole * unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rounded_down;
+
+    #[test]
+    fn numbers_are_rounded_down() {
+        for (x, text) in [
+            (1.0, "1.0"),
+            (0.5, "0.50"),
+            (0.29, "0.29"),
+            (0.4599, "0.45"),
+            (0.00123, "0.0012"),
+            (0.999, "0.99"),
+        ] {
+            assert_eq!(rounded_down(x), text);
+        }
+    }
+}

@@ -1,0 +1,284 @@
+//! One picture, or a pair: drawn, put into files, and what is said of it.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use super::output::{Output, left_and_right};
+use super::stats::{Samples, Seconds, Stats, peak_memory, write_stats};
+use super::{Args, Job, Sampling, Stereo, cost, notes};
+use crate::analysis::Analysis;
+use crate::commands::LookChoice;
+use crate::commands::draft::try_file;
+use crate::commands::paths::is_stdout;
+use crate::commands::size::Size;
+use crate::commands::spare::spare;
+use crate::commands::terminal::{progress_bar, tell};
+use crate::diagnostics::{Complaint, Error, Span};
+use crate::parallel;
+use crate::scene::{Camera, Scene};
+use crate::solids::staging;
+use crate::trace::plan::Plan;
+use crate::trace::stats::Counts;
+use crate::trace::{CostMap, Film, Images, Numbers, Picture, Settings, Tracer};
+
+/// What a pixel takes until it is in a file, with one sample in it or many.
+const PIXEL_BYTES: f64 = 96.0;
+const ADAPTIVE_PIXEL_BYTES: f64 = 240.0;
+
+/// Pictures of more pixels than this would need more memory than a machine can be taken to have.
+const MAX_PIXELS: u64 = 1 << 28;
+
+/// Draws, and says what was written and, if that is asked, what it has cost.
+pub fn draw(
+    args: &Args,
+    job: &Job,
+    (loaded, load): (&Analysis, f64),
+    stop: &Arc<AtomicBool>,
+    look: LookChoice,
+) -> Result<String, Error> {
+    let staged = args.camera.staged(&loaded.scene, args.size)?;
+    let scene = &*staged;
+    let settings = Settings {
+        stop: Some(stop.clone()),
+        ..settings(args)?
+    };
+    let cameras = cameras(args, scene)?;
+    let (width, height) =
+        (settings.crop).map_or((settings.width, settings.height), |c| (c.width, c.height));
+    let pixel = match args.sampling() {
+        Sampling::Fixed(_) => PIXEL_BYTES,
+        Sampling::Adaptive(_) => ADAPTIVE_PIXEL_BYTES,
+    };
+    let taken = f64::from(width) * f64::from(height) * pixel * cameras.len() as f64;
+    args.memory.grant(taken, "picture-needs-memory")?;
+    let stereo = args.stereo.unwrap_or_default();
+    let threads = parallel::threads();
+    let per_camera = |path: PathBuf| match stereo {
+        Stereo::Pair if cameras.len() > 1 => left_and_right(&path),
+        _ => vec![path],
+    };
+    let paths = per_camera(job.picture.clone());
+    if paths.len() > 1 && args.output.as_deref().is_some_and(is_stdout) {
+        return Err(Complaint::new("pair-on-stdout").into());
+    }
+    if args.outputs_on_stdout() > 1 {
+        return Err(Complaint::new("two-on-stdout").into());
+    }
+    let maps: Vec<PathBuf> = (args.heatmap.iter())
+        .flat_map(|path| per_camera(path.clone()))
+        .collect();
+    // What must not or cannot be written is known before anything is drawn.
+    let written = paths
+        .iter()
+        .filter(|path| !is_stdout(path))
+        .chain(&maps)
+        .chain(args.stats.iter().filter(|path| !is_stdout(path)));
+    spare(&job.scene, loaded, written.map(PathBuf::as_path))?;
+    let across = match stereo {
+        Stereo::SideBySide if cameras.len() > 1 => width.saturating_mul(2),
+        _ => width,
+    };
+    let outputs = paths
+        .iter()
+        .map(|path| Output::create(path, [across, height]))
+        .collect::<Result<Vec<_>, _>>()?;
+    let maps = maps
+        .iter()
+        .map(|path| Output::create_map(path))
+        .collect::<Result<Vec<_>, _>>()?;
+    args.stats.iter().try_for_each(|path| try_file(path))?;
+
+    let mut seconds = Seconds {
+        load,
+        ..Seconds::default()
+    };
+    let start = Instant::now();
+    // What rounding may show in single precision is drawn there.
+    let plan = match args.precision {
+        Numbers::F32 => Plan::new(scene),
+        Numbers::F64 | Numbers::Dd => Plan::of_picture(scene),
+    };
+    let plan = plan.ok_or_else(Error::nothing_to_draw)?;
+    seconds.plan = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let images = Images::load(scene, loaded.source.folder().unwrap_or(Path::new(".")))?;
+    let mut tracer = Tracer::planned(scene, &images, plan)?;
+    let crowded = |why| {
+        let span = scene.render.map_or(Span::default(), |r| r.span);
+        Error::at(span, why)
+    };
+    (args.memory.confine(&mut tracer, taken, threads)).map_err(crowded)?;
+    seconds.build = start.elapsed().as_secs_f64();
+
+    let start = Instant::now();
+    let rows = settings.crop.map_or(settings.height, |c| c.height);
+    let bar = progress_bar(u64::from(rows) * cameras.len() as u64, look);
+    let mut pictures = Vec::new();
+    for camera in &cameras {
+        pictures.push(tracer.render(camera, &settings, || bar.inc(1))?);
+    }
+    bar.finish_and_clear();
+    if stop.load(Ordering::Relaxed) {
+        return Err(Error::Interrupted);
+    }
+    args.memory.check(&tracer).map_err(crowded)?;
+    seconds.trace = start.elapsed().as_secs_f64();
+
+    let start = Instant::now();
+    let (counts, samples) = totals(&pictures);
+    write_maps(maps, &pictures, stereo, look)?;
+    notes::say(
+        args,
+        &tracer,
+        (&loaded.scene, &cameras),
+        &settings,
+        &pictures,
+        look,
+    );
+    let mut films = compose(pictures, stereo, outputs.len());
+    if let Some(times) = args.exposure {
+        films.iter_mut().for_each(|film| film.expose(times));
+    }
+    notes::say_brightness(&films, args.exposure.unwrap_or(1.0), look);
+    let mut said = String::new();
+    for (output, film) in outputs.into_iter().zip(&films) {
+        if let Some(path) = output.finish(film)?.filter(|_| !look.quiet) {
+            let wrote = Complaint::new("wrote-picture")
+                .with("path", path.as_path())
+                .with("width", film.width.to_string())
+                .with("height", film.height.to_string());
+            said += &(wrote.wording(look.language()) + "\n");
+        }
+    }
+    seconds.encode = start.elapsed().as_secs_f64();
+
+    if args.cost {
+        said += &cost::spent(
+            &cameras[0],
+            (loaded, scene),
+            &settings,
+            (&seconds, &counts),
+            look,
+        )?;
+    }
+    if let Some(path) = &args.stats {
+        let stats = Stats {
+            size: [settings.width, settings.height],
+            precision: args.precision.name(),
+            threads,
+            samples,
+            seconds,
+            rays: counts.rays,
+            intersections: counts.intersections,
+            work: counts.work,
+            uncertain: counts.uncertain,
+            effects: tracer.plan.names(),
+            peak_memory_bytes: peak_memory(),
+        };
+        write_stats(path, &stats)?;
+    }
+    Ok(said)
+}
+
+fn settings(args: &Args) -> Result<Settings, Error> {
+    let Size { width, height } = args.size;
+    let crop = args.crop.map(|c| c.0);
+    if let Some(c) = crop {
+        let fits =
+            |at: u32, extent: u32, side: u32| at.checked_add(extent).is_some_and(|end| end <= side);
+        if !fits(c.x, c.width, width) || !fits(c.y, c.height, height) {
+            return Err(Complaint::new("crop-too-large")
+                .with("width", width.to_string())
+                .with("height", height.to_string())
+                .into());
+        }
+    }
+    let (w, h) = crop.map_or((width, height), |c| (c.width, c.height));
+    if u64::from(w) * u64::from(h) > MAX_PIXELS {
+        let max = MAX_PIXELS.to_string();
+        return Err(Complaint::new("too-many-pixels").with("max", max).into());
+    }
+    let default = Settings::default();
+    let (samples, tolerance) = match args.sampling() {
+        Sampling::Fixed(samples) => (samples, None),
+        Sampling::Adaptive(tolerance) => (1, Some(tolerance)),
+    };
+    Ok(Settings {
+        width,
+        height,
+        crop,
+        wanted: None,
+        samples,
+        tolerance,
+        shift: [0.0; 2],
+        depth: args.depth,
+        cutoff: args.cutoff.unwrap_or(default.cutoff),
+        numbers: args.precision,
+        stop: None,
+    })
+}
+
+/// The cameras that take the picture: one, or left and right.
+fn cameras(args: &Args, scene: &Scene) -> Result<Vec<Camera>, Error> {
+    let cameras: Vec<Camera> = staging::cameras(scene).copied().collect();
+    match args.stereo.is_some() && cameras.len() < 2 {
+        true => Err(Complaint::new("stereo-of-one").into()),
+        false => Ok(cameras),
+    }
+}
+
+/// Puts the pictures of one or two cameras into as many films as there are files.
+fn compose(mut pictures: Vec<Picture>, stereo: Stereo, files: usize) -> Vec<Film> {
+    match pictures.as_slice() {
+        [left, right] if files == 1 => vec![match stereo {
+            Stereo::Anaglyph => left.film.anaglyph(&right.film),
+            Stereo::SideBySide | Stereo::Pair => left.film.beside(&right.film),
+        }],
+        _ => pictures.drain(..).map(|p| p.film).collect(),
+    }
+}
+
+/// What all pictures have cost, and the samples in their pixels.
+fn totals(pictures: &[Picture]) -> (Counts, Samples) {
+    let mut counts = Counts::default();
+    for picture in pictures {
+        counts += picture.counts;
+    }
+    let pixels: usize = pictures.iter().map(|p| p.film.pixels.len()).sum();
+    let total: u64 = pictures.iter().map(|p| p.samples.total).sum();
+    let samples = Samples {
+        min: pictures.iter().map(|p| p.samples.min).min().unwrap_or(0),
+        max: pictures.iter().map(|p| p.samples.max).max().unwrap_or(0),
+        mean: total as f64 / pixels.max(1) as f64,
+    };
+    (counts, samples)
+}
+
+/// Writes the maps of costs, if they are asked for, on one scale, and says which.
+fn write_maps(
+    files: Vec<Output>,
+    pictures: &[Picture],
+    stereo: Stereo,
+    look: LookChoice,
+) -> Result<(), Error> {
+    let maps: Vec<CostMap> = match pictures {
+        [left, right] if files.len() == 1 => vec![match stereo {
+            Stereo::Anaglyph => left.costs.plus(&right.costs),
+            Stereo::SideBySide | Stereo::Pair => left.costs.beside(&right.costs),
+        }],
+        _ if files.is_empty() => return Ok(()),
+        _ => pictures.iter().map(|p| p.costs.clone()).collect(),
+    };
+    let max = maps.iter().map(CostMap::max).max().unwrap_or(0);
+    for (file, map) in files.into_iter().zip(&maps) {
+        file.finish_map(map, max)?;
+    }
+    let scale = Complaint::new("heatmap-scale").with("max", max.to_string());
+    if look.quiet {
+        return Ok(());
+    }
+    tell(&scale.wording(look.language()));
+    Ok(())
+}
