@@ -148,7 +148,7 @@ fn settings_of_a_folder() {
     assert_eq!(run.status.code(), Some(2));
     let message = text(&run.stderr);
     assert!(
-        message.contains("zpg.toml: line 2: there is no code `W399`"),
+        message.contains("zpg.toml:2:1: there is no code `W399`"),
         "{message}"
     );
     // What is an error by settings does not keep a sound scene from being drawn.
@@ -232,7 +232,7 @@ fn complaints_in_czech() {
         ),
         (
             &["check", "b"],
-            "zpg.toml nelze přečíst: řádek 3: E101 je vždy chyba",
+            "b/zpg.toml:3:1: E101 je vždy chyba",
         ),
         (
             &["check", "--watch", "-"],

@@ -262,7 +262,7 @@ fn fmt_has_a_style_to_choose() {
     assert_eq!(run.status.code(), Some(2));
     let said = text(&run.stderr);
     assert!(
-        said.contains("line 2") && said.contains("a width is from 20 to 1000"),
+        said.contains("zpg.toml:2:9: ") && said.contains("a width is from 20 to 1000"),
         "{said}"
     );
 }

@@ -1,9 +1,11 @@
 //! All Czech texts keep to the glossary, `docs/glossary.cs.md`.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
+use zpg::analysis::repair::words;
 use zpg::diagnostics::Language;
 use zpg::syntax::table::RECORD_TYPES;
 
@@ -131,6 +133,65 @@ fn no_text_has_a_word_that_is_avoided() {
         }
     }
     assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// The names that lead to a type, by its number: the list at the end of the glossary.
+fn names() -> Vec<(i32, &'static str)> {
+    let (_, list) = GLOSSARY.split_once("\n- ").expect("there is a list");
+    let lines = list.split("\n- ").flat_map(|line| {
+        let (code, names) = line.split_once(':').expect("a number and names");
+        let code: i32 = code.parse().expect("a number");
+        names.split(',').map(move |name| (code, name.trim()))
+    });
+    lines.collect()
+}
+
+/// What the glossary lists leads to its type, and whatever leads to a type is listed.
+#[test]
+fn names_lead_to_their_types() {
+    let names = names();
+    assert!(names.len() > 100);
+    for (code, name) in &names {
+        let lines: Vec<&str> = name.split_whitespace().collect();
+        let name = lines.join(" ");
+        for name in [name.to_uppercase(), words::plain(&name), name] {
+            let first = words::named(&name).first().map(|ty| ty.code);
+            assert_eq!(first, Some(*code), "{name}");
+        }
+    }
+    let listed: BTreeSet<String> = names.iter().map(|n| words::plain(n.1)).collect();
+    let known: BTreeSet<String> = words::all().map(|n| n.0.to_owned()).collect();
+    let missing: Vec<_> = known.difference(&listed).collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}
+
+/// What people ask for: types as a course calls them, and what they are for.
+#[test]
+fn names_of_the_course() {
+    for (name, code) in [
+        ("posuv", -1),
+        ("anuloid", 14),
+        ("krychle", 12),
+        ("kamera stereo", -503),
+        ("textura obrazová", -301),
+        ("válcová plocha parabolická", 18),
+        ("valcova plocha parabolicka", 18),
+        ("glass", -201),
+        ("mirror", -201),
+        ("ior", -203),
+        ("look at", -501),
+        ("lathe", 1),
+        ("prism", -102),
+        ("material", -201),
+        ("light", -402),
+        ("transparent", -201),
+        ("shadow", -402),
+        ("cylinder", 1),
+        ("válec", 1),
+    ] {
+        let first = words::named(name).first().map(|ty| ty.code);
+        assert_eq!(first, Some(code), "{name}");
+    }
 }
 
 /// The names of record types are those of the glossary.

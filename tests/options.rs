@@ -328,19 +328,27 @@ fn settings_that_are_wrong() {
         ("b.zpg", GOOD),
         ("zpg.toml", "[lint]\nW399 = \"off\"\n"),
         ("o.toml", "[format]\nwidht = 80\n"),
+        ("two.toml", "[lint]\nstyl = \"off\"\n[format]\nalign = 1\n"),
     ]);
+    // All that is wrong, each with its place, and scenes say nothing.
+    let run = zpg(dir.path(), &["check", "--config", "two.toml", "a.zpg"]);
+    assert_eq!(
+        text(&run.stderr),
+        "error: two.toml:2:1: there is no code `styl`; did you mean `style`?\n\
+         error: two.toml:4:9: `format.align`: expected true or false, found `1`\n"
+    );
     // The file is named once, for however many scenes.
     refused(
         dir.path(),
         &["check"],
-        "zpg.toml: line 2: there is no code `W399`; did you mean `W309`?",
+        "zpg.toml:2:1: there is no code `W399`; did you mean `W309`?",
     );
-    refused(dir.path(), &["fmt"], "zpg.toml: line 2: there is no code");
+    refused(dir.path(), &["fmt"], "zpg.toml:2:1: there is no code");
     let with = |config: &'static str| ["check", "--config", config, "a.zpg"];
     refused(
         dir.path(),
         &with("o.toml"),
-        "o.toml: line 2: there is no setting `format.widht`",
+        "o.toml:2:1: there is no setting `format.widht`",
     );
     refused(dir.path(), &with("o.toml"), "did you mean `width`?");
     refused(dir.path(), &with("none.toml"), "there is no file none.toml");
@@ -611,8 +619,17 @@ fn suggestions_are_near() {
         let meant = near.map(|near| format!("did you mean `{near}`?"));
         assert_eq!(said.contains("did you mean"), near.is_some(), "{said}");
         assert!(meant.is_none_or(|meant| said.contains(&meant)), "{said}");
+        // Nor does the usage name what cannot be meant.
+        assert!(
+            near.is_some() || !said.contains("Usage: zpg render --camera"),
+            "{said}"
+        );
         assert_eq!(run.status.code(), Some(2));
     }
+    // Two are quoted apart.
+    let said = zpg(dir.path(), &["explain", "hyperbolic"]);
+    let said = text(&said.stderr);
+    assert!(said.contains("` or `") && !said.contains(", "), "{said}");
 }
 
 #[test]

@@ -89,7 +89,9 @@ impl LookChoice {
 /// Says on standard error what went wrong.
 pub fn complain(look: LookChoice, complaint: &Complaint) {
     let kind = look.language().say("error", &[]);
-    tell(&format!("{kind}: {}", complaint.wording(look.language())));
+    for one in complaint.each() {
+        tell(&format!("{kind}: {}", one.wording(look.language())));
+    }
 }
 
 /// Complaints about many files: what is wrong with the settings of all of them is said once.

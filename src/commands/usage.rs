@@ -55,6 +55,14 @@ pub fn refuse(error: &clap::Error, look: LookChoice) -> Status {
     let say = |line: Complaint| tell(&format!("\n{}", line.wording(language)));
     complain(look, &what);
     let usage = error.get(ContextKind::Usage).map(ToString::to_string);
+    // With an unknown argument, the usage is that of the argument which clap takes for the one that was meant.
+    let unknown = error.get(ContextKind::InvalidArg).and_then(listed);
+    let is_meant = |near: &String| {
+        unknown
+            .as_deref()
+            .is_none_or(|written| is_near(written, near))
+    };
+    let usage = usage.filter(|_| suggested(error).iter().all(is_meant));
     if let Some(usage) = usage.as_deref().and_then(|u| u.strip_prefix("Usage: ")) {
         say(Complaint::new("usage").with("usage", own_words(usage.to_owned(), language)));
     }
@@ -107,24 +115,30 @@ fn complaint(error: &clap::Error) -> Option<Complaint> {
         // Help and the version. No argument takes several values or needs an equals sign.
         _ => return None,
     };
-    let near = [
-        ContextKind::SuggestedArg,
-        ContextKind::SuggestedSubcommand,
-        ContextKind::SuggestedValue,
-    ];
     let written = [
         ContextKind::InvalidValue,
         ContextKind::InvalidSubcommand,
         ContextKind::InvalidArg,
     ];
     let written = written.into_iter().find_map(get);
-    let is_near = |near: &String| written.as_deref().is_none_or(|w| is_near(w, near));
-    Some(match near.into_iter().find_map(get).filter(is_near) {
-        Some(near) => Complaint::new("with-near")
-            .with("what", what)
-            .with("near", near),
-        None => what,
-    })
+    let mut near = suggested(error);
+    near.retain(|near| written.as_deref().is_none_or(|w| is_near(w, near)));
+    Some(what.or_meant(near))
+}
+
+/// What clap takes for the name that was meant, or several.
+fn suggested(error: &clap::Error) -> Vec<String> {
+    let kinds = [
+        ContextKind::SuggestedArg,
+        ContextKind::SuggestedSubcommand,
+        ContextKind::SuggestedValue,
+    ];
+    let found = kinds.into_iter().find_map(|kind| error.get(kind));
+    match found {
+        Some(ContextValue::String(one)) => vec![one.clone()],
+        Some(ContextValue::Strings(all)) => all.clone(),
+        _ => Vec::new(),
+    }
 }
 
 /// Whether someone may have meant one name who has written another: a part of it, or few letters are others.

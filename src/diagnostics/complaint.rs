@@ -15,6 +15,8 @@ use super::wording::Value;
 pub struct Complaint {
     message: &'static str,
     values: Vec<(&'static str, Value)>,
+    /// What else is wrong, a line each.
+    others: Vec<Complaint>,
 }
 
 impl Complaint {
@@ -23,6 +25,24 @@ impl Complaint {
         Complaint {
             message,
             values: Vec::new(),
+            others: Vec::new(),
+        }
+    }
+
+    /// Several, a line each; nothing if there is none.
+    pub fn several(all: impl IntoIterator<Item = Complaint>) -> Option<Complaint> {
+        let mut all = all.into_iter();
+        let mut first = all.next()?;
+        first.others.extend(all);
+        Some(first)
+    }
+
+    /// The same with the names that may have been meant, if there are any.
+    #[must_use]
+    pub fn or_meant(self, names: impl IntoIterator<Item = String>) -> Complaint {
+        match either(names) {
+            Some(near) => (Complaint::new("with-near").with("what", self)).with("near", near),
+            None => self,
         }
     }
 
@@ -42,10 +62,35 @@ impl Complaint {
         self
     }
 
-    /// In words.
+    /// In words; several complaints are several lines.
     pub fn wording(&self, language: Language) -> String {
-        language.say(self.message, &self.values)
+        let own = language.say(self.message, &self.values);
+        let others = self.others.iter().map(|other| other.wording(language));
+        std::iter::once(own)
+            .chain(others)
+            .collect::<Vec<_>>()
+            .join("\n")
     }
+
+    /// This one and the others that it goes with, one by one.
+    pub fn each(&self) -> impl Iterator<Item = Complaint> + '_ {
+        let alone = Complaint {
+            others: Vec::new(),
+            ..self.clone()
+        };
+        std::iter::once(alone).chain(self.others.iter().cloned())
+    }
+}
+
+/// Names in quotes, of which one may have been meant.
+pub fn either(names: impl IntoIterator<Item = String>) -> Option<Value> {
+    let quoted = names
+        .into_iter()
+        .map(|name| Value::from(format!("`{name}`")));
+    quoted.reduce(|first, last| {
+        let both = Complaint::new("list-or").with("first", first);
+        both.with("last", last).into()
+    })
 }
 
 /// Words of the source, as [`Complaint::term`] takes them.

@@ -49,6 +49,9 @@ impl Level {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Selector(Vec<Code>);
 
+/// The names of many codes.
+const GROUPS: [&str; 4] = ["all", "notes", "style", "warnings"];
+
 /// Why a text selects nothing.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownCode(String);
@@ -56,17 +59,22 @@ pub struct UnknownCode(String);
 impl UnknownCode {
     /// What to say about it.
     pub fn complaint(&self) -> Complaint {
-        let meant = Code::ALL
-            .iter()
-            .flat_map(|c| [c.as_str(), c.name()])
-            .map(|name| (strsim::osa_distance(&self.0, name), name))
-            .min()
-            .filter(|&(distance, _)| distance <= 1 + self.0.len() / 4);
+        // Of a code one character may be wrong.
+        let codes = Code::ALL.iter().map(|c| (c.as_str(), 1));
+        let most = 1 + self.0.len() / 4;
+        let names = Code::ALL.iter().map(|c| c.name()).chain(GROUPS);
+        let known = codes.chain(names.map(|name| (name, most)));
+        let meant = known
+            .map(|(name, most)| (strsim::osa_distance(&self.0, name), name, most))
+            .filter(|&(distance, _, most)| distance <= most)
+            .min();
+        let text = crate::syntax::quote(&self.0);
         match meant {
-            Some((_, name)) => Complaint::new("no-code-near").with("near", name),
-            None => Complaint::new("no-code"),
+            Some((_, name, _)) => {
+                (Complaint::new("no-code-of").with("text", text)).or_meant([name.to_owned()])
+            }
+            None => Complaint::new("no-code").with("text", text),
         }
-        .with("text", crate::syntax::quote(&self.0))
     }
 }
 

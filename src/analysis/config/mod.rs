@@ -55,15 +55,40 @@ pub struct Config {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ConfigError {
     pub path: PathBuf,
-    pub reason: Complaint,
+    /// All that is wrong.
+    mistakes: Vec<Mistake>,
+}
+
+/// What is wrong with a file of settings, and in which line and column, both from 1 on.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Mistake {
+    place: Option<(usize, usize)>,
+    why: Complaint,
+}
+
+impl From<Complaint> for Mistake {
+    fn from(why: Complaint) -> Mistake {
+        Mistake { place: None, why }
+    }
 }
 
 impl ConfigError {
     /// What to say about it.
     pub fn complaint(self) -> Complaint {
-        Complaint::new("cannot-read")
-            .with("path", self.path.as_path())
-            .with("reason", self.reason)
+        let here = whole(Path::new("."));
+        let path = self.path.strip_prefix(here).unwrap_or(&self.path);
+        let each = self.mistakes.into_iter().map(|mistake| {
+            let Some((line, column)) = mistake.place else {
+                let unread = Complaint::new("cannot-read").with("path", path);
+                return unread.with("reason", mistake.why);
+            };
+            Complaint::new("in-file")
+                .with("path", path)
+                .with("line", line.to_string())
+                .with("column", column.to_string())
+                .with("why", mistake.why)
+        });
+        Complaint::several(each).unwrap_or_default()
     }
 }
 
@@ -216,9 +241,9 @@ impl Configs {
         // Patterns in a file that is named are about the folder where the command runs.
         let only = match file {
             Some(path) => {
-                let written = read(path, &here).map_err(|reason| {
+                let written = read(path, &here).map_err(|mistakes| {
                     let path = path.to_owned();
-                    ConfigError { path, reason }.complaint()
+                    ConfigError { path, mistakes }.complaint()
                 })?;
                 let path = Some(whole(path));
                 Some(Config::new(path, here, &written, &over))
@@ -267,7 +292,7 @@ impl Configs {
             }
             return match read(&path, folder) {
                 Ok(written) => config(Some(path), folder.to_owned(), &written),
-                Err(reason) => Err(ConfigError { path, reason }),
+                Err(mistakes) => Err(ConfigError { path, mistakes }),
             };
         }
         config(None, whole(Path::new(".")), &Written::default())
@@ -279,22 +304,27 @@ fn is_absence(error: &std::io::Error) -> bool {
 }
 
 /// The settings in a file, whose patterns are about a folder.
-fn read(path: &Path, root: &Path) -> Result<Written, Complaint> {
-    let found = std::fs::metadata(path).map_err(|e| Complaint::from(&e))?;
+fn read(path: &Path, root: &Path) -> Result<Written, Vec<Mistake>> {
+    let unreadable = |e: std::io::Error| vec![Mistake::from(Complaint::from(&e))];
+    let found = std::fs::metadata(path).map_err(unreadable)?;
     if !found.is_file() {
         // From a pipe, for instance, nobody knows whether anything comes.
-        return Err(Complaint::new("not-a-file"));
+        return Err(vec![Complaint::new("not-a-file").into()]);
     }
-    let text = std::fs::read_to_string(path).map_err(|e| Complaint::from(&e))?;
+    let text = std::fs::read_to_string(path).map_err(unreadable)?;
     parse(&text, root)
 }
 
-fn parse(text: &str, root: &Path) -> Result<Written, Complaint> {
-    Written::read(text, root).map_err(|(at, why)| {
-        let line = text.get(..at).unwrap_or(text).matches('\n').count() + 1;
-        Complaint::new("in-line")
-            .with("line", line.to_string())
-            .with("why", why)
+fn parse(text: &str, root: &Path) -> Result<Written, Vec<Mistake>> {
+    Written::read(text, root).map_err(|faults| {
+        let mistakes = faults.into_iter().map(|(at, why)| {
+            let before = text.get(..at).unwrap_or(text);
+            let line = before.rsplit('\n').next().unwrap_or_default();
+            let place = (before.matches('\n').count() + 1, line.chars().count() + 1);
+            let place = Some(place);
+            Mistake { place, why }
+        });
+        mistakes.collect()
     })
 }
 
@@ -303,21 +333,17 @@ fn setting(text: &str, root: &Path) -> Result<Written, Complaint> {
     if !text.contains('=') {
         return Err(Complaint::new("config-neither").with("path", Path::new(text)));
     }
-    Written::read(text, root).map_err(|(_, why)| {
+    Written::read(text, root).map_err(|faults| {
+        let why = faults.into_iter().next().map(|fault| fault.1);
         let why = Complaint::new("config-setting")
             .with("text", crate::syntax::quote(text))
-            .with("why", why);
+            .with("why", why.unwrap_or_default());
         // Whoever writes `lint.W310=off` has forgotten the quotation marks, or the shell took them.
         let with_marks = text.split_once('=').map(|(key, value)| {
             let value = quoted(value.trim().trim_matches(['"', '\'']));
             format!("{}={value}", key.trim())
         });
-        match with_marks.filter(|text| Written::read(text, root).is_ok()) {
-            Some(near) => Complaint::new("with-near")
-                .with("what", why)
-                .with("near", near),
-            None => why,
-        }
+        why.or_meant(with_marks.filter(|text| Written::read(text, root).is_ok()))
     })
 }
 
@@ -328,7 +354,10 @@ mod tests {
 
     fn of(text: &str) -> Result<Config, Complaint> {
         let root = Path::new("/scenes");
-        let written = parse(text, root)?;
+        let written = parse(text, root).map_err(|mistakes| {
+            let path = NAME.into();
+            ConfigError { path, mistakes }.complaint()
+        })?;
         Ok(Config::new(None, root.to_owned(), &written, &[]))
     }
 
@@ -352,21 +381,24 @@ mod tests {
         let says = |text: &str| of(text).unwrap_err().wording(Language::English);
         assert_eq!(
             says("\n[lint]\nW399 = \"off\"\n"),
-            "line 3: there is no code `W399`; did you mean `W309`?"
+            "zpg.toml:3:1: there is no code `W399`; did you mean `W309`?"
         );
         assert_eq!(
             says("[lint]\nE101 = \"off\"\n"),
-            "line 2: E101 is always an error"
+            "zpg.toml:2:1: E101 is always an error"
         );
-        assert!(says("[lint]\nW302 = \"loud\"\n").contains("line 2"));
+        assert!(says("[lint]\nW302 = \"loud\"\n").contains("zpg.toml:2:"));
         for level in ["3", "\"loud\"", "true"] {
             let said = says(&format!("[lint]\nW302 = {level}\n"));
             let named = "expected one of `error`, `warning`, `note`, `off`";
-            assert!(said.contains(named) && said.contains("line 2"), "{said}");
+            assert!(
+                said.contains(named) && said.contains("zpg.toml:2:8: "),
+                "{said}"
+            );
         }
         assert_eq!(
             says("[lints]\n"),
-            "line 1: there is no setting `lints`, only `exclude`, `format`, `lint`, \
+            "zpg.toml:1:2: there is no setting `lints`, only `exclude`, `format`, `lint`, \
              `per-file-ignores`; did you mean `lint`?"
         );
         assert!(says("width = 80\n").ends_with("did you mean `format.width`?"));
@@ -401,7 +433,7 @@ mod tests {
         ] {
             let said = says(&format!("\n{line}\n"));
             assert!(
-                said.starts_with("line 2: ") && said.contains(reason),
+                said.starts_with("zpg.toml:2:") && said.contains(reason),
                 "{said}"
             );
         }
@@ -432,14 +464,48 @@ mod tests {
             ),
         ] {
             let said = says(&format!("[lint]\n[format]\n{line}\n"));
-            assert!(said.contains("line 3") && said.contains(reason), "{said}");
+            assert!(
+                said.starts_with("zpg.toml:3:") && said.contains(reason),
+                "{said}"
+            );
         }
-        assert!(says("[lint\n").contains("line 1"));
+        assert!(says("[lint\n").starts_with("zpg.toml:1:"));
         let none = Config {
             root: "/scenes".into(),
             ..Config::default()
         };
         assert_eq!(of("").unwrap(), none);
+    }
+
+    #[test]
+    fn all_mistakes_are_said_at_once() {
+        let text = "[lint]\nstyl = \"off\"\nW999 = \"off\"\nW302 = \"of\"\n\n[format]\n\
+                    widht = 100\nalign = 3\n[lint.per-file-ignores]\n\"a\" = [\"W302\", \"notse\", 3]\n";
+        let said = of(text).unwrap_err().wording(Language::English);
+        let said: Vec<&str> = said.lines().collect();
+        let near = [
+            ("zpg.toml:2:1: ", "did you mean `style`?"),
+            (
+                "zpg.toml:3:1: ",
+                "there is no code `W999` (`zpg explain` lists all)",
+            ),
+            ("zpg.toml:4:8: ", "did you mean `off`?"),
+            ("zpg.toml:10:16: ", "did you mean `notes`?"),
+            ("zpg.toml:10:25: ", "found `3`"),
+            ("zpg.toml:7:1: ", "did you mean `width`?"),
+            ("zpg.toml:8:9: ", "expected true or false, found `3`"),
+        ];
+        assert_eq!(said.len(), near.len(), "{said:?}");
+        for (place, end) in near {
+            let is_it = |line: &&&str| line.starts_with(place) && line.ends_with(end);
+            assert_eq!(said.iter().filter(is_it).count(), 1, "{place} {said:?}");
+        }
+        // Where it is no TOML, too.
+        let said = of("a = \n\nb = = 1\n")
+            .unwrap_err()
+            .wording(Language::English);
+        let lines = ["zpg.toml:1:", "zpg.toml:3:"];
+        assert!(lines.iter().all(|line| said.contains(line)), "{said}");
     }
 
     #[test]

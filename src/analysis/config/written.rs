@@ -45,26 +45,28 @@ impl Written {
     ///
     /// # Errors
     ///
-    /// What is wrong with the text, and where.
-    pub fn read(text: &str, root: &Path) -> Result<Written, Fault> {
-        let table = DeTable::parse(text).map_err(|e| {
+    /// All that is wrong with the text, and where, in its order.
+    pub fn read(text: &str, root: &Path) -> Result<Written, Vec<Fault>> {
+        let (table, errors) = DeTable::parse_recoverable(text);
+        let faults = errors.iter().map(|e| {
             let why = Complaint::new("setting-toml").with("reason", e.message().to_owned());
             (e.span().map_or(0, |s| s.start), why)
-        })?;
+        });
+        let mut reader = Reader {
+            text,
+            root,
+            faults: faults.collect(),
+        };
         let mut out = Written::default();
-        let reader = Reader { text, root };
-        for (key, value) in entries(table.get_ref()) {
-            match key.get_ref().as_ref() {
-                EXCLUDE => out.exclude = Some(reader.patterns(EXCLUDE, value)?),
-                PER_FILE_IGNORES => {
-                    out.per_file_ignores = Some(reader.per_file_ignores(PER_FILE_IGNORES, value)?);
-                }
-                LINT => reader.lint(value, &mut out)?,
-                FORMAT => reader.format(value, &mut out)?,
-                _ => return Err(unknown("", key, &TOP)),
-            }
+        // What is left of a text that is no TOML says little.
+        if reader.faults.is_empty() {
+            reader.top(table.get_ref(), &mut out);
         }
-        Ok(out)
+        reader.faults.sort_by_key(|fault| fault.0);
+        match reader.faults.is_empty() {
+            true => Ok(out),
+            false => Err(reader.faults),
+        }
     }
 }
 
@@ -78,15 +80,35 @@ fn entries<'t, 'i>(table: &'t DeTable<'i>) -> Vec<Entry<'t, 'i>> {
 struct Reader<'a> {
     text: &'a str,
     root: &'a Path,
+    faults: Vec<Fault>,
 }
 
 impl Reader<'_> {
-    fn lint(&self, value: &Spanned<DeValue>, out: &mut Written) -> Result<(), Fault> {
-        for (key, value) in entries(self.table(LINT, value)?) {
+    /// What is right; what is wrong is kept.
+    fn keep<T>(&mut self, result: Result<T, Fault>) -> Option<T> {
+        result.map_err(|fault| self.faults.push(fault)).ok()
+    }
+
+    fn top(&mut self, table: &DeTable, out: &mut Written) {
+        for (key, value) in entries(table) {
+            match key.get_ref().as_ref() {
+                EXCLUDE => out.exclude = Some(self.patterns(EXCLUDE, value)),
+                PER_FILE_IGNORES => {
+                    out.per_file_ignores = Some(self.per_file_ignores(PER_FILE_IGNORES, value));
+                }
+                LINT => self.lint(value, out),
+                FORMAT => self.format(value, out),
+                _ => self.faults.push(unknown("", key, &TOP)),
+            }
+        }
+    }
+
+    fn lint(&mut self, value: &Spanned<DeValue>, out: &mut Written) {
+        for (key, value) in self.entries_of(LINT, value) {
             let name = key.get_ref().as_ref();
             let full = format!("{LINT}.{name}");
             if name == PER_FILE_IGNORES {
-                out.per_file_ignores = Some(self.per_file_ignores(&full, value)?);
+                out.per_file_ignores = Some(self.per_file_ignores(&full, value));
                 continue;
             }
             let codes = name.parse().map_err(|e: UnknownCode| {
@@ -98,22 +120,16 @@ impl Reader<'_> {
                     }
                     None => (key.span().start, e.complaint()),
                 }
-            })?;
-            let level = self.level(&full, value)?;
-            self.changeable(&codes, level, key.span().start)?;
-            out.levels.push((codes, level));
-        }
-        Ok(())
-    }
-
-    /// Errors of the language stay errors.
-    fn changeable(&self, codes: &Selector, level: Level, at: usize) -> Result<(), Fault> {
-        match codes.fixed_error() {
-            Some(code) if level != Level::Error => Err((
-                at,
-                Complaint::new("always-error").with("code", code.as_str()),
-            )),
-            _ => Ok(()),
+            });
+            let Some(codes) = self.keep(codes) else {
+                continue;
+            };
+            let level = self.level(&full, value);
+            if let Some(level) = self.keep(level) {
+                let changeable = changeable(&codes, level, key.span().start);
+                self.keep(changeable);
+                out.levels.push((codes, level));
+            }
         }
     }
 
@@ -121,97 +137,117 @@ impl Reader<'_> {
         let text = value.get_ref().as_str();
         text.and_then(Level::parse).ok_or_else(|| {
             let (at, why) = self.unfit(key, "setting-level", value);
-            let near = text.and_then(|text| near(text, &Level::NAMES));
-            (at, with_near(why, near))
+            (
+                at,
+                why.or_meant(text.and_then(|text| near(text, &Level::NAMES))),
+            )
         })
     }
 
-    fn format(&self, value: &Spanned<DeValue>, out: &mut Written) -> Result<(), Fault> {
-        for (key, value) in entries(self.table(FORMAT, value)?) {
+    fn format(&mut self, value: &Spanned<DeValue>, out: &mut Written) {
+        for (key, value) in self.entries_of(FORMAT, value) {
             let name = key.get_ref().as_ref();
             let full = format!("{FORMAT}.{name}");
-            let yes = || {
-                let yes = value.get_ref().as_bool();
-                yes.ok_or_else(|| self.unfit(&full, "setting-bool", value))
-            };
-            match name {
+            let is = value.get_ref();
+            let wanted = match name {
                 "width" => {
-                    let width = value.get_ref().as_integer().and_then(|n| {
+                    let width = is.as_integer().and_then(|n| {
                         let digits = n.as_str().replace('_', "");
                         usize::from_str_radix(&digits, n.radix()).ok()
                     });
-                    let width = width.filter(|w| Options::WIDTHS.contains(w));
-                    out.width =
-                        Some(width.ok_or_else(|| self.unfit(&full, "setting-width", value))?);
+                    out.width = width.filter(|w| Options::WIDTHS.contains(w));
+                    out.width.is_none().then_some("setting-width")
                 }
-                "align" => out.align = Some(yes()?),
-                "group" => out.group = Some(yes()?),
+                "align" => {
+                    out.align = is.as_bool();
+                    out.align.is_none().then_some("setting-bool")
+                }
+                "group" => {
+                    out.group = is.as_bool();
+                    out.group.is_none().then_some("setting-bool")
+                }
                 "numbers" => {
-                    out.numbers = Some(match value.get_ref().as_str() {
-                        Some("shortest") => Numbers::Shortest,
-                        Some("keep") => Numbers::Keep,
-                        _ => return Err(self.unfit(&full, "setting-numbers", value)),
-                    });
+                    out.numbers = match is.as_str() {
+                        Some("shortest") => Some(Numbers::Shortest),
+                        Some("keep") => Some(Numbers::Keep),
+                        _ => None,
+                    };
+                    out.numbers.is_none().then_some("setting-numbers")
                 }
-                _ => return Err(unknown(FORMAT, key, &OF_FORMAT)),
-            }
+                _ => {
+                    self.faults.push(unknown(FORMAT, key, &OF_FORMAT));
+                    None
+                }
+            };
+            self.faults
+                .extend(wanted.map(|wanted| self.unfit(&full, wanted, value)));
         }
-        Ok(())
     }
 
     fn per_file_ignores(
-        &self,
+        &mut self,
         name: &str,
         value: &Spanned<DeValue>,
-    ) -> Result<Vec<(Pattern, Vec<Selector>)>, Fault> {
+    ) -> Vec<(Pattern, Vec<Selector>)> {
         let mut out = Vec::new();
-        for (key, value) in entries(self.table(name, value)?) {
-            let at = key.span().start;
-            let pattern = Pattern::new_or_not(key.get_ref(), self.root).map_err(|why| (at, why))?;
+        for (key, value) in self.entries_of(name, value) {
+            let pattern = Pattern::new_or_not(key.get_ref(), self.root);
+            let pattern = self.keep(pattern.map_err(|why| (key.span().start, why)));
             let full = format!("{name}.\"{}\"", key.get_ref());
             let mut codes = Vec::new();
-            for (at, text) in self.texts(&full, "setting-codes", value)? {
-                let selector: Selector =
-                    (text.parse()).map_err(|e: UnknownCode| (at, e.complaint()))?;
-                self.changeable(&selector, Level::Off, at)?;
-                codes.push(selector);
+            for (at, text) in self.texts(&full, "setting-codes", value) {
+                let selector = text.parse().map_err(|e: UnknownCode| (at, e.complaint()));
+                if let Some(selector) = self.keep(selector) {
+                    self.keep(changeable(&selector, Level::Off, at));
+                    codes.push(selector);
+                }
             }
-            out.push((pattern, codes));
+            out.extend(pattern.map(|pattern| (pattern, codes)));
         }
-        Ok(out)
+        out
     }
 
-    fn patterns(&self, key: &str, value: &Spanned<DeValue>) -> Result<Vec<Pattern>, Fault> {
-        let texts = self.texts(key, "setting-patterns", value)?;
-        let patterns = texts
-            .into_iter()
-            .map(|(at, text)| Pattern::new(text, self.root).map_err(|why| (at, why)));
+    fn patterns(&mut self, key: &str, value: &Spanned<DeValue>) -> Vec<Pattern> {
+        let texts = self.texts(key, "setting-patterns", value);
+        let patterns = texts.into_iter().filter_map(|(at, text)| {
+            let pattern = Pattern::new(text, self.root);
+            self.keep(pattern.map_err(|why| (at, why)))
+        });
         patterns.collect()
     }
 
     /// A list of texts, and where each stands.
     fn texts<'v>(
-        &self,
+        &mut self,
         key: &str,
         wanted: &'static str,
         value: &'v Spanned<DeValue>,
-    ) -> Result<Vec<(usize, &'v str)>, Fault> {
-        let list = value.get_ref().as_array();
-        let list = list.ok_or_else(|| self.unfit(key, wanted, value))?;
-        let texts = list.iter().map(|item| match item.get_ref().as_str() {
-            Some(text) => Ok((item.span().start, text)),
-            None => Err(self.unfit(key, wanted, item)),
+    ) -> Vec<(usize, &'v str)> {
+        let Some(list) = value.get_ref().as_array() else {
+            self.faults.push(self.unfit(key, wanted, value));
+            return Vec::new();
+        };
+        let texts = list.iter().filter_map(|item| {
+            let text = item.get_ref().as_str();
+            let text = text.ok_or_else(|| self.unfit(key, wanted, item));
+            Some((item.span().start, self.keep(text)?))
         });
         texts.collect()
     }
 
-    fn table<'v, 'i>(
-        &self,
+    /// What a table has; nothing if it is none.
+    fn entries_of<'v, 'i>(
+        &mut self,
         key: &str,
         value: &'v Spanned<DeValue<'i>>,
-    ) -> Result<&'v DeTable<'i>, Fault> {
-        let table = value.get_ref().as_table();
-        table.ok_or_else(|| self.unfit(key, "setting-table", value))
+    ) -> Vec<Entry<'v, 'i>> {
+        match value.get_ref().as_table() {
+            Some(table) => entries(table),
+            None => {
+                self.faults.push(self.unfit(key, "setting-table", value));
+                Vec::new()
+            }
+        }
     }
 
     /// A setting has a value that it cannot have.
@@ -222,6 +258,17 @@ impl Reader<'_> {
             .with("wanted", Complaint::new(wanted))
             .with("found", quote(found));
         (value.span().start, why)
+    }
+}
+
+/// Errors of the language stay errors.
+fn changeable(codes: &Selector, level: Level, at: usize) -> Result<(), Fault> {
+    match codes.fixed_error() {
+        Some(code) if level != Level::Error => Err((
+            at,
+            Complaint::new("always-error").with("code", code.as_str()),
+        )),
+        _ => Ok(()),
     }
 }
 
@@ -242,16 +289,7 @@ fn no_setting(key: &str, known: Complaint, near: Option<String>) -> Complaint {
     let why = Complaint::new("setting-unknown")
         .with("key", quote(key))
         .with("known", known);
-    with_near(why, near)
-}
-
-fn with_near(why: Complaint, near: Option<String>) -> Complaint {
-    match near {
-        None => why,
-        Some(near) => Complaint::new("with-near")
-            .with("what", why)
-            .with("near", near),
-    }
+    why.or_meant(near)
 }
 
 /// The whole name of a setting that belongs into another table.

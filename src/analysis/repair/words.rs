@@ -130,26 +130,41 @@ const TOPICS: &[(&str, &[i32])] = &[
     ("lookat", &[-501]),
     ("shadow", &[-402]),
     ("stin", &[-402]),
+    ("prism", &[-102, 4, 12]),
+    ("hranol", &[-102, 4, 12]),
+    ("cut", &[-103, 4]),
+    ("rez", &[-103, 4]),
     ("background", &[9999]),
     ("pozadi", &[9999]),
+    ("void", &[0]),
+    ("voidobjekt", &[0]),
+    ("rotacnitelesodaneprofilem", &[1, 2]),
     ("neorientovanarovina", &[3]),
     ("neorientovanyobdelnik", &[5]),
     ("trojuhelnikajehonormala", &[7]),
     ("elipsoidsestredemvpocatku", &[10]),
     ("koulevobecnepoloze", &[11]),
+    ("kvadraabb", &[12, -601]),
     ("kouleisometrickygenerovana", &[13]),
     ("obecnakvadrika", &[15]),
     ("valcovaplocha", &[18, 19]),
     ("valcovaplochaparabolicka", &[18]),
     ("valcovaplochahyperbolicka", &[19]),
     ("parabolickyhyperboloid", &[21]),
+    ("rotaceokoloosy", &[-2]),
     ("obecnarotace", &[-4]),
     ("optickevlastnosti", &[-201, -202]),
     ("optickevlastnostimaterialu", &[-201, -202]),
+    ("optickevlastnostimaterialumono", &[-201]),
+    ("optickevlastnostimaterialurgb", &[-202]),
     ("indexlomudanehoprostredi", &[-203]),
     ("prirazenivlastnostiobjektu", &[-299]),
+    ("texturasachovnice", &[-399]),
     ("kameramono", &[-502]),
     ("kamerastereo", &[-503]),
+    ("boundingvolume", &[-601, -602]),
+    ("boundingvolumes", &[-601, -602]),
+    ("barvargb", &[-701]),
     ("renderovanascena", &[9999]),
 ];
 
@@ -167,6 +182,11 @@ pub fn types(word: &str) -> Vec<&'static RecordType> {
         n.0.len() >= MISSPELLED_LEAST && strsim::osa_distance(n.0, &word) == 1
     };
     NAMES.iter().find(near).map_or(Vec::new(), |n| of(n.1))
+}
+
+/// Whether a word is a cylinder, which is no type: a surface of revolution is one.
+pub fn is_cylinder(word: &str) -> bool {
+    matches!(plain(word).as_str(), "cylinder" | "valec")
 }
 
 fn of(codes: &[i32]) -> Vec<&'static RecordType> {
@@ -198,6 +218,11 @@ fn in_order(name: &str) -> Vec<String> {
     words
 }
 
+/// All names that are no titles, without accents, with the types they lead to.
+pub fn all() -> impl Iterator<Item = (&'static str, &'static [i32])> {
+    NAMES.iter().chain(TOPICS).copied()
+}
+
 /// What a type is called in both languages, without accents and in lower case.
 pub fn names(ty: &RecordType) -> Vec<String> {
     let others = NAMES.iter().filter(|n| n.1.contains(&ty.code));
@@ -214,7 +239,7 @@ pub fn names(ty: &RecordType) -> Vec<String> {
 pub fn plain(word: &str) -> String {
     let letters = word.chars().flat_map(char::to_lowercase);
     letters
-        .filter(|c| !matches!(c, '-' | '_' | ' ' | ':' | '.'))
+        .filter(|c| !matches!(c, '-' | '_' | ' ' | ':' | '.' | '„' | '“' | '"'))
         .map(|c| match c {
             'á' => 'a',
             'č' => 'c',
@@ -252,14 +277,15 @@ mod tests {
 
     #[test]
     fn names_are_written_as_they_are_compared() {
-        for (i, (name, codes)) in NAMES.iter().enumerate() {
+        let all: Vec<_> = all().collect();
+        for (i, (name, codes)) in all.iter().enumerate() {
             assert_eq!(plain(name), *name);
             assert!(
                 codes
                     .iter()
                     .all(|&c| RecordType::by_code(c.into()).is_some())
             );
-            assert!(NAMES[..i].iter().all(|n| n.0 != *name), "{name} twice");
+            assert!(all[..i].iter().all(|n| n.0 != *name), "{name} twice");
         }
     }
 }

@@ -33,7 +33,7 @@ io-read-only = disk je jen pro čtení
 
 ## Nastavení
 
-in-line = řádek { $line }: { $why }
+in-file = { $path }:{ $line }:{ $column }: { $why }
 setting-toml = toto není TOML
 setting-unknown = nastavení { $key } neexistuje; existují { $known }
 setting-codes-known = kódy a `per-file-ignores`
@@ -53,13 +53,12 @@ config-isolated = --config { $path } nelze zadat spolu s --isolated: to žádný
 
 ## Kódy a témata
 
+no-code-of = kód { $text } neexistuje
 no-code = kód { $text } neexistuje (všechny vypíše `zpg explain`)
-no-code-near = kód { $text } neexistuje; měli jste na mysli `{ $near }`?
 always-error = { $code } je vždy chyba
 error-not-ignored = { $code } je vždy chyba a nelze ji vynechat
 statistics-format = statistika je text nebo JSON: --format human nebo json
 no-topic = žádný nález ani typ záznamu se nejmenuje { $text }
-no-topic-near = žádný nález ani typ záznamu se nejmenuje { $text }; měli jste na mysli { $near }?
 
 ## Sledování
 
@@ -228,7 +227,7 @@ usage-value = `{ $text }` není hodnota pro `{ $arg }`
 usage-not-text = některý argument není text v UTF-8
 usage-values = možnosti jsou { $values }
 with-reason = { $what }: { $reason }
-with-near = { $what }; měli jste na mysli `{ $near }`?
+with-near = { $what }; měli jste na mysli { $near }?
 
 expected-size = očekává se ŠxV, například 640x480
 not-pixels = `{ $text }` není počet pixelů

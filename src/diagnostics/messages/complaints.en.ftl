@@ -33,7 +33,7 @@ io-read-only = Read-only file system
 
 ## Settings
 
-in-line = line { $line }: { $why }
+in-file = { $path }:{ $line }:{ $column }: { $why }
 setting-toml = this is not TOML: { $reason }
 setting-unknown = there is no setting { $key }, only { $known }
 setting-codes-known = codes and `per-file-ignores`
@@ -53,13 +53,12 @@ config-isolated = --config { $path } does not go together with --isolated, which
 
 ## Codes and topics
 
+no-code-of = there is no code { $text }
 no-code = there is no code { $text } (`zpg explain` lists all)
-no-code-near = there is no code { $text }; did you mean `{ $near }`?
 always-error = { $code } is always an error
 error-not-ignored = { $code } is always an error and cannot be ignored
 statistics-format = statistics are text or JSON: --format human or json
 no-topic = there is no finding or record type { $text }
-no-topic-near = there is no finding or record type { $text }; did you mean { $near }?
 
 ## Watching
 
@@ -223,7 +222,7 @@ usage-value = `{ $text }` is not a value of `{ $arg }`
 usage-not-text = an argument is no text in UTF-8
 usage-values = there are { $values }
 with-reason = { $what }: { $reason }
-with-near = { $what }; did you mean `{ $near }`?
+with-near = { $what }; did you mean { $near }?
 
 expected-size = expected WxH, as in 640x480
 not-pixels = `{ $text }` is not a number of pixels
