@@ -87,13 +87,20 @@ fn read(text: &str) -> Analysis {
     Analysis::new("scene.zpg", text.into())
 }
 
-/// How many malformed tokens, which hide what else is wrong; errors, warnings, notes and remarks on
-/// style.
+/// How many malformed tokens, and render records that are missing, which hide what else is wrong; errors, warnings,
+/// notes and remarks on style.
 fn weight(found: &[Diagnostic]) -> [usize; 5] {
     let of = |s: Severity| found.iter().filter(|d| d.severity == s).count();
-    let malformed = [Code::E001, Code::E002, Code::E003, Code::E004, Code::E010];
+    let hiding = [
+        Code::E001,
+        Code::E002,
+        Code::E003,
+        Code::E004,
+        Code::E010,
+        Code::E106,
+    ];
     [
-        found.iter().filter(|d| malformed.contains(&d.code)).count(),
+        found.iter().filter(|d| hiding.contains(&d.code)).count(),
         of(Severity::Error),
         of(Severity::Warning),
         of(Severity::Note),

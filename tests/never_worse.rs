@@ -50,7 +50,7 @@ fn misspelled(rng: &mut Rng, word: &str) -> String {
         14 => format!("{word}{}", rng.pick(&["?", "x", ";", "@", "1e999", "°"])),
         15 => format!("{}", rng.below(60) as i64 - 20),
         16 => (*rng.pick(&["0", "0.0", "1.0", "2.0", "9.0", "-1.0", "-402.0"])).to_owned(),
-        _ => "ball".to_owned(),
+        _ => (*rng.pick(&["ball", "red", "bílá", "y", "cylinder"])).to_owned(),
     }
 }
 
@@ -122,7 +122,9 @@ fn scenes() -> Vec<String> {
 /// The errors of each file of a folder: codes and the text of the line.
 fn errors(folder: &Path) -> BTreeMap<String, Vec<(String, String)>> {
     let run = zpg(folder, &["check", "--format", "json", "."], "");
-    let report: Value = serde_json::from_slice(&run.stdout).unwrap();
+    let said = String::from_utf8_lossy(&run.stderr);
+    let report = serde_json::from_slice(&run.stdout);
+    let report: Value = report.unwrap_or_else(|e| panic!("{e}: {said}"));
     let mut all: BTreeMap<String, Vec<(String, String)>> = BTreeMap::new();
     for file in report["files"].as_array().unwrap() {
         let path = file["path"].as_str().unwrap();

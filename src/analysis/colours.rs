@@ -1,5 +1,7 @@
-//! A colour as other programs write it, `7 -701 #ff8000`, is one finding that says which numbers it is.
+//! A colour as other programs write it, `7 -701 #ff8000` or `7 -701 red`, is one finding that says which numbers it
+//! is.
 
+use super::colour_names;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span};
 use crate::lint::spelling::spelled;
 use crate::syntax::lexer::{Token, TokenKind};
@@ -8,7 +10,7 @@ use crate::syntax::{Document, Item, hex, quote};
 use crate::trace::bitmap::linear;
 use crate::trace::film::srgb8;
 
-/// What the parser found about colours in hexadecimal digits becomes one finding for each.
+/// What the parser found about colours in hexadecimal digits and by name becomes one finding for each.
 pub fn join(document: &Document, source: &SourceFile, findings: &mut Vec<Diagnostic>) {
     if !document.contents.broken {
         return;
@@ -16,7 +18,7 @@ pub fn join(document: &Document, source: &SourceFile, findings: &mut Vec<Diagnos
     for item in &document.items {
         let Item::Broken(broken) = item else { continue };
         if broken.kind == Some(RecordKind::Colour)
-            && let Some(finding) = hexadecimal(document, &source.text, broken.first)
+            && let Some(finding) = one_word(document, &source.text, broken.first)
         {
             let start = document.tokens[broken.first as usize].start;
             let record = start..finding.fixes[0].edits[0].span.end;
@@ -27,7 +29,7 @@ pub fn join(document: &Document, source: &SourceFile, findings: &mut Vec<Diagnos
 }
 
 /// The colour in the place of the numbers of a record whose ID is at a token.
-fn hexadecimal(document: &Document, text: &str, id: u32) -> Option<Diagnostic> {
+fn one_word(document: &Document, text: &str, id: u32) -> Option<Diagnostic> {
     let tokens = document.tokens[id as usize..].iter();
     let mut on_line = tokens.take_while(|t| t.kind() != TokenKind::Newline);
     let word = on_line.by_ref().nth(2)?;
@@ -38,10 +40,10 @@ fn hexadecimal(document: &Document, text: &str, id: u32) -> Option<Diagnostic> {
         true => in_comment(word, text)?,
         false => {
             let within = word.text(text).trim_matches('"');
-            (word.span(), hex::colour(within)?, String::new())
+            (word.span(), shown(within)?, String::new())
         }
     };
-    let numbers = colour.map(shortest).join(" ");
+    let numbers = spelled_out(colour);
     Some(
         Diagnostic::new(Code::E003, span)
             .case("colour")
@@ -54,6 +56,20 @@ fn hexadecimal(document: &Document, text: &str, id: u32) -> Option<Diagnostic> {
                 numbers + &comment,
             )),
     )
+}
+
+/// The numbers of a colour that one word is, in hexadecimal digits or by name.
+pub fn numbers(word: &str) -> Option<String> {
+    shown(word.trim_matches('"')).map(spelled_out)
+}
+
+/// The sRGB colour that a word is.
+fn shown(word: &str) -> Option<[u8; 3]> {
+    hex::colour(word).or_else(|| colour_names::colour(word))
+}
+
+fn spelled_out(shown: [u8; 3]) -> String {
+    shown.map(shortest).join(" ")
 }
 
 /// A colour whose `#` began a comment; with what else the comment holds, as one.

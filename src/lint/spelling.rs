@@ -6,6 +6,11 @@ pub fn spelled(x: f64) -> String {
     text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
 }
 
+/// A difference of decimal numbers, without the rounding of its last digits.
+pub fn decimal(x: f64) -> String {
+    spelled(format!("{x:.11e}").parse().unwrap_or(x))
+}
+
 /// A number for people: four significant digits.
 pub fn rough(x: f64) -> String {
     let exact = spelled(x);

@@ -10,8 +10,8 @@ use super::references::{Lost, References};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Severity, SourceFile, Span, Value};
 use crate::syntax::ast::{Broken, Fault};
 use crate::syntax::ids::IdTable;
-use crate::syntax::table::{Effect, Family, Kind, RecordKind};
-use crate::syntax::{Document, Item, Record};
+use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
+use crate::syntax::{self, Document, Item, Record};
 
 /// Reads a tree as a program of assignments. `diagnostics` holds the parser's findings; the
 /// resolver's are added, and those of broken records are completed with what only it can know.
@@ -253,24 +253,15 @@ impl<'a> Resolver<'a> {
         if broken.fault == Fault::UnknownType {
             self.propose_type(broken, diagnostics);
         }
-        // Whose ID another record has, may have lost its own.
-        let taken = broken.fault != Fault::LostId
-            && broken.id.is_some_and(|id| {
-                let render = broken.kind == Some(RecordKind::Render);
-                let changes = broken
-                    .ty()
-                    .is_some_and(|t| matches!(t.effect, Effect::Changes(_)));
-                id == 1 && !render || self.exists(id) && !changes
-            });
-        if taken || broken.fault == Fault::LostId {
-            let tokens = self.document.tokens[broken.first as usize].span();
+        // A line of words has lost nothing.
+        let mut tokens = self.document.significant(broken.first, broken.last);
+        if broken.fault == Fault::LostId && tokens.any(|t| t.kind().is_number()) {
             let operation = broken.ty().is_some_and(|t| t.family == Family::Operation);
             let names = self.document.significant(broken.first, broken.last);
             let names = names.filter_map(|t| u32::try_from(t.integer(self.text)?).ok());
             self.references.lost.push(Lost {
-                // Its type may be what was meant for the ID.
-                ty: broken.ty().filter(|_| !taken),
-                span: tokens,
+                ty: broken.ty(),
+                span: self.document.tokens[broken.first as usize].span(),
                 names: names.filter(|_| operation).collect(),
             });
         }
@@ -295,8 +286,20 @@ impl<'a> Resolver<'a> {
         }
         if !self.has_render {
             let end = self.text.trim_end().len() as u32;
-            self.out
-                .push(Diagnostic::new(Code::E106, Span::new(end, end)).severity(Severity::Warning));
+            let at = Span::new(end, end);
+            let finding = Diagnostic::new(Code::E106, at).severity(Severity::Warning);
+            let is_sound = !diagnostics
+                .iter()
+                .chain(&self.out)
+                .any(Diagnostic::is_error);
+            self.out.push(match self.only_root().filter(|_| is_sound) {
+                Some(id) => {
+                    let record = format!("1 {} {id} 0", RecordType::of(RecordKind::Render).code);
+                    let fix = Fix::replace("fix", Applicability::Unsafe, at, format!("\n{record}"));
+                    finding.fix(fix.with("text", syntax::quote(&record)))
+                }
+                None => finding,
+            });
         }
         References::settle(&mut self, diagnostics);
         for i in 0..self.scene.entities.len() {
@@ -314,6 +317,17 @@ impl<'a> Resolver<'a> {
         }
         diagnostics.append(&mut self.out);
         self.scene
+    }
+
+    /// The object that nothing else is made of, if there is one alone.
+    fn only_root(&self) -> Option<u32> {
+        let ids = self.scene.entities.iter().map(|e| e.id);
+        let is_root = |id: &u32| match self.state(*id) {
+            Some(State::Object(node)) => !self.taken[node as usize],
+            _ => false,
+        };
+        let mut roots = ids.filter(is_root);
+        roots.next().filter(|root| roots.all(|id| id == *root))
     }
 
     /// Checks and keeps a record whose references name the end of the file.

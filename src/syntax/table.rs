@@ -643,7 +643,8 @@ record_types! {
                 &[COUNT],
                 "Solid: the polyline of N profile points turned about the y axis; x is the distance from \
                  the axis. Ends off the axis are closed by flat discs, unless the last point is the \
-                 first (a ring). The inside follows the even-odd rule of the closed profile.",
+                 first (a ring). The inside follows the even-odd rule of the closed profile. A cylinder of \
+                 radius r and height h is `ID 1 2 r 0 r h`.",
                 "2 1 4  0 2  1 1  1 0  0 0",
             )
         },
@@ -1122,7 +1123,8 @@ record_types! {
             Family::Camera,
             Effect::Defines(Kind::Camera),
             &CAMERA_PARAMS,
-            "Position, view direction, up vector (both of any length) and the vertical field of view.",
+            "Position, view direction, up vector (both of any length) and the vertical field of view. The direction \
+             is no point: to look at a point, write the point minus the position.",
             "9 -501  0 0 0  0 0 -1  0 1 0  45",
         )
         .of_vectors(&[3, 3, 3, 1]),

@@ -84,7 +84,7 @@ fn copy(analysis: &Analysis, record: &Record) -> Option<Suspect> {
         .with("parameter", Value::Term(record.ty().params.first()?.doc))
         .label(original.span, "defined-here");
     let place = Place::both(analysis, operand.start).into_iter().next()?;
-    let mut candidates = place.candidates(&finding, &[]);
+    let mut candidates = place.candidates(&finding, &[], &[]);
     candidates.retain(|c| matches!(c.habit, Habit::Shifted | Habit::Reference));
     Some(Suspect {
         finding,

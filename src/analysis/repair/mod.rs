@@ -212,7 +212,9 @@ impl Engine<'_> {
     fn mend(&mut self, at: usize, place: &Place) -> bool {
         let finding = self.findings[at].clone();
         let undefined = undefined(&self.findings);
-        let mut candidates = place.candidates(&finding, &undefined);
+        let fixes = self.findings.iter().flat_map(|d| &d.fixes);
+        let taken: Vec<u32> = fixes.flat_map(candidates::new_ids).collect();
+        let mut candidates = place.candidates(&finding, &undefined, &taken);
         let is_new = candidates.iter().any(|c| {
             let same = |f: &Fix| f.edits == c.fix.edits;
             !finding.fixes.iter().any(same)
@@ -341,14 +343,17 @@ impl Engine<'_> {
 /// Gives a finding its fixes, and words that go with the first of them: those of what that one puts right, where the
 /// finding speaks of something else.
 fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &Place) {
-    finding.fixes = best.iter().map(|c| c.fix.clone()).collect();
+    let new = best.iter().map(|c| c.fix.clone()).collect();
+    let own = std::mem::replace(&mut finding.fixes, new);
     let Some(first) = best.first() else { return };
     let matter = match first.habit.is_said_by(finding) {
         true => None,
         false => place.matter(first),
     };
     if let Some(matter) = matter {
-        let fixes = std::mem::take(&mut finding.fixes);
+        let mut fixes = std::mem::take(&mut finding.fixes);
+        // What the finding itself proposed is said in words of its own.
+        fixes.retain(|f| !own.iter().any(|o| o.title == f.title && o.edits == f.edits));
         *finding = Diagnostic { fixes, ..matter };
     } else if finding.code == Code::E007 {
         finding.values.retain(|v| v.0 == "text");

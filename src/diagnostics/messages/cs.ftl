@@ -99,6 +99,18 @@ fix-doubled = vynechat čísla, která jsou tu dvakrát
 lack = zapsaná čísla jsou možná { $have }; pak chybí { $missing }
 comment-ends = komentář končí druhým znakem `#`; co stojí za ním, se čte jako čísla
 fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam
+fix-lamp-place = napsat intenzitu 1 a polohu jako samostatný záznam
+fix-apart = napsat { $text } jako samostatný záznam ({ $type })
+fix-apart-both = napsat { $text } jako dva samostatné záznamy: posunutí a barvu
+fix-sign-apart = napsat `{ $number }` a { $text } jako samostatný záznam ({ $type })
+fix-sign-apart-both = napsat `{ $number }` a { $text } jako dva samostatné záznamy: posunutí a barvu
+fix-inline = { $count ->
+    [one] napsat barvu { $text } jako samostatný záznam
+   *[other] napsat barvy { $text } jako samostatné záznamy
+}
+fix-cylinder = napsat { $text } ({ $type })
+fix-point = je-li { $text } bod, na který se má kamera dívat, napsat { $number }: směr je tento bod minus poloha kamery
+fix-up = napsat vektor „nahoru“ { $number }
 defined-here = { $id } je definováno zde
 declared-here = { $id } je deklarováno zde
 
@@ -131,7 +143,7 @@ E003-dashes = { $text } není číslo: místo minusu je tu typografická pomlčk
     .fix = napsat `-` na všech místech ({ $count }×)
 E003-colour = barva se zapisuje třemi čísly, ne { $text }
     .label = v lineárním RGB: { $number }
-    .help = čísla jsou lineární, od 0 do 1; šestnáctkový zápis je v sRGB
+    .help = čísla jsou lineární, od 0 do 1; šestnáctkový zápis a jména barev z CSS jsou v sRGB
     .fix = { fix-write }
 E003-glued = { $text } není jedno číslo, ale několik
     .label = zde chybí mezera: { $number }
@@ -272,6 +284,9 @@ E011 = { $text } není jméno souboru
 E012 = slovo { $text } tu nic neznamená
     .label = zde má být číslo
     .help = je-li to komentář, patří mezi dva znaky `#`
+E012-axis = osa { $text } se zapisuje číslem
+    .label = 1 je x, 2 je y, 3 je z
+    .help = nejdřív se píše úhel, pak osa
 E012-file-name = jméno souboru { $text } obsahuje mezery
     .label = zde má být jedno slovo
     .help = jméno souboru s mezerami patří do uvozovek
@@ -396,6 +411,7 @@ E105-objects = { E105-other }
 E106 = chybí renderovací záznam
     .label = není určeno, co se má vykreslit
     .help = přidejte `1 9999 OBJEKT POZADÍ`: místo OBJEKT napište ID toho, co se má vykreslit, místo POZADÍ ID barvy, nebo 0 pro černou
+    .fix = přidat { $text }
 
 E107 = { $id } se používá dříve, než je definováno
     .label = ještě není definováno
@@ -464,7 +480,7 @@ E206-count = { $type }: počet bodů profilu nemůže být { $value }
 
 E207 = směr pohledu kamery a vektor „nahoru“ jsou rovnoběžné
     .label = společně mají určit, kde je v obrázku nahoře
-    .help = vektor „nahoru“ bývá `0 1 0`; míří-li kamera přímo nahoru nebo dolů, zvolte `0 0 1`
+    .help = vektor „nahoru“ bývá `0 1 0`; míří-li kamera přímo dolů, zvolte `0 0 -1`, přímo nahoru `0 0 1`
 E207-projection = pro část obrázku nemá tato matice projekce žádný paprsek
     .label = není tam vidět nic, co je před kamerou
     .help = kamera hledí proti ose z: poslední řádek perspektivy bývá 0 0 -1 0

@@ -93,6 +93,18 @@ fix-doubled = drop the numbers that stand there twice
 lack = the numbers here may be { $have }, with { $missing } left out
 comment-ends = a comment ends at its second `#`; whatever comes after it is read as numbers
 fix-lamp = write the intensity 1, and the colour as a record of its own
+fix-lamp-place = write the intensity 1, and the position as a record of its own
+fix-apart = write { $text } as a record of its own ({ $type })
+fix-apart-both = write { $text } as two records of their own: a translation and a colour
+fix-sign-apart = write `{ $number }`, and { $text } as a record of its own ({ $type })
+fix-sign-apart-both = write `{ $number }`, and { $text } as two records of their own: a translation and a colour
+fix-inline = { $count ->
+    [one] write the colour { $text } as a record of its own
+   *[other] write the colours { $text } as records of their own
+}
+fix-cylinder = write the { $type } { $text }
+fix-point = if { $text } is the point to look at, write { $number }: a direction is that point minus the position
+fix-up = write the up vector { $number }
 defined-here = { $id } is defined here
 declared-here = { $id } is declared here
 
@@ -125,7 +137,7 @@ E003-dashes = { $text } is not a number: { $count } numbers in this file have a 
     .fix = write `-` in all { $count } places
 E003-colour = a colour is three numbers, not { $text }
     .label = in linear red, green and blue: { $number }
-    .help = the numbers go from 0 to 1 and are linear; hexadecimal digits are sRGB
+    .help = the numbers go from 0 to 1 and are linear; hexadecimal digits and the names of CSS are sRGB
     .fix = { fix-write }
 E003-glued = { $text } is not one number, but several
     .label = a space is missing here: { $number }
@@ -259,6 +271,9 @@ E011 = { $text } is not a file name
 E012 = the word { $text } means nothing here
     .label = a number was expected
     .help = if this is a comment, put it between two `#`
+E012-axis = the axis { $text } is written as a number
+    .label = 1 is x, 2 is y, 3 is z
+    .help = the angle comes first, then the axis
 E012-file-name = the file name { $text } has spaces in it
     .label = this should be one word
     .help = a file name with spaces stands in double quotes
@@ -378,6 +393,7 @@ E105-objects = { E105-other }
 E106 = there is no render record
     .label = nothing says what is to be drawn
     .help = add `1 9999 OBJECT BACKGROUND`: for OBJECT the ID of what is to be drawn, for BACKGROUND the ID of a colour, or 0 for black
+    .fix = add { $text }
 
 E107 = { $id } is used before it is defined
     .label = not defined yet
@@ -446,7 +462,7 @@ E206-count = { $type-a } needs at least 2 points, not { $value }
 
 E207 = the camera's view direction and up vector are parallel
     .label = together they must tell which way is up in the picture
-    .help = the up vector is usually `0 1 0`; for a camera that looks straight up or down take `0 0 1`
+    .help = the up vector is usually `0 1 0`; for a camera that looks straight down take `0 0 -1`, straight up `0 0 1`
 E207-projection = this projection matrix has no ray for a part of the picture
     .label = nothing in front of the camera is seen there
     .help = the camera looks along −z: the last row of a perspective is usually 0 0 -1 0

@@ -1,7 +1,7 @@
 ### Co znamenají typy záznamů, česky. Anglicky je to v src/syntax/table.rs.
 
 summary-undefined = `ID 0` deklaruje objekt, který smí být později jednou definován. Samotná `0` na místě ID je záznam VOID; uvozuje samostatný komentář.
-summary-surface-of-revolution = Těleso: lomená čára z N bodů profilu otočená kolem osy y; x je vzdálenost od osy. Konce mimo osu uzavírají rovné kruhy, pokud není poslední bod totožný s prvním (prstenec). Vnitřek je určen pravidlem sudá–lichá na uzavřeném profilu.
+summary-surface-of-revolution = Těleso: lomená čára z N bodů profilu otočená kolem osy y; x je vzdálenost od osy. Konce mimo osu uzavírají rovné kruhy, pokud není poslední bod totožný s prvním (prstenec). Vnitřek je určen pravidlem sudá–lichá na uzavřeném profilu. Válec o poloměru r a výšce h je `ID 1 2 r 0 r h`.
 summary-coloured-surface-of-revolution = Jako typ 1, každý bod profilu má navíc barvu; mezi body se barva mění lineárně.
 summary-plane = Plocha: všechny body, pro které platí ax + by + cz + d = 0. Nemá vnitřek ani orientaci.
 summary-half-space = Těleso: všechny body, pro které platí ax + by + cz + d ≤ 0.
@@ -41,7 +41,7 @@ summary-solid-texture = Krychle dvou střídavých barev v souřadnicích, kter�
 summary-checkerboard = N × M polí podle souřadnic na povrchu; barva c1 je tam, kde je ⌊uN⌋ + ⌊vM⌋ sudé.
 summary-ambient-light = Světlo, které přichází odevšad na každý povrch; více takových světel se sčítá.
 summary-point-light = Světlo v počátku, dokud ho neposune transformace; se vzdáleností neslábne.
-summary-camera = Poloha, směr pohledu a vektor „nahoru“ (oba libovolné délky) a svislý zorný úhel.
+summary-camera = Poloha, směr pohledu a vektor „nahoru“ (oba libovolné délky) a svislý zorný úhel. Směr není bod: má-li se kamera dívat na nějaký bod, napište tento bod minus polohu.
 summary-mono-camera = Vybere kameru, kterou se pořídí obrázek; platí poslední výběr.
 summary-stereo-camera = Vybere dvojici kamer pro stereoskopický obrázek; platí poslední výběr.
 summary-bounding-box = Slibuje, že objekt s tímto ID leží v tomto kvádru. Obrázek nikdy nemění.

@@ -1,6 +1,9 @@
 //! What may have been meant by a line that something is wrong with.
 
+mod apart;
+mod cameras;
 mod comments;
+mod inline;
 mod numbers;
 mod references;
 mod types;
@@ -12,6 +15,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{Param, RecordType};
+pub use inline::new_ids;
 
 /// What people do, what they do most first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -26,8 +30,16 @@ pub enum Habit {
     Comment,
     /// Numbers stand there twice, or one is too many.
     Doubled,
+    /// An axis is a letter, or stands before its angle.
+    Axis,
     /// It is the record of a sibling.
     Sibling,
+    /// What is too much is a record of its own.
+    Apart,
+    /// The direction of a camera is the point that it looks at.
+    Point,
+    /// The up vector of a camera is along its direction.
+    Up,
     /// Two references stand in each other's place.
     Swapped,
     /// All references are off by the same number.
@@ -57,10 +69,12 @@ impl Habit {
             Habit::Word => finding.code == E006,
             Habit::Comment => matches!(finding.code, E001 | E002 | E003 | E007 | E009 | E012),
             Habit::Doubled | Habit::Sibling => matches!(finding.code, E008 | E009),
+            Habit::Apart => matches!(finding.code, E003 | E007 | E008 | E009 | E012 | E101),
+            Habit::Point | Habit::Up => matches!(finding.code, E203 | E207),
             Habit::Swapped => {
                 matches!(finding.code, E101 | E103 | E104 | E107 | E108 | W319)
             }
-            Habit::NoType => false,
+            Habit::NoType | Habit::Axis => false,
             // They are made for such findings only.
             Habit::Shifted | Habit::Reference | Habit::Id | Habit::Type | Habit::Proposed => true,
         }
@@ -196,19 +210,28 @@ impl<'a> Place<'a> {
     }
 
     /// What may have been meant, given a finding of this place. `undefined` are the IDs that are used and
-    /// defined nowhere.
-    pub fn candidates(&self, finding: &Diagnostic, undefined: &[u32]) -> Vec<Candidate> {
+    /// defined nowhere, `taken` those that other proposals define.
+    pub fn candidates(
+        &self,
+        finding: &Diagnostic,
+        undefined: &[u32],
+        taken: &[u32],
+    ) -> Vec<Candidate> {
         let mut out = Vec::new();
         if finding.is_error() {
             self.characters(&mut out);
             self.spaced_name(&mut out);
             self.words(&mut out);
+            self.axis(&mut out);
             self.comments(&mut out);
             self.signs(&mut out);
             self.doubled(&mut out);
             self.surplus(finding, &mut out);
             out.extend(self.angles());
             self.siblings(&mut out);
+            self.apart(finding, &mut out);
+            self.inline(&[undefined, taken].concat(), &mut out);
+            self.camera(finding, &mut out);
             self.types(finding, &mut out);
             self.arranged(&mut out);
             self.references(finding, &mut out);
@@ -257,12 +280,17 @@ impl<'a> Place<'a> {
                 let span = Span::new(start, start + word.len() as u32);
                 Some(Diagnostic::new(Code::E012, span).with("text", quote(word)))
             }
-            Habit::Doubled | Habit::Sibling => self.wrong_count(),
+            Habit::Doubled | Habit::Sibling | Habit::Apart => self.wrong_count(),
+            Habit::Axis => {
+                let d = Diagnostic::new(Code::E012, edit.span).case("axis");
+                Some(d.with("text", written))
+            }
             Habit::Swapped => {
                 let d = Diagnostic::new(Code::E101, edit.span).case("no-id");
                 Some(d.with("number", written))
             }
             Habit::Shifted | Habit::Reference | Habit::Id | Habit::Type | Habit::Proposed => None,
+            Habit::Point | Habit::Up => None,
         }
     }
 

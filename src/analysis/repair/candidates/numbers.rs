@@ -28,6 +28,27 @@ impl Place<'_> {
         })
     }
 
+    /// An axis by its letter, which may stand before the angle.
+    pub(super) fn axis(&self, out: &mut Vec<Candidate>) {
+        let &[first, last] = self.params() else {
+            return;
+        };
+        let axis = |t: &Token| match t.text(self.text) {
+            "x" | "X" => Some("1"),
+            "y" | "Y" => Some("2"),
+            "z" | "Z" => Some("3"),
+            _ => None,
+        };
+        let turns = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Rotation);
+        let (angle, axis) = match (axis(&first), axis(&last)) {
+            (Some(axis), None) if turns => (last, axis),
+            (None, Some(axis)) if turns => (first, axis),
+            _ => return,
+        };
+        let angle = angle.text(self.text).to_owned();
+        out.extend(self.write(Habit::Axis, &[(first, angle), (last, axis.to_owned())]));
+    }
+
     /// Numbers in other characters; a unit or dash on its own joins its number.
     pub(super) fn characters(&self, out: &mut Vec<Candidate>) {
         let on_line: Vec<Token> = (self.all.iter())

@@ -4,7 +4,7 @@ use super::{Candidate, Habit, MOST, Place};
 use crate::diagnostics::{Code, Diagnostic};
 use crate::scene::Entity;
 use crate::syntax::lexer::Token;
-use crate::syntax::table::{Effect, Kind, Param, ParamKind, RecordKind};
+use crate::syntax::table::{Effect, Family, Kind, Param, ParamKind, RecordKind};
 
 impl Place<'_> {
     /// The parameters that are references, and what they may refer to.
@@ -65,8 +65,11 @@ impl Place<'_> {
             let written = id(t);
             let text = written.to_string();
             let used: Vec<i64> = all.iter().map(|(t, _)| id(t)).collect();
+            let is_operation = self.ty().is_some_and(|ty| ty.family == Family::Operation);
             let mut others: Vec<(bool, usize, u64, u32)> = (self.entities(kinds))
                 .filter(|e| i64::from(e.id) != written && Some(e.id) != self.id())
+                // No operation has one thing as both its operands.
+                .filter(|e| !is_operation || !used.contains(&i64::from(e.id)))
                 .map(|e| {
                     let new = e.id.to_string();
                     (

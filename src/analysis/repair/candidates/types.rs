@@ -2,10 +2,10 @@
 
 use super::{Candidate, Habit, MOST, Place};
 use crate::analysis::repair::words;
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
-use crate::syntax::lexer::TokenKind;
-use crate::syntax::quote;
-use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType, ShapeKind};
+use crate::syntax::{hex, quote};
 
 /// The types that scenes are mostly made of, the most frequent first.
 const OFTEN: &[i32] = &[
@@ -56,12 +56,48 @@ impl Place<'_> {
         };
         let span = behind[0].span().to(last.span());
         let params = &behind[count..];
+        if words::is_cylinder(&self.text[span.range()]) {
+            self.cylinder(span, params, out);
+        }
         for ty in words::types(&self.text[span.range()]) {
             if self.fit(ty, params) {
                 let mut candidate = self.write_type(Habit::Word, ty);
                 candidate.fix.edits[0].span = span;
                 out.push(candidate);
             }
+        }
+    }
+
+    /// A cylinder of a radius and a height, or of a height and a radius, about the y axis.
+    fn cylinder(&self, word: Span, params: &[Token], out: &mut Vec<Candidate>) {
+        let &[first, last] = params else { return };
+        let ty = RecordType::of(RecordKind::Shape(ShapeKind::SurfaceOfRevolution));
+        for (radius, height) in [(first, last), (last, first)] {
+            let [radius, height] = [radius, height].map(|t| t.text(self.text));
+            let profile = format!("2 {radius} 0 {radius} {height}");
+            let fix = Fix {
+                title: "fix-cylinder",
+                values: vec![
+                    ("text", quote(&format!("{} {profile}", ty.code)).into()),
+                    ("type", Value::Term(ty.title)),
+                ],
+                applicability: Applicability::Unsafe,
+                edits: vec![
+                    Edit {
+                        span: word,
+                        text: ty.code.to_string(),
+                    },
+                    Edit {
+                        span: first.span().to(last.span()),
+                        text: profile,
+                    },
+                ],
+            };
+            out.push(Candidate {
+                habit: Habit::Word,
+                fix,
+                ty: None,
+            });
         }
     }
 
@@ -97,11 +133,28 @@ impl Place<'_> {
             }
         };
         let texts: Vec<&str> = (self.params().iter()).map(|t| t.text(self.text)).collect();
+        let is_part = |t: &Token| {
+            let x = t.number(self.text);
+            x.is_some_and(|x| (0.0..=1.0).contains(&x))
+        };
         match (ty.kind, texts.as_slice(), self.id()) {
-            (RecordKind::PointLight | RecordKind::AmbientLight, &[r, g, b], Some(id)) => {
-                out.push(new("fix-lamp", format!("1\n{id} -701 {r} {g} {b}")));
+            (RecordKind::PointLight | RecordKind::AmbientLight, &[a, b, c], Some(id)) => {
+                let is_colour = self.params().iter().all(is_part);
+                if is_colour || ty.kind == RecordKind::AmbientLight {
+                    out.push(new("fix-lamp", format!("1\n{id} -701 {a} {b} {c}")));
+                } else {
+                    out.push(new("fix-lamp-place", format!("1\n{id} -1 {a} {b} {c}")));
+                }
             }
-            (RecordKind::Scaling, &[s], _) => out.push(new("fix-write", format!("{s} {s} {s}"))),
+            (RecordKind::Scaling | RecordKind::RefractiveIndex, &[s], _) => {
+                out.push(new("fix-write", format!("{s} {s} {s}")));
+            }
+            // A grey, but not six digits as other programs write a colour.
+            (RecordKind::Colour, &[s], _)
+                if hex::colour(s).is_none() && self.params().iter().all(is_part) =>
+            {
+                out.push(new("fix-write", format!("{s} {s} {s}")));
+            }
             (RecordKind::Render, &[one], _) => out.push(new("fix-write", format!("{one} 0"))),
             (RecordKind::Union | RecordKind::Intersection | RecordKind::Difference, &[one], _) => {
                 let others = self.entities(&[Kind::Object]).map(|e| e.id);
@@ -136,6 +189,8 @@ impl Place<'_> {
             .iter()
             .filter(|ty| self.fits(ty) && i64::from(ty.code) != code)
             .filter(|ty| ty.family != Family::Void && ty.family != Family::Render)
+            // What changes something, and fits, was not meant as a shape.
+            .filter(|ty| finding.code == Code::E007 || ty.family != Family::Shape)
             .collect();
         fitting.sort_by_key(|ty| i64::from(ty.code).abs_diff(code));
         out.extend(

@@ -4,12 +4,16 @@ sum-in-blue = kd + ks + kt = { $blue } v modré složce
 W302 = tento povrch vydává více světla, než dostává: kd + ks + kt = { $sum }
     .label = více než 1
     .help = difuzní, zrcadlová a propuštěná část se dělí o dopadající světlo; jejich součet má být nejvýše 1
+    .fix = vydělit části jejich součtem
 W302-red = { W302 } v červené složce
     .label = { W302.label }
     .help = { W302.help }
+    .fix = { W302.fix }
 W302-green = { W302 } v zelené složce
     .label = { W302.label }
     .help = { W302.help }
+    .fix = { W302.fix }
 W302-blue = { W302 } v modré složce
     .label = { W302.label }
     .help = { W302.help }
+    .fix = { W302.fix }

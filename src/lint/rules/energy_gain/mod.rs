@@ -1,7 +1,8 @@
 //! W302: a surface that gives more light than it gets.
 
-use crate::diagnostics::{Code, Diagnostic};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
+use crate::lint::spelling::spelled;
 use crate::syntax::table::RecordKind;
 use crate::syntax::{Item, Record};
 
@@ -33,10 +34,17 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
         ],
     };
     let mut gains = Vec::new();
+    let mut edits = Vec::new();
     for ((k, t), &(channel, phrase)) in values.chunks(3).zip(tokens.chunks(3)).zip(channels) {
         let sum: f64 = k.iter().sum();
         let in_range = k.iter().all(|x| (0.0..=1.0).contains(x));
         if in_range && sum > 1.0 + ROUNDING {
+            let changed = t.iter().zip(shares(k, sum));
+            let changed = changed.filter(|(t, text)| t.text(context.text) != text.as_str());
+            edits.extend(changed.map(|(t, text)| Edit {
+                span: t.span(),
+                text,
+            }));
             gains.push((sum, t[0].span().to(t[2].span()), channel, phrase));
         }
     }
@@ -47,7 +55,13 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
     };
     let worst = Diagnostic::new(Code::W302, *span)
         .case(channel)
-        .with("sum", short(*sum));
+        .with("sum", short(*sum))
+        .fix(Fix {
+            title: "fix",
+            values: Vec::new(),
+            applicability: Applicability::Unsafe,
+            edits,
+        });
     out.push(
         others
             .iter()
@@ -55,6 +69,33 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
                 d.label(span, phrase).with(channel, short(sum))
             }),
     );
+}
+
+/// Three parts divided by their sum, in as many digits as show each to a thousandth of the whole. Their decimals are 1
+/// at most.
+fn shares(k: &[f64], sum: f64) -> Vec<String> {
+    const NEAR: f64 = 5e-4;
+    const FINEST: i32 = 9;
+    let parts = |digits: i32| {
+        let one = 10f64.powi(digits);
+        let rounded = k.iter().map(move |x| (x / sum * one).round());
+        (one, rounded.collect::<Vec<_>>())
+    };
+    let is_right = |(one, parts): &(f64, Vec<f64>)| {
+        let off = |(part, x): (&f64, &f64)| (part / one - x / sum).abs();
+        let near = parts.iter().zip(k).all(|each| off(each) < NEAR);
+        near && parts.iter().sum::<f64>() <= *one
+    };
+    let (one, mut parts) = (1..FINEST)
+        .map(parts)
+        .find(is_right)
+        .unwrap_or_else(|| parts(FINEST));
+    // What is rounded up in all three is taken off the largest.
+    let excess = (parts.iter().sum::<f64>() - one).max(0.0);
+    if let Some(largest) = parts.iter_mut().max_by(|a, b| a.total_cmp(b)) {
+        *largest -= excess;
+    }
+    parts.iter().map(|part| spelled(part / one)).collect()
 }
 
 /// A sum of decimals without the rounding of its last digits, in as many as show that it is above 1.
@@ -67,8 +108,46 @@ fn short(x: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::shares;
     use crate::lint::testing::{found, messages};
     use crate::testing::random;
+
+    #[test]
+    fn the_parts_divided_by_their_sum() {
+        let texts = |k: &[f64]| shares(k, k.iter().sum()).join(" ");
+        assert_eq!(texts(&[0.6, 0.6, 0.6]), "0.333 0.333 0.333");
+        assert_eq!(texts(&[0.9, 0.3, 0.0]), "0.75 0.25 0");
+        assert_eq!(texts(&[1.0, 1.0, 0.0]), "0.5 0.5 0");
+        assert_eq!(texts(&[1.0, 0.5, 0.0]), "0.667 0.333 0");
+        // Any three: what is written is near, is within the rule, and is short.
+        let mut random = random();
+        for _ in 0..2000 {
+            let k: Vec<f64> = (0..3).map(|_| random(1001) as f64 / 1000.0).collect();
+            let sum: f64 = k.iter().sum();
+            if sum <= 1.0 {
+                continue;
+            }
+            let all = shares(&k, sum);
+            let decimal = |text: &String| {
+                let (_, digits) = text.split_once('.').unwrap_or_default();
+                let whole: u64 = text.split('.').next().unwrap().parse().unwrap();
+                whole * 1_000_000_000 + format!("{digits:0<9}").parse::<u64>().unwrap()
+            };
+            assert!(
+                all.iter().map(decimal).sum::<u64>() <= 1_000_000_000,
+                "{k:?} {all:?}"
+            );
+            for (text, x) in all.iter().zip(&k) {
+                let off = text.parse::<f64>().unwrap() - x / sum;
+                assert!(off.abs() < 1e-3 && text.len() <= 11, "{k:?} {all:?}");
+            }
+            assert!(
+                found(&format!("2 -201 {}\n", all.join(" ")))
+                    .iter()
+                    .all(|f| !f.starts_with("W302"))
+            );
+        }
+    }
 
     #[test]
     fn the_worst_channel_is_named() {

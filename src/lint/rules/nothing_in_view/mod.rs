@@ -5,9 +5,10 @@ use crate::geometry::array::{cross, length, sub, unit};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
 use crate::lint::rules::angle_in_radians;
-use crate::lint::spelling::near;
+use crate::lint::spelling::{decimal, near};
 use crate::scene::record::Params;
-use crate::scene::{Camera, NodeId};
+use crate::scene::{Camera, NodeId, Vec3};
+use crate::syntax::quote;
 use crate::syntax::table::RecordKind;
 use crate::trace::plan::unseen::view::{Side, USUAL, out_of_view};
 
@@ -32,15 +33,11 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .with("where", name(side))
             .with("width", USUAL[0].to_string())
             .with("height", USUAL[1].to_string());
-        out.push(
-            match is_written
-                .then(|| towards(context, render.root, camera, &p))
-                .flatten()
-            {
-                Some(fix) => d.fix(fix),
-                None => d,
-            },
-        );
+        let fixes = match is_written {
+            true => turned(context, render.root, camera, &p),
+            false => Vec::new(),
+        };
+        out.push(fixes.into_iter().fold(d, Diagnostic::fix));
     }
 }
 
@@ -55,32 +52,57 @@ fn name(side: Side) -> &'static str {
     }
 }
 
-/// A fix that turns the camera to the middle of what is drawn and ends. `None` where something moves the camera, or the
-/// up vector would then be along the direction.
-fn towards(context: &Context, root: NodeId, camera: &Camera, p: &Params) -> Option<Fix> {
+/// Fixes that turn the camera to what is drawn: to the point that the direction is meant as, and to the middle. None
+/// where something moves the camera.
+fn turned(context: &Context, root: NodeId, camera: &Camera, p: &Params) -> Vec<Fix> {
+    if p.numbers(0) != camera.position || p.numbers(3) != camera.direction {
+        return Vec::new();
+    }
+    let sees = |way: Vec3| sees(context, root, camera, way);
+    let fix = |title, values, numbers: [String; 3]| {
+        let edits = (3..).zip(numbers).map(|(i, text)| Edit {
+            span: p.span_of(i, 1),
+            text,
+        });
+        Fix {
+            title,
+            values,
+            applicability: Applicability::Unsafe,
+            edits: edits.collect(),
+        }
+    };
+    let mut fixes = Vec::new();
+    let way = sub(camera.direction, camera.position);
+    if sees(way) {
+        let numbers = way.map(decimal);
+        let written = (3..6).map(|i| p.text_of(i)).collect::<Vec<_>>().join(" ");
+        let values = vec![
+            ("text", quote(&written).into()),
+            ("number", quote(&numbers.join(" ")).into()),
+        ];
+        fixes.push(fix("fix-point", values, numbers));
+    }
+    let all = context.bounds()[root as usize].bounded();
+    let way = sub(all.centre(), camera.position);
+    if all.is_bounded() && sees(way) {
+        let numbers = way.map(|x| near(x, length(way)));
+        let other = fix("fix", Vec::new(), numbers);
+        fixes.extend((fixes.iter().all(|f| f.edits != other.edits)).then_some(other));
+    }
+    fixes
+}
+
+/// Whether the camera would see something if it looked this way. The up vector must not be along it.
+fn sees(context: &Context, root: NodeId, camera: &Camera, way: Vec3) -> bool {
     /// The least sine between direction and up.
     const UPRIGHT: f64 = 0.01;
-    let all = context.bounds()[root as usize].bounded();
-    if p.numbers(0) != camera.position || p.numbers(3) != camera.direction || !all.is_bounded() {
-        return None;
-    }
-    let way = sub(all.centre(), camera.position);
-    let sine = length(cross(unit(way)?, unit(camera.up)?));
+    let (Some(direction), Some(up)) = (unit(way), unit(camera.up)) else {
+        return false;
+    };
     let turned = Camera {
         direction: way,
         ..*camera
     };
-    if sine < UPRIGHT || out_of_view(context.scene, context.bounds(), root, &turned).is_some() {
-        return None;
-    }
-    let edits = (0..3).map(|i| Edit {
-        span: p.span_of(3 + i, 1),
-        text: near(way[i], length(way)),
-    });
-    Some(Fix {
-        title: "fix",
-        values: Vec::new(),
-        applicability: Applicability::Unsafe,
-        edits: edits.collect(),
-    })
+    length(cross(direction, up)) >= UPRIGHT
+        && out_of_view(context.scene, context.bounds(), root, &turned).is_none()
 }

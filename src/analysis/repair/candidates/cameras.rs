@@ -1,0 +1,61 @@
+//! Where a camera looks, and which way is up.
+
+use super::{Candidate, Habit, Place};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::geometry::array::sub;
+use crate::lint::spelling::decimal;
+use crate::syntax::quote;
+use crate::syntax::table::RecordKind;
+
+impl Place<'_> {
+    /// The direction is the point that the camera looks at, or the up vector is along the direction.
+    pub(super) fn camera(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
+        let is_camera = self.ty().is_some_and(|ty| ty.kind == RecordKind::Camera);
+        let is_one = matches!(finding.code, Code::E203 | Code::E207) && is_camera;
+        let numbers = self.params().iter().map(|t| t.number(self.text));
+        let numbers: Option<Vec<f64>> = numbers.collect();
+        let (Some(&[x, y, z, dx, dy, dz, ux, uy, uz, _]), true) = (numbers.as_deref(), is_one)
+        else {
+            return;
+        };
+        let way = sub([dx, dy, dz], [x, y, z]).map(decimal);
+        out.push(self.vector(Habit::Point, "fix-point", 3, &way));
+        // Straight down, what is far is at the top.
+        let upright = match (dx, dz) {
+            (0.0, 0.0) if dy < 0.0 => ["0", "0", "-1"],
+            (0.0, 0.0) => ["0", "0", "1"],
+            _ => ["0", "1", "0"],
+        };
+        if finding.code == Code::E207 && [ux, uy, uz] != [0.0; 3] {
+            let upright = upright.map(str::to_owned);
+            out.push(self.vector(Habit::Up, "fix-up", 6, &upright));
+        }
+    }
+
+    /// Three parameters written anew.
+    fn vector(&self, habit: Habit, title: &'static str, at: usize, new: &[String; 3]) -> Candidate {
+        let tokens = &self.params()[at..at + new.len()];
+        let written: Vec<&str> = tokens.iter().map(|t| t.text(self.text)).collect();
+        let changed = tokens.iter().zip(new);
+        let changed = changed.filter(|(t, new)| t.text(self.text) != new.as_str());
+        let fix = Fix {
+            title,
+            values: vec![
+                ("number", quote(&new.join(" ")).into()),
+                ("text", quote(&written.join(" ")).into()),
+            ],
+            applicability: Applicability::Unsafe,
+            edits: changed
+                .map(|(t, new)| Edit {
+                    span: t.span(),
+                    text: new.clone(),
+                })
+                .collect(),
+        };
+        Candidate {
+            habit,
+            fix,
+            ty: None,
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! Colours in the place of their IDs: `1 9999 2 0.2 0.3 0.4`.
+
+use super::{Candidate, Habit, Place};
+use crate::analysis::colours;
+use crate::diagnostics::{Applicability, Edit, Fix, Span, Value};
+use crate::syntax::Item;
+use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::quote;
+use crate::syntax::table::{Kind, Param, ParamKind, RecordKind, RecordType};
+
+/// A colour has so many numbers.
+const PARTS: usize = 3;
+/// No record has more places for colours, optional ones too.
+const PLACES: u32 = 2;
+const LARGEST: u32 = i32::MAX as u32;
+
+/// A colour where an ID belongs: its place in the text, and its numbers.
+struct Inline {
+    span: Span,
+    numbers: String,
+}
+
+const TITLE: &str = "fix-inline";
+
+/// The IDs that a fix gives to colours.
+pub fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
+    let edits = fix.edits.iter().filter(|_| fix.title == TITLE);
+    edits.filter_map(|edit| edit.text.parse().ok())
+}
+
+impl Place<'_> {
+    /// The colours that stand in the places of their IDs become records of their own above this one. IDs that are
+    /// `used` get none of them.
+    pub(super) fn inline(&self, used: &[u32], out: &mut Vec<Candidate>) {
+        let Some(ty) = self.ty().filter(|ty| !ty.is_counted()) else {
+            return;
+        };
+        for chosen in 1..1 << PLACES {
+            let least = ty.params.len();
+            let all = [least, least + ty.optional.len()];
+            let lists = all.iter().filter_map(|&n| self.inlined(ty, n, chosen));
+            out.extend(
+                lists
+                    .filter_map(|list| self.with_records(&list, used))
+                    .take(1),
+            );
+        }
+    }
+
+    /// The colours in the `chosen` places, if the record has its first `count` parameters then.
+    fn inlined(&self, ty: &RecordType, count: usize, chosen: u32) -> Option<Vec<Inline>> {
+        let mut rest = self.params();
+        let mut found = Vec::new();
+        let mut places = 0;
+        let params: Vec<&Param> = ty.params.iter().chain(ty.optional).take(count).collect();
+        for param in params {
+            let is_colour = matches!(param.kind,
+                ParamKind::Reference { kinds, .. } if kinds.contains(&Kind::Colour));
+            let is_chosen = is_colour && chosen & (1 << places) != 0;
+            places += u32::from(is_colour);
+            let taken = match is_chosen {
+                true => {
+                    let (taken, inline) = self.colour(rest)?;
+                    found.push(inline);
+                    taken
+                }
+                false => {
+                    rest.first()?.number(self.text)?;
+                    1
+                }
+            };
+            rest = &rest[taken..];
+        }
+        (rest.is_empty() && found.len() == chosen.count_ones() as usize).then_some(found)
+    }
+
+    /// The colour that some tokens begin with, and how many it takes.
+    fn colour(&self, tokens: &[Token]) -> Option<(usize, Inline)> {
+        let first = tokens.first()?;
+        if first.kind() == TokenKind::Word {
+            let numbers = colours::numbers(first.text(self.text))?;
+            let span = first.span();
+            return Some((1, Inline { span, numbers }));
+        }
+        let parts = tokens.get(..PARTS)?;
+        let is_part = |t: &Token| {
+            t.number(self.text)
+                .is_some_and(|x| (0.0..=1.0).contains(&x))
+        };
+        let span = first.span().to(parts[PARTS - 1].span());
+        let numbers = self.text[span.range()].to_owned();
+        let is_plain = numbers.split_whitespace().count() == PARTS;
+        (is_plain && parts.iter().all(is_part)).then_some((PARTS, Inline { span, numbers }))
+    }
+
+    /// The colours as records above this one, with IDs that are free.
+    fn with_records(&self, list: &[Inline], used: &[u32]) -> Option<Candidate> {
+        let code = RecordType::of(RecordKind::Colour).code;
+        let items = self.analysis.document.items.iter();
+        let ids = items.filter_map(|item| match item {
+            Item::Record(r) => Some(r.id),
+            Item::Broken(b) => b.id,
+            Item::Void { .. } => None,
+        });
+        let last = ids.chain(used.iter().copied()).max()?;
+        let mut above = String::new();
+        let mut edits = Vec::new();
+        for (id, inline) in (last.checked_add(1)?..=LARGEST).zip(list) {
+            above += &format!("{id} {code} {}\n", inline.numbers);
+            edits.push(Edit {
+                span: inline.span,
+                text: id.to_string(),
+            });
+        }
+        if edits.len() < list.len() {
+            return None;
+        }
+        let head = self.tokens.first()?.start;
+        let shown: Vec<String> = list.iter().map(|inline| quote(&inline.numbers)).collect();
+        edits.insert(
+            0,
+            Edit {
+                span: Span::new(head, head),
+                text: above,
+            },
+        );
+        let fix = Fix {
+            title: TITLE,
+            values: vec![
+                ("count", Value::Count(list.len() as u64)),
+                ("text", shown.join(", ").into()),
+            ],
+            applicability: Applicability::Unsafe,
+            edits,
+        };
+        Some(Candidate {
+            habit: Habit::Apart,
+            fix,
+            ty: None,
+        })
+    }
+}
