@@ -11,6 +11,7 @@ pub mod config;
 pub mod file;
 pub mod fixing;
 mod moving;
+mod pictures;
 pub mod repair;
 mod worse;
 
@@ -199,6 +200,7 @@ impl Analysis {
         let scene = scene::resolve_with(&document, &source, &mut read, compares);
         if compares {
             moving::propose(&source, &document, &mut read);
+            pictures::propose(&source, &mut read);
         }
         read.extend(encoding_note(&source));
         Analysis {

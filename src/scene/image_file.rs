@@ -3,8 +3,7 @@
 use std::io::{self, Read};
 use std::path::{Component, Path};
 
-use crate::diagnostics::{Applicability, Code, Complaint, Diagnostic, Fix, Span};
-use crate::syntax::quote;
+use crate::diagnostics::{Code, Complaint, Diagnostic, Span};
 
 /// How a JPEG picture begins.
 pub const JPEG: [u8; 3] = [0xff, 0xd8, 0xff];
@@ -37,55 +36,12 @@ pub fn check(file: &str, span: Span, folder: Option<&Path>, out: &mut Vec<Diagno
             }
             Err(e) => unreadable(span, &e, out),
         },
-        Err(e) => {
-            unreadable(span, &e, out);
-            if let (Some(d), Some(near)) = (out.last_mut(), beside(folder, path)) {
-                // A name with spaces stands in quotes.
-                let text = match near.contains(|c: char| c.is_whitespace() || c == '#') {
-                    true => format!("\"{near}\""),
-                    false => near.clone(),
-                };
-                let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text);
-                d.fixes.push(fix.with("number", quote(&near)));
-            }
-            false
-        }
+        Err(e) => unreadable(span, &e, out),
     }
 }
 
-/// So many entries of a folder are looked at.
-const ENTRIES: usize = 1000;
-
-/// The picture in a scene's folder whose name is nearest to that of a file that is not there, if one is near.
-fn beside(folder: &Path, file: &Path) -> Option<String> {
-    let plain = |name: &str| name.to_lowercase();
-    let written = plain(file.file_name()?.to_str()?);
-    let most = 1 + written.chars().count() / 5;
-    let parent = file.parent().unwrap_or(Path::new(""));
-    let entries = std::fs::read_dir(folder.join(parent)).ok()?;
-    let names = entries
-        .take(ENTRIES)
-        .filter_map(|entry| entry.ok()?.file_name().into_string().ok());
-    let distance = |name: &str| {
-        let name = plain(name);
-        let stem = |name: &str| Path::new(name).file_stem().map(ToOwned::to_owned);
-        // Another ending is one mistake.
-        match stem(&name) == stem(&written) {
-            true => 1,
-            false => strsim::osa_distance(&name, &written),
-        }
-    };
-    let near = names.map(|name| (distance(&name), name));
-    let near = near.filter(|(distance, name)| {
-        let path = parent.join(name);
-        *distance <= most && !name.contains('"') && is_picture(&folder.join(path)).unwrap_or(false)
-    });
-    let (_, name) = near.min()?;
-    parent.join(name).to_str().map(str::to_owned)
-}
-
 /// Whether a file begins like a PNG or JPEG picture.
-fn is_picture(path: &Path) -> io::Result<bool> {
+pub fn is_picture(path: &Path) -> io::Result<bool> {
     let mut start = Vec::new();
     // Only what lies on disk: opening a pipe would wait for somebody to write.
     if std::fs::metadata(path)?.is_file() {

@@ -134,6 +134,13 @@ const LINES: &[(usize, &str, Code, &str)] = &[
     // A cylinder.
     (5, "5 cylinder 1 2", Code::E006, "5 1 2 1 0 1 2"),
     (5, "5 válec 1 2", Code::E006, "5 1 2 1 0 1 2"),
+    (5, "5 cylinder 0 0 0 0 2 0 1", Code::E006, "5 1 2 1 0 1 2"),
+    (
+        5,
+        "5 cylinder 2 0 1 2 3 1 0.5",
+        Code::E006,
+        "5 1 2 0.5 0 0.5 3\n5 -1 2 0 1",
+    ),
     // The camera stands at 0 4 12 and looks at 0 1 0.
     (
         16,

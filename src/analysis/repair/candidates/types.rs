@@ -68,37 +68,47 @@ impl Place<'_> {
         }
     }
 
-    /// A cylinder of a radius and a height, or of a height and a radius, about the y axis.
+    /// A cylinder about the y axis of a radius and a height, or of a height and a radius; or from one centre of an end
+    /// to the other, with a radius, if they are above each other.
     fn cylinder(&self, word: Span, params: &[Token], out: &mut Vec<Candidate>) {
-        let &[first, last] = params else { return };
+        let (Some(first), Some(last), Some(id)) = (params.first(), params.last(), self.id()) else {
+            return;
+        };
+        let values: Option<Vec<f64>> = params.iter().map(|t| t.number(self.text)).collect();
+        let texts: Vec<&str> = params.iter().map(|t| t.text(self.text)).collect();
+        let profiles = match (texts.as_slice(), values.as_deref()) {
+            (&[a, b], Some(_)) => vec![format!("2 {a} 0 {a} {b}"), format!("2 {b} 0 {b} {a}")],
+            (&[x, low, z, _, high, _, r], Some(&[x0, _, z0, x1, _, z1, _]))
+                if (x0, z0) == (x1, z1) =>
+            {
+                let profile = format!("2 {r} {low} {r} {high}");
+                vec![match (x0, z0) {
+                    (0.0, 0.0) => profile,
+                    _ => format!("{profile}\n{id} -1 {x} 0 {z}"),
+                }]
+            }
+            _ => return,
+        };
         let ty = RecordType::of(RecordKind::Shape(ShapeKind::SurfaceOfRevolution));
-        for (radius, height) in [(first, last), (last, first)] {
-            let [radius, height] = [radius, height].map(|t| t.text(self.text));
-            let profile = format!("2 {radius} 0 {radius} {height}");
+        out.extend(profiles.into_iter().map(|profile| {
+            let shown = profile.lines().next().unwrap_or_default();
+            let shown = quote(&format!("{} {shown}", ty.code));
+            let edit = |span: Span, text: String| Edit { span, text };
             let fix = Fix {
                 title: "fix-cylinder",
-                values: vec![
-                    ("text", quote(&format!("{} {profile}", ty.code)).into()),
-                    ("type", Value::Term(ty.title)),
-                ],
+                values: vec![("text", shown.into()), ("type", Value::Term(ty.title))],
                 applicability: Applicability::Unsafe,
                 edits: vec![
-                    Edit {
-                        span: word,
-                        text: ty.code.to_string(),
-                    },
-                    Edit {
-                        span: first.span().to(last.span()),
-                        text: profile,
-                    },
+                    edit(word, ty.code.to_string()),
+                    edit(first.span().to(last.span()), profile),
                 ],
             };
-            out.push(Candidate {
+            Candidate {
                 habit: Habit::Word,
                 fix,
                 ty: None,
-            });
-        }
+            }
+        }));
     }
 
     /// The minus of the type, which is lost or too many.

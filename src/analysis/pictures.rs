@@ -1,0 +1,64 @@
+//! Pictures that are not there (E210): the one beside the scene that has nearly the name.
+
+use std::path::{Path, PathBuf};
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile};
+use crate::scene::image_file;
+use crate::syntax::quote;
+
+/// For so many pictures of a scene folders are looked through.
+const PICTURES: usize = 16;
+/// So many entries of a folder are looked at.
+const ENTRIES: usize = 1000;
+
+/// Gives the findings about pictures that are not there their fixes.
+pub fn propose(source: &SourceFile, findings: &mut [Diagnostic]) {
+    let is_one = |d: &&mut Diagnostic| d.code == Code::E210 && d.case.is_empty();
+    let Some(folder) = source.folder() else {
+        return;
+    };
+    for d in findings.iter_mut().filter(is_one).take(PICTURES) {
+        let written = source.slice(d.span).trim_matches('"');
+        let Some(near) = beside(folder, Path::new(written)) else {
+            continue;
+        };
+        // A name with spaces stands in quotes.
+        let text = match near.contains(|c: char| c.is_whitespace() || c == '#') {
+            true => format!("\"{near}\""),
+            false => near.clone(),
+        };
+        let fix = Fix::replace("fix-write", Applicability::Unsafe, d.span, text);
+        d.fixes.push(fix.with("number", quote(&near)));
+    }
+}
+
+/// The picture in the folder of a file that is not there whose name is nearest to that of the file, if one is near. The
+/// file is named as seen from the scene's folder.
+fn beside(folder: &Path, file: &Path) -> Option<String> {
+    if folder.join(file).exists() {
+        return None;
+    }
+    let written = file.file_name()?.to_str()?.to_lowercase();
+    let parent = file.parent().unwrap_or(Path::new(""));
+    let most = 1 + written.chars().count() / 5;
+    let stem = |name: &str| Path::new(name).file_stem().map(ToOwned::to_owned);
+    let distance = |name: &str| match stem(name) == stem(&written) {
+        // Another ending is one mistake.
+        true => 1,
+        false => strsim::osa_distance(name, &written),
+    };
+    let entries = std::fs::read_dir(folder.join(parent)).ok()?;
+    let names = entries.take(ENTRIES).flatten();
+    let names = names.filter_map(|entry| entry.file_name().into_string().ok());
+    let near = names
+        .map(|name| (distance(&name.to_lowercase()), name))
+        .filter(|(distance, name)| *distance <= most && !name.contains('"'));
+    let is_picture = |path: PathBuf| image_file::is_picture(&path).unwrap_or(false);
+    let pictures = near.filter(|(_, name)| is_picture(folder.join(parent).join(name)));
+    let (_, name) = pictures.min()?;
+    // In a scene it is `/` on every system.
+    Some(match file.to_str()?.rsplit_once('/') {
+        Some((folders, _)) => format!("{folders}/{name}"),
+        None => name,
+    })
+}
