@@ -157,6 +157,7 @@ codes! {
     N603 "no-light" of rule "no_light";
     N604 "utf16";
     N605 "two-readings";
+    N606 "too-bright" of rule "too_bright";
     S501 "notation-separator" of rule "notation_separator";
     S502 "bare-comment" of rule "bare_comment";
     S503 "several-records-per-line" of rule "several_records_per_line";

@@ -2,6 +2,7 @@
 //! broken: the parser or the resolver has done so.
 
 mod allow;
+mod glance;
 pub mod levels;
 mod parts;
 mod properties;

@@ -43,6 +43,7 @@ mod several_records_per_line;
 mod smaller_than_a_pixel;
 mod stale_operand;
 mod surface_operand;
+mod too_bright;
 mod unseen_texture;
 mod unused_definition;
 mod up_along_view;
@@ -263,6 +264,11 @@ pub const RULES: &[Rule] = &[
         asks_for: &[],
     },
     Rule {
+        code: Code::N606,
+        check: too_bright::check,
+        asks_for: &[RENDER],
+    },
+    Rule {
         code: Code::S501,
         check: notation_separator::check,
         asks_for: &[],
@@ -287,6 +293,7 @@ pub const OF_PICTURES: &[Code] = &[
     Code::W329,
     Code::W330,
     Code::W331,
+    Code::N606,
 ];
 
 /// Rules whose fixes take records out. Where there is an error such a record may be what is to be mended: no fix is

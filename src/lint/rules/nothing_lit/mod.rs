@@ -4,20 +4,13 @@
 
 use crate::diagnostics::{Code, Diagnostic};
 use crate::lint::Context;
+use crate::lint::glance::{MAX_NODES, SIZE, glance};
 use crate::lint::records::chosen_cameras;
 use crate::lint::rules::{camera_in_solid, lamp_in_solid};
 use crate::scene::{AmbientLight, Camera, Scene};
 use crate::syntax::table::Kind;
-use crate::trace::{Settings, Tracer};
+use std::ops::ControlFlow;
 
-/// The size of the picture, in pixels: a few milliseconds in all.
-const SIZE: [u32; 2] = [72, 54];
-/// Every so many of its pixels are looked at first: mostly one of them is lit.
-const SCATTERED: usize = 73;
-/// Larger scenes take longer than a few milliseconds to be made ready.
-const MAX_NODES: usize = 1000;
-/// Tests of shapes in a picture, each as dear as 80 of boxes: nothing is said of what takes longer to look at.
-const MAX_TESTS: u64 = 18_000;
 /// What is lit by more mirrors and panes than this is as good as black.
 const DEPTH: u32 = 4;
 
@@ -70,30 +63,15 @@ fn is_shut_in(context: &Context) -> bool {
 /// Whether light comes from anything in a small picture. `None` where nothing is to be seen, or the picture cannot be
 /// taken or takes too long.
 fn is_lit(scene: &Scene, camera: &Camera) -> Option<bool> {
-    let tracer = Tracer::new(scene).ok()?;
-    let settings = Settings {
-        width: SIZE[0],
-        height: SIZE[1],
-        depth: DEPTH,
-        ..Settings::default()
-    };
-    let looked = tracer.pixels(camera, &settings, |pixels| {
-        let mut lit = None;
-        let all = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)));
-        for (x, y) in all.clone().step_by(SCATTERED).chain(all) {
-            let tests = pixels.counts().intersections;
-            if tests.boxes / 80 + tests.shape > MAX_TESTS {
-                return None;
-            }
-            if pixels.seen(x, y).is_none() {
-                continue;
-            }
+    let mut lit = None;
+    glance(scene, camera, DEPTH, |pixels, x, y| {
+        if pixels.seen(x, y).is_some() {
             lit = Some(pixels.sum(x, y, 0..1, 1) != [0.0; 3]);
-            if lit == Some(true) {
-                break;
-            }
         }
-        lit
-    });
-    looked.ok()?
+        match lit {
+            Some(true) => ControlFlow::Break(()),
+            _ => ControlFlow::Continue(()),
+        }
+    })?;
+    lit
 }

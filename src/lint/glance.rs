@@ -1,0 +1,46 @@
+//! A small picture, for rules about what a picture shows.
+
+use crate::scene::{Camera, Scene};
+use crate::trace::pixels::Pixels;
+use crate::trace::{Settings, Tracer};
+use std::ops::ControlFlow;
+
+/// The size of the picture, in pixels: a few milliseconds in all.
+pub const SIZE: [u32; 2] = [72, 54];
+/// Every so many of its pixels are looked at first.
+const SCATTERED: usize = 73;
+/// Larger scenes take longer than a few milliseconds to be made ready.
+pub const MAX_NODES: usize = 1000;
+/// Tests of shapes in a picture, each as dear as 80 of boxes: nothing is said of what takes longer to look at.
+const MAX_TESTS: u64 = 18_000;
+
+/// Shows the pixels of a small picture to `look`, until that breaks off: scattered ones first, then all. `None` where the
+/// picture cannot be taken or takes too long.
+pub fn glance(
+    scene: &Scene,
+    camera: &Camera,
+    depth: u32,
+    mut look: impl FnMut(&mut dyn Pixels, u32, u32) -> ControlFlow<()>,
+) -> Option<()> {
+    let tracer = Tracer::new(scene).ok()?;
+    let settings = Settings {
+        width: SIZE[0],
+        height: SIZE[1],
+        depth,
+        ..Settings::default()
+    };
+    let looked = tracer.pixels(camera, &settings, |pixels| {
+        let all = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)));
+        for (x, y) in all.clone().step_by(SCATTERED).chain(all) {
+            let tests = pixels.counts().intersections;
+            if tests.boxes / 80 + tests.shape > MAX_TESTS {
+                return None;
+            }
+            if look(pixels, x, y).is_break() {
+                break;
+            }
+        }
+        Some(())
+    });
+    looked.ok()?
+}
