@@ -154,3 +154,22 @@ fn a_camera_is_chosen_everywhere() {
     assert_eq!(out.status.code(), Some(2));
     assert!(text(&out.stderr).contains("7, 8"), "{}", text(&out.stderr));
 }
+
+/// Of a stereo pair one eye is measured, which is said.
+#[test]
+fn which_eye_is_measured_is_said() {
+    let pair = "7 -501 1 2 40 0 0 -1 0 1 0 30\n8 -501 1.1 2 40 0 0 -1 0 1 0 30\n6 -503 7 8\n";
+    let dir = folder(&[("a.zpg", [THINGS, pair, RENDER].concat())]);
+    let probe = ["probe", "a.zpg", "--pixel", "9,9"];
+    let accuracy = [
+        "accuracy", "a.zpg", "--size", "16x12", "--axes", "samples", "--budget", "1s",
+    ];
+    for (arguments, other) in [(&probe[..], "8"), (&accuracy, "8")] {
+        let said = |more: &[&str]| text(&zpg(dir.path(), &[arguments, more].concat(), "").stderr);
+        let note =
+            "note: of the two cameras, 7 is taken, the left one; `--camera` takes the other\n";
+        assert!(said(&[]).contains(note), "{}", said(&[]));
+        assert!(!said(&["-q"]).contains("note"));
+        assert!(!said(&["--camera", other]).contains("note"));
+    }
+}

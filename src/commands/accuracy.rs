@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
-use super::camera::CameraArgs;
+use super::camera::{CameraArgs, one_camera};
 use super::draft::{self, try_folder, unwritable};
 use super::size::Size;
 use super::terminal::{print, progress_bar, stop_on_interrupt};
@@ -17,7 +17,6 @@ use super::{LookChoice, Status, complain, load_sound, refuse, usage};
 use crate::analysis::Analysis;
 use crate::analysis::file::STDIN;
 use crate::diagnostics::{Complaint, Error, Language};
-use crate::solids::staging;
 use crate::study::accuracy::advice::in_language;
 use crate::study::accuracy::print::terminal;
 use crate::study::accuracy::rungs::Axis;
@@ -202,9 +201,7 @@ fn study(
     let images = Images::load(&loaded.scene, images)?;
     let Size { width, height } = args.size;
     let scene = args.camera.staged(&loaded.scene, args.size)?;
-    let camera = *staging::cameras(&scene)
-        .next()
-        .ok_or_else(Error::nothing_to_draw)?;
+    let camera = one_camera(&scene, look)?;
     let axes = match args.axes.is_empty() {
         true => Axis::ALL.to_vec(),
         false => args.axes.iter().map(|&a| a.into()).collect(),

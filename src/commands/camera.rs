@@ -1,9 +1,10 @@
 //! Who takes the picture: a camera of the scene, or one that looks at it from a side.
 
 use super::size::Size;
+use super::terminal::{LookChoice, note};
 use super::usage;
 use crate::diagnostics::{Complaint, Error};
-use crate::scene::Scene;
+use crate::scene::{Camera, Scene};
 use crate::solids::staging::{self, Side, Viewpoint};
 use std::borrow::Cow;
 
@@ -82,6 +83,23 @@ impl CameraArgs {
         let aspect = f64::from(size.width) / f64::from(size.height);
         Ok(staging::staged(scene, self.viewpoint(scene)?, aspect))
     }
+}
+
+/// The camera that takes the picture of a staged scene. Of a pair it is the left one, and that is said.
+///
+/// # Errors
+///
+/// There is none.
+pub fn one_camera(staged: &Scene, look: LookChoice) -> Result<Camera, Error> {
+    let mut cameras = staging::cameras(staged);
+    let camera = *cameras.next().ok_or_else(Error::nothing_to_draw)?;
+    if cameras.next().is_some() {
+        note(
+            look,
+            &Complaint::new("note-left-eye").with("id", camera.id.to_string()),
+        );
+    }
+    Ok(camera)
 }
 
 /// The number of the camera with this ID.

@@ -8,7 +8,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use super::camera::CameraArgs;
+use super::camera::{CameraArgs, one_camera};
 use super::memory::Memory;
 use super::size::Size;
 use super::terminal::print;
@@ -19,7 +19,6 @@ use crate::diagnostics::{Complaint, Error, Span, Value};
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;
 use crate::scene::{Render, Scene};
-use crate::solids::staging;
 use crate::syntax::table::Kind;
 use crate::trace::camera::View;
 use crate::trace::{Crop, Images, Numbers, Ray, Settings, Tracer, members};
@@ -188,7 +187,7 @@ fn answer(args: &Args, loaded: &mut Analysis, look: LookChoice) -> Result<Status
         return Ok(status);
     }
     if let Some(PixelArg(pixel)) = args.pixel {
-        let answer = pixel_answer(args, loaded, pixel)?;
+        let answer = pixel_answer(args, loaded, pixel, look)?;
         return Ok(print(look, Status::Clean, |out| {
             answer::write(out, &answer)
         }));
@@ -285,7 +284,12 @@ fn tracer(args: &Args, loaded: &Analysis, scene: &Scene) -> Result<Tracer, Error
     Ok(tracer)
 }
 
-fn pixel_answer(args: &Args, loaded: &Analysis, pixel: [u32; 2]) -> Result<PixelAnswer, Error> {
+fn pixel_answer(
+    args: &Args,
+    loaded: &Analysis,
+    pixel: [u32; 2],
+    look: LookChoice,
+) -> Result<PixelAnswer, Error> {
     let Size { width, height } = args.size;
     let [x, y] = pixel;
     if x >= width || y >= height {
@@ -298,9 +302,7 @@ fn pixel_answer(args: &Args, loaded: &Analysis, pixel: [u32; 2]) -> Result<Pixel
         ));
     }
     let scene = args.camera.staged(&loaded.scene, args.size)?;
-    let camera = *staging::cameras(&scene)
-        .next()
-        .ok_or_else(Error::nothing_to_draw)?;
+    let camera = one_camera(&scene, look)?;
     let tracer = tracer(args, loaded, &scene)?;
     let settings = Settings {
         width,

@@ -117,6 +117,7 @@ no-cameras = scéna nemá kameru { $id }: nemá vůbec žádnou
 stereo-of-one = --stereo potřebuje dvě kamery, ale obrázek pořizuje jedna: ve scéně chybí výběr dvojice kamer (typ -503), nebo jednu kameru vybírá --camera
 two-on-stdout = na standardní výstup lze poslat jen jeden z výstupů: pro druhý zvolte soubor
 pair-on-stdout = dva obrázky nelze poslat na standardní výstup: zvolte --stereo side-by-side nebo --stereo anaglyph
+note-left-eye = ze dvou kamer se použije levá, { $id }; druhou zvolí `--camera`
 note-no-camera = scéna nemá kameru: zobrazí se zprava, zepředu a shora
 note-no-light = scéna nemá světlo: přidá se ambientní světlo a bodové světlo nad kamerou a vlevo od ní
 note-nothing-in-view = v záběru nic není; celou scénu ukáže `--view iso`

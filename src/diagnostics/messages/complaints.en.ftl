@@ -114,6 +114,7 @@ no-cameras = the scene has no camera { $id }: it has none at all
 stereo-of-one = --stereo needs two cameras, and the picture is taken by one: the scene has no stereo camera (type -503), or --camera chooses one
 two-on-stdout = standard output takes one of the outputs: name a file for the other
 pair-on-stdout = two pictures cannot be written to standard output: choose --stereo side-by-side or --stereo anaglyph
+note-left-eye = of the two cameras, { $id } is taken, the left one; `--camera` takes the other
 note-no-camera = the scene has no camera: it is seen from the right, the front and above
 note-no-light = the scene has no light: an ambient light and a lamp above the camera and to its left are added
 note-nothing-in-view = nothing is in view; `--view iso` shows the whole scene
