@@ -26,6 +26,7 @@ fn stats(scene: &Path, size: [u32; 2], threads: u32) -> serde_json::Value {
         .arg(scene)
         .arg(format!("--size={}x{}", size[0], size[1]))
         .arg(format!("--threads={threads}"))
+        .arg("--samples=1")
         .arg("--stats")
         .arg(&to)
         .arg("-o")

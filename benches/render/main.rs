@@ -226,6 +226,7 @@ fn measured(scene: &Scene, folder: &Path) -> Measured {
             "render".to_owned(),
             path(&zpg),
             "--threads=1".to_owned(),
+            "--samples=1".to_owned(),
             format!("--size={width}x{height}"),
             format!("--cutoff={}", CUTOFFS[i]),
             format!("--stats={}", path(&statistics)),
@@ -326,6 +327,7 @@ fn differing(folder: &Path) -> f64 {
         .arg("render")
         .arg(&scene)
         .arg(format!("--size={width}x{height}"))
+        .arg("--samples=1")
         .arg("--cutoff=0")
         .arg("-o")
         .arg(&exact)
