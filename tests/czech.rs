@@ -454,6 +454,8 @@ fn machines_are_spoken_to_in_one_language() {
         &["check", "--format", "json", "b.zpg"][..],
         &["check", "--format", "sarif", "b.zpg"],
         &["check", "--format", "github", "b.zpg"],
+        &["check", "--format", "gitlab", "b.zpg"],
+        &["check", "--format", "junit", "b.zpg"],
         &["check", "--statistics", "--format", "json", "b.zpg"],
         &["check", "--show-settings", "b.zpg"],
         &["plan", "--json", "a.zpg"],

@@ -71,8 +71,10 @@ mod random_lines;
 mod readme;
 mod recovery;
 mod render_output;
+mod reports;
 mod rewriting;
 mod robustness;
+mod ruff;
 mod sarif;
 mod scene_json;
 mod shapes_doubt;
@@ -84,6 +86,7 @@ mod surfaces;
 mod trace_pictures;
 mod trace_solids;
 mod unseen;
+mod widths;
 mod work;
 
 /// A file that is not listed above would never run.

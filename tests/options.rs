@@ -131,7 +131,9 @@ fn exit_zero_is_about_findings() {
 fn findings_go_to_a_file() {
     let dir = folder(&[("a.zpg", BAD), ("b.zpg", &BAD.replace("-1\n9", "0,5\n9"))]);
     let read = |name: &str| fs::read_to_string(dir.path().join(name)).unwrap();
-    for format in ["human", "short", "json", "sarif", "github"] {
+    for format in [
+        "human", "short", "json", "sarif", "github", "gitlab", "junit",
+    ] {
         let plain = text(&zpg(dir.path(), &["check", "--format", format, "a.zpg"]).stdout);
         let args = [
             "check",

@@ -2,6 +2,7 @@
 
 use clap::{CommandFactory, Parser, Subcommand};
 
+use super::terminal::width;
 use super::{
     LookChoice, Status, accuracy, check, completions, convert, crosscheck, explain, fmt, help, lsp,
     plan, probe, render, usage,
@@ -67,7 +68,7 @@ pub fn run() -> Status {
         Err(error) => {
             // The same answer once more, with the help in the language.
             let look = LookChoice::among(std::env::args_os());
-            let mut command = help::in_language(Cli::command(), look.language());
+            let mut command = help::in_language(Cli::command(), look.language(), width());
             let again = command.try_get_matches_from_mut(std::env::args_os());
             return usage::refuse(&again.err().unwrap_or(error), look);
         }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::camera::CameraArgs;
 use super::draft::{self, try_file};
+use super::help;
 use super::memory::Memory;
 use super::paths::is_stdout;
 use super::size::Size;
@@ -49,6 +50,7 @@ pub struct Args {
     output: Option<PathBuf>,
 
     /// Size of the picture the camera is for, in pixels
+    #[arg(help_heading = help::PICTURE)]
     #[arg(
         long,
         default_value = "640x480",
@@ -61,6 +63,7 @@ pub struct Args {
     camera: CameraArgs,
 
     /// How often a ray may be mirrored or refracted
+    #[arg(help_heading = help::PICTURE)]
     #[arg(long, default_value_t = 10, value_name = "N", value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
     depth: u32,
 
@@ -73,10 +76,12 @@ pub struct Args {
     memory: Memory,
 
     /// Report what is exact as well, each feature
+    #[arg(help_heading = help::REPORTS)]
     #[arg(short, long, conflicts_with = "quiet")]
     verbose: bool,
 
     /// Write the fidelity report as JSON, too; `-` is standard output
+    #[arg(help_heading = help::REPORTS)]
     #[arg(long, value_name = "FILE.json")]
     report: Option<PathBuf>,
 }

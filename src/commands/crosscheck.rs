@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::camera::CameraArgs;
 use super::draft::{self, try_folder, unwritable};
+use super::help;
 use super::size::Size;
 use super::spare::spare;
 use super::{LookChoice, Status, complain, convert, load_sound, terminal, usage};
@@ -53,6 +54,7 @@ pub struct Args {
     with: Program,
 
     /// Size of the pictures, in pixels; at most 16777216 of them
+    #[arg(help_heading = help::PICTURE)]
     #[arg(
         long,
         default_value = "320x240",
@@ -73,6 +75,7 @@ pub struct Args {
     max_diff: f64,
 
     /// povray: how often a ray may be mirrored or refracted
+    #[arg(help_heading = help::PICTURE)]
     #[arg(long, default_value_t = 10, value_name = "N", value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
     depth: u32,
 

@@ -1,9 +1,12 @@
 //! `zpg explain`: the page of a finding or of a record type.
 
 use std::fmt::Write as _;
+use std::io::{self, IsTerminal as _};
 
+use super::page::{Form, laid_out};
 use super::{LookChoice, Status, complain, terminal};
 use crate::analysis::repair::words::{self, plain};
+use crate::diagnostics::layout::hanging;
 use crate::diagnostics::{Code, Complaint, Language};
 use crate::features::pages::{code_page, type_page};
 use crate::syntax::quote;
@@ -28,11 +31,22 @@ pub struct Args {
 pub fn run(args: &Args, look: LookChoice) -> Status {
     let Some(topic) = &args.topic else {
         return terminal::print(look, Status::Clean, |out| {
-            out.write_all(index(look.language()).as_bytes())
+            let index = index(look.language());
+            let mut lines = index.lines().map(|line| hanging(line, terminal::width()));
+            lines.try_for_each(|line| writeln!(out, "{line}"))
         });
     };
     match page(topic, look.language()) {
-        Some(page) => terminal::print(look, Status::Clean, |out| out.write_all(page.as_bytes())),
+        Some(page) => {
+            let stdout = io::stdout();
+            let colour = look.colour(&stdout);
+            let form = match colour || stdout.is_terminal() {
+                true => Form::Text { colour },
+                false => Form::Markdown,
+            };
+            let page = laid_out(&page, form, terminal::width());
+            terminal::print(look, Status::Clean, |out| out.write_all(page.as_bytes()))
+        }
         None => {
             let complaint = Complaint::new("no-topic").with("text", quote(topic));
             let near = suggestions(topic, look.language());

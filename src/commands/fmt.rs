@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use super::difference::diff;
+use super::help;
 use super::load::is_json;
 use super::rewrite::{allow, bytes_of, replace};
 use super::settings::{Chosen, Scenes, pass_through};
@@ -56,6 +57,7 @@ pub struct Args {
     diff: bool,
 
     /// Format files even if their names end as those of other tools' files do (.csv, .md, .obj …)
+    #[arg(help_heading = help::FILES)]
     #[arg(long)]
     force: bool,
 
@@ -64,6 +66,7 @@ pub struct Args {
     range: Option<Lines>,
 
     /// What standard input goes by, in messages and for zpg.toml
+    #[arg(help_heading = help::FILES)]
     #[arg(long, value_name = "NAME")]
     stdin_filename: Option<PathBuf>,
 }

@@ -19,6 +19,17 @@ help-word-help-less = Vypíše nápovědu (stručnou vypíše -h)
 help-word-help = Vypíše nápovědu
 help-word-version = Vypíše verzi
 
+## Skupiny voleb
+
+help-heading-files = Soubory a nastavení
+help-heading-choice = Výběr nálezů
+help-heading-picture = Obrázek
+help-heading-accuracy = Přesnost a čas
+help-heading-reports = Zprávy
+help-heading-limits = Meze
+help-heading-questions = Otázky
+help-heading-global = Společné volby
+
 ## Co mají všechny příkazy
 
 help-any-color = Kdy používat barvy
@@ -42,6 +53,8 @@ help-any-paths = Soubory nebo složky se scénami [výchozí: .]; `-` je standar
     .value = CESTA
 help-any-config = Soubor s nastavením místo všech souborů zpg.toml, nebo jedno nastavení, které má přednost před soubory, například `lint.W310="off"`
     .value = SOUBOR|KLÍČ=HODNOTA
+help-any-exclude = Vynechá soubory a složky, které odpovídají tomuto vzoru; co vynechávají nastavení, pak neplatí
+    .value = VZOR
 help-any-isolated = Nečte žádný soubor zpg.toml
 help-any-force_exclude = Vynechá, co vylučuje nastavení, i když je to výslovně uvedeno jako CESTA
 help-any-camera = Kamera, kterou se má obrázek pořídit
@@ -86,8 +99,8 @@ help-check = Hledá ve scénách chyby
 
         KÓD je kód nálezu (W307), jeho název (overlapping-union), začátek kódů (W3), nebo jedno ze slov warnings,
         notes, style a all. Pro celou složku scén se úrovně nálezů nastavují v zpg.toml; komentář
-        `# zpg: allow(W307) #` povolí nález v místě, kde stojí. Z voleb --select, --ignore a --deny má přednost ta,
-        která uvádí méně kódů. Chyby jazyka se hlásí vždy.
+        `# zpg: allow(W307) #` povolí nález v místě, kde stojí. Z voleb --select, --extend-select, --ignore a --deny
+        má přednost ta, která uvádí méně kódů. Chyby jazyka se hlásí vždy.
 
         Scénu v JSON (SOUBOR.json) lze zkontrolovat stejně jako scénu ze záznamů, ale ne s --fix, --diff a --add-allow.
 
@@ -115,6 +128,8 @@ help-check-format = Jak nálezy vypsat
     .json = pro programy
     .sarif = pro přehledy nálezů v kódu: SARIF 2.1.0
     .github = pro GitHub Actions: poznámky přímo u změn
+    .gitlab = pro GitLab: zpráva Code Quality (JSON) k žádosti o začlenění
+    .junit = pro přehledy výsledků testů: JUnit XML
 help-check-output_file = Zapíše nálezy do souboru místo na standardní výstup
     .value = SOUBOR
 help-check-exit_zero = Skončí s návratovým kódem 0, i když jsou ve scénách chyby; kód 2 zůstává
@@ -126,6 +141,8 @@ help-check-add_allow = Doplní komentáře, které povolí všechny zbývající
 help-check-unsafe_fixes = S --fix nebo --diff: použije i opravy, které jsou jen odhadem
 help-check-diff = Nic nezapíše, jen ukáže, co by změnila volba --fix
 help-check-select = Hlásí jen tyto kódy (a chyby)
+    .value = KÓD
+help-check-extend_select = Hlásí i tyto kódy, i když je nastavení vypínají
     .value = KÓD
 help-check-ignore = Tyto kódy nehlásí
     .value = KÓD

@@ -8,6 +8,7 @@
 use clap::{Arg, Command};
 
 use crate::diagnostics::Language;
+use crate::diagnostics::layout::{hanging, paragraphs};
 
 /// The words of clap's own, and the messages that say them. One that holds another stands before it.
 const WORDS: [(&str, &str); 15] = [
@@ -37,15 +38,54 @@ const WORDS: [(&str, &str); 15] = [
     ("Print version", "help-word-version"),
 ];
 
-/// The command line with all texts in a language.
-pub fn in_language(command: Command, language: Language) -> Command {
-    match language {
+/// The headings of options, and the messages that say them. Options that most people need have none.
+pub const FILES: &str = "Files and settings";
+pub const CHOICE: &str = "Choice of findings";
+pub const PICTURE: &str = "Picture";
+pub const ACCURACY: &str = "Accuracy and time";
+pub const REPORTS: &str = "Reports";
+pub const LIMITS: &str = "Limits";
+pub const QUESTION: &str = "Questions";
+pub const GLOBAL: &str = "Global options";
+
+const HEADINGS: [(&str, &str); 8] = [
+    (FILES, "help-heading-files"),
+    (CHOICE, "help-heading-choice"),
+    (PICTURE, "help-heading-picture"),
+    (ACCURACY, "help-heading-accuracy"),
+    (REPORTS, "help-heading-reports"),
+    (LIMITS, "help-heading-limits"),
+    (QUESTION, "help-heading-questions"),
+    (GLOBAL, "help-heading-global"),
+];
+
+/// The command line with all texts in a language, laid out for a width.
+pub fn in_language(command: Command, language: Language, width: usize) -> Command {
+    let command = match language {
         Language::English => command,
         Language::Czech => translated(command, language),
+    };
+    fitted(command.term_width(width), width)
+}
+
+/// The text at the end, of each command, in lines of a width. The rest is for clap to lay out.
+fn fitted(command: Command, width: usize) -> Command {
+    let after = command.get_after_help().map(ToString::to_string);
+    let command = command.mut_subcommands(|sub| fitted(sub, width));
+    match after {
+        Some(after) => command.after_help(paragraphs(&after, width)),
+        None => command,
     }
 }
 
-/// What clap has laid out, with its own words in a language.
+/// What clap has laid out, with its own words in a language, and without lines that are wider than this.
+pub fn shown(text: String, language: Language, width: usize) -> String {
+    let text = own_words(text, language);
+    let lines = text.split('\n').map(|line| hanging(line, width));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// The same, in lines of any width.
 pub fn own_words(text: String, language: Language) -> String {
     match language {
         Language::English => text,
@@ -89,6 +129,15 @@ fn id_of(command: &str, arg: &Arg, language: Language) -> Option<String> {
 }
 
 fn of_arg(command: &str, arg: Arg, language: Language) -> Arg {
+    let heading = arg.get_help_heading();
+    let message = HEADINGS.iter().find(|(name, _)| Some(*name) == heading);
+    let arg = match message {
+        Some((_, message)) => {
+            let heading: &'static str = language.say(message, &[]).leak();
+            arg.help_heading(heading)
+        }
+        None => arg,
+    };
     let Some(id) = id_of(command, &arg, language) else {
         return arg;
     };
@@ -100,8 +149,30 @@ fn of_arg(command: &str, arg: Arg, language: Language) -> Arg {
         None => arg,
     };
     let values = arg.get_possible_values();
-    if values.iter().all(|v| v.get_help().is_none()) {
+    if !arg.get_action().takes_values() {
         return arg.help(help);
+    }
+    // What clap adds to the text is in English, and a line may end within it.
+    let default: Vec<String> = (arg.get_default_values().iter())
+        .map(|value| value.to_string_lossy().into_owned())
+        .collect();
+    let default = match default.is_empty() {
+        true => String::new(),
+        false => {
+            let word = language.say("help-word-default", &[]);
+            format!(" {word} {}]", default.join(", "))
+        }
+    };
+    let help = help + &default;
+    let arg = arg.hide_default_value(true);
+    if values.iter().all(|v| v.get_help().is_none()) {
+        if values.is_empty() {
+            return arg.help(help);
+        }
+        let names: Vec<&str> = values.iter().map(|v| v.get_name()).collect();
+        let word = language.say("help-word-values", &[]);
+        let help = format!("{help} {word} {}]", names.join(", "));
+        return arg.hide_possible_values(true).help(help);
     }
     // What a value means cannot be changed behind its parser.
     let names: Vec<&str> = values.iter().map(|v| v.get_name()).collect();
@@ -127,6 +198,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use clap::CommandFactory;
+    use unicode_width::UnicodeWidthStr as _;
 
     use super::*;
     use crate::commands::cli::Cli;
@@ -177,6 +249,7 @@ mod tests {
         assert!(missing.is_empty(), "not in help.cs.ftl: {missing:#?}");
         used.extend(WORDS.map(|(_, message)| message.to_owned()));
         used.insert("help-word-values-below".to_owned());
+        used.extend(HEADINGS.map(|(_, message)| message.to_owned()));
         let mut message = "";
         for line in CZECH.lines() {
             let name = line.split(" =").next().unwrap_or_default();
@@ -192,9 +265,51 @@ mod tests {
         }
     }
 
+    /// At any width, in both languages, short and long; and options that are many stand in groups.
+    #[test]
+    fn every_help_fits() {
+        for language in [Language::English, Language::Czech] {
+            for width in [80, 120] {
+                let mut command = in_language(Cli::command(), language, width);
+                command.build();
+                let names: Vec<String> = (command.get_subcommands())
+                    .map(|c| c.get_name().to_owned())
+                    .collect();
+                for name in names {
+                    let sub = command.find_subcommand_mut(&name).unwrap();
+                    for help in [sub.render_help(), sub.render_long_help()] {
+                        let help = shown(help.to_string(), language, width);
+                        for line in help.lines() {
+                            assert!(line.width() <= width, "{name}: {line}");
+                        }
+                    }
+                    let own = |arg: &&Arg| !arg.is_positional() && arg.get_help_heading().is_none();
+                    let count = sub.get_arguments().filter(own).count();
+                    assert!(count <= 13, "{count} options of {name} in no group");
+                }
+            }
+        }
+    }
+
+    /// A heading that nobody knows would stay in English.
+    #[test]
+    fn every_heading_is_known() {
+        fn check(command: &Command) {
+            let headings = command.get_arguments().filter_map(|a| a.get_help_heading());
+            for heading in headings {
+                assert!(
+                    HEADINGS.iter().any(|(name, _)| *name == heading),
+                    "{heading}"
+                );
+            }
+            command.get_subcommands().for_each(check);
+        }
+        check(&Cli::command());
+    }
+
     #[test]
     fn every_help_is_czech() {
-        let mut command = in_language(Cli::command(), Language::Czech);
+        let mut command = in_language(Cli::command(), Language::Czech, 100);
         command.build();
         let names: Vec<String> = (command.get_subcommands())
             .map(|c| c.get_name().to_owned())

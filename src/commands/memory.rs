@@ -9,6 +9,7 @@ use std::thread::available_parallelism;
 
 use sysinfo::System;
 
+use super::help;
 use super::terminal::{LookChoice, warn};
 use crate::analysis::file::{STDIN, unreadable};
 use crate::diagnostics::Complaint;
@@ -25,6 +26,7 @@ const THREADS_PER_CORE: usize = 4;
 #[derive(Debug, Clone, Copy, clap::Args)]
 pub struct Memory {
     /// Refuse what would take more memory than this, such as 800M or 12G [default: half of what there is]
+    #[arg(help_heading = help::LIMITS)]
     #[arg(long = "memory", value_name = "SIZE", allow_hyphen_values = true)]
     allowed: Option<Bytes>,
 }

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use super::camera::{CameraArgs, one_camera};
+use super::help;
 use super::memory::Memory;
 use super::size::Size;
 use super::terminal::print;
@@ -58,18 +59,22 @@ pub struct Args {
     file: PathBuf,
 
     /// Origin and direction of one ray; commas may stand between the numbers
+    #[arg(help_heading = help::QUESTION)]
     #[arg(long, value_name = "OX OY OZ DX DY DZ", allow_hyphen_values = true)]
     ray: Option<RayArg>,
 
     /// A file of rays; `-` is standard input
+    #[arg(help_heading = help::QUESTION)]
     #[arg(long, value_name = "FILE")]
     rays: Option<PathBuf>,
 
     /// The ray through the centre of a pixel, counted from 0 at the upper left
+    #[arg(help_heading = help::QUESTION)]
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
     pixel: Option<PixelArg>,
 
     /// A point
+    #[arg(help_heading = help::QUESTION)]
     #[arg(long, value_name = "X Y Z", allow_hyphen_values = true)]
     point: Option<PointArg>,
 

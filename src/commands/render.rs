@@ -14,6 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use super::camera::CameraArgs;
+use super::help;
 use super::memory::{self, Memory};
 use super::paths::{self, is_stdout};
 use super::size::Size;
@@ -66,14 +67,17 @@ pub struct Args {
     size: Size,
 
     /// How smooth edges are [default: draft]
+    #[arg(help_heading = help::ACCURACY)]
     #[arg(long, value_enum, value_name = "QUALITY", conflicts_with_all = ["samples", "adaptive"])]
     quality: Option<Quality>,
 
     /// Samples in each pixel; one lies in its centre
+    #[arg(help_heading = help::ACCURACY)]
     #[arg(long, value_name = "N", value_parser = samples, allow_negative_numbers = true)]
     samples: Option<u32>,
 
     /// Up to 1024 samples, until a pixel's estimated error in linear RGB is below this
+    #[arg(help_heading = help::ACCURACY)]
     #[arg(long, value_name = "TOL", value_parser = tolerance, allow_negative_numbers = true, conflicts_with = "samples")]
     adaptive: Option<f64>,
 
@@ -82,14 +86,17 @@ pub struct Args {
     exposure: Option<f64>,
 
     /// How often a ray may be reflected or refracted
+    #[arg(help_heading = help::ACCURACY)]
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
     depth: u32,
 
     /// Leave out what counts for less than this; 0 leaves out nothing [default: 1/4096]
+    #[arg(help_heading = help::ACCURACY)]
     #[arg(long, value_name = "W", value_parser = cutoff, allow_negative_numbers = true)]
     cutoff: Option<f64>,
 
     /// The numbers to compute with between a ray and what it hits
+    #[arg(help_heading = help::ACCURACY)]
     #[arg(long, value_enum, default_value = "f64")]
     precision: Numbers,
 
@@ -105,6 +112,7 @@ pub struct Args {
     stereo: Option<Stereo>,
 
     /// Threads to work with; 0: as many as there are processors. At most four times as many
+    #[arg(help_heading = help::LIMITS)]
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = usage::whole::<usize>, allow_negative_numbers = true)]
     threads: usize,
 
@@ -112,14 +120,17 @@ pub struct Args {
     memory: Memory,
 
     /// Write what it has cost to this file, as JSON: times, rays, tests, the work of each effect; `-` is standard output
+    #[arg(help_heading = help::REPORTS)]
     #[arg(long, value_name = "FILE")]
     stats: Option<PathBuf>,
 
     /// Print what it has cost and where: rays, time, the dearest objects and effects
+    #[arg(help_heading = help::REPORTS)]
     #[arg(long)]
     cost: bool,
 
     /// Draw how many intersection tests each pixel took, in false colours
+    #[arg(help_heading = help::REPORTS)]
     #[arg(long, value_name = "OUT.png")]
     heatmap: Option<PathBuf>,
 }

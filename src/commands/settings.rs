@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Status;
+use super::help;
 use super::paths::{self, Files};
 use super::terminal::{self, LookChoice, complain};
 use crate::analysis::config::Configs;
@@ -18,14 +19,22 @@ pub struct Chosen {
 
     /// A file of settings that counts in place of every zpg.toml, or one setting that counts more than
     /// any file, such as `lint.W310="off"`
+    #[arg(help_heading = help::FILES)]
     #[arg(long, value_name = "FILE|KEY=VALUE")]
     config: Vec<String>,
 
+    /// Leave out files and folders that fit this pattern, in place of what the settings exclude
+    #[arg(help_heading = help::FILES)]
+    #[arg(long, value_name = "PATTERN", value_delimiter = ',')]
+    exclude: Vec<String>,
+
     /// Ignore every zpg.toml
+    #[arg(help_heading = help::FILES)]
     #[arg(long)]
     isolated: bool,
 
     /// Leave out what the settings exclude even where a PATH names it
+    #[arg(help_heading = help::FILES)]
     #[arg(long)]
     force_exclude: bool,
 }
@@ -39,7 +48,7 @@ pub struct Scenes {
 impl Chosen {
     /// Finds the scenes. What is wrong with the settings of the command line is said, and then there are none.
     pub fn scenes(&self, stdin: Option<&Path>, look: LookChoice) -> Option<Scenes> {
-        let configs = match Configs::chosen(&self.config, self.isolated) {
+        let configs = match Configs::chosen(&self.config, &self.exclude, self.isolated) {
             Ok(configs) => Arc::new(configs),
             Err(complaint) => {
                 complain(look, &complaint);

@@ -6,9 +6,12 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use terminal_size::{Width, terminal_size_of};
 
 use super::Status;
+use super::help;
 use super::language::{self, LanguageChoice};
+use crate::diagnostics::layout::wrapped;
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::{self, Look};
 use crate::diagnostics::{Complaint, Diagnostic, Language, SourceFile};
@@ -18,14 +21,17 @@ use crate::study::program;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::Args)]
 pub struct LookChoice {
     /// When to use colour
+    #[arg(help_heading = help::GLOBAL)]
     #[arg(long, global = true, value_enum, default_value_t, value_name = "WHEN")]
     color: ColorChoice,
 
     /// The language of messages [default: that of LC_ALL, LC_MESSAGES or LANG]
+    #[arg(help_heading = help::GLOBAL)]
     #[arg(long, global = true, value_enum)]
     lang: Option<LanguageChoice>,
 
     /// Print findings, answers and errors, and nothing besides
+    #[arg(help_heading = help::GLOBAL)]
     #[arg(short, long, global = true)]
     pub quiet: bool,
 }
@@ -54,6 +60,7 @@ impl LookChoice {
         Look {
             colour: self.colour(stream),
             language: self.language(),
+            width: Some(width()),
         }
     }
 
@@ -62,6 +69,7 @@ impl LookChoice {
         Look {
             colour: self.color == ColorChoice::Always,
             language: self.language(),
+            width: Some(width()),
         }
     }
 
@@ -134,10 +142,28 @@ pub fn note(look: LookChoice, complaint: &Complaint) {
     tell(&format!("{kind}: {}", complaint.wording(look.language())));
 }
 
-/// Writes a line to standard error.
+/// Writes a line to standard error, or several where the terminal is narrower.
 pub fn tell(line: &str) {
     // Nobody is left to be told when standard error is gone.
-    let _ = writeln!(io::stderr(), "{line}");
+    let _ = writeln!(io::stderr(), "{}", wrapped(line, width(), "  "));
+}
+
+/// How wide text may be where nobody says: in a pipe, in a file.
+const USUAL_WIDTH: usize = 80;
+/// Longer lines are hard to read.
+const MOST_WIDTH: usize = 120;
+const LEAST_WIDTH: usize = 40;
+
+/// How wide text may be: as COLUMNS says, or as the terminal is.
+pub fn width() -> usize {
+    let said = std::env::var("COLUMNS").ok();
+    if let Some(said) = said.and_then(|said| said.parse().ok()) {
+        return usize::max(said, LEAST_WIDTH);
+    }
+    let size = terminal_size_of(io::stdout()).or_else(|| terminal_size_of(io::stderr()));
+    size.map_or(USUAL_WIDTH, |(Width(width), _)| {
+        usize::from(width).clamp(LEAST_WIDTH, MOST_WIDTH)
+    })
 }
 
 /// A flag that Ctrl-C sets, so that long work ends and drafts of files are removed.

@@ -7,8 +7,9 @@ use std::str::FromStr;
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
-use super::help::own_words;
-use super::terminal::{complain, tell};
+use super::habits;
+use super::help::{own_words, shown};
+use super::terminal::{complain, tell, width};
 use super::{LookChoice, Status};
 use crate::diagnostics::Complaint;
 use crate::lint::levels::UnknownCode;
@@ -42,12 +43,12 @@ pub fn refuse(error: &clap::Error, look: LookChoice) -> Status {
         return match error.use_stderr() {
             true => {
                 let help = laid_out(&help, look.colour(&io::stderr()));
-                let _ = write!(io::stderr(), "{}", own_words(help, language));
+                let _ = write!(io::stderr(), "{}", shown(help, language, width()));
                 Status::Failure
             }
             false => {
                 let help = laid_out(&help, look.colour(&io::stdout()));
-                let _ = write!(io::stdout(), "{}", own_words(help, language));
+                let _ = write!(io::stdout(), "{}", shown(help, language, width()));
                 Status::Clean
             }
         };
@@ -115,6 +116,19 @@ fn complaint(error: &clap::Error) -> Option<Complaint> {
         // Help and the version. No argument takes several values or needs an equals sign.
         _ => return None,
     };
+    let unknown = matches!(
+        error.kind(),
+        ErrorKind::UnknownArgument | ErrorKind::InvalidSubcommand
+    );
+    let foreign = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand];
+    let foreign = foreign.into_iter().find_map(get).filter(|_| unknown);
+    if let Some(instead) = foreign.as_deref().and_then(habits::message) {
+        return Some(
+            Complaint::new("with-reason")
+                .with("what", what)
+                .with("reason", Complaint::new(instead)),
+        );
+    }
     let written = [
         ContextKind::InvalidValue,
         ContextKind::InvalidSubcommand,

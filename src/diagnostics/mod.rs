@@ -11,6 +11,7 @@ pub mod diagnostic;
 pub mod error;
 pub mod fixes;
 pub mod language;
+pub mod layout;
 pub mod render;
 pub mod source;
 pub mod span;

@@ -152,6 +152,8 @@ impl Selector {
 pub struct Choice {
     /// If not empty, only these.
     pub select: Vec<Selector>,
+    /// These are reported, too, even if the settings turn them off.
+    pub extend: Vec<Selector>,
     pub ignore: Vec<Selector>,
     /// These are errors.
     pub deny: Vec<Selector>,
@@ -209,7 +211,11 @@ impl Levels {
             let holding = list.iter().filter(|s| s.holds(code));
             holding.map(Selector::breadth).min()
         };
-        let selected = narrowest(&choice.select);
+        let selected = [&choice.select, &choice.extend];
+        let selected = selected
+            .into_iter()
+            .filter_map(|list| narrowest(list))
+            .min();
         let denied = narrowest(&choice.deny);
         let own = self.own.iter().find(|(c, _)| *c == code);
         let mut level = own.map(|(_, level)| *level);
@@ -299,6 +305,7 @@ mod tests {
                 select: all(select),
                 ignore: all(ignore),
                 deny: all(deny),
+                extend: Vec::new(),
             };
             after(&levels, &choice)
         };

@@ -24,7 +24,7 @@ fidelity-meshes = { $meshes ->
 }
 fidelity-pictures = only with a copy of { $files } beside { $path }
 fidelity-rounding = which is seen is up to rounding, as in { $id }
-fidelity-parallel = its rays are made parallel: off by less than { $pixels } pixels
+fidelity-parallel = its rays are made parallel: off by less than { $pixels } of a pixel
 fidelity-volumes = of { $ids }: not proved to hold their objects, or written without a name
 fidelity-depth = rays end at depth { $depth }
 fidelity-overlooked = shadows and mirrored light that begin nearer than { $length } may be overlooked

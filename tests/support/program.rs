@@ -4,10 +4,10 @@ use std::io::Write as _;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-/// The program, which speaks English whatever the environment says.
+/// The program, which speaks English whatever the environment says, and in long lines.
 pub fn command() -> Command {
     let mut command = Command::new(PATH);
-    command.env("LC_ALL", "C");
+    command.env("LC_ALL", "C").env("COLUMNS", "1000");
     command
 }
 

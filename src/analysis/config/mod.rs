@@ -217,13 +217,17 @@ pub struct Configs {
 type Found = Result<Arc<Config>, ConfigError>;
 
 impl Configs {
-    /// Settings with those of a command line: files of settings and single settings, in any order.
-    /// `isolated`: no `zpg.toml` counts.
+    /// Settings with those of a command line: files of settings and single settings, in any order, and patterns
+    /// of what is left out. `isolated`: no `zpg.toml` counts.
     ///
     /// # Errors
     ///
     /// What is wrong with them.
-    pub fn chosen(arguments: &[String], isolated: bool) -> Result<Configs, Complaint> {
+    pub fn chosen(
+        arguments: &[String],
+        exclude: &[String],
+        isolated: bool,
+    ) -> Result<Configs, Complaint> {
         let here = whole(Path::new("."));
         let (mut file, mut over) = (None, Vec::new());
         for argument in arguments {
@@ -237,6 +241,13 @@ impl Configs {
                     .with("first", first)
                     .with("second", path));
             }
+        }
+        if !exclude.is_empty() {
+            let patterns = exclude.iter().map(|text| Pattern::new(text, &here));
+            over.push(Written {
+                exclude: Some(patterns.collect::<Result<_, _>>()?),
+                ..Written::default()
+            });
         }
         // Patterns in a file that is named are about the folder where the command runs.
         let only = match file {
@@ -595,7 +606,7 @@ mod tests {
     #[test]
     fn settings_of_the_command_line() {
         let says = |text: &str| {
-            let found = Configs::chosen(&[text.to_owned()], false);
+            let found = Configs::chosen(&[text.to_owned()], &[], false);
             found.unwrap_err().wording(Language::English)
         };
         assert_eq!(
@@ -615,7 +626,7 @@ mod tests {
             "lint.W303=\"note\"",
         ]
         .map(String::from);
-        let config = Configs::chosen(&chosen, true).unwrap();
+        let config = Configs::chosen(&chosen, &[], true).unwrap();
         let config = config.for_file(Path::new("a.zpg")).unwrap();
         assert_eq!(severity(&config, Code::W302), Some(Severity::Error));
         assert_eq!(severity(&config, Code::W303), Some(Severity::Note));

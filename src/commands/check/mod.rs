@@ -11,6 +11,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::difference::diff;
 use super::draft::{self, try_file_in_new_folder, unwritable};
+use super::help;
 use super::load::{analyse, is_json};
 use super::memory::Memory;
 use super::paths::{is_stdin, is_stdout};
@@ -40,8 +41,8 @@ is never written to.
 
 CODE is a code (W307), its name (overlapping-union), how codes begin (W3), or one of warnings,
 notes, style and all. Levels for a folder of scenes stand in zpg.toml; a comment
-`# zpg: allow(W307) #` allows a finding where it is. Of --select, --ignore and --deny the one that
-names fewer codes counts. Errors of the language are always reported.
+`# zpg: allow(W307) #` allows a finding where it is. Of --select, --extend-select, --ignore and
+--deny the one that names fewer codes counts. Errors of the language are always reported.
 
 A scene in JSON (FILE.json) is checked as one of records is, but --fix, --diff and --add-allow refuse it.
 
@@ -67,22 +68,27 @@ pub struct Args {
     chosen: Chosen,
 
     /// How to print the findings
+    #[arg(help_heading = help::REPORTS)]
     #[arg(long, alias = "output-format", value_enum, default_value_t)]
     format: Format,
 
     /// Write the findings to this file, not to standard output
+    #[arg(help_heading = help::REPORTS)]
     #[arg(short, long, value_name = "FILE")]
     output_file: Option<PathBuf>,
 
     /// Exit with 0 even if there are errors; 2 stays 2
+    #[arg(help_heading = help::CHOICE)]
     #[arg(long)]
     exit_zero: bool,
 
     /// List the files that would be checked
+    #[arg(help_heading = help::FILES)]
     #[arg(long, conflicts_with_all = ["show_settings", "fix", "diff", "statistics", "watch"])]
     show_files: bool,
 
     /// Show the settings of the first file, as they could stand in its zpg.toml
+    #[arg(help_heading = help::FILES)]
     #[arg(long, conflicts_with_all = ["fix", "diff", "statistics", "watch"])]
     show_settings: bool,
 
@@ -92,6 +98,7 @@ pub struct Args {
 
     /// With --fix or --add-allow: change files even if their names end as those of other tools' files do (.csv, .md,
     /// .obj …)
+    #[arg(help_heading = help::FILES)]
     #[arg(long)]
     force: bool,
 
@@ -108,22 +115,32 @@ pub struct Args {
     diff: bool,
 
     /// Report only these (and errors)
+    #[arg(help_heading = help::CHOICE)]
     #[arg(long, value_name = "CODE", value_delimiter = ',')]
     select: Vec<Selector>,
 
+    /// Report these, too, even if the settings turn them off
+    #[arg(help_heading = help::CHOICE)]
+    #[arg(long, value_name = "CODE", value_delimiter = ',')]
+    extend_select: Vec<Selector>,
+
     /// Do not report these
+    #[arg(help_heading = help::CHOICE)]
     #[arg(long, value_name = "CODE", value_delimiter = ',')]
     ignore: Vec<Selector>,
 
     /// Take these for errors
+    #[arg(help_heading = help::CHOICE)]
     #[arg(long, value_name = "CODE", value_delimiter = ',')]
     deny: Vec<Selector>,
 
     /// Count the findings of each code instead of printing them (as text or JSON)
+    #[arg(help_heading = help::REPORTS)]
     #[arg(long, conflicts_with = "diff")]
     statistics: bool,
 
     /// What standard input goes by, in messages, for zpg.toml and for images
+    #[arg(help_heading = help::FILES)]
     #[arg(long, value_name = "NAME")]
     stdin_filename: Option<PathBuf>,
 
@@ -192,6 +209,7 @@ fn once(args: &Args, look: LookChoice) -> Status {
         at_a_time: rayon::current_num_threads().min(files.files.len()),
         choice: Choice {
             select: args.select.clone(),
+            extend: args.extend_select.clone(),
             ignore: args.ignore.clone(),
             deny: args.deny.clone(),
         },

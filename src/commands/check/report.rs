@@ -2,8 +2,9 @@
 
 use std::io::{self, Write};
 
+use crate::diagnostics::layout::wrapped_if;
 use crate::diagnostics::render::human::{self, Look};
-use crate::diagnostics::render::{Tally, github, json, sarif, short};
+use crate::diagnostics::render::{Tally, github, gitlab, json, junit, sarif, short};
 use crate::diagnostics::{Diagnostic, SourceFile};
 
 /// How to print the findings.
@@ -20,6 +21,10 @@ pub enum Format {
     Sarif,
     /// For GitHub Actions: annotations of pull requests
     Github,
+    /// For merge requests in GitLab: a Code Quality report in JSON
+    Gitlab,
+    /// For lists of test results: JUnit XML
+    Junit,
 }
 
 /// One file's findings, ready to be put out.
@@ -27,6 +32,8 @@ pub enum Output {
     Text(Vec<u8>),
     Json(json::File),
     Sarif(sarif::File),
+    Gitlab(gitlab::File),
+    Junit(junit::File),
 }
 
 impl Output {
@@ -44,6 +51,8 @@ impl Output {
             Format::Json => return Output::Json(json::File::new(source, diagnostics)),
             Format::Sarif => return Output::Sarif(sarif::File::new(source, diagnostics)),
             Format::Github => github::write(&mut text, source, &diagnostics),
+            Format::Gitlab => return Output::Gitlab(gitlab::File::new(source, &diagnostics)),
+            Format::Junit => return Output::Junit(junit::File::new(source, &diagnostics)),
         };
         debug_assert!(written.is_ok(), "memory takes everything");
         Output::Text(text)
@@ -63,20 +72,26 @@ pub fn write(
 ) -> io::Result<()> {
     let mut reports = Vec::new();
     let mut scans = Vec::new();
+    let (mut issues, mut suites) = (Vec::new(), Vec::new());
     for output in outputs {
         match output {
             Output::Text(text) => out.write_all(&text)?,
             Output::Json(report) => reports.push(report),
             Output::Sarif(scan) => scans.push(scan),
+            Output::Gitlab(file) => issues.push(file),
+            Output::Junit(suite) => suites.push(suite),
         }
     }
     match format {
         // With nothing read there is nothing to sum up.
         Format::Human if total.files > 0 && !quiet => {
-            writeln!(out, "{fixes}{}", total.sentence(look.language))
+            let text = format!("{fixes}{}", total.sentence(look.language));
+            writeln!(out, "{}", wrapped_if(&text, look.width, "  "))
         }
         Format::Human | Format::Short | Format::Github => Ok(()),
         Format::Json => json::write(out, &reports, total),
         Format::Sarif => sarif::write(out, &scans, complete),
+        Format::Gitlab => gitlab::write(out, issues),
+        Format::Junit => junit::write(out, &suites),
     }
 }

@@ -88,7 +88,8 @@ impl Outcome for Comparison {
 
     fn lines(&self, _: &Args, language: Language) -> Vec<(&'static str, Complaint)> {
         let number = |text: String| local(language, text);
-        let pixels = |message, n: usize| Complaint::new(message).with("pixels", n.to_string());
+        let pixels =
+            |message, n: usize| Complaint::new(message).with("pixels", Value::Count(n as u64));
         let compared =
             self.pixels - self.silhouettes - self.cut_off - self.undecided - self.in_one_place;
         let percent = number(format!("{:.3}", 100.0 * self.share_wrong));

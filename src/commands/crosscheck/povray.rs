@@ -4,7 +4,7 @@ use super::{Args, Compared, Outcome, Pictures};
 use super::{each_camera, failed, images, made_folder, program, stem};
 use crate::analysis::Analysis;
 use crate::commands::{LookChoice, draft, terminal};
-use crate::diagnostics::{Complaint, Error, Language};
+use crate::diagnostics::{Complaint, Error, Language, Value};
 use crate::scene::Camera;
 use crate::solids::staging::{self, Viewpoint};
 use crate::study::accuracy::words::local;
@@ -84,7 +84,8 @@ impl Outcome for Comparison {
 
     fn lines(&self, args: &Args, language: Language) -> Vec<(&'static str, Complaint)> {
         let number = |text: String| local(language, text);
-        let pixels = |message, n: usize| Complaint::new(message).with("pixels", n.to_string());
+        let pixels =
+            |message, n: usize| Complaint::new(message).with("pixels", Value::Count(n as u64));
         let differing = &self.differing;
         let percent = format!("{:.3}", 100.0 * differing.share_off_silhouettes);
         let off = pixels("crosscheck-povray-off", differing.off_silhouettes)

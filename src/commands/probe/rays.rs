@@ -8,7 +8,7 @@ use super::answer::{self, RayAnswer};
 use crate::commands::Status;
 use crate::commands::numbers::Writable;
 use crate::commands::terminal::{LookChoice, complain, unprintable};
-use crate::diagnostics::Complaint;
+use crate::diagnostics::{Complaint, Value};
 use crate::geometry::vec::Vec3;
 use crate::parallel;
 use crate::syntax::quote;
@@ -63,7 +63,7 @@ pub fn numbers<const N: usize>(s: &str) -> Result<[f64; N], Complaint> {
         Ok(out)
     } else {
         Err(Complaint::new("wrong-count")
-            .with("expected", N.to_string())
+            .with("expected", Value::Count(N as u64))
             .with("found", count.to_string()))
     }
 }

@@ -43,7 +43,10 @@ crosscheck-povray-off = pixelů, které se liší o víc než { $most }/255: { $
 crosscheck-povray-on = pixelů, které se liší: { $pixels }
 crosscheck-povray-edges = pixelů, které se liší tam, kde končí stěna, stín, vzor nebo to, co je vidět v zrcadle nebo ve skle: { $pixels }
 crosscheck-povray-total = pixelů: { $pixels }; neporovnávají se, POV-Ray ho počítá jinak
-crosscheck-mitsuba-off = jiný tvar, jinou polohu nebo jinou normálu ukazuje { $wrong } z { $pixels } pixelů ({ $percent } %)
+crosscheck-mitsuba-off = jiný tvar, jinou polohu nebo jinou normálu ukazuje { $wrong } z { $pixels ->
+    [one] { $pixels } pixelu
+   *[other] { $pixels } pixelů
+} ({ $percent } %)
 crosscheck-mitsuba-silhouettes = pixelů na hranách tvarů a stěn: { $pixels }; ty se neporovnávají
 crosscheck-mitsuba-cut = pixelů, kde jsou nekonečné části v převodu uříznuté: { $pixels }
 crosscheck-mitsuba-undecided = pixelů, kde jednoduchá přesnost, ve které Mitsuba počítá, vidí něco jiného: { $pixels }

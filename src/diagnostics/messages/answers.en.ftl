@@ -7,7 +7,7 @@ plan-off = off
 plan-because = line { $line }: { $id } { $text }
 plan-shapes = shapes
 plan-operations = operations
-plan-count = { $count } { $name }
+plan-count = { $count } × { $name }
 plan-none = none
 plan-media = media at once
 plan-not-drawn = not drawn
@@ -39,16 +39,46 @@ crosscheck-flip = FLIP
 crosscheck-left-out = left out
 crosscheck-exact = exact shapes
 crosscheck-meshes = meshes
-crosscheck-povray-off = { $pixels } pixels differ by more than { $most }/255 ({ $percent } %); the largest difference is { $largest }/255, the mean { $mean }/255
-crosscheck-povray-on = { $pixels } pixels differ
-crosscheck-povray-edges = { $pixels } pixels differ, where a face, a shadow, a pattern or what is seen in mirrors and glass ends
-crosscheck-povray-total = in { $pixels } pixels, not compared: POV-Ray has it otherwise
-crosscheck-mitsuba-off = { $wrong } of { $pixels } pixels show another shape, place or normal ({ $percent } %)
-crosscheck-mitsuba-silhouettes = { $pixels } pixels at the edges of shapes and faces, which are not compared
-crosscheck-mitsuba-cut = { $pixels } pixels where parts without end are cut off in the translation
-crosscheck-mitsuba-undecided = { $pixels } pixels where single precision, which Mitsuba computes in, takes something else for what is seen
-crosscheck-mitsuba-shared = { $pixels } pixels where the surfaces of two shapes are in one place, and which of them is seen is arbitrary: { $pairs }
-crosscheck-mitsuba-differences = { $pixels } pixels; positions differ by at most { $distance }, { $share } of what is allowed; normals by at most { $angle }°
+crosscheck-povray-off = { $pixels ->
+    [one] { $pixels } pixel differs
+   *[other] { $pixels } pixels differ
+} by more than { $most }/255 ({ $percent } %); the largest difference is { $largest }/255, the mean { $mean }/255
+crosscheck-povray-on = { $pixels ->
+    [one] { $pixels } pixel differs
+   *[other] { $pixels } pixels differ
+}
+crosscheck-povray-edges = { $pixels ->
+    [one] { $pixels } pixel differs
+   *[other] { $pixels } pixels differ
+}, where a face, a shadow, a pattern or what is seen in mirrors and glass ends
+crosscheck-povray-total = in { $pixels ->
+    [one] { $pixels } pixel
+   *[other] { $pixels } pixels
+}, not compared: POV-Ray has it otherwise
+crosscheck-mitsuba-off = { $wrong } of { $pixels ->
+    [one] { $pixels } pixel
+   *[other] { $pixels } pixels
+} show another shape, place or normal ({ $percent } %)
+crosscheck-mitsuba-silhouettes = not compared: { $pixels ->
+    [one] { $pixels } pixel
+   *[other] { $pixels } pixels
+} at the edges of shapes and faces
+crosscheck-mitsuba-cut = { $pixels ->
+    [one] { $pixels } pixel
+   *[other] { $pixels } pixels
+} where parts without end are cut off in the translation
+crosscheck-mitsuba-undecided = { $pixels ->
+    [one] { $pixels } pixel
+   *[other] { $pixels } pixels
+} where single precision, which Mitsuba computes in, takes something else for what is seen
+crosscheck-mitsuba-shared = { $pixels ->
+    [one] { $pixels } pixel
+   *[other] { $pixels } pixels
+} where the surfaces of two shapes are in one place, and which of them is seen is arbitrary: { $pairs }
+crosscheck-mitsuba-differences = { $pixels ->
+    [one] { $pixels } pixel
+   *[other] { $pixels } pixels
+}; positions differ by at most { $distance }, { $share } of what is allowed; normals by at most { $angle }°
 crosscheck-how-povray = with `apt-get install povray` or `brew install povray`, or from https://www.povray.org
 crosscheck-how-mitsuba = with `pip install mitsuba numpy`, and name that Python with --program
 

@@ -147,7 +147,11 @@ line-unreadable = nelze přečíst: { $reason }
 line-too-long = řádek je delší než { $max } bajtů
 number-out-of-range = { $word } je mimo rozsah
 not-a-number = { $word } není číslo
-wrong-count = očekává se { $expected } čísel, je jich { $found }
+wrong-count = { $expected ->
+    [one] očekává se { $expected } číslo
+    [few] očekávají se { $expected } čísla
+   *[other] očekává se { $expected } čísel
+}, nalezeno jich je { $found }
 zero-direction = směr je nulový vektor
 
 ## Srovnávání
@@ -165,7 +169,11 @@ camera-of-no-squares = kamera { $id } nemá při { $size } čtvercové pixely a 
 camera-of-never-squares = kamera { $id } nemá při { $size } čtvercové pixely; takovou kameru Mitsuba nezná a žádná jiná --size nepomůže
 too-many-triangles = bylo by třeba nejméně { $needed } trojúhelníků, ale vytvoří se jich nejvýše { $most }: zvolte větší --tolerance nebo menší část scény
 too-many-to-count = --tolerance je příliš malá: trojúhelníků by bylo tolik, že je nelze ani spočítat, a vytvoří se jich nejvýše { $most }: zvolte větší
-too-many-joined = vzájemně se překrývá { $solids } těles, mezi nimi tvar { $shape }, a mají příliš mnoho trojúhelníků na to, aby se spojila: zvolte větší --tolerance nebo menší část scény
+too-many-joined = vzájemně se { $solids ->
+    [one] překrývá { $solids } těleso
+    [few] překrývají { $solids } tělesa
+   *[other] překrývá { $solids } těles
+}, mezi nimi tvar { $shape }, a mají příliš mnoho trojúhelníků na to, aby se spojila: zvolte větší --tolerance nebo menší část scény
 mesh-without-name = scéna ze standardního vstupu nemá jméno: zadejte pomocí -o, kam zapsat soubor { $format }
 would-overwrite-image = { $path } je obrázek, který scéna používá, a byl by přepsán: zvolte pro výstup jiné jméno
 mesh-on-stdout = síť se zapisuje do souboru: zadejte ho pomocí -o
@@ -227,6 +235,32 @@ usage-flag = `{ $arg }` se píše bez hodnoty, ale uvedena je `{ $text }`
 usage-value = `{ $text }` není hodnota pro `{ $arg }`
 usage-not-text = některý argument není text v UTF-8
 usage-values = možnosti jsou { $values }
+
+# Co má ruff a co se v zpg jmenuje jinak, nebo to v něm není.
+
+habit-add-allow = zpg má místo toho `zpg check --add-allow`
+habit-analyze = takový příkaz zpg nemá; `zpg plan` vypíše, které efekty scéna potřebuje
+habit-cache = zpg si nic neukládá do mezipaměti
+habit-config = takový příkaz zpg nemá; `zpg check --show-settings` vypíše všechna nastavení a `--config` jedno změní
+habit-exclude = zpg má místo toho `--exclude`, které nahrazuje `exclude` ze zpg.toml
+habit-exit-non-zero = taková volba není; `--diff` nic nezapíše a skončí s kódem 1, když by se něco změnilo
+habit-extension = taková volba není; zpg pozná scénu podle obsahu
+habit-fix-only = taková volba není; `zpg check --fix` opraví, co lze, a vypíše, co zbývá; s `--exit-zero` skončí s kódem 0
+habit-fixable = taková volba není; `--fix` opraví vše, co je jisté, a `--select` a `--ignore` vybírají, co se hledá
+habit-gitignore = taková volba není; při procházení složek platí .gitignore vždy
+habit-ignore = zpg má místo toho `--ignore`
+habit-ignore-allow = taková volba není; komentáře, které povolují nálezy, platí vždy
+habit-line-length = zpg má místo toho `--config format.width=100`
+habit-linter = takový příkaz zpg nemá; všechny kódy vypíše `zpg explain`
+habit-per-file-ignores = zpg má místo toho {"`"}--config 'lint.per-file-ignores={"{"}"*" = ["W310"]{"}"}'`
+habit-preview = taková volba není; všechna pravidla zpg jsou stálá
+habit-server = zpg má místo toho `zpg lsp`
+habit-show-fixes = taková volba není; co by `--fix` změnilo, ukáže `--diff`
+habit-silent = zpg má místo toho `--quiet`
+habit-target-version = taková volba není; jazyk scén má jedinou verzi
+habit-verbose = taková volba není; zpg vypíše vše, co našlo
+habit-version = zpg má místo toho `zpg --version`
+
 with-reason = { $what }: { $reason }
 with-near = { $what }; měli jste na mysli { $near }?
 

@@ -144,7 +144,10 @@ line-too-long = the line is longer than { $max } bytes
 point-out-of-range = a transformation takes the point out of the range of double precision
 number-out-of-range = { $word } is out of range
 not-a-number = { $word } is not a number
-wrong-count = expected { $expected } numbers, found { $found }
+wrong-count = expected { $expected ->
+    [one] { $expected } number
+   *[other] { $expected } numbers
+}, found { $found }
 zero-direction = the direction is the zero vector
 
 ## Comparing
@@ -162,7 +165,10 @@ camera-of-no-squares = camera { $id } has pixels that are not squares at { $size
 camera-of-never-squares = camera { $id } has pixels that are not squares at { $size }, Mitsuba has no such camera, and no other --size helps
 too-many-triangles = this takes at least { $needed } triangles, and at most { $most } are made: choose a larger --tolerance or a smaller part of the scene
 too-many-to-count = the --tolerance is too small for the triangles to be counted, and at most { $most } are made: choose a larger one
-too-many-joined = { $solids } solids overlap each other, the shape { $shape } among them, and have too many triangles to be joined: choose a larger --tolerance or a smaller part of the scene
+too-many-joined = { $solids ->
+    [one] { $solids } solid overlaps others
+   *[other] { $solids } solids overlap each other
+}, the shape { $shape } among them, and have too many triangles to be joined: choose a larger --tolerance or a smaller part of the scene
 mesh-without-name = a scene from standard input has no name: say with -o where to write the { $format } file
 would-overwrite-image = { $path } is a picture that the scene uses and would be overwritten: choose another name for what is written
 mesh-on-stdout = a mesh is written to a file: name one with -o
@@ -222,6 +228,32 @@ usage-flag = `{ $arg }` takes no value, but `{ $text }` is given
 usage-value = `{ $text }` is not a value of `{ $arg }`
 usage-not-text = an argument is no text in UTF-8
 usage-values = there are { $values }
+
+# What ruff has and zpg calls otherwise, or has not.
+
+habit-add-allow = zpg calls it `zpg check --add-allow`
+habit-analyze = zpg has no such command; `zpg plan` says which effects a scene needs
+habit-cache = zpg keeps no cache
+habit-config = zpg has no such command; `zpg check --show-settings` shows all settings, and `--config` changes one
+habit-exclude = zpg calls it `--exclude`, which counts in place of `exclude` in zpg.toml
+habit-exit-non-zero = there is none; `--diff` writes nothing and exits with 1 where something would change
+habit-extension = there is none; zpg knows a scene by what is in it
+habit-fix-only = there is none; `zpg check --fix` mends and then reports what is left, and `--exit-zero` makes its exit status 0
+habit-fixable = there is none; `--fix` mends all that is certain, and `--select` and `--ignore` choose what is looked for
+habit-gitignore = there is none; zpg always honours .gitignore in folders
+habit-ignore = zpg calls it `--ignore`
+habit-ignore-allow = there is none; the comments that allow findings always count
+habit-line-length = zpg calls it `--config format.width=100`
+habit-linter = zpg has no such command; `zpg explain` lists all codes
+habit-per-file-ignores = zpg calls it {"`"}--config 'lint.per-file-ignores={"{"}"*" = ["W310"]{"}"}'`
+habit-preview = there is none; all rules of zpg are stable
+habit-server = zpg calls it `zpg lsp`
+habit-show-fixes = there is none; `--diff` shows what `--fix` would change
+habit-silent = zpg calls it `--quiet`
+habit-target-version = there is none; the scene language has one version
+habit-verbose = there is none; zpg says all that it found
+habit-version = zpg calls it `zpg --version`
+
 with-reason = { $what }: { $reason }
 with-near = { $what }; did you mean { $near }?
 
@@ -259,7 +291,10 @@ lsp-profile-colour = colour of point { $place }: { $name }
 lsp-render = Render
 lsp-preview = Preview
 lsp-crosscheck = Check in POV-Ray
-lsp-used = used { $count } times
+lsp-used = used { $count ->
+    [one] once
+   *[other] { $count } times
+}
 lsp-no-id = there is no ID here
 lsp-render-id = 1 is the ID of the render record and stays so
 lsp-reserved-id = 1 is kept for the render record

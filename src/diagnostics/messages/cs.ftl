@@ -87,7 +87,11 @@ folded-row = { $count ->
     [few] ještě { $count } záznamy jako ten na řádku { $line }, na místech { $places }
    *[other] ještě { $count } záznamů jako ten na řádku { $line }, na místech { $places }
 }
-folded-cut = ještě { $count } takových nálezů, první na místech { $places }
+folded-cut = { $count ->
+    [one] ještě { $count } takový nález, na místě { $places }
+    [few] ještě { $count } takové nálezy, první na místech { $places }
+   *[other] ještě { $count } takových nálezů, první na místech { $places }
+}
 
 ## Společné věty
 

@@ -81,7 +81,10 @@ folded-row = { $count ->
     [one] { $count } more record like the one on line { $line }, at { $places }
    *[other] { $count } more records like the one on line { $line }, at { $places }
 }
-folded-cut = { $count } more findings like these nine, the first at { $places }
+folded-cut = { $count ->
+    [one] { $count } more finding like these nine, at { $places }
+   *[other] { $count } more findings like these nine, the first at { $places }
+}
 
 ## Shared phrases
 
@@ -131,10 +134,16 @@ E003-decimal-commas = { $text } and other numbers of this line have a decimal co
     .label = read as { $number }
     .help = { E003-decimal-comma.help }
     .fix = write a point in each
-E003-dashes = { $text } is not a number: { $count } numbers in this file have a typographic dash for their minus
+E003-dashes = { $text } is not a number: { $count ->
+    [one] { $count } number in this file has a typographic dash for its minus
+   *[other] { $count } numbers in this file have a typographic dash for their minus
+}
     .label = a dash, not a minus
     .help = copying from a PDF turns a minus into a dash; here it must be `-`
-    .fix = write `-` in all { $count } places
+    .fix = write `-` in { $count ->
+        [one] this place
+       *[other] all { $count } places
+    }
 E003-colour = a colour is three numbers, not { $text }
     .label = in linear red, green and blue: { $number }
     .help = the numbers go from 0 to 1 and are linear; hexadecimal digits and the names of CSS are sRGB
@@ -189,7 +198,10 @@ E007-minus = { $kinds ->
 }
     .label = a minus is missing here
     .help = types of operations, properties, lights and cameras are negative; copying from a PDF may lose the minus
-    .fix = write the minus in all { $count } records
+    .fix = write the minus in { $count ->
+        [one] this record
+       *[other] all { $count } records
+    }
 
 E008 = too few numbers: { $type-a } takes { $fewer ->
     [none] {""}

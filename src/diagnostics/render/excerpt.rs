@@ -126,9 +126,8 @@ pub(super) fn with_line_numbers<'a>(
     lines: impl Iterator<Item = &'a str>,
     sections: &[(usize, Excerpt)],
 ) -> String {
-    let digits = |number: usize| number.checked_ilog10().unwrap_or(0) as usize + 1;
     let all = || sections.iter().map(|(_, excerpt)| excerpt);
-    let ours = all().map(|e| digits(e.numbers()[1])).max().unwrap_or(1);
+    let ours = margin(sections) - 2;
     let theirs = all()
         .map(|e| e.numbers()[1] + 1 - e.numbers()[0])
         .map(digits);
@@ -164,6 +163,16 @@ pub(super) fn with_line_numbers<'a>(
         out.push('\n');
     }
     out
+}
+
+/// How wide the margin is: a space on each side of the largest number.
+pub(super) fn margin(sections: &[(usize, Excerpt)]) -> usize {
+    let last = sections.iter().map(|(_, excerpt)| excerpt.numbers()[1]);
+    last.map(digits).max().unwrap_or(1) + 2
+}
+
+fn digits(number: usize) -> usize {
+    number.checked_ilog10().unwrap_or(0) as usize + 1
 }
 
 /// What is before the text on a line of ariadne's.

@@ -6,7 +6,9 @@ use std::io::{self, Write};
 use ariadne::{Cache, CharSet, Color, Config, Fmt, IndexType, Label, Report, ReportKind, Source};
 
 use super::excerpt::{self, Excerpt, MARK};
+use super::labels;
 use super::visible;
+use crate::diagnostics::layout::wrapped_if;
 use crate::diagnostics::source::Locator;
 use crate::diagnostics::wording::Wording;
 use crate::diagnostics::{
@@ -22,6 +24,8 @@ const FAR: usize = 50;
 pub struct Look {
     pub colour: bool,
     pub language: Language,
+    /// How wide lines may be; as wide as they are if not said. Lines of the scene are shown as they are.
+    pub width: Option<usize>,
 }
 
 /// Writes a file's findings, in the order they are given.
@@ -93,6 +97,9 @@ const TOGETHER: usize = 512;
 const SHOWN: usize = 9;
 /// Of those that are not shown, so many are named by their places.
 const PLACES: usize = 6;
+
+/// Notes are no narrower than this, however narrow the terminal is.
+const LEAST_ROOM: usize = 20;
 
 /// From so many on, records that lack the same as the one before them become a count.
 const ROW: usize = 3;
@@ -174,6 +181,11 @@ impl Printer<'_> {
         self.file.line_index(self.file.floor(span.start))
     }
 
+    /// A line outside of the frame.
+    fn say(&self, out: &mut dyn Write, line: &str) -> io::Result<()> {
+        writeln!(out, "{}", wrapped_if(line, self.look.width, "  "))
+    }
+
     /// The text of some findings, one after the other.
     fn texts(&self, some: &[&Diagnostic]) -> io::Result<Vec<u8>> {
         let mut locator = Locator::new(self.file);
@@ -190,7 +202,7 @@ impl Printer<'_> {
         let severity = language.say(d.severity.as_str(), &[]);
         let head = format!("{severity}[{}]:", d.code.as_str());
         let head = head.fg(self.paint(severity_colour(d.severity)));
-        writeln!(out, "{head} {}", visible(&words.message))?;
+        self.say(out, &format!("{head} {}", visible(&words.message)))?;
 
         let marks = self.marks(d, &words);
         let report = self.report(d, &words, &marks)?;
@@ -215,7 +227,9 @@ impl Printer<'_> {
             ("line", (self.line(row.first.span) + 1).to_string().into()),
             ("places", places.join(", ").into()),
         ];
-        writeln!(out, "{head} {}\n", language.say("folded-row", &values))
+        let text = language.say("folded-row", &values);
+        self.say(out, &format!("{head} {text}"))?;
+        writeln!(out)
     }
 
     fn write_fold(&self, out: &mut dyn Write, code: &str, fold: &Fold) -> io::Result<()> {
@@ -234,7 +248,8 @@ impl Printer<'_> {
             ("count", Value::Count(fold.more as u64)),
             ("places", fold.places.join(", ").into()),
         ];
-        writeln!(out, "{head} {}\n", language.say(message, &values))
+        self.say(out, &format!("{head} {}", language.say(message, &values)))?;
+        writeln!(out)
     }
 
     /// The places of a finding by section and line, those of the first place's section first.
@@ -292,10 +307,20 @@ impl Printer<'_> {
                     .with_color(colour),
             );
         }
+        // The margin with the numbers of lines, and what the frame has before a note: ` 12 │ Note: `, `Note 1: ` of several.
+        let margin = excerpt::margin(&sections) + 2;
+        let room = |several: bool| {
+            let name = if several { 8 } else { 6 };
+            self.look
+                .width
+                .map(|w| w.saturating_sub(margin + name).max(LEAST_ROOM))
+        };
+        let several = words.notes.len() > 1;
         for note in &words.notes {
-            report.add_note(visible(note));
+            report.add_note(wrapped_if(&visible(note), room(several), ""));
         }
-        for help in self.helps(d, words) {
+        let several = words.help.iter().count() + d.fixes.len() > 1;
+        for help in self.helps(d, words, room(several)) {
             report.add_help(help);
         }
         let mut text = Vec::new();
@@ -306,6 +331,10 @@ impl Printer<'_> {
         let text = String::from_utf8_lossy(&text);
         let lines = text.lines().skip(1);
         let text = excerpt::with_line_numbers(lines, &sections);
+        let text = match self.look.width {
+            Some(width) => labels::within(&text, width),
+            None => text,
+        };
         Ok(match self.look.language {
             Language::English => text,
             // Words of the same length, lest the lines below them be out of line.
@@ -343,30 +372,36 @@ impl Printer<'_> {
     }
 
     /// The help, and what the fixes propose: one of them is to be chosen.
-    fn helps(&self, d: &Diagnostic, words: &Wording) -> Vec<String> {
-        let help = words.help.iter().map(|h| visible(h).into_owned());
+    fn helps(&self, d: &Diagnostic, words: &Wording, width: Option<usize>) -> Vec<String> {
+        let help = words
+            .help
+            .iter()
+            .map(|h| wrapped_if(&visible(h), width, ""));
         let other = |title: &String| {
             let title = [("title", title.clone().into())];
             self.look.language.say("or-fix", &title)
         };
         let fixes = d.fixes.iter().zip(&words.fixes).enumerate();
         let fixes = fixes.map(|(i, (fix, title))| match i {
-            0 => self.proposal(fix, title),
-            _ => self.proposal(fix, &other(title)),
+            0 => self.proposal(fix, title, width),
+            _ => self.proposal(fix, &other(title), width),
         });
         help.chain(fixes).collect()
     }
 
     /// A fix: its title, and the line as it would be.
-    fn proposal(&self, fix: &Fix, title: &str) -> String {
+    fn proposal(&self, fix: &Fix, title: &str, width: Option<usize>) -> String {
         let title = visible(title);
         let title = match fix.applicability {
             Applicability::Safe => title.into_owned(),
             Applicability::Unsafe => format!("{title} {}", self.look.language.say("guess", &[])),
         };
         match fixed_lines(self.file, fix).as_slice() {
-            [] => title,
-            lines => format!("{title}:\n{}", lines.join("\n")),
+            [] => wrapped_if(&title, width, ""),
+            lines => {
+                let title = wrapped_if(&format!("{title}:"), width, "");
+                format!("{title}\n{}", lines.join("\n"))
+            }
         }
     }
 }

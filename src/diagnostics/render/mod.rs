@@ -2,8 +2,11 @@
 
 mod excerpt;
 pub mod github;
+pub mod gitlab;
 pub mod human;
 pub mod json;
+pub mod junit;
+mod labels;
 pub mod sarif;
 pub mod short;
 

@@ -1,7 +1,7 @@
 //! Limits on how many triangles there may be, and how much work is put into joining them, so that a
 //! small tolerance ends in words and not in full memory or never.
 
-use crate::diagnostics::Complaint;
+use crate::diagnostics::{Complaint, Value};
 
 /// The most triangles that are made: about two gigabytes of them.
 pub const MOST_TRIANGLES: u64 = 1 << 25;
@@ -62,7 +62,7 @@ impl TooMany {
                 .with("needed", format!("{needed:.3e}"))
                 .with("most", most.to_string()),
             TooMany::Joined { solids, shape } => Complaint::new("too-many-joined")
-                .with("solids", solids.to_string())
+                .with("solids", Value::Count(*solids as u64))
                 .with("shape", shape.to_string()),
         }
     }

@@ -1,0 +1,158 @@
+//! Text in lines that are no wider than a terminal.
+
+use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm, core::display_width};
+
+/// Words in lines no wider than this, if no word is; lines after the first begin with `indent`. Lines that the text has
+/// stay lines.
+pub fn wrapped(text: &str, width: usize, indent: &str) -> String {
+    let options = Options::new(width)
+        .subsequent_indent(indent)
+        .break_words(false)
+        .word_separator(WordSeparator::AsciiSpace)
+        .word_splitter(WordSplitter::NoHyphenation)
+        .wrap_algorithm(WrapAlgorithm::FirstFit);
+    let text = together(text, width / 2);
+    let lines = text.split('\n').map(|line| textwrap::fill(line, &options));
+    lines.collect::<Vec<_>>().join("\n").replace(BOUND, " ")
+}
+
+/// A space where no line ends. No text has this character, which means nothing.
+const BOUND: char = '\u{e000}';
+
+/// What stands between backquotes is a command or a record to be copied: no line ends in it, unless it is longer than this.
+fn together(text: &str, longest: usize) -> String {
+    let mut out = String::with_capacity(text.len());
+    for (i, part) in text.split('`').enumerate() {
+        if i > 0 {
+            out.push('`');
+        }
+        match i % 2 == 1 && part.len() <= longest && !part.contains('\n') {
+            true => out.extend(part.chars().map(|c| if c == ' ' { BOUND } else { c })),
+            false => out.push_str(part),
+        }
+    }
+    out
+}
+
+/// A line of columns, or of an example: what is too long goes on below its last column that has room, or farther in.
+pub fn hanging(line: &str, width: usize) -> String {
+    if display_width(line) <= width {
+        return line.to_owned();
+    }
+    let indent = line.len() - line.trim_start().len();
+    // Columns are set off by two spaces at the least.
+    let starts = line.match_indices("  ").map(|(at, gap)| at + gap.len());
+    let is_start = |at: &usize| *at > indent && !line[*at..].starts_with(' ');
+    let columns = starts.filter(is_start).map(|at| display_width(&line[..at]));
+    let column = columns
+        .filter(|column| column + LEAST_COLUMN <= width)
+        .last();
+    wrapped(line, width, &" ".repeat(column.unwrap_or(indent + 4)))
+}
+
+/// A column is no narrower than this.
+const LEAST_COLUMN: usize = 24;
+
+/// Paragraphs in lines no wider than this; indented lines are columns or examples.
+pub fn paragraphs(text: &str, width: usize) -> String {
+    let mut out: Vec<String> = Vec::new();
+    let mut words = String::new();
+    for line in text.lines().chain([""]) {
+        let is_text = !line.is_empty() && !line.starts_with(' ');
+        if is_text {
+            if !words.is_empty() {
+                words.push(' ');
+            }
+            words += line;
+            continue;
+        }
+        if !words.is_empty() {
+            out.push(wrapped(&std::mem::take(&mut words), width, ""));
+        }
+        out.push(hanging(line, width));
+    }
+    // The empty line at the end is none of the text's.
+    out.pop();
+    out.join("\n")
+}
+
+/// The same where there is a width at all.
+pub fn wrapped_if(text: &str, width: Option<usize>, indent: &str) -> String {
+    width.map_or_else(|| text.to_owned(), |width| wrapped(text, width, indent))
+}
+
+/// Entries with ` · ` between them, in lines no wider than this: a line ends between two entries where it can, and then
+/// with the point.
+pub fn listed(first: &str, entries: &[String], width: usize, indent: &str) -> String {
+    let mut lines = Vec::new();
+    let mut line = first.to_owned();
+    for (i, entry) in entries.iter().enumerate() {
+        let is_last = i + 1 == entries.len();
+        let entry = if is_last {
+            entry.clone()
+        } else {
+            format!("{entry} ·")
+        };
+        let space = if line.is_empty() || i == 0 { "" } else { " " };
+        let fits = |text: &str| display_width(text) <= width;
+        let longer = format!("{line}{space}{entry}");
+        if i == 0 || fits(&longer) {
+            line = longer;
+        } else {
+            lines.push(std::mem::replace(&mut line, format!("{indent}{entry}")));
+        }
+    }
+    lines.push(line);
+    let all: Vec<String> = (lines.iter())
+        .map(|line| wrapped(line, width, indent))
+        .collect();
+    all.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_stay_whole_and_lines_within_the_width() {
+        let text = "eins zwei drei  vier\nfünf -v--x";
+        assert_eq!(
+            wrapped(text, 10, "  "),
+            "eins zwei\n  drei\n  vier\nfünf -v--x"
+        );
+        assert_eq!(
+            wrapped("a-very-long-name of", 6, ""),
+            "a-very-long-name\nof"
+        );
+        // Colours take no room.
+        assert_eq!(
+            wrapped("\u{1b}[31mred\u{1b}[0m blue", 8, ""),
+            "\u{1b}[31mred\u{1b}[0m blue"
+        );
+        assert_eq!(wrapped_if("a b", None, ""), "a b");
+        // What is to be copied stays on a line.
+        assert_eq!(wrapped("see `a b c` there", 10, ""), "see\n`a b c`\nthere");
+        assert_eq!(wrapped("see `a b c d e`", 10, ""), "see `a b c\nd e`");
+    }
+
+    #[test]
+    fn columns_stay_columns() {
+        let text =
+            "one two\nthree four\n\n  abc  eins zwei drei vier f\u{fc}nf sechs sieben acht\nfive";
+        assert_eq!(
+            paragraphs(text, 40),
+            "one two three four\n\n  abc  eins zwei drei vier f\u{fc}nf sechs\n       sieben acht\nfive"
+        );
+        assert_eq!(hanging("  a command line", 12), "  a command\n      line");
+    }
+
+    #[test]
+    fn lists_end_their_lines_with_the_point() {
+        let entries = ["one one", "two", "three"].map(str::to_owned);
+        assert_eq!(listed("", &entries, 40, ""), "one one · two · three");
+        assert_eq!(
+            listed("x: ", &entries, 16, "  "),
+            "x: one one ·\n  two · three"
+        );
+    }
+}

@@ -1,0 +1,149 @@
+//! What ruff calls otherwise.
+
+use std::path::Path;
+
+use crate::support::program::{self, folder, text};
+
+const SCENE: &str = "1 9999 2 0\n2 11 0 0 0 -1\n";
+
+fn said(folder: &Path, arguments: &[&str]) -> String {
+    let run = program::zpg(folder, arguments, "");
+    text(&run.stdout) + &text(&run.stderr)
+}
+
+#[test]
+fn names_of_ruff_are_understood() {
+    let dir = folder(&[("a.zpg", SCENE), ("old/b.zpg", SCENE)]);
+    for (theirs, ours) in [
+        (
+            &["check", "--output-format", "short"][..],
+            &["check", "--format", "short"][..],
+        ),
+        (&["rule", "E101"], &["explain", "E101"]),
+        (&["format", "--diff"], &["fmt", "--diff"]),
+    ] {
+        let answer = said(dir.path(), theirs);
+        assert!(answer.len() > 20, "{answer}");
+        assert_eq!(answer, said(dir.path(), ours));
+    }
+    let help = said(dir.path(), &["check", "--help"]);
+    assert!(help.contains("-w, --watch"), "{help}");
+}
+
+#[test]
+fn patterns_leave_out_files() {
+    let settings = "exclude = [\"a.zpg\"]\n";
+    let dir = folder(&[
+        ("a.zpg", SCENE),
+        ("old/b.zpg", SCENE),
+        ("c.zpg", SCENE),
+        ("zpg.toml", settings),
+    ]);
+    let files = |arguments: &[&str]| {
+        let run = program::zpg(
+            dir.path(),
+            &[&["check", "--show-files"], arguments].concat(),
+            "",
+        );
+        let names = text(&run.stdout);
+        let name = |line: &str| Path::new(line).file_name().unwrap().to_owned();
+        names.lines().map(name).collect::<Vec<_>>()
+    };
+    assert_eq!(files(&[]), ["c.zpg", "b.zpg"]);
+    // As in ruff, the option counts in place of the setting.
+    assert_eq!(files(&["--exclude", "old"]), ["a.zpg", "c.zpg"]);
+    assert_eq!(files(&["--exclude", "old,c.zpg"]), ["a.zpg"]);
+    assert_eq!(files(&["--exclude", "old", "--exclude", "a*"]), ["c.zpg"]);
+    let diff = said(dir.path(), &["fmt", "--check", "--exclude", "*.zpg"]);
+    assert!(!diff.contains("b.zpg"), "{diff}");
+    let wrong = said(dir.path(), &["check", "--exclude", "a["]);
+    assert!(wrong.contains("`a[` is no pattern of files"), "{wrong}");
+}
+
+#[test]
+fn more_codes_are_selected() {
+    let off = "[lint]\nall = \"off\"\n";
+    let scene = "1 9999 2 0\n2 11 0 0 0 1\n3 11 5 0 0 1\n";
+    let dir = folder(&[("a.zpg", scene), ("zpg.toml", off)]);
+    let short = |arguments: &[&str]| {
+        said(
+            dir.path(),
+            &[&["check", "--format", "short"], arguments].concat(),
+        )
+    };
+    assert_eq!(short(&[]), "");
+    let camera = short(&["--extend-select", "N602"]);
+    assert!(
+        camera.contains(" N602 ") && camera.lines().count() == 1,
+        "{camera}"
+    );
+    // What is on stays on.
+    let both = short(&["--isolated", "--extend-select", "N602"]);
+    assert!(both.lines().count() > 1, "{both}");
+    assert_eq!(both, short(&["--isolated"]));
+    assert_eq!(
+        short(&["--select", "W3", "--extend-select", "N602"])
+            .lines()
+            .count(),
+        camera.lines().count() + short(&["--select", "W3"]).lines().count()
+    );
+}
+
+#[test]
+fn other_words_of_ruff_have_an_answer() {
+    let dir = folder(&[("a.zpg", SCENE)]);
+    for (arguments, answer) in [
+        (
+            &["check", "--fix-only"][..],
+            "`zpg check --fix` mends and then reports what is left",
+        ),
+        (
+            &["check", "--show-fixes"],
+            "`--diff` shows what `--fix` would change",
+        ),
+        (
+            &["check", "--add-noqa"],
+            "zpg calls it `zpg check --add-allow`",
+        ),
+        (
+            &["check", "--extend-exclude=old"],
+            "zpg calls it `--exclude`",
+        ),
+        (&["check", "--no-cache"], "zpg keeps no cache"),
+        (&["check", "--verbose"], "zpg says all that it found"),
+        (&["check", "-v"], "zpg says all that it found"),
+        (
+            &["format", "--line-length", "100"],
+            "zpg calls it `--config format.width=100`",
+        ),
+        (
+            &["config"],
+            "`zpg check --show-settings` shows all settings",
+        ),
+        (&["server"], "zpg calls it `zpg lsp`"),
+        (&["version"], "zpg calls it `zpg --version`"),
+        (
+            &["check", "--per-file-ignores", "*:W310"],
+            "`--config 'lint.per-file-ignores={\"*\" = [\"W310\"]}'`",
+        ),
+    ] {
+        let run = program::zpg(dir.path(), arguments, "");
+        assert_eq!(run.status.code(), Some(2), "{arguments:?}");
+        let error = text(&run.stderr);
+        assert!(error.contains(answer), "{arguments:?}: {error}");
+        assert!(!error.contains("did you mean"), "{arguments:?}: {error}");
+    }
+    // What is proposed is right.
+    for proposal in [
+        &[
+            "check",
+            "--config",
+            "lint.per-file-ignores={\"*\" = [\"W310\"]}",
+        ][..],
+        &["fmt", "--check", "--config", "format.width=100"],
+        &["--version"],
+    ] {
+        let run = program::zpg(dir.path(), proposal, "");
+        assert_ne!(run.status.code(), Some(2), "{proposal:?}");
+    }
+}
