@@ -10,6 +10,7 @@ mod trace_support;
 pub use campaign::rng;
 
 mod accuracy;
+mod accuracy_report;
 mod allowing;
 mod architecture;
 mod check;

@@ -291,3 +291,79 @@ fn a_message_in_both_languages() {
     let foreign = [("first", "{ $last }".into()), ("last", "{\"".into())];
     assert_eq!(Language::Czech.say("list-and", &foreign), "{ $last } a {\"");
 }
+
+/// What is counted in messages.
+const COUNTED: &str = "pixels rays records findings files parts shapes spheres triangles solids errors warnings notes \
+                       settings samples places points tiles numbers cameras lights faces cores objects lines";
+
+/// A number before a noun in the plural may be 1: "1 pixels". Where it may be, the message has a form for each. These
+/// numbers are sizes of pictures, limits, or numbers with a fraction.
+const NEVER_ONE: [&str; 20] = [
+    "$width",
+    "$height",
+    "$side",
+    "$max",
+    "$most",
+    "$size",
+    "$needed",
+    "$text",
+    "$parts",
+    "$error",
+    "$goal",
+    "$ulps",
+    "$largest",
+    "$percent",
+    "$first-id",
+    "$second-id",
+    "$solid-id",
+    "$other-id",
+    "$operand-id",
+    "$id",
+];
+
+#[test]
+fn counts_stand_before_the_right_form() {
+    let text = messages_of("en");
+    let mut wrong = Vec::new();
+    for line in text.lines() {
+        let is_form = line.trim_start().starts_with(['[', '*']);
+        let parts: Vec<&str> = line.split("{ ").collect();
+        for part in parts.iter().skip(1).filter(|_| !is_form) {
+            let Some((name, rest)) = part.split_once(" }") else {
+                continue;
+            };
+            let noun = |word: &str| {
+                COUNTED
+                    .split(' ')
+                    .any(|c| c == word.trim_end_matches([',', '.', ';', ':']))
+            };
+            let words: Vec<&str> = rest.split(' ').skip(1).take(2).collect();
+            // A pixel by pixel is none.
+            let is_plural =
+                rest.starts_with(' ') && words.iter().any(|w| noun(w)) && !words.contains(&"of");
+            if name.starts_with('$') && is_plural && !NEVER_ONE.contains(&name) {
+                wrong.push(line);
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn one_is_one_in_both_languages() {
+    let one = [("pixels", Value::Count(1))];
+    let four = [("pixels", Value::Count(4))];
+    let english = |values: &[_]| Language::English.say("crosscheck-povray-on", values);
+    assert_eq!(english(&one), "1 pixel differs");
+    assert_eq!(english(&four), "4 pixels differ");
+    let expected = |n| {
+        let values = [("expected", Value::Count(n)), ("found", "7".into())];
+        Language::Czech.say("wrong-count", &values)
+    };
+    assert_eq!(expected(3), "očekávají se 3 čísla, nalezeno jich je 7");
+    assert_eq!(expected(6), "očekává se 6 čísel, nalezeno jich je 7");
+    let left = |n| Language::Czech.say("accuracy-more-rows", &[("left", Value::Count(n))]);
+    assert!(left(1).starts_with("1 další vyzkoušené nastavení je"));
+    assert!(left(3).starts_with("3 další vyzkoušená nastavení jsou"));
+    assert!(left(5).starts_with("5 dalších vyzkoušených nastavení je"));
+}

@@ -11,8 +11,9 @@ use std::time::Instant;
 
 use super::camera::{CameraArgs, one_camera};
 use super::draft::{self, try_folder, unwritable};
+use super::help;
 use super::size::Size;
-use super::terminal::{print, progress_bar, stop_on_interrupt};
+use super::terminal::{print, progress_bar, stop_on_interrupt, width};
 use super::{LookChoice, Status, complain, load_sound, refuse, usage};
 use crate::analysis::Analysis;
 use crate::analysis::file::STDIN;
@@ -46,6 +47,7 @@ pub struct Args {
     file: Option<PathBuf>,
 
     /// Width and height of the picture in pixels
+    #[arg(help_heading = help::PICTURE)]
     #[arg(
         long,
         value_name = "WxH",
@@ -62,14 +64,17 @@ pub struct Args {
     axes: Vec<AxisArg>,
 
     /// Timed runs of each setting [default: 5]
+    #[arg(help_heading = help::ACCURACY)]
     #[arg(long, value_name = "N", value_parser = runs, allow_negative_numbers = true)]
     runs: Option<usize>,
 
     /// About how long it may take: 90s, 2m, 1h [default: 2m]
+    #[arg(help_heading = help::ACCURACY)]
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     budget: Option<Seconds>,
 
     /// The error that is good enough, in steps of an 8-bit picture
+    #[arg(help_heading = help::ACCURACY)]
     #[arg(long, value_name = "STEPS", default_value_t = 1.0, value_parser = goal, allow_negative_numbers = true)]
     goal: f64,
 
@@ -181,7 +186,8 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
                 }
                 false => {
                     let report = in_language(&report, language);
-                    out.write_all(terminal::text(&report, language, Some(&page)).as_bytes())
+                    let text = terminal::text(&report, language, Some(&page), width());
+                    out.write_all(text.as_bytes())
                 }
             })
         }

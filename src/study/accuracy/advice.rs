@@ -19,6 +19,7 @@ pub fn advise(report: &mut Report, language: Language) {
         None => {
             let all = [
                 limit(report, language),
+                busy(report, language),
                 change(report, language),
                 numbers(report, language),
                 unchecked(report, language),
@@ -52,6 +53,15 @@ fn wrong_reference(report: &Report, language: Language) -> Option<Advice> {
     Some(Advice {
         what: "reference",
         text,
+    })
+}
+
+/// Times of a machine that does other things, too.
+fn busy(report: &Report, language: Language) -> Option<Advice> {
+    let times = words::times(language, report.too_busy()?);
+    Some(Advice {
+        what: "busy",
+        text: say(language, "accuracy-advice-busy", &[("times", times.into())]),
     })
 }
 
@@ -178,18 +188,21 @@ fn limit(report: &Report, language: Language) -> Option<Advice> {
                 }
             }
             None => {
-                let rows = report.of_kind(kind).filter(|r| r.times_default.is_some());
-                let best = rows.min_by(|a, b| a.steps().total_cmp(&b.steps()))?;
-                let times = words::times(language, best.times_default.unwrap_or(1.0));
-                text += &say(
-                    language,
-                    "accuracy-advice-even",
-                    &[
-                        ("option", best.option.clone().into()),
-                        ("error", error(best.steps()).into()),
-                        ("times", times.into()),
-                    ],
-                );
+                let rows = report
+                    .of_kind(kind)
+                    .filter(|r| !r.default && r.times_default.is_some());
+                if let Some(best) = rows.min_by(|a, b| a.steps().total_cmp(&b.steps())) {
+                    let times = words::times(language, best.times_default.unwrap_or(1.0));
+                    text += &say(
+                        language,
+                        "accuracy-advice-even",
+                        &[
+                            ("option", best.option.clone().into()),
+                            ("error", error(best.steps()).into()),
+                            ("times", times.into()),
+                        ],
+                    );
+                }
             }
         }
         if !others.is_empty() {

@@ -15,6 +15,8 @@ use std::time::Instant;
 /// The fewest pixels that are checked.
 pub const FEWEST: usize = 120;
 const MOST: usize = 960;
+/// So many are followed before the clock is looked at.
+const BATCH: usize = 40;
 
 /// Channels that differ by more, linear, and of what is above 1 by a larger share, are wrong: a tenth of a
 /// thousandth of a step. Doubles and double-double come within 1e-10.
@@ -99,7 +101,7 @@ fn unfit(unfit: Unfit) -> &'static str {
     }
 }
 
-/// Follows whole pixels, at least [`FEWEST`], more while `seconds` last. `colours` are those of the
+/// Follows whole pixels: [`FEWEST`] unless they take more than `most` seconds, and more while `seconds` last. `colours` are those of the
 /// reference, in the order of the tiles' pixels. In place of an answer comes the name of the message that
 /// says why there is none.
 pub fn check(
@@ -108,7 +110,7 @@ pub fn check(
     settings: &Settings,
     pixels: &[(usize, [u32; 2])],
     colours: &[Rgb],
-    seconds: f64,
+    [seconds, most]: [f64; 2],
 ) -> Result<Result<Checked, &'static str>, Error> {
     let start = Instant::now();
     let (depth, cutoff) = (settings.depth, settings.cutoff);
@@ -125,7 +127,7 @@ pub fn check(
         Err(why) => return Ok(Err(unfit(why))),
     };
     let mut checked = Checked::default();
-    for batch in pixels[..pixels.len().min(MOST)].chunks(FEWEST) {
+    for batch in pixels[..pixels.len().min(MOST)].chunks(BATCH) {
         let places: Vec<[u32; 2]> = batch.iter().map(|p| p.1).collect();
         let found = match naive.pixels(&places) {
             Ok(found) => found,
@@ -152,8 +154,11 @@ pub fn check(
             checked.largest = checked.largest.max(off);
         }
         // The next batch must fit, too.
-        let each = start.elapsed().as_secs_f64() / checked.pixels.max(1) as f64;
-        if each * (checked.pixels + FEWEST) as f64 > seconds {
+        let spent = start.elapsed().as_secs_f64();
+        let done = checked.pixels;
+        let next = spent * (1.0 + BATCH as f64 / done.max(1) as f64);
+        let allowed = if done < FEWEST { most } else { seconds };
+        if next > allowed {
             break;
         }
     }

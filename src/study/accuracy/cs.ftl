@@ -6,22 +6,29 @@ accuracy-kind-numbers = zaokrouhlování
 accuracy-kind-facets = plošky
 
 accuracy-advice-none = Nebylo dokončeno nic, z čeho by šlo radit.
-accuracy-advice-wrong = Reference je chybná: nezávislý sledovač paprsků se 71 číslicemi dává jinou barvu v { $wrong } z { $pixels } pixelů (největší rozdíl { $largest }, kde bílá je 1, na místech { $places }). Proto tu není žádná rada. Nahlaste prosím tuto scénu.
+accuracy-advice-wrong = Reference je chybná: nezávislý sledovač paprsků se 71 číslicemi dává jinou barvu v { $wrong } z { $pixels ->
+    [one] { $pixels } pixelu
+   *[other] { $pixels } pixelů
+} (největší rozdíl { $largest }, kde bílá je 1, na místech { $places }). Proto tu není žádná rada. Nahlaste prosím tuto scénu.
 accuracy-advice-unchecked = Referenci neověřil nezávislý sledovač paprsků: { $why }.
 accuracy-advice-enough = Výchozí nastavení stačí: žádný druh chyby nedosahuje { $goal } kroku osmibitového obrázku (největší: { $kind }, { $error }).
-accuracy-advice-limit = Největší chyba tohoto obrázku: { $kind }, { $error } kroku při výchozím nastavení (střední kvadratická odchylka; krok je 1/255).
+accuracy-advice-limit = Největší chybu v tomto obrázku působí { $kind }: při výchozím nastavení se pixely odchylují o { $error } kroku (střední kvadratická odchylka). Krok je 1/255 bílé, nejmenší rozdíl, který osmibitový obrázek dokáže zobrazit.
 accuracy-at-most = nejvýše { $error }
-accuracy-advice-set = `{ $option }` ji sníží na { $error } za { $times }násobek času.
-accuracy-advice-dearer = `{ $option }` ji sníží na { $error }, za { $times }násobek času.
-accuracy-advice-even = I `{ $option }`, za { $times }násobek času, ponechá { $error }.
+accuracy-advice-set = S `{ $option }` je tato chyba { $error } kroku a obrázek trvá { $times }krát tak dlouho jako s výchozím nastavením.
+accuracy-advice-dearer = S `{ $option }` je { $error } kroku, ale obrázek trvá { $times }krát tak dlouho.
+accuracy-advice-even = I `{ $option }`, s nímž obrázek trvá { $times }krát tak dlouho jako s výchozím nastavením, ponechá chybu { $error } kroku.
+accuracy-advice-busy = Počítač byl na přesné měření času příliš zaneprázdněný: běhy trvaly { $times }násobek svého času procesoru, protože procesor používaly i jiné programy. Než se na časy spolehnete, ukončete je a měřte znovu.
 accuracy-advice-others = Každý z ostatních druhů chyby je při výchozím nastavení menší než { $error } kroku.
 accuracy-price = za { $percent } % času navíc
 accuracy-price-none = bez měřitelného času navíc
-accuracy-advice-repair = Z { $pixels } prohlédnutých pixelů se jich kvůli zanedbanému světlu liší { $off } o víc než krok. `{ $option }` jich opraví { $right } { $price }.
+accuracy-advice-repair = Z { $pixels ->
+    [one] { $pixels } prohlédnutého pixelu
+   *[other] { $pixels } prohlédnutých pixelů
+} se jich kvůli zanedbanému světlu liší { $off } o víc než krok. `{ $option }` jich opraví { $right } { $price }.
 accuracy-advice-save = `{ $option }` ušetří { $percent } % času a žádný další pixel se neliší o víc než krok.
 accuracy-advice-no-change = Žádné nastavení neušetří desetinu času, aniž by to bylo vidět.
-accuracy-numbers-same = Dvojitá přesnost tu stačí: double-double s dvojnásobným počtem číslic trvá { $times }násobek času a dává tentýž obrázek.
-accuracy-numbers-unseen = Dvojitá přesnost na pohled stačí: double-double s dvojnásobným počtem číslic trvá { $times }násobek času a neopraví žádný pixel.
+accuracy-numbers-same = Dvojitá přesnost tu stačí: double-double s dvojnásobným počtem číslic trvá { $times }krát tak dlouho a dává tentýž obrázek.
+accuracy-numbers-unseen = Dvojitá přesnost na pohled stačí: double-double s dvojnásobným počtem číslic trvá { $times }krát tak dlouho a neopraví žádný pixel.
 accuracy-numbers-untimed = Dvojitá přesnost nepokazí žádný pixel.
 accuracy-numbers-report = Dvojitá přesnost se mýlí v { $off ->
     [one] { $off } pixelu
@@ -81,7 +88,16 @@ accuracy-effect-smooth-normals = hladké normály
 accuracy-title = Co stojí přesnost
 accuracy-stopped = Měření bylo zastaveno před koncem.
 accuracy-columns = { "  " }   CPU  × výchozí     chyba     FLIP   o >1
-accuracy-legend = ◆ výchozí  ● nic z vyzkoušeného není rychlejší a přesnější  ○ něco je; chyba: střední kvadratická v krocích 1/255; dalších { $left } v accuracy.json
+accuracy-legend = ◆ výchozí nastavení
+    ● stojí za svůj čas: žádné jiné vyzkoušené nastavení není zároveň rychlejší i přesnější
+    ○ jiné nastavení je zároveň rychlejší i přesnější
+    CPU: čas celého obrázku na jednom vlákně. Chyba: střední kvadratická odchylka v krocích 1/255 bílé. FLIP: rozdíl, jak jej vnímá člověk, od 0 do 1. O >1: pixely, které se odchylují o více než krok.
+    { $left ->
+        [0] Jsou tu všechna vyzkoušená nastavení.
+        [one] { $left } další nastavení je v accuracy.json.
+        [few] { $left } další nastavení jsou v accuracy.json.
+       *[other] { $left } dalších nastavení je v accuracy.json.
+    }
 accuracy-same = totéž
 accuracy-note-columns = Chyba: střední kvadratická odchylka od reference v krocích 1/255. FLIP: jak velký rozdíl vnímá člověk, od 0 do 1. Pixely: ty, v nichž se některý kanál liší o víc než krok, a kolik jich bylo prohlédnuto; pomalá nastavení se měří na menším počtu. Největší: největší rozdíl v jednom kanálu. Na čele: nic z vyzkoušeného není zároveň rychlejší i přesnější. Adaptive: vzorky přibývají, dokud odhad chyby pixelu neklesne pod toto číslo. Cutoff: paprsky, které váží méně, se zanedbají. `plain-f32` a `plain-f64` jsou tu pro srovnání, stejně jako řešiče a sítě: `zpg render` taková nastavení nemá.
 accuracy-note-objects = Kam jde čas a kde je chyba. Pixel se počítá k tomu, co vidí jeho střed.
@@ -92,11 +108,25 @@ accuracy-error-by = chyba podle toho, co je vidět
 accuracy-taken-out = co ušetří vypnutí každého zvlášť (překrývají se)
 accuracy-not-run = neměřeno
 accuracy-cut = vynecháno kvůli času
-accuracy-noise = šum ±{ $percent } %
+accuracy-noise = časy jsou jisté na ±{ $percent } %
 accuracy-share = měřeno na { $percent } % pixelů
-accuracy-reference-edges = reference { $samples } vzorků, vlastní chyba { $error } na hranách
-accuracy-checked = ověřeno { $pixels } pixelů a { $rays } paprsků ve 71 číslicích, rozdíl nejvýše { $largest }, kde bílá je 1
-accuracy-load = zátěž { $load }
+accuracy-reference-edges = hrany se porovnávají s obrázkem o { $samples ->
+    [one] { $samples } vzorku
+   *[other] { $samples } vzorcích
+} na pixel, který se sám odchyluje o { $error } kroku
+accuracy-checked = nezávislý sledovač paprsků se 71 číslicemi spočítal znovu { $pixels ->
+    [one] { $pixels } pixel
+    [few] { $pixels } pixely
+   *[other] { $pixels } pixelů
+} ({ $rays ->
+    [one] { $rays } paprsek
+    [few] { $rays } paprsky
+   *[other] { $rays } paprsků
+}): jeho barvy { $largest ->
+    [0] jsou stejné
+   *[other] se liší nejvýše o { $largest } bílé (krok je 4e-3 bílé)
+}
+accuracy-load = zátěž počítače { $before } předtím, { $after } potom
 accuracy-written = Stránka je { $path }
 
 accuracy-panels-alt = Diagramy práce a přesnosti: chyba na x, čas na y, obojí logaritmicky, pro každý druh chyby jeden
@@ -135,7 +165,12 @@ accuracy-section-panels = Každý druh chyby v jednom měřítku
 accuracy-note-panels = Vlevo je přesnější, dole rychlejší. V každém diagramu se mění jeden druh nastavení, ostatní zůstávají. Plný bod: nic z vyzkoušeného není zároveň rychlejší i přesnější. Kroužek: výchozí. Čárkovaně: cíl. „nic“: tentýž obrázek jako reference.
 accuracy-section-table = Co nastavit
 accuracy-note-table = Chyba: střední kvadratická odchylka v krocích 1/255, s intervalem, ve kterém chyba celého obrázku leží s pravděpodobností 95 %. O > 1: pixely, v nichž se některý kanál liší o víc než krok. Čas CPU: celého obrázku na jednom vlákně.
-accuracy-more-rows = Dalších { $left } vyzkoušených nastavení je v accuracy.json.
+accuracy-more-rows = { $left ->
+    [0] Jsou tu všechna vyzkoušená nastavení.
+    [one] { $left } další vyzkoušené nastavení je v accuracy.json.
+    [few] { $left } další vyzkoušená nastavení jsou v accuracy.json.
+   *[other] { $left } dalších vyzkoušených nastavení je v accuracy.json.
+}
 accuracy-section-pictures = Podívejte se
 accuracy-note-pictures = Pro každý druh chyby část obrázku, kde je nejhorší: s výchozím nastavením (u zaokrouhlování v jednoduché přesnosti), s nejpřesnějším, na jaké je čas, a rozdíl obou.
 accuracy-difference = rozdíl × { $factor }; největší { $largest } kroku; pixelů, které se liší o víc než krok: { $wrong }

@@ -6,22 +6,29 @@ accuracy-kind-numbers = rounding
 accuracy-kind-facets = facets
 
 accuracy-advice-none = Nothing was finished that advice could rest on.
-accuracy-advice-wrong = The reference is wrong: an independent tracer in 71 digits comes to another colour in { $wrong } of { $pixels } pixels (largest difference { $largest }, where white is 1, at { $places }). No advice is given. Please report this scene.
+accuracy-advice-wrong = The reference is wrong: an independent tracer in 71 digits comes to another colour in { $wrong } of { $pixels ->
+    [one] { $pixels } pixel
+   *[other] { $pixels } pixels
+} (largest difference { $largest }, where white is 1, at { $places }). No advice is given. Please report this scene.
 accuracy-advice-unchecked = The reference was not checked by the independent tracer: { $why }.
 accuracy-advice-enough = The default settings are enough: no kind of error reaches { $goal } steps of an 8-bit picture (largest: { $kind }, { $error }).
-accuracy-advice-limit = The largest error of this picture is that of { $kind }: { $error } steps at the default, as the root mean square; a step is 1/255.
+accuracy-advice-limit = The largest error of this picture comes from { $kind }: with the default settings its pixels are off by { $error } steps (root mean square). A step is 1/255 of white, the smallest difference that an 8-bit picture can show.
 accuracy-at-most = at most { $error }
-accuracy-advice-set = `{ $option }` brings it to { $error } for { $times } times the time.
-accuracy-advice-dearer = `{ $option }` brings it to { $error }, for { $times } times.
-accuracy-advice-even = Even `{ $option }`, at { $times } times the time, leaves { $error }.
-accuracy-advice-others = At the default each other kind of error stays below { $error } steps.
+accuracy-advice-set = With `{ $option }` this error is { $error } steps, and the picture takes { $times } times as long as with the default settings.
+accuracy-advice-dearer = With `{ $option }` it is { $error } steps, but the picture takes { $times } times as long.
+accuracy-advice-even = Even `{ $option }`, which takes { $times } times as long as the default settings, leaves an error of { $error } steps.
+accuracy-advice-others = With the default settings each other kind of error is below { $error } steps.
+accuracy-advice-busy = The machine was too busy for exact times: the runs took { $times } times their CPU time, since other programs had the processor. Close them and measure again before you rely on the times.
 accuracy-price = for { $percent } % more time
 accuracy-price-none = for no measurable time
-accuracy-advice-repair = In { $off } of the { $pixels } pixels that were looked at the light that is cut shows by more than a step. `{ $option }` puts { $right } of them right { $price }.
+accuracy-advice-repair = In { $off } of the { $pixels ->
+    [one] { $pixels } pixel
+   *[other] { $pixels } pixels
+} that were looked at the light that is cut shows by more than a step. `{ $option }` puts { $right } of them right { $price }.
 accuracy-advice-save = `{ $option }` saves { $percent } % of the time, and no further pixel is off by more than a step.
 accuracy-advice-no-change = No setting saves a tenth of the time without a change that can be seen.
-accuracy-numbers-same = Doubles are enough here: double-double, which has twice as many digits, costs { $times } times as much and gives the same picture.
-accuracy-numbers-unseen = Doubles are enough to the eye: double-double, which has twice as many digits, costs { $times } times as much and puts no pixel right.
+accuracy-numbers-same = Doubles are enough here: double-double, which has twice as many digits, takes { $times } times as long and gives the same picture.
+accuracy-numbers-unseen = Doubles are enough to the eye: double-double, which has twice as many digits, takes { $times } times as long and puts no pixel right.
 accuracy-numbers-untimed = Doubles put no pixel wrong.
 accuracy-numbers-report = Doubles are wrong in { $off ->
     [one] { $off } pixel
@@ -79,7 +86,15 @@ accuracy-effect-smooth-normals = smooth normals
 accuracy-title = What accuracy costs in time
 accuracy-stopped = It was stopped before all was done.
 accuracy-columns = { "  " }   CPU  × default     error     FLIP   off >1
-accuracy-legend = ◆ default  ● nothing tried is faster and more accurate  ○ something is; error: root mean square in steps of 1/255; { $left } more in accuracy.json
+accuracy-legend = ◆ the default
+    ● worth its time: no other setting that was tried is both faster and more accurate
+    ○ another setting is both faster and more accurate
+    CPU: seconds for the whole picture on one thread. Error: root mean square, in steps of 1/255 of white. FLIP: the difference that people see, from 0 to 1. Off >1: pixels that are off by more than a step.
+    { $left ->
+        [0] All settings that were tried are shown.
+        [one] { $left } more setting is in accuracy.json.
+       *[other] { $left } more settings are in accuracy.json.
+    }
 accuracy-same = same
 accuracy-note-columns = Error: root mean square of the difference from the reference, in steps of 1/255. FLIP: how much of a difference people see, from 0 to 1. Pixels: those in which a channel is off by more than a step, and how many were looked at; slow settings are measured on fewer. Largest: the difference of the channel that is farthest off. On the front: nothing that was tried is both faster and more accurate. Adaptive: more samples until the estimated error of a pixel is below this. Cutoff: rays that count for less are dropped. `plain-f32` and `plain-f64` are there to compare with, and so are solvers and tessellations: `zpg render` has no such settings.
 accuracy-note-objects = Where time and error are. A pixel counts for what its centre sees.
@@ -90,11 +105,23 @@ accuracy-error-by = error by what is seen first
 accuracy-taken-out = taken out alone, saves (they overlap)
 accuracy-not-run = not run
 accuracy-cut = left out to keep the time
-accuracy-noise = noise ±{ $percent } %
+accuracy-noise = times are sure to ±{ $percent } %
 accuracy-share = measured on { $percent } % of the pixels
-accuracy-reference-edges = reference { $samples } samples, own error { $error } at edges
-accuracy-checked = { $pixels } pixels, { $rays } rays checked in 71 digits, off by { $largest } at most, where white is 1
-accuracy-load = load { $load }
+accuracy-reference-edges = edges are compared with { $samples ->
+    [one] { $samples } sample
+   *[other] { $samples } samples
+} a pixel, which are off by { $error } steps themselves
+accuracy-checked = an independent ray tracer with 71 digits computed { $pixels ->
+    [one] { $pixels } pixel
+   *[other] { $pixels } pixels
+} again ({ $rays ->
+    [one] { $rays } ray
+   *[other] { $rays } rays
+}): its colours { $largest ->
+    [0] are the same
+   *[other] differ by at most { $largest } of white (a step is 4e-3 of white)
+}
+accuracy-load = load of the machine { $before } before, { $after } after
 accuracy-written = The page is { $path }
 
 accuracy-panels-alt = Work-precision diagrams: error on x, time on y, both logarithmic, one panel for each kind of error
@@ -131,10 +158,17 @@ accuracy-section-panels = Each kind of error, on one scale
 accuracy-note-panels = Left is more accurate, down is faster. Each panel changes one kind of setting and holds the others. Filled: nothing tried is both faster and more accurate. Ring: the default. Dashed: the goal. “none”: the same picture as the reference.
 accuracy-section-table = What to set
 accuracy-note-table = Error: root mean square in steps of 1/255 of the picture, with the interval that holds it for the whole picture with 95 %. Off > 1: pixels in which a channel differs by more than a step. CPU time: of the whole picture on one thread.
-accuracy-more-rows = { $left } more settings that were tried are in accuracy.json.
+accuracy-more-rows = { $left ->
+    [0] All settings that were tried are shown.
+    [one] { $left } more setting that was tried is in accuracy.json.
+   *[other] { $left } more settings that were tried are in accuracy.json.
+}
 accuracy-section-pictures = See it
 accuracy-note-pictures = The part of the picture where the error of each kind is worst: with the default (for rounding: in single precision), with the most accurate setting that there is time for, and the difference.
-accuracy-difference = difference × { $factor }; largest { $largest } steps; { $wrong } pixels off by more than a step
+accuracy-difference = difference × { $factor }; largest { $largest } steps; { $wrong ->
+    [one] { $wrong } pixel
+   *[other] { $wrong } pixels
+} off by more than a step
 accuracy-section-shares = Where time and error are
 accuracy-note-shares = A pixel counts for what its centre sees. Effects are taken out one at a time; they overlap, so that the shares do not add up.
 accuracy-objects-head = | seen first | pixels | time | error | µs a sample |

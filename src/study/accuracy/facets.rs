@@ -9,6 +9,7 @@ use crate::syntax::table::ShapeKind;
 use crate::trace::plan::Effect;
 use crate::translate::mesh::{self, Options, Skin};
 use std::sync::Arc;
+use std::time::Instant;
 
 /// More triangles than these are not drawn for the sake of a comparison.
 const MAX_TRIANGLES: usize = 400_000;
@@ -62,12 +63,12 @@ pub struct Facets {
 }
 
 /// Makes meshes of the scene and adds them to the stage. Without a box, which cuts a mesh open but caps
-/// it, on both sides.
+/// it, on both sides. No finer one is begun that would not be done in so many seconds.
 ///
 /// # Errors
 ///
 /// As [`Stage::add`].
-pub fn meshes(stage: &mut Stage) -> Result<Option<Facets>, Error> {
+pub fn meshes(stage: &mut Stage, seconds: f64) -> Result<Option<Facets>, Error> {
     let mut whole = stage.scene().clone();
     let mut base = 0;
     if let Some(render) = &mut whole.render
@@ -79,7 +80,15 @@ pub fn meshes(stage: &mut Stage) -> Result<Option<Facets>, Error> {
     let radius = (whole.render).map_or(1.0, |r| bounds[r.root as usize].bounded().radius());
     let mut rungs = Vec::new();
     let mut before = 0;
+    let start = Instant::now();
+    let mut last = 0.0;
     for share in TOLERANCES {
+        let spent = start.elapsed().as_secs_f64();
+        // A finer mesh takes three times as long as the one before it.
+        if spent + 3.0 * (spent - last) > seconds {
+            break;
+        }
+        last = spent;
         let options = Options {
             tolerance: Some(share * radius),
             eye: Some(stage.camera().position),

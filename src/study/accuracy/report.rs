@@ -66,6 +66,8 @@ pub struct Machine {
     pub cores: usize,
     /// That times were taken on.
     pub threads: usize,
+    /// The wall time of the timed runs as a multiple of their CPU time; `null` of no runs.
+    pub wall_over_cpu: Option<f64>,
     /// Before and after, where the system tells.
     pub load: Vec<f64>,
     pub build: &'static str,
@@ -290,7 +292,17 @@ impl Row {
     }
 }
 
+/// Where the timed runs take longer than their CPU time by more than this factor, other programs had the processor.
+const BUSY: f64 = 4.0 / 3.0;
+
 impl Report {
+    /// The wall time of the timed runs over their CPU time, where the machine was too busy for its times to be trusted.
+    pub fn too_busy(&self) -> Option<f64> {
+        self.machine
+            .wall_over_cpu
+            .filter(|&b| !(1.0 / BUSY..=BUSY).contains(&b))
+    }
+
     /// What the independent tracer says where it comes to other pixels than the reference.
     pub fn wrong_reference(&self) -> Option<&Checked> {
         let checked = self.reference.get(Kind::Numbers.name())?.checked.as_ref();

@@ -13,13 +13,13 @@ use std::fmt::Write as _;
 
 const STYLE: &str = "\
 @media print{section{break-inside:avoid}main{max-width:none!important;padding:0!important}}
-*{box-sizing:border-box}body{margin:0;background:var(--bg);color:var(--fg);font:15px/1.5 system-ui,'DejaVu Sans',sans-serif}
+*{box-sizing:border-box;min-width:0}.wide{overflow-x:auto}body{margin:0;background:var(--bg);color:var(--fg);font:15px/1.5 system-ui,'DejaVu Sans',sans-serif}
 main{max-width:1120px;margin:0 auto;padding:28px 20px 60px}h1{font-size:27px;margin:0}h2{font-size:19px;margin:34px 0 6px}
-p{margin:.35em 0;max-width:88ch}.mut{color:var(--mut)}.small{font-size:13px}
+p,li,h1,h2{overflow-wrap:anywhere}p{margin:.35em 0;max-width:88ch}.mut{color:var(--mut)}.small{font-size:13px}
 header{display:flex;gap:24px;align-items:flex-start;justify-content:space-between}header img{width:320px;border-radius:4px}
-img{image-rendering:pixelated;display:block}
+img{image-rendering:pixelated;display:block;max-width:100%}
 .advice{border-left:5px solid var(--acc);background:var(--card);padding:14px 18px;font-size:19px;line-height:1.45;margin:16px 0;border-radius:0 6px 6px 0;max-width:74ch}
-.advice code{font-size:17px}code{font-family:ui-monospace,'DejaVu Sans Mono',monospace;font-size:13px;background:color-mix(in srgb,var(--fg) 8%,transparent);padding:1px 4px;border-radius:3px;white-space:nowrap}
+.advice code{font-size:17px}code{font-family:ui-monospace,'DejaVu Sans Mono',monospace;font-size:13px;background:color-mix(in srgb,var(--fg) 8%,transparent);padding:1px 4px;border-radius:3px;overflow-wrap:anywhere}
 .tiles{display:grid;grid-template-columns:repeat(3,1fr);gap:14px;margin:14px 0}.tile{background:var(--card);border-radius:6px;padding:10px 14px;border:1px solid var(--line)}
 table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums;font-size:14px}
 th{text-align:left;font-weight:600;border-bottom:2px solid var(--line);padding:5px 8px;vertical-align:bottom}
@@ -131,7 +131,9 @@ impl Page<'_> {
             tile(self.say("accuracy-tile-numbers"), part(&["numbers"])),
             tile(
                 self.say("accuracy-tile-sure"),
-                escaped(&sureness(report, self.language)) + " " + &part(&["reference"]),
+                escaped(&sureness(report, self.language).join(" · "))
+                    + " "
+                    + &part(&["reference", "busy"]),
             ),
         ];
         self.add(&format!("<div class=\"tiles\">{}</div>", tiles.concat()));
@@ -157,7 +159,9 @@ impl Page<'_> {
             };
             let _ = write!(head, "<th{class}>{text}</th>");
         }
-        self.add(&format!("<table><thead><tr>{head}</tr></thead><tbody>"));
+        self.add(&format!(
+            "<div class=\"wide\"><table><thead><tr>{head}</tr></thead><tbody>"
+        ));
         let best = super::super::advice::recommended(self.report).map(Row::name);
         let mut left = 0;
         for kind in Kind::ALL {
@@ -190,7 +194,7 @@ impl Page<'_> {
             &[("left", words::count(left))],
         );
         self.add(&format!(
-            "</tbody></table><p class=\"small mut\">{}</p></section>",
+            "</tbody></table></div><p class=\"small mut\">{}</p></section>",
             escaped(&more)
         ));
     }
@@ -344,7 +348,7 @@ impl Page<'_> {
         let head = row("th", &table.head);
         let rows: String = table.rows.iter().map(|cells| row("td", cells)).collect();
         self.add(&format!(
-            "<table><thead>{head}</thead><tbody>{rows}</tbody></table>"
+            "<div class=\"wide\"><table><thead>{head}</thead><tbody>{rows}</tbody></table></div>"
         ));
     }
 

@@ -69,7 +69,7 @@ pub fn text(report: &Report, language: Language) -> String {
             let _ = writeln!(out, "\n{}\n\n{}", say(language, note, &[]), shown(&table));
         }
     }
-    let _ = writeln!(out, "\n{}", sureness(report, language));
+    let _ = writeln!(out, "\n{}", sureness(report, language).join(" · "));
     out
 }
 

@@ -5,33 +5,36 @@ use super::super::report::{Report, Row};
 use super::super::rungs::{Axis, Kind};
 use super::super::words::{self, local, say};
 use crate::diagnostics::Language;
+use crate::diagnostics::layout::{listed, wrapped};
 use std::fmt::Write as _;
 use unicode_width::UnicodeWidthStr as _;
 
-const WIDTH: usize = 100;
+/// How wide a row is without its bar, and the longest bar.
+const ROW: usize = 78;
+const BAR: usize = 24;
 /// Rows of each kind, unless more are needed.
 const MOST_ROWS: usize = 5;
 
-/// The text; `page` says where the page is, if it was written.
-pub fn text(report: &Report, language: Language, page: Option<&str>) -> String {
+/// The text in lines no wider than `width`, from 80 on; `page` says where the page is, if it was written. Bars stand where
+/// there is room.
+pub fn text(report: &Report, language: Language, page: Option<&str>, width: usize) -> String {
+    let width = width.max(ROW + 2);
     let mut out = String::new();
     let [w, h] = report.size;
     let title = say(language, "accuracy-title", &[]);
     let spent = words::seconds(language, report.budget.spent_seconds);
-    line(
-        &mut out,
-        &format!("{title} · {} · {w}x{h} · {spent}", report.scene),
-    );
+    let entries = [title, report.scene.clone(), format!("{w}x{h}"), spent];
+    line(&mut out, &listed("", &entries, width, "  "));
     if report.stopped {
         line(&mut out, &say(language, "accuracy-stopped", &[]));
     }
     out.push('\n');
     for (i, part) in report.advice_parts.iter().enumerate() {
         let mark = if i == 0 { "▶ " } else { "  " };
-        for (j, text) in wrapped(&part.text, WIDTH - 2).into_iter().enumerate() {
-            let mark = if j == 0 { mark } else { "  " };
-            line(&mut out, &format!("{mark}{text}"));
-        }
+        line(
+            &mut out,
+            &wrapped(&format!("{mark}{}", part.text), width, "  "),
+        );
     }
     let mut left = 0;
     let head = say(language, "accuracy-columns", &[]);
@@ -50,17 +53,16 @@ pub fn text(report: &Report, language: Language, page: Option<&str>) -> String {
             false => line(&mut out, &name),
         }
         for row in kept {
-            line(&mut out, &row_line(row, report, language));
+            line(&mut out, &row_line(row, report, language, width));
         }
     }
     out.push('\n');
-    line(
-        &mut out,
-        &say(language, "accuracy-legend", &[("left", words::count(left))]),
-    );
-    summaries(&mut out, report, language);
+    let legend = say(language, "accuracy-legend", &[("left", words::count(left))]);
+    line(&mut out, &wrapped(&legend, width, "  "));
+    out.push('\n');
+    summaries(&mut out, report, language, width);
     if let Some(page) = page {
-        line(&mut out, page);
+        line(&mut out, &wrapped(page, width, "  "));
     }
     out
 }
@@ -75,21 +77,6 @@ fn padded(text: &str, width: usize) -> String {
 
 fn right(text: &str, width: usize) -> String {
     format!("{}{text}", " ".repeat(width.saturating_sub(text.width())))
-}
-
-/// Words in lines no wider than this.
-fn wrapped(text: &str, width: usize) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
-        match lines.last_mut() {
-            Some(last) if last.width() + 1 + word.width() <= width => {
-                last.push(' ');
-                last.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }
 
 fn heading(kind: Kind, rows: &[&Row], language: Language) -> String {
@@ -123,7 +110,7 @@ fn kept<'r>(rows: &[&'r Row], report: &Report) -> Vec<&'r Row> {
         .collect()
 }
 
-fn row_line(row: &Row, report: &Report, language: Language) -> String {
+fn row_line(row: &Row, report: &Report, language: Language, width: usize) -> String {
     let mark = match (row.default, row.pareto) {
         (true, _) => '◆',
         (_, true) => '●',
@@ -151,6 +138,8 @@ fn row_line(row: &Row, report: &Report, language: Language) -> String {
     let bar = row
         .times_default
         .map_or(0, |t| ((t.max(0.1).log2() + 4.0) * 1.6) as usize);
+    // Bars cut short would lie: there are all of them, or none.
+    let room = if width >= ROW + BAR { BAR } else { 0 };
     format!(
         "  {mark} {}{}{}{}{}{}  {}",
         padded(&row.name(), 24),
@@ -159,7 +148,7 @@ fn row_line(row: &Row, report: &Report, language: Language) -> String {
         right(&steps, 10),
         right(&flip, 9),
         right(&off, 9),
-        "█".repeat(bar.min(24)),
+        "█".repeat(bar.min(room)),
     )
 }
 
@@ -187,19 +176,11 @@ pub fn whole_default(report: &Report, pixels: f64) -> Option<f64> {
     Some(row.cpu_seconds?.min * pixels / timed)
 }
 
-fn summaries(out: &mut String, report: &Report, language: Language) {
+fn summaries(out: &mut String, report: &Report, language: Language, width: usize) {
     let mut list = |message: &'static str, items: Vec<String>| {
         if !items.is_empty() {
-            let text = format!(
-                "{}  {}",
-                padded(&say(language, message, &[]), 30),
-                items.join("   ")
-            );
-            let mut lines = wrapped_list(&text, WIDTH).into_iter();
-            if let Some(first) = lines.next() {
-                line(out, &first);
-            }
-            lines.for_each(|l| line(out, &l));
+            let name = padded(&say(language, message, &[]), 30) + "  ";
+            line(out, &listed(&name, &items, width, "  "));
         }
     };
     let objects = |share: fn(&super::super::report::Object) -> f64| {
@@ -232,28 +213,13 @@ fn summaries(out: &mut String, report: &Report, language: Language) {
     let skipped: Vec<String> = (report.skipped.iter())
         .map(|s| format!("{}: {}", s.axis, s.why.wording(language)))
         .collect();
-    let skipped = (!skipped.is_empty()).then(|| skipped.join("; "));
-    list("accuracy-not-run", skipped.into_iter().collect());
+    list("accuracy-not-run", skipped);
     list("accuracy-cut", words::each(language, &report.budget.cut));
-    line(out, &sureness(report, language));
+    line(out, &listed("", &sureness(report, language), width, "  "));
 }
 
-fn wrapped_list(text: &str, width: usize) -> Vec<String> {
-    match text.width() <= width {
-        true => vec![text.to_owned()],
-        false => {
-            let lines = wrapped(text, width - 2);
-            lines
-                .into_iter()
-                .enumerate()
-                .map(|(i, l)| if i == 0 { l } else { format!("  {l}") })
-                .collect()
-        }
-    }
-}
-
-/// How sure all of this is, in a line.
-pub fn sureness(report: &Report, language: Language) -> String {
+/// How sure all of this is.
+pub fn sureness(report: &Report, language: Language) -> Vec<String> {
     let noise = words::percent(language, report.noise.relative);
     let mut parts = vec![say(
         language,
@@ -282,16 +248,21 @@ pub fn sureness(report: &Report, language: Language) -> String {
         .get(Kind::Numbers.name())
         .and_then(|r| r.checked.as_ref());
     if let Some(checked) = checked.filter(|c| c.not_checked.is_none()) {
+        let largest = match checked.largest {
+            0.0 => words::count(0),
+            off => format!("{off:.0e}").into(),
+        };
         let values = [
             ("pixels", words::count(checked.pixels)),
             ("rays", words::count(checked.rays as usize)),
-            ("largest", format!("{:.0e}", checked.largest).into()),
+            ("largest", largest),
         ];
         parts.push(say(language, "accuracy-checked", &values));
     }
     if let [before, .., after] = report.machine.load[..] {
-        let load = local(language, format!("{before:.1}, {after:.1}"));
-        parts.push(say(language, "accuracy-load", &[("load", load.into())]));
+        let load = |load: f64| local(language, format!("{load:.1}")).into();
+        let values = [("before", load(before)), ("after", load(after))];
+        parts.push(say(language, "accuracy-load", &values));
     }
-    parts.join(" · ")
+    parts
 }

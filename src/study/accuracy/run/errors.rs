@@ -9,6 +9,7 @@ use crate::study::accuracy::stage::Drawn;
 use crate::trace::Numbers;
 use crate::trace::pixels::Seen;
 use std::collections::BTreeMap;
+use std::time::Instant;
 
 impl Run<'_> {
     /// Draws every rung and measures how far it is from the reference of its kind.
@@ -16,12 +17,9 @@ impl Run<'_> {
         let mut references: BTreeMap<Axis, Vec<Rgb>> = BTreeMap::new();
         let list: Vec<(Axis, Settings)> = self.facets.iter().map(|(a, s)| (*a, *s)).collect();
         for (axis, settings) in list {
-            let tiles = self.tiles_for(
-                self.seconds(0.02) * self.threads,
-                self.cost(&settings),
-                LEAST_PIXELS,
-            );
-            let drawn = self.stage.draw(&settings, &self.tiles[..tiles])?;
+            let seconds = self.on_all(self.seconds(0.02));
+            let tiles = self.tiles_for(seconds, self.cost(&settings), LEAST_PIXELS);
+            let drawn = self.draw(&settings, tiles)?;
             references.insert(axis, drawn.colours);
         }
         let count = self
@@ -30,15 +28,20 @@ impl Run<'_> {
             .zip(&self.known)
             .filter(|r| !r.1.dropped)
             .count();
-        let seconds = self.left(TIMES + OBJECTS + PICTURES);
-        let seconds = seconds.clamp(self.seconds(ERRORS / 2.0), self.seconds(ERRORS));
-        let share = seconds * self.threads / count.max(1) as f64;
+        let seconds = self.allotted(ERRORS, TIMES / 2.0 + OBJECTS + PICTURES);
+        let start = Instant::now();
+        let share = self.on_all(seconds) / count.max(1) as f64;
         let mut last: Option<(Axis, usize)> = None;
         for i in 0..self.rungs.len() {
             if self.known[i].dropped {
                 continue;
             }
             let rung = self.rungs[i].clone();
+            let is_late = start.elapsed().as_secs_f64() > 1.5 * seconds;
+            if is_late && !rung.is_default() && !self.is_cheap(self.known[i].cost * FEWEST_PIXELS) {
+                self.drop_rung(i);
+                continue;
+            }
             // A ladder ends one rung after its bytes stop changing.
             if let Some((axis, same)) = last
                 && axis == rung.axis
@@ -58,13 +61,17 @@ impl Run<'_> {
             let there = self.tiles_of(reference.len());
             let cost = self.known[i].cost;
             let affordable = (2.0 * share / cost.max(1e-12)).max(FEWEST_PIXELS);
-            let least = LEAST_PIXELS.min(affordable);
+            let least = match is_late {
+                true => FEWEST_PIXELS,
+                false => LEAST_PIXELS.min(affordable),
+            };
+            let share = if is_late { 0.0 } else { share };
             let tiles = self.tiles_for(share, cost, least).min(there);
             if tiles == 0 {
                 continue;
             }
             let reference = reference.clone();
-            let drawn = self.stage.draw(&rung.settings, &self.tiles[..tiles])?;
+            let drawn = self.draw(&rung.settings, tiles)?;
             let whole = self.whole && tiles == self.tiles.len();
             let measured = compare(&drawn.colours, &reference, &self.sizes(tiles), whole);
             let same = (0..i).find(|&j| self.is_same(j, &rung, &drawn, tiles));
@@ -76,18 +83,13 @@ impl Run<'_> {
                 return Ok(());
             }
         }
-        let tiles = self.tiles_for(
-            self.seconds(0.01) * self.threads,
-            self.cost(&Settings::default()),
-            LEAST_PIXELS,
-        );
-        let base = self
-            .stage
-            .draw(&Settings::default(), &self.tiles[..tiles])?;
+        let seconds = self.on_all(self.seconds(0.01));
+        let tiles = self.tiles_for(seconds, self.cost(&Settings::default()), LEAST_PIXELS);
+        let base = self.draw(&Settings::default(), tiles)?;
         let sizes = self.sizes(tiles);
         for i in 0..self.effects.len() {
             let settings = self.effects[i].1;
-            let drawn = self.stage.draw(&settings, &self.tiles[..tiles])?;
+            let drawn = self.draw(&settings, tiles)?;
             let known = &mut self.effects[i].2;
             known.measured = Some(compare(&drawn.colours, &base.colours, &sizes, false));
             (known.drawn, known.tiles) = (Some(drawn), tiles);

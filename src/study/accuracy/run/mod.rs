@@ -2,10 +2,12 @@
 
 mod errors;
 mod objects;
+mod pace;
 mod pictures;
 mod pilot;
 mod references;
 mod result;
+mod sample;
 mod times;
 
 use super::measure::Measured;
@@ -17,6 +19,9 @@ use crate::diagnostics::{Complaint, Error};
 use crate::scene::{Camera, Rgb, Scene};
 use crate::trace::Images;
 use crate::trace::stats::Rays;
+use cpu_time::ProcessTime;
+use pace::Pace;
+use sample::Sample;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -51,11 +56,18 @@ const LEAST_PIXELS: f64 = 2000.0;
 /// What dear rungs make do with where time is short: eight tiles.
 const FEWEST_PIXELS: f64 = 512.0;
 
-/// Shares of the budget for the last steps: errors, times, what each object costs, and the pictures side by side.
+/// Shares of the budget for the steps: the references (numbers and their check have as much each), errors, times, what
+/// each object costs, and the pictures side by side.
+const NUMBERS: f64 = 0.1;
+const LIGHT: f64 = 0.12;
+const EDGES: f64 = 0.2;
 const ERRORS: f64 = 0.15;
 const TIMES: f64 = 0.4;
 const OBJECTS: f64 = 0.05;
 const PICTURES: f64 = 0.08;
+
+/// What takes a smaller share of the budget is done even where the time is up.
+const CHEAP: f64 = 0.005;
 
 /// Who is told how far it is: what is done now, the name of a message, and the share of all that is
 /// behind.
@@ -75,7 +87,8 @@ struct Known {
     same_as: Option<usize>,
     dropped: bool,
     times: Vec<Timed>,
-    timed_tiles: usize,
+    /// What was timed.
+    sample: Sample,
 }
 
 /// One of the steps from a scene to a report.
@@ -100,7 +113,7 @@ struct Run<'i> {
     cut: Vec<Complaint>,
     start: Instant,
     progress: Progress<'i>,
-    threads: f64,
+    pace: Pace,
     /// Linear RGB of references, in the order of the tiles' pixels.
     edges: Vec<Rgb>,
     light: Vec<Rgb>,
@@ -110,6 +123,10 @@ struct Run<'i> {
     predicted: f64,
     timed: f64,
     repeats: Vec<Vec<Timed>>,
+    /// What the default was timed on.
+    frame: Sample,
+    /// CPU seconds of the first tiles with the default.
+    weights: Vec<f64>,
 }
 
 /// Studies a scene.
@@ -145,7 +162,7 @@ pub fn run(
         cut: Vec::new(),
         start: Instant::now(),
         progress,
-        threads: rayon::current_num_threads() as f64,
+        pace: Pace::new(rayon::current_num_threads() as f64),
         edges: Vec::new(),
         light: Vec::new(),
         exact: Vec::new(),
@@ -153,6 +170,8 @@ pub fn run(
         predicted: 0.0,
         timed: 0.0,
         repeats: Vec::new(),
+        frame: Sample::default(),
+        weights: Vec::new(),
     };
     run.all()?;
     run.report(name, before)
@@ -170,6 +189,52 @@ impl Run<'_> {
 
     fn seconds(&self, share: f64) -> f64 {
         share * self.options.budget
+    }
+
+    /// Seconds for a step: its share of the budget, less where the steps before it took more than theirs. `behind` is the
+    /// share of the steps behind it.
+    fn allotted(&self, share: f64, behind: f64) -> f64 {
+        let least = self.seconds(share) / 4.0;
+        self.left(behind).clamp(least, self.seconds(share))
+    }
+
+    /// The CPU seconds that one thread gets in so many seconds, and all threads together.
+    fn on_one(&self, seconds: f64) -> f64 {
+        seconds * self.pace.of_one()
+    }
+
+    fn on_all(&self, seconds: f64) -> f64 {
+        seconds * self.pace.of_all()
+    }
+
+    /// Whether so many CPU seconds are little even where the time is up.
+    fn is_cheap(&self, seconds: f64) -> bool {
+        seconds < self.on_one(self.seconds(CHEAP))
+    }
+
+    /// Draws tiles on one thread, and takes the time.
+    fn time(&mut self, settings: &Settings, tiles: &[Tile]) -> Result<Timed, Error> {
+        let timed = self.stage.time(settings, tiles)?;
+        self.pace.one(timed.cpu, timed.wall);
+        Ok(timed)
+    }
+
+    /// Does something on all threads with the first tiles.
+    fn together<T>(
+        &mut self,
+        tiles: usize,
+        work: impl FnOnce(&mut Stage, &[Tile]) -> Result<T, Error>,
+    ) -> Result<T, Error> {
+        let (start, cpu) = (Instant::now(), ProcessTime::now());
+        let done = work(&mut self.stage, &self.tiles[..tiles])?;
+        let (cpu, wall) = (cpu.elapsed(), start.elapsed());
+        self.pace.all(cpu.as_secs_f64(), wall.as_secs_f64());
+        Ok(done)
+    }
+
+    /// Draws the first tiles on all threads.
+    fn draw(&mut self, settings: &Settings, tiles: usize) -> Result<Drawn, Error> {
+        self.together(tiles, |stage, tiles| stage.draw(settings, tiles))
     }
 
     /// The seconds that are left once the steps behind have their share.

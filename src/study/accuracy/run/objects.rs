@@ -1,6 +1,6 @@
 //! What each object costs, and where it is wrong.
 
-use super::{LEAST_PIXELS, OBJECTS, Run};
+use super::{FEWEST_PIXELS, OBJECTS, PICTURES, Run};
 use crate::diagnostics::Error;
 use crate::study::accuracy::measure::steps;
 use crate::study::accuracy::report::{Maps, Object};
@@ -17,7 +17,8 @@ impl Run<'_> {
         };
         // Three runs.
         let cost = 12.0 * self.cost(&Settings::default());
-        let tiles = self.tiles_for(self.seconds(OBJECTS), cost, LEAST_PIXELS);
+        let seconds = self.on_one(self.allotted(OBJECTS, PICTURES));
+        let tiles = self.tiles_for(seconds, cost, FEWEST_PIXELS);
         let list = self.tiles[..tiles].to_vec();
         let times = self.stage.pixel_times(&settings, &list)?;
         let seen = self.stage.seen(&Settings::default(), &list)?;

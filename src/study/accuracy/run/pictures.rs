@@ -15,7 +15,7 @@ impl Run<'_> {
     pub(super) fn pictures(&mut self, report: &mut Report) -> Result<(), Error> {
         let [width, height] = self.options.size;
         // At most so many pixels, so that a page of all stays small; fewer where they take long.
-        let seconds = self.seconds(PICTURES) / 2.0 * self.threads;
+        let seconds = self.on_all(self.allotted(PICTURES, 0.0) / 2.0);
         let pixels = seconds / self.cost(&Settings::default()).max(1e-12);
         let side = (pixels * f64::from(width.max(height)) / f64::from(width.min(height))).sqrt();
         let side = (side as u32).clamp(80, 320);

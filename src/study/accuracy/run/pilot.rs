@@ -10,9 +10,13 @@ use crate::study::accuracy::{axes, facets};
 /// The share of the budget that the default is tried for.
 const CALIBRATION: f64 = 0.01;
 
+/// The share of the budget in which meshes are made.
+const MESHES: f64 = 0.05;
+
 impl Run<'_> {
     /// The rungs of the axes that the scene calls for.
     pub(super) fn plan(&mut self) -> Result<(), Error> {
+        let seconds = self.seconds(MESHES);
         for axis in Axis::ALL {
             let wanted = self.options.axes.contains(&axis);
             let why = match wanted {
@@ -23,7 +27,7 @@ impl Run<'_> {
             let mut why = why;
             if why.is_none() {
                 let made = match axis {
-                    Axis::Tessellation => facets::meshes(&mut self.stage)?,
+                    Axis::Tessellation => facets::meshes(&mut self.stage, seconds)?,
                     Axis::Levels => facets::levels(&mut self.stage)?,
                     _ => {
                         rungs = ladder(axis);
@@ -75,6 +79,7 @@ impl Run<'_> {
         let few = (self.tiles.len() / 16).clamp(4.min(self.tiles.len()), 40);
         let mut costs: Vec<(Settings, [f64; 2])> = Vec::new();
         let deadline = self.seconds(0.15);
+        let latest = self.seconds(0.25);
         let pixels = self.pixels(few) as f64;
         for i in 0..self.rungs.len() + self.effects.len() {
             let settings = match self.rungs.get(i) {
@@ -93,6 +98,11 @@ impl Run<'_> {
                 _ => (settings, 1.0),
             };
             let known = costs.iter().find(|c| c.0 == asked).map(|c| c.1);
+            let is_default = self.rungs.get(i).is_none_or(Rung::is_default);
+            if known.is_none() && !is_default && self.start.elapsed().as_secs_f64() > latest {
+                self.drop_rung(i);
+                continue;
+            }
             let cost = match known {
                 Some(cost) => cost,
                 None => {
@@ -103,8 +113,8 @@ impl Run<'_> {
                     } else {
                         pixels
                     };
-                    let tiles = &self.tiles[..few];
-                    let timed = self.stage.time(&asked, tiles)?;
+                    let tiles = self.tiles[..few].to_vec();
+                    let timed = self.time(&asked, &tiles)?;
                     let rays = rays(&timed.drawn.counts.rays).max(1) as f64;
                     let cost = [timed.cpu / pixels, timed.cpu / rays];
                     costs.push((asked, cost));
@@ -160,19 +170,26 @@ impl Run<'_> {
     /// The pilot's tiles are few. So the default is tried on more of them, and all else is taken to be off by as much.
     pub(super) fn calibrate(&mut self) -> Result<(), Error> {
         let cost = self.entry_cost(&Entry::Default(0));
-        let tiles = self.tiles_for(self.seconds(CALIBRATION), cost, LEAST_PIXELS);
+        let tiles = self.tiles_for(self.on_one(self.seconds(CALIBRATION)), cost, LEAST_PIXELS);
         let list = self.tiles[..tiles].to_vec();
-        let timed = self.stage.time(&Settings::default(), &list)?;
+        let timed = self.time(&Settings::default(), &list)?;
         self.calibration = timed.cpu / (cost * self.pixels(tiles) as f64).max(1e-12);
+        self.weights = timed.tiles;
         Ok(())
+    }
+
+    pub(super) fn drop_rung(&mut self, i: usize) {
+        if !self.known[i].dropped {
+            self.known[i].dropped = true;
+            let name = format!("{} {}", self.rungs[i].axis.name(), self.rungs[i].label);
+            self.cut.push(Complaint::quoted(name));
+        }
     }
 
     pub(super) fn drop_rungs(&mut self, which: impl Fn(&Rung) -> bool) {
         for i in 0..self.rungs.len() {
-            if which(&self.rungs[i]) && !self.known[i].dropped && !self.rungs[i].is_default() {
-                self.known[i].dropped = true;
-                let name = format!("{} {}", self.rungs[i].axis.name(), self.rungs[i].label);
-                self.cut.push(Complaint::quoted(name));
+            if which(&self.rungs[i]) && !self.rungs[i].is_default() {
+                self.drop_rung(i);
             }
         }
     }

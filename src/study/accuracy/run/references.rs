@@ -1,6 +1,8 @@
 //! What the errors are measured against: each kind of error has a reference beyond every rung on its axes.
 
-use super::{LEAST_PIXELS, Run};
+use super::{
+    EDGES, ERRORS, FEWEST_PIXELS, LEAST_PIXELS, LIGHT, NUMBERS, OBJECTS, PICTURES, Run, TIMES,
+};
 use crate::diagnostics::{Complaint, Error};
 use crate::scene::Rgb;
 use crate::study::accuracy::check;
@@ -10,6 +12,11 @@ use crate::study::accuracy::rungs::{Axis, Kernel, Kind, Settings};
 use crate::study::accuracy::stage::Timed;
 use crate::study::accuracy::tiles::TILE;
 use crate::trace::Numbers;
+use std::ops::Range;
+use std::time::Instant;
+
+/// The share of the steps behind the references, at the least.
+const LATER: f64 = ERRORS / 2.0 + TIMES / 2.0 + OBJECTS + PICTURES;
 
 impl Run<'_> {
     /// Double-double, and its check by the independent tracer.
@@ -25,8 +32,10 @@ impl Run<'_> {
             true => self.cost(&settings),
             false => 10.0 * self.cost(&Settings::default()),
         };
-        let tiles = self.tiles_for(self.seconds(0.1) * self.threads, cost, LEAST_PIXELS);
-        let drawn = self.stage.draw(&settings, &self.tiles[..tiles])?;
+        let behind = LIGHT + EDGES + LATER;
+        let seconds = self.on_all(self.allotted(NUMBERS, behind + NUMBERS));
+        let tiles = self.tiles_for(seconds, cost, LEAST_PIXELS);
+        let drawn = self.draw(&settings, tiles)?;
         self.exact = drawn.colours;
         let mut reference = Reference {
             precision: Some("dd"),
@@ -40,6 +49,7 @@ impl Run<'_> {
         let seen = self
             .stage
             .seen(&Settings::default(), &self.tiles[..tiles])?;
+        let seconds = self.allotted(NUMBERS, behind);
         let order = check::order(&self.tiles[..tiles], &seen);
         let checked = check::check(
             &self.stage,
@@ -47,7 +57,7 @@ impl Run<'_> {
             &settings,
             &order,
             &self.exact,
-            self.seconds(0.1),
+            [seconds, 3.0 * seconds],
         )?;
         reference.checked = Some(match checked {
             Ok(checked) => {
@@ -78,11 +88,12 @@ impl Run<'_> {
         let mut best = at(64, 1e-6);
         let pilot = |run: &mut Self, s: &Settings| -> Result<Timed, Error> {
             let tiles = run.tiles[..few].to_vec();
-            run.stage.time(s, &tiles)
+            run.time(s, &tiles)
         };
         let pixels = self.pixels(few) as f64;
         let mut cost = pilot(self, &best)?.cpu / pixels;
-        let allowed = self.seconds(0.12) * self.threads / LEAST_PIXELS;
+        let seconds = self.on_all(self.allotted(LIGHT, EDGES + LATER));
+        let allowed = seconds / LEAST_PIXELS;
         for (depth, cutoff) in [(64, 1e-7), (128, 1e-8)] {
             if cost * 3.0 > allowed || self.is_stopped() {
                 break;
@@ -93,12 +104,12 @@ impl Run<'_> {
         if best.cutoff >= 1e-6 {
             self.drop_rungs(|r| r.axis == Axis::Cutoff && r.settings.cutoff <= 1e-6);
         }
-        let tiles = self.tiles_for(self.seconds(0.12) * self.threads, cost, LEAST_PIXELS);
-        let drawn = self.stage.draw(&best, &self.tiles[..tiles])?;
+        let tiles = self.tiles_for(seconds, cost, LEAST_PIXELS);
+        let drawn = self.draw(&best, tiles)?;
         // What one less deep, with ten times the cutoff, comes to.
         let less = at(best.depth / 2, best.cutoff * 10.0);
         let sample = tiles.min(self.tiles.len().div_ceil(4)).max(1);
-        let other = self.stage.draw(&less, &self.tiles[..sample])?;
+        let other = self.draw(&less, sample)?;
         let margin = compare(&other.colours, &drawn.colours, &self.sizes(sample), true);
         self.light = drawn.colours;
         let reference = Reference {
@@ -125,7 +136,9 @@ impl Run<'_> {
         }
         let base = Settings::default();
         let each = self.cost(&base);
-        let allowed = self.seconds(0.2) * self.threads / each;
+        let seconds = self.allotted(EDGES, LATER);
+        let allowed = self.on_all(seconds) / each;
+        let start = Instant::now();
         // At least so many pixels, rather than more samples.
         let mut samples = 4096u32;
         let pixels = |tiles: usize| tiles as f64 * f64::from(TILE * TILE);
@@ -137,18 +150,22 @@ impl Run<'_> {
         } else {
             4096
         });
-        let tiles = self.tiles_for(allowed, f64::from(samples), LEAST_PIXELS);
-        let tiles_list = self.tiles[..tiles].to_vec();
+        // Where not even 128 samples of so many pixels fit, fewer pixels.
+        let least = LEAST_PIXELS.min((allowed / 128.0).max(FEWEST_PIXELS));
+        let tiles = self.tiles_for(allowed, f64::from(samples), least);
         let sizes = self.sizes(tiles);
         let mut done = 64;
-        let mut sums = self.stage.sums(&base, &tiles_list, 0..done)?;
+        let sums_of = |run: &mut Self, samples: Range<u32>| {
+            run.together(tiles, |stage, tiles| stage.sums(&base, tiles, samples))
+        };
+        let mut sums = sums_of(self, 0..done)?;
         let mean = |sums: &[Rgb], n: u32| -> Vec<Rgb> {
             sums.iter().map(|s| s.map(|c| c / f64::from(n))).collect()
         };
         let mut margin;
         loop {
             let half = mean(&sums, done);
-            let more = self.stage.sums(&base, &tiles_list, done..2 * done)?;
+            let more = sums_of(self, done..2 * done)?;
             for (sum, more) in sums.iter_mut().zip(more) {
                 *sum = [0, 1, 2].map(|c| sum[c] + more[c]);
             }
@@ -159,7 +176,8 @@ impl Run<'_> {
             (self.progress)("accuracy-step-edges", behind.min(0.45));
             // The next one takes as long as all before.
             let is_good = margin < self.options.goal / 4.0 && done >= 512;
-            if is_good || done >= samples || self.is_stopped() {
+            let is_late = 2.0 * start.elapsed().as_secs_f64() > 1.5 * seconds;
+            if is_good || done >= samples || is_late || self.is_stopped() {
                 break;
             }
         }

@@ -1,5 +1,6 @@
 //! The report of what was found.
 
+use super::sample::{Sample, least};
 use super::{Run, SLACK, load, rays};
 use crate::diagnostics::{Error, Language};
 use crate::study::accuracy::advice;
@@ -17,9 +18,9 @@ impl Run<'_> {
         let repeats = std::mem::take(&mut self.repeats);
         let mut rows = Vec::new();
         let minima: Vec<f64> = (repeats.iter())
-            .filter(|r| !r.is_empty())
-            .map(|r| r.iter().map(|t| t.cpu).fold(f64::INFINITY, f64::min))
+            .filter_map(|r| Some(least(r)?.iter().sum()))
             .collect();
+        let busy = busy(self.all_timed(&repeats));
         let mut pairs = Vec::new();
         for (i, a) in minima.iter().enumerate() {
             pairs.extend(minima[i + 1..].iter().map(|b| [*a, *b]));
@@ -33,26 +34,24 @@ impl Run<'_> {
                 continue;
             };
             let is_default = rung.is_default();
-            let (times, tiles): (&[Timed], usize) = match (is_default, known.same_as) {
+            let (times, sample): (&[Timed], &Sample) = match (is_default, known.same_as) {
                 (true, _) => {
                     let own = repeats.get(defaults % repeats.len().max(1));
                     defaults += 1;
-                    let own = own.map_or(&[][..], |r| &r[..]);
-                    (own, own.first().map_or(0, |t| t.tiles.len()))
+                    (own.map_or(&[][..], |r| &r[..]), &self.frame)
                 }
                 (false, Some(j)) if self.rungs[j].is_default() => {
-                    let own = repeats.first().map_or(&[][..], |r| &r[..]);
-                    (own, own.first().map_or(0, |t| t.tiles.len()))
+                    (repeats.first().map_or(&[][..], |r| &r[..]), &self.frame)
                 }
-                (false, Some(j)) => (&self.known[j].times, self.known[j].timed_tiles),
-                (false, None) => (&known.times, known.timed_tiles),
+                (false, Some(j)) => (&self.known[j].times, &self.known[j].sample),
+                (false, None) => (&known.times, &known.sample),
             };
-            let cpu = Spread::of(&times.iter().map(|t| t.cpu).collect::<Vec<_>>());
+            let cpu = cpu_of(times);
             let wall = Spread::of(&times.iter().map(|t| t.wall).collect::<Vec<_>>());
             let times_default = match (is_default, cpu) {
                 (_, None) => None,
                 (true, _) => Some(1.0),
-                (false, Some(cpu)) => self.default_time(tiles, &repeats).map(|d| cpu.min / d),
+                (false, Some(_)) => self.times_default(times, sample, &repeats),
             };
             let drawn = known.drawn.clone().unwrap_or_default();
             let mut error = RowError::from(measured.clone());
@@ -73,7 +72,7 @@ impl Run<'_> {
                 seconds: wall,
                 cpu_seconds: cpu,
                 times_default,
-                pixels_timed: self.pixels(tiles.min(self.tiles.len())),
+                pixels_timed: sample.pixels(&self.tiles),
                 rays_per_second: per_second,
                 rays: rays(&drawn.counts.rays),
                 uncertain: drawn.counts.uncertain,
@@ -110,12 +109,13 @@ impl Run<'_> {
             noise: Noise {
                 relative: noise,
                 pairs: pairs.len(),
-                estimator: "minimum of cpu_seconds",
+                estimator: "least CPU time of each tile, added up",
             },
             machine: Machine {
                 cpu: cpu_name(),
                 cores: std::thread::available_parallelism().map_or(1, usize::from),
                 threads: 1,
+                wall_over_cpu: busy,
                 load: load_before.into_iter().chain(load()).collect(),
                 build: if cfg!(debug_assertions) {
                     "debug"
@@ -164,11 +164,9 @@ impl Run<'_> {
         (self.effects.iter())
             .filter_map(|(name, _, known)| {
                 let measured = known.measured.clone()?;
-                let cpu = Spread::of(&known.times.iter().map(|t| t.cpu).collect::<Vec<_>>());
-                let saved = cpu.and_then(|cpu| {
-                    let whole = self.default_time(known.timed_tiles, repeats)?;
-                    Some(1.0 - cpu.min / whole)
-                });
+                let cpu = cpu_of(&known.times);
+                let times = self.times_default(&known.times, &known.sample, repeats);
+                let saved = times.map(|t| 1.0 - t);
                 // A ray count of the same pixels.
                 let own = rays(&known.drawn.as_ref()?.counts.rays) as f64;
                 let (all, pixels) = default_rays?;
@@ -184,6 +182,34 @@ impl Run<'_> {
             })
             .collect()
     }
+}
+
+impl Run<'_> {
+    /// All runs that were timed.
+    fn all_timed<'t>(&'t self, repeats: &'t [Vec<Timed>]) -> impl Iterator<Item = &'t Timed> {
+        let effects = self.effects.iter().map(|e| &e.2);
+        let others = self.known.iter().chain(effects).flat_map(|k| &k.times);
+        repeats.iter().flatten().chain(others)
+    }
+}
+
+/// The CPU time of some runs; the least is that of each tile, added up.
+fn cpu_of(times: &[Timed]) -> Option<Spread> {
+    let spread = Spread::of(&times.iter().map(|t| t.cpu).collect::<Vec<_>>())?;
+    Some(Spread {
+        min: least(times)?.iter().sum(),
+        ..spread
+    })
+}
+
+/// The wall time of runs as a multiple of their CPU time.
+fn busy<'t>(times: impl Iterator<Item = &'t Timed>) -> Option<f64> {
+    let (mut wall, mut cpu) = (0.0, 0.0);
+    for timed in times {
+        wall += timed.wall;
+        cpu += timed.cpu;
+    }
+    (cpu > 0.0).then(|| wall / cpu)
 }
 
 fn cpu_name() -> String {

@@ -1,10 +1,11 @@
 //! How long each rung takes, in shuffled rounds.
 
+use super::sample::Sample;
 use super::{Entry, FEWEST_PIXELS, LEAST_PIXELS, LEAST_SECONDS, OBJECTS, PICTURES, Run, TIMES};
 use crate::diagnostics::{Complaint, Error};
 use crate::study::accuracy::rungs::Settings;
 use crate::study::accuracy::stage::Timed;
-use crate::study::accuracy::tiles::shuffle;
+use crate::study::accuracy::tiles::{Tile, shuffle};
 use std::time::Instant;
 
 impl Run<'_> {
@@ -15,7 +16,7 @@ impl Run<'_> {
         // What the steps before have not used is theirs, too.
         let behind = OBJECTS + PICTURES;
         let own = self.seconds(TIMES);
-        let seconds = self.left(behind).clamp(own / 2.0, 1.5 * own);
+        let seconds = self.left(behind).clamp(own / 4.0, 1.5 * own);
         let most = self.options.runs.unwrap_or(5);
         let mut runs = most;
         // What is to be timed: rungs that are one computation once, the default four times.
@@ -31,28 +32,19 @@ impl Run<'_> {
         const REPEATS: usize = 4;
         entries.extend((0..REPEATS).map(Entry::Default));
         self.repeats = vec![Vec::new(); REPEATS];
-        let plan = |run: &Self, entries: &[Entry], runs: usize| -> (Vec<usize>, f64) {
-            let each = seconds / (runs * entries.len()) as f64;
-            let mut sum = 0.0;
-            let most = run.tiles.len();
-            let tiles: Vec<usize> = (entries.iter())
-                .map(|e| {
-                    let cost = run.entry_cost(e);
-                    let least = LEAST_PIXELS
-                        .max(LEAST_SECONDS / cost.max(1e-12))
-                        .min(LEAST_PIXELS * 4.0);
-                    // Dear rungs make do with fewer pixels.
-                    let affordable = (1.25 * each / cost.max(1e-12)).max(FEWEST_PIXELS);
-                    let least = least.min(affordable);
-                    let tiles = run.tiles_for(each, cost, least).min(most);
-                    sum += run.pixels(tiles) as f64 * cost * runs as f64;
-                    tiles
-                })
+        let plan = |run: &Self, entries: &[Entry], runs: usize| -> (Vec<Sample>, f64) {
+            let each = run.on_one(seconds) / (runs * entries.len()) as f64;
+            let frame = run.default_tiles(each);
+            let samples: Vec<Sample> = (entries.iter())
+                .map(|e| run.sample_for(e, each, frame))
                 .collect();
-            (tiles, sum)
+            let cost = |(e, sample): (&Entry, &Sample)| run.predicted_cost(e, sample);
+            let sum: f64 = entries.iter().zip(&samples).map(cost).sum();
+            (samples, sum * runs as f64)
         };
-        let (mut tiles, mut predicted) = plan(self, &entries, runs);
-        if predicted > 1.1 * seconds {
+        let (mut samples, mut predicted) = plan(self, &entries, runs);
+        let allowed = 1.1 * self.on_one(seconds);
+        if predicted > allowed {
             let dropped: Vec<usize> = (entries.iter())
                 .filter_map(|e| match e {
                     Entry::Rung(i) if self.rungs[*i].inner => Some(*i),
@@ -60,20 +52,23 @@ impl Run<'_> {
                 })
                 .collect();
             for i in dropped {
-                let name = format!("{} {}", self.rungs[i].axis.name(), self.rungs[i].label);
-                self.known[i].dropped = true;
-                self.cut.push(Complaint::quoted(name));
+                self.drop_rung(i);
                 entries.retain(|e| *e != Entry::Rung(i));
             }
-            (tiles, predicted) = plan(self, &entries, runs);
+            (samples, predicted) = plan(self, &entries, runs);
         }
-        if predicted > 1.1 * seconds && self.options.runs.is_none() {
+        if predicted > allowed && self.options.runs.is_none() {
             runs = 3;
-            (tiles, predicted) = plan(self, &entries, runs);
+            (samples, predicted) = plan(self, &entries, runs);
         }
         self.predicted = predicted;
+        if let Some(last) = entries.len().checked_sub(REPEATS) {
+            self.frame = samples[last].clone();
+        }
+        let lists: Vec<Vec<Tile>> = samples.iter().map(|s| s.of(&self.tiles)).collect();
         let mut order: Vec<usize> = (0..entries.len()).collect();
         let (mut done, mut longest) = (0, 0.0f64);
+        let start_of_all = Instant::now();
         'all: for round in 0..most {
             // Where runs were left out, and there is time after all, they are done.
             if round >= runs && self.left(behind) < 1.1 * longest {
@@ -85,27 +80,40 @@ impl Run<'_> {
             }
             let start = Instant::now();
             shuffle(&mut order, round as u64);
+            if round == 0 {
+                // Without the default's, no time says anything.
+                order.sort_by_key(|&e| !matches!(entries[e], Entry::Default(_)));
+            }
             for &e in &order {
                 if self.is_stopped() {
                     break 'all;
+                }
+                let is_late = start_of_all.elapsed().as_secs_f64() > 1.1 * seconds;
+                if is_late && round > 0 {
+                    self.cut.push(Complaint::new("accuracy-cut-runs"));
+                    break 'all;
+                }
+                let is_default = matches!(entries[e], Entry::Default(_));
+                let cost = self.predicted_cost(&entries[e], &samples[e]);
+                if is_late && !is_default && !self.is_cheap(cost) {
+                    continue;
                 }
                 let settings = match entries[e] {
                     Entry::Rung(i) => self.rungs[i].settings,
                     Entry::Effect(i) => self.effects[i].1,
                     Entry::Default(_) => default,
                 };
-                let list = self.tiles[..tiles[e]].to_vec();
-                let mut timed = self.stage.time(&settings, &list)?;
+                let mut timed = self.time(&settings, &lists[e])?;
                 self.timed += timed.cpu;
                 // The pixels are known.
                 timed.drawn.colours = Vec::new();
                 match entries[e] {
                     Entry::Rung(i) => {
-                        self.known[i].timed_tiles = tiles[e];
+                        self.known[i].sample = samples[e].clone();
                         self.known[i].times.push(timed);
                     }
                     Entry::Effect(i) => {
-                        self.effects[i].2.timed_tiles = tiles[e];
+                        self.effects[i].2.sample = samples[e].clone();
                         self.effects[i].2.times.push(timed);
                     }
                     Entry::Default(i) => self.repeats[i].push(timed),
@@ -119,25 +127,52 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// The least CPU time of the default on the first tiles.
-    pub(super) fn default_time(&self, tiles: usize, repeats: &[Vec<Timed>]) -> Option<f64> {
-        let sum = |t: &Timed| (t.tiles.len() >= tiles).then(|| t.tiles[..tiles].iter().sum());
-        // As many runs as any other has: the first entry's. Where that has too few tiles, scaled.
-        let least = repeats
-            .first()?
-            .iter()
-            .filter_map(sum)
-            .fold(f64::INFINITY, f64::min);
-        if least.is_finite() {
-            return Some(least);
+    /// As many tiles as the default is timed on in a run of so many CPU seconds.
+    fn default_tiles(&self, seconds: f64) -> usize {
+        let cost = self.entry_cost(&Entry::Default(0));
+        self.tiles_for(seconds, cost, least_pixels(cost, seconds))
+    }
+
+    /// What is timed of an entry in a run of so many CPU seconds: all that the default is timed on, or a part of it.
+    fn sample_for(&self, entry: &Entry, seconds: f64, frame: usize) -> Sample {
+        let cost = self.entry_cost(entry);
+        let tiles = self.tiles_for(seconds, cost, least_pixels(cost, seconds));
+        let known = frame.min(self.weights.len());
+        if tiles >= frame || known == 0 || matches!(entry, Entry::Default(_)) {
+            return Sample::first(frame);
         }
-        let all = repeats.first()?.first()?.tiles.len();
-        let least = repeats
-            .first()?
-            .iter()
-            .map(|t| t.cpu)
-            .fold(f64::INFINITY, f64::min);
-        let scale = self.pixels(tiles) as f64 / self.pixels(all).max(1) as f64;
-        least.is_finite().then_some(least * scale)
+        let weights = &self.weights[..known];
+        let few = tiles as f64 / Sample::skew(weights);
+        match (few as usize).max(FEWEST_TILES) {
+            count if count < known => Sample::by_time(weights, count),
+            _ => Sample::first(known),
+        }
+    }
+
+    /// CPU seconds of a run of a sample, by what the default took on its tiles.
+    fn predicted_cost(&self, entry: &Entry, sample: &Sample) -> f64 {
+        let pixels = sample.pixels(&self.tiles) as f64;
+        self.entry_cost(entry) * pixels * sample.share_of(&self.weights)
+    }
+
+    /// The CPU time of some runs as a multiple of the default's on the same tiles.
+    pub(super) fn times_default(
+        &self,
+        times: &[Timed],
+        sample: &Sample,
+        repeats: &[Vec<Timed>],
+    ) -> Option<f64> {
+        // As many runs as any other has: the first entry's.
+        sample.ratio(times, &self.frame, repeats.first()?)
     }
 }
+
+/// What a run should hold at the least, if the time is enough for it.
+fn least_pixels(cost: f64, seconds: f64) -> f64 {
+    let least = LEAST_PIXELS.max(LEAST_SECONDS / cost.max(1e-12));
+    let affordable = (1.25 * seconds / cost.max(1e-12)).max(FEWEST_PIXELS);
+    least.min(LEAST_PIXELS * 4.0).min(affordable)
+}
+
+/// How many tiles stand for the picture at the least.
+const FEWEST_TILES: usize = 12;

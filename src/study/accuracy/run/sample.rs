@@ -1,0 +1,144 @@
+//! Which tiles a setting is timed on, and what the times of a few say of the whole.
+
+use crate::study::accuracy::stage::Timed;
+use crate::study::accuracy::tiles::Tile;
+
+/// Tiles that stand for a picture.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Sample {
+    /// The number of each tile, rising, and what its time counts for.
+    tiles: Vec<(usize, f64)>,
+}
+
+impl Sample {
+    /// The first tiles, which are spread evenly.
+    pub fn first(count: usize) -> Sample {
+        Sample {
+            tiles: (0..count).map(|i| (i, 1.0)).collect(),
+        }
+    }
+
+    /// Few tiles of many, chosen so that what takes long is among them: where `times` are the default's, one of twice
+    /// the time is chosen twice as often and counts for half (Hansen and Hurwitz, "On the theory of sampling from finite
+    /// populations", 1943). Of each stretch of equal time one is chosen, the quickest tiles first.
+    pub fn by_time(times: &[f64], count: usize) -> Sample {
+        let total: f64 = times.iter().sum();
+        let stretch = total / count.max(1) as f64;
+        let mut tiles = Vec::new();
+        let (mut behind, mut chosen) = (0.0, 0);
+        let mut order: Vec<usize> = (0..times.len()).collect();
+        order.sort_by(|&a, &b| times[a].total_cmp(&times[b]));
+        for i in order {
+            let time = times[i];
+            behind += time;
+            let mut hits = 0.0;
+            while chosen < count && (chosen as f64 + 0.5) * stretch < behind {
+                chosen += 1;
+                hits += 1.0;
+            }
+            if hits > 0.0 {
+                tiles.push((i, hits / time));
+            }
+        }
+        tiles.sort_by_key(|tile| tile.0);
+        Sample { tiles }
+    }
+
+    /// How much longer a tile takes that is chosen by its time than one that is not.
+    pub fn skew(times: &[f64]) -> f64 {
+        let sum: f64 = times.iter().sum();
+        let squares: f64 = times.iter().map(|t| t * t).sum();
+        let skew = squares * times.len() as f64 / (sum * sum);
+        if skew.is_finite() { skew } else { 1.0 }
+    }
+
+    /// The default's time on its tiles as a multiple of what as many others take, as far as times are known.
+    pub fn share_of(&self, times: &[f64]) -> f64 {
+        let known: Vec<f64> = (self.tiles.iter())
+            .filter_map(|(i, _)| times.get(*i).copied())
+            .collect();
+        let mean = |times: &[f64]| times.iter().sum::<f64>() / times.len() as f64;
+        let share = mean(&known) / mean(times);
+        if share.is_finite() { share } else { 1.0 }
+    }
+
+    pub fn of(&self, tiles: &[Tile]) -> Vec<Tile> {
+        self.tiles.iter().map(|(i, _)| tiles[*i]).collect()
+    }
+
+    pub fn pixels(&self, tiles: &[Tile]) -> usize {
+        self.tiles.iter().map(|(i, _)| tiles[*i].count()).sum()
+    }
+
+    /// What the tiles took, as a multiple of what those of another sample took: of the least times of each tile. Only
+    /// tiles that are in both count.
+    pub fn ratio(&self, times: &[Timed], other: &Sample, others: &[Timed]) -> Option<f64> {
+        let (own, other_times) = (least(times)?, least(others)?);
+        let (mut sum, mut sum_of_other) = (0.0, 0.0);
+        for ((tile, weight), time) in self.tiles.iter().zip(own) {
+            if let Ok(at) = other.tiles.binary_search_by_key(tile, |t| t.0) {
+                sum += weight * time;
+                sum_of_other += weight * other_times.get(at)?;
+            }
+        }
+        (sum_of_other > 0.0).then(|| sum / sum_of_other)
+    }
+}
+
+/// The least time of each tile: what disturbs a run disturbs few of its tiles.
+pub(super) fn least(times: &[Timed]) -> Option<Vec<f64>> {
+    let mut least = times.first()?.tiles.clone();
+    for run in &times[1..] {
+        for (least, time) in least.iter_mut().zip(&run.tiles) {
+            *least = least.min(*time);
+        }
+    }
+    Some(least)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn timed(tiles: &[f64]) -> Timed {
+        Timed {
+            tiles: tiles.to_vec(),
+            ..Timed::default()
+        }
+    }
+
+    /// Of a hundred tiles the background takes 1; one in ten takes 20, and with the other setting 13 times as long.
+    #[test]
+    fn a_few_tiles_say_what_all_would() {
+        let is_dear = |i: usize| i % 10 == 7;
+        let default: Vec<f64> = (0..100)
+            .map(|i| if is_dear(i) { 20.0 } else { 1.0 })
+            .collect();
+        let dear: Vec<f64> = (0..100)
+            .map(|i| if is_dear(i) { 260.0 } else { 1.0 })
+            .collect();
+        let truth = dear.iter().sum::<f64>() / default.iter().sum::<f64>();
+        let frame = Sample::first(100);
+        let sample = Sample::by_time(&default, 12);
+        assert!(sample.tiles.len() <= 12);
+        let own: Vec<f64> = sample.tiles.iter().map(|(i, _)| dear[*i]).collect();
+        let ratio = sample
+            .ratio(&[timed(&own)], &frame, &[timed(&default)])
+            .unwrap();
+        assert!((ratio / truth - 1.0).abs() < 0.15, "{ratio} for {truth}");
+        // The first eight tiles would say twice that much, or next to nothing.
+        let first = Sample::first(7);
+        let ratio = first.ratio(&[timed(&dear[..7])], &frame, &[timed(&default)]);
+        assert_eq!(ratio, Some(1.0));
+    }
+
+    /// A run that is disturbed in the middle spoils one tile, once.
+    #[test]
+    fn what_disturbs_a_run_does_not_count() {
+        let frame = Sample::first(3);
+        let runs = [timed(&[1.0, 50.0, 1.0]), timed(&[1.0, 1.0, 30.0])];
+        let dear = [timed(&[2.0, 2.0, 90.0]), timed(&[80.0, 2.0, 2.0])];
+        assert_eq!(frame.ratio(&dear, &frame, &runs), Some(2.0));
+        assert_eq!(frame.ratio(&[], &frame, &runs), None);
+    }
+}

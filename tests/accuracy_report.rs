@@ -1,0 +1,282 @@
+//! What the report of `zpg accuracy` says, of rows that are made up.
+
+use unicode_width::UnicodeWidthStr as _;
+use zpg::diagnostics::{Complaint, Language};
+use zpg::study::accuracy::advice::{advise, in_language};
+use zpg::study::accuracy::print::{html, terminal};
+use zpg::study::accuracy::report::{
+    Budget, Checked, Goal, Machine, Noise, Reference, Report, Row, RowError, Skipped, mark_front,
+};
+use zpg::study::accuracy::rungs::Axis;
+
+/// A report of these rows: option, times the default, steps, pixels off; the first of each kind is the
+/// default.
+fn report_of(rows: &[(Axis, &'static str, f64, f64, usize)]) -> Report {
+    let row = |&(axis, label, times, steps, off): &(Axis, &'static str, f64, f64, usize),
+               default| Row {
+        kind: axis.kind().name(),
+        axis: axis.name(),
+        setting: label.into(),
+        seconds: None,
+        cpu_seconds: None,
+        times_default: Some(times),
+        pixels_timed: 1000,
+        rays_per_second: None,
+        rays: 1000,
+        uncertain: 0,
+        samples_mean: 1.0,
+        error: Some(RowError {
+            steps,
+            steps_interval: [steps; 2],
+            rmse: steps / 255.0,
+            relmse: 0.0,
+            max: steps / 255.0,
+            max_steps: steps,
+            flip: 0.0,
+            pixels: 1000,
+            pixels_off: off,
+            pixels_differ: if steps > 0.0 { 500 } else { 0 },
+            wrong_object: None,
+            median_ulp: None,
+            max_ulp: None,
+        }),
+        default,
+        pareto: false,
+        same_as: None,
+        below_reference: false,
+        of: Some((axis.kind(), axis)),
+        option: format!("--{} {label}", axis.name()),
+    };
+    let mut kinds = Vec::new();
+    let rows = rows.iter().map(|r| {
+        let is_first = !kinds.contains(&r.0.kind());
+        kinds.push(r.0.kind());
+        row(r, is_first)
+    });
+    let mut report = Report {
+        version: 1,
+        scene: "scene.zpg".into(),
+        size: [40, 25],
+        advice: String::new(),
+        advice_parts: Vec::new(),
+        goal: Goal {
+            steps: 1.0,
+            tolerance: 0.15,
+        },
+        noise: Noise {
+            relative: 0.02,
+            pairs: 6,
+            estimator: "",
+        },
+        machine: Machine {
+            cpu: String::new(),
+            cores: 2,
+            threads: 1,
+            wall_over_cpu: Some(1.0),
+            load: Vec::new(),
+            build: "",
+            version: "",
+        },
+        budget: Budget {
+            asked_seconds: 1.0,
+            predicted_seconds: 1.0,
+            timed_seconds: 1.0,
+            spent_seconds: 1.0,
+            pixels_share: 1.0,
+            tile: None,
+            cut: Vec::new(),
+        },
+        reference: Default::default(),
+        rows: rows.collect(),
+        skipped: Vec::new(),
+        effects: Vec::new(),
+        objects: Vec::new(),
+        pictures: Vec::new(),
+        maps: None,
+        picture: None,
+        stopped: false,
+    };
+    mark_front(&mut report);
+    advise(&mut report, Language::English);
+    report
+}
+
+#[test]
+fn advice_names_the_cheapest_way_to_the_goal_with_slack() {
+    let report = report_of(&[
+        (Axis::Samples, "1", 1.0, 7.4, 400),
+        (Axis::Samples, "64", 64.0, 0.9, 20),
+        (Axis::Adaptive, "0.02", 25.0, 1.01, 90),
+        // More accurate, but not as fast within the noise.
+        (Axis::Adaptive, "0.01", 57.0, 0.5, 30),
+        (Axis::Depth, "10", 1.0, 0.05, 16),
+        (Axis::Depth, "16", 1.04, 0.01, 0),
+        (Axis::Precision, "f64", 1.0, 0.0, 0),
+        (Axis::Precision, "f32", 1.01, 0.1, 21),
+        (Axis::Precision, "dd", 10.0, 0.0, 0),
+    ]);
+    let text = |what: &str| {
+        let part = report.advice_parts.iter().find(|a| a.what == what);
+        part.map_or("", |a| a.text.as_str())
+    };
+    let limit = "The largest error of this picture comes from edges: with the default settings its pixels are off by \
+                 7.40 steps (root mean square). A step is 1/255 of white, the smallest difference that an 8-bit \
+                 picture can show. With `--adaptive 0.02` this error is 1.01 steps, and the picture takes 25 times as \
+                 long as with the default settings. With `--samples 64` it is 0.90 steps, but the picture takes 64 \
+                 times as long. With the default settings each other kind of error is below 0.060 steps.";
+    assert_eq!(text("limit"), limit);
+    assert_eq!(report.advice, limit);
+    let change = "In 16 of the 1000 pixels that were looked at the light that is cut shows by more than a step. \
+                  `--depth 16` puts 16 of them right for 4 % more time.";
+    assert_eq!(text("change"), change);
+    let numbers = "Doubles are enough here: double-double, which has twice as many digits, takes 10 times as long \
+                   and gives the same picture. Single precision gets 21 pixels wrong and takes as long.";
+    assert_eq!(text("numbers"), numbers);
+    let front: Vec<&str> = (report.rows.iter().filter(|r| r.pareto))
+        .map(|r| r.setting.as_str())
+        .collect();
+    // Of two that are as fast within the noise the more accurate one; 64 samples are dearer than adaptive 0.01.
+    assert_eq!(front, ["1", "0.02", "0.01", "10", "16", "f64"]);
+}
+
+#[test]
+fn advice_where_nothing_is_to_be_done_and_where_nothing_helps() {
+    let enough = report_of(&[
+        (Axis::Samples, "1", 1.0, 0.4, 0),
+        (Axis::Samples, "4", 4.0, 0.1, 0),
+        (Axis::Cutoff, "1/4096", 1.0, 0.01, 0),
+        // Saves a third of the time unseen.
+        (Axis::Cutoff, "1/256", 0.66, 0.05, 0),
+    ]);
+    assert!(
+        enough.advice.starts_with("The default settings are enough"),
+        "{}",
+        enough.advice
+    );
+    let save =
+        "`--cutoff 1/256` saves 34 % of the time, and no further pixel is off by more than a step.";
+    assert_eq!(enough.advice_parts[1].text, save);
+    let stopped = report_of(&[]);
+    assert_eq!(
+        stopped.advice,
+        "Nothing was finished that advice could rest on."
+    );
+    let hopeless = report_of(&[
+        (Axis::Samples, "1", 1.0, 30.0, 900),
+        (Axis::Samples, "4", 4.0, 12.0, 800),
+    ]);
+    assert!(
+        hopeless
+            .advice
+            .contains(
+                "Even `--samples 4`, which takes 4.00 times as long as the default settings, leaves an error of \
+                 12.0 steps."
+            )
+    );
+    let wrong = {
+        let mut report = report_of(&[(Axis::Samples, "1", 1.0, 30.0, 900)]);
+        let checked = Checked {
+            pixels: 120,
+            wrong: 2,
+            largest: 0.5,
+            wrong_pixels: vec![[3, 4], [5, 6]],
+            ..Checked::default()
+        };
+        let reference = Reference {
+            checked: Some(checked),
+            ..Reference::default()
+        };
+        report.reference.insert("numbers", reference);
+        advise(&mut report, Language::English);
+        report
+    };
+    // Nothing else is said.
+    assert_eq!(wrong.advice_parts.len(), 1);
+    assert!(
+        wrong.advice.starts_with("The reference is wrong")
+            && wrong.advice.contains("(3, 4), (5, 6)")
+    );
+}
+
+/// Times of a machine whose processor others had are not to be relied on.
+#[test]
+fn a_busy_machine_is_named() {
+    let rows = [
+        (Axis::Samples, "1", 1.0, 7.4, 400),
+        (Axis::Samples, "64", 64.0, 0.9, 20),
+    ];
+    let busy = |wall_over_cpu| {
+        let mut report = report_of(&rows);
+        report.machine.wall_over_cpu = wall_over_cpu;
+        advise(&mut report, Language::English);
+        let part = report.advice_parts.iter().find(|a| a.what == "busy");
+        part.map(|a| a.text.clone())
+    };
+    for quiet in [None, Some(1.0), Some(1.3)] {
+        assert_eq!(busy(quiet), None);
+    }
+    let said = busy(Some(1.8)).unwrap();
+    assert!(
+        said.contains("The machine was too busy") && said.contains("1.80 times"),
+        "{said}"
+    );
+}
+
+/// At 80 columns without bars, at 120 with them; entries keep the points between them.
+#[test]
+fn the_report_fits_the_terminal() {
+    let mut report = report_of(&[
+        (Axis::Samples, "1", 1.0, 7.4, 400),
+        (Axis::Samples, "64", 64.0, 0.9, 20),
+        (Axis::Adaptive, "0.02", 25.0, 1.01, 90),
+        (Axis::Precision, "plain-f64", 0.8, 0.2, 3),
+        (Axis::Precision, "f64", 1.0, 0.0, 0),
+    ]);
+    report.scene = "scenes/".to_owned() + &"long/".repeat(12) + "scene.zpg";
+    report.machine.load = vec![0.5, 1.5];
+    report.budget.pixels_share = 0.06;
+    for axis in ["depth", "cutoff", "solver", "levels"] {
+        let why = Complaint::new("accuracy-skip-unasked");
+        report.skipped.push(Skipped { axis, why });
+    }
+    for language in [Language::English, Language::Czech] {
+        let report = in_language(&report, language);
+        for width in [80, 120] {
+            let page = "The page is scene-accuracy/accuracy.html";
+            let text = terminal::text(&report, language, Some(page), width);
+            for line in text.lines() {
+                assert!(
+                    line.width() <= width || line.contains("scenes/long"),
+                    "{width}: {line}"
+                );
+            }
+            assert_eq!(text.contains('█'), width == 120, "{text}");
+            let not_run = text.lines().skip_while(|l| !l.contains("depth: "));
+            let not_run: Vec<&str> = not_run.take(4).collect();
+            let entries = not_run.join(" ").matches(" · ").count()
+                + not_run.join("\n").matches(" ·\n").count();
+            assert!(entries >= 3, "{not_run:?}");
+            assert!(text.matches(" ·").count() >= 3 + 3 + 2, "{text}");
+        }
+    }
+}
+
+/// What is wider than a telephone scrolls in a box of its own: the tables. All else bends.
+#[test]
+fn tables_of_the_page_scroll_by_themselves() {
+    let report = report_of(&[
+        (Axis::Samples, "1", 1.0, 7.4, 400),
+        (Axis::Samples, "64", 64.0, 0.9, 20),
+    ]);
+    let page = html::text(&report, Language::English);
+    let tables = page.matches("<table>").count();
+    assert!(tables >= 1);
+    assert_eq!(page.matches("<div class=\"wide\"><table>").count(), tables);
+    assert_eq!(page.matches("</table></div>").count(), tables);
+    assert!(page.contains(".wide{overflow-x:auto}") && page.contains("max-width:100%"));
+    // What may not break is in tables only.
+    for rule in page.split('}').filter(|rule| rule.contains("nowrap")) {
+        let selector = rule.split('{').next().unwrap();
+        assert!(selector.contains("td"), "{rule}");
+    }
+}
