@@ -88,7 +88,11 @@ impl Run<'_> {
                 if self.is_stopped() {
                     break 'all;
                 }
-                let is_late = start_of_all.elapsed().as_secs_f64() > 1.1 * seconds;
+                // One round is worth more than the steps behind it.
+                let is_late = match round {
+                    0 => self.left(0.0) < 0.0,
+                    _ => start_of_all.elapsed().as_secs_f64() > 1.1 * seconds,
+                };
                 if is_late && round > 0 {
                     self.cut.push(Complaint::new("accuracy-cut-runs"));
                     break 'all;
