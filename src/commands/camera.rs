@@ -1,5 +1,6 @@
 //! Who takes the picture: a camera of the scene, or one that looks at it from a side.
 
+use super::help;
 use super::size::Size;
 use super::terminal::{LookChoice, note};
 use super::usage;
@@ -12,10 +13,12 @@ use std::borrow::Cow;
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
 pub struct CameraArgs {
     /// Take the picture with this camera of the scene
+    #[arg(help_heading = help::PICTURE)]
     #[arg(long, value_name = "ID", value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
     camera: Option<u32>,
 
     /// Look at the scene from this side instead, whatever its cameras are
+    #[arg(help_heading = help::PICTURE)]
     #[arg(long, value_enum, value_name = "SIDE", conflicts_with = "camera")]
     view: Option<SideArg>,
 }

@@ -58,6 +58,7 @@ pub struct Args {
     watch: bool,
 
     /// Width and height in pixels
+    #[arg(help_heading = help::PICTURE)]
     #[arg(
         long,
         value_name = "WxH",
@@ -101,6 +102,7 @@ pub struct Args {
     precision: Numbers,
 
     /// Draw this part of the picture only
+    #[arg(help_heading = help::PICTURE)]
     #[arg(long, value_name = "X,Y,W,H", allow_hyphen_values = true)]
     crop: Option<CropArg>,
 
@@ -108,6 +110,7 @@ pub struct Args {
     camera: CameraArgs,
 
     /// How the two pictures of a stereo camera are put [default: pair]
+    #[arg(help_heading = help::PICTURE)]
     #[arg(long, value_enum)]
     stereo: Option<Stereo>,
 
