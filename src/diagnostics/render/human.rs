@@ -307,7 +307,8 @@ impl Printer<'_> {
                     .with_color(colour),
             );
         }
-        // The margin with the numbers of lines, and what the frame has before a note: ` 12 │ Note: `, `Note 1: ` of several.
+        // The margin with the numbers of lines, and what the frame has before a note: ` 12 │ Note: `, or `Note 1: ` of
+        // several.
         let margin = excerpt::margin(&sections) + 2;
         let room = |several: bool| {
             let name = if several { 8 } else { 6 };

@@ -101,8 +101,8 @@ fn unfit(unfit: Unfit) -> &'static str {
     }
 }
 
-/// Follows whole pixels: [`FEWEST`] unless they take more than `most` seconds, and more while `seconds` last. `colours` are those of the
-/// reference, in the order of the tiles' pixels. In place of an answer comes the name of the message that
+/// Follows whole pixels: [`FEWEST`] unless they take more than `most` seconds, and more while `seconds` last. `colours`
+/// are those of the reference, in the order of the tiles' pixels. In place of an answer comes the name of the message that
 /// says why there is none.
 pub fn check(
     stage: &Stage,
