@@ -52,7 +52,7 @@ fn a_scene_agrees() {
     let errors = String::from_utf8_lossy(&run.stderr).into_owned();
     assert_eq!(run.status.code(), Some(0), "{said}{errors}");
     assert!(
-        said.starts_with("a.zpg with povray, 96x72: agrees\n"),
+        said.starts_with("a.zpg with povray, 96x72: agrees"),
         "{said}"
     );
     let out = dir.path().join("a-povray");
@@ -64,11 +64,40 @@ fn a_scene_agrees() {
     // On the outline of the ball, its shadow's and those of the checks: some of some hundred pixels.
     let silhouettes = picture["differing"]["on_silhouettes"].as_u64().unwrap();
     assert!(silhouettes < 200, "{silhouettes}");
+    // The answer says how much of the picture it is about.
+    let edges = picture["differing"]["on_other_edges"].as_u64().unwrap();
+    let left_out = silhouettes + edges + picture["total_reflection"].as_u64().unwrap();
+    let share = 1.0 - left_out as f64 / (96.0 * 72.0);
+    assert!((picture["compared"].as_f64().unwrap() - share).abs() < 1e-12);
+    let whole = "a.zpg with povray, 96x72: agrees\n".to_owned();
+    let part = format!(
+        "a.zpg with povray, 96x72: agrees where compared ({} %)\n",
+        (100.0 * share) as u32
+    );
+    assert!(
+        said.starts_with(if left_out == 0 { &whole } else { &part }),
+        "{said}"
+    );
     let size = |name: &str| image::image_dimensions(out.join(name)).unwrap();
     for name in ["ours.png", "theirs.png", "difference.png"] {
         assert_eq!(size(name), (96, 72), "{name}");
     }
-    assert_eq!(size("side-by-side.png"), (3 * 96, 72));
+    // All three, with a title above each, and below what the colours mean.
+    let read = |name: &str| image::open(out.join(name)).unwrap().to_rgb8();
+    let sheet = read("side-by-side.png");
+    assert_eq!(sheet.width(), 3 * 96);
+    let white = |column: u32| {
+        let dots = (0..28).flat_map(|y| (0..96).map(move |x| (96 * column + x, y)));
+        dots.filter(|&(x, y)| sheet.get_pixel(x, y).0 == [255; 3])
+            .count()
+    };
+    for (column, name) in (0..).zip(["ours.png", "theirs.png", "difference.png"]) {
+        assert!(white(column) > 50, "no title over {name}");
+        let alone = read(name);
+        let within = image::imageops::crop_imm(&sheet, 96 * column, 28, 96, 72).to_image();
+        assert!(within == alone, "{name}");
+    }
+    assert!(sheet.height() > 28 + 72 + 17);
 }
 
 #[test]
@@ -225,6 +254,53 @@ fn geometry_agrees_with_mitsuba() {
             && said.contains("nowhere` was tried)"),
         "{said}"
     );
+}
+
+/// The pit of a bitten ball, the outside of a ball, and a rectangle, which has no outside: both pictures show them in the
+/// same colours.
+#[test]
+#[ignore = "needs Mitsuba"]
+fn normals_of_both_have_the_same_colours() {
+    let dir = folder(
+        "2 11 -1 1 0 1\n3 11 -0.5 1.5 1 0.7\n4 -103 2 3\n5 11 1.5 1 0 1\n6 5 -3 -0.5 3 3\n6 -1 0 0 -2\n\
+         7 -101 4 5\n8 -101 7 6\n9 -501 0 3 8 0 -0.25 -1 0 1 0 40\n1 9999 8 0\n",
+    );
+    let python = mitsuba::python();
+    let args = [
+        "crosscheck",
+        "a.zpg",
+        "--with",
+        "mitsuba",
+        "--size",
+        "96x72",
+    ];
+    let run = zpg(
+        dir.path(),
+        &[&args[..], &["--program", python.to_str().unwrap()]].concat(),
+    );
+    let said = text(&run.stdout);
+    assert_eq!(run.status.code(), Some(0), "{said}{}", text(&run.stderr));
+    assert!(
+        said.starts_with("a.zpg with mitsuba, 96x72: agrees where compared ("),
+        "{said}"
+    );
+    let read = |name: &str| {
+        image::open(dir.path().join("a-mitsuba").join(name))
+            .unwrap()
+            .to_rgb8()
+    };
+    let [ours, theirs, difference] = ["ours.png", "theirs.png", "difference.png"].map(read);
+    let mut compared = 0;
+    for ((a, b), kind) in ours.pixels().zip(theirs.pixels()).zip(difference.pixels()) {
+        // Silhouettes are grey.
+        if kind.0 != [60; 3] {
+            compared += usize::from(a.0 != [0; 3]);
+            let apart = (0..3).map(|k| a.0[k].abs_diff(b.0[k])).max();
+            // Those of a mesh, where the bite is, differ a little.
+            assert!(apart < Some(16), "{a:?} {b:?}");
+        }
+    }
+    assert!(compared > 1000, "{compared}");
 }
 
 /// A matrix for pictures that are half as wide again as they are high.

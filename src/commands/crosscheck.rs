@@ -1,5 +1,6 @@
 //! `zpg crosscheck`: what we see of a scene beside what another program does.
 
+mod labels;
 mod mitsuba;
 mod povray;
 
@@ -38,12 +39,14 @@ by themselves. The answer is also \"no\" if there are more of these pixels than 
 
 In DIR are then ours.png, theirs.png, difference.png (green: alike, red: differing, grey: silhouettes,
 with povray those that differ; yellow: other edges that differ; blue: what else is counted by itself),
-side-by-side.png, crosscheck.json, and the translation; with _left and _right for a pair of cameras.
-Pictures of mitsuba show normals as colours.
+side-by-side.png (all three, with labels), crosscheck.json, and the translation; with _left and _right
+for a pair of cameras. Pictures of mitsuba show normals as colours, those of solids outwards.
+
+The answer names the share of the pixels that were compared, unless all were.
 
 Examples:
   zpg crosscheck scene.zpg --with povray
-  zpg crosscheck scene.zpg --with povray --size 640x480 -o compared --max-diff 1
+  zpg crosscheck scene.zpg --with povray --size 320x240 -o compared --max-diff 1
   zpg crosscheck scene.zpg --with mitsuba --program venv/bin/python")]
 pub struct Args {
     /// The scene
@@ -57,7 +60,7 @@ pub struct Args {
     #[arg(help_heading = help::PICTURE)]
     #[arg(
         long,
-        default_value = "320x240",
+        default_value = "640x480",
         value_name = "WxH",
         allow_hyphen_values = true
     )]
@@ -102,6 +105,14 @@ enum Program {
 }
 
 impl Program {
+    /// What people call it.
+    fn title(self) -> &'static str {
+        match self {
+            Program::Povray => "POV-Ray",
+            Program::Mitsuba => "Mitsuba",
+        }
+    }
+
     fn name(self) -> &'static str {
         match self {
             Program::Povray => "povray",
@@ -136,6 +147,8 @@ struct Answer<T> {
 struct Compared<T> {
     /// `_left`, `_right`, or nothing.
     name: &'static str,
+    /// The share of pixels that were compared.
+    compared: f64,
     #[serde(flatten)]
     comparison: T,
 }
@@ -144,6 +157,18 @@ struct Compared<T> {
 trait Outcome: Serialize {
     /// The share of pixels that differ off silhouettes.
     fn share(&self) -> f64;
+
+    /// How many pixels there are, and how many of them were not compared.
+    fn pixels(&self) -> [usize; 2];
+
+    /// What the colours of the difference mean, as messages.
+    fn legend() -> &'static [([u8; 3], &'static str)];
+
+    /// The share of pixels that were compared.
+    fn compared(&self) -> f64 {
+        let [all, left_out] = self.pixels();
+        1.0 - left_out as f64 / all.max(1) as f64
+    }
 
     /// Whether so much could be compared that it is an answer.
     fn tells(&self) -> bool {
@@ -187,7 +212,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             povray::compare(args, &loaded, look).and_then(|c| answer(args, c, look.language()))
         }
         Program::Mitsuba => {
-            mitsuba::compare(args, &loaded).and_then(|c| answer(args, c, look.language()))
+            mitsuba::compare(args, &loaded, look).and_then(|c| answer(args, c, look.language()))
         }
     };
     match said {
@@ -226,11 +251,14 @@ fn answer<T: Outcome>(
         return Ok((answer.agrees, json));
     }
     let mut text = String::new();
-    for Compared { name, comparison } in &answer.pictures {
+    for Compared {
+        name, comparison, ..
+    } in &answer.pictures
+    {
         let agrees = match (comparison.share() <= SHARE, comparison.tells()) {
-            (true, true) => "crosscheck-agrees",
-            (true, false) => "crosscheck-cannot",
-            (false, _) => "crosscheck-differs",
+            (true, true) => agreement(comparison.pixels()),
+            (true, false) => Complaint::new("crosscheck-cannot"),
+            (false, _) => Complaint::new("crosscheck-differs"),
         };
         let [width, height] = answer.size;
         let line = Complaint::new("crosscheck-answer")
@@ -239,7 +267,7 @@ fn answer<T: Outcome>(
             .with("with", answer.with)
             .with("width", width.to_string())
             .with("height", height.to_string())
-            .with("answer", Complaint::new(agrees));
+            .with("answer", agrees);
         text += &(line.wording(language) + "\n");
         for (what, line) in comparison.lines(args, language) {
             let (what, line) = (language.say(what, &[]), line.wording(language));
@@ -249,6 +277,19 @@ fn answer<T: Outcome>(
     let last = Complaint::new("crosscheck-folder").with("folder", folder.as_path());
     text += &(last.wording(language) + "\n");
     Ok((answer.agrees, text.into_bytes()))
+}
+
+/// The answer "yes", which says how many of the pixels were compared unless all were. The share is rounded down: 100 %
+/// is all.
+fn agreement([all, left_out]: [usize; 2]) -> Complaint {
+    if left_out == 0 {
+        return Complaint::new("crosscheck-agrees");
+    }
+    let percent = match 100 * (all - left_out) / all {
+        0 => "< 1".to_owned(),
+        percent => percent.to_string(),
+    };
+    Complaint::new("crosscheck-agrees-in-part").with("percent", percent)
 }
 
 /// The scene's name without its extension; for standard input `scene`.
@@ -299,17 +340,31 @@ fn program(args: &Args, name: &str) -> PathBuf {
 
 /// Compares what each camera sees, and writes the pictures. `suffixes` are what the names of a camera's
 /// files end with; `look` is given one of them and the number of its camera.
-fn each_camera<T>(
+fn each_camera<T: Outcome>(
     args: &Args,
+    language: Language,
     folder: &Path,
     suffixes: impl IntoIterator<Item = &'static str>,
     mut look: impl FnMut(usize, &str) -> Result<(Pictures, T), Error>,
 ) -> Result<Vec<Compared<T>>, Error> {
+    let say = |message: &'static str| language.say(message, &[]);
+    let titles = [
+        "zpg".to_owned(),
+        args.with.title().to_owned(),
+        say("crosscheck-difference"),
+    ];
+    let legend: Vec<_> = (T::legend().iter())
+        .map(|(colour, meaning)| (*colour, say(meaning)))
+        .collect();
     let mut compared = Vec::new();
     for (i, name) in suffixes.into_iter().enumerate() {
         let (pictures, comparison) = look(i, name)?;
-        write_pictures(folder, name, args.size, &pictures)?;
-        compared.push(Compared { name, comparison });
+        write_pictures(folder, name, args.size, &pictures, &titles, &legend)?;
+        compared.push(Compared {
+            name,
+            compared: comparison.compared(),
+            comparison,
+        });
     }
     Ok(compared)
 }
@@ -349,6 +404,8 @@ fn write_pictures(
     suffix: &str,
     size: Size,
     pictures: &Pictures,
+    titles: &[String; 3],
+    legend: &[labels::Meaning],
 ) -> Result<(), Complaint> {
     let Size { width, height } = size;
     let Pictures {
@@ -356,20 +413,18 @@ fn write_pictures(
         theirs,
         difference,
     } = pictures;
-    let row = 3 * width as usize;
-    let rows = (ours.chunks(row).zip(theirs.chunks(row))).zip(difference.chunks(row));
-    let all: Vec<u8> = rows.flat_map(|((a, b), c)| [a, b, c].concat()).collect();
+    let [own, other, apart] = titles;
+    let titled: [(&str, &[u8]); 3] = [(own, ours), (other, theirs), (apart, difference)];
+    let all = labels::beside([width, height], titled, legend);
     let files = [
-        (width, ours),
-        (width, theirs),
-        (width, difference),
-        (3 * width, &all),
+        ([width, height], ours),
+        ([width, height], theirs),
+        ([width, height], difference),
+        ([all.width, all.height], &all.rgb),
     ];
-    for (name, (width, rgb)) in PICTURES.into_iter().zip(files) {
+    for (name, (size, rgb)) in PICTURES.into_iter().zip(files) {
         let path = folder.join(format!("{name}{suffix}.png"));
-        draft::write(&path, |out| {
-            write_rgb8(out, [width, height], rgb, Packing::Quick)
-        })?;
+        draft::write(&path, |out| write_rgb8(out, size, rgb, Packing::Quick))?;
     }
     Ok(())
 }

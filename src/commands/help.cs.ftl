@@ -236,12 +236,14 @@ help-crosscheck = Porovná, co ve scéně vidí zpg a co jiný program
         Do složky SLOŽKA se zapíšou obrázky ours.png, theirs.png, difference.png a side-by-side.png, čísla
         crosscheck.json a převedená scéna; u dvojice kamer se ke jménům přidá _left a _right. Barvy v difference.png:
         zelená je shoda, červená rozdíl, šedá obrysy (u povray jen ty, které se liší), žlutá jiné hrany, které se liší,
-        modrá ostatní, co se uvádí zvlášť.
-        Obrázky z mitsuba znázorňují normály barvami.
+        modrá ostatní, co se uvádí zvlášť. V side-by-side.png jsou všechny tři s popisky.
+        Obrázky z mitsuba znázorňují normály barvami, u těles směrem ven.
+
+        Neporovnaly-li se všechny pixely, odpověď uvádí, kolik procent se jich porovnalo.
 
         Příklady:
           zpg crosscheck scena.zpg --with povray
-          zpg crosscheck scena.zpg --with povray --size 640x480 -o srovnani --max-diff 1
+          zpg crosscheck scena.zpg --with povray --size 320x240 -o srovnani --max-diff 1
           zpg crosscheck scena.zpg --with mitsuba --program venv/bin/python
 help-crosscheck-file = Scéna
     .value = SOUBOR

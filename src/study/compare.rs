@@ -127,6 +127,11 @@ impl Comparison {
         }
     }
 
+    /// How many pixels are not compared: edges that differ, and total reflection.
+    pub fn left_out(&self) -> usize {
+        self.total_reflection + self.differing.on_silhouettes + self.differing.on_other_edges
+    }
+
     /// The differences as a picture of 8-bit RGB, row by row: green up to the bar, red above it, grey
     /// for silhouettes that differ, yellow for other edges that do, blue where there is total reflection; all
     /// the brighter the more they differ.
@@ -144,6 +149,15 @@ impl Comparison {
         self.map.iter().flat_map(colour).collect()
     }
 }
+
+/// What the colours of [`Comparison::picture`] mean, as messages.
+pub const LEGEND: [([u8; 3], &str); 5] = [
+    ([0, 200, 0], "crosscheck-legend-alike"),
+    ([255, 0, 0], "crosscheck-legend-differing"),
+    ([127; 3], "crosscheck-legend-silhouettes-differ"),
+    ([255, 255, 0], "crosscheck-legend-edges"),
+    ([0, 0, 255], "crosscheck-legend-total-reflection"),
+];
 
 fn flip(width: u32, height: u32, ours: &[[f32; 3]], theirs: &[[f32; 3]]) -> f32 {
     let image = |pixels: &[[f32; 3]]| {

@@ -20,12 +20,26 @@ use crate::translate::mitsuba::{Output, ShapeInfo};
 #[derive(Debug, Clone, Copy)]
 pub struct Seen {
     pub point: Vec3,
-    /// The shading normal, unit.
+    /// The shading normal, unit: out of a solid, also where another one was taken away from it.
     pub normal: Vec3,
+    /// Whether it bounds a solid. The normal of a surface without an inside points to either side.
+    pub is_of_solid: bool,
     pub distance: f64,
     /// As in [`crate::trace::Crossing`].
     pub shape: u32,
     pub object: u32,
+}
+
+impl Seen {
+    /// The cosine between the normal and another one of the same surface: that of the lesser angle where there is no
+    /// inside.
+    fn cosine(&self, normal: Vec3) -> f64 {
+        let cosine = dot(normal, self.normal);
+        match self.is_of_solid {
+            true => cosine,
+            false => cosine.abs(),
+        }
+    }
 }
 
 /// What our tracer sees, row by row.
@@ -42,7 +56,11 @@ pub fn seen(tracer: &Tracer, camera: &Camera, (width, height): (u32, u32)) -> Ve
                 let probe = tracer.probe(walkers, &ray);
                 probe.crossings.first().map(|c| Seen {
                     point: c.hit.point.0,
-                    normal: c.hit.shading.0,
+                    normal: match dot(c.hit.normal.0, c.normal.0) < 0.0 {
+                        true => c.hit.shading.0.map(|x| -x),
+                        false => c.hit.shading.0,
+                    },
+                    is_of_solid: c.entering.is_some(),
                     distance: c.hit.t * ray.line.direction.length(),
                     shape: c.shape,
                     object: c.object,
@@ -285,10 +303,14 @@ impl Sight<'_> {
         if across > allowed || (info.shape, info.object) != (here.shape, here.object) {
             return self.unlike(i, point, Some(info), walkers);
         }
-        let cosine = dot(normal, here.normal).abs();
+        let cosine = here.cosine(normal);
         // Rounded as places are.
         let sine = TURNED * f64::max(1.0, here.distance / (FAR * self.size));
-        let exact = (1.0 - sine * sine).max(0.0).sqrt();
+        // Where roundings turn a normal by more than a right angle, it may point anywhere.
+        let exact = match sine < 1.0 {
+            true => (1.0 - sine * sine).sqrt(),
+            false => -1.0,
+        };
         if cosine < if info.exact { exact } else { exact.min(FOLDED) } {
             // A mesh has its folds within the tolerance of where they are.
             return match !info.exact && self.is_near(i, &here, normal) {
@@ -431,7 +453,7 @@ impl Sight<'_> {
         self.around(i, NEAR).any(|j| {
             self.ours[j].is_some_and(|seen| {
                 let same = (seen.shape, seen.object) == (here.shape, here.object);
-                same && dot(seen.normal, normal).abs() > FOLDED
+                same && seen.cosine(normal) > FOLDED
             })
         })
     }
@@ -465,6 +487,11 @@ impl Sight<'_> {
 }
 
 impl Comparison {
+    /// How many pixels are not compared.
+    pub fn left_out(&self) -> usize {
+        self.silhouettes + self.cut_off + self.undecided + self.in_one_place
+    }
+
     /// Whether there is an answer: no more is left out than is shown to be right.
     pub fn tells(&self) -> bool {
         let right = self.exact.pixels + self.meshes.pixels;
@@ -475,9 +502,9 @@ impl Comparison {
     /// where single precision or nothing decides or something is cut off, grey for silhouettes.
     pub fn picture(&self) -> Vec<u8> {
         let colour = |pixel: &Pixel| match *pixel {
-            Pixel::Silhouette => [60; 3],
-            Pixel::CutOff | Pixel::Undecided | Pixel::InOnePlace(_) => [0, 90, 255],
-            Pixel::Wrong => [255, 0, 0],
+            Pixel::Silhouette => SILHOUETTE,
+            Pixel::CutOff | Pixel::Undecided | Pixel::InOnePlace(_) => LEFT_OUT,
+            Pixel::Wrong => WRONG,
             Pixel::Right {
                 distance, allowed, ..
             } => [0, (200.0 * distance / allowed) as u8, 0],
@@ -487,19 +514,36 @@ impl Comparison {
     }
 }
 
+const SILHOUETTE: [u8; 3] = [60; 3];
+const LEFT_OUT: [u8; 3] = [0, 90, 255];
+const WRONG: [u8; 3] = [255, 0, 0];
+
+/// What the colours of [`Comparison::picture`] mean, as messages.
+pub const LEGEND: [([u8; 3], &str); 4] = [
+    ([0, 200, 0], "crosscheck-legend-alike"),
+    (WRONG, "crosscheck-legend-differing"),
+    (SILHOUETTE, "crosscheck-legend-silhouettes"),
+    (LEFT_OUT, "crosscheck-legend-left-out"),
+];
+
 /// Our normals as colours, as 8-bit RGB: each coordinate from −1 to 1.
 pub fn our_normals(seen: &[Option<Seen>]) -> Vec<u8> {
     let colour = |s: &Option<Seen>| s.map_or([0; 3], |s| s.normal.map(shade));
     seen.iter().flat_map(colour).collect()
 }
 
-/// Theirs.
-pub fn their_normals(theirs: &[f32]) -> Vec<u8> {
-    let colour = |c: &[f32]| match c[6] > 0.0 {
-        true => [c[3], c[4], c[5]].map(|x| shade(f64::from(x))),
-        false => [0; 3],
+/// Theirs. Where we see a surface without an inside, theirs is shown on the side that ours points to.
+pub fn their_normals(seen: &[Option<Seen>], theirs: &[f32]) -> Vec<u8> {
+    let colour = |(here, c): (&Option<Seen>, &[f32])| {
+        if c[6] <= 0.0 {
+            return [0; 3];
+        }
+        let normal = [c[3], c[4], c[5]].map(f64::from);
+        let other_side = here.is_some_and(|s| !s.is_of_solid && dot(s.normal, normal) < 0.0);
+        normal.map(|x| shade(if other_side { -x } else { x }))
     };
-    theirs.chunks_exact(CHANNELS).flat_map(colour).collect()
+    let pixels = seen.iter().zip(theirs.chunks_exact(CHANNELS));
+    pixels.flat_map(colour).collect()
 }
 
 fn shade(x: f64) -> u8 {

@@ -3,11 +3,12 @@
 use super::{Args, Compared, Outcome, Pictures};
 use super::{each_camera, failed, images, made_folder, program, stem};
 use crate::analysis::Analysis;
+use crate::commands::LookChoice;
 use crate::diagnostics::{Complaint, Error, Language, Value};
 use crate::scene::Camera;
 use crate::solids::staging::{self, Viewpoint};
 use crate::study::accuracy::words::local;
-use crate::study::geometry::{self, Comparison, Shared, our_normals, their_normals};
+use crate::study::geometry::{self, Comparison, LEGEND, Shared, our_normals, their_normals};
 use crate::study::mitsuba::{PROGRAM, render};
 use crate::study::program::ProgramError;
 use crate::syntax::Captions;
@@ -21,7 +22,11 @@ const HOW: &str = "crosscheck-how-mitsuba";
 const NAMED: usize = 3;
 
 /// Looks, compares and writes what is seen.
-pub fn compare(args: &Args, loaded: &Analysis) -> Result<Vec<Compared<Comparison>>, Error> {
+pub fn compare(
+    args: &Args,
+    loaded: &Analysis,
+    look: LookChoice,
+) -> Result<Vec<Compared<Comparison>>, Error> {
     let staged = args.camera.staged(&loaded.scene, args.size)?;
     let scene = &*staged;
     let size = (args.size.width, args.size.height);
@@ -58,7 +63,7 @@ pub fn compare(args: &Args, loaded: &Analysis) -> Result<Vec<Compared<Comparison
     let program = program(args, PROGRAM);
     let fail = |e| failed(e, ("Mitsuba", HOW), &program, &folder);
     let suffixes = made.documents.iter().map(|d| d.0);
-    each_camera(args, &folder, suffixes, |i, suffix| {
+    each_camera(args, look.language(), &folder, suffixes, |i, suffix| {
         let name = format!("{}{suffix}", stem(args));
         let theirs = render(&program, &made, i, &folder, &name, 0).map_err(fail)?;
         let ours = geometry::seen(&tracer, &cameras[i], size);
@@ -70,7 +75,7 @@ pub fn compare(args: &Args, loaded: &Analysis) -> Result<Vec<Compared<Comparison
         })?;
         let pictures = Pictures {
             ours: our_normals(&ours),
-            theirs: their_normals(&theirs),
+            theirs: their_normals(&ours, &theirs),
             difference: comparison.picture(),
         };
         Ok((pictures, comparison))
@@ -82,6 +87,14 @@ impl Outcome for Comparison {
         self.share_wrong
     }
 
+    fn pixels(&self) -> [usize; 2] {
+        [self.pixels, self.left_out()]
+    }
+
+    fn legend() -> &'static [([u8; 3], &'static str)] {
+        &LEGEND
+    }
+
     fn tells(&self) -> bool {
         Comparison::tells(self)
     }
@@ -90,8 +103,7 @@ impl Outcome for Comparison {
         let number = |text: String| local(language, text);
         let pixels =
             |message, n: usize| Complaint::new(message).with("pixels", Value::Count(n as u64));
-        let compared =
-            self.pixels - self.silhouettes - self.cut_off - self.undecided - self.in_one_place;
+        let compared = self.pixels - self.left_out();
         let percent = number(format!("{:.3}", 100.0 * self.share_wrong));
         let off = pixels("crosscheck-mitsuba-off", compared)
             .with("wrong", self.wrong.to_string())

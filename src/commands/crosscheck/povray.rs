@@ -8,7 +8,7 @@ use crate::diagnostics::{Complaint, Error, Language, Value};
 use crate::scene::Camera;
 use crate::solids::staging::{self, Viewpoint};
 use crate::study::accuracy::words::local;
-use crate::study::compare::Comparison;
+use crate::study::compare::{Comparison, LEGEND};
 use crate::study::povray::{PROGRAM, render};
 use crate::syntax::Captions;
 use crate::trace::film::srgb8;
@@ -55,7 +55,7 @@ pub fn compare(
     let program = program(args, PROGRAM);
     let cameras: Vec<Camera> = staging::cameras(scene).copied().collect();
     let suffixes = translation.files.iter().map(|f| f.suffix);
-    each_camera(args, &folder, suffixes, |i, suffix| {
+    each_camera(args, look.language(), &folder, suffixes, |i, suffix| {
         let name = format!("{name}{suffix}");
         let theirs = render(&program, &translation, i, size, &folder, &name)
             .map_err(|e| failed(e, ("POV-Ray", HOW), &program, &folder))?;
@@ -80,6 +80,14 @@ fn srgb(film: &Film) -> Vec<u8> {
 impl Outcome for Comparison {
     fn share(&self) -> f64 {
         self.differing.share_off_silhouettes
+    }
+
+    fn pixels(&self) -> [usize; 2] {
+        [self.pixels, self.left_out()]
+    }
+
+    fn legend() -> &'static [([u8; 3], &'static str)] {
+        &LEGEND
     }
 
     fn lines(&self, args: &Args, language: Language) -> Vec<(&'static str, Complaint)> {

@@ -26,6 +26,15 @@ cost-seconds = čtení { $load } · plán { $plan } · příprava { $build } · 
 
 crosscheck-answer = { $scene }{ $name }, { $with }, { $width }x{ $height }: { $answer }
 crosscheck-agrees = souhlasí
+crosscheck-agrees-in-part = souhlasí všude, kde se porovnávalo ({ $percent } %)
+crosscheck-difference = rozdíl
+crosscheck-legend-alike = shoda
+crosscheck-legend-differing = rozdíl
+crosscheck-legend-silhouettes = obrysy
+crosscheck-legend-silhouettes-differ = obrysy, které se liší
+crosscheck-legend-edges = jiné hrany, které se liší
+crosscheck-legend-total-reflection = úplný odraz
+crosscheck-legend-left-out = vynecháno
 crosscheck-differs = LIŠÍ SE
 crosscheck-cannot = NELZE POROVNAT
 crosscheck-folder = Obrázky a čísla jsou ve složce { $folder }

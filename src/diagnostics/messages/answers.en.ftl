@@ -26,6 +26,15 @@ cost-seconds = load { $load } · plan { $plan } · build { $build } · trace { $
 
 crosscheck-answer = { $scene }{ $name } with { $with }, { $width }x{ $height }: { $answer }
 crosscheck-agrees = agrees
+crosscheck-agrees-in-part = agrees where compared ({ $percent } %)
+crosscheck-difference = difference
+crosscheck-legend-alike = alike
+crosscheck-legend-differing = differing
+crosscheck-legend-silhouettes = silhouettes
+crosscheck-legend-silhouettes-differ = silhouettes that differ
+crosscheck-legend-edges = other edges that differ
+crosscheck-legend-total-reflection = total reflection
+crosscheck-legend-left-out = left out
 crosscheck-differs = DIFFERS
 crosscheck-cannot = CANNOT BE COMPARED
 crosscheck-folder = Pictures and numbers are in { $folder }

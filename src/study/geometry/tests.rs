@@ -96,6 +96,28 @@ fn another_normal_is_wrong() {
     assert!(all.wrong > 100);
 }
 
+/// A solid's normal points out of it; that of a surface without an inside points to either side.
+#[test]
+fn the_other_side_of_a_solid_is_wrong() {
+    let turned = |_: &Output, theirs: &mut [f32]| {
+        for at in &mut theirs[MIDDLE + 3..MIDDLE + 6] {
+            *at = -*at;
+        }
+    };
+    assert_eq!(compared(turned).wrong, 1);
+    let sheet = "2 5 -2 -1 2 1\n5 -501 0 0 8 0 0 -1 0 1 0 45\n1 9999 2 0\n";
+    let all = compared_in(sheet, turned);
+    assert_eq!((all.wrong, all.left_out() > 0), (0, true));
+    // In the pit of a bitten ball ours points at the eye, out of what is left.
+    let bitten = scene(
+        "2 11 0 0 0 1\n3 11 0 0 1 0.5\n4 -103 2 3\n5 -501 0 0 8 0 0 -1 0 1 0 45\n1 9999 4 0\n",
+    );
+    let tracer = Tracer::new(&bitten).unwrap();
+    let pixels = seen(&tracer, &selected_camera(&bitten, 4.0 / 3.0), SIZE);
+    let pit = pixels[24 * 64 + 32].unwrap();
+    assert!(pit.is_of_solid && pit.normal[2] > 0.95, "{pit:?}");
+}
+
 #[test]
 fn another_shape_is_wrong() {
     let other = compared(|_, theirs| theirs[MIDDLE + 6] = 3.0 - theirs[MIDDLE + 6]);
