@@ -59,6 +59,7 @@ mod picture_files;
 mod places;
 mod plan;
 mod portable;
+mod pov_brightness;
 mod pov_contacts;
 mod pov_render;
 mod pov_scale;

@@ -246,7 +246,12 @@ fn measured(scene: &Scene, folder: &Path) -> Measured {
     }
     let of = |k: usize| [costs[0][k], costs[1][k]];
     // Once more, as exact as a file can be, for the pixels.
-    run_timed(&pov_ray(&pov, &theirs, &["+FN16", "File_Gamma=1.0"]));
+    let dimmed = format!("Declare=Light_Scale={}", light_scale(&pov));
+    run_timed(&pov_ray(
+        &pov,
+        &theirs,
+        &["+FN16", "File_Gamma=1.0", &dimmed],
+    ));
     Measured {
         translated: of(0),
         by_hand: of(1),
@@ -264,6 +269,14 @@ impl Cost {
         self.seconds = self.seconds.min(seconds);
         self.rays = rays();
     }
+}
+
+/// What all light is to be multiplied by, so that it fits into a picture file: a translation's head says it.
+fn light_scale(pov: &Path) -> f64 {
+    let text = std::fs::read_to_string(pov).expect("a scene was written");
+    let said = text.split("Declare=Light_Scale=").nth(1);
+    let number = said.and_then(|s| s.split_whitespace().next());
+    number.map_or(1.0, |s| s.parse().expect("a number"))
 }
 
 fn pov_ray(scene: &Path, picture: &Path, output: &[&str]) -> Vec<String> {
@@ -338,13 +351,7 @@ fn differing(folder: &Path) -> f64 {
     let ours: Vec<f64> = (map[numbers..].chunks_exact(4))
         .map(|b| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]])))
         .collect();
-    // All light is multiplied by a number, so that it fits into the file.
-    let text = std::fs::read_to_string(&pov).expect("a scene was written");
-    let scale = text
-        .split("Light_Scale = ")
-        .nth(1)
-        .and_then(|s| s.split(';').next());
-    let scale: f64 = scale.map_or(1.0, |s| s.parse().expect("a number"));
+    let scale = light_scale(&pov);
     let theirs = image::open(theirs)
         .expect("a picture was written")
         .to_rgb16();

@@ -36,6 +36,7 @@ pub fn render(
         ];
         // No smoothing, no window, 16 bits a channel, linear.
         arguments.extend(["-A", "-D", "+FN16", "File_Gamma=1.0"].map(str::to_owned));
+        arguments.push(format!("Declare=Light_Scale={}", translation.light_scale));
         arguments.extend(pass.map(|c| format!("Declare=Channel={c}")));
         // What another run has left is no answer.
         let _ = fs::remove_file(folder.join(picture));

@@ -91,6 +91,7 @@ term-automatic-lights = automatická světla
 term-depth-of-rays = hloubka paprsků
 term-cutoff-of-faint-rays = vynechání slabých paprsků
 term-bounding-volumes-left-out = vynechané obalové kvádry a koule
+term-light-above-white = světlo jasnější než bílá
 term-camera-far-away = vzdálená kamera
 term-pictures-whose-paths-are-not-ascii = obrázky, jejichž cesty nejsou v ASCII
 term-pov-ray-cannot-open-them-choose-a-file-with-o = POV-Ray je neotevře: zadejte soubor volbou -o

@@ -15,6 +15,7 @@
 
 mod aspects;
 mod between;
+pub mod brightness;
 mod build;
 mod camera;
 mod changes;
@@ -120,7 +121,8 @@ pub struct Translation {
     /// How often each file has to be rendered: with 3, `Declare=Channel=0`, 1 and 2 give a picture
     /// each of which red, green and blue count.
     pub passes: u32,
-    /// Every value of the pictures is multiplied by this power of two.
+    /// With `Declare=Light_Scale=` this power of two, every value of the pictures is multiplied by it, and none is brighter
+    /// than white. Without, none is multiplied.
     pub light_scale: f64,
     pub report: Report,
 }
@@ -178,8 +180,8 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
     let on_surface = scenery::is_lit_from_surface(scene, &builder.bounds, render.root);
     let file = |eyes: &[Eye]| {
         let mut out = String::new();
-        header(&mut out, &builder, eyes, options);
-        settings(&mut out, scene, &render, &frame, light_scale, options);
+        header(&mut out, &builder, eyes, options, light_scale);
+        settings(&mut out, scene, &render, &frame, options);
         let captions = &options.captions;
         out.push_str(&camera::cameras(eyes, &frame, captions));
         let mut lights = scenery::point_lights(scene, &frame, captions);
@@ -290,7 +292,7 @@ fn light_scale(builder: &Builder, render: &Render, options: &Options) -> f64 {
 }
 
 /// How to render the file so that its pixels can be compared.
-fn header(out: &mut String, builder: &Builder, eyes: &[Eye], options: &Options) {
+fn header(out: &mut String, builder: &Builder, eyes: &[Eye], options: &Options, light_scale: f64) {
     let (w, h) = options.size;
     let mut switches = String::new();
     if builder.dispersive {
@@ -298,6 +300,9 @@ fn header(out: &mut String, builder: &Builder, eyes: &[Eye], options: &Options) 
     }
     if eyes.len() > 1 {
         switches += " Declare=Eye=0";
+    }
+    if light_scale < 1.0 {
+        switches += &format!(" Declare=Light_Scale={}", number(light_scale));
     }
     // Writing to a string does not fail.
     if let Some(title) = options.captions.title() {
@@ -324,23 +329,15 @@ fn header(out: &mut String, builder: &Builder, eyes: &[Eye], options: &Options) 
 }
 
 /// Scales, global settings, defaults, background.
-fn settings(
-    out: &mut String,
-    scene: &Scene,
-    render: &Render,
-    frame: &Frame,
-    light_scale: f64,
-    options: &Options,
-) {
+fn settings(out: &mut String, scene: &Scene, render: &Render, frame: &Frame, options: &Options) {
     let levels = options.depth.saturating_add(1).min(MOST_LEVELS);
     let ambient = rgb(scenery::ambient(scene));
     let background = rgb(render.background);
     let _ = write!(
         out,
         "#version 3.7;\n\n\
-         // All light is multiplied by this, so that no pixel exceeds what an image file can hold.\n\
-         #declare Light_Scale = {};\n",
-        number(light_scale)
+         // All light is multiplied by this. Less than 1 keeps what an image file cannot hold: light above white.\n\
+         #ifndef (Light_Scale) #declare Light_Scale = 1; #end\n"
     );
     frame.write(out);
     let _ = write!(

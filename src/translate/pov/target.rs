@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::pictures::Pictures;
-use super::{Options, Stereo, Translation, write};
+use super::{Options, Stereo, Translation, brightness, write};
 use crate::diagnostics::Error;
 use crate::translate::target::{self, Output, Prepared, Target};
 
@@ -47,7 +47,13 @@ impl Target for Pov {
             },
             captions: scene.captions.clone(),
         };
-        let Translation { files, report, .. } = write(scene.scene(), &own)?;
+        let Translation {
+            files,
+            mut report,
+            light_scale,
+            ..
+        } = write(scene.scene(), &own)?;
+        brightness::state(&mut report, scene, options, light_scale);
         // Pictures first: a translation is there when what it names is there.
         let beside = |name: String| options.output.map(|path| path.with_file_name(name));
         let copies = copies.into_iter().map(|(name, png)| (beside(name), png));

@@ -1,0 +1,64 @@
+//! What an image file cannot hold: light above white.
+
+use std::borrow::Cow;
+
+use crate::diagnostics::Complaint;
+use crate::solids::staging::{cameras, staged};
+use crate::trace::{Settings, Tracer};
+use crate::translate::target::{self, Prepared};
+use crate::translate::{Fidelity, Report};
+
+/// Across and down: so many rays show whether a picture is brighter than white.
+const PIXELS: (u32, u32) = (80, 60);
+
+/// States how bright the picture is. `dimmed` is the [light scale](super::Translation::light_scale) with which surely no
+/// pixel is brighter than white.
+pub fn state(report: &mut Report, scene: &Prepared, options: &target::Options, dimmed: f64) {
+    if dimmed >= 1.0 {
+        return;
+    }
+    let (fidelity, note) = match share_above_white(scene, options) {
+        Some(0.0) => (
+            Fidelity::Exact,
+            Complaint::new("fidelity-no-light-above-white"),
+        ),
+        share => {
+            let percent = share.map_or("?".to_owned(), |share| match 100.0 * share {
+                few if few < 1.0 => "< 1".to_owned(),
+                percent => format!("{percent:.0}"),
+            });
+            let bound = Complaint::new("fidelity-light-above-white").with("percent", percent);
+            let note = Complaint::new("fidelity-light-scale").with("scale", super::number(dimmed));
+            (Fidelity::Approximate(bound), note)
+        }
+    };
+    report.state("light above white", fidelity, note);
+}
+
+/// The share of the pixels of a small picture that are brighter than white; `None` where none can be drawn.
+fn share_above_white(scene: &Prepared, options: &target::Options) -> Option<f64> {
+    let aspect = f64::from(options.size.0) / f64::from(options.size.1);
+    let drawn = staged(scene.scene(), options.viewpoint, aspect);
+    let own = match &drawn {
+        Cow::Borrowed(_) => None,
+        Cow::Owned(drawn) => Some(Tracer::with_images(drawn, &scene.images().ok()?).ok()?),
+    };
+    let tracer = match &own {
+        Some(own) => own,
+        None => scene.tracer().ok()?,
+    };
+    let settings = Settings {
+        width: PIXELS.0,
+        height: PIXELS.1,
+        depth: options.depth,
+        ..Settings::default()
+    };
+    let (mut above, mut all) = (0, 0);
+    for camera in cameras(&drawn) {
+        let picture = tracer.render(camera, &settings, || ()).ok()?;
+        let pixels = picture.film.pixels.iter();
+        above += pixels.filter(|p| p.iter().any(|&c| c > 1.0)).count();
+        all += picture.film.pixels.len();
+    }
+    (all > 0).then(|| above as f64 / all as f64)
+}
