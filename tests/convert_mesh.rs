@@ -448,7 +448,7 @@ fn glb_is_valid() {
     let empty = folder.path().join("empty.zpg");
     fs::write(
         &empty,
-        "2 11 0 0 0 1\n3 11 5 0 0 1\n4 -102 2 3\n1 9999 4 0\n",
+        "2 11 0 0 0 1\n3 11 5 0 0 1\n4 -102 2 3\n5 -501 0 0 8 0 0 -1 0 1 0 40\n6 -402 1\n6 -1 1 2 3\n1 9999 4 0\n",
     )
     .unwrap();
     scenes.push(empty);

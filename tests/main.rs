@@ -16,6 +16,7 @@ mod architecture;
 mod check;
 mod cli;
 mod commenting;
+mod convert_glb;
 mod convert_json;
 mod convert_mesh;
 mod crosscheck;

@@ -4,6 +4,7 @@
 pub mod feature;
 pub mod fidelity;
 pub mod json;
+mod lens;
 pub mod mesh;
 pub mod mitsuba;
 pub mod names;

@@ -24,6 +24,11 @@ impl<'a> Names<'a> {
         }
     }
 
+    /// What a comment says of an entity.
+    pub fn words(&self, id: u32) -> Option<&str> {
+        self.captions.get(id)
+    }
+
     /// An entity's type of record and what a comment says of it; nothing for an ID of no object.
     pub fn comment(&self, id: u32) -> Option<String> {
         comment(self.scene, self.captions, *self.nodes.get(&id)?, id)

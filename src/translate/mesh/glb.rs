@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use serde_json::{Value, json};
 
+use super::glb_scenery::{LIGHTS, Scenery};
 use super::material::{Coloured, Material, Vertex};
 use super::picture::Picture;
 use crate::scene::{DEFAULT_COLOUR, Vec3};
@@ -18,12 +19,47 @@ const NEAREST: u32 = 9728;
 const LINEAR: u32 = 9729;
 const REPEAT: u32 = 10497;
 
-/// The bytes of the file: a node for each object, called after the scene's.
-pub fn write(coloured: &Coloured, points: &[[f32; 3]], names: &Names) -> Vec<u8> {
+/// The bytes of the file: a node for each object, called after the scene's, and one for each camera and light.
+pub fn write(coloured: &Coloured, points: &[[f32; 3]], names: &Names, scenery: Scenery) -> Vec<u8> {
     let mesh = &coloured.model.mesh;
-    if mesh.is_empty() {
-        return container(&json!({ "asset": asset() }), &[]);
+    let mut out = json!({ "asset": asset() });
+    let mut extensions = Extensions {
+        lights: !scenery.lights.is_empty(),
+        ..Extensions::default()
+    };
+    let (mut nodes, mut binary) = (Vec::new(), Vec::new());
+    if !mesh.is_empty() {
+        (nodes, binary) = meshes(coloured, points, names, &mut extensions, &mut out);
     }
+    nodes.extend(scenery.nodes);
+    if !nodes.is_empty() {
+        let all: Vec<usize> = (0..nodes.len()).collect();
+        out["scene"] = json!(0);
+        out["scenes"] = json!([{ "nodes": all }]);
+        out["nodes"] = json!(nodes);
+    }
+    // The format has no empty lists.
+    if !scenery.cameras.is_empty() {
+        out["cameras"] = json!(scenery.cameras);
+    }
+    if !scenery.lights.is_empty() {
+        out["extensions"] = json!({ LIGHTS: { "lights": scenery.lights } });
+    }
+    let used = extensions.names();
+    if !used.is_empty() {
+        out["extensionsUsed"] = json!(used);
+    }
+    container(&out, &binary)
+}
+
+/// The nodes of the objects, and the numbers of their meshes; everything else goes into `out`.
+fn meshes(
+    coloured: &Coloured,
+    points: &[[f32; 3]],
+    names: &Names,
+    extensions: &mut Extensions,
+    out: &mut Value,
+) -> (Vec<Value>, Vec<u8>) {
     let mut file = Parts::default();
     let vertices = &coloured.vertices;
     let place = |v: &Vertex| points[v.point as usize];
@@ -42,15 +78,14 @@ pub fn write(coloured: &Coloured, points: &[[f32; 3]], names: &Names) -> Vec<u8>
     for (number, picture) in &coloured.pictures.all {
         numbers.insert(*number, file.picture(picture));
     }
-    let mut extensions = Extensions::default();
-    let describe = |material: &Material| {
-        let mut look = appearance(material, &mut extensions);
+    let mut describe = |material: &Material| {
+        let mut look = appearance(material, extensions);
         if let Some(texture) = material.picture.and_then(|p| numbers.get(&p)) {
             look["pbrMetallicRoughness"]["baseColorTexture"] = json!({ "index": texture });
         }
         look
     };
-    let described: Vec<Value> = materials.iter().map(describe).collect();
+    let described: Vec<Value> = materials.iter().map(&mut describe).collect();
     let view = file.views.len();
     let start = file.binary.len();
     let (mut nodes, mut meshes) = (Vec::new(), Vec::new());
@@ -111,18 +146,11 @@ pub fn write(coloured: &Coloured, points: &[[f32; 3]], names: &Names) -> Vec<u8>
     file.views.push(json!({
         "buffer": 0, "byteOffset": start, "byteLength": file.binary.len() - start, "target": ELEMENTS,
     }));
-    let all: Vec<usize> = (0..nodes.len()).collect();
-    let mut out = json!({
-        "asset": asset(),
-        "scene": 0,
-        "scenes": [{ "nodes": all }],
-        "nodes": nodes,
-        "meshes": meshes,
-        "materials": described,
-        "accessors": file.accessors,
-        "bufferViews": file.views,
-        "buffers": [{ "byteLength": file.binary.len() }],
-    });
+    out["meshes"] = json!(meshes);
+    out["materials"] = json!(described);
+    out["accessors"] = json!(file.accessors);
+    out["bufferViews"] = json!(file.views);
+    out["buffers"] = json!([{ "byteLength": file.binary.len() }]);
     if !file.textures.is_empty() {
         out["textures"] = json!(file.textures);
         out["images"] = json!(file.images);
@@ -131,11 +159,7 @@ pub fn write(coloured: &Coloured, points: &[[f32; 3]], names: &Names) -> Vec<u8>
             { "magFilter": NEAREST, "minFilter": NEAREST, "wrapS": REPEAT, "wrapT": REPEAT },
         ]);
     }
-    let used = extensions.names();
-    if !used.is_empty() {
-        out["extensionsUsed"] = json!(used);
-    }
-    container(&out, &file.binary)
+    (nodes, file.binary)
 }
 
 /// The lists of a file as far as they are written.
@@ -206,19 +230,23 @@ fn asset() -> Value {
     json!({ "version": "2.0", "generator": "zpg" })
 }
 
-/// Which extensions of materials are used.
+/// Which extensions are used.
 #[derive(Default)]
 struct Extensions {
     transmission: bool,
+    lights: bool,
 }
 
 impl Extensions {
     fn names(&self) -> Vec<&'static str> {
-        if self.transmission {
-            vec!["KHR_materials_ior", "KHR_materials_transmission"]
-        } else {
-            Vec::new()
+        let mut names = Vec::new();
+        if self.lights {
+            names.push(LIGHTS);
         }
+        if self.transmission {
+            names.extend(["KHR_materials_ior", "KHR_materials_transmission"]);
+        }
+        names
     }
 }
 

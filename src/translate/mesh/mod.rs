@@ -15,6 +15,7 @@ mod csg;
 mod extent;
 mod flush;
 pub mod glb;
+mod glb_scenery;
 mod material;
 mod model;
 mod needles;

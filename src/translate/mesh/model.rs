@@ -3,6 +3,7 @@
 use super::assemble::{Troubles, crowded};
 use super::budget::Budget;
 use super::extent::Extent;
+use super::glb_scenery::has_counterpart;
 use super::needles::Precision;
 use super::options::Options;
 use super::parts::{account, pieces, refusal};
@@ -15,8 +16,9 @@ use super::unite::Union;
 use super::verdict::{self, Bounds};
 use crate::diagnostics::Error;
 use crate::scene::Scene;
+use crate::syntax::table::RecordKind;
 use crate::trace::graph::Graph;
-use crate::translate::Report;
+use crate::translate::{Feature, Report, Verdict};
 
 /// The scene as one mesh.
 #[derive(Debug)]
@@ -90,8 +92,12 @@ pub fn report(target: &'static str, scene: &Scene, model: &Model, off: f64) -> R
         tolerance: model.extent.tolerance,
         off: off + model.moved,
     };
-    let mut report = Report::of(target, scene, |feature| {
-        verdict::verdict(target, feature, bounds)
+    let cameras = scene.cameras.iter().all(has_counterpart);
+    let mut report = Report::of(target, scene, |feature| match feature {
+        Feature::Record(RecordKind::ProjectionMatrix) if target == "glb" && !cameras => {
+            Verdict::dropped("glTF has none that look askew or mirror")
+        }
+        _ => verdict::verdict(target, feature, bounds),
     });
     account(&mut report, &model.extent, &model.troubles);
     bounds.account(target, &mut report);

@@ -1,8 +1,10 @@
 //! Meshes: files of their own, named after the scene.
 
+use std::borrow::Cow;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
+use super::glb_scenery::Scenery;
 use super::material::Coloured;
 use super::model::{model, report};
 use super::options::Options;
@@ -10,6 +12,7 @@ use super::picture::file_name;
 use super::{glb, obj, ply, precision};
 use crate::analysis::file::STDIN;
 use crate::diagnostics::{Complaint, Error};
+use crate::solids::staging::{Viewpoint, staged};
 use crate::translate::names::Names;
 use crate::translate::plain::plain;
 use crate::translate::target::{self, Output, Prepared, Target};
@@ -68,7 +71,15 @@ impl Target for Format {
             }
             Format::Glb => {
                 let places = precision::single(mesh);
-                let bytes = glb::write(&coloured, &places.all, &names);
+                let aspect = f64::from(options.size.0) / f64::from(options.size.1);
+                // An automatic camera is left to the viewer, unless it was asked for.
+                let seen = match options.viewpoint {
+                    Viewpoint::Scene => Cow::Borrowed(scene.scene()),
+                    asked => staged(scene.scene(), asked, aspect),
+                };
+                let scenery =
+                    Scenery::of(&seen, &scene.scene().point_lights, &model.extent, &names);
+                let bytes = glb::write(&coloured, &places.all, &names, scenery);
                 (vec![(Some(path), bytes)], places.off)
             }
             Format::Obj => {

@@ -1,5 +1,6 @@
 //! What a mesh makes of each feature.
 
+use super::glb_scenery::LIGHTS;
 use super::shape;
 use crate::diagnostics::Complaint;
 use crate::syntax::table::RecordKind;
@@ -79,8 +80,22 @@ fn record(target: &str, kind: RecordKind, bounds: Bounds) -> Verdict {
         RecordKind::ImageTexture | RecordKind::SolidTexture | RecordKind::Checkerboard => {
             Verdict::approximate("one colour a triangle or point", "")
         }
+        RecordKind::PointLight if target == "glb" => Verdict::approximate(
+            "as bright in the middle of the scene, fading with distance",
+            LIGHTS,
+        ),
+        RecordKind::AmbientLight if target == "glb" => {
+            Verdict::dropped("glTF has no ambient light")
+        }
         RecordKind::AmbientLight | RecordKind::PointLight => {
             Verdict::dropped("a mesh has no lights")
+        }
+        RecordKind::Camera | RecordKind::ProjectionMatrix if target == "glb" => {
+            Verdict::exact("a camera")
+        }
+        RecordKind::MonoCamera if target == "glb" => Verdict::exact("the first camera of the file"),
+        RecordKind::StereoCamera if target == "glb" => {
+            Verdict::approximate("two cameras, each by itself", "the first ones of the file")
         }
         RecordKind::Camera
         | RecordKind::MonoCamera

@@ -7,7 +7,6 @@
 mod bsdf;
 mod exact;
 mod frame;
-mod lens;
 mod meshes;
 mod options;
 mod output;

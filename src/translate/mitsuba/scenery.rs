@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 use std::fmt::Write as _;
 
 use super::frame::Frame;
-use super::lens::Lens;
 use super::options::{Integrator, Options};
 use super::xml::{number, rgb, transform, vector};
 use crate::diagnostics::Error;
@@ -12,6 +11,7 @@ use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Camera, Scene};
 use crate::solids::staging::Basis;
 use crate::translate::about_camera;
+use crate::translate::lens::{Lens, Pinhole};
 
 /// Samples a pixel of a path-traced picture.
 const SAMPLES: u32 = 64;
@@ -140,11 +140,25 @@ fn sensor(
                 number(p.field_of_view),
                 number(x / 2.0),
                 number(-y / 2.0),
-                transform("to_world", &p.place()),
+                transform("to_world", &place(&p)),
             );
             Some((text, Some(p.near).filter(|n| *n > 0.0)))
         }
     }
+}
+
+/// Camera to world: Mitsuba's looks along its z, and its x points to the left.
+fn place(pinhole: &Pinhole) -> Matrix {
+    let mut out = Matrix::IDENTITY;
+    for i in 0..3 {
+        out.0[i] = [
+            -pinhole.right[i],
+            pinhole.up[i],
+            pinhole.forward[i],
+            pinhole.position[i],
+        ];
+    }
+    out
 }
 
 /// Whether the pixels of a camera are squares or its rays parallel: Mitsuba has no others.

@@ -1,13 +1,12 @@
-//! What Mitsuba's cameras can be of those with a projection matrix.
+//! What cameras with a projection matrix are, for programs that describe cameras in other ways.
 
-use crate::geometry::Matrix;
 use crate::geometry::array::{add, cross, dot, length, sub};
 use crate::scene::sight::Sight;
 use crate::scene::{Camera, Vec3};
 use crate::solids::staging::Basis;
 use crate::trace::camera::View;
 
-/// A camera as Mitsuba has it.
+/// A camera by its rays.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Lens {
     /// Rays through one point.
@@ -37,7 +36,7 @@ pub struct Pinhole {
 }
 
 impl Pinhole {
-    /// Whether Mitsuba's camera sees the same: its pixels are squares.
+    /// Whether its pixels are squares.
     pub fn is_exact(&self) -> bool {
         // Over thousands of pixels a hundredth of one is made of that: as exact as single precision.
         self.pixel.is_some_and(|p| (p - 1.0).abs() < 1e-6)
@@ -105,25 +104,10 @@ impl Lens {
     }
 }
 
-impl Pinhole {
-    /// Camera to world: Mitsuba's looks along its z, and its x points to the left.
-    pub fn place(&self) -> Matrix {
-        let mut out = Matrix::IDENTITY;
-        for i in 0..3 {
-            out.0[i] = [
-                -self.right[i],
-                self.up[i],
-                self.forward[i],
-                self.position[i],
-            ];
-        }
-        out
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Matrix;
 
     fn pinhole(rows: &[f64; 16], width: u32, height: u32) -> Pinhole {
         let camera = Camera {
