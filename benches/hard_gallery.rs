@@ -9,22 +9,18 @@
 use std::fmt::Write as _;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-use zpg::analysis::Analysis;
-use zpg::scene::{Camera, Scene};
-use zpg::study::naive::{Naive, Number};
-use zpg::trace::film::{Film, Packing};
-use zpg::trace::{Images, Settings, Tracer, selected_camera};
 
-const SIZE: [u32; 2] = [160, 128];
-/// Pixels between the pictures of one scene.
-const GAP: u32 = 4;
+use hard::{Outcome, beside, draw};
+use zpg::trace::film::{Film, Packing};
+
+#[path = "../tests/pictures/hard.rs"]
+mod hard;
+
 /// How far two pixels may be apart in 8-bit sRGB, in any channel, and still count as the same.
 const SAME: u8 = 2;
 
 const BEGIN: &str = "<!-- Figures, written by `cargo bench --bench hard_gallery`. -->\n";
 const END: &str = "<!-- End of the figures. -->\n";
-
-type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
 fn main() -> Outcome<()> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/hard");
@@ -71,35 +67,6 @@ fn main() -> Outcome<()> {
     Ok(())
 }
 
-/// A scene with the textbook's methods in single and double precision, and with the program.
-fn draw(path: &Path) -> Outcome<[Film; 3]> {
-    let loaded = Analysis::new(path.to_string_lossy(), fs::read(path)?);
-    if !loaded.is_sound() {
-        return Err("the scene has errors".into());
-    }
-    let [width, height] = SIZE;
-    let camera = selected_camera(&loaded.scene, f64::from(width) / f64::from(height));
-    let settings = Settings {
-        width,
-        height,
-        ..Settings::default()
-    };
-    let ours = Tracer::new(&loaded.scene)?.render(&camera, &settings, || ())?;
-    Ok([
-        textbook::<f32>(&loaded.scene, &camera)?,
-        textbook::<f64>(&loaded.scene, &camera)?,
-        ours.film,
-    ])
-}
-
-fn textbook<T: Number>(scene: &Scene, camera: &Camera) -> Outcome<Film> {
-    let Settings { depth, cutoff, .. } = Settings::default();
-    let images = Images::default();
-    let naive = Naive::<T>::new(scene, &images, camera, SIZE, depth, cutoff);
-    let film = naive.and_then(|naive| naive.film());
-    Ok(film.map_err(|why| format!("{why:?}"))?)
-}
-
 /// How many pixels are not the same.
 fn differing(a: &Film, b: &Film) -> usize {
     use zpg::trace::film::srgb8;
@@ -107,20 +74,4 @@ fn differing(a: &Film, b: &Film) -> usize {
         |(p, q): (&[f32; 3], &[f32; 3])| (0..3).all(|c| srgb8(p[c]).abs_diff(srgb8(q[c])) <= SAME);
     let pairs = a.pixels.iter().zip(&b.pixels);
     pairs.filter(|&pair| !same(pair)).count()
-}
-
-/// The pictures in a row, with white between them.
-fn beside(films: &[Film; 3]) -> Film {
-    let [width, height] = SIZE;
-    let row = |film: &Film, y: u32| {
-        let start = (y * width) as usize;
-        film.pixels[start..start + width as usize].to_vec()
-    };
-    let gap = vec![[1.0; 3]; GAP as usize];
-    let rows = (0..height).map(|y| films.each_ref().map(|film| row(film, y)).join(&gap[..]));
-    Film {
-        width: 3 * width + 2 * GAP,
-        height,
-        pixels: rows.flatten().collect(),
-    }
 }
