@@ -212,3 +212,51 @@ fn words_are_found_where_they_begin() {
     assert!(found("volba --threads", "threads").is_none());
     assert_eq!(prose("a `default`\nb\n```\nlampa\n```\n"), "a … b");
 }
+
+/// Comments in examples of Czech pages are Czech: none with words in it is that of the English page.
+#[test]
+fn comments_of_czech_examples_are_czech() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let comments = |path: &Path| -> Vec<String> {
+        let page = fs::read_to_string(path).unwrap();
+        let mut all = Vec::new();
+        for block in page.split("```zpg").skip(1) {
+            let block = block.split("```").next().unwrap();
+            all.extend(
+                block
+                    .split('#')
+                    .skip(1)
+                    .step_by(2)
+                    .map(|c| c.trim().to_owned()),
+            );
+        }
+        all
+    };
+    let mut pairs = 0;
+    let walk = ignore::WalkBuilder::new(root).build();
+    for czech in walk.map(|entry| entry.unwrap().into_path()) {
+        let name = czech.to_string_lossy();
+        let Some(stem) = name.strip_suffix(".cs.md") else {
+            continue;
+        };
+        let english = Path::new(stem).with_extension("md");
+        if !english.exists() {
+            continue;
+        }
+        pairs += 1;
+        let own = comments(&english);
+        for comment in comments(&czech) {
+            let words = comment.split_whitespace();
+            let has_words = words
+                .filter(|w| w.len() > 2 && w.chars().all(|c| c.is_ascii_lowercase()))
+                .count()
+                > 0;
+            let is_setting = comment.starts_with("zpg:");
+            assert!(
+                !has_words || is_setting || !own.contains(&comment),
+                "{name}: # {comment} #"
+            );
+        }
+    }
+    assert!(pairs > 50, "{pairs}");
+}

@@ -1,35 +1,66 @@
 //! S503: more than one record on a line.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::format::Options;
 use crate::lint::Context;
 use crate::syntax::Item;
 use crate::syntax::lexer::TokenKind;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    let document = context.document;
-    let tokens = &document.tokens;
-    // One finding a line, with all records that begin on it behind another one.
-    let mut line: Vec<&Item> = Vec::new();
-    for pair in document.items.windows(2) {
-        let between = pair[0].ends().1 as usize + 1..pair[1].ends().0 as usize;
-        let same_line = !tokens[between]
-            .iter()
-            .any(|t| t.kind() == TokenKind::Newline);
-        // A broken stretch was reported; where it ends is only a guess.
-        let sound = !matches!(pair[0], Item::Broken(_)) && !matches!(pair[1], Item::Broken(_));
-        if same_line && sound {
-            line.push(&pair[1]);
-        } else if !same_line {
-            report(context, &mut line, out);
-        }
-    }
-    report(context, &mut line, out);
+/// The records of a line.
+#[derive(Default)]
+struct Line<'a> {
+    /// The one before the others, if it began on an earlier line.
+    torn: Option<&'a Item>,
+    /// Those that begin behind another one.
+    more: Vec<&'a Item>,
 }
 
-fn report(context: &Context, line: &mut Vec<&Item>, out: &mut Vec<Diagnostic>) {
-    let Some(first) = line.first() else { return };
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let document = context.document;
+    let mut line = Line::default();
+    for pair in document.items.windows(2) {
+        let [before, item] = [&pair[0], &pair[1]];
+        let between = before.ends().1 + 1..item.ends().0;
+        if breaks(context, between.start, between.end) {
+            report(context, &line, true, out);
+            line = Line::default();
+            continue;
+        }
+        // A broken stretch was reported; where it ends is only a guess.
+        if matches!(before, Item::Broken(_)) || matches!(item, Item::Broken(_)) {
+            continue;
+        }
+        if is_torn(context, before) {
+            report(context, &line, false, out);
+            line = Line {
+                torn: Some(before),
+                more: Vec::new(),
+            };
+        }
+        line.more.push(item);
+    }
+    report(context, &line, true, out);
+}
+
+/// Whether a line ends among some tokens.
+fn breaks(context: &Context, first: u32, end: u32) -> bool {
+    let tokens = &context.document.tokens[first as usize..end as usize];
+    tokens.iter().any(|t| t.kind() == TokenKind::Newline)
+}
+
+fn is_torn(context: &Context, item: &Item) -> bool {
+    let (first, last) = item.ends();
+    breaks(context, first, last)
+}
+
+/// Reports a line, and what becomes of its last record where that `ends` with nothing behind it.
+fn report(context: &Context, line: &Line, ends: bool, out: &mut Vec<Diagnostic>) {
+    let Some(first) = line.more.first() else {
+        return;
+    };
     let text = context.text;
-    let edits = line.iter().map(|item| {
+    let mut edits = line.torn.map_or(Vec::new(), |torn| joined(context, torn));
+    edits.extend(line.more.iter().map(|item| {
         let start = context.document.item_span(item).start;
         let before = &text[..start as usize];
         let blank = before.trim_end_matches([' ', '\t']).len() as u32;
@@ -37,19 +68,44 @@ fn report(context: &Context, line: &mut Vec<&Item>, out: &mut Vec<Diagnostic>) {
             span: Span::new(blank, start),
             text: "\n".to_owned(),
         }
-    });
+    }));
+    // One with another record behind it is joined with that one's line.
+    if let Some(last) = line.more.last().filter(|_| ends) {
+        edits.extend(joined(context, last));
+    }
     let fix = Fix {
         title: "fix",
         values: Vec::new(),
         applicability: Applicability::Safe,
-        edits: edits.collect(),
+        edits,
     };
     let finding = Diagnostic::new(Code::S503, context.document.item_span(first))
-        .with("count", Value::Count(line.len() as u64));
+        .with("count", Value::Count(line.more.len() as u64));
     // What could not be read is read by its lines: with others it may be something else.
     out.push(match context.document.contents.broken {
         true => finding,
         false => finding.fix(fix),
     });
-    line.clear();
+}
+
+/// A record of several lines in one, unless it has comments or is long.
+fn joined(context: &Context, item: &Item) -> Vec<Edit> {
+    let (first, last) = item.ends();
+    let tokens = &context.document.tokens[first as usize..=last as usize];
+    if tokens.iter().any(|t| t.kind().is_comment()) {
+        return Vec::new();
+    }
+    let words = tokens.iter().filter(|t| t.kind() != TokenKind::Newline);
+    let words: Vec<Span> = words.map(|t| t.span()).collect();
+    let length: usize = words.iter().map(|w| 1 + (w.end - w.start) as usize).sum();
+    if length > Options::default().width {
+        return Vec::new();
+    }
+    let gaps = words.windows(2).map(|w| Span::new(w[0].end, w[1].start));
+    gaps.filter(|gap| context.text[gap.start as usize..gap.end as usize].contains(['\n', '\r']))
+        .map(|span| Edit {
+            span,
+            text: " ".to_owned(),
+        })
+        .collect()
 }
