@@ -232,18 +232,16 @@ fn circles_are_small() {
     );
 }
 
-/// README and CONTRIBUTING name the layers in the order of `src/lib.rs`.
+/// CONTRIBUTING names the layers in the order of `src/lib.rs`.
 #[test]
-fn pages_draw_the_same_picture() {
+fn the_page_draws_the_same_picture() {
     let line = layers().join(" → ");
-    for page in ["README.md", "CONTRIBUTING.md"] {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(page);
-        let text = fs::read_to_string(path).unwrap();
-        let plain = text
-            .split_whitespace()
-            .filter(|word| *word != ">")
-            .collect::<Vec<_>>()
-            .join(" ");
-        assert!(plain.contains(&line), "{page} does not say: {line}");
-    }
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("CONTRIBUTING.md");
+    let text = fs::read_to_string(path).unwrap();
+    let plain = text
+        .split_whitespace()
+        .filter(|word| *word != ">")
+        .collect::<Vec<_>>()
+        .join(" ");
+    assert!(plain.contains(&line), "it does not say: {line}");
 }

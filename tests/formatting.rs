@@ -195,7 +195,12 @@ fn our_scenes_are_formatted() {
 
 #[test]
 fn the_scenes_of_the_documents_are_formatted() {
-    for name in ["README.md", "docs/formatting.md", "grammar/reference.md"] {
+    for name in [
+        "README.md",
+        "README.cs.md",
+        "docs/formatting.md",
+        "grammar/reference.md",
+    ] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
         let text = std::fs::read_to_string(path).expect("a file");
         let scenes = text.split("```zpg\n").skip(1);

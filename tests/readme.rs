@@ -7,6 +7,9 @@ use std::path::{Path, PathBuf};
 /// The README is read in a few minutes.
 const MOST_WORDS: usize = 900;
 
+/// The page in each language, and the locale that a reader of it has.
+const READMES: [(&str, &str); 2] = [("README.md", "C"), ("README.cs.md", "cs_CZ.UTF-8")];
+
 /// What stands for the rest of a line or of the output.
 const REST: &str = "…";
 
@@ -46,8 +49,8 @@ fn words(command: &str) -> Vec<String> {
     words
 }
 
-/// Runs a command of the page in a folder; both of its outputs.
-fn run(folder: &Path, command: &str) -> String {
+/// Runs a command of the page in a folder and a locale; both of its outputs.
+fn run(folder: &Path, command: &str, locale: &str) -> String {
     let words = words(command);
     let arguments = match words.iter().position(|w| w == "--") {
         Some(at) if words[0] == "cargo" => &words[at + 1..],
@@ -56,6 +59,7 @@ fn run(folder: &Path, command: &str) -> String {
     };
     let output = crate::support::program::command()
         .args(arguments)
+        .env("LC_ALL", locale)
         .current_dir(folder)
         .output()
         .unwrap();
@@ -95,23 +99,31 @@ fn folder_of(page: &str) -> tempfile::TempDir {
 
 #[test]
 fn the_readme_is_short() {
-    let count = page("README.md").split_whitespace().count();
-    assert!(count <= MOST_WORDS, "{count} words");
+    for (name, _) in READMES {
+        let count = page(name).split_whitespace().count();
+        assert!(count <= MOST_WORDS, "{name}: {count} words");
+    }
 }
 
 #[test]
 fn commands_print_what_is_shown() {
-    let readme = page("README.md");
+    for (name, locale) in READMES {
+        commands_of_a_page(name, locale);
+    }
+}
+
+fn commands_of_a_page(name: &str, locale: &str) {
+    let readme = page(name);
     let folder = folder_of(&readme);
     let consoles = blocks(&readme).into_iter().filter(|b| b.1 == "console");
     let mut count = 0;
     for (_, _, text) in consoles {
         for command in text.split("$ ").skip(1) {
             let (command, shown) = command.split_once('\n').unwrap();
-            let real = run(folder.path(), command);
+            let real = run(folder.path(), command, locale);
             assert!(
                 is_as_shown(&real, shown),
-                "$ {command}\n{real}\nbut the README shows\n{shown}"
+                "$ {command}\n{real}\nbut {name} shows\n{shown}"
             );
             count += 1;
         }
@@ -119,7 +131,8 @@ fn commands_print_what_is_shown() {
     assert!(count >= 6, "{count}");
     // One of them has drawn the picture.
     let decoded = |path: PathBuf| image::open(path).unwrap().into_rgb8();
-    let drawn = decoded(folder.path().join("first.png"));
+    let first = blocks(&readme)[0].0.split('`').nth(1).unwrap();
+    let drawn = decoded(folder.path().join(first).with_extension("png"));
     assert!(drawn == decoded(root().join("docs/pictures/first.png")));
 }
 
@@ -135,13 +148,89 @@ fn the_first_command_draws() {
     fs::create_dir_all(copy.parent().unwrap()).unwrap();
     fs::copy(root().join(scene), &copy).unwrap();
     assert_eq!(
-        run(folder.path(), command),
+        run(folder.path(), command, "C"),
         "Wrote pawns.png: 640 × 480 pixels\n"
     );
     let picture = Path::new(scene).with_extension("png");
     let picture = folder.path().join(picture.file_name().unwrap());
     assert!(image::open(picture).unwrap().width() > 100);
-    assert!(root().join(start.lines().nth(1).unwrap()).exists());
+    // One line says what the tests install, and as whom; another one, which Rust is needed.
+    let line = readme
+        .lines()
+        .find(|l| l.starts_with("`tests/run`"))
+        .unwrap();
+    assert!(
+        ["root", "installs", "POV-Ray", "Mitsuba", "Chromium"]
+            .iter()
+            .all(|w| line.contains(w)),
+        "{line}"
+    );
+    let manifest = page("Cargo.toml");
+    let version = manifest
+        .lines()
+        .find_map(|l| l.strip_prefix("rust-version = "))
+        .unwrap();
+    let version = version.trim_matches('"');
+    for (name, _) in READMES {
+        assert!(page(name).contains(&format!("Rust {version}")), "{name}");
+    }
+}
+
+/// Both pages have the same tour: the same pictures, and as many commands and blocks of each kind, in this order.
+#[test]
+fn the_czech_page_has_the_same_tour() {
+    let [english, czech] = READMES.map(|(name, _)| page(name));
+    let kinds =
+        |page: &str| -> Vec<String> { blocks(page).into_iter().map(|b| b.1.to_owned()).collect() };
+    assert_eq!(kinds(&english), kinds(&czech));
+    let pictures = |page: &str| -> Vec<String> {
+        let shown = page.split("![").skip(1);
+        shown
+            .map(|s| {
+                s.split("](")
+                    .nth(1)
+                    .unwrap()
+                    .split(')')
+                    .next()
+                    .unwrap()
+                    .to_owned()
+            })
+            .collect()
+    };
+    assert_eq!(pictures(&english), pictures(&czech));
+    for strip in [
+        "scenes/gallery/pictures/all.jpg",
+        "scenes/hard/pictures/thin-torus.png",
+    ] {
+        assert!(pictures(&english).iter().any(|p| p == strip), "{strip}");
+    }
+    let programs = |page: &str| -> Vec<String> {
+        let commands = page.split("zpg ").skip(1);
+        let first = commands.filter_map(|c| c.split(|c: char| !c.is_ascii_alphabetic()).next());
+        let known = [
+            "check",
+            "fmt",
+            "render",
+            "plan",
+            "accuracy",
+            "probe",
+            "convert",
+            "crosscheck",
+            "lsp",
+            "explain",
+        ];
+        first
+            .filter(|c| known.contains(c))
+            .map(str::to_owned)
+            .collect()
+    };
+    assert_eq!(programs(&english), programs(&czech));
+    // The line in Czech leads there.
+    let line = english
+        .lines()
+        .find(|l| l.starts_with("Na českém systému"))
+        .unwrap();
+    assert!(line.contains("(README.cs.md)"), "{line}");
 }
 
 /// What GitHub calls a heading in a link.
@@ -155,7 +244,9 @@ fn anchor(heading: &str) -> String {
 
 #[test]
 fn links_lead_somewhere() {
-    let mut pages: Vec<PathBuf> = ["README.md", "CONTRIBUTING.md"].map(PathBuf::from).into();
+    let mut pages: Vec<PathBuf> = ["README.md", "README.cs.md", "CONTRIBUTING.md"]
+        .map(PathBuf::from)
+        .into();
     for entry in fs::read_dir(root().join("docs")).unwrap() {
         let name = entry.unwrap().file_name();
         if name.to_str().unwrap().ends_with(".md") {
