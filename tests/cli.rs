@@ -178,6 +178,48 @@ fn completions_name_the_commands() {
     }
 }
 
+/// What shells show beside commands, options and values is in the language that is spoken; names are the same.
+#[test]
+fn completions_speak_the_language() {
+    let dir = tempfile::tempdir().unwrap();
+    let script = |shell: &str, lang: &str| {
+        let run = zpg(dir.path(), &["completions", shell, "--lang", lang]);
+        text(&run.stdout).to_owned()
+    };
+    for shell in ["zsh", "fish", "powershell", "elvish"] {
+        let (english, czech) = (script(shell, "en"), script(shell, "cs"));
+        assert!(
+            english.contains("Check scenes for mistakes") || english.contains("mistakes"),
+            "{shell}"
+        );
+        for word in ["Hledá ve scénách chyby", "Vypíše nápovědu", "Vypíše verzi"] {
+            assert!(
+                czech.contains(word) && !english.contains(word),
+                "{shell}: {word}"
+            );
+        }
+        let own = english
+            .split(['\'', '"'])
+            .filter(|words| words.starts_with("Print ") || words.starts_with("The "));
+        for words in own {
+            assert!(!czech.contains(words), "{shell}: {words}");
+        }
+        assert_eq!(
+            english.matches("crosscheck").count(),
+            czech.matches("crosscheck").count(),
+            "{shell}"
+        );
+    }
+    // What values mean.
+    for shell in ["zsh", "fish"] {
+        assert!(
+            !script(shell, "cs").contains("The resolved scene"),
+            "{shell}"
+        );
+    }
+    assert_eq!(script("bash", "en"), script("bash", "cs"));
+}
+
 #[test]
 fn a_closed_pipe_is_no_failure() {
     let dir = tempfile::tempdir().unwrap();

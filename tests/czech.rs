@@ -464,7 +464,6 @@ fn machines_are_spoken_to_in_one_language() {
         &["convert", "a.zpg", "--to", "json"],
         &["convert", "a.zpg", "--to", "zpg"],
         &["completions", "bash"],
-        &["completions", "zsh"],
     ] {
         let english = out("en", arguments);
         assert!(english.len() > 50, "{arguments:?}");
@@ -498,4 +497,54 @@ fn machines_are_spoken_to_in_one_language() {
     for name in ["a.obj", "a.mtl", "r.json"] {
         assert_eq!(file("en", name), file("cs", name), "{name}");
     }
+}
+
+/// Numbers of reports have a comma; those of the scene, of options and of file names are code, with a point.
+#[test]
+fn numbers_of_reports_have_a_comma() {
+    let scene = MENDED.replace("0,5 # koule", "0.5");
+    let dir = folder(&[("a.zpg", &scene)]);
+    let mut commas = 0;
+    for arguments in [
+        &["convert", "a.zpg", "--to", "glb", "--verbose"][..],
+        &[
+            "convert",
+            "a.zpg",
+            "--to",
+            "ply",
+            "--tolerance",
+            "0.0125",
+            "--verbose",
+        ],
+        &[
+            "convert",
+            "a.zpg",
+            "--to",
+            "pov",
+            "-o",
+            "a.pov",
+            "--verbose",
+        ],
+        &["render", "a.zpg", "--size", "16x12", "--cost"],
+    ] {
+        let run = program::zpg(dir.path(), &[arguments, &["--lang", "cs"]].concat(), "");
+        let said = [run.stdout, run.stderr].concat();
+        let said = String::from_utf8(said).unwrap();
+        assert!(run.status.success(), "{said}");
+        let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+        for word in said
+            .split_whitespace()
+            .filter(|w| !w.contains('=') && !w.starts_with('-'))
+        {
+            for (sign, counts) in [('.', true), (',', false)] {
+                let parts: Vec<&str> = word.split(sign).collect();
+                let between = parts
+                    .windows(2)
+                    .any(|p| digit(p[0].chars().last()) && digit(p[1].chars().next()));
+                assert!(!(between && counts), "{word} in: {said}");
+                commas += usize::from(between && !counts);
+            }
+        }
+    }
+    assert!(commas >= 3, "{commas}");
 }

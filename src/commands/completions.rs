@@ -2,7 +2,7 @@
 
 use clap_complete::Shell;
 
-use super::{LookChoice, Status, terminal};
+use super::{LookChoice, Status, help, terminal};
 
 /// Print a script that completes this command line in a shell
 #[derive(Debug, clap::Args)]
@@ -18,7 +18,8 @@ pub struct Args {
 }
 
 /// Prints the script for the given command line.
-pub fn run(args: &Args, mut command: clap::Command, look: LookChoice) -> Status {
+pub fn run(args: &Args, command: clap::Command, look: LookChoice) -> Status {
+    let mut command = help::described(command, look.language());
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut command, name, &mut script);

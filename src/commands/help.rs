@@ -5,6 +5,7 @@
 //! the same. `.value` is the name of the value, another attribute one of the possible values, `.after` the text
 //! at the end. Words that clap has in English alone are replaced when all is laid out.
 
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, Command};
 
 use crate::diagnostics::Language;
@@ -104,6 +105,59 @@ pub fn own_words(text: String, language: Language) -> String {
             lines.collect()
         }
     }
+}
+
+/// The command line with the descriptions that shells show in a language. It reads nothing: what values mean stands with
+/// the values, and their parsers are gone.
+pub fn described(mut command: Command, language: Language) -> Command {
+    command.build();
+    match language {
+        Language::English => command,
+        Language::Czech => descriptions(command, language),
+    }
+}
+
+fn descriptions(command: Command, language: Language) -> Command {
+    let name = command.get_name().to_owned();
+    let about = match name.as_str() {
+        "help" => Some(language.say("help-word-help-command", &[])),
+        _ => language.own(&format!("help-{name}"), None),
+    };
+    let command = command
+        .mut_args(|arg| description(&name, arg, language))
+        .mut_subcommands(|sub| descriptions(sub, language));
+    match about {
+        Some(about) => command.about(about),
+        None => command,
+    }
+}
+
+fn description(command: &str, arg: Arg, language: Language) -> Arg {
+    match arg.get_id().as_str() {
+        "help" => return arg.help(language.say("help-word-help", &[])),
+        "version" => return arg.help(language.say("help-word-version", &[])),
+        _ => {}
+    }
+    let Some(id) = id_of(command, &arg, language) else {
+        return arg;
+    };
+    let values = arg.get_possible_values();
+    let arg = arg.help(language.own(&id, None).unwrap_or_default());
+    if values.iter().all(|v| v.get_help().is_none()) {
+        return arg;
+    }
+    let values = values.iter().map(|value| {
+        let name = value.get_name().to_owned();
+        let meaning = language.own(&id, Some(&name));
+        // It is shown until the program ends.
+        let own = PossibleValue::new(&*name.leak());
+        match meaning {
+            Some(meaning) => own.help(meaning),
+            None => own,
+        }
+    });
+    let values: Vec<PossibleValue> = values.collect();
+    arg.value_parser(PossibleValuesParser::new(values))
 }
 
 fn translated(command: Command, language: Language) -> Command {

@@ -31,6 +31,9 @@ use super::language::Language;
 pub enum Value {
     /// As it is: text of the user's, numbers as they are spelled.
     Text(Cow<'static, str>),
+    /// A number that was measured or computed, with a decimal point: each language has its own sign. Numbers of the
+    /// scene and of commands are text.
+    Decimal(String),
     /// How many; the words around it follow.
     Count(u64),
     /// A name of the language, in English.
@@ -115,6 +118,14 @@ impl Diagnostic {
 }
 
 impl Language {
+    /// A number with the decimal sign of running text.
+    pub fn decimal(self, number: String) -> String {
+        match self {
+            Language::English => number,
+            Language::Czech => number.replace('.', ","),
+        }
+    }
+
     /// A message that is not a finding's.
     pub fn say(self, message: &'static str, values: &[(&'static str, Value)]) -> String {
         let speaker = Speaker::new(self, Cow::Borrowed(message)).filled(self, values);
@@ -222,6 +233,7 @@ impl<'a> Speaker<'a> {
                 }
                 Value::OneOf(names) => one_of(language, names).into(),
                 Value::Said(inner) => inner.wording(language).into(),
+                Value::Decimal(number) => language.decimal(number.clone()).into(),
                 // Phrases may have places themselves: these are filled when all values are known.
                 Value::Phrases(_) => continue,
             };

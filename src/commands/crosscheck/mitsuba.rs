@@ -7,7 +7,6 @@ use crate::commands::LookChoice;
 use crate::diagnostics::{Complaint, Error, Language, Value};
 use crate::scene::Camera;
 use crate::solids::staging::{self, Viewpoint};
-use crate::study::accuracy::words::local;
 use crate::study::geometry::{self, Comparison, LEGEND, Shared, our_normals, their_normals};
 use crate::study::mitsuba::{PROGRAM, render};
 use crate::study::program::ProgramError;
@@ -100,7 +99,7 @@ impl Outcome for Comparison {
     }
 
     fn lines(&self, _: &Args, language: Language) -> Vec<(&'static str, Complaint)> {
-        let number = |text: String| local(language, text);
+        let number = |text: String| language.decimal(text);
         let pixels =
             |message, n: usize| Complaint::new(message).with("pixels", Value::Count(n as u64));
         let compared = self.pixels - self.left_out();

@@ -7,7 +7,6 @@ use crate::commands::{LookChoice, draft, terminal};
 use crate::diagnostics::{Complaint, Error, Language, Value};
 use crate::scene::Camera;
 use crate::solids::staging::{self, Viewpoint};
-use crate::study::accuracy::words::local;
 use crate::study::compare::{Comparison, LEGEND};
 use crate::study::povray::{PROGRAM, render};
 use crate::syntax::Captions;
@@ -91,7 +90,7 @@ impl Outcome for Comparison {
     }
 
     fn lines(&self, args: &Args, language: Language) -> Vec<(&'static str, Complaint)> {
-        let number = |text: String| local(language, text);
+        let number = |text: String| language.decimal(text);
         let pixels =
             |message, n: usize| Complaint::new(message).with("pixels", Value::Count(n as u64));
         let differing = &self.differing;

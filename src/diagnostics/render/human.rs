@@ -338,8 +338,7 @@ impl Printer<'_> {
         };
         Ok(match self.look.language {
             Language::English => text,
-            // Words of the same length, lest the lines below them be out of line.
-            Language::Czech => (text.replace("│ Help", "│ Rada")).replace("│ Note", "│ Pozn"),
+            Language::Czech => in_czech(&text),
         })
     }
 
@@ -468,3 +467,22 @@ impl Cache<usize> for Sections<'_> {
 
 #[cfg(test)]
 mod tests;
+
+/// Ariadne's labels in Czech. The one of notes is a letter longer: lines below it move with its text.
+fn in_czech(text: &str) -> String {
+    let mut out = String::new();
+    let mut is_note = false;
+    for line in text.split_inclusive('\n') {
+        let line = line.replace("│ Help", "│ Rada");
+        if line.contains("│ Note") {
+            is_note = true;
+            out += &line.replace("│ Note", "│ Pozn.");
+        } else if is_note && line.contains("│       ") {
+            out += &line.replacen("│       ", "│        ", 1);
+        } else {
+            is_note = false;
+            out += &line;
+        }
+    }
+    out
+}

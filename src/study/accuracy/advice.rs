@@ -3,7 +3,7 @@
 use super::report::{Advice, Report, Row};
 use super::rungs::{Axis, Kind};
 use super::words::{self, count, say};
-use crate::diagnostics::Language;
+use crate::diagnostics::{Language, Value};
 
 /// A report whose advice is in a language.
 pub fn in_language(report: &Report, language: Language) -> Report {
@@ -46,7 +46,10 @@ fn wrong_reference(report: &Report, language: Language) -> Option<Advice> {
         &[
             ("wrong", count(checked.wrong)),
             ("pixels", count(checked.pixels)),
-            ("largest", format!("{:.1e}", checked.largest).into()),
+            (
+                "largest",
+                Value::Decimal(format!("{:.1e}", checked.largest)),
+            ),
             ("places", places.join(", ").into()),
         ],
     );

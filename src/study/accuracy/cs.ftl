@@ -85,7 +85,7 @@ accuracy-effect-dispersion = disperze
 accuracy-effect-textures = textury
 accuracy-effect-smooth-normals = hladké normály
 
-accuracy-title = Co stojí přesnost
+accuracy-title = Kolik stojí přesnost
 accuracy-stopped = Měření bylo zastaveno před koncem.
 accuracy-columns = { "  " }   CPU  × výchozí     chyba     FLIP   o >1
 accuracy-legend = ◆ výchozí nastavení

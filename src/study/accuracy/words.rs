@@ -12,10 +12,7 @@ pub fn say(language: Language, message: &'static str, values: Filled) -> String 
 
 /// A number as it is written in the language.
 pub fn local(language: Language, text: String) -> String {
-    match language {
-        Language::English => text,
-        Language::Czech => text.replace('.', ","),
-    }
+    language.decimal(text)
 }
 
 /// An error in steps: as many digits as matter.

@@ -2,13 +2,13 @@
 
 use super::glb_scenery::LIGHTS;
 use super::shape;
-use crate::diagnostics::Complaint;
+use crate::diagnostics::{Complaint, Value};
 use crate::syntax::table::RecordKind;
 use crate::translate::{Effect, Feature, Fidelity, Report, Verdict};
 
 /// Off by no more than the tolerance.
 pub fn within(tolerance: f64) -> Complaint {
-    Complaint::new("fidelity-within").with("tolerance", format!("{tolerance:.3e}"))
+    Complaint::new("fidelity-within").with("tolerance", Value::Decimal(format!("{tolerance:.3e}")))
 }
 
 /// How far triangles are from what they stand for at most.

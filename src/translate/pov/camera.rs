@@ -4,7 +4,7 @@ use super::Options;
 use super::build::Builder;
 use super::frame::Frame;
 use super::text::{entity, vector};
-use crate::diagnostics::{Complaint, Error};
+use crate::diagnostics::{Complaint, Error, Value};
 use crate::geometry::Aabb;
 use crate::geometry::array::{add, cross, dot, length, sub, unit};
 use crate::scene::sight::Sight;
@@ -56,7 +56,7 @@ pub fn eyes(scene: &Scene, builder: &mut Builder, options: &Options) -> Result<V
                         "camera far away",
                         Fidelity::Approximate(
                             Complaint::new("fidelity-parallel")
-                                .with("pixels", format!("{pixels:.1e}")),
+                                .with("pixels", Value::Decimal(format!("{pixels:.1e}"))),
                         ),
                         "",
                     );

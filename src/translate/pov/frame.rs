@@ -7,7 +7,7 @@ use super::build::Builder;
 use super::camera::Eye;
 use super::reach::reach;
 use super::text::{number, vector};
-use crate::diagnostics::Complaint;
+use crate::diagnostics::{Complaint, Value};
 use crate::scene::Vec3;
 use crate::solids::staging::seen_box;
 use crate::translate::fidelity::Fidelity;
@@ -65,7 +65,7 @@ impl Frame {
             }
             let overlooked = OVERLOOKED / unit;
             let nearer = |message| {
-                let length = format!("{overlooked:.1e}");
+                let length = Value::Decimal(format!("{overlooked:.1e}"));
                 Fidelity::Approximate(Complaint::new(message).with("length", length))
             };
             if reach.near * unit < SIZE * OVERLOOKED {

@@ -73,7 +73,7 @@ fn the_same_in_czech() {
        │ Rada: prohodit je (odhad):
        │       7 9999 77 0
        │
-       │ Pozn: nemá vnitřek: nic z toho se nezobrazí a nic to neodřízne
+       │ Pozn.: nemá vnitřek: nic z toho se nezobrazí a nic to neodřízne
     ───╯
     "#);
 }
@@ -215,4 +215,12 @@ fn any_span_can_be_printed() {
         .collect();
     let printed = print(text, &all);
     assert!(!printed.contains(['\u{1}', '\u{202e}', '\r', '\u{feff}']));
+}
+
+/// Lines below a Czech note stand under its text.
+#[test]
+fn lines_below_a_czech_note() {
+    let text = "   │ Help: a\n   │       b\n   │\n   │ Note: c\n   │       d\n   │\n";
+    let czech = "   │ Rada: a\n   │       b\n   │\n   │ Pozn.: c\n   │        d\n   │\n";
+    assert_eq!(in_czech(text), czech);
 }
