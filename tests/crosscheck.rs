@@ -256,8 +256,8 @@ fn geometry_agrees_with_mitsuba() {
     );
 }
 
-/// The pit of a bitten ball, the outside of a ball, and a rectangle, which has no outside: both pictures show them in the
-/// same colours.
+/// The pit of a bitten ball, the outside of a ball, and a rectangle, which has no outside: both pictures show them in
+/// the same colours.
 #[test]
 #[ignore = "needs Mitsuba"]
 fn normals_of_both_have_the_same_colours() {

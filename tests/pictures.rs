@@ -131,8 +131,8 @@ fn hard_scenes_are_as_textbooks_draw_them() {
     }
 }
 
-/// The strip of all, in which each picture of the gallery is 200 × 150 pixels large, two from the edge and four from the
-/// next: the same on average, a tile of 10 × 10 at a time. It is a JPEG.
+/// The strip of all, in which each picture of the gallery is 200 × 150 pixels large, two from the edge and four from
+/// the next: the same on average, a tile of 10 × 10 at a time. It is a JPEG.
 #[test]
 fn the_strip_shows_the_gallery() {
     let strip = decoded(root().join("scenes/gallery/pictures/all.jpg"));

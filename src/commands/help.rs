@@ -107,8 +107,8 @@ pub fn own_words(text: String, language: Language) -> String {
     }
 }
 
-/// The command line with the descriptions that shells show in a language. It reads nothing: what values mean stands with
-/// the values, and their parsers are gone.
+/// The command line with the descriptions that shells show in a language. It reads nothing: what values mean stands
+/// with the values, and their parsers are gone.
 pub fn described(mut command: Command, language: Language) -> Command {
     command.build();
     match language {

@@ -1,5 +1,5 @@
-//! The pictures of `scenes/hard`: a scene drawn with the textbook's ray tracer in single and in double precision and with
-//! the program, beside each other.
+//! The pictures of `scenes/hard`: a scene drawn with the textbook's ray tracer in single and in double precision and
+//! with the program, beside each other.
 
 use std::fs;
 use std::path::Path;

@@ -11,8 +11,8 @@ use crate::translate::{Fidelity, Report};
 /// Across and down: so many rays show whether a picture is brighter than white.
 const PIXELS: (u32, u32) = (80, 60);
 
-/// States how bright the picture is. `dimmed` is the [light scale](super::Translation::light_scale) with which surely no
-/// pixel is brighter than white.
+/// States how bright the picture is. `dimmed` is the [light scale](super::Translation::light_scale) with which surely
+/// no pixel is brighter than white.
 pub fn state(report: &mut Report, scene: &Prepared, options: &target::Options, dimmed: f64) {
     if dimmed >= 1.0 {
         return;

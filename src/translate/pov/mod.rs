@@ -121,8 +121,8 @@ pub struct Translation {
     /// How often each file has to be rendered: with 3, `Declare=Channel=0`, 1 and 2 give a picture
     /// each of which red, green and blue count.
     pub passes: u32,
-    /// With `Declare=Light_Scale=` this power of two, every value of the pictures is multiplied by it, and none is brighter
-    /// than white. Without, none is multiplied.
+    /// With `Declare=Light_Scale=` this power of two, every value of the pictures is multiplied by it, and none is
+    /// brighter than white. Without, none is multiplied.
     pub light_scale: f64,
     pub report: Report,
 }
