@@ -5,54 +5,10 @@ use super::super::lexer::TokenKind;
 use super::super::signature::{allows, fits};
 use super::super::table::{Effect, ParamKind, RecordKind, RecordType};
 use super::heads::{end_of, expected_ends, integral, point_count, type_at, type_behind_stray};
+use super::known::Known;
 use super::slips::LEAST_HEAD;
 use super::stretch::{LONG, Stretch};
 use super::verdict::{CUT_OFF, FAULT, Verdict};
-
-/// What is known of the text around a piece.
-pub trait Known {
-    /// Whether a number is used as an ID elsewhere and defined by no line of its own.
-    fn is_missing(&self, id: i32) -> bool;
-    /// Whether an ID is defined elsewhere.
-    fn is_defined(&self, id: i32) -> bool;
-    /// Whether an ID is defined before a line.
-    fn is_defined_before(&self, stretch: &Stretch, line: usize, id: i32) -> bool;
-    /// Whether an ID at the head of a line is in the order of the IDs around.
-    fn is_in_order(&self, line: usize, id: i32) -> bool;
-    /// Whether an ID that would be in order at the head of a line is used elsewhere and defined by no line of its own.
-    fn misses_next(&self, line: usize) -> bool;
-    /// Whether some other ID is used elsewhere and defined by no line of its own.
-    fn misses_another(&self, id: i32) -> bool;
-}
-
-/// Nothing is known.
-pub struct Unknown;
-
-impl Known for Unknown {
-    fn is_missing(&self, _: i32) -> bool {
-        false
-    }
-
-    fn is_defined(&self, _: i32) -> bool {
-        false
-    }
-
-    fn is_defined_before(&self, _: &Stretch, _: usize, _: i32) -> bool {
-        false
-    }
-
-    fn is_in_order(&self, _: usize, _: i32) -> bool {
-        false
-    }
-
-    fn misses_next(&self, _: usize) -> bool {
-        false
-    }
-
-    fn misses_another(&self, _: i32) -> bool {
-        true
-    }
-}
 
 /// Finds what is wrong with tokens `start..end`, and its price, which is at least [`LEAST`].
 pub fn judge(stretch: &Stretch, start: usize, end: usize, known: &impl Known) -> (Verdict, u32) {

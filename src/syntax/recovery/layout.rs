@@ -8,8 +8,9 @@
 
 use super::super::signature::Reading;
 use super::super::table::{Effect, RecordKind};
-use super::faults::{self, Known};
+use super::faults;
 use super::heads;
+use super::known::Known;
 use super::stretch::Stretch;
 use super::sums::Sums;
 use super::verdict::{FAULT, Piece, Verdict};

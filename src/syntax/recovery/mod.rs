@@ -32,6 +32,7 @@ mod faults;
 mod free;
 mod group;
 mod heads;
+mod known;
 mod layout;
 mod order;
 pub mod report;

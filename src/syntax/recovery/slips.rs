@@ -2,8 +2,9 @@
 //! same mistake stands on many lines, no line is right, and these are the witnesses.
 
 use super::super::table::{RecordKind, RecordType};
-use super::faults::{Unknown, has_lost_id, judge, lost_sign};
+use super::faults::{has_lost_id, judge, lost_sign};
 use super::heads::{end_of, expected_end, is_counted, type_behind_stray};
+use super::known::Unknown;
 use super::order::Order;
 use super::stretch::Stretch;
 use super::verdict::{Piece, Verdict};
