@@ -90,7 +90,7 @@ fn pictures_are_as_they_were_looked_at() {
             false => &[],
         };
         let output = crate::support::program::command()
-            .args(["render", "--size", SIZE])
+            .args(["render", "--samples", "1", "--size", SIZE])
             .args(stereo)
             .arg("-o")
             .arg(&picture)

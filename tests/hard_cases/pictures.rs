@@ -11,7 +11,14 @@ fn render(scene: &Path, size: (usize, usize), precision: Precision) -> Vec<[f32;
     let out = crate::support::program::command()
         .arg("render")
         .arg(scene)
-        .args(["--size", &format!("{width}x{height}"), "-o", "out.pfm"])
+        .args([
+            "--samples",
+            "1",
+            "--size",
+            &format!("{width}x{height}"),
+            "-o",
+            "out.pfm",
+        ])
         .args(precision_option(precision))
         .current_dir(&folder)
         .output()
@@ -107,7 +114,8 @@ pub fn row_32_equal_spheres_cost_nothing(precision: Precision) {
         let out = crate::support::program::command()
             .arg("render")
             .arg(&scene.path)
-            .args(["--size", "32x24", "-o", "out.png", "--stats", "stats.json"])
+            .args(["--samples", "1", "--size", "32x24", "-o", "out.png"])
+            .args(["--stats", "stats.json"])
             .args(precision_option(precision))
             .current_dir(&folder)
             .output()
