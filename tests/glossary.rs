@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::support::program::{text, zpg};
 use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
 use zpg::analysis::repair::words;
 use zpg::diagnostics::Language;
@@ -259,4 +260,17 @@ fn comments_of_czech_examples_are_czech() {
         }
     }
     assert!(pairs > 50, "{pairs}");
+}
+
+/// Several words need no quotes.
+#[test]
+fn topics_of_several_words() {
+    let page = |arguments: &[&str]| {
+        let out = zpg(Path::new("."), &[&["explain"], arguments].concat(), "");
+        assert_eq!(out.status.code(), Some(0), "{arguments:?}");
+        text(&out.stdout)
+    };
+    assert_eq!(page(&["point", "light"]), page(&["point light"]));
+    assert_eq!(page(&["point", "light"]), page(&["-402"]));
+    assert_eq!(page(&["textura", "obrazová"]), page(&["-301"]));
 }

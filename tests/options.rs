@@ -514,7 +514,7 @@ fn cameras_that_are_not_there() {
     refused(
         dir.path(),
         &render("s.zpg"),
-        "no camera 12; its cameras are 8, 10\n",
+        "no camera 12; its cameras: 8, 10\n",
     );
     refused(
         dir.path(),
@@ -522,7 +522,7 @@ fn cameras_that_are_not_there() {
         "no camera 12: it has none at all\n",
     );
     let probe = ["probe", "s.zpg", "--pixel", "0,0", "--camera", "12"];
-    refused(dir.path(), &probe, "no camera 12; its cameras are 8, 10\n");
+    refused(dir.path(), &probe, "no camera 12; its cameras: 8, 10\n");
     for how in ["pair", "side-by-side", "anaglyph"] {
         refused(
             dir.path(),

@@ -405,7 +405,7 @@ fn wrong_usage() {
         ),
         (
             &["a.zpg", "--pixel", "0,0", "--camera", "90"],
-            "the scene has no camera 90; its cameras are 900",
+            "the scene has no camera 90; its cameras: 900",
         ),
         (
             &["a.zpg", "--point", "0 0 0", "--precision", "f16"],

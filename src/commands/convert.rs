@@ -28,7 +28,7 @@ much, what is dropped, and how many features are exact; --verbose lists these to
 
 Examples:
   zpg convert scene.zpg -o scene.pov
-  zpg convert scene.zpg --to mitsuba
+  zpg convert scene.zpg -o scene.xml
   zpg convert scene.zpg -o scene.glb --tolerance 0.01
   zpg convert scene.zpg --to json | jq .nodes
   zpg convert made-by-a-program.json --to zpg")]

@@ -23,19 +23,20 @@ Examples:
   zpg explain -399            a record type by its number
   zpg explain checkerboard    … or by its keyword")]
 pub struct Args {
-    /// A code or name of a finding, or a number, keyword or other name of a record type
+    /// A code or name of a finding, or a number, keyword or other name of a record type, of one word or several
     #[arg(value_name = "CODE|TYPE", allow_negative_numbers = true)]
-    topic: Option<String>,
+    topic: Vec<String>,
 }
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
-    let Some(topic) = &args.topic else {
+    if args.topic.is_empty() {
         return terminal::print(look, Status::Clean, |out| {
             let index = index(look.language());
             let mut lines = index.lines().map(|line| hanging(line, terminal::width()));
             lines.try_for_each(|line| writeln!(out, "{line}"))
         });
-    };
+    }
+    let topic = &args.topic.join(" ");
     match page(topic, look.language()) {
         Some(page) => {
             let stdout = io::stdout();

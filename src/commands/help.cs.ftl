@@ -194,7 +194,7 @@ help-convert = Převede scénu pro jiný program
 
         Příklady:
           zpg convert scena.zpg -o scena.pov
-          zpg convert scena.zpg --to mitsuba
+          zpg convert scena.zpg -o scena.xml
           zpg convert scena.zpg -o scena.glb --tolerance 0.01
           zpg convert scena.zpg --to json | jq .nodes
           zpg convert vytvorena-programem.json --to zpg
@@ -431,7 +431,7 @@ help-explain = Vysvětlí nález nebo typ záznamu
           zpg explain undefined-id    … nebo podle názvu
           zpg explain -399            typ záznamu podle čísla
           zpg explain šachovnice      … nebo podle jména, českého či anglického
-help-explain-topic = Kód nebo název nálezu, číslo nebo jméno typu záznamu
+help-explain-topic = Kód nebo název nálezu, číslo nebo jméno typu záznamu, o jednom slově nebo více
     .value = KÓD|TYP
 
 ## zpg lsp

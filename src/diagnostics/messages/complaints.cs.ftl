@@ -112,7 +112,7 @@ unseen-outside = mimo kvádr renderovacího záznamu
 unseen-inside = uvnitř neprůhledného tělesa { $id } ({ $type })
 map-is-png = mapa nákladů je obrázek PNG: jméno má končit na .png, ne { $path }
 
-no-such-camera = scéna nemá kameru { $id }; její kamery jsou { $cameras }
+no-such-camera = scéna nemá kameru { $id }; kamery scény: { $cameras }
 no-cameras = scéna nemá kameru { $id }: nemá vůbec žádnou
 stereo-of-one = --stereo potřebuje dvě kamery, ale obrázek pořizuje jedna: ve scéně chybí výběr dvojice kamer (typ -503), nebo jednu kameru vybírá --camera
 two-on-stdout = na standardní výstup lze poslat jen jeden z výstupů: pro druhý zvolte soubor
@@ -156,7 +156,7 @@ zero-direction = směr je nulový vektor
 
 ## Srovnávání
 
-no-program = { $program } není nainstalován: získáte ho { $how } (hledalo se `{ $path }`)
+no-program = program { $program } není nainstalován: získáte ho { $how } (hledalo se `{ $path }`)
 program-failed = { $program } selhal:
     { $said }
 program-strange = { $program }: { $what }

@@ -109,7 +109,7 @@ unseen-outside = outside of the box of the render record
 unseen-inside = inside of the opaque { $type } { $id }
 map-is-png = a heatmap is a PNG picture: expected a name that ends in .png, not { $path }
 
-no-such-camera = the scene has no camera { $id }; its cameras are { $cameras }
+no-such-camera = the scene has no camera { $id }; its cameras: { $cameras }
 no-cameras = the scene has no camera { $id }: it has none at all
 stereo-of-one = --stereo needs two cameras, and the picture is taken by one: the scene has no stereo camera (type -503), or --camera chooses one
 two-on-stdout = standard output takes one of the outputs: name a file for the other
