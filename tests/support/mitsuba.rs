@@ -25,7 +25,10 @@ pub fn python() -> PathBuf {
 /// Writes a translation and has its first document rendered; channels of all pixels, row by row. The
 /// files stay in the target folder, to be looked at.
 pub fn render(name: &str, made: &Output, samples: u32) -> Vec<f32> {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("mitsuba");
+    // Of its own, as two pictures of a scene have meshes of the same names.
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("mitsuba")
+        .join(name);
     fs::create_dir_all(&folder).expect("a folder for the files");
     zpg::study::mitsuba::render(&python(), made, 0, &folder, name, samples)
         .unwrap_or_else(|e| panic!("{name}: {e:?}"))
