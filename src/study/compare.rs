@@ -132,7 +132,7 @@ impl Comparison {
         self.total_reflection + self.differing.on_silhouettes + self.differing.on_other_edges
     }
 
-    /// The differences as a picture of 8-bit RGB, row by row: green up to the bar, red above it, grey
+    /// The differences as a picture of 8-bit RGB, row by row: green up to the bar, dark where nothing differs, red above it, grey
     /// for silhouettes that differ, yellow for other edges that do, blue where there is total reflection; all
     /// the brighter the more they differ.
     pub fn picture(&self) -> Vec<u8> {
@@ -142,7 +142,7 @@ impl Comparison {
                 Pixel::Edge(Edge::Silhouette) => [shade / 2; 3],
                 Pixel::Edge(Edge::Other) => [shade, shade, 0],
                 Pixel::Apart => [0, 0, shade],
-                Pixel::Alike => [0, (200.0 * d / self.bar) as u8, 0],
+                Pixel::Alike => alike(d / self.bar),
                 Pixel::Differing => [255, 0, 0],
             }
         };
@@ -150,9 +150,22 @@ impl Comparison {
     }
 }
 
+/// The colour of a pixel that differs by so much of what is allowed: dark green where it does not differ at all.
+pub fn alike(share: f64) -> [u8; 3] {
+    const LEAST: f64 = 55.0;
+    [
+        0,
+        (LEAST + (f64::from(ALIKE[1]) - LEAST) * share.min(1.0)) as u8,
+        0,
+    ]
+}
+
+/// Of a pixel that differs by all that is allowed.
+pub const ALIKE: [u8; 3] = [0, 200, 0];
+
 /// What the colours of [`Comparison::picture`] mean, as messages.
 pub const LEGEND: [([u8; 3], &str); 5] = [
-    ([0, 200, 0], "crosscheck-legend-alike"),
+    (ALIKE, "crosscheck-legend-alike"),
     ([255, 0, 0], "crosscheck-legend-differing"),
     ([127; 3], "crosscheck-legend-silhouettes-differ"),
     ([255, 255, 0], "crosscheck-legend-edges"),
@@ -182,6 +195,14 @@ mod tests {
             height: pixels.len() as u32 / 4,
             pixels,
         }
+    }
+
+    /// No pixel that was compared is black, which the legend does not have.
+    #[test]
+    fn what_is_alike_is_green() {
+        assert_eq!(alike(0.0), [0, 55, 0]);
+        assert_eq!([alike(1.0), alike(7.0)], [ALIKE; 2]);
+        assert!(alike(0.5)[1] > alike(0.1)[1]);
     }
 
     #[test]

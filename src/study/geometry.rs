@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use rustc_hash::FxHashMap;
 use serde::Serialize;
 
+use super::compare::{ALIKE, alike};
 use super::mitsuba::CHANNELS;
 use crate::geometry::Aabb;
 use crate::geometry::array::{dot, sub};
@@ -507,7 +508,7 @@ impl Comparison {
             Pixel::Wrong => WRONG,
             Pixel::Right {
                 distance, allowed, ..
-            } => [0, (200.0 * distance / allowed) as u8, 0],
+            } => alike(distance / allowed),
             Pixel::Empty => [0; 3],
         };
         self.map.iter().flat_map(colour).collect()
@@ -520,7 +521,7 @@ const WRONG: [u8; 3] = [255, 0, 0];
 
 /// What the colours of [`Comparison::picture`] mean, as messages.
 pub const LEGEND: [([u8; 3], &str); 4] = [
-    ([0, 200, 0], "crosscheck-legend-alike"),
+    (ALIKE, "crosscheck-legend-alike"),
     (WRONG, "crosscheck-legend-differing"),
     (SILHOUETTE, "crosscheck-legend-silhouettes"),
     (LEFT_OUT, "crosscheck-legend-left-out"),
