@@ -1,9 +1,7 @@
 //! `zpg check` from outside: fixes, levels, languages, and what goes where.
 
 use std::fs;
-use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::Stdio;
 use std::thread;
 use std::time::Duration;
 
@@ -355,15 +353,9 @@ fn wrong_usage_in_both_languages() {
 #[test]
 fn watching_checks_again() {
     let dir = folder(&[("a.zpg", SCENE)]);
-    let mut child = crate::support::program::command()
-        .args(["check", "--watch", "--format", "short", "a.zpg"])
-        .current_dir(dir.path())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let mut errors = BufReader::new(child.stderr.take().unwrap()).lines();
-    let mut findings = BufReader::new(child.stdout.take().unwrap()).lines();
+    let arguments = ["check", "--watch", "--format", "short", "a.zpg"];
+    let (mut child, [mut findings, mut errors]) =
+        crate::support::program::started(dir.path(), &arguments);
     let ready = "Watching for changes; Ctrl-C ends it";
     assert_eq!(errors.next().unwrap().unwrap(), ready);
     let mut three = || {

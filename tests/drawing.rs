@@ -1,10 +1,8 @@
 //! What `zpg render` says of a picture, and the files and scenes it takes.
 
-use crate::support::program::{command, folder, text, zpg};
+use crate::support::program::{folder, started, text, zpg};
 use std::fs;
-use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::Stdio;
 
 const SMALL: [&str; 2] = ["--size", "40x30"];
 const BALL: &str = "2 9 1\n1 9999 2 0\n";
@@ -64,6 +62,18 @@ fn a_view_from_a_side_lacks_no_camera() {
         &["a.zpg", "--view", "front", "--crop", "0,0,4,4"],
     );
     assert!(corner[1].contains("nothing is in view"));
+}
+
+/// A camera within a solid of which the render box leaves nothing there is outside.
+#[test]
+fn a_box_that_leaves_the_camera_out() {
+    let cut = "2 9 9\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -401 0.8\n1 9999 2 0  -2 -2 -9 2 2 2\n";
+    let dir = folder(&[
+        ("a.zpg", cut),
+        ("b.zpg", &cut.replace("9 2 2 2", "9 2 2 6")),
+    ]);
+    assert_eq!(render(dir.path(), &["a.zpg"])[1], "");
+    assert!(render(dir.path(), &["b.zpg"])[1].contains("the camera is inside of a solid"));
 }
 
 /// `--exposure` makes what it proposes true: nothing is brighter than white any more, and hardly darker.
@@ -189,6 +199,8 @@ fn several_scenes_go_into_a_folder() {
     assert!(dir.path().join("new/out/c.png").exists());
     render(dir.path(), &["b.zpg", "-o", "one/"]);
     assert!(dir.path().join("one/b.png").exists());
+    let [said, _] = render(dir.path(), &["a.zpg", "./a.zpg", "-o", "twice"]);
+    assert_eq!(said, "Wrote twice/a.png: 40 × 30 pixels\n");
     let refused = |arguments: &[&str]| {
         let out = zpg(dir.path(), &[&["render"], arguments].concat(), "");
         assert_eq!(out.status.code(), Some(2));
@@ -204,15 +216,8 @@ fn several_scenes_go_into_a_folder() {
 #[test]
 fn watching_draws_again() {
     let dir = folder(&[("a.zpg", [CAMERA, LAMP, BALL].concat())]);
-    let mut child = command()
-        .args(["render", "a.zpg", "--watch", "--size", "40x30"])
-        .current_dir(dir.path())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let mut errors = BufReader::new(child.stderr.take().unwrap()).lines();
-    let mut wrote = BufReader::new(child.stdout.take().unwrap()).lines();
+    let arguments = ["render", "a.zpg", "--watch", "--size", "40x30"];
+    let (mut child, [mut wrote, mut errors]) = started(dir.path(), &arguments);
     let mut next = || {
         let wrote = wrote.next().unwrap().unwrap();
         assert_eq!(wrote, "Wrote a.png: 40 × 30 pixels");

@@ -7,7 +7,7 @@ use support::make::Make;
 use support::povray;
 use zpg::geometry::Matrix;
 use zpg::scene::{Camera, Scene, Texture, View};
-use zpg::solids::staging::{Viewpoint, cameras, staged};
+use zpg::solids::staging::{Viewpoint, staged};
 use zpg::study::naive::Naive;
 use zpg::trace::{Images, Settings, Tracer};
 use zpg::translate::pov::{self, Options, Stereo, Translation};
@@ -35,7 +35,7 @@ fn compare(name: &str, scene: &Scene) {
         Viewpoint::Scene,
         f64::from(SIZE.0) / f64::from(SIZE.1),
     );
-    let camera = *cameras(&staged).next().expect("a camera");
+    let camera = *staged.chosen_cameras().next().expect("a camera");
     compare_view(name, &staged, &translation, camera);
 }
 

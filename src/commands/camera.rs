@@ -7,6 +7,8 @@ use super::usage;
 use crate::diagnostics::{Complaint, Error};
 use crate::scene::{Camera, Scene};
 use crate::solids::staging::{self, Side, Viewpoint};
+use clap::ValueEnum;
+use clap::builder::PossibleValue;
 use std::borrow::Cow;
 
 /// The options that choose a camera.
@@ -20,38 +22,33 @@ pub struct CameraArgs {
     /// Look at the scene from this side instead, whatever its cameras are
     #[arg(help_heading = help::PICTURE)]
     #[arg(long, value_enum, value_name = "SIDE", conflicts_with = "camera")]
-    view: Option<SideArg>,
+    view: Option<Side>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum SideArg {
-    /// Along −z
-    Front,
-    /// Along +z
-    Back,
-    /// Along +x
-    Left,
-    /// Along −x
-    Right,
-    /// Along −y
-    Top,
-    /// Along +y
-    Bottom,
-    /// From the right, the front and above alike
-    Iso,
-}
+impl ValueEnum for Side {
+    fn value_variants<'a>() -> &'a [Side] {
+        &[
+            Side::Front,
+            Side::Back,
+            Side::Left,
+            Side::Right,
+            Side::Top,
+            Side::Bottom,
+            Side::Iso,
+        ]
+    }
 
-impl From<SideArg> for Side {
-    fn from(side: SideArg) -> Side {
-        match side {
-            SideArg::Front => Side::Front,
-            SideArg::Back => Side::Back,
-            SideArg::Left => Side::Left,
-            SideArg::Right => Side::Right,
-            SideArg::Top => Side::Top,
-            SideArg::Bottom => Side::Bottom,
-            SideArg::Iso => Side::Iso,
-        }
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, help) = match self {
+            Side::Front => ("front", "Along −z"),
+            Side::Back => ("back", "Along +z"),
+            Side::Left => ("left", "Along +x"),
+            Side::Right => ("right", "Along −x"),
+            Side::Top => ("top", "Along −y"),
+            Side::Bottom => ("bottom", "Along +y"),
+            Side::Iso => ("iso", "From the right, the front and above alike"),
+        };
+        Some(PossibleValue::new(name).help(help))
     }
 }
 
@@ -72,7 +69,7 @@ impl CameraArgs {
     pub fn viewpoint(self, scene: &Scene) -> Result<Viewpoint, Error> {
         match (self.camera, self.view) {
             (Some(id), _) => Ok(Viewpoint::Camera(number(scene, id)?)),
-            (None, Some(side)) => Ok(Viewpoint::Side(side.into())),
+            (None, Some(side)) => Ok(Viewpoint::Side(side)),
             (None, None) => Ok(Viewpoint::Scene),
         }
     }
@@ -94,7 +91,7 @@ impl CameraArgs {
 ///
 /// There is none.
 pub fn one_camera(staged: &Scene, look: LookChoice) -> Result<Camera, Error> {
-    let mut cameras = staging::cameras(staged);
+    let mut cameras = staged.chosen_cameras();
     let camera = *cameras.next().ok_or_else(Error::nothing_to_draw)?;
     if cameras.next().is_some() {
         note(

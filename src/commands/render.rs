@@ -279,7 +279,7 @@ fn jobs(args: &Args, look: LookChoice) -> Option<Vec<Job>> {
         return None;
     }
     let is_folder = args.paths.iter().any(|path| path.is_dir());
-    let several = is_folder || found.files.len() > 1;
+    let several = is_folder || args.paths.len() > 1;
     let wrong = match several {
         true if args.stats.is_some() || args.heatmap.is_some() => Some("several-with-one-output"),
         _ => None,

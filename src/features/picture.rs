@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::analysis::Analysis;
 use crate::diagnostics::Error;
 use crate::scene::{Camera, NodeId, Render, Scene, View};
-use crate::solids::staging::{Viewpoint, cameras, staged};
+use crate::solids::staging::{Viewpoint, staged};
 use crate::trace::film::Packing;
 use crate::trace::plan::Plan;
 use crate::trace::{Images, Settings, Tracer};
@@ -51,7 +51,7 @@ impl Stage {
         let folder = analysis.source.folder().unwrap_or(Path::new("."));
         let images = Images::load(scene, folder)?;
         let tracer = Tracer::planned(scene, &images, plan)?;
-        let camera = cameras(scene).next().copied();
+        let camera = scene.chosen_cameras().next().copied();
         let camera = camera.ok_or_else(Error::nothing_to_draw)?;
         Ok(Stage { tracer, camera })
     }

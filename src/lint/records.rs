@@ -4,9 +4,9 @@ use rustc_hash::FxHashMap;
 
 use super::Context;
 use crate::diagnostics::{Applicability, Fix, Span};
+use crate::scene::Camera;
 use crate::scene::names;
 use crate::scene::record::Params;
-use crate::scene::{Camera, View};
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Effect, Kind, RecordKind};
 use crate::syntax::{Item, Record};
@@ -119,12 +119,9 @@ impl<'a> Context<'a> {
 /// The cameras that are written and take the picture, with the records that define them.
 pub fn chosen_cameras<'c>(context: &'c Context) -> Vec<(&'c Camera, Params<'c>)> {
     let scene = context.scene;
-    let chosen = match scene.view {
-        View::Automatic => vec![],
-        View::Mono(at) => vec![at],
-        View::Stereo { left, right } if left == right => vec![left],
-        View::Stereo { left, right } => vec![left, right],
-    };
+    let mut chosen: Vec<usize> = scene.view.cameras().collect();
+    // One may be both.
+    chosen.dedup();
     let of = |at: usize| {
         let camera = scene.cameras.get(at)?;
         let entity = (scene.entities.iter().rev())

@@ -91,6 +91,11 @@ impl Node {
 }
 
 impl Scene {
+    /// The cameras that take the picture: none, one, or left and right.
+    pub fn chosen_cameras(&self) -> impl Iterator<Item = &Camera> {
+        self.view.cameras().filter_map(|i| self.cameras.get(i))
+    }
+
     /// The shapes and where they are written, in file order: each has one node, and [`shapes`](Self::shapes) has the
     /// order of the nodes.
     pub fn written_shapes(&self) -> impl Iterator<Item = (&Shape, Span)> {
@@ -250,6 +255,18 @@ pub enum View {
         left: usize,
         right: usize,
     },
+}
+
+impl View {
+    /// The numbers of the cameras that take the picture: none, one, or left and right.
+    pub fn cameras(self) -> impl Iterator<Item = usize> + Clone {
+        let chosen = match self {
+            View::Automatic => [None, None],
+            View::Mono(camera) => [Some(camera), None],
+            View::Stereo { left, right } => [Some(left), Some(right)],
+        };
+        chosen.into_iter().flatten()
+    }
 }
 
 /// The render record.

@@ -70,17 +70,12 @@ const AUTOMATIC: [f64; 2] = [30.0, 25.0];
 /// A scene without a camera gets one that looks from 30° to the right of the front and 25° above the horizontal. A scene
 /// without any light gets an ambient light of 0.2 and a lamp of 0.8, above the camera and to its left.
 pub fn staged(scene: &Scene, viewpoint: Viewpoint, aspect: f64) -> Cow<'_, Scene> {
-    let has_camera = |view| match view {
-        View::Automatic => false,
-        View::Mono(i) => i < scene.cameras.len(),
-        View::Stereo { left, right } => left.max(right) < scene.cameras.len(),
-    };
     let view = match viewpoint {
         Viewpoint::Scene => scene.view,
         Viewpoint::Camera(i) => View::Mono(i),
         Viewpoint::Side(_) => View::Automatic,
     };
-    let (seen, dark) = (has_camera(view), is_dark(scene));
+    let (seen, dark) = (has_cameras(scene, view), is_dark(scene));
     if seen && !dark && view == scene.view {
         return Cow::Borrowed(scene);
     }
@@ -100,7 +95,7 @@ pub fn staged(scene: &Scene, viewpoint: Viewpoint, aspect: f64) -> Cow<'_, Scene
     }
     if dark {
         let white = [1.0; 3];
-        let camera = cameras(&staged).next().copied();
+        let camera = staged.chosen_cameras().next().copied();
         staged.ambient_lights.push(AmbientLight {
             id: 0,
             intensity: AMBIENT,
@@ -116,23 +111,18 @@ pub fn staged(scene: &Scene, viewpoint: Viewpoint, aspect: f64) -> Cow<'_, Scene
     Cow::Owned(staged)
 }
 
-/// The cameras that take the picture, as far as the scene has them: one, or left and right.
-pub fn cameras(scene: &Scene) -> impl Iterator<Item = &Camera> {
-    let chosen = match scene.view {
-        View::Automatic => [None, None],
-        View::Mono(i) => [Some(i), None],
-        View::Stereo { left, right } => [Some(left), Some(right)],
-    };
-    (chosen.into_iter().flatten()).filter_map(|i| scene.cameras.get(i))
-}
-
 /// The cameras that take the picture: one, or left and right; without any, the automatic one.
 pub fn selected_cameras(scene: &Scene, aspect: f64) -> Vec<Camera> {
-    let chosen: Vec<Camera> = cameras(scene).copied().collect();
+    let chosen: Vec<Camera> = scene.chosen_cameras().copied().collect();
     match chosen.is_empty() {
         true => vec![automatic_camera(scene, &node_bounds(scene), aspect)],
         false => chosen,
     }
+}
+
+/// Whether a scene has the cameras of a view, and there is any.
+fn has_cameras(scene: &Scene, view: View) -> bool {
+    view != View::Automatic && view.cameras().all(|i| i < scene.cameras.len())
 }
 
 /// Whether a scene has no light at all.

@@ -24,6 +24,16 @@ pub fn developed(colour: Rgb) -> [f32; 3] {
     })
 }
 
+/// Whether a channel of a linear colour is brighter than white, by more than roundings.
+pub fn is_above_white<T: Into<f64>>(colour: [T; 3]) -> bool {
+    /// Sums of lights that are white together may exceed it by so much.
+    const WHITE: f64 = 1.001;
+    colour.into_iter().any(|x| x.into() > WHITE)
+}
+
+/// So many pixels, in per cent, may be brighter than white before it is said: highlights are.
+pub const FEW: f64 = 1.0;
+
 /// The sRGB transfer function (IEC 61966-2-1) of a number from 0 to 1, to 8 bits.
 fn encoded(x: f64) -> u8 {
     let y = if x <= 0.003_130_8 {

@@ -164,18 +164,12 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
         .point_lights
         .iter()
         .for_each(|_| count(RecordKind::PointLight));
-    let views = match scene.view {
-        View::Automatic => vec![],
-        View::Mono(i) => {
-            count(RecordKind::MonoCamera);
-            vec![i]
-        }
-        View::Stereo { left, right } => {
-            count(RecordKind::StereoCamera);
-            vec![left, right]
-        }
-    };
-    for camera in views.into_iter().filter_map(|i| scene.cameras.get(i)) {
+    match scene.view {
+        View::Automatic => {}
+        View::Mono(_) => count(RecordKind::MonoCamera),
+        View::Stereo { .. } => count(RecordKind::StereoCamera),
+    }
+    for camera in scene.chosen_cameras() {
         count(if camera.projection.is_some() {
             RecordKind::ProjectionMatrix
         } else {

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::{povray, takes_part};
 use zpg::analysis::Analysis;
 use zpg::scene::{Camera, Scene};
-use zpg::solids::staging::{Viewpoint, cameras, staged};
+use zpg::solids::staging::{Viewpoint, staged};
 use zpg::study::compare::Comparison;
 use zpg::trace::{Images, Settings, Tracer};
 use zpg::translate::pov::{self, Options, pictures::Pictures};
@@ -36,7 +36,7 @@ pub fn compare(name: &str, scene: &Scene, folder: &Path, size: (u32, u32)) -> Ve
         cutoff: 0.0,
         ..Settings::default()
     };
-    let cameras: Vec<Camera> = cameras(scene).copied().collect();
+    let cameras: Vec<Camera> = scene.chosen_cameras().copied().collect();
     assert_eq!(cameras.len(), translation.files.len());
     let mut all = Vec::new();
     for (i, camera) in cameras.iter().enumerate() {

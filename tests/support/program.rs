@@ -1,8 +1,8 @@
 //! Running `zpg` itself.
 
-use std::io::Write as _;
+use std::io::{BufRead as _, BufReader, Read, Write as _};
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 
 /// The program, which speaks English whatever the environment says, and in long lines.
 pub fn command() -> Command {
@@ -13,6 +13,25 @@ pub fn command() -> Command {
 
 /// Where the program is, for those that are run by others.
 pub const PATH: &str = env!("CARGO_BIN_EXE_zpg");
+
+/// The lines that a run writes, as they come.
+pub type Lines = std::io::Lines<BufReader<Box<dyn Read>>>;
+
+/// Starts it in a folder, to be watched: the run, and the lines of its standard output and standard error.
+pub fn started(folder: &Path, arguments: &[&str]) -> (Child, [Lines; 2]) {
+    let mut child = command()
+        .args(arguments)
+        .current_dir(folder)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("zpg starts");
+    let pipes: [Box<dyn Read>; 2] = [
+        Box::new(child.stdout.take().expect("a pipe")),
+        Box::new(child.stderr.take().expect("a pipe")),
+    ];
+    (child, pipes.map(|pipe| BufReader::new(pipe).lines()))
+}
 
 /// Runs it in a folder, with something on its standard input.
 pub fn zpg(folder: &Path, arguments: &[&str], input: &str) -> Output {

@@ -6,7 +6,7 @@ use crate::analysis::Analysis;
 use crate::commands::LookChoice;
 use crate::diagnostics::{Complaint, Error, Language, Value};
 use crate::scene::Camera;
-use crate::solids::staging::{self, Viewpoint};
+use crate::solids::staging::Viewpoint;
 use crate::study::geometry::{self, Comparison, LEGEND, Shared, our_normals, their_normals};
 use crate::study::mitsuba::{PROGRAM, render};
 use crate::study::program::ProgramError;
@@ -40,7 +40,7 @@ pub fn compare(
         stem: stem(args),
         captions: Captions::of(&loaded.document, &loaded.source.text),
     };
-    let cameras: Vec<Camera> = staging::cameras(scene).copied().collect();
+    let cameras: Vec<Camera> = scene.chosen_cameras().copied().collect();
     if let Some(camera) = cameras.iter().find(|c| !is_exact(c, size)) {
         let text = |(width, height): (u32, u32)| format!("{width}x{height}");
         let squares = square_size(&cameras, size);

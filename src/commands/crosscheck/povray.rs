@@ -6,7 +6,7 @@ use crate::analysis::Analysis;
 use crate::commands::{LookChoice, draft, terminal};
 use crate::diagnostics::{Complaint, Error, Language, Value};
 use crate::scene::Camera;
-use crate::solids::staging::{self, Viewpoint};
+use crate::solids::staging::Viewpoint;
 use crate::study::compare::{Comparison, LEGEND};
 use crate::study::povray::{PROGRAM, render};
 use crate::syntax::Captions;
@@ -52,7 +52,7 @@ pub fn compare(
         draft::write(&folder.join(name), |out| out.write_all(png))?;
     }
     let program = program(args, PROGRAM);
-    let cameras: Vec<Camera> = staging::cameras(scene).copied().collect();
+    let cameras: Vec<Camera> = scene.chosen_cameras().copied().collect();
     let suffixes = translation.files.iter().map(|f| f.suffix);
     each_camera(args, look.language(), &folder, suffixes, |i, suffix| {
         let name = format!("{name}{suffix}");

@@ -4,19 +4,15 @@ use super::Args;
 use crate::commands::LookChoice;
 use crate::commands::terminal::note;
 use crate::diagnostics::Complaint;
+use crate::geometry::Aabb;
 use crate::scene::{Camera, Scene, View};
 use crate::solids::staging::is_dark;
 use crate::trace::camera;
+use crate::trace::film::{FEW, is_above_white};
 use crate::trace::{Film, Picture, Settings, Tracer};
 
 /// At most so many places of a picture are looked at across and down.
 const PLACES: u32 = 32;
-
-/// A colour value may exceed white by so much: rounding makes no picture too bright.
-const WHITE: f32 = 1.001;
-
-/// Fewer pixels than this, in per cent, may be brighter than white: highlights are.
-const BRIGHT: f64 = 1.0;
 
 /// Says what the scene lacks, and why a picture shows nothing.
 pub fn say(
@@ -37,7 +33,7 @@ pub fn say(
         note(look, &Complaint::new("note-no-light"));
     }
     for (camera, picture) in cameras.iter().zip(pictures) {
-        if let Some(message) = fault(tracer, camera, settings, picture) {
+        if let Some(message) = fault(tracer, (scene, camera), settings, picture) {
             note(look, &Complaint::new(message));
         }
     }
@@ -46,12 +42,14 @@ pub fn say(
 /// Why a picture shows nothing, or not what is meant.
 fn fault(
     tracer: &Tracer,
-    camera: &Camera,
+    (scene, camera): (&Scene, &Camera),
     settings: &Settings,
     picture: &Picture,
 ) -> Option<&'static str> {
     let view = camera::View::new(camera, settings.width, settings.height)?;
-    if view.is_pinhole() && tracer.holds(&mut tracer.walker::<f64>(), view.position()) {
+    let is_drawn = |(min, max)| Aabb::new(min, max).contains(camera.position);
+    let is_drawn = scene.render.is_none_or(|r| r.clip.is_none_or(is_drawn));
+    if view.is_pinhole() && is_drawn && tracer.holds(&mut tracer.walker::<f64>(), view.position()) {
         return Some("note-camera-inside");
     }
     let film = &picture.film;
@@ -86,9 +84,9 @@ fn fault(
 pub fn say_brightness(films: &[Film], exposure: f64, look: LookChoice) {
     let pixels = || films.iter().flat_map(|film| &film.pixels);
     let largest = |pixel: &[f32; 3]| pixel.iter().copied().fold(0.0, f32::max);
-    let bright = pixels().filter(|&pixel| largest(pixel) > WHITE).count();
+    let bright = pixels().filter(|&&pixel| is_above_white(pixel)).count();
     let share = 100.0 * bright as f64 / pixels().count().max(1) as f64;
-    if share < BRIGHT {
+    if share < FEW {
         return;
     }
     let most = pixels().map(largest).fold(1.0, f32::max);

@@ -18,7 +18,6 @@ use crate::commands::terminal::{progress_bar, tell};
 use crate::diagnostics::{Complaint, Error, Span};
 use crate::parallel;
 use crate::scene::{Camera, Scene};
-use crate::solids::staging;
 use crate::trace::plan::Plan;
 use crate::trace::stats::Counts;
 use crate::trace::{CostMap, Film, Images, Numbers, Picture, Settings, Tracer};
@@ -126,9 +125,6 @@ pub fn draw(
     args.memory.check(&tracer).map_err(crowded)?;
     seconds.trace = start.elapsed().as_secs_f64();
 
-    let start = Instant::now();
-    let (counts, samples) = totals(&pictures);
-    write_maps(maps, &pictures, stereo, look)?;
     notes::say(
         args,
         &tracer,
@@ -137,6 +133,9 @@ pub fn draw(
         &pictures,
         look,
     );
+    let start = Instant::now();
+    let (counts, samples) = totals(&pictures);
+    write_maps(maps, &pictures, stereo, look)?;
     let mut films = compose(pictures, stereo, outputs.len());
     if let Some(times) = args.exposure {
         films.iter_mut().for_each(|film| film.expose(times));
@@ -222,7 +221,7 @@ fn settings(args: &Args) -> Result<Settings, Error> {
 
 /// The cameras that take the picture: one, or left and right.
 fn cameras(args: &Args, scene: &Scene) -> Result<Vec<Camera>, Error> {
-    let cameras: Vec<Camera> = staging::cameras(scene).copied().collect();
+    let cameras: Vec<Camera> = scene.chosen_cameras().copied().collect();
     match args.stereo.is_some() && cameras.len() < 2 {
         true => Err(Complaint::new("stereo-of-one").into()),
         false => Ok(cameras),

@@ -181,15 +181,7 @@ impl Plan {
         let shadows = diffuse && (!plan.lone_convex || glass || clipped);
         // Total reflection needs an index somewhere that is not that of the space outside.
         let total = glass && reach.bent.some();
-        let cameras = match scene.view {
-            View::Automatic => vec![],
-            View::Mono(i) => vec![i],
-            View::Stereo { left, right } => vec![left, right],
-        };
-        let cameras: Vec<_> = cameras
-            .iter()
-            .filter_map(|&i| scene.cameras.get(i))
-            .collect();
+        let cameras: Vec<_> = scene.chosen_cameras().collect();
         let projecting = cameras.iter().filter(|c| c.projection.is_some());
         let stereo = matches!(scene.view, View::Stereo { .. });
 

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::extent::Extent;
 use crate::geometry::array::{cross, dot, length, sub};
-use crate::scene::{Camera, PointLight, Scene, Vec3, View};
+use crate::scene::{Camera, PointLight, Scene, Vec3};
 use crate::solids::staging::Basis;
 use crate::translate::lens::{Lens, Pinhole};
 use crate::translate::names::Names;
@@ -72,14 +72,10 @@ fn named(value: &mut Value, words: Option<&str>) {
 }
 
 fn in_order(scene: &Scene) -> impl Iterator<Item = &Camera> {
-    let first = match scene.view {
-        View::Automatic => Vec::new(),
-        View::Mono(camera) => vec![camera],
-        View::Stereo { left, right } => vec![left, right],
-    };
-    let others = (0..scene.cameras.len()).filter(|i| !first.contains(i));
-    let order: Vec<usize> = first.iter().copied().chain(others).collect();
-    order.into_iter().filter_map(|i| scene.cameras.get(i))
+    let view = scene.view;
+    let others =
+        (0..scene.cameras.len()).filter(move |i| view.cameras().all(|chosen| chosen != *i));
+    (view.cameras().chain(others)).filter_map(|i| scene.cameras.get(i))
 }
 
 /// What a camera of the format is, and where: right, up, forward, position.

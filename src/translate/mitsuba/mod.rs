@@ -23,7 +23,7 @@ use crate::diagnostics::{Complaint, Error};
 use crate::geometry::Aabb;
 use crate::scene::{Camera, Scene};
 use crate::solids::bounds::node_bounds;
-use crate::solids::staging::{self, staged};
+use crate::solids::staging::staged;
 use crate::trace::{Tracer, Walkers, camera::View};
 use bsdf::Bsdfs;
 pub use frame::Frame;
@@ -63,7 +63,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     let aspect = f64::from(options.size.0) / f64::from(options.size.1);
     let staged = staged(scene, options.viewpoint, aspect);
     let scene = &*staged;
-    let cameras: Vec<Camera> = staging::cameras(scene).copied().collect();
+    let cameras: Vec<Camera> = scene.chosen_cameras().copied().collect();
     let of_meshes = mesh::Options {
         tolerance: options.tolerance,
         memory: options.memory,

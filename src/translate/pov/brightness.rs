@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::diagnostics::Complaint;
-use crate::solids::staging::{cameras, staged};
+use crate::solids::staging::staged;
 use crate::trace::{Settings, Tracer};
 use crate::translate::target::{self, Prepared};
 use crate::translate::{Fidelity, Report};
@@ -54,7 +54,7 @@ fn share_above_white(scene: &Prepared, options: &target::Options) -> Option<f64>
         ..Settings::default()
     };
     let (mut above, mut all) = (0, 0);
-    for camera in cameras(&drawn) {
+    for camera in drawn.chosen_cameras() {
         let picture = tracer.render(camera, &settings, || ()).ok()?;
         let pixels = picture.film.pixels.iter();
         above += pixels.filter(|p| p.iter().any(|&c| c > 1.0)).count();

@@ -18,7 +18,7 @@ use super::volumes::{self, Volumes};
 use crate::diagnostics::Complaint;
 use crate::geometry::Aabb;
 use crate::geometry::vec::Vec3;
-use crate::scene::{Node, NodeId, Scene, View};
+use crate::scene::{Node, NodeId, Scene};
 use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::solids::shapes::facts::Facts as _;
 use crate::trace::members;
@@ -518,16 +518,12 @@ const PARTS: usize = 256;
 
 /// Whether a camera is in a solid that lets no light through: it sees faces that are inside of others.
 fn camera_is_walled_in(scene: &Scene, facts: &[Facts], aspects: &Aspects) -> bool {
-    let cameras = match scene.view {
-        View::Automatic => vec![],
-        View::Mono(i) => vec![i],
-        View::Stereo { left, right } => vec![left, right],
-    };
     let Some(render) = scene.render else {
         return false;
     };
-    let mut cameras = cameras.iter().filter_map(|i| scene.cameras.get(*i));
-    cameras.any(|c| is_walled_in(scene, (facts, aspects), render.root, c.position.into()))
+    scene
+        .chosen_cameras()
+        .any(|c| is_walled_in(scene, (facts, aspects), render.root, c.position.into()))
 }
 
 fn is_walled_in(

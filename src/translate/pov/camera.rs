@@ -9,7 +9,7 @@ use crate::geometry::Aabb;
 use crate::geometry::array::{add, cross, dot, length, sub, unit};
 use crate::scene::sight::Sight;
 use crate::scene::{Camera, Scene, Vec3};
-use crate::solids::staging::{self, Basis};
+use crate::solids::staging::Basis;
 use crate::syntax::Captions;
 use crate::translate::about_camera;
 use crate::translate::fidelity::Fidelity;
@@ -45,7 +45,7 @@ struct Lens {
 /// A camera whose rays are not those of a pinhole or parallel.
 pub fn eyes(scene: &Scene, builder: &mut Builder, options: &Options) -> Result<Vec<Eye>, Error> {
     let mut out = Vec::new();
-    for &camera in staging::cameras(scene) {
+    for &camera in scene.chosen_cameras() {
         let fault = |message| Error::scene(about_camera(&camera, message));
         let basis = Basis::of(&camera).ok_or_else(|| fault("camera-nowhere"))?;
         let lens = match &camera.projection {

@@ -5,13 +5,10 @@ use crate::geometry::array::add;
 use crate::lint::Context;
 use crate::lint::glance::{MAX_NODES, SIZE, glance};
 use crate::scene::{Geometry, Optics, Paint, Render, Rgb, Scene, Shape, Texture};
-use crate::solids::staging::{Viewpoint, cameras, staged};
+use crate::solids::staging::{Viewpoint, staged};
+use crate::trace::film::{FEW, is_above_white};
 use std::ops::ControlFlow;
 
-/// A colour value may exceed white by so much: rounding makes no picture too bright.
-const WHITE: f64 = 1.001;
-/// Fewer pixels than this, in per cent, may be brighter: highlights are.
-const BRIGHT: usize = 1;
 /// What more mirrors and panes than this add is of no account.
 const DEPTH: u32 = 4;
 
@@ -25,16 +22,19 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let aspect = f64::from(SIZE[0]) / f64::from(SIZE[1]);
     let scene = staged(context.scene, Viewpoint::Scene, aspect);
     let pixels = (SIZE[0] * SIZE[1]) as usize;
-    let most = cameras(&scene).filter_map(|camera| {
+    let most = scene.chosen_cameras().filter_map(|camera| {
         let mut bright = vec![false; pixels];
         glance(&scene, camera, DEPTH, |pixels, x, y| {
             let colour = pixels.sum(x, y, 0..1, 1);
-            bright[(y * SIZE[0] + x) as usize] = colour.iter().any(|&c| c > WHITE);
+            bright[(y * SIZE[0] + x) as usize] = is_above_white(colour);
             ControlFlow::Continue(())
         })?;
         Some(bright.iter().filter(|&&bright| bright).count())
     });
-    let Some(bright) = most.max().filter(|&n| 100 * n >= BRIGHT * pixels) else {
+    let Some(bright) = most
+        .max()
+        .filter(|&n| 100.0 * n as f64 >= FEW * pixels as f64)
+    else {
         return;
     };
     let percent = (100 * bright + pixels / 2) / pixels;
