@@ -11,6 +11,7 @@
 //! - [`scene`]: the tree read as a program of assignments: nodes in an arena, lights, cameras.
 //! - [`solids`]: what is true of solids without a ray.
 //! - [`trace`]: the reference ray tracer.
+//! - [`picture_files`]: pictures as PNG and OpenEXR, row by row, with what they say of themselves.
 //! - [`lint`]: rules over the tree and the scene, one folder a rule; those about geometry prove what they
 //!   say with the tracer's means.
 //! - [`analysis`]: a file's bytes to source, document, scene and findings, with the settings of its folder.
@@ -30,6 +31,7 @@ pub mod geometry;
 pub mod lint;
 pub mod lsp;
 pub mod parallel;
+pub mod picture_files;
 pub mod scene;
 pub mod solids;
 pub mod study;

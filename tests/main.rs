@@ -56,6 +56,7 @@ mod mutations;
 mod never_worse;
 mod options;
 mod outputs;
+mod parts;
 mod people;
 mod picture_files;
 mod pictures;

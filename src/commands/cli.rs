@@ -4,8 +4,8 @@ use clap::{CommandFactory, Parser, Subcommand};
 
 use super::terminal::width;
 use super::{
-    LookChoice, Status, accuracy, check, completions, convert, crosscheck, explain, fmt, help, lsp,
-    plan, probe, render, usage,
+    LookChoice, Status, accuracy, check, completions, convert, crosscheck, explain, fmt, help,
+    join, lsp, plan, probe, render, usage,
 };
 use crate::{allocator, parallel};
 
@@ -46,7 +46,8 @@ pub enum Command {
     Fmt(fmt::Args),
     Convert(convert::Args),
     Crosscheck(crosscheck::Args),
-    Render(render::Args),
+    Render(Box<render::Args>),
+    Join(join::Args),
     Probe(Box<probe::Args>),
     Plan(plan::Args),
     Accuracy(accuracy::Args),
@@ -84,6 +85,7 @@ pub fn run() -> Status {
         Command::Convert(args) => convert::run(args, cli.look),
         Command::Crosscheck(args) => crosscheck::run(args, cli.look),
         Command::Render(args) => render::run(args, cli.look),
+        Command::Join(args) => join::run(args, cli.look),
         Command::Probe(args) => probe::run(args, cli.look),
         Command::Plan(args) => plan::run(args, cli.look),
         Command::Accuracy(args) => accuracy::run(args, cli.look),

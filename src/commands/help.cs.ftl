@@ -26,6 +26,7 @@ help-heading-choice = Výběr nálezů
 help-heading-picture = Obrázek
 help-heading-accuracy = Přesnost a čas
 help-heading-reports = Zprávy
+help-heading-machines = Více počítačů
 help-heading-limits = Meze
 help-heading-questions = Otázky
 help-heading-global = Společné volby
@@ -274,7 +275,8 @@ help-render = Vykreslí scény
         výstup se vypíše, co bylo zapsáno; s `-o -` tam jde jen samo PNG. Co je s obrázkem v nepořádku, například že v záběru
         nic není, se vypíše na chybový výstup. Scéna s výběrem dvojice kamer dá dva obrázky, SCÉNA_left.png
         a SCÉNA_right.png, pokud --stereo neurčí jinak. Obrázky několika scén nebo scén ze složky se zapíšou do složky,
-        kterou určuje -o. Po přerušení (Ctrl-C) nezůstane žádný soubor.
+        kterou určuje -o. Po přerušení (Ctrl-C) zůstanou vykreslené řádky v souboru JMÉNO.part.exr vedle obrázku a ostatní
+        vykreslí --resume.
 
         Příklady:
           zpg render scena.zpg
@@ -285,6 +287,7 @@ help-render = Vykreslí scény
           zpg render scena.zpg -o scena.jpg --exposure 0.7
           zpg render scena.zpg --cost
           zpg render scena.zpg --crop 200,100,64,64 --stats naklady.json
+          zpg render scena.zpg -o dily/3.png --tile 3/8
 help-render-paths = Scény jako záznamy nebo JSON, nebo složky se scénami; `-` je standardní vstup
     .value = CESTA
 help-render-output = Kam obrázek zapsat: .png, .jpg, .webp, .exr nebo .pfm; `-` je standardní výstup. Nebo složka
@@ -314,6 +317,9 @@ help-render-precision = Čísla, kterými se počítá od paprsku k tomu, co zas
     .dd = double-double, dvojice čísel dvojité přesnosti, asi 32 číslic
 help-render-crop = Vykreslí jen tuto část obrázku
     .value = X,Y,Š,V
+help-render-tile = Vykreslí jen tento díl, pás řádků, například 3/8 nebo 3-5/8; díly spojí `zpg join`
+    .value = I/N
+help-render-resume = Přeskočí, co už je vykresleno, a pokračuje v tom, co zbylo po přerušení
 help-render-stereo = Jak zapsat oba obrázky z dvojice kamer [výchozí: pair]
     .value = JAK
     .pair = dva soubory, JMÉNO_left a JMÉNO_right
@@ -326,6 +332,24 @@ help-render-stats = Zapíše do souboru jako JSON, co vykreslení stálo: časy,
 help-render-cost = Vypíše, co vykreslení stálo: paprsky, čas, nejdražší objekty a efekty
 help-render-heatmap = Zapíše mapu nákladů: v nepravých barvách, kolik testů průsečíků připadlo na každý pixel
     .value = VÝSTUP.png
+
+## zpg join
+
+help-join = Spojí části obrázku
+    .after =
+        Části jsou to, co zapisuje `zpg render --tile`. Obrázek má tytéž bajty, jaké by zapsal `zpg render` bez --tile.
+        Části jiného obrázku, jiné verze zpg nebo s jinými volbami příkaz odmítne, stejně jako řádky, které chybějí nebo
+        jsou tu dvakrát: návratový kód je pak 1 a nic se nezapíše ani nesmaže. Složka zastupuje soubory PNG a EXR v ní.
+        Z částí PNG vznikne PNG, z částí EXR buď PNG, nebo EXR. Části se smažou, pokud není zadáno --keep.
+
+        Příklady:
+          zpg join dily/*.png -o scena.png
+          zpg join dily -o scena.exr --keep
+help-join-parts = Části nebo složky s nimi
+    .value = ČÁST
+help-join-output = Kam obrázek zapsat: .png nebo .exr
+    .value = VÝSTUP
+help-join-keep = Ponechá části na místě
 
 ## zpg probe
 

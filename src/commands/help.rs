@@ -45,16 +45,18 @@ pub const CHOICE: &str = "Choice of findings";
 pub const PICTURE: &str = "Picture";
 pub const ACCURACY: &str = "Accuracy and time";
 pub const REPORTS: &str = "Reports";
+pub const MACHINES: &str = "Several machines";
 pub const LIMITS: &str = "Limits";
 pub const QUESTION: &str = "Questions";
 pub const GLOBAL: &str = "Global options";
 
-const HEADINGS: [(&str, &str); 8] = [
+const HEADINGS: [(&str, &str); 9] = [
     (FILES, "help-heading-files"),
     (CHOICE, "help-heading-choice"),
     (PICTURE, "help-heading-picture"),
     (ACCURACY, "help-heading-accuracy"),
     (REPORTS, "help-heading-reports"),
+    (MACHINES, "help-heading-machines"),
     (LIMITS, "help-heading-limits"),
     (QUESTION, "help-heading-questions"),
     (GLOBAL, "help-heading-global"),

@@ -20,6 +20,7 @@ pub mod explain;
 pub mod fmt;
 mod habits;
 mod help;
+pub mod join;
 mod language;
 pub mod load;
 pub mod lsp;

@@ -1,10 +1,13 @@
 //! `zpg render`: the reference ray tracer.
 
 mod cost;
+mod fingerprint;
 mod notes;
 mod output;
 mod picture;
 mod stats;
+mod tile;
+mod unfinished;
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -25,6 +28,7 @@ use crate::diagnostics::Complaint;
 use crate::parallel;
 use crate::trace::{Crop, Numbers};
 use output::places;
+use tile::Tile;
 
 /// Draw scenes
 #[derive(Debug, clap::Args)]
@@ -33,7 +37,8 @@ Without -o the picture of SCENE.zpg is written to SCENE.png in the current folde
 are 8-bit sRGB, EXR and PFM are linear, unclamped 32-bit float. What is written is said on standard output; with
 `-o -` the PNG itself goes there. What is wrong with a picture, such as nothing in view, is said on standard error.
 A scene with a stereo camera makes two pictures, SCENE_left.png and SCENE_right.png, unless --stereo says otherwise.
-Several scenes, or those of a folder, go into the folder that -o names. Ctrl-C leaves no file.
+Several scenes, or those of a folder, go into the folder that -o names. Ctrl-C leaves the rows that are drawn in
+NAME.part.exr beside the picture, and --resume draws the others.
 
 Examples:
   zpg render scene.zpg
@@ -43,7 +48,8 @@ Examples:
   zpg render scene.zpg -o film.exr --adaptive 0.01
   zpg render scene.zpg -o scene.jpg --exposure 0.7
   zpg render scene.zpg --cost
-  zpg render scene.zpg --crop 200,100,64,64 --stats cost.json")]
+  zpg render scene.zpg --crop 200,100,64,64 --stats cost.json
+  zpg render scene.zpg -o bands/3.png --tile 3/8")]
 pub struct Args {
     /// Scenes, as records or as JSON, or folders with scenes; `-` is standard input
     #[arg(value_name = "PATH", required = true)]
@@ -105,6 +111,16 @@ pub struct Args {
     #[arg(help_heading = help::PICTURE)]
     #[arg(long, value_name = "X,Y,W,H", allow_hyphen_values = true)]
     crop: Option<CropArg>,
+
+    /// Draw this band of rows only, such as 3/8 or 3-5/8; `zpg join` puts bands together
+    #[arg(help_heading = help::MACHINES)]
+    #[arg(long, value_name = "I/N", requires = "output", conflicts_with_all = ["watch", "heatmap", "cost"], allow_hyphen_values = true)]
+    tile: Option<Tile>,
+
+    /// Skip what is drawn already, and go on with what an interrupted run has left
+    #[arg(help_heading = help::MACHINES)]
+    #[arg(long, conflicts_with_all = ["watch", "heatmap", "cost", "stats"])]
+    resume: bool,
 
     #[command(flatten)]
     camera: CameraArgs,
@@ -282,6 +298,7 @@ fn jobs(args: &Args, look: LookChoice) -> Option<Vec<Job>> {
     let several = is_folder || args.paths.len() > 1;
     let wrong = match several {
         true if args.stats.is_some() || args.heatmap.is_some() => Some("several-with-one-output"),
+        true if args.tile.is_some() => Some("several-with-tile"),
         _ => None,
     };
     let places = match wrong {

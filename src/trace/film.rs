@@ -175,29 +175,14 @@ impl Film {
         }
         out.write_all(&bytes)
     }
-
-    /// OpenEXR: linear, unclamped, 32-bit float, losslessly compressed; the same bytes every time.
-    pub fn write_exr(&self, mut out: impl Write) -> io::Result<()> {
-        use exr::prelude::*;
-        let colour = |at: Vec2<usize>| {
-            let [r, g, b] = self.pixels[at.y() * self.width as usize + at.x()];
-            (r, g, b)
-        };
-        let size = (self.width as usize, self.height as usize);
-        let channels = SpecificChannels::rgb(colour);
-        let picture = Image::from_encoded_channels(size, Encoding::SMALL_LOSSLESS, channels);
-        // The format has a table of places at its start, which is filled in at the end.
-        let mut file = io::Cursor::new(Vec::new());
-        picture
-            .write()
-            .non_parallel()
-            .to_unbuffered(&mut file)
-            .map_err(io::Error::other)?;
-        out.write_all(file.get_ref())
-    }
 }
 
 impl Film {
+    /// From the top.
+    pub fn rows(&self) -> impl Iterator<Item = &[[f32; 3]]> {
+        self.pixels.chunks_exact(self.width.max(1) as usize)
+    }
+
     /// Two pictures of one size: this one on the left, the other on the right.
     pub fn beside(&self, right: &Film) -> Film {
         let width = self.width.max(1) as usize;

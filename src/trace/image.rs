@@ -3,6 +3,7 @@
 use super::bitmap::Bitmap;
 use crate::diagnostics::{Code, Diagnostic, Span};
 use crate::scene::{Node, Scene, Texture, image_file};
+use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
@@ -45,6 +46,13 @@ impl Images {
             images.0.insert(file.to_owned(), Arc::new(bitmap));
         }
         Ok(images)
+    }
+
+    /// The files of the pictures of what is drawn, each once, in the order in which they are named.
+    pub fn files(scene: &Scene) -> Vec<&str> {
+        let mut seen = FxHashSet::default();
+        let files = used(scene).into_iter().map(|(file, _)| file);
+        files.filter(|file| seen.insert(*file)).collect()
     }
 
     pub fn get(&self, file: &str) -> Option<&Arc<Bitmap>> {

@@ -45,7 +45,7 @@ pub use costs::CostMap;
 pub use film::Film;
 pub use image::Images;
 pub use membership::{Membership, members};
-pub use picture::{Crop, Numbers, Picture, Settings, selected_camera};
+pub use picture::{Crop, Numbers, Picture, Samples, Settings, selected_camera};
 pub use probe::{Crossing, Probe};
 pub use ray::Ray;
 pub use search::escalate::Walkers;

@@ -107,6 +107,8 @@ pub struct Picture {
     pub costs: CostMap,
     /// For each pixel, row by row, whether light it shows was totally reflected.
     pub total_reflection: Vec<bool>,
+    /// For each row, whether it was drawn to its end before the picture was stopped.
+    pub finished: Vec<bool>,
     pub counts: Counts,
 }
 
@@ -121,7 +123,7 @@ pub struct Samples {
 
 impl Samples {
     /// Of no pixel.
-    const NONE: Samples = Samples {
+    pub const NONE: Samples = Samples {
         min: u32::MAX,
         max: 0,
         total: 0,
@@ -136,7 +138,7 @@ impl Samples {
         }
     }
 
-    fn add(&mut self, others: Samples) {
+    pub fn add(&mut self, others: Samples) {
         self.min = self.min.min(others.min);
         self.max = self.max.max(others.max);
         self.total += others.total;
@@ -385,9 +387,11 @@ impl<'t> Drawing<'t> {
         );
         let mut samples = Samples::NONE;
         let mut counts = Counts::default();
-        for (of_row, cost) in drawn {
+        let mut finished = Vec::with_capacity(drawn.len());
+        for (of_row, cost, is_finished) in drawn {
             samples.add(of_row);
             counts += cost;
+            finished.push(is_finished);
         }
         samples.min = samples.min.min(samples.max);
         Picture {
@@ -403,11 +407,12 @@ impl<'t> Drawing<'t> {
                 tests,
             },
             total_reflection,
+            finished,
             counts,
         }
     }
 
-    /// Draws a row from a column on, if it is not to stop.
+    /// Draws a row from a column on, if it is not to stop; whether it was drawn to its end comes last.
     fn row<'d, R: Precision>(
         &'d self,
         pen: &mut Pen<'d, 't, R>,
@@ -415,10 +420,10 @@ impl<'t> Drawing<'t> {
         left: u32,
         progress: &(dyn Fn() + Sync),
         draw: Draw<R>,
-    ) -> (Samples, Counts) {
+    ) -> (Samples, Counts, bool) {
         let mut samples = Samples::NONE;
         if self.is_to_stop() {
-            return (Samples::of(0), Counts::default());
+            return (Samples::of(0), Counts::default(), false);
         }
         pen.shader.reset();
         let columns = (row.film.iter_mut()).zip(row.tests.iter_mut().zip(row.total_reflection));
@@ -433,7 +438,8 @@ impl<'t> Drawing<'t> {
             *total_reflection = pixel.total_reflection;
         }
         progress();
-        (samples, pen.shader.counts())
+        // What asks to stop goes on asking.
+        (samples, pen.shader.counts(), !self.is_to_stop())
     }
 
     /// The first samples of each pixel, row by row, for those that ask how many more there should be.

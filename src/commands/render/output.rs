@@ -3,12 +3,13 @@
 use std::collections::HashSet;
 use std::ffi::OsStr;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::commands::draft::{Draft, unwritable};
 use crate::commands::paths::is_stdout;
 use crate::diagnostics::Complaint;
-use crate::trace::film::Packing;
+use crate::picture_files::{self, Origin, Row};
 use crate::trace::{CostMap, Film};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,14 +53,17 @@ pub struct Output {
 }
 
 impl Output {
-    /// Makes sure that a picture of this width and height can be written to the file. `-` is standard output, which takes
-    /// a PNG.
-    pub fn create(path: &Path, size: [u32; 2]) -> Result<Output, Complaint> {
+    /// Makes sure that a picture of this width and height, or a part of one, can be written to the file. `-` is standard
+    /// output, which takes a PNG.
+    pub fn create(path: &Path, size: [u32; 2], is_part: bool) -> Result<Output, Complaint> {
         let format = match is_stdout(path) {
             true => Some(Format::Png),
             false => Format::of(path),
         };
         let format = format.ok_or_else(|| Complaint::new("unknown-format").with("path", path))?;
+        if is_part && !matches!(format, Format::Png | Format::Exr) {
+            return Err(Complaint::new("part-format").with("path", path));
+        }
         if size.into_iter().any(|side| side > format.longest_side()) {
             let most = format.longest_side().to_string();
             let complaint = Complaint::new("too-large-for-format").with("most", most);
@@ -74,7 +78,7 @@ impl Output {
 
     /// The same for a map of costs, which is a PNG.
     pub fn create_map(path: &Path) -> Result<Output, Complaint> {
-        let output = Output::create(path, [0; 2])?;
+        let output = Output::create(path, [0; 2], false)?;
         match output.format {
             Format::Png if !is_stdout(path) => Ok(output),
             _ => Err(Complaint::new("map-is-png").with("path", path)),
@@ -86,13 +90,17 @@ impl Output {
         self.draft.finish(|out| costs.write_png(out, max))
     }
 
-    /// Writes the picture; the file that it is in now.
-    pub fn finish(self, film: &Film) -> Result<Option<PathBuf>, Complaint> {
+    /// Writes the picture; the file that it is in now. The formats that have room for it get its origin.
+    pub fn finish(self, film: &Film, origin: &Origin) -> Result<Option<PathBuf>, Complaint> {
+        let by_rows = |format, out: &mut dyn Write| {
+            let mut rows = film.rows().map(|row| Ok(Row::Linear(row.to_vec())));
+            picture_files::write(format, out, origin, &mut rows)
+        };
         self.draft.finish(|out| match self.format {
-            Format::Png => film.write_png(out, Packing::Quick),
+            Format::Png => by_rows(picture_files::Format::Png, out),
             Format::Jpeg => film.write_jpeg(out),
             Format::WebP => film.write_webp(out),
-            Format::Exr => film.write_exr(out),
+            Format::Exr => by_rows(picture_files::Format::Exr, out),
             Format::Pfm => film.write_pfm(out),
         })?;
         Ok(Some(self.path).filter(|path| !is_stdout(path)))
@@ -152,6 +160,17 @@ pub fn left_and_right(path: &Path) -> Vec<PathBuf> {
     ["_left", "_right"]
         .map(|side| with_added(path.with_extension("").as_os_str(), side, &extension))
         .into()
+}
+
+/// Where an interrupted run leaves the rows of each camera that it has drawn.
+pub fn unfinished(picture: &Path, cameras: usize) -> Vec<PathBuf> {
+    let sides: &[&str] = match cameras {
+        1 => &[""],
+        _ => &["_left", "_right"],
+    };
+    let stem = picture.with_extension("");
+    let part = |side: &&str| with_added(stem.as_os_str(), side, "part.exr");
+    sides.iter().map(part).collect()
 }
 
 /// A path with something added to its file name, and an extension.

@@ -1,12 +1,15 @@
 //! One picture, or a pair: drawn, put into files, and what is said of it.
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use super::output::{Output, left_and_right};
+use super::fingerprint::{self, Content};
+use super::output::{Output, left_and_right, unfinished};
 use super::stats::{Samples, Seconds, Stats, peak_memory, write_stats};
+use super::unfinished::Unfinished;
 use super::{Args, Job, Sampling, Stereo, cost, notes};
 use crate::analysis::Analysis;
 use crate::commands::LookChoice;
@@ -14,13 +17,14 @@ use crate::commands::draft::try_file;
 use crate::commands::paths::is_stdout;
 use crate::commands::size::Size;
 use crate::commands::spare::spare;
-use crate::commands::terminal::{progress_bar, tell};
+use crate::commands::terminal::{complain, note, progress_bar, tell};
 use crate::diagnostics::{Complaint, Error, Span};
 use crate::parallel;
+use crate::picture_files::{Origin, read};
 use crate::scene::{Camera, Scene};
 use crate::trace::plan::Plan;
 use crate::trace::stats::Counts;
-use crate::trace::{CostMap, Film, Images, Numbers, Picture, Settings, Tracer};
+use crate::trace::{CostMap, Crop, Film, Images, Numbers, Picture, Settings, Tracer};
 
 /// What a pixel takes until it is in a file, with one sample in it or many.
 const PIXEL_BYTES: f64 = 96.0;
@@ -39,18 +43,23 @@ pub fn draw(
 ) -> Result<String, Error> {
     let staged = args.camera.staged(&loaded.scene, args.size)?;
     let scene = &*staged;
+    let folder = loaded.source.folder().unwrap_or(Path::new("."));
     let settings = Settings {
         stop: Some(stop.clone()),
         ..settings(args)?
     };
     let cameras = cameras(args, scene)?;
-    let (width, height) =
-        (settings.crop).map_or((settings.width, settings.height), |c| (c.width, c.height));
+    let [width, height] = drawn_size(&settings);
+    let band = match args.tile {
+        Some(tile) => tile.rows(height)?,
+        None => 0..height,
+    };
     let pixel = match args.sampling() {
         Sampling::Fixed(_) => PIXEL_BYTES,
         Sampling::Adaptive(_) => ADAPTIVE_PIXEL_BYTES,
     };
-    let taken = f64::from(width) * f64::from(height) * pixel * cameras.len() as f64;
+    let count = f64::from(width) * f64::from(band.end - band.start);
+    let taken = count * pixel * cameras.len() as f64;
     args.memory.grant(taken, "picture-needs-memory")?;
     let stereo = args.stereo.unwrap_or_default();
     let threads = parallel::threads();
@@ -79,15 +88,47 @@ pub fn draw(
         Stereo::SideBySide if cameras.len() > 1 => width.saturating_mul(2),
         _ => width,
     };
+    let pictures = Pictures {
+        args,
+        settings: &settings,
+        scene: fingerprint::of_scene(scene, folder),
+        height,
+        band: band.clone(),
+    };
+    let contents: &[Content] = match paths.len() {
+        1 => &[Content::Picture],
+        _ => &[Content::Left, Content::Right],
+    };
+    let origins = contents
+        .iter()
+        .map(|&content| pictures.origin(across, content));
+    let origins: Vec<Origin> = origins.collect();
+    if args.resume && paths.iter().zip(&origins).all(|(p, o)| is_drawn(p, o)) {
+        let said = paths.iter().map(|path| say(look, "already-drawn", path));
+        return Ok(said.collect());
+    }
     let outputs = paths
         .iter()
-        .map(|path| Output::create(path, [across, height]))
+        .map(|path| Output::create(path, [across, band.end - band.start], args.tile.is_some()))
         .collect::<Result<Vec<_>, _>>()?;
     let maps = maps
         .iter()
         .map(|path| Output::create_map(path))
         .collect::<Result<Vec<_>, _>>()?;
     args.stats.iter().try_for_each(|path| try_file(path))?;
+    // Who watches a scene ends that with Ctrl-C and wants no more of it.
+    let is_kept = !args.watch && !is_stdout(&job.picture);
+    let unfinished: Vec<Unfinished> = match is_kept {
+        true => (unfinished(&job.picture, cameras.len())
+            .into_iter()
+            .enumerate())
+        .map(|(i, path)| {
+            let origin = pictures.origin(width, Content::Rows(i));
+            Unfinished { path, origin }
+        })
+        .collect(),
+        false => Vec::new(),
+    };
 
     let mut seconds = Seconds {
         load,
@@ -102,7 +143,7 @@ pub fn draw(
     let plan = plan.ok_or_else(Error::nothing_to_draw)?;
     seconds.plan = start.elapsed().as_secs_f64();
     let start = Instant::now();
-    let images = Images::load(scene, loaded.source.folder().unwrap_or(Path::new(".")))?;
+    let images = Images::load(scene, folder)?;
     let mut tracer = Tracer::planned(scene, &images, plan)?;
     let crowded = |why| {
         let span = scene.render.map_or(Span::default(), |r| r.span);
@@ -112,45 +153,51 @@ pub fn draw(
     seconds.build = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
-    let rows = settings.crop.map_or(settings.height, |c| c.height);
+    let rows = band.end - band.start;
     let bar = progress_bar(u64::from(rows) * cameras.len() as u64, look);
-    let mut pictures = Vec::new();
-    for camera in &cameras {
-        pictures.push(tracer.render(camera, &settings, || bar.inc(1))?);
+    let mut drawn = Vec::new();
+    for (i, camera) in cameras.iter().enumerate() {
+        let mut draw = |rows: Range<u32>| {
+            let settings = pictures.rows(rows);
+            tracer.render(camera, &settings, || bar.inc(1))
+        };
+        let before = unfinished.get(i).filter(|_| args.resume);
+        drawn.push(match before {
+            Some(before) => before.go_on(band.clone(), look, &mut draw)?,
+            None => draw(band.clone())?,
+        });
     }
     bar.finish_and_clear();
     if stop.load(Ordering::Relaxed) {
+        leave(&unfinished, &drawn, band.start, look);
         return Err(Error::Interrupted);
     }
     args.memory.check(&tracer).map_err(crowded)?;
     seconds.trace = start.elapsed().as_secs_f64();
 
-    notes::say(
-        args,
-        &tracer,
-        (&loaded.scene, &cameras),
-        &settings,
-        &pictures,
-        look,
-    );
+    // A band does not tell what is wrong with the picture.
+    let is_whole = args.tile.is_none();
+    if is_whole {
+        let staged = (&loaded.scene, &cameras[..]);
+        notes::say(args, &tracer, staged, &settings, &drawn, look);
+    }
     let start = Instant::now();
-    let (counts, samples) = totals(&pictures);
-    write_maps(maps, &pictures, stereo, look)?;
-    let mut films = compose(pictures, stereo, outputs.len());
+    let (counts, samples) = totals(&drawn);
+    write_maps(maps, &drawn, stereo, look)?;
+    let mut films = compose(drawn, stereo, outputs.len());
     if let Some(times) = args.exposure {
         films.iter_mut().for_each(|film| film.expose(times));
     }
-    notes::say_brightness(&films, args.exposure.unwrap_or(1.0), look);
+    if is_whole {
+        notes::say_brightness(&films, args.exposure.unwrap_or(1.0), look);
+    }
     let mut said = String::new();
-    for (output, film) in outputs.into_iter().zip(&films) {
-        if let Some(path) = output.finish(film)?.filter(|_| !look.quiet) {
-            let wrote = Complaint::new("wrote-picture")
-                .with("path", path.as_path())
-                .with("width", film.width.to_string())
-                .with("height", film.height.to_string());
-            said += &(wrote.wording(look.language()) + "\n");
+    for ((output, film), origin) in outputs.into_iter().zip(&films).zip(&origins) {
+        if let Some(path) = output.finish(film, origin)?.filter(|_| !look.quiet) {
+            said += &wrote(look, &path, film, origin);
         }
     }
+    unfinished.iter().for_each(Unfinished::remove);
     seconds.encode = start.elapsed().as_secs_f64();
 
     if args.cost {
@@ -181,6 +228,106 @@ pub fn draw(
     Ok(said)
 }
 
+/// What all files of one run have in common.
+struct Pictures<'a> {
+    args: &'a Args,
+    settings: &'a Settings,
+    /// The hash of the scene.
+    scene: String,
+    /// Rows of the whole picture.
+    height: u32,
+    /// The rows that are drawn.
+    band: Range<u32>,
+}
+
+impl Pictures<'_> {
+    /// What a file of so many columns says of itself.
+    fn origin(&self, width: u32, content: Content) -> Origin {
+        let is_unfinished = matches!(content, Content::Rows(_));
+        Origin {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            scene: self.scene.clone(),
+            settings: fingerprint::of_settings(self.args, self.settings, content),
+            size: [width, self.height],
+            rows: match is_unfinished {
+                true => Vec::new(),
+                false => vec![[self.band.start, self.band.end - self.band.start]],
+            },
+            unfinished: is_unfinished,
+        }
+    }
+
+    /// The settings that draw these rows alone.
+    fn rows(&self, rows: Range<u32>) -> Settings {
+        let settings = self.settings.clone();
+        if rows == (0..self.height) {
+            return settings;
+        }
+        let [width, _] = drawn_size(&settings);
+        let [x, y] = settings.crop.map_or([0, 0], |crop| [crop.x, crop.y]);
+        let crop = Some(Crop {
+            x,
+            y: y + rows.start,
+            width,
+            height: rows.end - rows.start,
+        });
+        Settings { crop, ..settings }
+    }
+}
+
+/// Width and height of what is drawn of a picture.
+fn drawn_size(settings: &Settings) -> [u32; 2] {
+    (settings.crop).map_or([settings.width, settings.height], |c| [c.width, c.height])
+}
+
+/// Whether a file has these rows of this picture, to its end.
+fn is_drawn(path: &Path, origin: &Origin) -> bool {
+    let is_sound = |rows: read::Rows| rows.origin == *origin && rows.all(path).all(|r| r.is_ok());
+    read::open(path).is_ok_and(is_sound)
+}
+
+/// Keeps what an interrupted run has drawn, and says so.
+fn leave(unfinished: &[Unfinished], drawn: &[Picture], start: u32, look: LookChoice) {
+    for (unfinished, picture) in unfinished.iter().zip(drawn) {
+        match unfinished.leave(picture, start) {
+            Ok(0) => {}
+            Ok(rows) => note(
+                look,
+                &Complaint::new("note-unfinished")
+                    .with("path", unfinished.path.as_path())
+                    .with(
+                        "percent",
+                        (100 * rows as usize / picture.finished.len()).to_string(),
+                    ),
+            ),
+            Err(complaint) => complain(look, &complaint),
+        }
+    }
+}
+
+/// A line about a file, unless nobody wants to know.
+fn say(look: LookChoice, message: &'static str, path: &Path) -> String {
+    let line = Complaint::new(message).with("path", path);
+    match look.quiet {
+        true => String::new(),
+        false => line.wording(look.language()) + "\n",
+    }
+}
+
+/// The line about a file that was written.
+fn wrote(look: LookChoice, path: &Path, film: &Film, origin: &Origin) -> String {
+    let [first, count] = origin.span();
+    let wrote = match origin.is_whole() {
+        true => Complaint::new("wrote-picture").with("height", film.height.to_string()),
+        false => Complaint::new("wrote-rows")
+            .with("first", first.to_string())
+            .with("last", (first + count - 1).to_string())
+            .with("height", origin.size[1].to_string()),
+    };
+    let wrote = (wrote.with("path", path)).with("width", film.width.to_string());
+    wrote.wording(look.language()) + "\n"
+}
+
 fn settings(args: &Args) -> Result<Settings, Error> {
     let Size { width, height } = args.size;
     let crop = args.crop.map(|c| c.0);
@@ -194,8 +341,9 @@ fn settings(args: &Args) -> Result<Settings, Error> {
                 .into());
         }
     }
+    let rows = |height: u32| args.tile.map_or(Ok(0..height), |tile| tile.rows(height));
     let (w, h) = crop.map_or((width, height), |c| (c.width, c.height));
-    if u64::from(w) * u64::from(h) > MAX_PIXELS {
+    if u64::from(w) * rows(h)?.len() as u64 > MAX_PIXELS {
         let max = MAX_PIXELS.to_string();
         return Err(Complaint::new("too-many-pixels").with("max", max).into());
     }

@@ -1,0 +1,259 @@
+//! `zpg join`: the parts of a picture as one.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::draft::{Draft, unwritable};
+use super::terminal::{self, LookChoice, complain};
+use super::{Status, spare};
+use crate::diagnostics::Complaint;
+use crate::picture_files::{self, Format, Origin, read};
+
+/// Put the parts of a picture together
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+The parts are what `zpg render --tile` writes. The picture has the bytes that `zpg render` without --tile would have
+written. Parts of another picture, another version of zpg, or other options are refused, and so are rows that are
+missing or there twice: the exit status is then 1, and nothing is written or removed. A folder stands for the PNG and
+EXR files in it. PNG parts make a PNG; EXR parts make a PNG or an EXR. The parts are removed unless --keep is given.
+
+Examples:
+  zpg join bands/*.png -o scene.png
+  zpg join bands -o scene.exr --keep")]
+pub struct Args {
+    /// The parts, or folders with them
+    #[arg(value_name = "PART", required = true)]
+    parts: Vec<PathBuf>,
+
+    /// Where to write the picture: .png or .exr
+    #[arg(short, long, value_name = "OUT")]
+    output: PathBuf,
+
+    /// Leave the parts where they are
+    #[arg(long)]
+    keep: bool,
+}
+
+/// A file and what it says of itself.
+struct Part {
+    path: PathBuf,
+    origin: Origin,
+    format: Format,
+}
+
+/// Why there is no picture.
+enum Refusal {
+    /// Parts lack or do not belong.
+    No(Complaint),
+    /// A file cannot be read or written.
+    Failure(Complaint),
+}
+
+pub fn run(args: &Args, look: LookChoice) -> Status {
+    match join(args) {
+        Ok(origin) if look.quiet => drop(origin),
+        Ok(origin) => {
+            let [width, height] = origin.size.map(|side| side.to_string());
+            let wrote = Complaint::new("wrote-picture")
+                .with("path", args.output.as_path())
+                .with("width", width)
+                .with("height", height);
+            let line = wrote.wording(look.language());
+            return terminal::print(look, Status::Clean, |out| writeln!(out, "{line}"));
+        }
+        Err(Refusal::No(complaint)) => {
+            complain(look, &complaint);
+            return Status::Negative;
+        }
+        Err(Refusal::Failure(complaint)) => {
+            complain(look, &complaint);
+            return Status::Failure;
+        }
+    }
+    Status::Clean
+}
+
+fn join(args: &Args) -> Result<Origin, Refusal> {
+    let output = args.output.as_path();
+    let format = Format::of(output)
+        .ok_or_else(|| Complaint::new("joined-format").with("path", output))
+        .map_err(Refusal::Failure)?;
+    let files = files(&args.parts, output).map_err(Refusal::Failure)?;
+    let mut parts = (files.into_iter().map(opened)).collect::<Result<Vec<Part>, Refusal>>()?;
+    parts.sort_by_key(|part| part.origin.span());
+    let whole = whole(&parts).map_err(Refusal::No)?;
+    let is_srgb = |part: &&Part| part.format == Format::Png;
+    if let Some(part) = parts.iter().find(is_srgb).filter(|_| format == Format::Exr) {
+        let complaint = Complaint::new("exr-of-png").with("path", part.path.as_path());
+        return Err(Refusal::No(complaint));
+    }
+    // Files are opened one by one as their turn comes, and may have changed until then.
+    let mut fault = None;
+    let mut rows = parts
+        .iter()
+        .flat_map(|part| rows(part).unwrap_or_else(failing));
+    let mut rows = rows.by_ref().map(|row| {
+        row.map_err(|complaint| {
+            fault = Some(complaint);
+            io::Error::other("a part cannot be read")
+        })
+    });
+    let draft = Draft::create(output).map_err(Refusal::Failure)?;
+    let written = draft.finish(|out| picture_files::write(format, out, &whole, &mut rows));
+    drop(rows);
+    if let Some(complaint) = fault {
+        return Err(Refusal::No(complaint));
+    }
+    written.map_err(Refusal::Failure)?;
+    if !args.keep {
+        for part in &parts {
+            let removed = fs::remove_file(&part.path);
+            removed.map_err(|e| Refusal::Failure(unwritable(&part.path, &e)))?;
+        }
+    }
+    Ok(whole)
+}
+
+/// Rows, or why there are no more.
+type Rows<'p> = Box<dyn Iterator<Item = Result<picture_files::Row, Complaint>> + 'p>;
+
+/// The rows of a part that is still what it was.
+fn rows(part: &Part) -> Result<Rows<'_>, Complaint> {
+    let rows = read::open(&part.path)?;
+    match rows.origin == part.origin {
+        true => Ok(Box::new(rows.all(&part.path))),
+        false => Err(Complaint::new("part-changed").with("path", part.path.as_path())),
+    }
+}
+
+fn failing<'p>(complaint: Complaint) -> Rows<'p> {
+    Box::new(std::iter::once(Err(complaint)))
+}
+
+/// The files that are named, and the pictures of the folders that are; the picture to be made is none of these.
+fn files(parts: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>, Complaint> {
+    let mut files = Vec::new();
+    for part in parts {
+        if !part.is_dir() {
+            spare::spare_scenes(std::slice::from_ref(part), output)?;
+            files.push(part.clone());
+            continue;
+        }
+        let unreadable = |e: io::Error| {
+            Complaint::new("cannot-read")
+                .with("path", part.as_path())
+                .with("reason", Complaint::from(&e))
+        };
+        for entry in fs::read_dir(part).map_err(unreadable)? {
+            let path = entry.map_err(unreadable)?.path();
+            if Format::of(&path).is_some() && path.file_name() != output.file_name() {
+                files.push(path);
+            }
+        }
+    }
+    match files.is_empty() {
+        true => Err(Complaint::new("no-parts")),
+        false => Ok(files),
+    }
+}
+
+/// What a file says of itself.
+fn opened(path: PathBuf) -> Result<Part, Refusal> {
+    if let Err(e) = fs::metadata(&path) {
+        let complaint = Complaint::new("cannot-read").with("path", path.as_path());
+        return Err(Refusal::Failure(
+            complaint.with("reason", Complaint::from(&e)),
+        ));
+    }
+    let rows = read::open(&path).map_err(Refusal::No)?;
+    Ok(Part {
+        origin: rows.origin,
+        format: rows.format,
+        path,
+    })
+}
+
+/// The origin of the picture that the parts make, which are in the order of their rows.
+fn whole(parts: &[Part]) -> Result<Origin, Complaint> {
+    let unfinished = parts.iter().find(|part| part.origin.unfinished);
+    if let Some(part) = unfinished {
+        return Err(Complaint::new("joined-unfinished").with("path", part.path.as_path()));
+    }
+    let most = most_common(parts);
+    if let Some(part) = (parts.iter()).find(|p| !p.origin.is_of_one_picture(&most.origin)) {
+        let reason = difference(&part.origin, &most.origin);
+        return Err(Complaint::new("part-of-another")
+            .with("path", part.path.as_path())
+            .with("other", most.path.as_path())
+            .with("reason", Complaint::new(reason)));
+    }
+    let height = most.origin.size[1];
+    let mut end = 0;
+    let mut missing = Vec::new();
+    let mut before: Option<&Part> = None;
+    for part in parts {
+        let [first, count] = part.origin.span();
+        if let Some(before) = before.filter(|_| first < end) {
+            return Err(Complaint::new("rows-twice")
+                .with("first", first.to_string())
+                .with("last", (end.min(first + count) - 1).to_string())
+                .with("path", before.path.as_path())
+                .with("other", part.path.as_path()));
+        }
+        missing.extend((end < first).then_some((end, first)));
+        end = first + count;
+        before = Some(part);
+    }
+    missing.extend((end < height).then_some((end, height)));
+    if !missing.is_empty() {
+        return Err(lacking(&missing, height));
+    }
+    Ok(Origin {
+        rows: vec![[0, height]],
+        ..most.origin.clone()
+    })
+}
+
+/// A part of the picture that most parts belong to.
+fn most_common(parts: &[Part]) -> &Part {
+    let of = |one: &Part| {
+        let alike = |part: &&Part| part.origin.is_of_one_picture(&one.origin);
+        parts.iter().filter(alike).count()
+    };
+    // Whatever belongs to no more than half of the parts is found out by the first that differs.
+    let candidates = &parts[..parts.len().min(3)];
+    candidates
+        .iter()
+        .max_by_key(|part| of(part))
+        .unwrap_or(&parts[0])
+}
+
+/// So many gaps are named.
+const NAMED_GAPS: usize = 8;
+
+/// Says which rows are missing.
+fn lacking(missing: &[(u32, u32)], height: u32) -> Complaint {
+    let gap = |&(start, end): &(u32, u32)| match end - start {
+        1 => start.to_string(),
+        _ => format!("{start}–{}", end - 1),
+    };
+    let mut gaps: Vec<String> = missing.iter().take(NAMED_GAPS).map(gap).collect();
+    if missing.len() > NAMED_GAPS {
+        gaps.push("…".to_owned());
+    }
+    let count: u32 = missing.iter().map(|(start, end)| end - start).sum();
+    Complaint::new("rows-missing")
+        .with("rows", gaps.join(", "))
+        .with("count", count.to_string())
+        .with("height", height.to_string())
+}
+
+/// What sets two pictures apart.
+fn difference(one: &Origin, other: &Origin) -> &'static str {
+    match () {
+        () if one.version != other.version => "of-another-version",
+        () if one.scene != other.scene => "of-another-scene",
+        () => "of-other-options",
+    }
+}

@@ -1,0 +1,105 @@
+//! Hashes of what a picture depends on, so that files can say what they are a picture of.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+use super::{Args, Sampling, Stereo};
+use crate::scene::Scene;
+use crate::trace::{Images, Settings};
+use crate::translate::json;
+
+/// The first half of SHA-256 as 32 hexadecimal digits.
+fn digits(hash: Sha256) -> String {
+    let half = hash.finalize();
+    half[..16]
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
+}
+
+/// Takes in what is written.
+struct Hashed(Sha256);
+
+impl Write for Hashed {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.update(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// A hash of a scene as it is drawn, with the bytes of its textures; comments and layout do not matter.
+pub fn of_scene(scene: &Scene, folder: &Path) -> String {
+    let mut hash = Hashed(Sha256::new());
+    // Nothing fails but writing, which does not here.
+    let _ = serde_json::to_writer(&mut hash, &json::write(scene));
+    for file in Images::files(scene) {
+        // What cannot be read is said when it is to be drawn.
+        let bytes = std::fs::read(folder.join(file)).unwrap_or_default();
+        hash.0.update(Sha256::digest(&bytes));
+    }
+    digits(hash.0)
+}
+
+/// What a file shows of the cameras of a scene.
+#[derive(Debug, Clone, Copy, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Content {
+    /// What the only camera sees, or both as one picture.
+    Picture,
+    Left,
+    Right,
+    /// Rows that an interrupted run has drawn, of the camera with this number, as they are before anything is made of
+    /// them.
+    Rows(usize),
+}
+
+/// The options that a picture depends on, besides the camera, which is the scene's.
+#[derive(Serialize)]
+struct Options {
+    content: Content,
+    size: [u32; 2],
+    crop: Option<[u32; 4]>,
+    samples: Option<u32>,
+    tolerance: Option<f64>,
+    depth: u32,
+    cutoff: f64,
+    numbers: &'static str,
+    exposure: Option<f64>,
+    stereo: Option<&'static str>,
+}
+
+/// A hash of the options, however they are written; the band of rows is none of them.
+pub fn of_settings(args: &Args, settings: &Settings, content: Content) -> String {
+    let (samples, tolerance) = match args.sampling() {
+        Sampling::Fixed(samples) => (Some(samples), None),
+        Sampling::Adaptive(tolerance) => (None, Some(tolerance)),
+    };
+    let is_finished = !matches!(content, Content::Rows(_));
+    let stereo = args.stereo.unwrap_or_default();
+    let options = Options {
+        content,
+        size: [settings.width, settings.height],
+        crop: args.crop.map(|c| [c.0.x, c.0.y, c.0.width, c.0.height]),
+        samples,
+        tolerance,
+        depth: settings.depth,
+        cutoff: settings.cutoff,
+        numbers: settings.numbers.name(),
+        exposure: args.exposure.filter(|_| is_finished),
+        stereo: is_finished.then_some(match stereo {
+            Stereo::Pair => "pair",
+            Stereo::SideBySide => "side-by-side",
+            Stereo::Anaglyph => "anaglyph",
+        }),
+    };
+    let mut hash = Hashed(Sha256::new());
+    let _ = serde_json::to_writer(&mut hash, &options);
+    digits(hash.0)
+}

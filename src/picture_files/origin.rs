@@ -1,0 +1,74 @@
+//! What a picture file says of itself.
+
+use serde::{Deserialize, Serialize};
+
+/// What a picture was drawn from, and which of its rows the file has.
+///
+/// It is JSON: in a PNG as the text `zpg`, in an EXR as the attribute `zpg`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Origin {
+    /// The version of zpg.
+    #[serde(rename = "zpg")]
+    pub version: String,
+    /// A hash of the scene and its textures: 32 hexadecimal digits.
+    pub scene: String,
+    /// A hash of the options that the picture depends on: 32 hexadecimal digits.
+    pub settings: String,
+    /// Width and height of the whole picture in pixels.
+    pub size: [u32; 2],
+    /// The rows that are drawn: the first one and how many, from the top, apart from each other.
+    pub rows: Vec<[u32; 2]>,
+    /// Whether this is what an interrupted run has left.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub unfinished: bool,
+}
+
+impl Origin {
+    /// What the name of the text and of the attribute is.
+    pub const NAME: &'static str = "zpg";
+
+    /// The first row that the file has, and how many there are up to the last one.
+    pub fn span(&self) -> [u32; 2] {
+        let first = self.rows.first().map_or(0, |rows| rows[0]);
+        let end = self.rows.last().map_or(0, |rows| rows[0] + rows[1]);
+        [first, end - first]
+    }
+
+    /// Whether the file has the whole picture.
+    pub fn is_whole(&self) -> bool {
+        self.rows == [[0, self.size[1]]]
+    }
+
+    /// Whether both belong to one picture.
+    pub fn is_of_one_picture(&self, other: &Origin) -> bool {
+        let picture = |o: &Origin| {
+            let Origin {
+                version,
+                scene,
+                settings,
+                size,
+                ..
+            } = o.clone();
+            (version, scene, settings, size)
+        };
+        picture(self) == picture(other)
+    }
+
+    pub(super) fn to_text(&self) -> String {
+        // Strings and numbers always are JSON.
+        serde_json::to_string(self).unwrap_or_default()
+    }
+
+    /// `None` where this is no such text, or its rows are not within the picture, ascending and apart.
+    pub(super) fn from_text(text: &str) -> Option<Origin> {
+        let origin: Origin = serde_json::from_str(text).ok()?;
+        let mut end = Some(0);
+        for &[first, count] in &origin.rows {
+            end = (end.is_some_and(|end: u32| end <= first) && count > 0)
+                .then(|| first.checked_add(count))
+                .flatten();
+        }
+        end.is_some_and(|end| 0 < end && end <= origin.size[1])
+            .then_some(origin)
+    }
+}
