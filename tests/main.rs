@@ -31,6 +31,7 @@ mod extreme_numbers;
 mod features;
 mod fixes;
 mod formatting;
+mod frames;
 mod gallery;
 mod glossary;
 mod grammar;

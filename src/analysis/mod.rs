@@ -11,6 +11,7 @@ pub mod config;
 pub mod file;
 pub mod fixing;
 mod moving;
+pub mod parameters;
 mod pictures;
 pub mod repair;
 mod worse;

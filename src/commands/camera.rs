@@ -103,7 +103,11 @@ pub fn one_camera(staged: &Scene, look: LookChoice) -> Result<Camera, Error> {
 }
 
 /// The number of the camera with this ID.
-fn number(scene: &Scene, id: u32) -> Result<usize, Error> {
+///
+/// # Errors
+///
+/// There is none; the error names those that there are.
+pub fn number(scene: &Scene, id: u32) -> Result<usize, Error> {
     let cameras = &scene.cameras;
     if let Some(number) = cameras.iter().position(|c| c.id == id) {
         return Ok(number);

@@ -24,6 +24,7 @@ help-word-version = Vypíše verzi
 help-heading-files = Soubory a nastavení
 help-heading-choice = Výběr nálezů
 help-heading-picture = Obrázek
+help-heading-frames = Snímky
 help-heading-accuracy = Přesnost a čas
 help-heading-reports = Zprávy
 help-heading-machines = Více počítačů
@@ -275,8 +276,9 @@ help-render = Vykreslí scény
         výstup se vypíše, co bylo zapsáno; s `-o -` tam jde jen samo PNG. Co je s obrázkem v nepořádku, například že v záběru
         nic není, se vypíše na chybový výstup. Scéna s výběrem dvojice kamer dá dva obrázky, SCÉNA_left.png
         a SCÉNA_right.png, pokud --stereo neurčí jinak. Obrázky několika scén nebo scén ze složky se zapíšou do složky,
-        kterou určuje -o. Po přerušení (Ctrl-C) zůstanou vykreslené řádky v souboru JMÉNO.part.exr vedle obrázku a ostatní
-        vykreslí --resume.
+        kterou určuje -o. Snímky se zapíšou do souborů JMÉNO.0000.png a tak dále; každý je obrázkem scény, do níž jsou
+        zapsána jeho čísla. Po přerušení (Ctrl-C) zůstanou vykreslené řádky v souboru JMÉNO.part.exr vedle obrázku
+        a ostatní vykreslí --resume.
 
         Příklady:
           zpg render scena.zpg
@@ -285,12 +287,14 @@ help-render = Vykreslí scény
           zpg render sceny -o obrazky
           zpg render scena.zpg -o film.exr --adaptive 0.01
           zpg render scena.zpg -o scena.jpg --exposure 0.7
+          zpg render scena.zpg -o oblet.png --frames 0-99 --orbit 9,360
+          zpg render scena.zpg -o zoom.apng --frames 0-24 --set 9.fovy=60..20
           zpg render scena.zpg --cost
           zpg render scena.zpg --crop 200,100,64,64 --stats naklady.json
           zpg render scena.zpg -o dily/3.png --tile 3/8
 help-render-paths = Scény jako záznamy nebo JSON, nebo složky se scénami; `-` je standardní vstup
     .value = CESTA
-help-render-output = Kam obrázek zapsat: .png, .jpg, .webp, .exr nebo .pfm; `-` je standardní výstup. Nebo složka
+help-render-output = Kam obrázek zapsat: .png, .jpg, .webp, .exr nebo .pfm; `-` je standardní výstup. Nebo složka, nebo .apng ze snímků
     .value = VÝSTUP
 help-render-watch = Kreslí znovu, kdykoli se scéna nebo obrázek, který používá, změní
 help-render-quality = Jak hladké budou hrany [výchozí: draft]
@@ -325,6 +329,18 @@ help-render-stereo = Jak zapsat oba obrázky z dvojice kamer [výchozí: pair]
     .pair = dva soubory, JMÉNO_left a JMÉNO_right
     .side-by-side = jeden obrázek, levý vedle pravého
     .anaglyph = jeden obrázek pro červeno-azurové brýle
+help-render-frames = Vykreslí obrázek pro každý z těchto snímků: JMÉNO.0000.png a tak dále, nebo jeden .apng
+    .value = A-B
+help-render-set = Mění číslo od prvního snímku k poslednímu, například 9.fovy=30..60, 5.x[3]=1..2 nebo 5@7.x=0..4, kde 7 je řádek; jména vypíše `zpg explain`
+    .value = ID.PARAMETR=OD..DO
+help-render-frames_from = Vezme čísla z tabulky: sloupec pro každé číslo, se jménem v prvním řádku, a řádek pro každý snímek
+    .value = TABULKA.csv
+help-render-orbit = Otáčí kamerou, nebo oběma kamerami dvojice, kolem toho, na co se dívá; 360 stupňů dá smyčku
+    .value = ID,STUPNĚ
+help-render-only = Vykreslí jen tyto snímky
+    .value = I-J
+help-render-fps = Počet snímků za sekundu v .apng [výchozí: 25]
+    .value = N
 help-render-threads = Počet pracovních vláken; 0 znamená tolik, kolik je procesorů. Nejvýše čtyřikrát tolik
     .value = N
 help-render-stats = Zapíše do souboru jako JSON, co vykreslení stálo: časy, paprsky, testy, práci jednotlivých efektů; `-` je standardní výstup

@@ -43,6 +43,7 @@ const WORDS: [(&str, &str); 15] = [
 pub const FILES: &str = "Files and settings";
 pub const CHOICE: &str = "Choice of findings";
 pub const PICTURE: &str = "Picture";
+pub const FRAMES: &str = "Frames";
 pub const ACCURACY: &str = "Accuracy and time";
 pub const REPORTS: &str = "Reports";
 pub const MACHINES: &str = "Several machines";
@@ -50,10 +51,11 @@ pub const LIMITS: &str = "Limits";
 pub const QUESTION: &str = "Questions";
 pub const GLOBAL: &str = "Global options";
 
-const HEADINGS: [(&str, &str); 9] = [
+const HEADINGS: [(&str, &str); 10] = [
     (FILES, "help-heading-files"),
     (CHOICE, "help-heading-choice"),
     (PICTURE, "help-heading-picture"),
+    (FRAMES, "help-heading-frames"),
     (ACCURACY, "help-heading-accuracy"),
     (REPORTS, "help-heading-reports"),
     (MACHINES, "help-heading-machines"),

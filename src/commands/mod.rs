@@ -2,7 +2,7 @@
 //! returns the exit [`Status`].
 //!
 //! What they share: [`belongings`] of files stay theirs, [`camera`] says who takes the picture, [`load`] loads a scene and says why a command refuses, [`paths`] expands folders, [`difference`] shows how a file would change, [`draft`] writes files that
-//! appear when they are complete, [`help`] gives `--help` in other languages, [`language`] chooses one, [`memory`] says how much memory and how many threads may be taken, [`rewrite`] changes files, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`,
+//! appear when they are complete, [`frames`] says which pictures a scene with varying numbers has, [`help`] gives `--help` in other languages, [`language`] chooses one, [`memory`] says how much memory and how many threads may be taken, [`rewrite`] changes files, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`,
 //! [`terminal`] knows about colour and about output that nobody reads any more, [`usage`] says what
 //! is wrong with arguments, [`watch`] does something again when a scene changes.
 
@@ -18,6 +18,7 @@ mod difference;
 pub mod draft;
 pub mod explain;
 pub mod fmt;
+pub mod frames;
 mod habits;
 mod help;
 pub mod join;

@@ -1,7 +1,9 @@
 //! `zpg render`: the reference ray tracer.
 
+mod animation;
 mod cost;
 mod fingerprint;
+mod frames;
 mod notes;
 mod output;
 mod picture;
@@ -17,6 +19,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use super::camera::CameraArgs;
+use super::frames::FrameArgs;
 use super::help;
 use super::memory::{self, Memory};
 use super::paths::{self, is_stdout};
@@ -37,8 +40,9 @@ Without -o the picture of SCENE.zpg is written to SCENE.png in the current folde
 are 8-bit sRGB, EXR and PFM are linear, unclamped 32-bit float. What is written is said on standard output; with
 `-o -` the PNG itself goes there. What is wrong with a picture, such as nothing in view, is said on standard error.
 A scene with a stereo camera makes two pictures, SCENE_left.png and SCENE_right.png, unless --stereo says otherwise.
-Several scenes, or those of a folder, go into the folder that -o names. Ctrl-C leaves the rows that are drawn in
-NAME.part.exr beside the picture, and --resume draws the others.
+Several scenes, or those of a folder, go into the folder that -o names. Frames go into NAME.0000.png and so on; each
+is the picture of the scene with its numbers written in. Ctrl-C leaves the rows that are drawn in NAME.part.exr beside
+the picture, and --resume draws the others.
 
 Examples:
   zpg render scene.zpg
@@ -47,6 +51,8 @@ Examples:
   zpg render scenes -o pictures
   zpg render scene.zpg -o film.exr --adaptive 0.01
   zpg render scene.zpg -o scene.jpg --exposure 0.7
+  zpg render scene.zpg -o orbit.png --frames 0-99 --orbit 9,360
+  zpg render scene.zpg -o zoom.apng --frames 0-24 --set 9.fovy=60..20
   zpg render scene.zpg --cost
   zpg render scene.zpg --crop 200,100,64,64 --stats cost.json
   zpg render scene.zpg -o bands/3.png --tile 3/8")]
@@ -55,7 +61,8 @@ pub struct Args {
     #[arg(value_name = "PATH", required = true)]
     paths: Vec<PathBuf>,
 
-    /// Where to write the picture: .png, .jpg, .webp, .exr or .pfm; `-` is standard output. Or a folder
+    /// Where to write the picture: .png, .jpg, .webp, .exr or .pfm; `-` is standard output. Or a folder; or an .apng of
+    /// frames
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
 
@@ -124,6 +131,9 @@ pub struct Args {
 
     #[command(flatten)]
     camera: CameraArgs,
+
+    #[command(flatten)]
+    frames: FrameArgs,
 
     /// How the two pictures of a stereo camera are put [default: pair]
     #[arg(help_heading = help::PICTURE)]
@@ -268,6 +278,11 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &complaint);
         return Status::Failure;
     }
+    let is_one = args.paths.len() == 1 && !args.paths[0].is_dir();
+    if let Err(complaint) = frames::check(args, is_one) {
+        complain(look, &complaint);
+        return Status::Failure;
+    }
     let stop = stop_on_interrupt(look);
     // What was drawn last is no reason to draw again.
     let drawn = RefCell::new(Vec::new());
@@ -275,6 +290,9 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         let Some(jobs) = jobs(args, look) else {
             return Status::Failure;
         };
+        if args.frames.are_given() {
+            return frames::run(args, &jobs, &stop, look);
+        }
         drawn.replace(jobs.iter().map(|job| job.picture.clone()).collect());
         let wanted = jobs.iter().take_while(|_| !stop.load(Ordering::Relaxed));
         let statuses = wanted.map(|job| one(args, job, &stop, look));

@@ -34,6 +34,10 @@ pub struct LookChoice {
     #[arg(help_heading = help::GLOBAL)]
     #[arg(short, long, global = true)]
     pub quiet: bool,
+
+    /// Leave out what may help: it has been said
+    #[arg(skip)]
+    no_notes: bool,
 }
 
 /// When to colour what is printed.
@@ -52,6 +56,15 @@ impl LookChoice {
         LookChoice {
             lang: language::among(args),
             ..LookChoice::default()
+        }
+    }
+
+    /// The same without notes.
+    #[must_use]
+    pub fn without_notes(self) -> LookChoice {
+        LookChoice {
+            no_notes: true,
+            ..self
         }
     }
 
@@ -135,7 +148,7 @@ pub fn warn(look: LookChoice, complaint: &Complaint) {
 
 /// Says on standard error what may help, unless nobody wants to.
 pub fn note(look: LookChoice, complaint: &Complaint) {
-    if look.quiet {
+    if look.quiet || look.no_notes {
         return;
     }
     let kind = look.language().say("note", &[]);

@@ -228,7 +228,7 @@ impl Matrix {
 /// Whole turns, and then quarter turns, are taken off without rounding, so that angles that are the
 /// same, such as 80° and −280°, have the same sines to the bit, and those of an angle and its negative
 /// differ in their signs alone.
-fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
+pub fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
     let turn = degrees % 360.0;
     let mut quarters = (turn / 90.0).round();
     let mut rest = turn - 90.0 * quarters;

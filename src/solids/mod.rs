@@ -13,6 +13,7 @@ pub mod hull;
 pub mod inside;
 pub mod leaf;
 pub mod lowest;
+pub mod orbit;
 pub mod outline;
 pub mod points;
 pub mod proofs;

@@ -199,6 +199,11 @@ fn middle(seen: &Aabb) -> (Vec3, f64) {
     (seen.centre(), if radius > 0.0 { radius } else { 1.0 })
 }
 
+/// The middle of what is drawn: the origin where nothing of it is bounded.
+pub fn centre(scene: &Scene, bounds: &[NodeBounds]) -> Vec3 {
+    middle(&seen_box(scene, bounds)).0
+}
+
 /// The box that the automatic camera frames: the render record's, else that of the bounded parts
 /// of the scene. Finite; empty where nothing is bounded.
 pub fn seen_box(scene: &Scene, bounds: &[NodeBounds]) -> Aabb {

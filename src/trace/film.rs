@@ -102,11 +102,24 @@ pub fn write_rgb8(out: impl Write, size: [u32; 2], rgb: &[u8], packing: Packing)
 /// The same with samples of any depth; those of 16 bits are two bytes, the higher one first.
 pub fn write_rgb(
     out: impl Write,
-    [width, height]: [u32; 2],
+    size: [u32; 2],
     depth: png::BitDepth,
     rgb: &[u8],
     packing: Packing,
 ) -> io::Result<()> {
+    let mut writer = encoder(out, size, depth, packing).write_header()?;
+    writer.write_image_data(rgb)?;
+    writer.finish()?;
+    Ok(())
+}
+
+/// What writes a PNG of sRGB.
+pub fn encoder<W: Write>(
+    out: W,
+    [width, height]: [u32; 2],
+    depth: png::BitDepth,
+    packing: Packing,
+) -> png::Encoder<'static, W> {
     let mut encoder = png::Encoder::new(out, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(depth);
@@ -115,10 +128,7 @@ pub fn write_rgb(
         encoder.set_compression(png::Compression::Fast);
         encoder.set_filter(png::Filter::Up);
     }
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(rgb)?;
-    writer.finish()?;
-    Ok(())
+    encoder
 }
 
 /// From 1 to 100.

@@ -151,6 +151,56 @@ of-another-scene = scéna nebo její textura byla jiná
 of-other-options = volby byly jiné
 rows-twice = řádky { $first } až { $last } jsou v souboru { $path } i v souboru { $other }
 rows-missing = chybí řádky obrázku (počet: { $count } z { $height }): { $rows }
+
+# Snímky: scény, ve kterých se mění některá čísla.
+
+no-frames = { $arg } potřebuje volbu `--frames`, která říká, jaké snímky to jsou, například --frames 0-99
+frames-alike = všechny snímky by byly stejné: co se má měnit, určuje `--set`, `--orbit` nebo `--frames-from`
+frames-on-stdout = snímky tvoří více obrázků: uveďte za `-o` soubor, například film.png nebo film.apng
+frames-of-json = { $path } je scéna v JSON, ale měnit lze jen čísla záznamů: na záznamy ji převede `zpg convert --to zpg`
+only-outside = `--only` uvádí snímky, které mezi snímky { $frames } nejsou
+too-many-frames = snímků smí být nejvýše { $most }
+film-by-ffmpeg = soubor { $path } zpg nezapisuje: vykreslete snímky s volbou `-o { $frames }` a film z nich vytvořte příkazem `{ $line }`. S volbou `-o { $animated }` zapíše zpg samo animovaný obrázek
+animation-without-frames = { $path } je animovaný obrázek: z jakých snímků má být, určuje `--frames`
+animation-of-tiles = `--tile` kreslí díly snímků do souborů .png nebo .exr, ne do { $path }
+fps-of-files = `--fps` patří k animovanému obrázku (.apng), a { $path } jím není
+wrote-animation = Zapsáno: { $path }, { $frames ->
+    [one] { $frames } snímek
+    [few] { $frames } snímky
+   *[other] { $frames } snímků
+}, { $width } × { $height } pixelů
+in-frame = snímek { $frame }: { $why }
+frame-has-errors = ve scéně snímku { $frame } jsou chyby
+frame-reads-otherwise = s těmito čísly se text čte jako jiné záznamy: oddělte záznamy konci řádků
+in-set = --set: { $why }
+in-orbit = --orbit: { $why }
+in-cell = { $path }, řádek { $row }, sloupec { $column }: { $why }
+empty-table = v souboru { $path } nejsou žádné řádky s čísly: pod řádkem se jmény má být jeden pro každý snímek
+empty-cell = buňka je prázdná
+cell-beyond = je tu `{ $text }`, ale první řádek pro to nemá jméno
+rows-and-frames = `--frames` uvádí { $frames ->
+    [one] { $frames } snímek
+    [few] { $frames } snímky
+   *[other] { $frames } snímků
+}, ale tabulka má { $rows ->
+    [one] { $rows } řádek
+    [few] { $rows } řádky
+   *[other] { $rows } řádků
+} s čísly
+set-twice = { $name } se má měnit dvakrát
+no-record-of-id = ve scéně není záznam s ID { $id }
+no-record-on-line = { $name }: na tomto řádku záznam s tímto ID nezačíná; takové záznamy začínají na řádcích { $lines }
+no-such-parameter = { $name }: záznamy s ID { $id } nemají číslo tohoto jména; mají: { $known }
+no-parameters = záznamy s ID { $id } nemají čísla, která by se mohla měnit
+parameter-left-out = { $name } není ve scéně zapsáno: nejdříve zapište nepovinná čísla záznamu
+several-parameters = { $name } může znamenat více čísel: napište jedno z { $names }
+parameter-is-list = { $name }: čísla tohoto seznamu jsou { $first } až { $last }
+parameter-no-list = { $name }: to je jedno číslo, ne seznam; závorky vynechte
+parameter-is-whole = { $name } je celé číslo nebo jméno, a to se nemění
+orbit-of-moved = kameru { $id } přemisťuje záznam na řádku { $line }: zapište její polohu a směr přímo do záznamu kamery a tento záznam vynechte
+orbit-of-projection = kamera { $id } má jen matici projekce a žádnou polohu, která by se mohla otáčet: zapište před ni záznam kamery (typ -501)
+orbit-without-direction = kamery { $id } se dívají opačnými směry a nemají společnou osu
+
 no-such-object = scéna nemá objekt { $id }
 no-such-object-near = scéna nemá objekt { $id }; měli jste na mysli { $near }?
 not-an-object = { $id } je { $kind }, ne objekt
@@ -284,6 +334,11 @@ habit-version = zpg má místo toho `zpg --version`
 with-reason = { $what }: { $reason }
 with-near = { $what }; měli jste na mysli { $near }?
 
+expected-frames = očekávají se snímky jako 0-99, nebo jeden, například 7
+expected-set = očekává se ID.PARAMETR=OD..DO, například 9.fovy=30..60
+expected-parameter = `{ $text }` není jméno čísla: očekává se jméno jako 9.fovy, 5.x[3] nebo 5@7.x
+expected-orbit = očekává se ID kamery a stupně, například 9,360
+expected-fps = očekává se celé číslo od 1 do 1000
 expected-size = očekává se ŠxV, například 640x480
 not-pixels = `{ $text }` není počet pixelů
 expected-crop = očekává se X,Y,Š,V v pixelech, například 200,100,64,64

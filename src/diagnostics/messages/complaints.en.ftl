@@ -151,6 +151,53 @@ rows-missing = { $count ->
     [one] one row of { $height } is missing: { $rows }
    *[other] { $count } rows of { $height } are missing: { $rows }
 }
+
+# Frames: scenes of which some numbers vary.
+
+no-frames = { $arg } needs `--frames`, which says which frames there are, as in --frames 0-99
+frames-alike = all frames would be alike: `--set`, `--orbit` or `--frames-from` says what varies
+frames-on-stdout = frames are several pictures: name a file with `-o`, such as film.png or film.apng
+frames-of-json = { $path } is a scene in JSON, and the numbers of records vary: `zpg convert --to zpg` makes records of it
+only-outside = `--only` names frames that are not among the frames { $frames }
+too-many-frames = there are at most { $most } frames
+film-by-ffmpeg = zpg does not write { $path }: draw the frames with `-o { $frames }`, and make a film of them with `{ $line }`. With `-o { $animated }` zpg itself writes an animated picture
+animation-without-frames = { $path } is an animated picture: `--frames` says of which frames
+animation-of-tiles = `--tile` draws parts of frames into .png or .exr files, not into { $path }
+fps-of-files = `--fps` is for an animated picture (.apng), and { $path } is none
+wrote-animation = Wrote { $path }: { $frames ->
+    [one] { $frames } frame
+   *[other] { $frames } frames
+} of { $width } × { $height } pixels
+in-frame = frame { $frame }: { $why }
+frame-has-errors = there are errors in the scene of frame { $frame }
+frame-reads-otherwise = with these numbers the text reads as other records: put line breaks between the records
+in-set = --set: { $why }
+in-orbit = --orbit: { $why }
+in-cell = { $path }, row { $row }, column { $column }: { $why }
+empty-table = { $path } has no rows of numbers: it needs one for each frame, below the row with the names
+empty-cell = the cell is empty
+cell-beyond = there is `{ $text }`, and the first row has no name for it
+rows-and-frames = `--frames` names { $frames ->
+    [one] { $frames } frame
+   *[other] { $frames } frames
+}, and the table has { $rows ->
+    [one] { $rows } row
+   *[other] { $rows } rows
+} of numbers
+set-twice = { $name } is varied twice
+no-record-of-id = the scene has no record with ID { $id }
+no-record-on-line = { $name }: no record with this ID begins on this line; such records begin on lines { $lines }
+no-such-parameter = { $name }: the records with ID { $id } have no number of this name, but: { $known }
+no-parameters = the records with ID { $id } have no numbers that could vary
+parameter-left-out = { $name } is not written in the scene: write the optional numbers of the record first
+several-parameters = { $name } may mean several: write one of { $names }
+parameter-is-list = { $name }: the numbers of this list are { $first } to { $last }
+parameter-no-list = { $name }: this is one number, not a list; leave out the brackets
+parameter-is-whole = { $name } is a whole number or a name, which does not vary
+orbit-of-moved = camera { $id } is moved by the record on line { $line }: write its position and direction into the camera's own record, and leave that record out
+orbit-of-projection = camera { $id } has a projection matrix alone, and no position that could turn: write a camera record (type -501) before it
+orbit-without-direction = the cameras of { $id } look into opposite directions, and have no axis in common
+
 no-such-object = the scene has no object { $id }
 no-such-object-near = the scene has no object { $id }; did you mean { $near }?
 not-an-object = { $id } is { $kind-a }, not an object
@@ -280,6 +327,11 @@ habit-version = zpg calls it `zpg --version`
 with-reason = { $what }: { $reason }
 with-near = { $what }; did you mean { $near }?
 
+expected-frames = expected frames as in 0-99, or one, such as 7
+expected-set = expected ID.PARAM=FROM..TO, as in 9.fovy=30..60
+expected-parameter = `{ $text }` names no number: expected a name such as 9.fovy, 5.x[3] or 5@7.x
+expected-orbit = expected the ID of a camera and degrees, as in 9,360
+expected-fps = expected a whole number from 1 to 1000
 expected-size = expected WxH, as in 640x480
 not-pixels = `{ $text }` is not a number of pixels
 expected-crop = expected X,Y,W,H in pixels, as in 200,100,64,64

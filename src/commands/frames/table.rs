@@ -1,0 +1,211 @@
+//! Tables of numbers: a column for each number of the scene, a row for each frame.
+
+use std::path::{Path, PathBuf};
+
+use super::{MOST_FRAMES, too_many};
+use crate::analysis::file;
+use crate::analysis::parameters::Name;
+use crate::diagnostics::{Complaint, SourceFile};
+
+/// So many mistakes of a table are named at most.
+const MOST_NAMED: usize = 20;
+
+/// The numbers of a table.
+#[derive(Debug, Default)]
+pub struct Table {
+    path: PathBuf,
+    pub names: Vec<Name>,
+    /// A row for each frame, as long as there are names.
+    pub rows: Vec<Vec<f64>>,
+}
+
+impl Table {
+    /// Reads a table with commas or semicolons between its columns. With semicolons, numbers may have decimal commas.
+    ///
+    /// # Errors
+    ///
+    /// All mistakes, up to some, with their rows and columns.
+    pub fn read(path: &Path) -> Result<Table, Complaint> {
+        let source = SourceFile::new(path.to_string_lossy(), file::read(path)?);
+        parsed(path, source.text.trim_start_matches('\u{feff}'))
+    }
+
+    /// What is wrong with the name of a column.
+    pub fn misnamed(&self, column: usize, why: Complaint) -> Complaint {
+        in_cell(&self.path, 1, (column + 1).to_string(), why)
+    }
+}
+
+/// Which row of a text a place is in.
+struct Rows<'a> {
+    text: &'a str,
+    /// What ends a line: in old files a carriage return alone.
+    end: char,
+    /// How many lines end before a place.
+    before: (usize, u64),
+}
+
+impl<'a> Rows<'a> {
+    fn of(text: &'a str) -> Rows<'a> {
+        let end = if text.contains('\n') { '\n' } else { '\r' };
+        let before = (0, 0);
+        Rows { text, end, before }
+    }
+
+    /// The row, from 1, of the first text behind a place. Places go up. The reader leaves out empty rows, and gives as
+    /// the line of a record that of the first empty row before it.
+    fn row(&mut self, place: u64) -> u64 {
+        let place = usize::try_from(place).unwrap_or(usize::MAX);
+        let rest = self.text.get(place..).unwrap_or("");
+        let start = self.text.len() - rest.trim_start_matches(['\r', '\n']).len();
+        let (up_to, count) = self.before;
+        let between = self.text.get(up_to..start).unwrap_or("");
+        let count = count + between.matches(self.end).count() as u64;
+        self.before = (start, count);
+        count + 1
+    }
+}
+
+/// What is wrong in a cell; rows count from 1, as in a spreadsheet.
+fn in_cell(path: &Path, row: u64, column: String, why: Complaint) -> Complaint {
+    Complaint::new("in-cell")
+        .with("path", path)
+        .with("row", row.to_string())
+        .with("column", column)
+        .with("why", why)
+}
+
+fn parsed(path: &Path, text: &str) -> Result<Table, Complaint> {
+    let header = text.lines().find(|line| !line.trim().is_empty());
+    let has_semicolons = header.is_some_and(|line| line.contains(';'));
+    let mut reader = csv::ReaderBuilder::new()
+        .delimiter(if has_semicolons { b';' } else { b',' })
+        .has_headers(false)
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let mut table = Table {
+        path: path.to_owned(),
+        ..Table::default()
+    };
+    let mut titles: Vec<String> = Vec::new();
+    let mut wrong = Vec::new();
+    let mut rows = Rows::of(text);
+    for record in reader.records() {
+        // The text is in memory, and is UTF-8.
+        let record = record.map_err(|e| file::unreadable(path, Complaint::quoted(e)))?;
+        let row = rows.row(record.position().map_or(0, csv::Position::byte));
+        if titles.is_empty() {
+            titles = (record.iter().map(str::to_owned)).collect();
+            for (i, title) in titles.iter().enumerate() {
+                match title.parse() {
+                    Ok(name) => table.names.push(name),
+                    Err(why) => wrong.push(in_cell(path, row, (i + 1).to_string(), why)),
+                }
+            }
+            continue;
+        }
+        if table.rows.len() == MOST_FRAMES as usize {
+            return Err(too_many());
+        }
+        let mut numbers = Vec::with_capacity(titles.len());
+        for (i, title) in titles.iter().enumerate() {
+            match number(record.get(i).unwrap_or(""), has_semicolons) {
+                Ok(x) => numbers.push(x),
+                Err(why) => wrong.push(in_cell(path, row, title.clone(), why)),
+            }
+        }
+        if let Some(text) = record.get(titles.len()) {
+            let why = Complaint::new("cell-beyond").with("text", text.to_owned());
+            wrong.push(in_cell(path, row, (titles.len() + 1).to_string(), why));
+        }
+        table.rows.push(numbers);
+        if wrong.len() >= MOST_NAMED {
+            break;
+        }
+    }
+    wrong.truncate(MOST_NAMED);
+    match Complaint::several(wrong) {
+        Some(all) => Err(all),
+        None if table.rows.is_empty() => Err(Complaint::new("empty-table").with("path", path)),
+        None => Ok(table),
+    }
+}
+
+fn number(cell: &str, has_commas: bool) -> Result<f64, Complaint> {
+    if cell.is_empty() {
+        return Err(Complaint::new("empty-cell"));
+    }
+    let text = match has_commas {
+        true => cell.replacen(',', ".", 1),
+        false => cell.to_owned(),
+    };
+    let number = text.parse().ok().filter(|x: &f64| x.is_finite());
+    number.ok_or_else(|| Complaint::new("not-a-number").with("word", cell.to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), String> {
+        let table = parsed(Path::new("t.csv"), text).map_err(|e| e.to_string())?;
+        Ok((
+            table.names.iter().map(Name::to_string).collect(),
+            table.rows,
+        ))
+    }
+
+    #[test]
+    fn tables_of_both_kinds() {
+        let expected = (
+            vec!["9.fovy".to_owned(), "5.x[3]".to_owned()],
+            vec![vec![30.5, 1.0], vec![-4e1, 0.25]],
+        );
+        for text in [
+            "9.fovy,5.x[3]\n30.5,1\n-4e1,0.25\n",
+            " 9.fovy , 5.x[3] \r\n\"30.5\",1\r\n\r\n-4e1,0.25",
+            "9.fovy;5.x[3]\n30,5;1\n-4e1;0.25\n",
+        ] {
+            assert_eq!(read(text), Ok(expected.clone()), "{text}");
+        }
+    }
+
+    #[test]
+    fn mistakes_are_named_with_their_places() {
+        for (text, says) in [
+            ("", "no rows"),
+            ("9.fovy\n", "no rows"),
+            ("9.fovy,oops\n1,2\n", "row 1, column 2"),
+            (
+                "9.fovy,5.x\n1,2\n\n3,x\n",
+                "row 4, column 5.x: x is not a number",
+            ),
+            (
+                "\r\r9.fovy\r1\r\rx",
+                "row 6, column 9.fovy: x is not a number",
+            ),
+            (
+                "9.fovy,5.x\n1,2\n3\n",
+                "row 3, column 5.x: the cell is empty",
+            ),
+            ("9.fovy,5.x\n1,2,7\n", "row 2, column 3"),
+            (
+                "9.fovy\n1e999\n",
+                "row 2, column 9.fovy: 1e999 is not a number",
+            ),
+            (
+                "9.fovy;5.x\n1;1,2,3\n",
+                "row 2, column 5.x: 1,2,3 is not a number",
+            ),
+        ] {
+            let said = read(text).expect_err(text);
+            assert!(said.contains(says), "{text:?}: {said}");
+        }
+        let many = format!("9.fovy\n{}", "x\n".repeat(100));
+        assert_eq!(
+            read(&many).expect_err("no numbers").lines().count(),
+            MOST_NAMED
+        );
+    }
+}

@@ -1,0 +1,285 @@
+//! The pictures of a scene whose numbers vary: a file for each frame, or one animated picture.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::output::{Output, left_and_right};
+use super::{Args, Job, animation, picture};
+use crate::analysis::{Analysis, repair};
+use crate::commands::draft::{try_file, unwritable};
+use crate::commands::frames::Frames;
+use crate::commands::paths::is_stdout;
+use crate::commands::spare::spare;
+use crate::commands::terminal::{self, LookChoice, complain, report};
+use crate::commands::{Status, load_sound, refuse};
+use crate::diagnostics::{Complaint, Diagnostic, Error, Value};
+
+/// How names end of films that other programs make.
+const FILMS: [&str; 10] = [
+    "mp4", "m4v", "mov", "mkv", "webm", "avi", "mpg", "mpeg", "ogv", "gif",
+];
+
+fn ending(path: &Path) -> String {
+    let extension = path.extension().unwrap_or_default();
+    extension.to_string_lossy().to_lowercase()
+}
+
+/// Whether the frames go into one animated picture.
+fn is_animated(path: &Path) -> bool {
+    ending(path) == "apng"
+}
+
+/// Makes sure that the options about frames go together, before anything is read.
+pub fn check(args: &Args, is_one: bool) -> Result<(), Complaint> {
+    let frames = &args.frames;
+    frames.check()?;
+    let Some(output) = args.output.as_deref().filter(|path| !path.is_dir()) else {
+        return Ok(());
+    };
+    let about = |message| Err(Complaint::new(message).with("path", output));
+    match frames.are_given() {
+        _ if FILMS.contains(&ending(output).as_str()) => Err(by_ffmpeg(args, output)),
+        false if is_animated(output) => about("animation-without-frames"),
+        true if is_stdout(output) => about("frames-on-stdout"),
+        true if is_animated(output) && !is_one => about("several-in-one-file"),
+        true if is_animated(output) && args.tile.is_some() => about("animation-of-tiles"),
+        true if frames.has_fps() && !is_animated(output) => about("fps-of-files"),
+        _ => Ok(()),
+    }
+}
+
+/// How ffmpeg makes a film of frames.
+fn by_ffmpeg(args: &Args, film: &Path) -> Complaint {
+    let stem = film.file_stem().unwrap_or_default().to_string_lossy();
+    let (fps, first) = (args.frames.fps(), args.frames.first());
+    let start = match first {
+        0 => String::new(),
+        _ => format!(" -start_number {first}"),
+    };
+    // Programs that show films want colours at half the resolution; a GIF has a palette.
+    let colours = match ending(film) == "gif" {
+        true => "",
+        false => " -pix_fmt yuv420p",
+    };
+    let film = film.to_string_lossy();
+    let line = format!("ffmpeg -framerate {fps}{start} -i {stem}.%04d.png{colours} {film}");
+    Complaint::new("film-by-ffmpeg")
+        .with("path", Path::new(&*film))
+        .with("frames", format!("{stem}.png"))
+        .with("animated", format!("{stem}.apng"))
+        .with("line", line)
+}
+
+/// Draws the frames of scenes. All of them are looked at before the first one is drawn.
+pub fn run(args: &Args, jobs: &[Job], stop: &Arc<AtomicBool>, look: LookChoice) -> Status {
+    let mut all = Vec::new();
+    for job in jobs {
+        match prepared(args, job, stop, look) {
+            Ok(frames) => all.push(frames),
+            Err(status) => return status,
+        }
+    }
+    let print =
+        |said: &str| terminal::print(look, Status::Clean, |out| out.write_all(said.as_bytes()));
+    let drawn = (jobs.iter().zip(&all)).map(|(job, frames)| match is_animated(&job.picture) {
+        true => match animate(args, job, frames, stop, look) {
+            Ok(said) => print(&said),
+            Err(status) => status,
+        },
+        false => draw(args, job, frames, stop, look, &mut |_, said| print(&said)),
+    });
+    let mut worst = Status::Clean;
+    for status in drawn {
+        worst = worst.max(status);
+        if status == Status::Interrupted {
+            break;
+        }
+    }
+    worst
+}
+
+/// The file of a frame: its number stands before the ending.
+fn place(picture: &Path, label: &str) -> PathBuf {
+    match picture.extension() {
+        Some(ending) => picture.with_extension(format!("{label}.{}", ending.to_string_lossy())),
+        None => picture.with_extension(label),
+    }
+}
+
+/// The frames of a scene. What is wrong with any of them has been said.
+fn prepared(args: &Args, job: &Job, stop: &AtomicBool, look: LookChoice) -> Result<Frames, Status> {
+    // Besides the scene itself, that of a frame.
+    if let Err(why) = args.memory.admit(&job.scene, 2) {
+        complain(look, &why);
+        return Err(Status::Failure);
+    }
+    let loaded = load_sound(&job.scene, look)?;
+    let frames = Frames::of(&args.frames, &loaded).and_then(|frames| {
+        writable(args, job, &loaded, &frames)?;
+        Ok(frames)
+    });
+    let frames = frames.map_err(|error| refuse(&loaded, error, look))?;
+    for frame in frames.drawn() {
+        if stop.load(Ordering::Relaxed) {
+            return Err(Status::Interrupted);
+        }
+        match frames.checked(&loaded, frame) {
+            Ok(scene) if scene.is_sound() => {}
+            Ok(scene) => {
+                complain(look, &about("frame-has-errors", frame));
+                let mut findings = repair::proposals(&scene);
+                findings.retain(Diagnostic::is_error);
+                report(&scene.source, &findings, look);
+                return Err(Status::Negative);
+            }
+            Err(why) => {
+                complain(look, &about("in-frame", frame).with("why", why));
+                return Err(Status::Failure);
+            }
+        }
+    }
+    Ok(frames)
+}
+
+fn about(message: &'static str, frame: u32) -> Complaint {
+    Complaint::new(message).with("frame", frame.to_string())
+}
+
+/// Refuses files that cannot be written, or that the scene needs.
+fn writable(args: &Args, job: &Job, loaded: &Analysis, frames: &Frames) -> Result<(), Complaint> {
+    let pictures: Vec<PathBuf> = match is_animated(&job.picture) {
+        true => {
+            try_file(&job.picture)?;
+            vec![job.picture.clone()]
+        }
+        false => {
+            let frame = |frame| place(&job.picture, &frames.label(frame));
+            drop(Output::create(
+                &frame(*frames.drawn().start()),
+                [0; 2],
+                args.tile.is_some(),
+            )?);
+            frames.drawn().map(frame).collect()
+        }
+    };
+    // A stereo camera makes a pair of each.
+    let pairs: Vec<PathBuf> = pictures.iter().flat_map(|p| left_and_right(p)).collect();
+    let written = pictures.iter().chain(&pairs);
+    spare(&job.scene, loaded, written.map(PathBuf::as_path))
+}
+
+/// Draws the frames into files, and hands on the file and what was said of each.
+fn draw(
+    args: &Args,
+    job: &Job,
+    frames: &Frames,
+    stop: &Arc<AtomicBool>,
+    look: LookChoice,
+    is_drawn: &mut dyn FnMut(PathBuf, String) -> Status,
+) -> Status {
+    let mut look = look;
+    for frame in frames.drawn() {
+        if stop.load(Ordering::Relaxed) {
+            return Status::Interrupted;
+        }
+        let mut scene = frames.scene(frame);
+        scene.forget_records();
+        let job = Job {
+            scene: job.scene.clone(),
+            picture: place(&job.picture, &frames.label(frame)),
+        };
+        let status = match picture::draw(args, &job, (&scene, 0.0), stop, look) {
+            Ok(said) => is_drawn(job.picture, said),
+            Err(error) => refuse(&scene, in_frame(error, frame, look), look),
+        };
+        if status != Status::Clean {
+            return status;
+        }
+        // What is to be known of the first frame is to be known of most.
+        look = look.without_notes();
+    }
+    Status::Clean
+}
+
+/// Says which frame it is about.
+fn in_frame(error: Error, frame: u32, look: LookChoice) -> Error {
+    let with = |why| about("in-frame", frame).with("why", why);
+    match error {
+        Error::Scene { why, span } => Error::Scene {
+            why: with(why),
+            span,
+        },
+        Error::Request(why) => Error::Request(with(why)),
+        Error::Finding(_) => {
+            complain(look, &about("frame-has-errors", frame));
+            error
+        }
+        Error::Interrupted => error,
+    }
+}
+
+/// Draws the frames into a folder of its own, and makes an animated picture of them, or a pair; says which.
+fn animate(
+    args: &Args,
+    job: &Job,
+    frames: &Frames,
+    stop: &Arc<AtomicBool>,
+    look: LookChoice,
+) -> Result<String, Status> {
+    let failed = |why: Complaint| {
+        complain(look, &why);
+        Status::Failure
+    };
+    let folder = tempfile::Builder::new().prefix("zpg-").tempdir();
+    let folder = folder.map_err(|e| failed(unwritable(&std::env::temp_dir(), &e)))?;
+    let frame = Job {
+        scene: job.scene.clone(),
+        picture: folder.path().join("frame.png"),
+    };
+    let mut drawn = Vec::new();
+    let status = draw(args, &frame, frames, stop, look, &mut |path, _| {
+        drawn.push(path);
+        Status::Clean
+    });
+    if status != Status::Clean {
+        return Err(status);
+    }
+    // A stereo camera has made pairs of them.
+    let parts: Vec<(PathBuf, Vec<PathBuf>)> = match drawn.first().is_some_and(|path| path.exists())
+    {
+        true => vec![(job.picture.clone(), drawn)],
+        false => {
+            let of_side = |i: usize| drawn.iter().map(move |p| left_and_right(p).swap_remove(i));
+            let sides = left_and_right(&job.picture).into_iter().enumerate();
+            sides
+                .map(|(i, path)| (path, of_side(i).collect()))
+                .collect()
+        }
+    };
+    let mut said = String::new();
+    for (path, pictures) in parts {
+        let size = animation::write(&path, &pictures, args.frames.fps()).map_err(failed)?;
+        let wrote = Complaint::new("wrote-animation")
+            .with("path", path.as_path())
+            .with("frames", Value::Count(frames.count().into()))
+            .with("width", size[0].to_string())
+            .with("height", size[1].to_string());
+        if !look.quiet {
+            said += &(wrote.wording(look.language()) + "\n");
+        }
+    }
+    Ok(said)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_stand_before_the_ending() {
+        let place = |path: &str| place(Path::new(path), "0007");
+        assert_eq!(place("a/b.c.png"), Path::new("a/b.c.0007.png"));
+        assert_eq!(place("orbit.EXR"), Path::new("orbit.0007.EXR"));
+    }
+}
