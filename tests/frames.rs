@@ -443,6 +443,14 @@ fn options_that_do_not_go_together_are_refused() {
     refuses(dir, &with(&["-o", "-"]), 2, &["several pictures"]);
     refuses(
         dir,
+        &with(&["--stereo", "anaglyph"]),
+        2,
+        &["error: --stereo needs two cameras"],
+    );
+    refuses(dir, &with(&["-o", "b.xyz"]), 2, &["cannot tell the format"]);
+    refuses(dir, &with(&["-o", "none/b.png"]), 2, &["cannot write none"]);
+    refuses(
+        dir,
         &with(&["-o", "b.png", "--fps", "30"]),
         2,
         &["b.png is none"],

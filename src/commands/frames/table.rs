@@ -36,6 +36,16 @@ impl Table {
     }
 }
 
+/// A cell as it is shown in messages: what is no table may be long, and may move the cursor of a terminal.
+fn shown(cell: &str) -> String {
+    const MOST: usize = 40;
+    let mut text: String = cell.chars().take(MOST).collect();
+    if text.len() < cell.len() {
+        text.push('…');
+    }
+    text.replace(char::is_control, "\u{fffd}")
+}
+
 /// Which row of a text a place is in.
 struct Rows<'a> {
     text: &'a str,
@@ -96,12 +106,16 @@ fn parsed(path: &Path, text: &str) -> Result<Table, Complaint> {
         let record = record.map_err(|e| file::unreadable(path, Complaint::quoted(e)))?;
         let row = rows.row(record.position().map_or(0, csv::Position::byte));
         if titles.is_empty() {
-            titles = (record.iter().map(str::to_owned)).collect();
+            titles = record.iter().map(shown).collect();
             for (i, title) in titles.iter().enumerate() {
                 match title.parse() {
                     Ok(name) => table.names.push(name),
                     Err(why) => wrong.push(in_cell(path, row, (i + 1).to_string(), why)),
                 }
+            }
+            // Of columns without names nothing more can be said.
+            if !wrong.is_empty() {
+                break;
             }
             continue;
         }
@@ -116,7 +130,7 @@ fn parsed(path: &Path, text: &str) -> Result<Table, Complaint> {
             }
         }
         if let Some(text) = record.get(titles.len()) {
-            let why = Complaint::new("cell-beyond").with("text", text.to_owned());
+            let why = Complaint::new("cell-beyond").with("text", shown(text));
             wrong.push(in_cell(path, row, (titles.len() + 1).to_string(), why));
         }
         table.rows.push(numbers);
@@ -141,7 +155,7 @@ fn number(cell: &str, has_commas: bool) -> Result<f64, Complaint> {
         false => cell.to_owned(),
     };
     let number = text.parse().ok().filter(|x: &f64| x.is_finite());
-    number.ok_or_else(|| Complaint::new("not-a-number").with("word", cell.to_owned()))
+    number.ok_or_else(|| Complaint::new("not-a-number").with("word", shown(cell)))
 }
 
 #[cfg(test)]
@@ -202,6 +216,8 @@ mod tests {
             let said = read(text).expect_err(text);
             assert!(said.contains(says), "{text:?}: {said}");
         }
+        let noise = read(&"\u{1b}[2J".repeat(1000)).expect_err("no table");
+        assert!(!noise.contains('\u{1b}') && noise.len() < 300, "{noise}");
         let many = format!("9.fovy\n{}", "x\n".repeat(100));
         assert_eq!(
             read(&many).expect_err("no numbers").lines().count(),

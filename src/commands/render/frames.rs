@@ -204,18 +204,17 @@ fn draw(
 
 /// Says which frame it is about.
 fn in_frame(error: Error, frame: u32, look: LookChoice) -> Error {
-    let with = |why| about("in-frame", frame).with("why", why);
     match error {
         Error::Scene { why, span } => Error::Scene {
-            why: with(why),
+            why: about("in-frame", frame).with("why", why),
             span,
         },
-        Error::Request(why) => Error::Request(with(why)),
+        // Arguments and files are the same in all frames, or name theirs.
+        Error::Request(_) | Error::Interrupted => error,
         Error::Finding(_) => {
             complain(look, &about("frame-has-errors", frame));
             error
         }
-        Error::Interrupted => error,
     }
 }
 
