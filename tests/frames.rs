@@ -202,6 +202,13 @@ fn two_cameras_go_around_together() {
         );
     }
     assert!(!dir.path().join("o.apng").exists());
+    // Of one eye alone the other one stays behind.
+    let stays = |orbit: &str| {
+        let args = ["render", "a.zpg", "--frames", "0-1", "--orbit", orbit];
+        let said = text(&program::zpg(dir.path(), &[&args[..], &SIZE].concat(), "").stderr);
+        said.contains("camera 8 takes the picture and stays where it is")
+    };
+    assert!(stays("9,180") && !stays("60,180"));
 }
 
 /// The delay between the frames of a PNG, and their pixels. One that is not animated has one frame.

@@ -155,6 +155,16 @@ impl Frames {
         self.drawn.count()
     }
 
+    /// Whether cameras go around, and this one is not among them.
+    pub fn leaves_behind(&self, camera: &Camera) -> bool {
+        let mut around = (self.motions.iter()).filter_map(|motion| match motion {
+            Motion::Around { camera, .. } => Some(camera.id),
+            _ => None,
+        });
+        let first = around.next();
+        first.is_some_and(|first| first != camera.id && !around.any(|id| id == camera.id))
+    }
+
     /// The number of a frame as it stands in file names: of at least four digits, and of as many as the last one has.
     pub fn label(&self, frame: u32) -> String {
         let digits = self.all.last.to_string().len().max(4);

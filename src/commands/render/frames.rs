@@ -11,7 +11,7 @@ use crate::commands::draft::{try_file, unwritable};
 use crate::commands::frames::Frames;
 use crate::commands::paths::is_stdout;
 use crate::commands::spare::spare;
-use crate::commands::terminal::{self, LookChoice, complain, report};
+use crate::commands::terminal::{self, LookChoice, complain, note, report};
 use crate::commands::{Status, load_sound, refuse};
 use crate::diagnostics::{Complaint, Diagnostic, Error, Value};
 
@@ -117,6 +117,13 @@ fn prepared(args: &Args, job: &Job, stop: &AtomicBool, look: LookChoice) -> Resu
     let loaded = load_sound(&job.scene, look)?;
     let frames = Frames::of(&args.frames, &loaded).and_then(|frames| {
         writable(args, job, &loaded, &frames)?;
+        let staged = args.camera.staged(&loaded.scene, args.size)?;
+        // That of --view has no ID.
+        let cameras = staged.chosen_cameras().filter(|camera| camera.id > 0);
+        for camera in cameras.filter(|camera| frames.leaves_behind(camera)) {
+            let id = camera.id.to_string();
+            note(look, &Complaint::new("note-camera-stays").with("id", id));
+        }
         Ok(frames)
     });
     let frames = frames.map_err(|error| refuse(&loaded, error, look))?;

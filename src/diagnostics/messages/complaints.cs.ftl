@@ -164,6 +164,7 @@ film-by-ffmpeg = soubor { $path } zpg nezapisuje: vykreslete snímky s volbou `-
 animation-without-frames = { $path } je animovaný obrázek: z jakých snímků má být, určuje `--frames`
 animation-of-tiles = `--tile` kreslí díly snímků do souborů .png nebo .exr, ne do { $path }
 fps-of-files = `--fps` patří k animovanému obrázku (.apng), a { $path } jím není
+note-camera-stays = obrázek pořizuje kamera { $id }, která zůstává na místě, protože `--orbit` otáčí jinou; obě kamery dvojice (typ -503) otáčí ID záznamu dvojice
 wrote-animation = Zapsáno: { $path }, { $frames ->
     [one] { $frames } snímek
     [few] { $frames } snímky

@@ -164,6 +164,7 @@ film-by-ffmpeg = zpg does not write { $path }: draw the frames with `-o { $frame
 animation-without-frames = { $path } is an animated picture: `--frames` says of which frames
 animation-of-tiles = `--tile` draws parts of frames into .png or .exr files, not into { $path }
 fps-of-files = `--fps` is for an animated picture (.apng), and { $path } is none
+note-camera-stays = camera { $id } takes the picture and stays where it is, since `--orbit` turns another one; of a stereo camera (type -503) the ID of its own record turns both
 wrote-animation = Wrote { $path }: { $frames ->
     [one] { $frames } frame
    *[other] { $frames } frames
