@@ -255,6 +255,35 @@ fn an_animated_picture_has_the_pixels_of_the_frames() {
 }
 
 #[test]
+fn frames_are_drawn_in_tiles_and_not_twice() {
+    let dir = folder(&[("a.zpg", usual())]);
+    let args = ["a.zpg", "--frames", "0-1", "--set", "2.r=1..2"];
+    render(dir.path(), &args);
+    for tile in ["1/2", "2/2"] {
+        let part = format!("part{}.png", &tile[..1]);
+        render(
+            dir.path(),
+            &[&args[..], &["-o", &part, "--tile", tile]].concat(),
+        );
+    }
+    let join = [
+        "join",
+        "part1.0001.png",
+        "part2.0001.png",
+        "-o",
+        "whole.png",
+    ];
+    let run = program::zpg(dir.path(), &join, "");
+    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+    assert!(bytes(dir.path(), "whole.png") == bytes(dir.path(), "a.0001.png"));
+    // The second frame of other numbers is another picture.
+    let other = ["a.zpg", "--frames", "0-1", "--set", "2.r=1..3", "--resume"];
+    let said = render(dir.path(), &other);
+    assert_eq!(said.matches("Wrote ").count(), 1, "{said}");
+    assert!(said.contains("Wrote a.0001.png"), "{said}");
+}
+
+#[test]
 fn what_the_pictures_lack_is_said_once() {
     let dark = usual().replace("50 -401 0.3\n51 -402 0.7\n51 -1 4 6 5\n", "");
     let dir = folder(&[("a.zpg", dark)]);
@@ -454,6 +483,8 @@ fn options_that_do_not_go_together_are_refused() {
         2,
         &["error: --stereo needs two cameras"],
     );
+    let tile = with(&["-o", "b.apng", "--tile", "1/2"]);
+    refuses(dir, &tile, 2, &["not into b.apng"]);
     refuses(dir, &with(&["-o", "b.xyz"]), 2, &["cannot tell the format"]);
     refuses(dir, &with(&["-o", "none/b.png"]), 2, &["cannot write none"]);
     refuses(
