@@ -100,15 +100,19 @@ fn scenes_in(
                 }
             }
             Err(e) => {
-                let why = e
-                    .io_error()
-                    .map_or_else(|| Complaint::quoted(&e), Complaint::from);
-                complain(look, &unreadable(place(&e).unwrap_or(folder), why));
+                complain(look, &unreadable_entry(&e, folder));
                 *failed = true;
             }
         }
     }
     scenes
+}
+
+/// Something in a folder could not be read.
+pub fn unreadable_entry(error: &ignore::Error, folder: &Path) -> Complaint {
+    let why = error.io_error();
+    let why = why.map_or_else(|| Complaint::quoted(error), Complaint::from);
+    unreadable(place(error).unwrap_or(folder), why)
 }
 
 /// The file or folder that could not be read.

@@ -4,13 +4,14 @@
 //! whose value is up to rounding; [`compare`] says how far two pictures are apart, and shows it.
 //! [`mitsuba`] asks the real Mitsuba where it sees surfaces, and [`geometry`] compares that.
 //! [`accuracy`] says what accuracy costs in time. [`naive`] is a ray tracer as textbooks have it, in numbers
-//! of any kind; [`plain`] is the same over the hierarchy of the tracer.
+//! of any kind; [`plain`] is the same over the hierarchy of the tracer. [`page`] is what pages of HTML have in common.
 
 pub mod accuracy;
 pub mod compare;
 pub mod geometry;
 pub mod mitsuba;
 pub mod naive;
+pub mod page;
 pub mod plain;
 pub mod povray;
 pub mod program;

@@ -1,6 +1,6 @@
 //! A decoded picture.
 
-use super::decode::{Pixels, decode};
+use super::decode::{Limits, Pixels, decode};
 use super::film::{Packing, write_rgb};
 use crate::diagnostics::Complaint;
 use crate::geometry::array::each;
@@ -41,18 +41,27 @@ static EIGHT: LazyLock<Vec<f64>> = LazyLock::new(|| table(255));
 static SIXTEEN: LazyLock<Vec<f64>> = LazyLock::new(|| table(65_535));
 
 impl Bitmap {
-    /// Reads a PNG or JPEG file whose texels take `bytes` at most.
+    /// Of three numbers a texel.
+    pub fn new([width, height]: [u32; 2], texels: Pixels) -> Bitmap {
+        Bitmap {
+            width,
+            height,
+            texels,
+        }
+    }
+
+    /// Reads a PNG or JPEG file.
     ///
     /// # Errors
     ///
     /// The file cannot be read or decoded, or the picture is too large.
-    pub fn read(path: &Path, bytes: u64) -> Result<Bitmap, Complaint> {
-        let ([width, height], texels) = decode(path, MAX_SIDE, bytes)?;
-        Ok(Bitmap {
-            width,
-            height,
-            texels,
-        })
+    pub fn read(path: &Path, limits: &Limits) -> Result<Bitmap, Complaint> {
+        decode(path, limits).map(|(size, texels)| Bitmap::new(size, texels))
+    }
+
+    /// Columns and rows.
+    pub fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
     }
 
     /// A PNG of the same texels: sRGB, of as many bits.
@@ -85,7 +94,7 @@ impl Bitmap {
     }
 
     /// Linear RGB of a texel; x to the right and y down.
-    fn texel(&self, x: usize, y: usize) -> Vec3 {
+    pub fn texel(&self, x: usize, y: usize) -> Vec3 {
         let at = (y * self.width as usize + x) * 3;
         Vec3(match &self.texels {
             Pixels::Eight(t) => each([0, 1, 2], |c| EIGHT[t[at + c] as usize]),

@@ -17,44 +17,51 @@ pub enum Pixels {
     Sixteen(Vec<u16>),
 }
 
-/// Width, height and pixels of a file; grey becomes RGB, and alpha is not looked at. No side may be longer
-/// than `side`, and the pixels may take `bytes` at most.
+/// How large a picture may be.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits {
+    /// Columns, and rows.
+    pub side: u32,
+    /// Bytes that the decoded pixels take.
+    pub bytes: u64,
+    /// What is said of a picture that takes more; its `width` and `height` are known to the message.
+    pub too_large: &'static str,
+}
+
+/// Width, height and pixels of a file; grey becomes RGB, and alpha is not looked at.
 ///
 /// # Errors
 ///
 /// The file cannot be read or decoded, or the picture is too large.
-pub fn decode(path: &Path, side: u32, bytes: u64) -> Result<([u32; 2], Pixels), Complaint> {
+pub fn decode(path: &Path, limits: &Limits) -> Result<([u32; 2], Pixels), Complaint> {
     let file = fs::read(path).map_err(|e| Complaint::from(&e))?;
-    let limits = Limits { side, bytes };
     match file.starts_with(b"\x89PNG") {
-        true => png(&file, &limits),
-        false => jpeg(&file, &limits),
+        true => png(&file, limits),
+        false => jpeg(&file, limits),
     }
-}
-
-struct Limits {
-    side: u32,
-    bytes: u64,
 }
 
 impl Limits {
     /// Refuses a picture of a size whose samples take so many bytes each.
-    fn check(&self, [width, height]: [u32; 2], sample: u64) -> Result<(), Complaint> {
-        if width.max(height) > self.side {
-            return Err(Complaint::new("picture-too-wide")
+    pub fn check(&self, [width, height]: [u32; 2], sample: u64) -> Result<(), Complaint> {
+        let sized = |message| {
+            Complaint::new(message)
                 .with("width", width.to_string())
                 .with("height", height.to_string())
-                .with("side", self.side.to_string()));
+        };
+        if width.max(height) > self.side {
+            return Err(sized("picture-too-wide").with("side", self.side.to_string()));
         }
-        match 3 * sample * u64::from(width) * u64::from(height) > self.bytes {
-            true => Err(Complaint::new("pictures-too-large")),
+        let bytes = (u64::from(width) * u64::from(height)).saturating_mul(3 * sample);
+        match bytes > self.bytes {
+            true => Err(sized(self.too_large)),
             false => Ok(()),
         }
     }
 }
 
 /// What decoders say names parts of the formats, which is of no use to who has drawn the scene.
-fn broken(_: impl Display) -> Complaint {
+pub fn broken(_: impl Display) -> Complaint {
     Complaint::new("picture-broken")
 }
 
@@ -89,7 +96,7 @@ fn png(file: &[u8], limits: &Limits) -> Result<([u32; 2], Pixels), Complaint> {
 }
 
 /// The colours of pixels that are grey, grey and alpha, RGB, or RGB and alpha.
-fn rgb<T: Copy>(data: &[T], samples: usize) -> Vec<T> {
+pub fn rgb<T: Copy>(data: &[T], samples: usize) -> Vec<T> {
     let pixels = data.chunks_exact(samples);
     match samples {
         1 | 2 => pixels.flat_map(|p| [p[0]; 3]).collect(),

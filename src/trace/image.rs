@@ -1,6 +1,7 @@
 //! The pictures of a scene, which lie on surfaces.
 
-use super::bitmap::Bitmap;
+use super::bitmap::{Bitmap, MAX_SIDE};
+use super::decode::Limits;
 use crate::diagnostics::{Code, Diagnostic, Span};
 use crate::scene::{Node, Scene, Texture, image_file};
 use rustc_hash::FxHashSet;
@@ -35,7 +36,12 @@ impl Images {
             {
                 return Err(Box::new(first));
             }
-            let bitmap = Bitmap::read(&folder.join(file), left).map_err(|e| {
+            let limits = Limits {
+                side: MAX_SIDE,
+                bytes: left,
+                too_large: "pictures-too-large",
+            };
+            let bitmap = Bitmap::read(&folder.join(file), &limits).map_err(|e| {
                 Box::new(
                     Diagnostic::new(Code::E210, span)
                         .case("content")

@@ -18,7 +18,7 @@ pub mod camera;
 mod compile;
 pub mod costs;
 mod crowd;
-mod decode;
+pub mod decode;
 pub mod film;
 pub mod graph;
 pub mod image;

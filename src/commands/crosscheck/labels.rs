@@ -1,66 +1,42 @@
 //! Pictures beside each other, with what they are above them and what their colours mean below.
 
-use embedded_graphics::mono_font::{MonoFont, MonoTextStyle, iso_8859_2};
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-use embedded_graphics::prelude::{DrawTarget, Drawable, OriginDimensions, Pixel, Point, Size};
-use embedded_graphics::text::{Baseline, Text};
-
-/// A picture of 8-bit RGB, row by row.
-pub struct Labelled {
-    pub width: u32,
-    pub height: u32,
-    pub rgb: Vec<u8>,
-}
+use crate::commands::canvas::{Canvas, LARGE, PAPER, SMALL, WHITE};
 
 /// A colour and what it means.
 pub type Meaning = ([u8; 3], String);
 
-/// Of titles.
-const LARGE: MonoFont = iso_8859_2::FONT_10X20;
-/// Of meanings.
-const SMALL: MonoFont = iso_8859_2::FONT_7X13;
 /// Room around a line of text, in pixels.
 const MARGIN: u32 = 4;
-const PAPER: [u8; 3] = [32; 3];
 
 /// Pictures of one size beside each other, each under its title, and under the last one what its colours mean.
 pub fn beside<const N: usize>(
     [width, height]: [u32; 2],
     pictures: [(&str, &[u8]); N],
     legend: &[Meaning],
-) -> Labelled {
+) -> Canvas {
     let columns = N as u32;
     let head = LARGE.character_size.height + 2 * MARGIN;
     let places = legend_places(width, legend);
     let line = SMALL.character_size.height + MARGIN;
     let lines = places.last().map_or(0, |[_, row]| row + 1);
-    let mut sheet = Sheet(Labelled {
-        width: columns * width,
-        height: head + height + lines * line + MARGIN,
-        rgb: Vec::new(),
-    });
-    let Labelled {
-        width: wide,
-        height: high,
-        ..
-    } = sheet.0;
-    sheet.0.rgb = PAPER.repeat(wide as usize * high as usize);
+    let mut sheet = Canvas::new(
+        [columns * width, head + height + lines * line + MARGIN],
+        PAPER,
+    );
     for (column, (title, picture)) in (0..).zip(pictures) {
         let left = column * width;
-        sheet.write(&LARGE, [left + MARGIN, MARGIN], left + width, title);
-        for (y, row) in (head..).zip(picture.chunks_exact(3 * width as usize)) {
-            let at = 3 * (y as usize * wide as usize + left as usize);
-            sheet.0.rgb[at..at + row.len()].copy_from_slice(row);
-        }
+        sheet.write(&LARGE, [left + MARGIN, MARGIN], left + width, WHITE, title);
+        sheet.paste([left, head], width, picture);
     }
     let left = (columns - 1) * width;
     for ((colour, meaning), [x, row]) in legend.iter().zip(places) {
         let (x, y) = (left + x, head + height + MARGIN + row * line);
         let side = SMALL.character_size.height - MARGIN;
-        sheet.fill([x, y + MARGIN / 2], side, *colour);
-        sheet.write(&SMALL, [x + side + MARGIN, y], wide, meaning);
+        sheet.fill([x, y + MARGIN / 2], [side; 2], *colour);
+        let end = sheet.width;
+        sheet.write(&SMALL, [x + side + MARGIN, y], end, WHITE, meaning);
     }
-    sheet.0
+    sheet
 }
 
 /// Where the entries of a legend stand: how far from the left, and in which line.
@@ -79,68 +55,16 @@ fn legend_places(width: u32, legend: &[Meaning]) -> Vec<[u32; 2]> {
     legend.iter().map(place).collect()
 }
 
-/// What is drawn on.
-struct Sheet(Labelled);
-
-impl Sheet {
-    /// A text of one line from its upper left corner, as far as it fits.
-    fn write(&mut self, font: &MonoFont, [x, y]: [u32; 2], end: u32, text: &str) {
-        let fit = end.saturating_sub(x) / font.character_size.width;
-        let text: String = text.chars().take(fit as usize).collect();
-        let style = MonoTextStyle::new(font, Rgb888::WHITE);
-        let place = Point::new(x as i32, y as i32);
-        let Ok(_) = Text::with_baseline(&text, place, style, Baseline::Top).draw(self);
-    }
-
-    fn fill(&mut self, [left, top]: [u32; 2], side: u32, colour: [u8; 3]) {
-        for y in top..top + side {
-            for x in left..left + side {
-                self.dot(x, y, colour);
-            }
-        }
-    }
-
-    fn dot(&mut self, x: u32, y: u32, colour: [u8; 3]) {
-        if x < self.0.width && y < self.0.height {
-            let at = 3 * (y as usize * self.0.width as usize + x as usize);
-            self.0.rgb[at..at + 3].copy_from_slice(&colour);
-        }
-    }
-}
-
-impl OriginDimensions for Sheet {
-    fn size(&self) -> Size {
-        Size::new(self.0.width, self.0.height)
-    }
-}
-
-impl DrawTarget for Sheet {
-    type Color = Rgb888;
-    type Error = std::convert::Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(
-        &mut self,
-        dots: I,
-    ) -> Result<(), Self::Error> {
-        for Pixel(Point { x, y }, colour) in dots {
-            if let (Ok(x), Ok(y)) = (u32::try_from(x), u32::try_from(y)) {
-                self.dot(x, y, [colour.r(), colour.g(), colour.b()]);
-            }
-        }
-        Ok(())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn row(sheet: &Labelled, y: u32, from: u32, to: u32) -> &[u8] {
+    fn row(sheet: &Canvas, y: u32, from: u32, to: u32) -> &[u8] {
         let at = |x: u32| 3 * (y as usize * sheet.width as usize + x as usize);
         &sheet.rgb[at(from)..at(to)]
     }
 
-    fn ink(sheet: &Labelled, rows: std::ops::Range<u32>, from: u32, to: u32) -> usize {
+    fn ink(sheet: &Canvas, rows: std::ops::Range<u32>, from: u32, to: u32) -> usize {
         let dots = rows.flat_map(|y| row(sheet, y, from, to).chunks_exact(3));
         dots.filter(|dot| **dot == [255; 3]).count()
     }

@@ -5,17 +5,18 @@ use super::super::report::{Report, Row};
 use super::super::rungs::{Axis, Kind};
 use super::super::words::{self, each, local, say};
 use super::image;
-use super::svg::{self, escaped};
+use super::svg;
 use super::tables::{self, Table};
 use super::terminal::{sureness, whole_default};
 use crate::diagnostics::Language;
+use crate::study::page::{self, escaped, prose};
 use std::fmt::Write as _;
 
 const STYLE: &str = "\
 @media print{section{break-inside:avoid}main{max-width:none!important;padding:0!important}}
-*{box-sizing:border-box;min-width:0}.wide{overflow-x:auto}body{margin:0;background:var(--bg);color:var(--fg);font:15px/1.5 system-ui,'DejaVu Sans',sans-serif}
+.wide{overflow-x:auto}
 main{max-width:1120px;margin:0 auto;padding:28px 20px 60px}h1{font-size:27px;margin:0}h2{font-size:19px;margin:34px 0 6px}
-p,li,h1,h2{overflow-wrap:anywhere}p{margin:.35em 0;max-width:88ch}.mut{color:var(--mut)}.small{font-size:13px}
+p,li,h1,h2{overflow-wrap:anywhere}p{margin:.35em 0;max-width:88ch}
 header{display:flex;gap:24px;align-items:flex-start;justify-content:space-between}header img{width:320px;border-radius:4px}
 img{image-rendering:pixelated;display:block;max-width:100%}
 .advice{border-left:5px solid var(--acc);background:var(--card);padding:14px 18px;font-size:19px;line-height:1.45;margin:16px 0;border-radius:0 6px 6px 0;max-width:74ch}
@@ -32,20 +33,6 @@ figure{margin:0}figcaption{font-size:13px;color:var(--mut);margin-top:4px}
 .two{display:grid;grid-template-columns:1fr 1fr;gap:26px}.two img{width:100%}
 @media (max-width:760px){header,.two,.tiles{display:block}.row{grid-template-columns:1fr}}
 ";
-
-/// `--depth 16` in backquotes as code.
-fn prose(text: &str) -> String {
-    let mut out = String::new();
-    for (i, part) in text.split('`').enumerate() {
-        match i % 2 {
-            0 => out.push_str(&escaped(part)),
-            _ => {
-                let _ = write!(out, "<code>{}</code>", escaped(part));
-            }
-        }
-    }
-    out
-}
 
 struct Page<'r> {
     report: &'r Report,
@@ -90,13 +77,9 @@ impl Page<'_> {
         let [w, h] = report.size;
         let title = self.say("accuracy-title");
         let scene = escaped(&report.scene);
-        let tag = self.language.tag();
-        self.add(&format!(
-            "<!doctype html>\n<html lang=\"{tag}\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">\
-             <meta name=\"color-scheme\" content=\"light dark\"><title>{title}: {scene}</title>\n<style>\n{}{}{STYLE}</style></head><body><main>",
-            svg::VARIABLES,
-            svg::STYLE
-        ));
+        let style = [svg::STYLE, STYLE].concat();
+        let head = page::head(self.language, &format!("{title}: {scene}"), &style);
+        self.add(&head);
         let first = report
             .advice_parts
             .first()

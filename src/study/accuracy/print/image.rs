@@ -1,19 +1,9 @@
 //! Pictures within a page.
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
-
 use super::super::measure::{distance, steps};
 use super::super::report::Raster;
-use crate::trace::film::{Packing, srgb8, write_rgb8};
-
-/// A PNG as a `data:` address.
-pub fn address(width: u32, height: u32, rgb: &[u8]) -> String {
-    let mut bytes = Vec::new();
-    // Writing to memory cannot fail.
-    let _ = write_rgb8(&mut bytes, [width, height], rgb, Packing::Small);
-    format!("data:image/png;base64,{}", STANDARD.encode(&bytes))
-}
+use crate::study::page::address;
+use crate::trace::film::srgb8;
 
 pub fn picture(raster: &Raster) -> String {
     let bytes: Vec<u8> = raster

@@ -6,18 +6,8 @@ use super::super::rungs::{Axis, Kind};
 use super::super::words::{self, local, say};
 use super::labels::{self, Frame, Label, Placed, Surroundings};
 use crate::diagnostics::Language;
+use crate::study::page::{VARIABLES, escaped};
 use std::fmt::Write as _;
-
-/// Colours as variables, for light, dark and print: Okabe and Ito's, darker or lighter where they are text.
-pub const VARIABLES: &str = "\
-:root{--bg:#fff;--fg:#1b1f24;--mut:#5b6470;--line:#d7dce2;--card:#f5f7f9;--acc:#0072b2;--c1:#0072b2;--c2:#d55e00;\
---c3:#00795a;--c4:#a8578a;--c5:#0072b2;--c6:#7a5c00;--goal:#b00020;--floor:#e4e0d2;--bar:#7fb2d6}
-@media (prefers-color-scheme:dark){:root{--bg:#14181d;--fg:#e8ebee;--mut:#9aa5b1;--line:#343c46;--card:#1d232a;\
---acc:#6cb8ee;--c1:#6cb8ee;--c2:#ff9a4d;--c3:#43c59e;--c4:#e29cc8;--c5:#6cb8ee;--c6:#e6c65c;--goal:#ff7d7d;\
---floor:#33301f;--bar:#3c6d92}}
-@media print{:root{--bg:#fff;--fg:#000;--mut:#444;--line:#bbb;--card:#fff;--acc:#0072b2;--c1:#0072b2;--c2:#d55e00;\
---c3:#00795a;--c4:#a8578a;--c5:#0072b2;--c6:#7a5c00;--goal:#b00020;--floor:#eee;--bar:#9cc3df}}
-";
 
 /// What the diagram's parts look like.
 pub const STYLE: &str = "\
@@ -97,12 +87,6 @@ impl Shape {
             }
         }
     }
-}
-
-/// Text that is part of XML.
-pub fn escaped(text: &str) -> String {
-    let text = text.replace('&', "&amp;").replace('<', "&lt;");
-    text.replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// A file of its own.
