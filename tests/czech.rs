@@ -95,7 +95,7 @@ fn is_czech(dir: &Path, arguments: &[&str], status: i32) -> String {
     said
 }
 
-const COMMANDS: [&str; 11] = [
+const COMMANDS: [&str; 12] = [
     "check",
     "fmt",
     "convert",
@@ -104,6 +104,7 @@ const COMMANDS: [&str; 11] = [
     "probe",
     "plan",
     "accuracy",
+    "sheet",
     "explain",
     "lsp",
     "completions",
@@ -194,6 +195,10 @@ fn wrong_usage() {
             "0 0 0",
         ],
         &["fmt", "--range", "x", "a.zpg"],
+        &["sheet", "."],
+        &["sheet", ".", "-o", "x.gif"],
+        &["sheet", ".", "-o", "x.png", "--size", "1x1"],
+        &["sheet", ".", "-o", "x.png", "--columns", "0"],
         &["accuracy"],
         &["accuracy", "a.zpg", "--axes", "x"],
         &["accuracy", "a.zpg", "--budget", "x"],
@@ -327,6 +332,9 @@ fn a_file_that_is_not_there() {
         &["probe", "a.zpg", "--point", "0 0 0", "--object", "77"],
         &["probe", "a.zpg", "--point", "0 0 0", "--object", "50"],
         &["crosscheck", "x.zpg", "--with", "povray"],
+        &["sheet", "empty", "-o", "x.png"],
+        &["sheet", "x", "-o", "x.png"],
+        &["sheet", "a.zpg", "-o", "x.png"],
         &[
             "crosscheck",
             "a.zpg",

@@ -86,6 +86,7 @@ mod sarif;
 mod scene_json;
 mod shapes_doubt;
 mod shapes_quadrics;
+mod sheet;
 mod staging;
 mod strangers;
 mod stretched;

@@ -5,7 +5,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 use super::terminal::width;
 use super::{
     LookChoice, Status, accuracy, check, completions, convert, crosscheck, explain, fmt, help,
-    join, lsp, plan, probe, render, usage,
+    join, lsp, plan, probe, render, sheet, usage,
 };
 use crate::{allocator, parallel};
 
@@ -27,6 +27,7 @@ Examples:
   zpg accuracy scene.zpg    what each step of accuracy costs in time
   zpg convert scene.zpg --to pov -o scene.pov
   zpg crosscheck scene.zpg --with povray
+  zpg sheet pictures -o sheet.html
   zpg probe scene.zpg --ray \"0 0 9  0 0 -1\"
   zpg explain E101          what a finding means and how to fix it
   zpg explain checkerboard  what a record type means and how it is written"
@@ -51,6 +52,7 @@ pub enum Command {
     Probe(Box<probe::Args>),
     Plan(plan::Args),
     Accuracy(accuracy::Args),
+    Sheet(sheet::Args),
     #[command(alias = "rule")]
     Explain(explain::Args),
     Lsp(lsp::Args),
@@ -89,6 +91,7 @@ pub fn run() -> Status {
         Command::Probe(args) => probe::run(args, cli.look),
         Command::Plan(args) => plan::run(args, cli.look),
         Command::Accuracy(args) => accuracy::run(args, cli.look),
+        Command::Sheet(args) => sheet::run(args, cli.look),
         Command::Explain(args) => explain::run(args, cli.look),
         Command::Lsp(args) => lsp::run(args, cli.look),
         Command::Completions(args) => completions::run(args, Cli::command(), cli.look),

@@ -87,6 +87,7 @@ help-zpg = Nástroje pro scény v jazyce ZPG
           zpg accuracy scena.zpg    kolik času stojí přesnost
           zpg convert scena.zpg --to pov -o scena.pov
           zpg crosscheck scena.zpg --with povray
+          zpg sheet obrazky -o prehled.html
           zpg probe scena.zpg --ray "0 0 9  0 0 -1"
           zpg explain E101          co nález znamená a jak chybu opravit
           zpg explain koule         co typ záznamu znamená a jak se zapisuje
@@ -220,6 +221,36 @@ help-convert-tolerance = O kolik se smějí sítě odchýlit od zakřivených pl
 help-convert-verbose = Vyjmenuje i vlastnosti, které jsou převedeny přesně
 help-convert-report = Zapíše zprávu o věrnosti převodu také jako JSON; `-` je standardní výstup
     .value = SOUBOR.json
+
+## zpg sheet
+
+help-sheet = Sestaví ze všech obrázků ve složce jeden přehled
+    .after =
+        Přehled ukazuje každý obrázek ze složky SLOŽKA a jejích podsložek (.png, .jpg, .webp, .exr, .pfm) s jeho jménem
+        a velikostí, seřazené podle jmen. Pixel náhledu je průměr toho, co pokrývá, v lineárním světle; malé obrázky se
+        nezvětšují. Skryté soubory a dřívější přehledy se vynechávají.
+
+        Je-li ve složce soubor findings.json, který zapisuje `zpg check --format json`, uvádí se u každého obrázku počet
+        chyb a varování scény stejného jména a na stránce HTML i samotné nálezy. Scéna bez obrázku má vlastní rámeček.
+        Obrázek patří ke scéně ve stejné podsložce nebo k jediné scéně svého jména. JMÉNO_left, JMÉNO_right a JMÉNO.0001
+        patří ke scéně JMÉNO.
+
+        Obrázek, který nelze přečíst, má rámeček s důvodem. Návratový kód je pak 2, jinak 0; nálezy ho nemění.
+
+        Příklady:
+          zpg sheet obrazky -o prehled.png
+          zpg sheet obrazky -o prehled.html --size 320x240
+          zpg render odevzdane/ -o obrazky/
+          zpg check --format json odevzdane/ > obrazky/findings.json
+          zpg sheet obrazky -o prehled.html       co kdo nakreslil a co je v jeho scéně špatně
+help-sheet-folder = Složka s obrázky
+    .value = SLOŽKA
+help-sheet-output = Přehled: obrázek (.png) nebo stránka (.html); `-` je PNG na standardním výstupu
+    .value = SOUBOR
+help-sheet-columns = Kolik obrázků nejvýše je v řádku [výchozí: kolik se hodí]
+    .value = N
+help-sheet-size = Největší velikost náhledu v pixelech, od 32x32 do 1024x1024
+    .value = ŠxV
 
 ## zpg crosscheck
 

@@ -35,6 +35,7 @@ pub mod probe;
 pub mod render;
 mod rewrite;
 pub mod settings;
+pub mod sheet;
 pub mod size;
 mod spare;
 pub mod terminal;

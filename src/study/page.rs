@@ -22,7 +22,8 @@ pub const VARIABLES: &str = "\
 
 /// What the parts look like that all pages have.
 const STYLE: &str = "\
-*{box-sizing:border-box;min-width:0}body{margin:0;background:var(--bg);color:var(--fg);font:15px/1.5 system-ui,'DejaVu Sans',sans-serif}
+*{box-sizing:border-box;min-width:0}
+body{margin:0;background:var(--bg);color:var(--fg);font:15px/1.5 system-ui,'DejaVu Sans',sans-serif}
 .mut{color:var(--mut)}.small{font-size:13px}
 ";
 
@@ -30,9 +31,9 @@ const STYLE: &str = "\
 pub fn head(language: Language, title: &str, style: &str) -> String {
     let tag = language.tag();
     format!(
-        "<!doctype html>\n<html lang=\"{tag}\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">\
-         <meta name=\"color-scheme\" content=\"light dark\"><title>{title}</title>\n<style>\n{VARIABLES}{STYLE}{style}</style></head>\
-         <body><main>"
+        "<!doctype html>\n<html lang=\"{tag}\"><head><meta charset=\"utf-8\">\
+         <meta name=\"viewport\" content=\"width=device-width\"><meta name=\"color-scheme\" content=\"light dark\">\
+         <title>{title}</title>\n<style>\n{VARIABLES}{STYLE}{style}</style></head><body><main>"
     )
 }
 

@@ -38,6 +38,27 @@ crosscheck-legend-left-out = vynecháno
 crosscheck-differs = LIŠÍ SE
 crosscheck-cannot = NELZE POROVNAT
 crosscheck-folder = Obrázky a čísla jsou ve složce { $folder }
+
+## zpg sheet
+
+sheet-pictures = { $count ->
+    [one] { $count } obrázek
+    [few] { $count } obrázky
+   *[other] { $count } obrázků
+}
+sheet-clean = bez chyb a varování
+sheet-no-picture = obrázek chybí
+sheet-errors = { $count ->
+    [one] { $count } chyba, proto obrázek chybí
+    [few] { $count } chyby, proto obrázek chybí
+   *[other] { $count } chyb, proto obrázek chybí
+}
+sheet-unreadable = obrázek nelze přečíst: { $reason }
+sheet-more = { $count ->
+    [one] a { $count } další
+    [few] a { $count } další
+   *[other] a { $count } dalších
+}
 crosscheck-off-silhouettes = mimo obrysy
 crosscheck-on-silhouettes = na obrysech
 crosscheck-off-edges = mimo hrany

@@ -38,6 +38,21 @@ crosscheck-legend-left-out = left out
 crosscheck-differs = DIFFERS
 crosscheck-cannot = CANNOT BE COMPARED
 crosscheck-folder = Pictures and numbers are in { $folder }
+
+## zpg sheet
+
+sheet-pictures = { $count ->
+    [one] { $count } picture
+   *[other] { $count } pictures
+}
+sheet-clean = no errors or warnings
+sheet-no-picture = no picture
+sheet-errors = { $count ->
+    [one] { $count } error, so there is no picture
+   *[other] { $count } errors, so there is no picture
+}
+sheet-unreadable = cannot be read: { $reason }
+sheet-more = { $count } more
 crosscheck-off-silhouettes = off silhouettes
 crosscheck-on-silhouettes = on silhouettes
 crosscheck-off-edges = off edges

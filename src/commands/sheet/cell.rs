@@ -1,0 +1,74 @@
+//! What is said in a box of a sheet.
+
+use super::average::Thumbnail;
+use super::entry::Entry;
+use super::findings::Counts;
+use crate::diagnostics::{Complaint, Language, Value};
+
+/// A box of the sheet, whose picture has been read.
+pub struct Cell<'e> {
+    pub entry: &'e Entry<'e>,
+    /// The picture, or why there is none.
+    pub picture: Result<Thumbnail, Complaint>,
+}
+
+/// What is said of the whole sheet.
+pub struct Heading {
+    pub folder: String,
+    pub pictures: usize,
+    /// Of all scenes, if there are findings.
+    pub counts: Option<Counts>,
+}
+
+impl Cell<'_> {
+    /// `640 × 480`.
+    pub fn size(&self) -> Option<String> {
+        let [width, height] = self.picture.as_ref().ok()?.original;
+        Some(format!("{width} × {height}"))
+    }
+
+    /// Errors and warnings of the scene, if there is one.
+    pub fn counts(&self) -> Option<Counts> {
+        self.entry.scene.map(|scene| scene.counts())
+    }
+
+    /// What stands in place of the picture.
+    pub fn reason(&self, language: Language) -> Option<String> {
+        let why = self.picture.as_ref().err()?;
+        Some(match self.entry.picture {
+            Some(_) => {
+                let cannot = Complaint::new("sheet-unreadable").with("reason", why.clone());
+                cannot.wording(language)
+            }
+            None => why.wording(language),
+        })
+    }
+}
+
+/// Why there is no picture of a scene.
+pub fn without_picture(counts: Counts) -> Complaint {
+    match counts.errors {
+        0 => Complaint::new("sheet-no-picture"),
+        errors => Complaint::new("sheet-errors").with("count", Value::Count(errors)),
+    }
+}
+
+impl Heading {
+    /// In one line.
+    pub fn line(&self, language: Language) -> String {
+        let pictures = [("count", Value::Count(self.pictures as u64))];
+        let pictures = language.say("sheet-pictures", &pictures);
+        let found = self.counts.map(|counts| words(counts, language));
+        let parts: Vec<String> = [Some(pictures), found].into_iter().flatten().collect();
+        format!("{}: {}", self.folder, parts.join(", "))
+    }
+}
+
+/// How many errors and warnings there are, or that there is none.
+pub fn words(counts: Counts, language: Language) -> String {
+    let parts: Vec<String> = counts.parts(language).into_iter().flatten().collect();
+    match parts.is_empty() {
+        true => language.say("sheet-clean", &[]),
+        false => parts.join(", "),
+    }
+}

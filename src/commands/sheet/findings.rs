@@ -1,0 +1,115 @@
+//! What `zpg check --format json` has found in scenes.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+
+use crate::analysis::file::unreadable;
+use crate::diagnostics::render::json::VERSION;
+use crate::diagnostics::{Complaint, Language, Value};
+
+/// What the file is called that a folder of pictures may have.
+pub const FILE: &str = "findings.json";
+
+/// Of all scenes.
+#[derive(Deserialize)]
+pub struct Findings {
+    version: u32,
+    #[serde(rename = "files")]
+    pub scenes: Vec<Scene>,
+}
+
+/// A scene and what was found in it, in the order of places.
+#[derive(Deserialize)]
+pub struct Scene {
+    pub path: PathBuf,
+    #[serde(rename = "diagnostics")]
+    pub findings: Vec<Finding>,
+}
+
+#[derive(Deserialize)]
+pub struct Finding {
+    pub code: String,
+    pub severity: String,
+    /// In English.
+    pub message: String,
+    pub span: Span,
+}
+
+#[derive(Deserialize)]
+pub struct Span {
+    pub start: Place,
+}
+
+#[derive(Deserialize)]
+pub struct Place {
+    pub line: u64,
+    pub column: u64,
+}
+
+/// How many errors and warnings there are.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Counts {
+    pub errors: u64,
+    pub warnings: u64,
+}
+
+impl Findings {
+    /// Those of a folder, if it has some.
+    pub fn of_folder(folder: &Path) -> Result<Option<Findings>, Complaint> {
+        let path = folder.join(FILE);
+        let bytes = match fs::read(&path) {
+            Ok(bytes) => bytes,
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(None),
+            Err(e) => return Err(unreadable(&path, Complaint::from(&e))),
+        };
+        let findings: Findings = serde_json::from_slice(&bytes).map_err(|e| {
+            Complaint::new("sheet-findings-broken")
+                .with("path", path.as_path())
+                .with("line", e.line().to_string())
+                .with("column", e.column().to_string())
+        })?;
+        match findings.version == VERSION {
+            true => Ok(Some(findings)),
+            false => Err(Complaint::new("sheet-findings-version")
+                .with("path", path.as_path())
+                .with("version", findings.version.to_string())),
+        }
+    }
+
+    pub fn counts(&self) -> Counts {
+        let all = self.scenes.iter().map(Scene::counts);
+        all.fold(Counts::default(), |a, b| Counts {
+            errors: a.errors + b.errors,
+            warnings: a.warnings + b.warnings,
+        })
+    }
+}
+
+impl Scene {
+    pub fn counts(&self) -> Counts {
+        let count = |severity: &str| {
+            let such = self.findings.iter().filter(|f| f.severity == severity);
+            such.count() as u64
+        };
+        Counts {
+            errors: count("error"),
+            warnings: count("warning"),
+        }
+    }
+}
+
+impl Counts {
+    /// The number of errors and that of warnings, each unless it is 0.
+    pub fn parts(self, language: Language) -> [Option<String>; 2] {
+        let part = |count: u64, message| {
+            (count > 0).then(|| language.say(message, &[("count", Value::Count(count))]))
+        };
+        [
+            part(self.errors, "tally-errors"),
+            part(self.warnings, "tally-warnings"),
+        ]
+    }
+}
