@@ -204,6 +204,31 @@ mod tests {
         }
     }
 
+    /// Whatever a file holds, it is a picture or it is refused.
+    #[test]
+    fn damaged_files_do_no_harm() {
+        let mut jpeg = Vec::new();
+        film().write_jpeg(&mut jpeg).unwrap();
+        let files = files().into_iter().chain([jpeg]);
+        let mut state = 1_u64;
+        let mut random = |n: usize| {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            (state >> 33) as usize % n
+        };
+        for file in files {
+            for _ in 0..300 {
+                let mut file = file.clone();
+                for _ in 0..=random(3) {
+                    let at = random(file.len());
+                    file[at] = [0, 1, 0x7f, 0x80, 0xff, random(256) as u8][random(6)];
+                }
+                let _ = read(&file);
+            }
+        }
+    }
+
     #[test]
     fn what_is_too_large_is_refused_at_once() {
         for size in ["1000000 1000000", "4294967295 1"] {
