@@ -208,7 +208,7 @@ fn findings_stand_with_their_scenes() {
         assert!(named.next().is_none(), "{name} twice");
         found
     };
-    assert!(figure("a/scene.png").contains("no errors or warnings"));
+    assert!(figure("a/scene.png").contains(">clean<"));
     let wrong = figure("b/scene.zpg");
     assert!(wrong.contains("1 error, so there is no picture") && !wrong.contains("<img"));
     let said = json["files"][1]["diagnostics"][0]["message"]

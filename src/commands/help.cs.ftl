@@ -242,7 +242,7 @@ help-sheet = Sestaví ze všech obrázků ve složce jeden přehled
           zpg sheet obrazky -o prehled.html --size 320x240
           zpg render odevzdane/ -o obrazky/
           zpg check --format json odevzdane/ > obrazky/findings.json
-          zpg sheet obrazky -o prehled.html       co kdo nakreslil a co je v jeho scéně špatně
+          zpg sheet obrazky -o prehled.html   co kdo nakreslil a s jakými chybami
 help-sheet-folder = Složka s obrázky
     .value = SLOŽKA
 help-sheet-output = Přehled: obrázek (.png) nebo stránka (.html); `-` je PNG na standardním výstupu

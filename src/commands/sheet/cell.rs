@@ -58,17 +58,21 @@ impl Heading {
     pub fn line(&self, language: Language) -> String {
         let pictures = [("count", Value::Count(self.pictures as u64))];
         let pictures = language.say("sheet-pictures", &pictures);
-        let found = self.counts.map(|counts| words(counts, language));
-        let parts: Vec<String> = [Some(pictures), found].into_iter().flatten().collect();
+        let mut parts = vec![pictures];
+        if let Some(counts) = self.counts {
+            parts.extend(counts.parts(language).into_iter().flatten());
+            if counts == Counts::default() {
+                parts.push(language.say("sheet-clean", &[]));
+            }
+        }
         format!("{}: {}", self.folder, parts.join(", "))
     }
 }
 
-/// How many errors and warnings there are, or that there is none.
-pub fn words(counts: Counts, language: Language) -> String {
-    let parts: Vec<String> = counts.parts(language).into_iter().flatten().collect();
-    match parts.is_empty() {
-        true => language.say("sheet-clean", &[]),
-        false => parts.join(", "),
+/// How many errors and warnings a scene has, or that it is clean.
+pub fn found(counts: Counts, language: Language) -> Vec<String> {
+    match counts == Counts::default() {
+        true => vec![language.say("sheet-scene-clean", &[])],
+        false => counts.parts(language).into_iter().flatten().collect(),
     }
 }

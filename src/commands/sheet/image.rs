@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, BufReader, Write};
 use std::path::Path;
 
-use super::cell::{Cell, words};
+use super::cell::{Cell, found};
 use crate::commands::canvas::{Canvas, Colour, LARGE, PAPER, SMALL, WHITE, letters};
 use crate::commands::size::Size;
 use crate::diagnostics::layout::wrapped;
@@ -155,7 +155,12 @@ fn draw(row: &mut Canvas, left: u32, size: Size, cell: &Cell, language: Language
             (0, _) => YELLOW,
             _ => RED,
         };
-        line(2, ink, &words(counts, language));
+        // Where not both have room, errors have.
+        let mut parts = found(counts, language);
+        while parts.len() > 1 && parts.join(", ").chars().count() > letters(&SMALL, width) {
+            parts.pop();
+        }
+        line(2, ink, &parts.join(", "));
     }
 }
 

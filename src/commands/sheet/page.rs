@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-use super::cell::{Cell, Heading, words};
+use super::cell::{Cell, Heading, found};
 use super::findings::{Counts, Finding};
 use crate::commands::size::Size;
 use crate::diagnostics::{Language, Value};
@@ -93,14 +93,14 @@ fn figure(cell: &Cell, language: Language) -> String {
     let size = cell.size().map_or(String::new(), |size| {
         format!("<div class=\"mut small\">{}</div>", escaped(&size))
     });
-    let found = cell.entry.scene.map_or(String::new(), |scene| {
-        found(scene.counts(), &scene.findings, language)
+    let listed = cell.entry.scene.map_or(String::new(), |scene| {
+        findings(scene.counts(), &scene.findings, language)
     });
-    format!("<figure>{shown}<figcaption><b>{name}</b>{size}{found}</figcaption></figure>")
+    format!("<figure>{shown}<figcaption><b>{name}</b>{size}{listed}</figcaption></figure>")
 }
 
 /// How much was found in a scene, and below it what.
-fn found(counts: Counts, findings: &[Finding], language: Language) -> String {
+fn findings(counts: Counts, findings: &[Finding], language: Language) -> String {
     let [errors, warnings] = counts.parts(language);
     let part = |class: &str, text: Option<String>| {
         text.map(|text| format!("<span class=\"{class}\">{}</span>", escaped(&text)))
@@ -110,7 +110,7 @@ fn found(counts: Counts, findings: &[Finding], language: Language) -> String {
     if summary.is_empty() {
         summary = format!(
             "<span class=\"mut\">{}</span>",
-            escaped(&words(counts, language))
+            escaped(&found(counts, language).concat())
         );
     }
     if findings.is_empty() {

@@ -47,6 +47,7 @@ sheet-pictures = { $count ->
    *[other] { $count } obrázků
 }
 sheet-clean = bez chyb a varování
+sheet-scene-clean = v pořádku
 sheet-no-picture = obrázek chybí
 sheet-errors = { $count ->
     [one] { $count } chyba, proto obrázek chybí

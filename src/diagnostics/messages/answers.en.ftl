@@ -46,6 +46,7 @@ sheet-pictures = { $count ->
    *[other] { $count } pictures
 }
 sheet-clean = no errors or warnings
+sheet-scene-clean = clean
 sheet-no-picture = no picture
 sheet-errors = { $count ->
     [one] { $count } error, so there is no picture
