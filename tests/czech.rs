@@ -95,7 +95,7 @@ fn is_czech(dir: &Path, arguments: &[&str], status: i32) -> String {
     said
 }
 
-const COMMANDS: [&str; 12] = [
+const COMMANDS: [&str; 14] = [
     "check",
     "fmt",
     "convert",
@@ -104,6 +104,8 @@ const COMMANDS: [&str; 12] = [
     "probe",
     "plan",
     "accuracy",
+    "farm",
+    "join",
     "sheet",
     "explain",
     "lsp",

@@ -4,7 +4,6 @@ use std::cell::Cell;
 use std::fs;
 use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
@@ -12,6 +11,7 @@ use std::time::Instant;
 use super::camera::{CameraArgs, one_camera};
 use super::draft::{self, try_folder, unwritable};
 use super::help;
+use super::seconds::Seconds;
 use super::size::Size;
 use super::terminal::{print, progress_bar, stop_on_interrupt, width};
 use super::{LookChoice, Status, complain, load_sound, refuse, usage};
@@ -114,31 +114,6 @@ impl From<AxisArg> for Axis {
             AxisArg::Solver => Axis::Solver,
             AxisArg::Tessellation => Axis::Tessellation,
             AxisArg::Levels => Axis::Levels,
-        }
-    }
-}
-
-/// A time: `90s`, `2m`, `1.5h`; a number alone is seconds.
-#[derive(Debug, Clone, Copy)]
-struct Seconds(f64);
-
-impl FromStr for Seconds {
-    type Err = Complaint;
-
-    fn from_str(text: &str) -> Result<Seconds, Complaint> {
-        let wrong = || Complaint::new("expected-time");
-        let text = text.trim();
-        let (number, unit) = match text.chars().last() {
-            Some('s') => (&text[..text.len() - 1], 1.0),
-            Some('m') => (&text[..text.len() - 1], 60.0),
-            Some('h') => (&text[..text.len() - 1], 3600.0),
-            _ => (text, 1.0),
-        };
-        let number: f64 = number.trim().parse().map_err(|_| wrong())?;
-        let seconds = number * unit;
-        match (1.0..=86_400.0).contains(&seconds) {
-            true => Ok(Seconds(seconds)),
-            false => Err(wrong()),
         }
     }
 }

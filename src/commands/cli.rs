@@ -4,8 +4,8 @@ use clap::{CommandFactory, Parser, Subcommand};
 
 use super::terminal::width;
 use super::{
-    LookChoice, Status, accuracy, check, completions, convert, crosscheck, explain, fmt, help,
-    join, lsp, plan, probe, render, sheet, usage,
+    LookChoice, Status, accuracy, check, completions, convert, crosscheck, explain, farm, fmt,
+    help, join, lsp, plan, probe, render, sheet, usage,
 };
 use crate::{allocator, parallel};
 
@@ -49,6 +49,7 @@ pub enum Command {
     Crosscheck(crosscheck::Args),
     Render(Box<render::Args>),
     Join(join::Args),
+    Farm(Box<farm::Args>),
     Probe(Box<probe::Args>),
     Plan(plan::Args),
     Accuracy(accuracy::Args),
@@ -87,6 +88,7 @@ pub fn run() -> Status {
         Command::Convert(args) => convert::run(args, cli.look),
         Command::Crosscheck(args) => crosscheck::run(args, cli.look),
         Command::Render(args) => render::run(args, cli.look),
+        Command::Farm(args) => farm::run(args, Cli::command(), cli.look),
         Command::Join(args) => join::run(args, cli.look),
         Command::Probe(args) => probe::run(args, cli.look),
         Command::Plan(args) => plan::run(args, cli.look),

@@ -298,6 +298,50 @@ help-crosscheck-program = Cesta k programu, pokud se nenajde podle jména (povra
     .value = CESTA
 help-crosscheck-json = Vypíše čísla jako JSON
 
+## Co mají příkazy, které popisují obrázek (render a farm)
+
+help-any-size = Šířka a výška v pixelech
+    .value = ŠxV
+help-any-quality = Jak hladké budou hrany [výchozí: draft]
+    .value = KVALITA
+    .draft = jeden vzorek v každém pixelu
+    .good = --adaptive 0.05: asi desetinásobek času, čtvrtina chyby
+    .final = --adaptive 0.01: asi dvacetinásobek času, desetina chyby
+help-any-samples = Počet vzorků v každém pixelu; jeden leží v jeho středu
+    .value = N
+help-any-adaptive = Přidává vzorky, nejvýše do 1024, dokud odhad chyby pixelu v lineárním RGB neklesne pod tuto mez
+    .value = MEZ
+help-any-exposure = Zesvětlí všechno tolikrát
+    .value = KOLIKRÁT
+help-any-depth = Kolikrát se smí paprsek odrazit nebo lomit
+    .value = N
+help-any-cutoff = Zanedbá paprsky, které váží méně než toto číslo; 0 nezanedbá nic [výchozí: 1/4096]
+    .value = VÁHA
+help-any-precision = Čísla, kterými se počítá od paprsku k tomu, co zasáhne
+    .value = ČÍSLA
+    .f32 = jednoduchá přesnost bez ověřování
+    .f64 = dvojitá přesnost; co nerozhodne, rozhodne dd
+    .dd = double-double, dvojice čísel dvojité přesnosti, asi 32 číslic
+help-any-crop = Vykreslí jen tuto část obrázku
+    .value = X,Y,Š,V
+help-any-stereo = Jak zapsat oba obrázky z dvojice kamer [výchozí: pair]
+    .value = JAK
+    .pair = dva soubory, JMÉNO_left a JMÉNO_right
+    .side-by-side = jeden obrázek, levý vedle pravého
+    .anaglyph = jeden obrázek pro červeno-azurové brýle
+help-any-frames = Vykreslí obrázek pro každý z těchto snímků: JMÉNO.0000.png a tak dále, nebo jeden .apng
+    .value = A-B
+help-any-set = Mění číslo od prvního snímku k poslednímu, například 9.fovy=30..60, 5.x[3]=1..2 nebo 5@7.x=0..4, kde 7 je řádek; jména vypíše `zpg explain`
+    .value = ID.PARAMETR=OD..DO
+help-any-frames_from = Vezme čísla z tabulky: sloupec pro každé číslo, se jménem v prvním řádku, a řádek pro každý snímek
+    .value = TABULKA.csv
+help-any-orbit = Otáčí kamerou, nebo oběma kamerami dvojice, kolem toho, na co se dívá; 360 stupňů dá smyčku
+    .value = ID,STUPNĚ
+help-any-only = Vykreslí jen tyto snímky
+    .value = I-J
+help-any-fps = Počet snímků za sekundu v .apng [výchozí: 25]
+    .value = N
+
 ## zpg render
 
 help-render = Vykreslí scény
@@ -328,50 +372,9 @@ help-render-paths = Scény jako záznamy nebo JSON, nebo složky se scénami; `-
 help-render-output = Kam obrázek zapsat: .png, .jpg, .webp, .exr nebo .pfm; `-` je standardní výstup. Nebo složka, nebo .apng ze snímků
     .value = VÝSTUP
 help-render-watch = Kreslí znovu, kdykoli se scéna nebo obrázek, který používá, změní
-help-render-quality = Jak hladké budou hrany [výchozí: draft]
-    .value = KVALITA
-    .draft = jeden vzorek v každém pixelu
-    .good = --adaptive 0.05: asi desetinásobek času, čtvrtina chyby
-    .final = --adaptive 0.01: asi dvacetinásobek času, desetina chyby
-help-render-exposure = Zesvětlí všechno tolikrát
-    .value = KOLIKRÁT
-help-render-size = Šířka a výška v pixelech
-    .value = ŠxV
-help-render-samples = Počet vzorků v každém pixelu; jeden leží v jeho středu
-    .value = N
-help-render-adaptive = Přidává vzorky, nejvýše do 1024, dokud odhad chyby pixelu v lineárním RGB neklesne pod tuto mez
-    .value = MEZ
-help-render-depth = Kolikrát se smí paprsek odrazit nebo lomit
-    .value = N
-help-render-cutoff = Zanedbá paprsky, které váží méně než toto číslo; 0 nezanedbá nic [výchozí: 1/4096]
-    .value = VÁHA
-help-render-precision = Čísla, kterými se počítá od paprsku k tomu, co zasáhne
-    .value = ČÍSLA
-    .f32 = jednoduchá přesnost bez ověřování
-    .f64 = dvojitá přesnost; co nerozhodne, rozhodne dd
-    .dd = double-double, dvojice čísel dvojité přesnosti, asi 32 číslic
-help-render-crop = Vykreslí jen tuto část obrázku
-    .value = X,Y,Š,V
 help-render-tile = Vykreslí jen tento díl, pás řádků, například 3/8 nebo 3-5/8; díly spojí `zpg join`
     .value = I/N
 help-render-resume = Přeskočí, co už je vykresleno, a pokračuje v tom, co zbylo po přerušení
-help-render-stereo = Jak zapsat oba obrázky z dvojice kamer [výchozí: pair]
-    .value = JAK
-    .pair = dva soubory, JMÉNO_left a JMÉNO_right
-    .side-by-side = jeden obrázek, levý vedle pravého
-    .anaglyph = jeden obrázek pro červeno-azurové brýle
-help-render-frames = Vykreslí obrázek pro každý z těchto snímků: JMÉNO.0000.png a tak dále, nebo jeden .apng
-    .value = A-B
-help-render-set = Mění číslo od prvního snímku k poslednímu, například 9.fovy=30..60, 5.x[3]=1..2 nebo 5@7.x=0..4, kde 7 je řádek; jména vypíše `zpg explain`
-    .value = ID.PARAMETR=OD..DO
-help-render-frames_from = Vezme čísla z tabulky: sloupec pro každé číslo, se jménem v prvním řádku, a řádek pro každý snímek
-    .value = TABULKA.csv
-help-render-orbit = Otáčí kamerou, nebo oběma kamerami dvojice, kolem toho, na co se dívá; 360 stupňů dá smyčku
-    .value = ID,STUPNĚ
-help-render-only = Vykreslí jen tyto snímky
-    .value = I-J
-help-render-fps = Počet snímků za sekundu v .apng [výchozí: 25]
-    .value = N
 help-render-threads = Počet pracovních vláken; 0 znamená tolik, kolik je procesorů. Nejvýše čtyřikrát tolik
     .value = N
 help-render-stats = Zapíše do souboru jako JSON, co vykreslení stálo: časy, paprsky, testy, práci jednotlivých efektů; `-` je standardní výstup
@@ -379,6 +382,41 @@ help-render-stats = Zapíše do souboru jako JSON, co vykreslení stálo: časy,
 help-render-cost = Vypíše, co vykreslení stálo: paprsky, čas, nejdražší objekty a efekty
 help-render-heatmap = Zapíše mapu nákladů: v nepravých barvách, kolik testů průsečíků připadlo na každý pixel
     .value = VÝSTUP.png
+
+## zpg farm
+
+help-farm = Zapíše úlohu, která vykreslí obrázky na mnoha počítačích
+    .after =
+        Úloha je složka se scénami a jejich texturami, se skripty, které kreslí a spojují, s tím, co čte plánovač, a se
+        souborem README, který říká, jak ji spustit. Nic v ní se netýká tohoto počítače. Velký obrázek se rozdělí na pásy
+        řádků, tolik, aby každý na --cores procesorech trval asi --tile-time; zjistí to několik vteřin kreslení. Co je
+        hotové, se nekreslí znovu, a obrázky mají tytéž bajty, jaké zapíše jeden počítač. Z několika scén se ty s chybami
+        nevykreslí a na konci vznikne přehled všech obrázků s tím, co je ve scénách špatně. Všechny volby, které určují,
+        jak obrázek vypadá, jsou volby příkazu `zpg render`.
+
+        Příklady:
+          zpg farm scena.zpg --size 8000x6000 --quality final -o uloha --for slurm
+          zpg farm scena.zpg --frames 0-599 --orbit 9,360 -o uloha --for openjd
+          zpg farm prace -o uloha --for shell
+help-farm-paths = Scény jako záznamy nebo JSON, nebo složky se scénami
+    .value = CESTA
+help-farm-output = Složka úlohy; vytvoří se
+    .value = ÚLOHA
+help-farm-engine = Co úlohu spustí
+    .value = PLÁNOVAČ
+    .openjd = Open Job Description: job.yaml, pro renderovací farmy a `openjd run`
+    .slurm = Slurm: pole úloh, které kreslí, a úloha, která spojuje
+    .shell = make, na jednom počítači
+help-farm-tiles = Počet pásů každého obrázku [výchozí: podle --tile-time]
+    .value = N
+help-farm-tile_time = Jak dlouho má trvat jedna dílčí úloha
+    .value = ČAS
+help-farm-cores = Počet procesorů dílčí úlohy
+    .value = N
+help-farm-format = Formát obrázků
+    .value = FORMÁT
+    .png = osmibitové sRGB
+    .exr = lineární neoříznutá 32bitová čísla
 
 ## zpg join
 

@@ -3,33 +3,30 @@
 mod animation;
 mod cost;
 mod fingerprint;
-mod frames;
+pub mod frames;
 mod notes;
+pub mod options;
 mod output;
 mod picture;
-mod stats;
+pub mod stats;
 mod tile;
 mod unfinished;
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use super::camera::CameraArgs;
-use super::frames::FrameArgs;
 use super::help;
 use super::memory::{self, Memory};
 use super::paths::{self, is_stdout};
-use super::size::Size;
 use super::terminal::{self, stop_on_interrupt, tell};
 use super::{LookChoice, Status, complain, load_sound, refuse, usage, watch};
 use crate::analysis::config::Configs;
 use crate::diagnostics::Complaint;
 use crate::parallel;
-use crate::trace::{Crop, Numbers};
+use options::PictureArgs;
 use output::places;
 use tile::Tile;
 
@@ -67,57 +64,11 @@ pub struct Args {
     output: Option<PathBuf>,
 
     /// Draw again whenever the scene, or a picture that it names, changes
-    #[arg(short, long)]
+    #[arg(short, long, conflicts_with_all = ["frames", "frames_from"])]
     watch: bool,
 
-    /// Width and height in pixels
-    #[arg(help_heading = help::PICTURE)]
-    #[arg(
-        long,
-        value_name = "WxH",
-        default_value = "640x480",
-        allow_hyphen_values = true
-    )]
-    size: Size,
-
-    /// How smooth edges are [default: draft]
-    #[arg(help_heading = help::ACCURACY)]
-    #[arg(long, value_enum, value_name = "QUALITY", conflicts_with_all = ["samples", "adaptive"])]
-    quality: Option<Quality>,
-
-    /// Samples in each pixel; one lies in its centre
-    #[arg(help_heading = help::ACCURACY)]
-    #[arg(long, value_name = "N", value_parser = samples, allow_negative_numbers = true)]
-    samples: Option<u32>,
-
-    /// Up to 1024 samples, until a pixel's estimated error in linear RGB is below this
-    #[arg(help_heading = help::ACCURACY)]
-    #[arg(long, value_name = "TOL", value_parser = tolerance, allow_negative_numbers = true, conflicts_with = "samples")]
-    adaptive: Option<f64>,
-
-    /// Make everything so many times as bright
-    #[arg(long, value_name = "TIMES", value_parser = exposure, allow_negative_numbers = true)]
-    exposure: Option<f64>,
-
-    /// How often a ray may be reflected or refracted
-    #[arg(help_heading = help::ACCURACY)]
-    #[arg(long, value_name = "N", default_value_t = 10, value_parser = usage::whole::<u32>, allow_negative_numbers = true)]
-    depth: u32,
-
-    /// Leave out what counts for less than this; 0 leaves out nothing [default: 1/4096]
-    #[arg(help_heading = help::ACCURACY)]
-    #[arg(long, value_name = "W", value_parser = cutoff, allow_negative_numbers = true)]
-    cutoff: Option<f64>,
-
-    /// The numbers to compute with between a ray and what it hits
-    #[arg(help_heading = help::ACCURACY)]
-    #[arg(long, value_enum, default_value = "f64")]
-    precision: Numbers,
-
-    /// Draw this part of the picture only
-    #[arg(help_heading = help::PICTURE)]
-    #[arg(long, value_name = "X,Y,W,H", allow_hyphen_values = true)]
-    crop: Option<CropArg>,
+    #[command(flatten)]
+    picture: PictureArgs,
 
     /// Draw this band of rows only, such as 3/8 or 3-5/8; `zpg join` puts bands together
     #[arg(help_heading = help::MACHINES)]
@@ -129,17 +80,6 @@ pub struct Args {
     #[arg(long, conflicts_with_all = ["watch", "heatmap", "cost", "stats"])]
     resume: bool,
 
-    #[command(flatten)]
-    camera: CameraArgs,
-
-    #[command(flatten)]
-    frames: FrameArgs,
-
-    /// How the two pictures of a stereo camera are put [default: pair]
-    #[arg(help_heading = help::PICTURE)]
-    #[arg(long, value_enum)]
-    stereo: Option<Stereo>,
-
     /// Threads to work with; 0: as many as there are processors. At most four times as many
     #[arg(help_heading = help::LIMITS)]
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = usage::whole::<usize>, allow_negative_numbers = true)]
@@ -150,82 +90,18 @@ pub struct Args {
 
     /// Write what it has cost to this file, as JSON: times, rays, tests, the work of each effect; `-` is standard output
     #[arg(help_heading = help::REPORTS)]
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["frames", "frames_from"])]
     stats: Option<PathBuf>,
 
     /// Print what it has cost and where: rays, time, the dearest objects and effects
     #[arg(help_heading = help::REPORTS)]
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["frames", "frames_from"])]
     cost: bool,
 
     /// Draw how many intersection tests each pixel took, in false colours
     #[arg(help_heading = help::REPORTS)]
-    #[arg(long, value_name = "OUT.png")]
+    #[arg(long, value_name = "OUT.png", conflicts_with_all = ["frames", "frames_from"])]
     heatmap: Option<PathBuf>,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
-enum Stereo {
-    /// Two files, NAME_left and NAME_right
-    #[default]
-    Pair,
-    /// One picture, left beside right
-    SideBySide,
-    /// One picture for red and cyan glasses
-    Anaglyph,
-}
-
-/// Points on the front of time and error, as `zpg accuracy` measures it; see `scenes/accuracy`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
-enum Quality {
-    /// One sample in each pixel
-    #[default]
-    Draft,
-    /// --adaptive 0.05: about ten times the time, a quarter of the error
-    Good,
-    /// --adaptive 0.01: about twenty times the time, a tenth of the error
-    Final,
-}
-
-/// How many samples a pixel takes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Sampling {
-    Fixed(u32),
-    Adaptive(f64),
-}
-
-impl Quality {
-    fn sampling(self) -> Sampling {
-        match self {
-            Quality::Draft => Sampling::Fixed(1),
-            Quality::Good => Sampling::Adaptive(0.05),
-            Quality::Final => Sampling::Adaptive(0.01),
-        }
-    }
-}
-
-#[derive(Debug, Clone, Copy)]
-struct CropArg(Crop);
-
-impl FromStr for CropArg {
-    type Err = Complaint;
-
-    fn from_str(s: &str) -> Result<CropArg, Complaint> {
-        let numbers: Result<Vec<u32>, _> = s.split(',').map(|n| n.trim().parse()).collect();
-        match numbers.as_deref() {
-            Ok(&[x, y, width, height]) if width > 0 && height > 0 => Ok(CropArg(Crop {
-                x,
-                y,
-                width,
-                height,
-            })),
-            _ => Err(Complaint::new("expected-crop")),
-        }
-    }
-}
-
-fn samples(text: &str) -> Result<u32, Complaint> {
-    usage::number(text, "expected-samples", |n| (1..=1_048_576).contains(&n))
 }
 
 impl Args {
@@ -235,35 +111,6 @@ impl Args {
         let named = all.into_iter().flatten();
         named.filter(|path| is_stdout(path)).count()
     }
-
-    fn sampling(&self) -> Sampling {
-        match (self.samples, self.adaptive) {
-            (Some(samples), _) => Sampling::Fixed(samples),
-            (None, Some(tolerance)) => Sampling::Adaptive(tolerance),
-            (None, None) => self.quality.unwrap_or_default().sampling(),
-        }
-    }
-}
-
-/// A number from 0 to 1, or a fraction as `--help` has it.
-fn cutoff(text: &str) -> Result<f64, Complaint> {
-    let number = |text: &str| usage::number(text, "expected-cutoff", |x: f64| x >= 0.0);
-    let value = match text.split_once('/') {
-        Some((part, whole)) => number(part)? / number(whole)?,
-        None => number(text)?,
-    };
-    match (0.0..=1.0).contains(&value) {
-        true => Ok(value),
-        false => Err(Complaint::new("expected-cutoff")),
-    }
-}
-
-fn tolerance(text: &str) -> Result<f64, Complaint> {
-    usage::number(text, "expected-tolerance", |x| x > 0.0 && x <= 1.0)
-}
-
-fn exposure(text: &str) -> Result<f64, Complaint> {
-    usage::number(text, "expected-exposure", |x: f64| x > 0.0 && x.is_finite())
 }
 
 /// A scene, and where its picture goes.
@@ -290,7 +137,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         let Some(jobs) = jobs(args, look) else {
             return Status::Failure;
         };
-        if args.frames.are_given() {
+        if args.picture.frames.are_given() {
             return frames::run(args, &jobs, &stop, look);
         }
         drawn.replace(jobs.iter().map(|job| job.picture.clone()).collect());

@@ -25,6 +25,7 @@ use super::terminal::{progress_bar, stop_on_interrupt, tell};
 use super::{LookChoice, Status, complain, usage};
 use crate::analysis::file::unreadable;
 use crate::diagnostics::Complaint;
+use crate::picture_files;
 
 /// Put all pictures of a folder on one sheet
 #[derive(Debug, clap::Args)]
@@ -216,10 +217,14 @@ fn pictures_in(
     Ok(pictures)
 }
 
+/// Whether a file is a whole picture, and no earlier sheet.
 fn is_picture(path: &Path) -> bool {
     let ending = path.extension().unwrap_or_default();
     let mut endings = picture::ENDINGS.iter();
-    endings.any(|e| ending.eq_ignore_ascii_case(e)) && path.is_file() && !image::is_sheet(path)
+    endings.any(|e| ending.eq_ignore_ascii_case(e))
+        && path.is_file()
+        && !image::is_sheet(path)
+        && !picture_files::is_part(path)
 }
 
 /// Refuses to write over a picture of the sheet.

@@ -8,6 +8,7 @@ pub mod read;
 mod write;
 
 pub use origin::Origin;
+pub use read::is_part;
 pub use write::write;
 
 use std::path::Path;

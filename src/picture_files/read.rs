@@ -50,6 +50,11 @@ pub fn open(path: &Path) -> Result<Rows, Complaint> {
     opened.map_err(|fault| fault.complaint(path))
 }
 
+/// Whether a file is a picture of which some rows are missing.
+pub fn is_part(path: &Path) -> bool {
+    open(path).is_ok_and(|rows| !rows.origin.is_whole())
+}
+
 /// Why a file is not read.
 enum Fault {
     /// Its origin is not said.

@@ -4,7 +4,7 @@ mod motion;
 mod table;
 
 use std::fmt::Display;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use super::help;
@@ -23,7 +23,6 @@ pub struct FrameArgs {
     /// Draw a picture for each of these frames: NAME.0000.png and so on, or one .apng
     #[arg(help_heading = help::FRAMES)]
     #[arg(long, value_name = "A-B")]
-    #[arg(conflicts_with_all = ["watch", "heatmap", "stats", "cost"])]
     frames: Option<Range>,
 
     /// Let a number vary from the first frame to the last, as in 9.fovy=30..60, 5.x[3]=1..2 or 5@7.x=0..4, where
@@ -35,7 +34,6 @@ pub struct FrameArgs {
     /// Take numbers from a table: a column for each, which its first row names, and a row for each frame
     #[arg(help_heading = help::FRAMES)]
     #[arg(long, value_name = "TABLE.csv")]
-    #[arg(conflicts_with_all = ["watch", "heatmap", "stats", "cost"])]
     frames_from: Option<PathBuf>,
 
     /// Turn a camera, or the two of a stereo camera, around what it looks at; 360 degrees make a loop
@@ -148,6 +146,11 @@ impl FrameArgs {
     /// Whether frames are asked for, and not one picture.
     pub fn are_given(&self) -> bool {
         self.frames.is_some() || self.frames_from.is_some()
+    }
+
+    /// The table that numbers come from.
+    pub fn table(&self) -> Option<&Path> {
+        self.frames_from.as_deref()
     }
 
     /// Whether it was said how many frames a second there are.

@@ -6,7 +6,8 @@ use std::path::Path;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use super::{Args, Sampling, Stereo};
+use super::Args;
+use super::options::{Sampling, Stereo};
 use crate::scene::Scene;
 use crate::trace::{Images, Settings};
 use crate::translate::json;
@@ -77,22 +78,25 @@ struct Options {
 
 /// A hash of the options, however they are written; the band of rows is none of them.
 pub fn of_settings(args: &Args, settings: &Settings, content: Content) -> String {
-    let (samples, tolerance) = match args.sampling() {
+    let (samples, tolerance) = match args.picture.sampling() {
         Sampling::Fixed(samples) => (Some(samples), None),
         Sampling::Adaptive(tolerance) => (None, Some(tolerance)),
     };
     let is_finished = !matches!(content, Content::Rows(_));
-    let stereo = args.stereo.unwrap_or_default();
+    let stereo = args.picture.stereo.unwrap_or_default();
     let options = Options {
         content,
         size: [settings.width, settings.height],
-        crop: args.crop.map(|c| [c.0.x, c.0.y, c.0.width, c.0.height]),
+        crop: args
+            .picture
+            .crop
+            .map(|c| [c.0.x, c.0.y, c.0.width, c.0.height]),
         samples,
         tolerance,
         depth: settings.depth,
         cutoff: settings.cutoff,
         numbers: settings.numbers.name(),
-        exposure: args.exposure.filter(|_| is_finished),
+        exposure: args.picture.exposure.filter(|_| is_finished),
         stereo: is_finished.then_some(match stereo {
             Stereo::Pair => "pair",
             Stereo::SideBySide => "side-by-side",

@@ -32,7 +32,7 @@ fn is_animated(path: &Path) -> bool {
 
 /// Makes sure that the options about frames go together, before anything is read.
 pub fn check(args: &Args, is_one: bool) -> Result<(), Complaint> {
-    let frames = &args.frames;
+    let frames = &args.picture.frames;
     frames.check()?;
     let Some(output) = args.output.as_deref().filter(|path| !path.is_dir()) else {
         return Ok(());
@@ -52,7 +52,7 @@ pub fn check(args: &Args, is_one: bool) -> Result<(), Complaint> {
 /// How ffmpeg makes a film of frames.
 fn by_ffmpeg(args: &Args, film: &Path) -> Complaint {
     let stem = film.file_stem().unwrap_or_default().to_string_lossy();
-    let (fps, first) = (args.frames.fps(), args.frames.first());
+    let (fps, first) = (args.picture.frames.fps(), args.picture.frames.first());
     let start = match first {
         0 => String::new(),
         _ => format!(" -start_number {first}"),
@@ -72,7 +72,7 @@ fn by_ffmpeg(args: &Args, film: &Path) -> Complaint {
 }
 
 /// Draws the frames of scenes. All of them are looked at before the first one is drawn.
-pub fn run(args: &Args, jobs: &[Job], stop: &Arc<AtomicBool>, look: LookChoice) -> Status {
+pub(super) fn run(args: &Args, jobs: &[Job], stop: &Arc<AtomicBool>, look: LookChoice) -> Status {
     let mut all = Vec::new();
     for job in jobs {
         match prepared(args, job, stop, look) {
@@ -115,9 +115,12 @@ fn prepared(args: &Args, job: &Job, stop: &AtomicBool, look: LookChoice) -> Resu
         return Err(Status::Failure);
     }
     let loaded = load_sound(&job.scene, look)?;
-    let frames = Frames::of(&args.frames, &loaded).and_then(|frames| {
+    let frames = Frames::of(&args.picture.frames, &loaded).and_then(|frames| {
         writable(args, job, &loaded, &frames)?;
-        let staged = args.camera.staged(&loaded.scene, args.size)?;
+        let staged = args
+            .picture
+            .camera
+            .staged(&loaded.scene, args.picture.size)?;
         // That of --view has no ID.
         let cameras = staged.chosen_cameras().filter(|camera| camera.id > 0);
         for camera in cameras.filter(|camera| frames.leaves_behind(camera)) {
@@ -127,11 +130,22 @@ fn prepared(args: &Args, job: &Job, stop: &AtomicBool, look: LookChoice) -> Resu
         Ok(frames)
     });
     let frames = frames.map_err(|error| refuse(&loaded, error, look))?;
+    check_each(&frames, &loaded, stop, look)?;
+    Ok(frames)
+}
+
+/// Makes sure that the scene of each frame is sound. What is wrong with one has been said.
+pub fn check_each(
+    frames: &Frames,
+    loaded: &Analysis,
+    stop: &AtomicBool,
+    look: LookChoice,
+) -> Result<(), Status> {
     for frame in frames.drawn() {
         if stop.load(Ordering::Relaxed) {
             return Err(Status::Interrupted);
         }
-        match frames.checked(&loaded, frame) {
+        match frames.checked(loaded, frame) {
             Ok(scene) if scene.is_sound() => {}
             Ok(scene) => {
                 complain(look, &about("frame-has-errors", frame));
@@ -146,7 +160,7 @@ fn prepared(args: &Args, job: &Job, stop: &AtomicBool, look: LookChoice) -> Resu
             }
         }
     }
-    Ok(frames)
+    Ok(())
 }
 
 fn about(message: &'static str, frame: u32) -> Complaint {
@@ -265,7 +279,7 @@ fn animate(
     };
     let mut said = String::new();
     for (path, pictures) in parts {
-        let size = animation::write(&path, &pictures, args.frames.fps()).map_err(failed)?;
+        let size = animation::write(&path, &pictures, args.picture.frames.fps()).map_err(failed)?;
         let wrote = Complaint::new("wrote-animation")
             .with("path", path.as_path())
             .with("frames", Value::Count(frames.count().into()))

@@ -26,7 +26,7 @@ pub fn say(
     if look.quiet {
         return;
     }
-    if scene.view == View::Automatic && !args.camera.is_given() {
+    if scene.view == View::Automatic && !args.picture.camera.is_given() {
         note(look, &Complaint::new("note-no-camera"));
     }
     if is_dark(scene) {

@@ -7,15 +7,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use super::fingerprint::{self, Content};
+use super::options::{Stereo, bytes_of_pixels};
 use super::output::{Output, left_and_right, unfinished};
 use super::stats::{Samples, Seconds, Stats, peak_memory, write_stats};
 use super::unfinished::Unfinished;
-use super::{Args, Job, Sampling, Stereo, cost, notes};
+use super::{Args, Job, cost, notes};
 use crate::analysis::Analysis;
 use crate::commands::LookChoice;
 use crate::commands::draft::try_file;
 use crate::commands::paths::is_stdout;
-use crate::commands::size::Size;
 use crate::commands::spare::spare;
 use crate::commands::terminal::{complain, note, progress_bar, tell};
 use crate::diagnostics::{Complaint, Error, Span};
@@ -26,13 +26,6 @@ use crate::trace::plan::Plan;
 use crate::trace::stats::Counts;
 use crate::trace::{CostMap, Crop, Film, Images, Numbers, Picture, Settings, Tracer};
 
-/// What a pixel takes until it is in a file, with one sample in it or many.
-const PIXEL_BYTES: f64 = 96.0;
-const ADAPTIVE_PIXEL_BYTES: f64 = 240.0;
-
-/// Pictures of more pixels than this would need more memory than a machine can be taken to have.
-const MAX_PIXELS: u64 = 1 << 28;
-
 /// Draws, and says what was written and, if that is asked, what it has cost.
 pub fn draw(
     args: &Args,
@@ -41,12 +34,15 @@ pub fn draw(
     stop: &Arc<AtomicBool>,
     look: LookChoice,
 ) -> Result<String, Error> {
-    let staged = args.camera.staged(&loaded.scene, args.size)?;
+    let staged = args
+        .picture
+        .camera
+        .staged(&loaded.scene, args.picture.size)?;
     let scene = &*staged;
     let folder = loaded.source.folder().unwrap_or(Path::new("."));
     let settings = Settings {
         stop: Some(stop.clone()),
-        ..settings(args)?
+        ..args.picture.settings(args.tile)?
     };
     let cameras = cameras(args, scene)?;
     let [width, height] = drawn_size(&settings);
@@ -54,14 +50,11 @@ pub fn draw(
         Some(tile) => tile.rows(height)?,
         None => 0..height,
     };
-    let pixel = match args.sampling() {
-        Sampling::Fixed(_) => PIXEL_BYTES,
-        Sampling::Adaptive(_) => ADAPTIVE_PIXEL_BYTES,
-    };
+    let pixel = bytes_of_pixels(args.picture.sampling());
     let count = f64::from(width) * f64::from(band.end - band.start);
     let taken = count * pixel * cameras.len() as f64;
     args.memory.grant(taken, "picture-needs-memory")?;
-    let stereo = args.stereo.unwrap_or_default();
+    let stereo = args.picture.stereo.unwrap_or_default();
     let threads = parallel::threads();
     let per_camera = |path: PathBuf| match stereo {
         Stereo::Pair if cameras.len() > 1 => left_and_right(&path),
@@ -136,7 +129,7 @@ pub fn draw(
     };
     let start = Instant::now();
     // What rounding may show in single precision is drawn there.
-    let plan = match args.precision {
+    let plan = match args.picture.precision {
         Numbers::F32 => Plan::new(scene),
         Numbers::F64 | Numbers::Dd => Plan::of_picture(scene),
     };
@@ -185,11 +178,11 @@ pub fn draw(
     let (counts, samples) = totals(&drawn);
     write_maps(maps, &drawn, stereo, look)?;
     let mut films = compose(drawn, stereo, outputs.len());
-    if let Some(times) = args.exposure {
+    if let Some(times) = args.picture.exposure {
         films.iter_mut().for_each(|film| film.expose(times));
     }
     if is_whole {
-        notes::say_brightness(&films, args.exposure.unwrap_or(1.0), look);
+        notes::say_brightness(&films, args.picture.exposure.unwrap_or(1.0), look);
     }
     let mut said = String::new();
     for ((output, film), origin) in outputs.into_iter().zip(&films).zip(&origins) {
@@ -212,7 +205,7 @@ pub fn draw(
     if let Some(path) = &args.stats {
         let stats = Stats {
             size: [settings.width, settings.height],
-            precision: args.precision.name(),
+            precision: args.picture.precision.name(),
             threads,
             samples,
             seconds,
@@ -328,49 +321,10 @@ fn wrote(look: LookChoice, path: &Path, film: &Film, origin: &Origin) -> String 
     wrote.wording(look.language()) + "\n"
 }
 
-fn settings(args: &Args) -> Result<Settings, Error> {
-    let Size { width, height } = args.size;
-    let crop = args.crop.map(|c| c.0);
-    if let Some(c) = crop {
-        let fits =
-            |at: u32, extent: u32, side: u32| at.checked_add(extent).is_some_and(|end| end <= side);
-        if !fits(c.x, c.width, width) || !fits(c.y, c.height, height) {
-            return Err(Complaint::new("crop-too-large")
-                .with("width", width.to_string())
-                .with("height", height.to_string())
-                .into());
-        }
-    }
-    let rows = |height: u32| args.tile.map_or(Ok(0..height), |tile| tile.rows(height));
-    let (w, h) = crop.map_or((width, height), |c| (c.width, c.height));
-    if u64::from(w) * rows(h)?.len() as u64 > MAX_PIXELS {
-        let max = MAX_PIXELS.to_string();
-        return Err(Complaint::new("too-many-pixels").with("max", max).into());
-    }
-    let default = Settings::default();
-    let (samples, tolerance) = match args.sampling() {
-        Sampling::Fixed(samples) => (samples, None),
-        Sampling::Adaptive(tolerance) => (1, Some(tolerance)),
-    };
-    Ok(Settings {
-        width,
-        height,
-        crop,
-        wanted: None,
-        samples,
-        tolerance,
-        shift: [0.0; 2],
-        depth: args.depth,
-        cutoff: args.cutoff.unwrap_or(default.cutoff),
-        numbers: args.precision,
-        stop: None,
-    })
-}
-
 /// The cameras that take the picture: one, or left and right.
 fn cameras(args: &Args, scene: &Scene) -> Result<Vec<Camera>, Error> {
     let cameras: Vec<Camera> = scene.chosen_cameras().copied().collect();
-    match args.stereo.is_some() && cameras.len() < 2 {
+    match args.picture.stereo.is_some() && cameras.len() < 2 {
         true => Err(Complaint::new("stereo-of-one").into()),
         false => Ok(cameras),
     }

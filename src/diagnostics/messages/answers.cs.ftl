@@ -136,3 +136,14 @@ hover-uses = { $uses ->
 hover-bounds = Meze: { $x }, { $y }, { $z }
 hover-bounds-empty = Meze: prázdné
 hover-side = { $axis } { $low } až { $high }
+
+## zpg farm
+
+farm-summary =
+    Dílčích úloh: { $tasks }. Každá potrvá asi { $each } (procesorů: { $cores }), všechny dohromady { $all } výpočtu. { $tiles ->
+        [one] Dílčí úlohou je obrázek.
+       *[other] Dílčí úlohou je jeden z pásů obrázku (počet: { $tiles }).
+    } Čtení a příprava scény trvá z každé úlohy { $build }.{ $chunk ->
+        [one] { "" }
+       *[other] { " " }Najednou se kreslí úloh: { $chunk }.
+    }

@@ -157,3 +157,20 @@ hover-uses = Used { $uses ->
 hover-bounds = Bounds: { $x }, { $y }, { $z }
 hover-bounds-empty = Bounds: empty
 hover-side = { $axis } { $low } to { $high }
+
+## zpg farm
+
+farm-summary =
+    { $tasks ->
+        [one] One task
+       *[other] { $tasks } tasks
+    } of about { $each } on { $cores ->
+        [one] one processor
+       *[other] { $cores } processors
+    }, { $all } of computing in all. { $tiles ->
+        [one] A task is a picture.
+       *[other] A task is one of the { $tiles } bands of a picture.
+    } Reading and building takes { $build } of each task.{ $chunk ->
+        [one] { "" }
+       *[other] { " " }{ $chunk } tasks are drawn in one go.
+    }

@@ -4,7 +4,7 @@
 //! a scene calls for, [`facets`] makes the scenes of flat pieces. [`tiles`] are what is measured of a picture,
 //! [`stage`] draws them and takes the time, [`measure`] and [`timing`] say what came out. [`check`] asks an
 //! independent tracer about the reference. [`run()`] does all this within a budget and fills a [`report`];
-//! [`shapes`] does so without a scene, [`cost`] in short. [`advice`] says what to set, and [`mod@print`] writes it down for people in the [`words`] of their language.
+//! [`shapes`] does so without a scene, [`cost`] in short, [`mod@pilot`] for the time of a picture alone. [`advice`] says what to set, and [`mod@print`] writes it down for people in the [`words`] of their language.
 
 pub mod advice;
 pub mod axes;
@@ -12,6 +12,7 @@ pub mod check;
 pub mod cost;
 pub mod facets;
 pub mod measure;
+pub mod pilot;
 pub mod print;
 pub mod report;
 pub mod run;

@@ -1,0 +1,248 @@
+//! `zpg farm`: a job for an engine that people have.
+
+mod engine;
+mod measure;
+mod options;
+mod scenes;
+
+use std::path::PathBuf;
+
+use clap::Command;
+
+use super::frames::Frames;
+use super::paths;
+use super::render::frames::check_each;
+use super::render::options::PictureArgs;
+use super::seconds::Seconds;
+use super::terminal::{self, LookChoice, complain, stop_on_interrupt};
+use super::{Status, load_sound, refuse, usage};
+use crate::analysis::config::Configs;
+use crate::diagnostics::{Complaint, Error, Language, Value};
+use crate::study::accuracy::words;
+use engine::{Engine, Work};
+use measure::Measured;
+use scenes::Scene;
+
+/// Write a job that draws pictures on many machines
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+The job is a folder with the scenes and their textures, scripts that draw and join, what the engine reads, and a README
+that says how to start it. Nothing in it is about this machine. A large picture is divided into bands of rows, as many as
+take about --tile-time each on --cores: some seconds of drawing tell. A task that is done is not done again, and the
+pictures have the bytes of those that one machine draws. Of several scenes, those with errors are not drawn, and a sheet
+of all pictures with what is wrong with their scenes is made at the end. All options that say what a picture looks like
+are those of `zpg render`.
+
+Examples:
+  zpg farm scene.zpg --size 8000x6000 --quality final -o job --for slurm
+  zpg farm scene.zpg --frames 0-599 --orbit 9,360 -o job --for openjd
+  zpg farm submissions -o job --for shell")]
+pub struct Args {
+    /// Scenes, as records or as JSON, or folders with scenes
+    #[arg(value_name = "PATH", required = true)]
+    paths: Vec<PathBuf>,
+
+    /// The folder of the job, which is made
+    #[arg(short, long, value_name = "JOB")]
+    output: PathBuf,
+
+    /// What runs the job
+    #[arg(long = "for", value_enum, value_name = "ENGINE")]
+    engine: Engine,
+
+    /// Bands of each picture [default: as many as --tile-time asks for]
+    #[arg(long, value_name = "N", value_parser = at_least_one, allow_negative_numbers = true)]
+    tiles: Option<u32>,
+
+    /// About how long a task takes
+    #[arg(
+        long,
+        value_name = "TIME",
+        default_value = "2m",
+        allow_hyphen_values = true
+    )]
+    tile_time: Seconds,
+
+    /// Processors of a task
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = at_least_one, allow_negative_numbers = true)]
+    cores: u32,
+
+    /// The format of the pictures
+    #[arg(long, value_enum, default_value = "png")]
+    format: Ending,
+
+    #[command(flatten)]
+    picture: PictureArgs,
+}
+
+/// The formats of pictures that are drawn in bands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Ending {
+    /// 8-bit sRGB
+    Png,
+    /// Linear, unclamped, 32-bit float
+    Exr,
+}
+
+fn at_least_one(text: &str) -> Result<u32, Complaint> {
+    usage::number(text, "expected-number-from-one", |n| {
+        (1..=1_000_000).contains(&n)
+    })
+}
+
+/// In the language of whoever asks, by the engine.
+const READMES: [(Engine, &str, &str); 3] = [
+    (
+        Engine::Openjd,
+        include_str!("farm/README.openjd.md"),
+        include_str!("farm/README.openjd.cs.md"),
+    ),
+    (
+        Engine::Slurm,
+        include_str!("farm/README.slurm.md"),
+        include_str!("farm/README.slurm.cs.md"),
+    ),
+    (
+        Engine::Shell,
+        include_str!("farm/README.shell.md"),
+        include_str!("farm/README.shell.cs.md"),
+    ),
+];
+
+/// `command` is that of the whole program.
+pub fn run(args: &Args, command: Command, look: LookChoice) -> Status {
+    let configs = Configs::default().into();
+    let found = paths::expand(&args.paths, &configs, look);
+    if found.failed || found.files.is_empty() {
+        return Status::Failure;
+    }
+    if let Err(complaint) = args.picture.frames.check() {
+        complain(look, &complaint);
+        return Status::Failure;
+    }
+    let is_class = found.files.len() > 1;
+    let mut scenes = Vec::new();
+    let mut broken = Vec::new();
+    for (path, place) in scenes::places(found.files) {
+        match load_sound(&path, look) {
+            Ok(loaded) => scenes.push(Scene {
+                path,
+                place,
+                loaded,
+            }),
+            Err(status) if !is_class || status == Status::Failure => return status,
+            // They go with the job, so that the sheet can say what is wrong with them.
+            Err(_) => broken.push((path, place)),
+        }
+    }
+    let Some(first) = scenes.first() else {
+        return Status::Negative;
+    };
+    let frames = match frames(args, &scenes, look) {
+        Ok(frames) => frames,
+        Err(status) => return status,
+    };
+    let options = options::given(command);
+    match job(args, options, (&scenes, frames.as_ref()), &broken, look) {
+        Ok(said) if look.quiet => drop(said),
+        Ok(said) => {
+            return terminal::print(look, Status::Clean, |out| writeln!(out, "{said}"));
+        }
+        Err(error) => return refuse(&first.loaded, error, look),
+    }
+    Status::Clean
+}
+
+/// The frames, which are the same of all scenes, each of which has been looked at; `None` for one picture. What is wrong
+/// has been said.
+fn frames(args: &Args, scenes: &[Scene], look: LookChoice) -> Result<Option<Frames>, Status> {
+    let stop = stop_on_interrupt(look);
+    let mut first = None;
+    for scene in scenes.iter().filter(|_| args.picture.frames.are_given()) {
+        let frames = Frames::of(&args.picture.frames, &scene.loaded);
+        let frames = frames.map_err(|error| refuse(&scene.loaded, error, look))?;
+        check_each(&frames, &scene.loaded, &stop, look)?;
+        first.get_or_insert(frames);
+    }
+    Ok(first)
+}
+
+/// Writes the job; what there is to say of it.
+fn job(
+    args: &Args,
+    options: String,
+    (scenes, frames): (&[Scene], Option<&Frames>),
+    broken: &[(PathBuf, PathBuf)],
+    look: LookChoice,
+) -> Result<String, Error> {
+    let is_class = scenes.len() + broken.len() > 1;
+    scenes::check_folder(&args.output)?;
+    let count = frames.map_or(1, Frames::count);
+    let measured = measure::measure(&args.picture, scenes, args.tile_time.0)?;
+    let tiles = measured.tiles(args.tiles, args.tile_time.0 * f64::from(args.cores))?;
+    let pictures = u32::try_from(scenes.len()).unwrap_or(u32::MAX);
+    let tasks = [count, tiles]
+        .into_iter()
+        .fold(Some(pictures), |product, n| {
+            product.and_then(|product| product.checked_mul(n))
+        });
+    let tasks = tasks.ok_or_else(|| Complaint::new("too-many-tasks"))?;
+    let each = measured.seconds(tiles, args.cores);
+    // Who says how many bands there are wants them one by one.
+    let chunk = match args.tiles {
+        Some(_) => 1,
+        None => (args.tile_time.0 / each).clamp(1.0, f64::from(tasks)) as u32,
+    };
+    let summary = summary(args, &measured, (tasks, tiles, chunk), look);
+    let work = Work {
+        name: scenes::name(&scenes[0].place),
+        summary: summary.clone(),
+        options,
+        ending: match args.format {
+            Ending::Png => "png",
+            Ending::Exr => "exr",
+        },
+        tasks,
+        tiles,
+        frames: count,
+        first_frame: frames.map_or(0, |frames| *frames.drawn().start()),
+        digits: frames.map_or(4, |frames| frames.label(0).len()),
+        chunk,
+        cores: args.cores,
+        megabytes: measured.megabytes(tiles),
+        minutes: (3.0 * each * f64::from(chunk) / 60.0).ceil().max(10.0) as u64,
+        is_class,
+    };
+    scenes::copy(&args.output, scenes, broken)?;
+    options::copy_table(&args.picture.frames, &args.output)?;
+    let (_, english, czech) = READMES[args.engine as usize];
+    let readme = match look.language() {
+        Language::English => english,
+        Language::Czech => czech,
+    };
+    args.engine.write(&work, readme, &args.output)?;
+    let wrote = Complaint::new("wrote-file").with("path", args.output.as_path());
+    Ok(format!("{}\n{summary}", wrote.wording(look.language())))
+}
+
+/// What a job is, in a few sentences.
+fn summary(
+    args: &Args,
+    measured: &Measured,
+    (tasks, tiles, chunk): (u32, u32, u32),
+    look: LookChoice,
+) -> String {
+    let language = look.language();
+    let time = |seconds: f64| Value::from(words::seconds(language, seconds));
+    let each = measured.seconds(tiles, args.cores);
+    let values = [
+        ("tasks", Value::Count(tasks.into())),
+        ("tiles", Value::Count(tiles.into())),
+        ("cores", Value::Count(args.cores.into())),
+        ("chunk", Value::Count(chunk.into())),
+        ("each", time(each)),
+        ("build", time(measured.build)),
+        ("all", time(each * f64::from(tasks) * f64::from(args.cores))),
+    ];
+    language.say("farm-summary", &values)
+}

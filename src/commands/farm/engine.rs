@@ -1,0 +1,144 @@
+//! The files of a job: scripts that draw and join, and what an engine reads.
+
+use std::path::Path;
+
+use crate::commands::draft;
+use crate::diagnostics::Complaint;
+
+/// Who runs the tasks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Engine {
+    /// Open Job Description: job.yaml, for render farms and `openjd run`
+    Openjd,
+    /// Slurm: an array that draws, and a job that joins
+    Slurm,
+    /// make, on one machine
+    Shell,
+}
+
+/// What a job is made of. A task is a picture, or a band of rows of one.
+pub struct Work {
+    /// Letters, digits and dashes.
+    pub name: String,
+    /// What people are told of it.
+    pub summary: String,
+    /// The options of `zpg render`, as a shell reads them.
+    pub options: String,
+    /// png or exr.
+    pub ending: &'static str,
+    pub tasks: u32,
+    /// Bands of each picture.
+    pub tiles: u32,
+    /// Pictures of each scene.
+    pub frames: u32,
+    pub first_frame: u32,
+    /// Digits of the number of a frame in the name of its file.
+    pub digits: usize,
+    /// So many tasks are drawn in one go.
+    pub chunk: u32,
+    pub cores: u32,
+    pub megabytes: u64,
+    /// What tasks in one go may take at most.
+    pub minutes: u64,
+    /// Whether there are several scenes, of which there is a sheet at the end.
+    pub is_class: bool,
+}
+
+/// Slurm runs so many tasks of one array at a time.
+const AT_A_TIME: u32 = 64;
+
+const DRAW: &str = include_str!("draw.sh");
+const JOIN: &str = include_str!("join.sh");
+const SHEET: &str = include_str!("sheet.sh");
+const OPENJD: &str = include_str!("job.yaml");
+const SLURM: &str = include_str!("draw.slurm");
+const SLURM_JOIN: &str = include_str!("join.slurm");
+const SLURM_SUBMIT: &str = include_str!("submit.sh");
+const MAKE: &str = include_str!("Makefile");
+
+/// Tasks in chunks, as the extension TASK_CHUNKING has them.
+const CHUNKS: &str = "        - name: Tasks
+          type: CHUNK[INT]
+          range: 1-@TASKS@
+          chunks: {defaultTaskCount: @CHUNK@, rangeConstraint: CONTIGUOUS}";
+/// The first task of each chunk.
+const STEPS: &str = "        - name: Tasks
+          type: INT
+          range: 1-@TASKS@:@CHUNK@";
+
+impl Engine {
+    /// The names of the files and what stands in them; `readme` is about the engine.
+    fn files(self, work: &Work, readme: &'static str) -> Vec<(&'static str, String)> {
+        let filled = |text: &str| work.fill(text);
+        let join = match work.is_class {
+            true => [JOIN, SHEET].concat(),
+            false => JOIN.to_owned(),
+        };
+        let mut files = vec![
+            ("draw.sh", filled(DRAW)),
+            ("join.sh", filled(&join)),
+            ("README.md", filled(readme)),
+        ];
+        match self {
+            Engine::Openjd => {
+                let chunked = OPENJD
+                    .replace("@EXTENSION@", "extensions: [TASK_CHUNKING]\n")
+                    .replace("@SPACE@", CHUNKS)
+                    .replace("@LAST_TASK@", "${tasks##*-}");
+                let plain = OPENJD
+                    .replace("@EXTENSION@", "")
+                    .replace("@SPACE@", STEPS)
+                    .replace("@LAST_TASK@", "$((first + @CHUNK@ - 1))");
+                files.push(("job.yaml", filled(&chunked)));
+                files.push(("job-plain.yaml", filled(&plain)));
+            }
+            Engine::Slurm => {
+                files.push(("draw.slurm", filled(SLURM)));
+                files.push(("join.slurm", filled(SLURM_JOIN)));
+                files.push(("submit.sh", filled(SLURM_SUBMIT)));
+            }
+            Engine::Shell => files.push(("Makefile", filled(MAKE))),
+        }
+        files
+    }
+
+    /// Writes the files of a job into its folder.
+    pub fn write(self, work: &Work, readme: &'static str, folder: &Path) -> Result<(), Complaint> {
+        for (name, text) in self.files(work, readme) {
+            draft::write(&folder.join(name), |out| out.write_all(text.as_bytes()))?;
+        }
+        Ok(())
+    }
+}
+
+impl Work {
+    /// Puts values where their names stand between `@`.
+    fn fill(&self, text: &str) -> String {
+        let runs = self.tasks.div_ceil(self.chunk);
+        let number = |n: u64| n.to_string();
+        let values = [
+            ("NAME", self.name.clone()),
+            ("SUMMARY", self.summary.clone()),
+            ("OPTIONS", self.options.clone()),
+            ("VERSION", env!("CARGO_PKG_VERSION").to_owned()),
+            ("ENDING", self.ending.to_owned()),
+            ("TASKS", number(self.tasks.into())),
+            ("TILES", number(self.tiles.into())),
+            ("FRAMES", number(self.frames.into())),
+            ("FIRST_FRAME", number(self.first_frame.into())),
+            ("DIGITS", number(self.digits as u64)),
+            ("CHUNK", number(self.chunk.into())),
+            ("LAST", number(u64::from(runs) - 1)),
+            ("AT_A_TIME", number(runs.min(AT_A_TIME).into())),
+            ("CORES", number(self.cores.into())),
+            ("MEGABYTES", number(self.megabytes)),
+            ("MINUTES", number(self.minutes)),
+            ("SECONDS", number(60 * self.minutes)),
+        ];
+        let mut filled = text.to_owned();
+        for (name, value) in values {
+            filled = filled.replace(&format!("@{name}@"), &value);
+        }
+        filled
+    }
+}

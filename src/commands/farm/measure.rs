@@ -1,0 +1,107 @@
+//! How long pictures take, and how much memory.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use super::scenes::Scene;
+use crate::commands::draft::folder_of;
+use crate::commands::load::analyse;
+use crate::commands::render::options::{PictureArgs, bytes_of_pixels};
+use crate::commands::render::stats::peak_memory;
+use crate::diagnostics::{Complaint, Error};
+use crate::study::accuracy::pilot::pilot;
+use crate::trace::Images;
+
+/// So many seconds are taken to foretell how long the pictures take.
+const SECONDS: f64 = 6.0;
+/// So many scenes are looked at for that, spread evenly.
+const SCENES: usize = 6;
+/// What this process takes is taken so many times, since another machine may take more.
+const MARGIN: f64 = 1.25;
+
+/// What the dearest picture takes.
+pub struct Measured {
+    /// Reading the scene and building, in seconds.
+    pub build: f64,
+    /// All pixels, in seconds on one processor.
+    pixels: f64,
+    /// Rows of a picture.
+    rows: u32,
+    /// Bytes that this process has taken.
+    process: f64,
+    /// Bytes that all pixels of the picture take.
+    picture: f64,
+}
+
+/// Draws small parts of some of the pictures.
+///
+/// # Errors
+///
+/// The options do not fit the scenes, or a scene cannot be drawn.
+pub fn measure(picture: &PictureArgs, scenes: &[Scene], tile_time: f64) -> Result<Measured, Error> {
+    let settings = picture.settings(None)?;
+    let step = scenes.len().div_ceil(SCENES).max(1);
+    let some = || scenes.iter().step_by(step);
+    let seconds = SECONDS.min(tile_time) / some().count().max(1) as f64;
+    let (mut build, mut pixels, mut cameras) = (0.0f64, 0.0f64, 1);
+    for scene in some() {
+        let start = Instant::now();
+        let bytes = std::fs::read(&scene.path).unwrap_or_default();
+        drop(analyse(&scene.path, bytes));
+        let read = start.elapsed().as_secs_f64();
+        let staged = picture.camera.staged(&scene.loaded.scene, picture.size)?;
+        let folder = folder_of(&scene.path);
+        let images = Images::load(&staged, folder)?;
+        let camera = *staged
+            .chosen_cameras()
+            .next()
+            .ok_or_else(Error::nothing_to_draw)?;
+        cameras = cameras.max(staged.chosen_cameras().count());
+        let shared = Arc::new(staged.into_owned());
+        let pilot = pilot(shared, &images, camera, &settings, seconds)?;
+        build = build.max(read + pilot.build);
+        pixels = pixels.max(pilot.pixels);
+    }
+    let [width, rows] = (settings.crop).map_or([settings.width, settings.height], |crop| {
+        [crop.width, crop.height]
+    });
+    let bytes = bytes_of_pixels(picture.sampling()) * f64::from(width) * f64::from(rows);
+    Ok(Measured {
+        build,
+        pixels: pixels * cameras as f64,
+        rows,
+        process: peak_memory() as f64,
+        picture: bytes * cameras as f64,
+    })
+}
+
+impl Measured {
+    /// How many bands a picture is divided into so that each takes so many seconds on one processor.
+    ///
+    /// # Errors
+    ///
+    /// More are wanted than there are rows.
+    pub fn tiles(&self, wanted: Option<u32>, seconds: f64) -> Result<u32, Complaint> {
+        match wanted {
+            Some(count) if count > self.rows => Err(Complaint::new("more-tiles-than-rows")
+                .with("count", count.to_string())
+                .with("height", self.rows.to_string())),
+            Some(count) => Ok(count),
+            None => Ok((self.pixels / seconds)
+                .ceil()
+                .clamp(1.0, f64::from(self.rows)) as u32),
+        }
+    }
+
+    /// What a task takes: reading, building, and a band on so many processors.
+    pub fn seconds(&self, tiles: u32, cores: u32) -> f64 {
+        self.build + self.pixels / f64::from(tiles) / f64::from(cores)
+    }
+
+    /// What a task takes at most, in 10⁶ bytes.
+    pub fn megabytes(&self, tiles: u32) -> u64 {
+        let bytes = MARGIN * self.process + self.picture / f64::from(tiles);
+        let hundreds = (bytes / 1e8).ceil() as u64;
+        100 * hundreds.max(2)
+    }
+}

@@ -1,0 +1,86 @@
+//! The options of `zpg render` that a job passes on, as they were written.
+
+use std::path::Path;
+
+use clap::parser::ValueSource;
+use clap::{ArgMatches, Args, Command};
+
+use crate::commands::draft;
+use crate::commands::frames::FrameArgs;
+use crate::commands::render::options::PictureArgs;
+use crate::diagnostics::Complaint;
+
+/// The table of frames in the folder of the job.
+const TABLE: &str = "table.csv";
+
+/// What each task is told by the scripts of the job.
+const OF_TASKS: [&str; 2] = ["only", "fps"];
+
+/// The options about pictures that this program was called with, as a shell reads them. `command` is that of the whole
+/// program.
+pub fn given(command: Command) -> String {
+    // They have been read once, so they can be read again.
+    let all = command.get_matches_from(std::env::args_os());
+    let Some((_, matches)) = all.subcommand() else {
+        return String::new();
+    };
+    let known = PictureArgs::augment_args(Command::new("render"));
+    let written = known.get_arguments().filter_map(|arg| {
+        let name = arg.get_long()?;
+        let id = arg.get_id().as_str();
+        let is_given = matches.value_source(id) == Some(ValueSource::CommandLine);
+        (is_given && !OF_TASKS.contains(&name)).then(|| option(name, id, matches))
+    });
+    written.collect::<Vec<_>>().join(" ")
+}
+
+/// One option with all its values.
+fn option(name: &str, id: &str, matches: &ArgMatches) -> String {
+    let values = matches.get_raw(id).into_iter().flatten();
+    let written = values.map(|value| match name {
+        "frames-from" => format!("--{name} {TABLE}"),
+        _ => format!("--{name}={}", quoted(&value.to_string_lossy())),
+    });
+    written.collect::<Vec<_>>().join(" ")
+}
+
+/// A word as a shell reads it.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./,:=+@".contains(c);
+    match word.chars().all(is_plain) && !word.is_empty() {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', r"'\''")),
+    }
+}
+
+/// Copies the table of frames, if there is one.
+pub fn copy_table(frames: &FrameArgs, job: &Path) -> Result<(), Complaint> {
+    let Some(table) = frames.table() else {
+        return Ok(());
+    };
+    let bytes = std::fs::read(table).map_err(|e| {
+        Complaint::new("cannot-read")
+            .with("path", table)
+            .with("reason", Complaint::from(&e))
+    })?;
+    draft::write(&job.join(TABLE), |out| out.write_all(&bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quoted;
+
+    #[test]
+    fn words_are_quoted_for_a_shell() {
+        for (word, shown) in [
+            ("640x480", "640x480"),
+            ("9.fovy=30..60", "9.fovy=30..60"),
+            ("5.x[3]=1..2", "'5.x[3]=1..2'"),
+            ("a b", "'a b'"),
+            ("it's", r"'it'\''s'"),
+            ("", "''"),
+        ] {
+            assert_eq!(quoted(word), shown);
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! The scenes of a job, and the textures that they need.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::analysis::Analysis;
+use crate::commands::draft::{self, folder_of, unwritable};
+use crate::commands::paths::is_stdin;
+use crate::commands::spare::spare_scenes;
+use crate::diagnostics::Complaint;
+use crate::scene::Texture;
+
+/// A scene of the job.
+pub struct Scene {
+    pub path: PathBuf,
+    /// Its place among the scenes of the job.
+    pub place: PathBuf,
+    pub loaded: Analysis,
+}
+
+/// The list of the scenes that are drawn, one a line.
+const LIST: &str = "scenes.txt";
+/// The folder of the scenes.
+const SCENES: &str = "scenes";
+
+/// Where scenes lie among the scenes of the job: those of several folders in several folders.
+pub fn places(files: Vec<PathBuf>) -> Vec<(PathBuf, PathBuf)> {
+    let folders: BTreeMap<PathBuf, usize> = (files.iter())
+        .map(|file| folder_of(file).to_owned())
+        .collect::<std::collections::BTreeSet<_>>()
+        .into_iter()
+        .zip(1..)
+        .collect();
+    let place = |file: &PathBuf| {
+        let name = PathBuf::from(file.file_name().unwrap_or_default());
+        match folders.len() {
+            1 => name,
+            _ => Path::new(&folders[folder_of(file)].to_string()).join(name),
+        }
+    };
+    let places: Vec<PathBuf> = files.iter().map(place).collect();
+    files.into_iter().zip(places).collect()
+}
+
+/// A name for the job: letters, digits and dashes.
+pub fn name(place: &Path) -> String {
+    let stem = place.file_stem().unwrap_or_default().to_string_lossy();
+    let plain = |c: char| match c.is_ascii_alphanumeric() {
+        true => c,
+        false => '-',
+    };
+    format!(
+        "zpg-{}",
+        stem.chars().map(plain).take(40).collect::<String>()
+    )
+}
+
+/// Makes sure that nothing else is in the folder: it is not there, empty, or a job already.
+pub fn check_folder(folder: &Path) -> Result<(), Complaint> {
+    let entries = match fs::read_dir(folder) {
+        Ok(entries) => entries,
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return draft::try_folder(folder),
+        Err(e) => return Err(unwritable(folder, &e)),
+    };
+    match entries.count() > 0 && !folder.join(LIST).is_file() {
+        true => Err(Complaint::new("farm-folder").with("path", folder)),
+        false => Ok(()),
+    }
+}
+
+/// Copies the scenes and the textures that they name into the job, and writes the list of those that are drawn.
+pub fn copy(job: &Path, scenes: &[Scene], broken: &[(PathBuf, PathBuf)]) -> Result<(), Complaint> {
+    let folder = job.join(SCENES);
+    for scene in scenes {
+        copy_file(&scene.path, &folder.join(&scene.place))?;
+        let from = folder_of(&scene.path);
+        let to = folder_of(&scene.place);
+        for paint in &scene.loaded.scene.paints {
+            if let Some(Texture::Image { file, .. }) = &paint.texture
+                && from.join(file).is_file()
+            {
+                copy_file(&from.join(file), &folder.join(to).join(file))?;
+            }
+        }
+    }
+    for (path, place) in broken {
+        copy_file(path, &folder.join(place))?;
+    }
+    let list: String = (scenes.iter())
+        .map(|scene| format!("{}\n", scene.place.display()))
+        .collect();
+    draft::write(&job.join(LIST), |out| out.write_all(list.as_bytes()))
+}
+
+fn copy_file(from: &Path, to: &Path) -> Result<(), Complaint> {
+    if is_stdin(from) {
+        return Err(Complaint::new("farm-stdin"));
+    }
+    let fail = |e: io::Error| unwritable(to, &e);
+    fs::create_dir_all(folder_of(to)).map_err(fail)?;
+    spare_scenes(&[from.to_owned()], to)?;
+    let mut file = fs::File::open(from).map_err(fail)?;
+    draft::write(to, |out| {
+        io::copy(&mut file, &mut io::BufWriter::new(out)).map(drop)
+    })
+}

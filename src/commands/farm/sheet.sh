@@ -1,0 +1,2 @@
+"${ZPG:-zpg}" check scenes --format json >"$out/findings.json" || [ $? -eq 1 ]
+"${ZPG:-zpg}" sheet "$out" -o "$out/sheet.html"

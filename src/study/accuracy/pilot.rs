@@ -1,0 +1,72 @@
+//! How long a picture is going to take.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use super::rungs::{Kernel, Settings};
+use super::stage::Stage;
+use super::tiles::{Tile, chosen};
+use crate::diagnostics::Error;
+use crate::scene::{Camera, Scene};
+use crate::trace::{self, Images};
+
+/// What a picture is going to take on one thread, in seconds.
+#[derive(Debug, Clone, Copy)]
+pub struct Pilot {
+    /// Until the first pixel, besides reading the scene.
+    pub build: f64,
+    /// All pixels.
+    pub pixels: f64,
+}
+
+/// So many small tiles are drawn between two looks at the clock.
+const AT_ONCE: usize = 16;
+
+/// Draws small tiles of a picture, spread evenly, for about so many seconds.
+///
+/// # Errors
+///
+/// As [`Tracer::render`](crate::trace::Tracer::render).
+pub fn pilot(
+    scene: Arc<Scene>,
+    images: &Images,
+    camera: Camera,
+    settings: &trace::Settings,
+    seconds: f64,
+) -> Result<Pilot, Error> {
+    let start = Instant::now();
+    let size = [settings.width, settings.height];
+    let mut stage = Stage::new(scene, images, camera, size)?;
+    let build = start.elapsed().as_secs_f64();
+    let settings_of_tiles = Settings {
+        samples: settings.samples,
+        tolerance: settings.tolerance,
+        depth: settings.depth,
+        cutoff: settings.cutoff,
+        kernel: Kernel::Ours(settings.numbers),
+        ..Settings::default()
+    };
+    let is_drawn = |tile: &Tile| {
+        settings.crop.is_none_or(|crop| {
+            let [x, y] = [tile.x.checked_sub(crop.x), tile.y.checked_sub(crop.y)];
+            x.is_some_and(|x| x < crop.width) && y.is_some_and(|y| y < crop.height)
+        })
+    };
+    let mut tiles = chosen(size, 16);
+    tiles.retain(is_drawn);
+    let (mut time, mut pixels) = (0.0, 0);
+    let start = Instant::now();
+    for tiles in tiles.chunks(AT_ONCE) {
+        time += stage.time(&settings_of_tiles, tiles)?.cpu;
+        pixels += tiles.iter().map(|tile| tile.count()).sum::<usize>();
+        if start.elapsed().as_secs_f64() > seconds {
+            break;
+        }
+    }
+    let [width, height] = (settings.crop).map_or(size, |crop| [crop.width, crop.height]);
+    let all = f64::from(width) * f64::from(height);
+    Ok(Pilot {
+        build,
+        pixels: time * all / pixels.max(1) as f64,
+    })
+}
