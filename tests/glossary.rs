@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use crate::support::program::{text, zpg};
 use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
-use zpg::analysis::repair::words;
 use zpg::diagnostics::Language;
 use zpg::syntax::table::RECORD_TYPES;
+use zpg::syntax::words;
 
 const GLOSSARY: &str = include_str!("../docs/glossary.cs.md");
 

@@ -84,6 +84,7 @@ mod robustness;
 mod ruff;
 mod sarif;
 mod scene_json;
+mod scenes_or_not;
 mod shapes_doubt;
 mod shapes_quadrics;
 mod sheet;

@@ -1,6 +1,6 @@
 //! Colours by name: the 17 basic names of CSS, and the Czech ones.
 
-use super::repair::words::plain;
+use crate::syntax::words::plain;
 
 /// The names that CSS 2.1 has, in sRGB, with other English names, and the Czech names without accents and endings.
 const NAMES: &[([u8; 3], &[&str], &[&str])] = &[

@@ -5,12 +5,12 @@ use std::io::{self, IsTerminal as _};
 
 use super::page::{Form, laid_out};
 use super::{LookChoice, Status, complain, terminal};
-use crate::analysis::repair::words::{self, plain};
 use crate::diagnostics::layout::hanging;
 use crate::diagnostics::{Code, Complaint, Language};
 use crate::features::pages::{code_page, type_page};
 use crate::syntax::quote;
 use crate::syntax::table::{RECORD_TYPES, RecordType};
+use crate::syntax::words::{self, plain};
 
 /// Explain a finding or a record type
 #[derive(Debug, clap::Args)]

@@ -5,10 +5,10 @@ use std::fmt::Write as _;
 use rustc_hash::FxHashSet;
 
 use crate::analysis::Analysis;
-use crate::analysis::repair::words::names;
 use crate::diagnostics::Language;
 use crate::diagnostics::Span;
 use crate::syntax::table::{Constraint, Effect, Family, Kind, Param, ParamKind, RecordType};
+use crate::syntax::words::names;
 
 use super::place::{Typing, typing};
 use super::{allow_codes, entity, templates};

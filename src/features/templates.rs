@@ -5,10 +5,10 @@ use std::cmp::Reverse;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::analysis::Analysis;
-use crate::analysis::repair::words::{names, plain};
 use crate::diagnostics::Language;
 use crate::scene::Entity;
 use crate::syntax::table::{Effect, Family, Kind, ParamKind, RECORD_TYPES, RecordType};
+use crate::syntax::words::{names, plain};
 
 use super::completion::{Insert, Piece, Proposal, Sort};
 use super::entity;

@@ -3,7 +3,7 @@
 
 use super::ast::{Document, Fault, Item};
 use super::lexer::{Token, TokenKind};
-use super::recovery::LEAST_HEAD as LEAST_OF_SCENES;
+use super::scene_lines::SceneLines;
 use super::table::{RecordKind, RecordType};
 use crate::diagnostics::{Code, Diagnostic, Value};
 
@@ -56,7 +56,7 @@ pub fn by_records(text: &str, document: &Document) -> Option<Diagnostic> {
             false => slips += count,
         }
     }
-    let headed = headed(text, tokens);
+    let headed = SceneLines::of(text, tokens).headed();
     if headed.is_some() || all < BEGUN && right + slips == all {
         right = (right + slips).max(headed.unwrap_or_default());
     }
@@ -69,39 +69,6 @@ pub fn by_records(text: &str, document: &Document) -> Option<Diagnostic> {
             .with("all", Value::Count(all as u64))
     };
     (right < least).then(finding)
-}
-
-/// How many numbers are on lines with the head of a record, an ID and a type, whose sign may be lost or a dash; `None` where no
-/// line begins as those of scenes alone do: with the type of a render record, an operation, a property, a light or a
-/// camera, behind an ID or where one is lost. Types without their signs count for that where one line in five has one.
-fn headed(text: &str, tokens: &[Token]) -> Option<usize> {
-    let (mut lines, mut unsigned, mut numbers) = (0, 0, 0);
-    let mut is_scene = false;
-    for line in tokens.split(|t| t.kind() == TokenKind::Newline) {
-        let line = line.iter().filter(|t| !t.kind().is_trivia());
-        let count = line.clone().count();
-        lines += usize::from(count > 0);
-        let mut has_type = false;
-        for (i, token) in line.clone().take(2).enumerate() {
-            let word = token.text(text);
-            let dashed = word.strip_prefix(['−', '–', '-']);
-            let Ok(code) = dashed.unwrap_or(word).parse::<u32>().map(i64::from) else {
-                continue;
-            };
-            let (plain, signed) = (RecordType::by_code(code), RecordType::by_code(-code));
-            has_type |= i == 1 && (plain.is_some() || signed.is_some());
-            let is_drawn = plain.is_some_and(|ty| ty.kind == RecordKind::Render);
-            match signed.filter(|ty| ty.code <= LEAST_OF_SCENES) {
-                Some(_) if dashed.is_some() => is_scene = true,
-                Some(ty) => unsigned += usize::from(i + 1 + ty.params.len() == count),
-                None => is_scene |= is_drawn && dashed.is_none() && count > 2,
-            }
-        }
-        if has_type {
-            numbers += line.filter(|t| t.kind().is_numeric()).count();
-        }
-    }
-    (is_scene || unsigned > 1 && 5 * unsigned >= lines).then_some(numbers)
 }
 
 /// Whether a record is on a line, or takes up whole lines as people lay them out: its parameters begin on a line of their
@@ -142,6 +109,7 @@ mod tests {
             "1,2,3\n4,5,6\n7,8,9\n10,11,12\n13,14,15\n",
             "# Title\n\n1. one\n2. two\n",
             "1. one\n2. two\n3. three\n",
+            "1 box of nails 5\n2 light bulbs 40 60\n3 cut boards 200 30 20\n4 plane tickets 99 99 120\n",
             "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n",
             "0 0 0\n0 0 0\n",
         ] {
@@ -178,6 +146,9 @@ mod tests {
             "2 11 0 0 0 1\n3 11 0 0 0\n4 11 0 0 0 x\n",
             "2 9 1\n10 77 1 0 2\n11 77 1 0 2\n12 77 1 0 2\n1 9999 2 0\n",
             "2 9\n3 9\n4 9\n5 9\n6 101 2 3\n1 9999 6 0\n",
+            "2 sphere <0,1,0>, 1\n3 plane 0 1 0 0\n4 union 2 3\n5 light 1\n9 camera 0 1 5 0 0 -1 0 1 0 45\n\
+             1 render 4 0\n",
+            "2 koule 0 1 0 1\n3 rovina 0 1 0 0\n4 sjednocení 2 3\n5 bodové světlo 1\n5 posunutí 1 2 3\n",
         ] {
             assert!(is_scene(text), "{text:?}");
         }

@@ -38,8 +38,10 @@ pub mod preserved;
 mod quote;
 pub mod recognise;
 mod recovery;
+mod scene_lines;
 mod signature;
 pub mod table;
+pub mod words;
 
 pub use ast::{Document, Item, Record};
 pub use captions::Captions;

@@ -10,14 +10,14 @@
 //! | with other control characters in more than 1 % of it, but for tab, LF, VT, FF and CR | binary data |
 //! | that is one value in brackets or braces of JSON, or begins with `{ "` | JSON, or a scene in JSON |
 //! | with a comment or word of 256 MiB or more | some other text |
-//! | of which fewer than half of the lines begin with a number | some other text |
+//! | of which fewer than half of the lines begin with a number: a third is enough with [records of a scene](Lines::are_of_scene) among them | some other text |
 //! | of which fewer than half of the numbers are in records, or nearly so: [`by_records`] says where a fifth is enough | some other text |
 //! | that is something else | a scene, with mistakes perhaps |
 //!
 //! What follows the text is no part of it: a mark with which texts of DOS end, 0x1A, and NULs that fill a block of a disk.
 //!
 //! Lines do not count that are blank, that a comment takes, or that begin with `//`, `;`, `--` or `/*`,
-//! as comments in other languages do. So an empty file and one of comments are scenes. Because a
+//! as comments in other languages do. So an empty file and one of comments are scenes, these closed or not. Because a
 //! comment that has lost its `#` turns all later ones inside out, the lines are counted twice: with
 //! comments that end with the next `#`, and with comments that end with their lines at the latest. One
 //! of the two is enough.
@@ -29,6 +29,7 @@ use serde::de::IgnoredAny;
 use super::ast::Document;
 use super::in_records::by_records;
 use super::lexer::{self, SEPARATORS, TokenKind, Tokens};
+use super::scene_lines::SceneLines;
 use crate::diagnostics::wording::with_article;
 use crate::diagnostics::{Code, Diagnostic, SourceFile, Span, Value};
 
@@ -138,7 +139,11 @@ fn text(text: &str, finding: Diagnostic) -> Option<Diagnostic> {
         start = end + 1;
     }
     // Most scenes are known by now.
-    if lines.are_records() || Lines::across(text).are_records() {
+    if lines.are_records() || Lines::across(text).are_records() || are_comments(text) {
+        return None;
+    }
+    let are_of_scene = lines.are_of_scene(text);
+    if are_of_scene && 3 * lines.numbers >= lines.all {
         return None;
     }
     if let Some(span) = first_line(text, is_pov_ray) {
@@ -146,11 +151,25 @@ fn text(text: &str, finding: Diagnostic) -> Option<Diagnostic> {
     }
     let span = first_line(text, |line| opening(line, false) == Opening::Other);
     let span = span.unwrap_or_default();
-    Some(
-        Diagnostic { span, ..finding }
-            .with("numbers", lines.numbers.to_string())
-            .with("lines", Value::Count(lines.all as u64)),
-    )
+    let finding = Diagnostic { span, ..finding }
+        .with("numbers", lines.numbers.to_string())
+        .with("lines", Value::Count(lines.all as u64));
+    Some(match are_of_scene {
+        true => finding.note("comments"),
+        false => finding,
+    })
+}
+
+/// Whether all lines are comments, each of which only lacks its closing sign.
+fn are_comments(text: &str) -> bool {
+    let is_comment = |line: &str| {
+        let line = line.trim_matches(is_blank);
+        let words = line.strip_prefix('#').unwrap_or(line);
+        !words.contains('#')
+            && (line.is_empty() || words.contains(char::is_alphanumeric))
+            && words.len() < line.len().max(1)
+    };
+    text.split(BREAKS).all(is_comment)
 }
 
 /// The first line that is so.
@@ -181,6 +200,19 @@ impl Lines {
 
     fn are_records(&self) -> bool {
         2 * self.numbers >= self.all
+    }
+
+    /// Whether there are records of a scene among them: the render record, or at least two lines, and a third of those
+    /// that begin with a number, which begin as those of scenes alone do. Of a page about scenes, which shows one between fences, that may be
+    /// so as well.
+    fn are_of_scene(&self, text: &str) -> bool {
+        let is_fence = |line: &str| line.trim_start().starts_with("```");
+        if self.numbers < 2 || text.split(BREAKS).any(is_fence) {
+            return false;
+        }
+        let lines = SceneLines::of(text, &lexer::lex(text, &[]));
+        let of_scenes = lines.typed + lines.worded;
+        lines.is_drawn || of_scenes > 1 && 3 * of_scenes >= self.numbers
     }
 
     /// Counts with comments that may go on over lines.
@@ -349,6 +381,22 @@ mod tests {
     }
 
     #[test]
+    fn a_third_of_the_lines_is_enough_where_they_are_those_of_a_scene() {
+        let scene = "My scene\nThe ball\n2 11 0 1 0 1\nThe lamp\n5 -402 1\nand all\n1 9999 2 0\n";
+        scenes(&[
+            scene,
+            &scene.replace("-402", "light"),
+            &format!("{scene}The end\nof it"),
+        ]);
+        other_texts(&[
+            &format!("{scene}The end\nof it\nall"),
+            &scene.replace("My scene", "```zpg"),
+            // Other numbers than those of scenes.
+            "My list\n1 2 3\nmore\n2 3 4\nand\n3 4 5\nmore",
+        ]);
+    }
+
+    #[test]
     fn some_lines_do_not_count() {
         scenes(&[
             "",
@@ -381,8 +429,15 @@ mod tests {
             "2 9 1 # ball\n3 9 1 # ball\n",
             "# ball\n2 9 1\n# ball\n3 9 1\n",
         ]);
+        // Nothing but comments that lack it.
+        scenes(&["# only a comment", "# one\n# two\n\n  # three\n"]);
         // Comments of other languages.
-        other_texts(&["# Title", "# one\n# two\n# three\n"]);
+        other_texts(&[
+            "# Title\n\nprose\n",
+            "## one\n",
+            "#\n# a\n",
+            "# one\nx = 1\n",
+        ]);
     }
 
     #[test]

@@ -31,7 +31,7 @@ pub fn foresee(bytes: &[u8], is_scene: Option<bool>) -> Verdict {
         wrong: Vec::new(),
     };
     let read = recognise::parse("a.zpg", bytes.to_vec());
-    // Mutations may leave fewer than half of the lines of a scene with a number at their beginning.
+    // Mutations may leave fewer than a third of the lines of a scene with a number at their beginning.
     let expected = match known(bytes) {
         Some(false) => Some(false),
         _ => is_scene,
@@ -146,7 +146,7 @@ fn known(bytes: &[u8]) -> Option<bool> {
             numbers += usize::from(begins && word.parse::<f64>().is_ok());
         }
     }
-    if 2 * numbers < all {
+    if 3 * numbers < all {
         return Some(false);
     }
     // A known format may be behind it all the same.

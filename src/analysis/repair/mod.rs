@@ -10,7 +10,6 @@ mod characters;
 mod elsewhere;
 mod judge;
 mod whole;
-pub mod words;
 
 use rustc_hash::FxHashSet;
 
@@ -74,20 +73,37 @@ struct Engine<'a> {
     trials: usize,
 }
 
-/// A candidate and the scene that it makes.
+/// A candidate, the scene that it makes, and where the line is in that.
 struct Trial {
     candidate: Candidate,
     scene: Analysis,
+    line: Span,
 }
 
 impl Engine<'_> {
     /// The scene with a fix and, where they do not meet it, with others.
     fn attempt<'f>(&mut self, fix: Option<&'f Fix>, others: &'f [Fix]) -> Option<Analysis> {
+        Some(self.attempt_at(fix, others, Span::default())?.0)
+    }
+
+    /// The same, and where a line is then.
+    fn attempt_at<'f>(
+        &mut self,
+        fix: Option<&'f Fix>,
+        others: &'f [Fix],
+        line: Span,
+    ) -> Option<(Analysis, Span)> {
         self.trials = self.trials.checked_sub(1)?;
         let source = &self.analysis.source;
         let (edits, _) = fixes::edits(&source.text, fix.into_iter().chain(others));
         let text = fixes::edited(&source.text, &edits);
-        Some(Analysis::tried(source.with_text(text)))
+        let moved = |at: u32| {
+            let before = edits.iter().filter(|e| e.span.end <= at);
+            let grown = before.map(|e| e.text.len() as i64 - (e.span.range().len() as i64));
+            u32::try_from(i64::from(at) + grown.sum::<i64>()).unwrap_or(at)
+        };
+        let line = Span::new(moved(line.start), moved(line.end));
+        Some((Analysis::tried(source.with_text(text)), line))
     }
 
     /// What is wrong with many lines at once.
@@ -257,7 +273,8 @@ impl Engine<'_> {
         let errors_before = judge::errors(&base);
         let mut trials: Vec<Trial> = Vec::new();
         for candidate in candidates {
-            let Some(scene) = self.attempt(Some(&candidate.fix), &others) else {
+            let attempt = self.attempt_at(Some(&candidate.fix), &others, line);
+            let Some((scene, own_line)) = attempt else {
                 break;
             };
             let errors = judge::errors(&scene);
@@ -272,21 +289,25 @@ impl Engine<'_> {
             let mends = match candidate.habit {
                 Habit::Proposed => true,
                 // Behind a comment a record that lacks numbers would take those of the next line.
-                Habit::Comment => !has_error_at(&scene, line) && ends_on_line(&scene, line),
-                _ => !has_error_at(&scene, line),
+                Habit::Comment => !has_error_at(&scene, own_line) && ends_on_line(&scene, own_line),
+                _ => !has_error_at(&scene, own_line),
             };
             if !better || errors > least || finding.is_error() && !mends {
                 continue;
             }
             // A transformation that does nothing is not what was meant.
-            let is_pointless = |d: &Diagnostic| d.code == Code::W327 && line.touches(d.span);
+            let is_pointless = |d: &Diagnostic| d.code == Code::W327 && own_line.touches(d.span);
             if candidate.ty.is_some() && scene.findings().iter().any(is_pointless) {
                 continue;
             }
             if errors < least {
                 trials.clear();
             }
-            trials.push(Trial { candidate, scene });
+            trials.push(Trial {
+                candidate,
+                scene,
+                line: own_line,
+            });
         }
         // A mere change of sign wins over another type.
         if trials.iter().any(|t| t.candidate.habit == Habit::Sign) {
@@ -308,7 +329,7 @@ impl Engine<'_> {
         let Some((_, best)) = judged.first() else {
             return false;
         };
-        let clean = !has_error_at(&best.scene, line);
+        let clean = !has_error_at(&best.scene, best.line);
         let alone = clean && others.is_empty() && judge::errors(&best.scene) == 0;
         let alone = alone
             || clean

@@ -309,6 +309,7 @@ E014 = soubor nevypadá jako scéna: { $lines ->
     }
     .label = tento řádek číslem nezačíná
     .help = scénu tvoří záznamy `ID TYP PARAMETR…` a `# komentáře #`; číslem začíná aspoň polovina jejích řádků
+    .comments = jsou-li ostatní řádky komentáře, dejte každý mezi dva znaky `#`
 E014-numbers = soubor nevypadá jako scéna: { $all ->
         [one] jeho jediné číslo není v žádném záznamu
        *[other] v záznamech leží { $numbers } z { $all } čísel

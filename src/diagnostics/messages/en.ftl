@@ -303,6 +303,7 @@ E014 = this does not look like a scene: { $lines ->
     }
     .label = this line does not
     .help = a scene is made of records, `ID TYPE PARAMETER…`, and of `# comments #`; at least half of its lines begin with a number
+    .comments = where the other lines are comments, put each between two `#`
 E014-numbers = this does not look like a scene: { $all ->
         [one] its only number is in no record
        *[other] { $numbers } of { $all } numbers are in records

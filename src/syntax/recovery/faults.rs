@@ -109,9 +109,13 @@ fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) ->
         (_, price) => {
             let ty = ty.filter(|t| t.kind != RecordKind::Undefined);
             let bad = bad_price(stretch, start + 1, end);
+            // Words on several lines are several mistakes.
+            let is_text = id.kind == TokenKind::Word && ty.is_none();
+            let is_more = is_text && stretch.line(end - 1) > stretch.line(start);
+            let more = if is_more { 2 * FAULT } else { 0 };
             (
                 Verdict::BadId { ty },
-                FAULT + 200 + price.min(200) + bad + void,
+                FAULT + 200 + price.min(200) + bad + void + more,
             )
         }
     };
@@ -414,7 +418,9 @@ fn untyped(stretch: &Stretch, start: usize, end: usize) -> (Verdict, u32) {
     let length = 10 * (end - start).min(20) as u32;
     // Over several lines only what is as long as such records are.
     let over_lines = stretch.line(end - 1) > stretch.line(start);
-    let plausible = !over_lines || expected_ends(stretch, start).contains(&end);
+    // A word on the next line is no type.
+    let is_text = t.kind == TokenKind::Word && stretch.line(start + 1) > stretch.line(start);
+    let plausible = !over_lines || !is_text && expected_ends(stretch, start).contains(&end);
     let penalty = if plausible { 0 } else { 2 * FAULT };
     let bad = bad_price(stretch, start + 2, end);
     match t.int {

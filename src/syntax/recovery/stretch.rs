@@ -238,6 +238,14 @@ impl<'s> Stretch<'s> {
         self.line_starts[line] as usize
     }
 
+    /// Whether half of a line is words or more, the first one in the place of an ID.
+    pub fn is_prose(&self, line: usize) -> bool {
+        let tokens = &self.sigs[self.line_start(line)..self.line_end(line)];
+        let is_word = |kind| matches!(kind, TokenKind::Word | TokenKind::Invalid);
+        let words = tokens.iter().filter(|sig| is_word(sig.kind)).count();
+        2 * words >= tokens.len() && tokens.first().is_some_and(|sig| is_word(sig.kind))
+    }
+
     /// One past the last token of a line.
     pub fn line_end(&self, line: usize) -> usize {
         self.line_starts[line + 1] as usize

@@ -89,9 +89,16 @@ impl<'a> Witnesses<'a> {
         let mut slips = vec![false; lines];
         let mut ids_lost = false;
         let (mut slipped, mut table_to, mut in_tables, mut perhaps) = (0, 0, 0, Vec::new());
+        let mut prose = 0;
         while line < lines {
             let next = match ends[line] {
                 0 if run_to_line_end(stretch, line) => line + 1,
+                // It was meant as a comment, and says nothing.
+                0 if stretch.is_prose(line) => {
+                    prose += 1;
+                    line += 1;
+                    continue;
+                }
                 0 => {
                     // Where the next line is a record, no rows follow.
                     let alone = ends.get(line + 1).is_some_and(|&end| end > 0);
@@ -152,7 +159,7 @@ impl<'a> Witnesses<'a> {
             slipped += usize::from(slips[line]);
         }
         // The rest of the text is laid out in lines, but for the other stretches.
-        let lines = lines + around.lines;
+        let lines = lines - prose + around.lines;
         covered += around.lines;
         steps += around.records;
         runs += around.stretches.saturating_sub(1);

@@ -103,11 +103,11 @@ impl Place<'_> {
         }
     }
 
-    /// Whether the line is words, the first one in the place of an ID.
+    /// Whether half of the line is words or more, the first one in the place of an ID.
     fn is_heading(&self) -> bool {
         let is_word = |t: &Token| matches!(t.kind(), TokenKind::Word | TokenKind::Invalid);
         let on_line = self.all.iter().filter(|t| !t.kind().is_trivia());
         let (words, others): (Vec<&Token>, Vec<&Token>) = on_line.partition(|t| is_word(t));
-        words.len() > others.len() && self.tokens.first().is_some_and(is_word)
+        words.len() >= others.len() && self.tokens.first().is_some_and(is_word)
     }
 }

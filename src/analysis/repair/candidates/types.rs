@@ -1,10 +1,10 @@
 //! Another type, or the numbers that go with another.
 
 use super::{Candidate, Habit, MOST, Place};
-use crate::analysis::repair::words;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType, ShapeKind};
+use crate::syntax::words;
 use crate::syntax::{hex, quote};
 
 /// The types that scenes are mostly made of, the most frequent first.

@@ -2,8 +2,8 @@
 
 use rustc_hash::FxHashSet;
 
+use super::table::{RECORD_TYPES, RecordType};
 use crate::diagnostics::Language;
-use crate::syntax::table::{RECORD_TYPES, RecordType};
 
 /// Other names, without accents and in lower case, and the types they may stand for, the likeliest first.
 const NAMES: &[(&str, &[i32])] = &[

@@ -1,0 +1,131 @@
+//! Lines that begin as those of scenes alone do: with an ID and a type that no table of numbers has there, or with an ID
+//! and the name of a type in English or Czech.
+
+use rustc_hash::FxHashMap;
+
+use super::lexer::{Token, TokenKind};
+use super::recovery::LEAST_HEAD as LEAST_OF_SCENES;
+use super::table::{RecordKind, RecordType};
+use super::words;
+
+/// What the lines of a text begin with.
+#[derive(Debug, Default)]
+pub struct SceneLines {
+    /// The lines that are not blank and not comments.
+    all: usize,
+    /// Those with the type of a render record, an operation, a property, a light or a camera, behind an ID or where one
+    /// is lost.
+    pub typed: usize,
+    /// Whether a render record is among them, with its ID.
+    pub is_drawn: bool,
+    /// Those of which only the minus of such a type is lost.
+    unsigned: usize,
+    /// Those with an ID, the name of a type, and numbers.
+    pub worded: usize,
+    /// How many numbers are on lines with an ID and a type: a number whose sign may be lost or a dash, or a name.
+    numbers: usize,
+}
+
+impl SceneLines {
+    pub fn of(text: &str, tokens: &[Token]) -> SceneLines {
+        let mut names = Names::default();
+        let mut lines = SceneLines::default();
+        for line in tokens.split(|t| t.kind() == TokenKind::Newline) {
+            let line = line.iter().filter(|t| !t.kind().is_trivia());
+            lines.add(text, line, &mut names);
+        }
+        lines
+    }
+
+    fn add<'a, 't>(
+        &mut self,
+        text: &'a str,
+        line: impl Iterator<Item = &'t Token> + Clone,
+        names: &mut Names<'a>,
+    ) {
+        let count = line.clone().count();
+        self.all += usize::from(count > 0);
+        let mut has_type = names.begins(text, line.clone());
+        self.worded += usize::from(has_type);
+        for (i, token) in line.clone().take(2).enumerate() {
+            let word = token.text(text);
+            let dashed = word.strip_prefix(['−', '–', '-']);
+            let Ok(code) = dashed.unwrap_or(word).parse::<u32>().map(i64::from) else {
+                continue;
+            };
+            let (plain, signed) = (RecordType::by_code(code), RecordType::by_code(-code));
+            has_type |= i == 1 && (plain.is_some() || signed.is_some());
+            let is_drawn = plain.is_some_and(|ty| ty.kind == RecordKind::Render);
+            let is_typed = match signed.filter(|ty| ty.code <= LEAST_OF_SCENES) {
+                Some(_) if dashed.is_some() => true,
+                Some(ty) => {
+                    self.unsigned += usize::from(i + 1 + ty.params.len() == count);
+                    false
+                }
+                None => is_drawn && dashed.is_none() && count > 2,
+            };
+            self.typed += usize::from(is_typed);
+            let is_render = is_typed && is_drawn && i == 1 && count > 3;
+            self.is_drawn |= is_render && line.clone().next().is_some_and(|t| t.text(text) == "1");
+        }
+        if has_type {
+            self.numbers += line.filter(|t| t.kind().is_numeric()).count();
+        }
+    }
+
+    /// How many numbers are on lines with the head of a record; `None` where no line begins as those of scenes alone do.
+    /// Types without their signs count for that where one line in five has one, and so do names of types.
+    pub fn headed(&self) -> Option<usize> {
+        let are_many = |n: usize| n > 1 && 5 * n >= self.all;
+        let are_of_scene = self.typed > 0 || are_many(self.unsigned) || are_many(self.worded);
+        are_of_scene.then_some(self.numbers)
+    }
+}
+
+/// Which words are names of types. A text may have millions of others, of which not all are looked up.
+#[derive(Default)]
+struct Names<'a> {
+    known: FxHashMap<&'a str, bool>,
+}
+
+/// So many different words are looked up.
+const LOOKED_UP: usize = 1000;
+
+impl<'a> Names<'a> {
+    /// Whether a line is an ID, the name of a type, and numbers.
+    fn begins<'t>(&mut self, text: &'a str, mut line: impl Iterator<Item = &'t Token>) -> bool {
+        let (Some(id), Some(first)) = (line.next(), line.next()) else {
+            return false;
+        };
+        // A comma or a point between the two is a table's or a list's.
+        let is_apart = text[id.end() as usize..first.start as usize]
+            .trim()
+            .is_empty();
+        let is_id = id.integer(text).is_some_and(|id| id > 0);
+        if !(is_id && is_apart && first.kind() == TokenKind::Word) {
+            return false;
+        }
+        let mut name = first.span();
+        let mut numbers = 0;
+        for token in line {
+            match token.kind() {
+                TokenKind::Word if numbers == 0 => name = name.to(token.span()),
+                kind if kind.is_numeric() => numbers += 1,
+                _ => return false,
+            }
+        }
+        numbers > 0 && self.is_type(&text[name.range()])
+    }
+
+    fn is_type(&mut self, name: &'a str) -> bool {
+        if let Some(&known) = self.known.get(name) {
+            return known;
+        }
+        if self.known.len() == LOOKED_UP {
+            return false;
+        }
+        let is_type = !words::types(name).is_empty();
+        self.known.insert(name, is_type);
+        is_type
+    }
+}
