@@ -7,6 +7,7 @@ mod messages;
 mod order;
 mod rules;
 mod scenes;
+mod shell;
 mod slips;
 mod student;
 mod whole;

@@ -1,5 +1,7 @@
 //! What people write in the place of a type's number: its English and its Czech names.
 
+use std::sync::LazyLock;
+
 use rustc_hash::FxHashSet;
 
 use super::table::{RECORD_TYPES, RecordType};
@@ -182,6 +184,20 @@ pub fn types(word: &str) -> Vec<&'static RecordType> {
         n.0.len() >= MISSPELLED_LEAST && strsim::osa_distance(n.0, &word) == 1
     };
     NAMES.iter().find(near).map_or(Vec::new(), |n| of(n.1))
+}
+
+/// Whether a word is the name of a type, or the first of several, without a mistake.
+pub fn is_name(word: &str) -> bool {
+    static ALL: LazyLock<FxHashSet<String>> = LazyLock::new(|| {
+        let names = NAMES.iter().map(|n| n.0.to_owned());
+        let titles = RECORD_TYPES.iter().flat_map(|ty| {
+            let czech = Language::Czech.name(ty.title);
+            [ty.keyword, ty.title, &czech]
+                .map(|title| plain(title.split(' ').next().unwrap_or(title)))
+        });
+        names.chain(titles).collect()
+    });
+    ALL.contains(&plain(word))
 }
 
 /// Whether a word is a cylinder, which is no type: a surface of revolution is one.

@@ -8,6 +8,7 @@
 
 use super::super::hex;
 use super::super::table::{RecordKind, RecordType};
+use super::super::words;
 
 /// The price of giving a comment up at the end of its line: an error.
 const UNCLOSED: u32 = 110;
@@ -155,8 +156,8 @@ fn garbage(part: &str) -> u32 {
         let unsigned = w.trim_start_matches(['+', '-', '.']);
         unsigned.starts_with(|c: char| c.is_ascii_digit())
     };
-    let names_a_file = part.split_whitespace().any(|w| w == "-301");
-    if names_a_file || part.split_whitespace().all(is_code) {
+    // A word among the numbers of a record is an error whichever `#` closes which.
+    if begins_a_record(part) || part.split_whitespace().all(is_code) {
         0
     } else {
         GARBAGE
@@ -168,8 +169,30 @@ fn is_void(part: &str) -> bool {
     matches!(part.trim(), "" | "0")
 }
 
-/// Whether a stretch of comment is three numbers or more, the first two of them integers.
+/// Whether a stretch of text begins with an ID, a type or its name, and something else.
+fn begins_a_record(part: &str) -> bool {
+    let mut words = part.split_whitespace();
+    let (Some(id), Some(ty), Some(_)) = (words.next(), words.next(), words.next()) else {
+        return false;
+    };
+    let dashed = ty.strip_prefix(['−', '–', '—', '‑', '‐']);
+    let ty = dashed.map_or(ty.to_owned(), |digits| format!("-{digits}"));
+    let is_type = match ty.parse() {
+        Ok(code) => RecordType::by_code(code).is_some(),
+        // A letter in the place of a digit.
+        Err(_) => {
+            ty.len() > 1 && ty.contains(|c: char| c == '-' || c.is_ascii_digit())
+                || words::is_name(&ty)
+        }
+    };
+    is_type && id.parse::<u32>().is_ok_and(|id| id > 0)
+}
+
+/// Whether a stretch of comment begins as a record, or is three numbers or more, the first two of them integers.
 fn looks_like_a_record(part: &str) -> bool {
+    if begins_a_record(part) {
+        return true;
+    }
     let mut words = part.split_whitespace();
     let id = words.next().is_some_and(|w| w.parse::<u32>().is_ok());
     let code = words.next().is_some_and(|w| w.parse::<i32>().is_ok());
@@ -225,6 +248,21 @@ mod tests {
             let all: Vec<usize> = (0..n).map(|i| 2 * i + 1).collect();
             assert_eq!(lines(&text), all);
             assert!(lines(&text.replace("ball", "ball #")).is_empty());
+        }
+    }
+
+    #[test]
+    fn a_record_with_a_mistake_is_one() {
+        for record in [
+            "2 -701 rgb 1 0 0",
+            "2 -701 red",
+            "2 sphere 0 0 0 1",
+            "2 koule 0 0 0 x",
+        ] {
+            let all = "# floor\n3 9 1\n# red\n?\n# ball\n4 9 1\n# all\n5 -101 3 4\n";
+            assert_eq!(lines(&all.replace('?', record)), [1, 3, 5, 7], "{record}");
+            let all = "3 9 1 # floor\n? # red\n4 9 1 # ball\n5 -101 3 4 # all\n";
+            assert_eq!(lines(&all.replace('?', record)), [1, 2, 3, 4], "{record}");
         }
     }
 

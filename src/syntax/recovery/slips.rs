@@ -54,6 +54,11 @@ pub fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order) -> Sl
             let head = got > 0 || ty.code <= LEAST_HEAD || in_order;
             (Some(ty), if head { Slip::Yes } else { Slip::Maybe })
         }
+        // Words for numbers, as in `2 -701 red`: of a table no row has those, nor such a type.
+        Verdict::WrongArity { ty, .. } if ty.code <= LEAST_HEAD => {
+            let has_word = stretch.bad(start + 2, end) > 0;
+            (Some(ty), if has_word { Slip::Yes } else { Slip::No })
+        }
         Verdict::BadPointCount { ty } if end > start + 4 => (Some(ty), Slip::Yes),
         Verdict::BadType
             if (stretch.sigs[start + 1].kind.is_bad() || has_next_id()) && end > start + 2 =>

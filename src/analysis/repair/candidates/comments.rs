@@ -55,6 +55,10 @@ impl Place<'_> {
             if before == 1 && !is_void || before == 0 && !self.is_heading() {
                 continue;
             }
+            // Behind the end of a comment over several lines, a new one would leave hidden what that hides.
+            if before == 0 && !self.begins_its_line() {
+                continue;
+            }
             let written = &self.text[begin as usize..self.line.end as usize];
             let words: String = written.replace(['#', '\u{2028}'], " ");
             let words = words
@@ -101,6 +105,15 @@ impl Place<'_> {
             true => least + optional.len(),
             false => least,
         }
+    }
+
+    /// Whether nothing stands before the first token on its line.
+    fn begins_its_line(&self) -> bool {
+        let source = &self.analysis.source;
+        let line = source.line_span(source.line_index(source.floor(self.line.start)));
+        self.text[line.start as usize..self.line.start as usize]
+            .trim()
+            .is_empty()
     }
 
     /// Whether half of the line is words or more, the first one in the place of an ID.
