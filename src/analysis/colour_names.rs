@@ -1,26 +1,51 @@
-//! Colours by name: the 17 basic names of CSS, and the Czech ones.
+//! Colours by name: those of CSS, and the Czech ones.
+
+use color::Srgb;
 
 use crate::syntax::words::plain;
 
-/// The names that CSS 2.1 has, in sRGB, with other English names, and the Czech names without accents and endings.
-const NAMES: &[([u8; 3], &[&str], &[&str])] = &[
-    ([0, 255, 255], &["aqua", "cyan"], &["azurov"]),
-    ([0, 0, 0], &["black"], &["cern"]),
-    ([0, 0, 255], &["blue"], &["modr"]),
-    ([255, 0, 255], &["fuchsia", "magenta"], &["purpurov"]),
-    ([128, 128, 128], &["gray", "grey"], &["sed"]),
-    ([0, 128, 0], &["green"], &["zelen"]),
-    ([0, 255, 0], &["lime"], &["limetkov"]),
-    ([128, 0, 0], &["maroon"], &["kastanov", "vinov"]),
-    ([0, 0, 128], &["navy"], &["tmavomodr", "tmavemodr"]),
-    ([128, 128, 0], &["olive"], &["olivov"]),
-    ([255, 165, 0], &["orange"], &["oranzov"]),
-    ([128, 0, 128], &["purple"], &["fialov"]),
-    ([255, 0, 0], &["red"], &["cerven"]),
-    ([192, 192, 192], &["silver"], &["stribrn"]),
-    ([0, 128, 128], &["teal"], &["tyrkysov"]),
-    ([255, 255, 255], &["white"], &["bil"]),
-    ([255, 255, 0], &["yellow"], &["zlut"]),
+/// Czech names without accents and endings, and the names that CSS has for the same colours.
+const CZECH: &[(&str, &str)] = &[
+    ("azurov", "cyan"),
+    ("bezov", "beige"),
+    ("bil", "white"),
+    ("blankytn", "skyblue"),
+    ("cern", "black"),
+    ("cerven", "red"),
+    ("cokoladov", "chocolate"),
+    ("fialov", "purple"),
+    ("hned", "brown"),
+    ("indigov", "indigo"),
+    ("karminov", "crimson"),
+    ("kastanov", "maroon"),
+    ("koralov", "coral"),
+    ("levandulov", "lavender"),
+    ("limetkov", "lime"),
+    ("lososov", "salmon"),
+    ("modr", "blue"),
+    ("modrozelen", "teal"),
+    ("olivov", "olive"),
+    ("oranzov", "orange"),
+    ("purpurov", "magenta"),
+    ("ruzov", "pink"),
+    ("sed", "gray"),
+    ("slonovinov", "ivory"),
+    ("stribrn", "silver"),
+    ("svetlehned", "tan"),
+    ("svetlemodr", "lightblue"),
+    ("svetlesed", "lightgray"),
+    ("svetlezelen", "lightgreen"),
+    ("tmavecerven", "darkred"),
+    ("tmavehned", "saddlebrown"),
+    ("tmavemodr", "navy"),
+    // CSS has a `darkgray` that is lighter than its `gray`.
+    ("tmavesed", "dimgray"),
+    ("tmavezelen", "darkgreen"),
+    ("tyrkysov", "turquoise"),
+    ("vinov", "maroon"),
+    ("zelen", "green"),
+    ("zlat", "gold"),
+    ("zlut", "yellow"),
 ];
 
 /// How Czech adjectives end in the nominative, without accents.
@@ -28,14 +53,22 @@ const ENDINGS: [&str; 3] = ["a", "y", "e"];
 
 /// Red, green and blue of a name in sRGB, from 0 to 255.
 pub fn colour(word: &str) -> Option<[u8; 3]> {
-    let word = plain(word);
-    let is_czech = |stem: &&str| {
-        let ending = word.strip_prefix(stem);
-        ending.is_some_and(|ending| ENDINGS.contains(&ending))
-    };
-    let is_named =
-        |n: &&([u8; 3], &[&str], &[&str])| n.1.contains(&word.as_str()) || n.2.iter().any(is_czech);
-    NAMES.iter().find(is_named).map(|n| n.0)
+    // `světlomodrá` is `světle modrá`.
+    let word = plain(word)
+        .replacen("svetlo", "svetle", 1)
+        .replacen("tmavo", "tmave", 1);
+    let stem = ENDINGS.iter().find_map(|ending| word.strip_suffix(ending));
+    let czech = CZECH.iter().find(|names| Some(names.0) == stem);
+    let name = czech.map_or(word.as_str(), |names| names.1);
+    if !name.bytes().all(|b| b.is_ascii_lowercase()) {
+        return None;
+    }
+    let colour = color::parse_color(name)
+        .ok()?
+        .to_alpha_color::<Srgb>()
+        .to_rgba8();
+    // `transparent` is none.
+    (colour.a == u8::MAX).then_some([colour.r, colour.g, colour.b])
 }
 
 #[cfg(test)]
@@ -43,7 +76,7 @@ mod tests {
     use super::*;
     use crate::syntax::hex;
 
-    /// <https://www.w3.org/TR/CSS21/syndata.html#value-def-color>
+    /// <https://www.w3.org/TR/css-color-4/#named-colors>
     #[test]
     fn names_of_css_and_czech_ones() {
         for (names, shown) in [
@@ -57,20 +90,49 @@ mod tests {
             ("white bílá bila", "#ffffff"),
             ("lime limetková", "#00ff00"),
             ("green zelená", "#008000"),
-            ("navy tmavomodrá", "#000080"),
+            ("navy tmavomodrá tmavě-modrá", "#000080"),
             ("blue modrá", "#0000ff"),
             ("aqua cyan azurová", "#00ffff"),
-            ("teal tyrkysová", "#008080"),
+            ("teal modrozelená", "#008080"),
             ("black černá", "#000000"),
             ("silver stříbrná", "#c0c0c0"),
-            ("gray grey šedá", "#808080"),
+            ("gray grey šedá šedý sede", "#808080"),
+            ("turquoise tyrkysová", "#40e0d0"),
+            ("brown hnědá hnedy", "#a52a2a"),
+            ("gold zlatá zlate", "#ffd700"),
+            ("pink růžová", "#ffc0cb"),
+            ("lightblue Light-Blue světlemodrá světlomodrá", "#add8e6"),
+            ("rebeccapurple", "#663399"),
+            ("lightgoldenrodyellow", "#fafad2"),
+            ("papayawhip", "#ffefd5"),
+            ("dimgrey tmavošedá", "#696969"),
         ] {
             for name in names.split(' ') {
                 assert_eq!(colour(name), hex::colour(shown), "{name}");
             }
         }
-        for word in ["", "reddish", "koule", "cern", "ball"] {
+        for word in [
+            "",
+            "reddish",
+            "koule",
+            "cern",
+            "ball",
+            "transparent",
+            "none",
+            "rgb(1,2,3)",
+        ] {
             assert_eq!(colour(word), None, "{word}");
+        }
+    }
+
+    #[test]
+    fn czech_names_are_those_of_css() {
+        assert!(CZECH.is_sorted());
+        for (stem, name) in CZECH {
+            assert!(
+                colour(name).is_some() && colour(&format!("{stem}a")) == colour(name),
+                "{stem}"
+            );
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A colour as other programs write it, `7 -701 #ff8000` or `7 -701 red`, is one finding that says which numbers it
-//! is.
+//! is, and so is a material, `7 -201 glass`.
 
-use super::colour_names;
+use super::{colour_names, materials};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span};
 use crate::lint::spelling::spelled;
 use crate::syntax::lexer::{Token, TokenKind};
@@ -10,15 +10,16 @@ use crate::syntax::{Document, Item, hex, quote};
 use crate::trace::bitmap::linear;
 use crate::trace::film::srgb8;
 
-/// What the parser found about colours in hexadecimal digits and by name becomes one finding for each.
+/// What the parser found about colours in hexadecimal digits, and about colours and materials by name, becomes one
+/// finding for each.
 pub fn join(document: &Document, source: &SourceFile, findings: &mut Vec<Diagnostic>) {
     if !document.contents.broken {
         return;
     }
     for item in &document.items {
         let Item::Broken(broken) = item else { continue };
-        if broken.kind == Some(RecordKind::Colour)
-            && let Some(finding) = one_word(document, &source.text, broken.first)
+        if let Some(kind) = broken.kind
+            && let Some(finding) = one_word(document, &source.text, broken.first, kind)
         {
             let start = document.tokens[broken.first as usize].start;
             let record = start..finding.fixes[0].edits[0].span.end;
@@ -28,34 +29,46 @@ pub fn join(document: &Document, source: &SourceFile, findings: &mut Vec<Diagnos
     }
 }
 
-/// The colour in the place of the numbers of a record whose ID is at a token.
-fn one_word(document: &Document, text: &str, id: u32) -> Option<Diagnostic> {
+/// The colour or the material in the place of the numbers of a record whose ID is at a token.
+fn one_word(document: &Document, text: &str, id: u32, kind: RecordKind) -> Option<Diagnostic> {
     let tokens = document.tokens[id as usize..].iter();
     let mut on_line = tokens.take_while(|t| t.kind() != TokenKind::Newline);
     let word = on_line.by_ref().nth(2)?;
     if !on_line.all(|t| t.kind().is_comment()) {
         return None;
     }
+    let within = word.text(text).trim_matches('"');
+    if kind != RecordKind::Colour {
+        let numbers = materials::numbers(kind, within)?;
+        let finding = Diagnostic::new(Code::E003, word.span()).case("material");
+        return Some(proposing(finding, text, word.span(), (numbers, "")));
+    }
     let (span, colour, comment) = match word.kind().is_comment() {
         true => in_comment(word, text)?,
-        false => {
-            let within = word.text(text).trim_matches('"');
-            (word.span(), shown(within)?, String::new())
-        }
+        false => (word.span(), shown(within)?, String::new()),
     };
+    let finding = Diagnostic::new(Code::E003, span).case("colour");
     let numbers = spelled_out(colour);
-    Some(
-        Diagnostic::new(Code::E003, span)
-            .case("colour")
-            .with("text", quote(&text[span.range()]))
-            .with("number", quote(&numbers))
-            .fix(Fix::replace(
-                "fix",
-                Applicability::Unsafe,
-                word.span(),
-                numbers + &comment,
-            )),
-    )
+    Some(proposing(finding, text, word.span(), (numbers, &comment)))
+}
+
+/// A finding about a word, with the numbers to be written for it, and a comment behind them.
+fn proposing(
+    finding: Diagnostic,
+    text: &str,
+    word: Span,
+    (numbers, comment): (String, &str),
+) -> Diagnostic {
+    let written = quote(&text[finding.span.range()]);
+    finding
+        .with("text", written)
+        .with("number", quote(&numbers))
+        .fix(Fix::replace(
+            "fix",
+            Applicability::Unsafe,
+            word,
+            numbers + comment,
+        ))
 }
 
 /// The numbers of a colour that one word is, in hexadecimal digits or by name.

@@ -10,6 +10,7 @@ mod commas;
 pub mod config;
 pub mod file;
 pub mod fixing;
+mod materials;
 mod moving;
 pub mod parameters;
 mod pictures;

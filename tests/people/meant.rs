@@ -93,6 +93,33 @@ const LINES: &[(usize, &str, Code, &str)] = &[
         "2 -701 1 1 1 # w #",
     ),
     (1, "2 -701 maroon", Code::E003, "2 -701 0.216 0 0"),
+    (1, "2 -701 hnědá", Code::E003, "2 -701 0.376 0.023 0.023"),
+    (
+        1,
+        "2 -701 rebeccapurple",
+        Code::E003,
+        "2 -701 0.133 0.033 0.32",
+    ),
+    (1, "2 -701 fialový", Code::E003, "2 -701 0.216 0 0.216"),
+    // Materials.
+    (
+        6,
+        "5 -1 0.5 0 0\n5 -201 sklo",
+        Code::E003,
+        "5 -1 0.5 0 0\n5 -201 0 0.1 0.9",
+    ),
+    (
+        6,
+        "5 -1 0.5 0 0\n5 -203 glass # g #",
+        Code::E003,
+        "5 -1 0.5 0 0\n5 -203 1.5 1.5 1.5 # g #",
+    ),
+    (
+        6,
+        "5 -1 0.5 0 0\n5 -201 Mirror",
+        Code::E003,
+        "5 -1 0.5 0 0\n5 -201 0 1 0",
+    ),
     (1, "2 -701 zelena", Code::E003, "2 -701 0 0.216 0"),
     // Colours where their IDs belong.
     (
@@ -187,6 +214,46 @@ fn what_is_written_for_them_is_right() {
         let mut lines = meant.lines().map(str::trim);
         let is_there = |line: &str| text.lines().any(|l| l.trim() == line);
         assert!(lines.any(is_there), "{written}: {text}");
+    }
+}
+
+/// Words one above the other, before what could be their numbers.
+#[test]
+fn colours_and_materials_by_name_on_many_lines() {
+    let written = "10 -701 červená\n11 -701 zelená\n12 -701 modrá\n13 -201 sklo\n2 11 0 0 0 1\n\
+                   2 -299 10 13\n1 9999 2 0\n";
+    let mut meant = written.to_owned();
+    for (word, numbers) in [
+        ("červená", "1 0 0"),
+        ("zelená", "0 0.216 0"),
+        ("modrá", "0 0 1"),
+        ("sklo", "0 0.1 0.9"),
+    ] {
+        meant = meant.replace(word, numbers);
+    }
+    assert_eq!(codes(written), [Code::E003; 4]);
+    assert_eq!(fixed(written), meant);
+}
+
+/// Of a record whose type is known a word in it is no comment.
+#[test]
+fn no_record_becomes_a_comment() {
+    for line in [
+        "2 -201 gls",
+        "2 -299 10 červená",
+        "2 -701 reddish",
+        "2 -203 glas",
+        "2 -1 up",
+    ] {
+        let text = format!("2 11 0 0 0 1\n10 -701 1 1 1\n{line}\n1 9999 2 0\n");
+        for d in repair::proposals(&read(&text)) {
+            let titles: Vec<&str> = d.fixes.iter().map(|f| f.title).collect();
+            assert!(!titles.contains(&"fix-comment"), "{line}: {titles:?}");
+            assert!(
+                d.code != Code::E012 || d.case == "parameter",
+                "{line}: {d:?}"
+            );
+        }
     }
 }
 

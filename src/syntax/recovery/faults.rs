@@ -3,7 +3,7 @@
 use super::super::hex;
 use super::super::lexer::TokenKind;
 use super::super::signature::{allows, fits};
-use super::super::table::{Effect, ParamKind, RecordKind, RecordType};
+use super::super::table::{Effect, Param, ParamKind, RecordKind, RecordType};
 use super::heads::{end_of, expected_ends, integral, point_count, type_at, type_behind_stray};
 use super::known::Known;
 use super::slips::LEAST_HEAD;
@@ -28,8 +28,8 @@ fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) ->
     if let Some(swapped) = swapped(stretch, start, end) {
         return swapped;
     }
-    if let Some(colour) = hex_colour(stretch, start, end) {
-        return colour;
+    if let Some(word) = one_word(stretch, start, end) {
+        return word;
     }
     let good_id = id.int.is_some_and(|id| id > 0);
     let ty = (start + 1 < end)
@@ -380,16 +380,24 @@ fn swapped(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)
     right.then_some((Verdict::Swapped, FAULT - 20))
 }
 
-/// A line `7 -701 ff8000`: a colour with one word in the place of its numbers.
-fn hex_colour(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
+/// A line `7 -701 ff8000`, `7 -701 red` or `7 -201 glass`: one word in the place of all numbers of a record.
+fn one_word(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
     let whole_line = stretch.starts_line(start) && stretch.ends_line(end);
     if !whole_line || end != start + 3 || stretch.sigs[start].int.is_none_or(|id| id <= 0) {
         return None;
     }
+    let is_number = |p: &Param| matches!(p.kind, ParamKind::Real);
     let ty = stretch
         .record_type(start + 1)
-        .filter(|t| t.kind == RecordKind::Colour)?;
-    hex::colour(stretch.token(start + 2).text(stretch.text()))?;
+        .filter(|t| t.code <= LEAST_HEAD && t.params.len() > 1 && t.params.iter().all(is_number))?;
+    let word = stretch.token(start + 2).text(stretch.text());
+    let is_name = word
+        .chars()
+        .all(|c| c.is_alphabetic() || c == '-' || c == '"');
+    let is_colour = ty.kind == RecordKind::Colour && hex::colour(word).is_some();
+    if !is_name && !is_colour {
+        return None;
+    }
     let verdict = Verdict::WrongArity {
         ty,
         got: 1,

@@ -245,8 +245,14 @@ impl Reporter<'_, '_> {
             out.push(d);
             return;
         }
+        let most = ty.params.len() + ty.optional.len();
         for i in (first..end).filter(|&i| Some(i) != name) {
-            self.bad_token(i, out);
+            if self.bad_token(i, out)
+                && i - first < most
+                && let Some(d) = out.pop_if(|d| d.code == Code::E012)
+            {
+                out.push(d.case("parameter").with("header", header(ty)));
+            }
         }
     }
 
