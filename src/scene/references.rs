@@ -249,27 +249,13 @@ impl Resolver<'_> {
 
     /// E107 or E101. `used` are the IDs that the record has; none if it is to change this one.
     fn undefined(&mut self, id: u32, span: Span, kinds: &'static [Kind], late: bool, used: &[u32]) {
-        let document = self.document;
-        let definition = self
-            .references
-            .definition
-            .get_or_insert_with(|| definitions(document));
         let changes = used.is_empty();
-        let is_meant = |kind: Option<Kind>| !changes || kind.is_none_or(|k| kinds.contains(&k));
-        if let (false, Some(&(at, kind))) = (late, definition.get(&id))
-            && is_meant(kind)
-        {
+        if let (false, Some((at, _))) = (late, self.later(id)) {
             let finding = Diagnostic::new(Code::E107, span)
                 .case(if changes { "changed" } else { "" })
                 .with("id", id.to_string())
                 .label(at, "later");
-            if self.references.lost.is_empty() {
-                self.out.push(finding);
-            } else {
-                self.references
-                    .dangling
-                    .push(Dangling { id, kinds, finding });
-            }
+            self.say_unless_any_lost(finding, id, kinds);
             return;
         }
         let finding = Diagnostic::new(Code::E101, span).with("id", id.to_string());
@@ -279,10 +265,53 @@ impl Resolver<'_> {
             .push(Dangling { id, kinds, finding });
     }
 
+    /// Where an ID is first defined in the file, and as what, if that is known.
+    fn later(&mut self, id: u32) -> Option<(Span, Option<Kind>)> {
+        let document = self.document;
+        let all = self
+            .references
+            .definition
+            .get_or_insert_with(|| definitions(document));
+        all.get(&id).copied()
+    }
+
+    /// Says something of an ID. Where records have lost theirs, one of those may be it.
+    fn say_unless_any_lost(&mut self, finding: Diagnostic, id: u32, kinds: &'static [Kind]) {
+        match self.references.lost.is_empty() {
+            true => self.out.push(finding),
+            false => self
+                .references
+                .dangling
+                .push(Dangling { id, kinds, finding }),
+        }
+    }
+
+    /// Says of a record that stands above the definition of its ID that it cannot change such a thing at all.
+    fn changes_another_kind(&mut self, p: &Params, kinds: &'static [Kind]) -> bool {
+        let Some((at, Some(kind))) = self.later(p.id) else {
+            return false;
+        };
+        if kinds.contains(&kind) || kind == Kind::Undefined {
+            return false;
+        }
+        let finding = Diagnostic::new(Code::E103, p.id_span())
+            .case("changed")
+            .with("kind", Value::Term(kind.name()))
+            .with("kinds", one_of(kinds))
+            .with("id", p.id.to_string())
+            .with("type", Value::Term(p.ty.title))
+            .label(at, "defined-here");
+        let finding = self.with_proposal(finding, p.id, p.id_span(), kinds, &[]);
+        self.say_unless_any_lost(finding, p.id, kinds);
+        true
+    }
+
     /// The state of the entity that a record changes, if it may.
     pub fn changed(&mut self, p: &Params, kinds: &'static [Kind]) -> Option<State> {
         let Some(state) = self.state(p.id) else {
-            self.undefined(p.id, p.id_span(), kinds, false, &[]);
+            if !self.changes_another_kind(p, kinds) {
+                self.undefined(p.id, p.id_span(), kinds, false, &[]);
+            }
             return None;
         };
         let finding = match state.kind() {

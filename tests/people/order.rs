@@ -185,3 +185,30 @@ fn an_assignment_in_any_order() {
     }
     assert_eq!(with(4, "4 -299 2 3"), SCENE);
 }
+
+/// An ID that is defined below as something that the record cannot change is not called undefined.
+#[test]
+fn what_is_defined_below_is_not_called_undefined() {
+    for (line, kind, below) in [
+        ("51 -1 0 5 0", "ambient light", "51 -401 0.2"),
+        ("51 -2 30 1", "ambient light", "51 -401 0.2"),
+        ("51 -3 1 2 1", "colour", "51 -701 1 0 0"),
+        ("51 -601 0 0 0 1 1 1", "point light", "51 -402 1"),
+    ] {
+        let text = format!("2 11 0 0 0 1\n{line}\n{below}\n1 9999 2 0\n");
+        let all = errors(&text);
+        let found: Vec<Code> = all.iter().map(|d| d.code).collect();
+        assert_eq!(found, [Code::E103], "{text}");
+        assert!(
+            super::said(&all[0])[0].contains(kind),
+            "{:?}",
+            super::said(&all[0])
+        );
+    }
+    // What can be changed only stands in the wrong place.
+    let found = errors("2 11 0 0 0 1\n51 -1 0 5 0\n51 -402 1\n1 9999 2 0\n");
+    assert_eq!(
+        (found.len(), found[0].code, found[0].case),
+        (1, Code::E107, "changed")
+    );
+}

@@ -56,7 +56,7 @@ impl Place<'_> {
                 continue;
             }
             // Behind the end of a comment over several lines, a new one would leave hidden what that hides.
-            if before == 0 && !self.begins_its_line() {
+            if before == 0 && self.ends_a_comment() {
                 continue;
             }
             let written = &self.text[begin as usize..self.line.end as usize];
@@ -107,13 +107,12 @@ impl Place<'_> {
         }
     }
 
-    /// Whether nothing stands before the first token on its line.
-    fn begins_its_line(&self) -> bool {
+    /// Whether a comment that began on a line before ends on this one, before its first token.
+    fn ends_a_comment(&self) -> bool {
         let source = &self.analysis.source;
         let line = source.line_span(source.line_index(source.floor(self.line.start)));
-        self.text[line.start as usize..self.line.start as usize]
-            .trim()
-            .is_empty()
+        let before = &self.text[line.start as usize..self.line.start as usize];
+        before.matches('#').count() % 2 == 1
     }
 
     /// Whether half of the line is words or more, the first one in the place of an ID.
