@@ -312,6 +312,27 @@ fn a_broken_scene() {
     is_czech(dir, &["check", "--fix", "--unsafe-fixes", "a.zpg"], 1);
 }
 
+/// What is said goes with the gender of what it is said of.
+#[test]
+fn genders_agree() {
+    let said = |text: &str, code: Code| {
+        let analysis = Analysis::new("scene.zpg", text.as_bytes().to_vec());
+        let finding = analysis.findings().iter().find(|d| d.code == code);
+        let words = finding.unwrap().wording(Language::Czech);
+        format!("{}; {}", words.message, words.labels.join("; "))
+    };
+    let twice = said("2 9 1\n1 9999 2 0\n1 9999 2 0\n", Code::E102);
+    assert!(twice.contains("první renderovací záznam je zde"), "{twice}");
+    let kind = said("2 9 1\n3 -201 1 0 0\n2 -299 3 0\n1 9999 2 0\n", Code::E103);
+    assert!(
+        kind.starts_with("3 je optická vlastnost; má to být textura nebo barva"),
+        "{kind}"
+    );
+    let outside = "2 9 1\n3 11 90 0 0 1\n4 -101 2 3\n1 9999 4 0 -5 -5 -5 5 5 5\n";
+    let outside = said(outside, Code::W312);
+    assert!(outside.contains("leží zcela mimo"), "{outside}");
+}
+
 #[test]
 fn a_file_that_is_not_there() {
     let dir = folder(&[

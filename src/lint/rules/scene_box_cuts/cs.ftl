@@ -9,7 +9,7 @@ W312-outside = nic nebude vidět: celý objekt { $id } leží mimo kvádr render
     } { $reach }
     .label = { $name }, stěna kvádru
     .note = co leží mimo kvádr, není vidět žádným paprskem
-W312-part = { $type } { $id } nebude vidět: leží celé mimo kvádr renderovacího záznamu, { $axis } je všude { $where ->
+W312-part = { $type } { $id } nebude vidět: leží zcela mimo kvádr renderovacího záznamu, { $axis } je všude { $where ->
         [above] nejméně
        *[below] nejvýše
     } { $reach }{ $others ->
