@@ -35,14 +35,18 @@ const OTHERS: &[&str] = &[
     // JSON.
     "{\"spheres\": [\n  {\"id\": 2, \"radius\": 1},\n  {\"id\": 3, \"radius\": 2}\n], \"render\": 9999}\n",
     // Markdown.
-    "# A scene of balls\n\nA ball is a sphere.\nIt is round.\nA sphere needs a centre and a radius, and a lamp beside it:\n\n```zpg\n2 11 0 0 0 1\n5 -402 1\n1 9999 2 0\n```\n\nWrite it.\nDraw it.\nLook at it.\n\nThen move it:\nit is a ball.\n",
+    "# A scene of balls\n\nA ball is a sphere.\nIt is round.\n\
+     A sphere needs a centre and a radius, and a lamp beside it:\n\n\
+     ```zpg\n2 11 0 0 0 1\n5 -402 1\n1 9999 2 0\n```\n\n\
+     Write it.\nDraw it.\nLook at it.\n\nThen move it:\nit is a ball.\n",
     // A novel.
     "It was the best of times, it was the worst of times,\nit was the age of wisdom, it was the age of foolishness,\n\
      it was the epoch of belief, it was the season of Light,\nit was the season of Darkness, in 1775.\n",
     // Wavefront.
     "# cube.obj\no cube\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1 2 3\nf 1 3 4\n",
     // POV-Ray.
-    "camera { location <0, 1, 5> look_at 0 }\nlight_source { <3, 5, 3>, 1 }\nsphere { <0, 1, 0>, 1\n  pigment { rgb 1 }\n}\n\
+    "camera { location <0, 1, 5> look_at 0 }\nlight_source { <3, 5, 3>, 1 }\n\
+     sphere { <0, 1, 0>, 1\n  pigment { rgb 1 }\n}\n\
      plane { y, 0 }\n",
     // YAML.
     "objects:\n  - sphere: [0, 0, 0, 1]\n  - plane: [0, 1, 0, 0]\nlight: 1\ncamera: {at: [0, 1, 5]}\n",

@@ -202,9 +202,9 @@ impl Lines {
         2 * self.numbers >= self.all
     }
 
-    /// Whether there are records of a scene among them: the render record, or at least two lines, and a third of those
-    /// that begin with a number, which begin as those of scenes alone do. Of a page about scenes, which shows one between fences, that may be
-    /// so as well.
+    /// Whether there are records of a scene among them: the render record, or at least two lines, and a third of
+    /// those that begin with a number, which begin as those of scenes alone do. Of a page about scenes, which shows
+    /// one between fences, that may be so as well.
     fn are_of_scene(&self, text: &str) -> bool {
         let is_fence = |line: &str| line.trim_start().starts_with("```");
         if self.numbers < 2 || text.split(BREAKS).any(is_fence) {
