@@ -2,6 +2,7 @@
 //! record that was meant.
 
 mod agreement;
+mod commas;
 mod meant;
 mod messages;
 mod order;

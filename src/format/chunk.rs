@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::part::Part;
 use crate::syntax::lexer::{Token, TokenKind};
-use crate::syntax::{Document, Item};
+use crate::syntax::{Document, Item, commas};
 
 /// A record, or a comment between records.
 pub struct Element<'a> {
@@ -71,6 +71,7 @@ const BREAKS: [char; 2] = ['\n', '\r'];
 
 /// Cuts a part of a scene into chunks.
 pub struct Chunks<'a> {
+    text: &'a str,
     document: &'a Document,
     items: &'a [Item],
     /// The next token, and the one behind the part.
@@ -81,8 +82,9 @@ pub struct Chunks<'a> {
 }
 
 impl<'a> Chunks<'a> {
-    pub fn new(document: &'a Document, part: &Part) -> Chunks<'a> {
+    pub fn new(text: &'a str, document: &'a Document, part: &Part) -> Chunks<'a> {
         Chunks {
+            text,
             document,
             items: &document.items[part.items.clone()],
             at: part.tokens.start,
@@ -122,7 +124,8 @@ impl<'a> Chunks<'a> {
                 let inside = self.at..last as usize + 1;
                 self.at = inside.end;
                 let frozen = matches!(item, Item::Broken(_))
-                    || self.has_doubtful && tokens[inside].iter().any(is_doubtful);
+                    || self.has_doubtful && tokens[inside].iter().any(is_doubtful)
+                    || self.has_doubtful_comma(item);
                 chunk
                     .elements
                     .push(element(Piece::Item(item), last, frozen));
@@ -137,6 +140,12 @@ impl<'a> Chunks<'a> {
             }
         }
         !chunk.elements.is_empty()
+    }
+
+    /// Whether a record has a comma that may be a decimal one: it would be none any more with the numbers apart.
+    fn has_doubtful_comma(&self, item: &Item) -> bool {
+        let doubtful = |record| !commas::in_doubt_of(self.text, self.document, record).is_empty();
+        self.document.contents.separators && item.record().is_some_and(doubtful)
     }
 }
 

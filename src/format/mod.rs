@@ -12,7 +12,7 @@
 //!   printed on one line and nothing but comments follows it there. (The exceptions, matrices and
 //!   profiles in rows, have no optional parameters.)
 //! - Where the scene has errors, the lines tell what was meant. A line with something on it that
-//!   could not be read is left as it is, to the byte.
+//!   could not be read is left as it is, to the byte, and so is one with a comma that may be a decimal one.
 //!
 //! Whether that worked is tested each time: the result is read again, and where another layout lets
 //! mistakes be read differently, the lines in question stay as they are.
@@ -160,7 +160,7 @@ fn print_part<'a>(
     }
     let mut printer = Printer::new(*context, care, page);
     let mut source: Option<Range<usize>> = None;
-    let (mut chunks, mut chunk) = (Chunks::new(document, part), Chunk::default());
+    let (mut chunks, mut chunk) = (Chunks::new(text, document, part), Chunk::default());
     while chunks.next(&mut chunk) {
         if chunk.after_blank_line {
             printer.blank_line();

@@ -23,6 +23,7 @@
 
 pub mod ast;
 pub mod captions;
+pub mod commas;
 pub mod commented_out;
 pub mod contents;
 pub mod describe;

@@ -4,6 +4,7 @@
 //! way `(0,5; 1)`, where the comma is a separator at first sight, may be two numbers instead of three.
 
 use super::super::ast::{Broken, Fault, Item};
+use super::super::commas::pairs;
 use super::super::lexed::Lexed;
 use super::super::lexer::{self, Token, TokenKind};
 use super::super::quote::quote;
@@ -90,35 +91,6 @@ pub fn respell(text: &str, tokens: Vec<Token>) -> (Vec<Token>, Vec<Span>) {
 /// Whether there is any [pair](pairs).
 pub fn has_pair(text: &str, lexed: &Lexed) -> bool {
     lexed.has_separator && pairs(text, &lexed.tokens).next().is_some()
-}
-
-/// Numbers with a comma between their digits that was taken for a separator, as in `(0,5; 1)`. Commas of a longer list,
-/// such as `1,2,3`, are separators in any case.
-fn pairs<'a>(text: &'a str, tokens: &'a [Token]) -> impl Iterator<Item = Token> + 'a {
-    let is_comma = move |i: usize| {
-        let token = tokens.get(i);
-        token.is_some_and(|t| t.kind() == TokenKind::Separator && t.text(text) == ",")
-    };
-    let is_integer = |t: &Token| t.kind() == TokenKind::Integer;
-    // Whether a token and the next one touch.
-    let touches = |i: usize| {
-        let ends = tokens.get(i).zip(tokens.get(i + 1));
-        ends.is_some_and(|(a, b)| a.end() == b.start)
-    };
-    (1..tokens.len())
-        .filter(move |&i| is_comma(i))
-        .filter_map(move |i| {
-            let (a, b) = (tokens[i - 1], *tokens.get(i + 1)?);
-            let is_pair = is_integer(&a)
-                && is_integer(&b)
-                && b.text(text).bytes().all(|c| c.is_ascii_digit())
-                && touches(i - 1)
-                && touches(i);
-            let follows = i > 2 && is_comma(i - 2) && touches(i - 3) && touches(i - 2);
-            let is_followed = is_comma(i + 2) && touches(i + 1) && touches(i + 2);
-            (is_pair && !follows && !is_followed)
-                .then(|| Token::new(TokenKind::DecimalComma, a.start as usize, b.end() as usize))
-        })
 }
 
 /// The numbers a token can be taken apart to, with the comma between them.

@@ -4,3 +4,7 @@ S501 = `{ $text }` do scény nepatří; čísla se oddělují mezerami
         [one] odstranit
        *[other] odstranit všechny na tomto řádku ({ $count })
     }
+S501-decimal = { $text } je čteno jako dvě čísla, { $number }
+    .label = desetinná čárka?
+    .help = je-li to jedno číslo, patří do něj desetinná tečka; záznamu pak číslo chybí
+    .fix = zapsat dvě čísla

@@ -4,3 +4,7 @@ S501 = `{ $text }` does not belong in a scene; numbers are separated by spaces
         [one] remove it
        *[other] remove all { $count } on this line
     }
+S501-decimal = { $text } is read as two numbers, { $number }
+    .label = a decimal comma?
+    .help = if it is one number, write it with a decimal point; the record then lacks a number
+    .fix = write two numbers

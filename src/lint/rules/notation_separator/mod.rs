@@ -2,8 +2,8 @@
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::lint::Context;
-use crate::syntax::Item;
 use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::{Item, commas, quote};
 
 /// Whether a separator is a comma that may be a decimal one.
 fn is_between_digits(text: &str, separator: &Token) -> bool {
@@ -33,6 +33,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if !context.document.contents.separators {
         return;
     }
+    let in_doubt = commas::in_doubt(context.text, context.document);
     // One finding a line is enough.
     for line in context
         .document
@@ -60,6 +61,21 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let finding = Diagnostic::new(Code::S501, first.span())
             .with("text", first.text(context.text).to_owned())
             .with("count", Value::Count(separators.len() as u64));
+        let last = separators[separators.len() - 1].start;
+        let at = in_doubt.partition_point(|pair| pair.end <= first.start);
+        let doubtful = in_doubt.get(at).filter(|pair| pair.start < last);
+        if let Some(&pair) = doubtful {
+            let words = &context.text[pair.range()];
+            let finding = Diagnostic::new(Code::S501, pair).case("decimal");
+            let finding = finding.with("number", quote(&words.replace(',', " ")));
+            out.push(finding.with("text", quote(words)).fix(Fix {
+                title: "fix",
+                values: Vec::new(),
+                applicability: Applicability::Unsafe,
+                edits,
+            }));
+            continue;
+        }
         // What is wrong there may be what the separators say: a decimal comma, a comment.
         let may_say_more = line.iter().any(|t| t.kind() == TokenKind::Word)
             || separators
