@@ -78,9 +78,10 @@ pub fn to_fixed_point(
         findings.iter_mut().for_each(|d| d.fixes.retain(kept));
         analysis.findings = findings.into();
     }
+    let proposals = repair::proposals(&analysis);
     let findings = match unsafe_too {
-        true => analysis.findings().to_vec(),
-        false => repair::proposals(&analysis),
+        true => with_choices(analysis.findings(), proposals),
+        false => proposals,
     };
     Mended {
         analysis,
@@ -88,6 +89,20 @@ pub fn to_fixed_point(
         count,
         rounds,
     }
+}
+
+/// What is left, with the guesses among which a person has to choose.
+fn with_choices(left: &[Diagnostic], proposals: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let mut left = left.to_vec();
+    let is_choice =
+        |d: &Diagnostic| (d.fixes.iter()).any(|f| f.applicability == Applicability::Choice);
+    for choice in proposals.into_iter().filter(is_choice) {
+        let same = |d: &&mut Diagnostic| (d.code, d.span) == (choice.code, choice.span);
+        if let Some(d) = left.iter_mut().find(same) {
+            *d = choice;
+        }
+    }
+    left
 }
 
 /// Whether a fix is applied where it is the only one.

@@ -20,6 +20,8 @@ pub enum Applicability {
     Safe,
     /// A good guess; a person should look.
     Unsafe,
+    /// One of several guesses that are as good: a person has to choose, and it is never applied.
+    Choice,
 }
 
 /// One replacement of text.

@@ -4,11 +4,12 @@ use super::source::line_break;
 use super::{Applicability, Diagnostic, Edit, Fix};
 
 impl Diagnostic {
-    /// The fix that is applied, if one may be: the first that is safe, or the first of all.
+    /// The fix that is applied, if one may be: the first that is safe, or the first of all if it is no choice.
     pub fn applicable_fix(&self, unsafe_too: bool) -> Option<&Fix> {
         let safe = |f: &&Fix| f.applicability == Applicability::Safe;
         let safe_one = self.fixes.iter().find(safe);
-        safe_one.or(self.fixes.first().filter(|_| unsafe_too))
+        let guess = |f: &&Fix| unsafe_too && f.applicability != Applicability::Choice;
+        safe_one.or(self.fixes.first().filter(guess))
     }
 }
 

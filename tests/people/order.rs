@@ -212,3 +212,32 @@ fn what_is_defined_below_is_not_called_undefined() {
         (1, Code::E107, "changed")
     );
 }
+
+/// While another error hides which object is left over, none of several guesses at an operand is taken, and all are
+/// listed. When the other error is mended, the right one is.
+#[test]
+fn of_several_guesses_none_is_taken() {
+    // 7 is what is left over, and the colour lacks a number that nobody can guess.
+    for (line, written) in [
+        (11, "8 -101 4 77"),
+        (11, "8 -101 14 7"),
+        (10, "7 -103 6 15"),
+    ] {
+        let scene = with(line, written);
+        let text = scene.replace("2 -701 1 0.5 0.2", "2 -701 1 0.5");
+        let finding = errors(&text).into_iter().find(|d| d.code == Code::E101);
+        let finding = finding.unwrap_or_else(|| panic!("{written}"));
+        let is_choice = |f: &zpg::diagnostics::Fix| f.applicability == Applicability::Choice;
+        assert!(
+            finding.fixes.len() > 1 && finding.fixes.iter().all(is_choice),
+            "{written}"
+        );
+        assert_eq!(finding.notes, ["choose"]);
+        let mended = fixing::to_fixed_point(read(&text), true, Analysis::of);
+        assert_eq!(mended.analysis.source.text, text);
+        let left = mended.findings.iter().find(|d| d.code == Code::E101);
+        let edits = |d: &Diagnostic| d.fixes.iter().map(|f| f.edits.clone()).collect::<Vec<_>>();
+        assert_eq!(left.map(edits), Some(edits(&finding)));
+        assert_eq!(self::mended(&scene, true), super::rules::SCENE, "{written}");
+    }
+}

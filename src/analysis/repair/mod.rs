@@ -348,15 +348,25 @@ impl Engine<'_> {
         let at = (self.findings.iter().position(|d| *d == finding)).unwrap_or(at);
         // What leaves an object in vain is no proposal beside one that does not.
         let least = judged[0].0.in_vain;
-        let best = judged.iter().filter(|j| j.0.in_vain == least);
+        // While there are other errors, nobody can tell which object is left over.
+        let names_another = |j: &&(Left, Trial)| j.1.candidate.habit.names_another();
+        let is_open = judge::errors(&judged[0].1.scene) > 0
+            && judged.first().is_some_and(|j| names_another(&j))
+            && judged.iter().filter(names_another).count() > 1;
+        let best = (judged.iter()).filter(|j| is_open || j.0.in_vain == least);
         // One comment is as good as another.
         let mut comments = 0;
         let best = best.map(|j| &j.1.candidate).filter(|c| {
             comments += usize::from(c.habit == Habit::Comment);
             c.habit != Habit::Comment || comments == 1
         });
-        let best = best.take(PROPOSALS);
-        retell(&mut self.findings[at], &best.collect::<Vec<_>>(), place);
+        let best: Vec<&Candidate> = best.take(PROPOSALS).collect();
+        let finding = &mut self.findings[at];
+        retell(finding, &best, place);
+        if is_open {
+            finding.notes.push("choose");
+            (finding.fixes.iter_mut()).for_each(|f| f.applicability = Applicability::Choice);
+        }
         true
     }
 }

@@ -101,6 +101,7 @@ fix-lost-type = za ID napsat typ `{ $number }` ({ $type })
 fix-comment = dát to do komentáře
 fix-doubled = vynechat čísla, která jsou tu dvakrát
 lack = zapsaná čísla jsou možná { $have }; pak chybí { $missing }
+choose = několik odhadů je stejně dobrých: vyberte z nich, `--unsafe-fixes` nepoužije žádný
 comment-ends = komentář končí druhým znakem `#`; co stojí za ním, se čte jako čísla
 fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam
 fix-lamp-place = napsat intenzitu 1 a polohu jako samostatný záznam

@@ -94,6 +94,7 @@ fix-lost-type = put the type `{ $number }` ({ $type }) after the ID
 fix-comment = turn this into a comment
 fix-doubled = drop the numbers that stand there twice
 lack = the numbers here may be { $have }, with { $missing } left out
+choose = several guesses are as good: choose one, since `--unsafe-fixes` takes none of them
 comment-ends = a comment ends at its second `#`; whatever comes after it is read as numbers
 fix-lamp = write the intensity 1, and the colour as a record of its own
 fix-lamp-place = write the intensity 1, and the position as a record of its own

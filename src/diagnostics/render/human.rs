@@ -394,7 +394,9 @@ impl Printer<'_> {
         let title = visible(title);
         let title = match fix.applicability {
             Applicability::Safe => title.into_owned(),
-            Applicability::Unsafe => format!("{title} {}", self.look.language.say("guess", &[])),
+            Applicability::Unsafe | Applicability::Choice => {
+                format!("{title} {}", self.look.language.say("guess", &[]))
+            }
         };
         match fixed_lines(self.file, fix).as_slice() {
             [] => wrapped_if(&title, width, ""),

@@ -47,7 +47,8 @@ impl Tally {
             }
             let safe = diagnostic.applicable_fix(false).is_some();
             self.fixable += usize::from(safe);
-            self.fixable_unsafe += usize::from(!safe && !diagnostic.fixes.is_empty());
+            let guess = diagnostic.applicable_fix(true).is_some();
+            self.fixable_unsafe += usize::from(!safe && guess);
         }
     }
 

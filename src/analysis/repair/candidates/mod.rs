@@ -57,6 +57,11 @@ pub enum Habit {
 }
 
 impl Habit {
+    /// Whether this puts another ID in the place of one.
+    pub fn names_another(self) -> bool {
+        matches!(self, Habit::Shifted | Habit::Reference | Habit::Proposed)
+    }
+
     /// Whether a finding speaks of what this puts right. If not, [`Place::matter`] does.
     pub fn is_said_by(self, finding: &Diagnostic) -> bool {
         use Code::*;
