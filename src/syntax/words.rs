@@ -205,6 +205,11 @@ pub fn is_cylinder(word: &str) -> bool {
     matches!(plain(word).as_str(), "cylinder" | "valec")
 }
 
+/// Whether a word is a cone.
+pub fn is_cone(word: &str) -> bool {
+    matches!(plain(word).as_str(), "cone" | "kuzel")
+}
+
 fn of(codes: &[i32]) -> Vec<&'static RecordType> {
     let types = codes.iter().filter_map(|&c| RecordType::by_code(c.into()));
     types.collect()

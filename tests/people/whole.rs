@@ -177,6 +177,23 @@ fn two_scenes_in_one_file() {
     });
 }
 
+/// The same where the scenes share no ID but that of the render record.
+#[test]
+fn two_scenes_with_ids_of_their_own() {
+    let second = "102 -701 1 0 0\n104 12 4 0 0 5 1 1\n104 -701 1 0 0\n1 9999 104 102\n";
+    let text = super::rules::SCENE.to_owned() + second;
+    let (error, fixed) = mended(&text);
+    assert_eq!((error.code, error.case), (Code::E102, "renders"));
+    let drawn = text
+        .replace("1 9999 8 2\n", "1 9999 105 2\n")
+        .replace("1 9999 104 102\n", "105 -101 8 104\n");
+    assert_eq!(fixed, drawn);
+    assert!(read(&fixed).is_sound());
+    // A second render record of the same objects makes no second scene.
+    let all = repair::proposals(&read(&(super::rules::SCENE.to_owned() + "1 9999 7 0\n")));
+    assert!(all.iter().all(|d| d.case != "renders"));
+}
+
 /// Twelve in a row lack the same number: twelve findings, of which people are shown the first.
 #[test]
 fn a_row_of_records_that_lack_the_same() {

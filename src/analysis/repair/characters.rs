@@ -6,6 +6,8 @@ const DASHES: [char; 8] = ['−', '–', '—', '‐', '‑', '‒', '﹣', '－
 
 /// The number that was meant by a word that is none. A per cent sign divides by 100, a degree sign goes.
 pub fn number(text: &str) -> Option<String> {
+    // Square brackets belong to no number; other ones are no words.
+    let text = text.trim_start_matches('[').trim_end_matches(']');
     let text = text.strip_suffix(['°', 'º', '˚']).unwrap_or(text);
     if let Some(share) = text.strip_suffix('%') {
         return hundredth(&plain(share)?);
@@ -94,6 +96,8 @@ mod tests {
             ("1O", "10"),
             ("-4O2", "-402"),
             ("l1", "11"),
+            ("[1", "1"),
+            ("-0.5]", "-0.5"),
             ("O.5", "0.5"),
             ("60%", "0.6"),
             ("5%", "0.05"),

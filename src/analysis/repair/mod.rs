@@ -78,6 +78,8 @@ struct Trial {
     candidate: Candidate,
     scene: Analysis,
     line: Span,
+    /// How many errors are left that are not [hidden](hidden_by_type).
+    errors: usize,
 }
 
 impl Engine<'_> {
@@ -277,10 +279,9 @@ impl Engine<'_> {
             let Some((scene, own_line)) = attempt else {
                 break;
             };
-            let errors = judge::errors(&scene);
-            let least = trials
-                .first()
-                .map_or(usize::MAX, |t| judge::errors(&t.scene));
+            let hidden = hidden_by_type(&finding, &candidate, &scene, own_line);
+            let errors = judge::errors(&scene) - hidden;
+            let least = trials.first().map_or(usize::MAX, |t| t.errors);
             let better = match finding.is_error() {
                 true => errors < errors_before,
                 false => errors <= errors_before,
@@ -290,7 +291,7 @@ impl Engine<'_> {
                 Habit::Proposed => true,
                 // Behind a comment a record that lacks numbers would take those of the next line.
                 Habit::Comment => !has_error_at(&scene, own_line) && ends_on_line(&scene, own_line),
-                _ => !has_error_at(&scene, own_line),
+                _ => errors_at(&scene, own_line) == hidden,
             };
             if !better || errors > least || finding.is_error() && !mends {
                 continue;
@@ -307,6 +308,7 @@ impl Engine<'_> {
                 candidate,
                 scene,
                 line: own_line,
+                errors,
             });
         }
         // A mere change of sign wins over another type.
@@ -365,6 +367,10 @@ impl Engine<'_> {
         retell(finding, &best, place);
         if is_open {
             finding.notes.push("choose");
+        }
+        // There would be more errors than before.
+        let is_hidden = finding.is_error() && judge::errors(&judged[0].1.scene) >= errors_before;
+        if is_open || is_hidden {
             (finding.fixes.iter_mut()).for_each(|f| f.applicability = Applicability::Choice);
         }
         true
@@ -432,9 +438,29 @@ fn has_safe_fix(d: &Diagnostic) -> bool {
 }
 
 fn has_error_at(scene: &Analysis, line: Span) -> bool {
+    errors_at(scene, line) > 0
+}
+
+fn errors_at(scene: &Analysis, line: Span) -> usize {
+    codes_at(scene, line).count()
+}
+
+fn codes_at(scene: &Analysis, line: Span) -> impl Iterator<Item = Code> {
     let source = &scene.source;
     let at = source.line_index(source.floor(line.start));
-    (scene.errors.iter()).any(|(_, span)| source.line_index(source.floor(span.start)) == at)
+    let on_line = move |span: Span| source.line_index(source.floor(span.start)) == at;
+    (scene.errors.iter()).filter_map(move |&(code, span)| on_line(span).then_some(code))
+}
+
+/// How many errors of a line show only now that an unknown type has its minus again: undefined IDs. They are no reason
+/// to take it for another type.
+fn hidden_by_type(d: &Diagnostic, candidate: &Candidate, scene: &Analysis, line: Span) -> usize {
+    match d.code == Code::E007 && candidate.habit == Habit::Sign {
+        true => codes_at(scene, line)
+            .filter(|&code| code == Code::E101)
+            .count(),
+        false => 0,
+    }
 }
 
 /// Whether what begins on a line ends there, too.

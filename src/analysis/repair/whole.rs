@@ -27,7 +27,11 @@ const MANY: usize = 3;
 /// Whether a finding is one of these.
 pub fn is_of_many(d: &Diagnostic) -> bool {
     let is_moved = d.code == Code::E107 && !d.fixes.is_empty();
-    is_moved || matches!(d.case, "dashes" | "minus" | "scenes" | "objects")
+    is_moved
+        || matches!(
+            d.case,
+            "dashes" | "minus" | "scenes" | "renders" | "objects"
+        )
 }
 
 /// Typographic dashes stand for minus signs on many lines, as in what is copied from a PDF file.
@@ -215,8 +219,8 @@ fn reserved(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
 
 /// Two scenes one behind the other: what follows the first render record is a scene by itself.
 fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
-    let doubled = findings.iter().filter(|d| d.code == Code::E102);
-    if doubled.count() < MANY {
+    let doubled = || findings.iter().filter(|d| d.code == Code::E102);
+    if doubled().count() < MANY && !doubled().any(|d| d.case == "render") {
         return None;
     }
     let is_render = |r: &&Record| r.kind == RecordKind::Render;
@@ -236,8 +240,14 @@ fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let doubled: FxHashSet<u32> = (records(&second).map(|r| r.id))
         .filter(|id| *id > 1 && ids.contains_key(id))
         .collect();
-    let by = 10_u32.checked_pow(ids.keys().max()?.checked_ilog10()? + 1)?;
-    let join = largest(&second).checked_add(by)?.checked_add(1)?;
+    let by = match doubled.is_empty() {
+        true => 0,
+        false => 10_u32.checked_pow(ids.keys().max()?.checked_ilog10()? + 1)?,
+    };
+    let join = largest(&second)
+        .checked_add(by)?
+        .max(largest(analysis))
+        .checked_add(1)?;
     let moved = |id: i64| id.checked_add(by.into()).unwrap_or(id).to_string();
     let (root, other) = (
         references(analysis, render).next()?,
@@ -251,6 +261,9 @@ fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
             edits.push(edit(in_file(all), text));
             continue;
         }
+        if by == 0 {
+            continue;
+        }
         let head = second.document.id_token(record).span();
         edits.push(edit(in_file(head), moved(record.id.into())));
         let named = references(&second, record).filter(|r| r.1 > 1);
@@ -258,11 +271,15 @@ fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     }
     let first = records(&second).next()?;
     let begin = in_file(second.document.span(first.first, first.last));
+    let (case, begun) = match by {
+        0 => ("renders", "render"),
+        _ => ("scenes", "first"),
+    };
     let finding = Diagnostic::new(Code::E102, begin)
-        .case("scenes")
+        .case(case)
         .with("count", Value::Count(doubled.len() as u64))
         .with("number", by.to_string())
-        .label(*ids.get(&first.id).or(ids.get(&1))?, "first")
+        .label(*ids.get(&first.id).or(ids.get(&1))?, begun)
         .fix(Fix {
             title: "fix",
             values: Vec::new(),

@@ -115,6 +115,8 @@ fix-inline = { $count ->
 }
 fix-cylinder = napsat { $text } ({ $type })
 fix-point = je-li { $text } bod, na který se má kamera dívat, napsat { $number }: směr je tento bod minus poloha kamery
+fix-look-at = je-li { $text } bod, na který se má kamera dívat, napsat směr { $way } (tento bod minus poloha kamery) a vektor „nahoru“ { $number }
+fix-parts = napsat to jako několik záznamů po dvou objektech ({ $type })
 fix-up = napsat vektor „nahoru“ { $number }
 defined-here = { $id } je definováno zde
 declared-here = { $id } je deklarováno zde
@@ -401,6 +403,12 @@ E102-scenes = v souboru jsou zřejmě dvě scény: { $count ->
     .help = dejte záznamům jedné scény jiná ID a ponechte jeden renderovací záznam
     .first = toto ID má i první scéna
     .fix = přičíst { $number } ke všem ID druhé scény a vykreslit obě
+
+E102-renders = v souboru jsou zřejmě dvě scény: obě mají renderovací záznam
+    .label = zde začíná druhá scéna
+    .help = scéna má jediný renderovací záznam; sjednocení objektů obou scén vykreslí všechno
+    .render = tímto záznamem první scéna končí
+    .fix = vykreslit objekty obou
 
 E103 = { $id } je { $kind }; má to být { $kinds }
     .label = zde má být: { $parameter }

@@ -108,6 +108,8 @@ fix-inline = { $count ->
 }
 fix-cylinder = write the { $type } { $text }
 fix-point = if { $text } is the point to look at, write { $number }: a direction is that point minus the position
+fix-look-at = if { $text } is the point to look at, write the direction { $way } (that point minus the position) and the up vector { $number }
+fix-parts = write it as several records ({ $type }) of two objects each
 fix-up = write the up vector { $number }
 defined-here = { $id } is defined here
 declared-here = { $id } is declared here
@@ -391,6 +393,12 @@ E102-scenes = this file seems to hold two scenes: { $count } IDs are defined twi
     .help = give the records of one scene other IDs, and keep one render record
     .first = the first scene has this ID, too
     .fix = add { $number } to all IDs of the second scene, and draw both
+
+E102-renders = this file seems to hold two scenes: both have a render record
+    .label = the second scene begins here
+    .help = a scene has one render record; a union of the objects of both draws all
+    .render = the first scene ends with this one
+    .fix = draw the objects of both
 
 E103 = { $id } is { $kind-a }, not { $kinds }
     .label = expected here: { $parameter }

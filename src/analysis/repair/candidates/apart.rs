@@ -9,6 +9,17 @@ use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
 /// A move and a colour have as many numbers.
 const OWN: usize = 3;
 
+/// What says that a place goes before the numbers of a record.
+#[derive(Clone, Copy)]
+enum Order {
+    /// It stands in brackets.
+    Brackets,
+    /// What follows it is rather a number of the record.
+    PlaceFirst,
+    /// Nothing: it may follow them, too.
+    Either,
+}
+
 impl Place<'_> {
     /// A light or a shape with three numbers too many, which are its colour or move it, or with six, which do both.
     /// The type may have lost its minus, too.
@@ -35,62 +46,167 @@ impl Place<'_> {
         let Some((own, rest)) = self.params().split_at_checked(wanted).filter(|_| is_one) else {
             return;
         };
-        let numbers: Option<Vec<f64>> = rest.iter().map(|t| t.number(self.text)).collect();
-        let (Some(last), Some(numbers)) = (own.last(), numbers) else {
+        if own.is_empty() {
             return;
+        }
+        let records = match rest.len() {
+            OWN => vec![vec![RecordKind::Colour], vec![RecordKind::Translation]],
+            n if n == 2 * OWN => vec![vec![RecordKind::Translation, RecordKind::Colour]],
+            _ => Vec::new(),
         };
-        let first: &[RecordKind] = match rest.len() {
-            OWN => &[RecordKind::Colour, RecordKind::Translation],
-            n if n == 2 * OWN => &[RecordKind::Translation],
-            _ => return,
-        };
-        for &first in first {
-            let records = [first, RecordKind::Colour].map(RecordType::of);
-            let records = &records[..rest.len() / OWN];
-            let each = || records.iter().zip(numbers.chunks(OWN));
-            if !each().all(|(ty, numbers)| may_follow(ty, kind, numbers)) {
+        let start = out.len();
+        for records in &records {
+            let records: Vec<&RecordType> = records.iter().map(|&k| RecordType::of(k)).collect();
+            if !self.may_follow(&records, rest, kind) {
                 continue;
             }
-            let sign = (habit == Habit::Sign).then(|| Edit {
-                span: self.tokens[1].span(),
-                text: ty.code.to_string(),
-            });
-            let mut before = last;
-            let mut edits: Vec<Edit> = sign.into_iter().collect();
+            let mut before = &own[own.len() - 1];
+            let mut edits = self.signed(ty, habit);
             for (ty, tokens) in records.iter().zip(rest.chunks(OWN)) {
                 edits.push(self.begun(id, ty, before, &tokens[0]));
                 before = &tokens[OWN - 1];
             }
-            let span = rest[0].span().to(rest[rest.len() - 1].span());
-            let fix = Fix {
-                title: match (records.len(), habit) {
-                    (1, Habit::Sign) => "fix-sign-apart",
-                    (1, _) => "fix-apart",
-                    (_, Habit::Sign) => "fix-sign-apart-both",
-                    _ => "fix-apart-both",
-                },
-                values: vec![
-                    ("type", Value::Term(records[0].title)),
-                    ("number", ty.code.to_string().into()),
-                    ("text", quote(&self.text[span.range()]).into()),
-                ],
-                applicability: Applicability::Unsafe,
-                edits,
-            };
-            out.push(Candidate {
-                habit,
-                fix,
-                ty: None,
-            });
+            out.extend(self.records_apart(ty, &records, habit, rest, edits));
         }
+        // As other programs have it, the place goes first where brackets or the numbers say so.
+        let order = self.order(ty);
+        let placed = order.and_then(|_| self.place_first(id, ty, kind, habit));
+        match order {
+            Some(Order::Brackets) if placed.is_some() => out.truncate(start),
+            _ => {}
+        }
+        let at = match order {
+            Some(Order::PlaceFirst) => start,
+            _ => out.len(),
+        };
+        out.splice(at..at, placed);
+    }
+
+    /// The type with its minus, if that is what is wrong.
+    fn signed(&self, ty: &RecordType, habit: Habit) -> Vec<Edit> {
+        let sign = (habit == Habit::Sign).then(|| Edit {
+            span: self.tokens[1].span(),
+            text: ty.code.to_string(),
+        });
+        sign.into_iter().collect()
+    }
+
+    /// The place before the numbers of the type, or a lamp's place and colour without its intensity.
+    fn place_first(&self, id: u32, ty: &RecordType, kind: Kind, habit: Habit) -> Option<Candidate> {
+        let params = self.params();
+        let (place, own) = params.split_at_checked(OWN)?;
+        let [translation, colour] =
+            [RecordKind::Translation, RecordKind::Colour].map(RecordType::of);
+        let begun = |ty: &RecordType, text: &str| format!("\n{id} {} {text}", ty.code);
+        let (place_text, own_text) = (self.spaced(place)?, self.spaced(own)?);
+        let moved = begun(translation, &place_text);
+        let (records, told, text) = match own.len() {
+            n if n == ty.params.len() => (vec![translation], place, format!("{own_text}{moved}")),
+            OWN if ty.family == Family::Light => (
+                vec![translation, colour],
+                params,
+                format!("1{moved}{}", begun(colour, &own_text)),
+            ),
+            _ => return None,
+        };
+        if !self.may_follow(&records, params, kind) {
+            return None;
+        }
+        let mut edits = self.signed(ty, habit);
+        let span = place[0].span().to(params[params.len() - 1].span());
+        edits.push(Edit { span, text });
+        self.records_apart(ty, &records, habit, told, edits)
+    }
+
+    /// Whether the first three numbers may be a place; nothing if they are none. An intensity is 1 at most in most
+    /// scenes.
+    fn order(&self, ty: &RecordType) -> Option<Order> {
+        let params = self.params();
+        let ends = params.get(OWN - 1..=OWN)?;
+        let between = &self.text[ends[0].end() as usize..ends[1].start as usize];
+        if between.contains(['>', ')', '}']) {
+            return Some(Order::Brackets);
+        }
+        let is_intensity = |t: Option<&Token>| {
+            let x = t.and_then(|t| t.number(self.text));
+            x.is_some_and(|x| (0.0..=1.0).contains(&x))
+        };
+        if ty.family != Family::Light {
+            return None;
+        }
+        match (is_intensity(params.first()), is_intensity(params.last())) {
+            (false, true) => Some(Order::PlaceFirst),
+            (true, false) => None,
+            _ => Some(Order::Either),
+        }
+    }
+
+    /// A candidate that makes records of their own of some numbers.
+    fn records_apart(
+        &self,
+        ty: &RecordType,
+        records: &[&'static RecordType],
+        habit: Habit,
+        told: &[Token],
+        edits: Vec<Edit>,
+    ) -> Option<Candidate> {
+        let names_type = matches!(habit, Habit::Sign | Habit::Word);
+        let fix = Fix {
+            title: match (records.len(), names_type) {
+                (1, true) => "fix-sign-apart",
+                (1, false) => "fix-apart",
+                (_, true) => "fix-sign-apart-both",
+                (_, false) => "fix-apart-both",
+            },
+            values: vec![
+                ("type", Value::Term(records[0].title)),
+                ("number", ty.code.to_string().into()),
+                ("text", quote(&self.spaced(told)?).into()),
+            ],
+            applicability: Applicability::Unsafe,
+            edits,
+        };
+        Some(Candidate {
+            habit,
+            fix,
+            ty: None,
+        })
+    }
+
+    /// A shape by its name, with its place before its numbers: `torus <0, 1, 0> 2 1`.
+    pub(super) fn placed(
+        &self,
+        word: Span,
+        ty: &'static RecordType,
+        params: &[Token],
+    ) -> Option<Candidate> {
+        let (place, own) = params.split_at_checked(OWN)?;
+        let is_one = ty.family == Family::Shape && !ty.is_counted() && own.len() == ty.params.len();
+        let id = self.id().filter(|_| is_one)?;
+        let translation = RecordType::of(RecordKind::Translation);
+        let (place_text, own_text) = (self.spaced(place)?, self.spaced(own)?);
+        let edit = |span: Span, text: String| Edit { span, text };
+        let span = place[0].span().to(own[own.len() - 1].span());
+        let moved = format!("{own_text}\n{id} {} {place_text}", translation.code);
+        let edits = vec![edit(word, ty.code.to_string()), edit(span, moved)];
+        self.records_apart(ty, &[translation], Habit::Word, place, edits)
+    }
+
+    /// Whether numbers may be meant as records that follow what is defined.
+    fn may_follow(&self, records: &[&RecordType], tokens: &[Token], kind: Kind) -> bool {
+        let numbers: Option<Vec<f64>> = tokens.iter().map(|t| t.number(self.text)).collect();
+        let mut each = records
+            .iter()
+            .rev()
+            .zip(numbers.iter().flat_map(|n| n.rchunks(OWN)));
+        numbers.is_some() && each.all(|(ty, numbers)| may_follow(ty, kind, numbers))
     }
 
     /// The beginning of a record on a line of its own, before a number that stands behind another one.
     fn begun(&self, id: u32, ty: &RecordType, before: &Token, number: &Token) -> Edit {
         let between = Span::new(before.end(), number.start);
-        let is_empty = self.text[between.range()].trim().is_empty();
         Edit {
-            span: match is_empty {
+            span: match self.is_gap(between) {
                 true => between,
                 false => Span::new(number.start, number.start),
             },

@@ -20,16 +20,53 @@ impl Place<'_> {
         };
         let way = sub([dx, dy, dz], [x, y, z]).map(decimal);
         out.push(self.vector(Habit::Point, "fix-point", 3, &way));
-        // Straight down, what is far is at the top.
-        let upright = match (dx, dz) {
-            (0.0, 0.0) if dy < 0.0 => ["0", "0", "-1"],
-            (0.0, 0.0) => ["0", "0", "1"],
-            _ => ["0", "1", "0"],
-        };
         if finding.code == Code::E207 && [ux, uy, uz] != [0.0; 3] {
-            let upright = upright.map(str::to_owned);
+            let upright = upright([dx, dy, dz]).map(str::to_owned);
             out.push(self.vector(Habit::Up, "fix-up", 6, &upright));
         }
+    }
+
+    /// A camera without its up vector: its direction, or the point that it looks at, is followed by its angle.
+    pub(super) fn without_up(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
+        let is_camera = self.ty().is_some_and(|ty| ty.kind == RecordKind::Camera);
+        let numbers = self.params().iter().map(|t| t.number(self.text));
+        let numbers: Option<Vec<f64>> = numbers.collect();
+        let (Some(&[x, y, z, dx, dy, dz, _]), true) =
+            (numbers.as_deref(), is_camera && finding.code == Code::E008)
+        else {
+            return;
+        };
+        let tokens = &self.params()[3..6];
+        let Some(text) = self.spaced(tokens) else {
+            return;
+        };
+        let way = sub([dx, dy, dz], [x, y, z]);
+        let candidate = |title, habit, way: String, up: [&str; 3]| Candidate {
+            habit,
+            fix: Fix {
+                title,
+                values: vec![
+                    ("text", quote(&text).into()),
+                    ("number", quote(&up.join(" ")).into()),
+                    ("way", quote(&way).into()),
+                ],
+                applicability: Applicability::Unsafe,
+                edits: vec![Edit {
+                    span: tokens[0].span().to(tokens[2].span()),
+                    text: format!("{way} {}", up.join(" ")),
+                }],
+            },
+            ty: None,
+        };
+        let to_point = candidate(
+            "fix-look-at",
+            Habit::Point,
+            way.map(decimal).join(" "),
+            upright(way),
+        );
+        out.push(to_point);
+        let up = upright([dx, dy, dz]);
+        out.push(candidate("fix-up", Habit::Up, text.clone(), up));
     }
 
     /// Three parameters written anew.
@@ -57,5 +94,14 @@ impl Place<'_> {
             fix,
             ty: None,
         }
+    }
+}
+
+/// An up vector for a direction: straight down, what is far is at the top.
+fn upright(direction: [f64; 3]) -> [&'static str; 3] {
+    match direction {
+        [0.0, y, 0.0] if y < 0.0 => ["0", "0", "-1"],
+        [0.0, _, 0.0] => ["0", "0", "1"],
+        _ => ["0", "1", "0"],
     }
 }

@@ -12,6 +12,8 @@ use crate::syntax::table::{Kind, Param, ParamKind, RecordKind, RecordType};
 const PARTS: usize = 3;
 /// No record has more places for colours, optional ones too.
 const PLACES: u32 = 2;
+/// So many operands of one operation are taken apart.
+const OPERANDS: usize = 16;
 const LARGEST: u32 = i32::MAX as u32;
 
 /// A colour where an ID belongs: its place in the text, and its numbers.
@@ -22,10 +24,19 @@ struct Inline {
 
 const TITLE: &str = "fix-inline";
 
-/// The IDs that a fix gives to colours.
+/// The title of fixes that give an ID to a part of an operation.
+pub(super) const PARTS_TITLE: &str = "fix-parts";
+
+/// The IDs that a fix gives to colours and parts.
 pub fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
-    let edits = fix.edits.iter().filter(|_| fix.title == TITLE);
+    let is_one = fix.title == TITLE || fix.title == PARTS_TITLE;
+    let edits = fix.edits.iter().filter(move |_| is_one);
     edits.filter_map(|edit| edit.text.parse().ok())
+}
+
+/// Whether a fix makes records of colours.
+pub(super) fn is_inline(fix: &Fix) -> bool {
+    fix.title == TITLE
 }
 
 impl Place<'_> {
@@ -88,24 +99,19 @@ impl Place<'_> {
                 .is_some_and(|x| (0.0..=1.0).contains(&x))
         };
         let span = first.span().to(parts[PARTS - 1].span());
-        let numbers = self.text[span.range()].to_owned();
-        let is_plain = numbers.split_whitespace().count() == PARTS;
-        (is_plain && parts.iter().all(is_part)).then_some((PARTS, Inline { span, numbers }))
+        let numbers = self.spaced(parts)?;
+        parts
+            .iter()
+            .all(is_part)
+            .then_some((PARTS, Inline { span, numbers }))
     }
 
     /// The colours as records above this one, with IDs that are free.
     fn with_records(&self, list: &[Inline], used: &[u32]) -> Option<Candidate> {
         let code = RecordType::of(RecordKind::Colour).code;
-        let items = self.analysis.document.items.iter();
-        let ids = items.filter_map(|item| match item {
-            Item::Record(r) => Some(r.id),
-            Item::Broken(b) => b.id,
-            Item::Void { .. } => None,
-        });
-        let last = ids.chain(used.iter().copied()).max()?;
         let mut above = String::new();
         let mut edits = Vec::new();
-        for (id, inline) in (last.checked_add(1)?..=LARGEST).zip(list) {
+        for (id, inline) in (self.free_id(used)?..=LARGEST).zip(list) {
             above += &format!("{id} {code} {}\n", inline.numbers);
             edits.push(Edit {
                 span: inline.span,
@@ -138,5 +144,61 @@ impl Place<'_> {
             fix,
             ty: None,
         })
+    }
+
+    /// The first of the IDs that are larger than all of the file and all that are `used`.
+    fn free_id(&self, used: &[u32]) -> Option<u32> {
+        let items = self.analysis.document.items.iter();
+        let ids = items.filter_map(|item| match item {
+            Item::Record(r) => Some(r.id),
+            Item::Broken(b) => b.id,
+            Item::Void { .. } => None,
+        });
+        ids.chain(used.iter().copied()).max()?.checked_add(1)
+    }
+
+    /// An operation with more than two operands, as several: `5 -103 2 3 4` is 2 minus 3, minus 4.
+    pub(super) fn operands(&self, used: &[u32]) -> Option<Candidate> {
+        let is_operation = |k: RecordKind| {
+            matches!(
+                k,
+                RecordKind::Union | RecordKind::Intersection | RecordKind::Difference
+            )
+        };
+        let ty = self.ty().filter(|ty| is_operation(ty.kind))?;
+        let params = self.params();
+        let last = params
+            .last()
+            .filter(|_| (3..=OPERANDS).contains(&params.len()))?;
+        let ids: Option<Vec<i64>> = params
+            .iter()
+            .map(|t| t.integer(self.text).filter(|&id| id > 1))
+            .collect();
+        // One that stands there twice is a slip of another kind.
+        let ids = ids.filter(|ids| (1..ids.len()).all(|i| !ids[..i].contains(&ids[i])))?;
+        let (mut above, mut part) = (String::new(), ids[0].to_string());
+        let first = self.free_id(used)?;
+        for (id, operand) in (first..LARGEST).zip(&ids[1..ids.len() - 1]) {
+            above += &format!("{id} {} {part} {operand}\n", ty.code);
+            part = id.to_string();
+        }
+        let edit = |span: Span, text: String| Edit { span, text };
+        let head = self.tokens.first()?.start;
+        let behind = params[params.len() - 2].end();
+        let fix = Fix {
+            title: PARTS_TITLE,
+            values: vec![("type", Value::Term(ty.title))],
+            applicability: Applicability::Unsafe,
+            edits: vec![
+                edit(Span::new(head, head), above),
+                edit(Span::new(params[0].start, behind), part),
+            ],
+        };
+        self.is_gap(Span::new(behind, last.start))
+            .then_some(Candidate {
+                habit: Habit::Doubled,
+                fix,
+                ty: None,
+            })
     }
 }

@@ -12,7 +12,7 @@ use rustc_hash::FxHashSet;
 
 use crate::analysis::Analysis;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
-use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::lexer::{SEPARATORS, Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{Param, RecordType};
 pub use inline::new_ids;
@@ -28,6 +28,8 @@ pub enum Habit {
     Word,
     /// A comment has no signs around it.
     Comment,
+    /// A profile says another number of points than it has.
+    Count,
     /// Numbers stand there twice, or one is too many.
     Doubled,
     /// An axis is a letter, or stands before its angle.
@@ -75,7 +77,8 @@ impl Habit {
             Habit::Comment => matches!(finding.code, E001 | E002 | E003 | E007 | E009 | E012),
             Habit::Doubled | Habit::Sibling => matches!(finding.code, E008 | E009),
             Habit::Apart => matches!(finding.code, E003 | E007 | E008 | E009 | E012 | E101),
-            Habit::Point | Habit::Up => matches!(finding.code, E203 | E207),
+            Habit::Count => finding.case == "points",
+            Habit::Point | Habit::Up => matches!(finding.code, E008 | E203 | E207),
             Habit::Swapped => {
                 matches!(finding.code, E101 | E103 | E104 | E107 | E108 | W319)
             }
@@ -230,13 +233,16 @@ impl<'a> Place<'a> {
             self.axis(&mut out);
             self.comments(&mut out);
             self.signs(&mut out);
+            self.count(&mut out);
             self.doubled(&mut out);
             self.surplus(finding, &mut out);
             out.extend(self.angles());
+            out.extend(self.operands(&[undefined, taken].concat()));
             self.siblings(&mut out);
             self.apart(finding, &mut out);
             self.inline(&[undefined, taken].concat(), &mut out);
             self.camera(finding, &mut out);
+            self.without_up(finding, &mut out);
             self.types(finding, &mut out);
             self.arranged(&mut out);
             self.references(finding, &mut out);
@@ -247,6 +253,11 @@ impl<'a> Place<'a> {
         } else if finding.code == Code::W319 {
             self.swapped(&mut out);
         }
+        if out.iter().any(|c| inline::is_inline(&c.fix)) {
+            // Colours are no comment.
+            out.retain(|c| c.habit != Habit::Comment);
+        }
+        out.iter_mut().for_each(|c| self.drop_separators(c));
         let mut seen: FxHashSet<Vec<(Span, String)>> = FxHashSet::default();
         let edits = |c: &Candidate| -> Vec<(Span, String)> {
             (c.fix.edits.iter())
@@ -286,6 +297,7 @@ impl<'a> Place<'a> {
                 Some(Diagnostic::new(Code::E012, span).with("text", quote(word)))
             }
             Habit::Doubled | Habit::Sibling | Habit::Apart => self.wrong_count(),
+            Habit::Count => self.points(),
             Habit::Axis => {
                 let d = Diagnostic::new(Code::E012, edit.span).case("axis");
                 Some(d.with("text", written))
@@ -297,6 +309,56 @@ impl<'a> Place<'a> {
             Habit::Shifted | Habit::Reference | Habit::Id | Habit::Type | Habit::Proposed => None,
             Habit::Point | Habit::Up => None,
         }
+    }
+
+    /// What arranges numbers anew leaves no half of a bracket: all separators of the line go.
+    fn drop_separators(&self, candidate: &mut Candidate) {
+        use Habit::*;
+        let arranges = matches!(
+            candidate.habit,
+            Apart | Doubled | Sibling | Word | Sign | Axis | Point | Count
+        );
+        if candidate.ty.is_some() || !arranges {
+            return;
+        }
+        let edits = &mut candidate.fix.edits;
+        let is_space = |i: usize| {
+            self.text
+                .as_bytes()
+                .get(i)
+                .is_none_or(u8::is_ascii_whitespace)
+        };
+        let separators = self.all.iter().filter(|t| t.kind() == TokenKind::Separator);
+        let left = separators.filter(|t| {
+            let is_in = |e: &Edit| e.span.start <= t.start && t.end() <= e.span.end;
+            !edits.iter().any(is_in)
+        });
+        let left: Vec<Edit> = left
+            .map(|t| {
+                let apart =
+                    t.start == 0 || is_space(t.start as usize - 1) || is_space(t.end() as usize);
+                let text = if apart { "" } else { " " }.to_owned();
+                Edit {
+                    span: t.span(),
+                    text,
+                }
+            })
+            .collect();
+        edits.extend(left);
+        edits.sort_by_key(|e| (e.span.start, e.span.end));
+    }
+
+    /// Whether there are but spaces and separators in a part of the text.
+    fn is_gap(&self, between: Span) -> bool {
+        let is_nothing = |c: char| c.is_whitespace() || SEPARATORS.contains(&c);
+        self.text[between.range()].chars().all(is_nothing)
+    }
+
+    /// The texts of some tokens with a space between each, if there is nothing but spaces and separators between them.
+    fn spaced(&self, tokens: &[Token]) -> Option<String> {
+        let gap = |two: &[Token]| self.is_gap(Span::new(two[0].end(), two[1].start));
+        let texts: Vec<&str> = tokens.iter().map(|t| t.text(self.text)).collect();
+        tokens.windows(2).all(gap).then(|| texts.join(" "))
     }
 
     fn write_type(&self, habit: Habit, ty: &'static RecordType) -> Candidate {
@@ -334,7 +396,7 @@ impl<'a> Place<'a> {
         debug_assert!(at == last.end);
         let fix = Fix {
             title: "fix-write",
-            values: vec![("number", quote(&shown).into())],
+            values: vec![("number", quote(shown.trim()).into())],
             applicability: Applicability::Unsafe,
             edits,
         };

@@ -2,7 +2,7 @@
 
 use super::{Candidate, Habit, Place};
 use crate::analysis::repair::characters;
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
@@ -10,10 +10,13 @@ use crate::syntax::table::{RecordKind, RecordType};
 impl Place<'_> {
     /// A rotation with an angle for each axis, as other programs have it, of which all but one are 0.
     pub(super) fn angles(&self) -> Option<Candidate> {
+        let turns = self.ty()?.kind == RecordKind::Rotation;
+        if let (&[_, _, _, _], true) = (self.params(), turns) {
+            return self.about_vector();
+        }
         let [first, _, last] = *self.params() else {
             return None;
         };
-        let turns = self.ty()?.kind == RecordKind::Rotation;
         let is_angle = |t: &&Token| t.number(self.text).is_some_and(|x| x != 0.0);
         let all = || (1..).zip(self.params());
         let (axis, angle) = all().find(|(_, t)| is_angle(t)).filter(|_| turns)?;
@@ -26,6 +29,69 @@ impl Place<'_> {
             fix: fix.with("number", quote(&text)),
             ty: None,
         })
+    }
+
+    /// A rotation about an axis that is given as a vector, behind the angle or before it.
+    fn about_vector(&self) -> Option<Candidate> {
+        let params = self.params();
+        let axis = |vector: &[Token]| {
+            let numbers: Option<Vec<f64>> = vector.iter().map(|t| t.number(self.text)).collect();
+            let numbers = numbers?;
+            let at = numbers.iter().position(|&x| x != 0.0)?;
+            let is_one = numbers.iter().filter(|&&x| x != 0.0).count() == 1;
+            is_one.then_some((at + 1, numbers[at] < 0.0))
+        };
+        let behind = axis(&params[1..]).map(|axis| (params[0], axis));
+        let before = || axis(&params[..3]).map(|axis| (params[3], axis));
+        let (angle, (axis, is_reverse)) = behind.or_else(before)?;
+        let angle = angle.text(self.text);
+        let angle = match (is_reverse, angle.strip_prefix('-')) {
+            (true, Some(rest)) => rest.to_owned(),
+            (true, None) => format!("-{angle}"),
+            (false, _) => angle.to_owned(),
+        };
+        let text = format!("{angle} {axis}");
+        let span = params[0].span().to(params[3].span());
+        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
+        Some(Candidate {
+            habit: Habit::Doubled,
+            fix: fix.with("number", quote(&text)),
+            ty: None,
+        })
+    }
+
+    /// How many points follow the number of points of a profile, if these are whole ones.
+    fn whole_points(&self) -> Option<usize> {
+        let ty = self.ty().filter(|ty| ty.is_counted())?;
+        let each: usize = ty.repeats.iter().map(|group| group.len()).sum();
+        let (n, points) = self.params().split_first()?;
+        let is_number = |t: &Token| t.number(self.text).is_some();
+        let is_one = n.integer(self.text).is_some() && points.iter().all(is_number);
+        let count = points.len() / each;
+        (is_one && points.len() % each == 0 && count > 1).then_some(count)
+    }
+
+    /// The number of points that a profile has, in the place of the one that it says.
+    pub(super) fn count(&self, out: &mut Vec<Candidate>) {
+        let count = self.whole_points().map(|count| count.to_string());
+        out.extend(count.and_then(|count| self.write(Habit::Count, &[(self.params()[0], count)])));
+    }
+
+    /// That a profile says another number of points than it has.
+    pub(super) fn points(&self) -> Option<Diagnostic> {
+        let points = self.whole_points()?;
+        let n = self.params()[0];
+        let d = self.wrong_count()?;
+        let d = Diagnostic {
+            span: n.span(),
+            ..d
+        }
+        .case("points");
+        let d = d.with("says", n.text(self.text).to_owned());
+        Some(
+            d.with("points", Value::Count(points as u64))
+                .with("number", quote(&points.to_string())),
+        )
     }
 
     /// An axis by its letter, which may stand before the angle.
@@ -90,7 +156,9 @@ impl Place<'_> {
                 TokenKind::MalformedNumber | TokenKind::Word | TokenKind::Invalid
             );
             if is_word {
-                match characters::number(token.text(self.text)) {
+                let is_bracket = matches!(token.text(self.text), "[" | "]");
+                let number = is_bracket.then(String::new);
+                match number.or_else(|| characters::number(token.text(self.text))) {
                     Some(text) => new.push((token, text)),
                     // What else is wrong with the line is another matter.
                     None if i != 1 => return,

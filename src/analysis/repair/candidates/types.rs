@@ -44,6 +44,9 @@ const SIBLINGS: &[(i32, &[i32])] = &[
     (-602, &[-601]),
 ];
 
+/// A cone from one circle to another has so many numbers.
+const CONE: usize = 8;
+
 impl Place<'_> {
     /// A word, or several, in the place of a type's number.
     pub(super) fn words(&self, out: &mut Vec<Candidate>) {
@@ -59,33 +62,46 @@ impl Place<'_> {
         if words::is_cylinder(&self.text[span.range()]) {
             self.cylinder(span, params, out);
         }
-        for ty in words::types(&self.text[span.range()]) {
-            if self.fit(ty, params) {
-                let mut candidate = self.write_type(Habit::Word, ty);
-                candidate.fix.edits[0].span = span;
-                out.push(candidate);
-            }
+        if words::is_cone(&self.text[span.range()]) && params.len() == CONE {
+            self.cylinder(span, params, out);
+        }
+        let named = words::types(&self.text[span.range()]);
+        let fitting = named.iter().filter(|ty| self.fit(ty, params));
+        let start = out.len();
+        out.extend(fitting.map(|ty| {
+            let mut candidate = self.write_type(Habit::Word, ty);
+            candidate.fix.edits[0].span = span;
+            candidate
+        }));
+        if out.len() == start {
+            out.extend(named.iter().filter_map(|ty| self.placed(span, ty, params)));
         }
     }
 
     /// A cylinder about the y axis of a radius and a height, or of a height and a radius; or from one centre of an end
-    /// to the other, with a radius, if they are above each other.
+    /// to the other, with a radius or one behind each, if they are above each other.
     fn cylinder(&self, word: Span, params: &[Token], out: &mut Vec<Candidate>) {
         let (Some(first), Some(last), Some(id)) = (params.first(), params.last(), self.id()) else {
             return;
         };
         let values: Option<Vec<f64>> = params.iter().map(|t| t.number(self.text)).collect();
         let texts: Vec<&str> = params.iter().map(|t| t.text(self.text)).collect();
+        let is_zero = |text: &str| text.parse() == Ok(0.0);
+        let placed = |profile: String, x: &str, z: &str| match is_zero(x) && is_zero(z) {
+            true => profile,
+            false => format!("{profile}\n{id} -1 {x} 0 {z}"),
+        };
         let profiles = match (texts.as_slice(), values.as_deref()) {
             (&[a, b], Some(_)) => vec![format!("2 {a} 0 {a} {b}"), format!("2 {b} 0 {b} {a}")],
             (&[x, low, z, _, high, _, r], Some(&[x0, _, z0, x1, _, z1, _]))
                 if (x0, z0) == (x1, z1) =>
             {
-                let profile = format!("2 {r} {low} {r} {high}");
-                vec![match (x0, z0) {
-                    (0.0, 0.0) => profile,
-                    _ => format!("{profile}\n{id} -1 {x} 0 {z}"),
-                }]
+                vec![placed(format!("2 {r} {low} {r} {high}"), x, z)]
+            }
+            (&[x, low, z, r, _, high, _, s], Some(&[x0, _, z0, _, x1, _, z1, _]))
+                if (x0, z0) == (x1, z1) =>
+            {
+                vec![placed(format!("2 {r} {low} {s} {high}"), x, z)]
             }
             _ => return,
         };
