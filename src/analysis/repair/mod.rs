@@ -267,7 +267,7 @@ impl Engine<'_> {
         let moves = |d: &Diagnostic| d.code == Code::E107;
         let elsewhere = |d: &&Diagnostic| d.is_error() && !line.touches(d.span) && !moves(d);
         let others: Vec<Fix> = (self.findings.iter().filter(elsewhere))
-            .filter_map(|d| d.applicable_fix(true).cloned())
+            .filter_map(|d| d.applicable_fix(true).or(d.fixes.first()).cloned())
             .collect();
         let Some(base) = self.attempt(None, &others) else {
             return false;
@@ -352,7 +352,8 @@ impl Engine<'_> {
         let least = judged[0].0.in_vain;
         // While there are other errors, nobody can tell which object is left over.
         let names_another = |j: &&(Left, Trial)| j.1.candidate.habit.names_another();
-        let is_open = judge::errors(&judged[0].1.scene) > 0
+        let is_open = place.is_operation()
+            && judge::errors(&judged[0].1.scene) > 0
             && judged.first().is_some_and(|j| names_another(&j))
             && judged.iter().filter(names_another).count() > 1;
         let best = (judged.iter()).filter(|j| is_open || j.0.in_vain == least);

@@ -14,7 +14,7 @@ use crate::analysis::Analysis;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::{SEPARATORS, Token, TokenKind};
 use crate::syntax::quote;
-use crate::syntax::table::{Param, RecordType};
+use crate::syntax::table::{Family, Param, RecordType};
 pub use inline::new_ids;
 
 /// What people do, what they do most first.
@@ -178,6 +178,11 @@ impl<'a> Place<'a> {
 
     fn ty(&self) -> Option<&'static RecordType> {
         RecordType::by_code(self.int(1)?)
+    }
+
+    /// Whether it makes an object of others.
+    pub fn is_operation(&self) -> bool {
+        self.ty().is_some_and(|ty| ty.family == Family::Operation)
     }
 
     /// Whether a record of this type has as many parameters as stand here.
