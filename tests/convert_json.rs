@@ -132,7 +132,12 @@ fn the_scene_is_spared() {
     let dir = tempfile::tempdir().unwrap();
     let scene = dir.path().join("a.zpg");
     let text = "2 9 1\n1 9999 2 0\n";
-    for to in ["pov", "json", "zpg", "ply"] {
+    for (to, why) in [
+        ("pov", "ends in .zpg"),
+        ("json", "ends in .zpg"),
+        ("zpg", "is the scene itself"),
+        ("ply", "ends in .zpg"),
+    ] {
         fs::write(&scene, text).unwrap();
         let run = zpg(
             dir.path(),
@@ -140,7 +145,7 @@ fn the_scene_is_spared() {
         );
         assert_eq!(run.status.code(), Some(2), "{to}");
         let said = String::from_utf8_lossy(&run.stderr);
-        assert!(said.contains("is the scene itself"), "{to}: {said}");
+        assert!(said.contains(why), "{to}: {said}");
         assert_eq!(fs::read_to_string(&scene).unwrap(), text);
     }
 }
@@ -205,7 +210,8 @@ fn pictures_are_found_from_another_folder() {
         };
         let picture = draw(&scene);
         let text = |name: &str| fs::read_to_string(at(name)).unwrap();
-        let convert = |output: &str| run(&["convert", &scene, "--to", to, "-o", output]).1;
+        // A folder by its other name has been written to before.
+        let convert = |output: &str| run(&["convert", &scene, "--force", "-o", output]).1;
         // Upwards, and where it is; and through a folder's other name.
         for (folder, prefix) in [("a", "b/"), (".", "a/b/"), ("a/b", ""), ("a/c/../b", "")] {
             let output = format!("{folder}/out.{to}");

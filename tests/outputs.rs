@@ -19,7 +19,7 @@ const OUTPUTS: [(&str, &str); 14] = [
     ("png", "render a.zpg --size 4x4 -o x.png --heatmap"),
     ("pov", "convert a.zpg --to pov -o"),
     ("json", "convert a.zpg --to json -o"),
-    ("zpg", "convert a.zpg --to zpg -o"),
+    ("zpg", "convert a.zpg --to zpg --force -o"),
     ("xml", "convert a.zpg --to mitsuba -o"),
     ("ply", "convert a.zpg --to ply -o"),
     ("obj", "convert a.zpg --to obj -o"),
@@ -231,4 +231,88 @@ fn a_hyphen_is_standard_output() {
         );
         assert!(String::from_utf8_lossy(&run.stderr).contains("takes one of the outputs"));
     }
+}
+
+/// What a command writes goes to no file whose name says that it is something else, such as another scene. It is refused
+/// before any work: nothing else is written either, and not even the scene is read.
+#[test]
+fn names_that_say_something_else_are_refused() {
+    for (args, name, right) in [
+        ("convert a.zpg --to pov -o", "b.zpg", ".pov"),
+        ("convert a.zpg --to pov -o", "b.xml", ".pov"),
+        ("convert a.zpg --to mitsuba -o", "b.zpg", ".xml"),
+        ("convert a.zpg --to json -o", "b.zpg", ".json"),
+        ("convert a.zpg --to glb -o", "b.zpg", ".glb"),
+        ("convert a.zpg --to zpg -o", "b.json", ".zpg"),
+        ("convert a.zpg -o new.pov --report", "b.zpg", ".json"),
+        (
+            "render a.zpg --size 4x4 -o new.png --stats",
+            "b.zpg",
+            ".json",
+        ),
+        (
+            "render a.zpg --size 4x4 -o new.png --stats",
+            "zpg.toml",
+            ".json",
+        ),
+        (
+            "render a.zpg --size 4x4 -o new.png --heatmap",
+            "b.zpg",
+            ".png",
+        ),
+        ("render a.zpg --size 4x4 -o", "b.zpg", ".png"),
+        ("check a.zpg -o", "b.zpg", ".txt"),
+        ("check a.zpg --format short -o", "b.json", ".txt"),
+        ("check a.zpg --format json -o", "b.zpg", ".json"),
+        ("check a.zpg --format sarif -o", "b.ZPG", ".sarif"),
+        ("check a.zpg --format junit -o", "b.zpg", ".xml"),
+        ("check a.zpg --show-settings -o", "b.zpg", ".toml"),
+        ("check a.zpg --show-files -o", "b.zpg", ".txt"),
+    ] {
+        let dir = folder(&[("a.zpg", SCENE)]);
+        let path = dir.path().join(name);
+        fs::write(&path, "made by hand").unwrap();
+        let run = zpg(dir.path(), &format!("{args} {name}")).output().unwrap();
+        let said = String::from_utf8(run.stderr).unwrap();
+        assert_eq!(run.status.code(), Some(2), "{args} {name}: {said}");
+        assert!(
+            said.contains(name) && said.contains(right),
+            "{args}: {said}"
+        );
+        assert_eq!(fs::read(&path).unwrap(), b"made by hand", "{args}");
+        let mut left = ["a.zpg", name];
+        left.sort_unstable();
+        holds(dir.path(), &left);
+    }
+}
+
+/// Somebody may have written a scene that is there already. `--force` writes over it, but not over the one that is read.
+#[test]
+fn a_scene_is_not_written_over() {
+    let dir = folder(&[("a.zpg", SCENE), ("b.zpg", b"# by hand # 2 9 1")]);
+    let at = |name: &str| dir.path().join(name);
+    let refused = |args: &str, why: &str| {
+        let run = zpg(dir.path(), args).output().unwrap();
+        let said = String::from_utf8(run.stderr).unwrap();
+        assert_eq!(run.status.code(), Some(2), "{said}");
+        assert!(said.contains(why), "{said}");
+    };
+    refused("convert a.zpg -o b.zpg", "--force");
+    refused("convert a.zpg --to zpg -o b.zpg", "--force");
+    assert_eq!(fs::read(at("b.zpg")).unwrap(), b"# by hand # 2 9 1");
+    fs::write(at("empty.zpg"), "").unwrap();
+    for args in ["-o c.zpg", "-o empty.zpg", "-o b.zpg --force"] {
+        runs(&mut zpg(dir.path(), &format!("convert a.zpg {args}")));
+    }
+    let made = fs::read(at("c.zpg")).unwrap();
+    assert_eq!(
+        [
+            fs::read(at("b.zpg")).unwrap(),
+            fs::read(at("empty.zpg")).unwrap()
+        ],
+        [made.clone(), made]
+    );
+    refused("convert a.zpg -o a.zpg --force", "the scene itself");
+    refused("convert a.zpg -o a.zpg", "the scene itself");
+    assert_eq!(fs::read(at("a.zpg")).unwrap(), SCENE);
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::camera::CameraArgs;
 use super::draft::{self, try_file};
+use super::endings;
 use super::help;
 use super::memory::Memory;
 use super::paths::is_stdout;
@@ -48,6 +49,10 @@ pub struct Args {
     /// or . is replaced
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+
+    /// Write a scene (--to zpg) over a file that is there already
+    #[arg(long)]
+    force: bool,
 
     /// Size of the picture the camera is for, in pixels
     #[arg(help_heading = help::PICTURE)]
@@ -116,11 +121,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         return Status::Failure;
     };
     // What cannot be written is known before anything is read.
-    let named = args.output.iter().filter(|path| !is_stdout(path));
-    if let Err(complaint) = named
-        .chain(&args.report)
-        .try_for_each(|path| try_file(path))
-    {
+    if let Err(complaint) = can_write(args, to) {
         complain(look, &complaint);
         return Status::Failure;
     }
@@ -165,6 +166,10 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             &loaded,
             files.chain(args.report.as_deref().filter(|path| !is_stdout(path))),
         )
+        .and_then(|()| match options.output {
+            Some(path) if to.makes_scenes() && !args.force => endings::is_new_scene(path),
+            _ => Ok(()),
+        })
         .map_err(Error::Request)?;
         Ok(made)
     });
@@ -172,6 +177,15 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Ok(made) => deliver(args, &made, look),
         Err(error) => refuse(&loaded, error, look),
     }
+}
+
+/// Makes sure that the files can be written that are named.
+fn can_write(args: &Args, to: &dyn Target) -> Result<(), Complaint> {
+    let output = args.output.as_deref().filter(|path| !is_stdout(path));
+    output.map_or(Ok(()), |path| endings::fits(path, &[to.ending()]))?;
+    (args.report.iter()).try_for_each(|path| endings::fits(path, &["json"]))?;
+    let mut named = output.into_iter().chain(args.report.as_deref());
+    named.try_for_each(try_file)
 }
 
 /// Writes the translation and its report.

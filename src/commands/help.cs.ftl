@@ -212,6 +212,7 @@ help-convert-to = Do čeho scénu převést; bez této volby to určí přípona
     .zpg = vyhodnocená scéna jako záznamy
 help-convert-output = Kam převod zapsat; `-` je standardní výstup. Bez této volby jde na standardní výstup, síť do souboru SCÉNA.ply (obj, glb) v aktuální složce. Z dvojice kamer vzniknou soubory JMÉNO_left a JMÉNO_right, na standardním výstupu jeden soubor s přepínačem. K souboru JMÉNO.obj patří JMÉNO.mtl a obrázky textur JMÉNO_texture_N.png; k souboru JMÉNO.xml takové obrázky a sítě JMÉNO_1.ply a další; k souboru JMÉNO.pov obrázky scény JMÉNO_image_N.png. Ve jménech vedle .obj a .pov se nahradí, co není písmeno bez diakritiky, číslice, -, _ ani tečka
     .value = SOUBOR
+help-convert-force = Přepíše scénou (--to zpg) i soubor, který už existuje
 help-convert-size = Velikost obrázku, pro který se převádí kamera, v pixelech
     .value = ŠxV
 help-convert-depth = Kolikrát se smí paprsek odrazit nebo lomit

@@ -28,6 +28,11 @@ pub trait Target: fmt::Debug + Sync {
     /// In a line, for `--help`.
     fn help(&self) -> &'static str;
 
+    /// Whether it makes scenes such as people write.
+    fn makes_scenes(&self) -> bool {
+        false
+    }
+
     /// Whether there must be something to draw.
     fn draws(&self) -> bool;
 

@@ -11,6 +11,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::difference::diff;
 use super::draft::{self, try_file_in_new_folder, unwritable};
+use super::endings;
 use super::help;
 use super::load::{analyse, is_json};
 use super::memory::Memory;
@@ -152,6 +153,17 @@ pub struct Args {
     watch: bool,
 }
 
+impl Args {
+    /// How the names of files end that can hold what is printed.
+    fn endings(&self) -> &'static [&'static str] {
+        match self.show_settings {
+            true => &["toml"],
+            false if self.show_files => &[],
+            false => self.format.endings(),
+        }
+    }
+}
+
 /// One file's findings, ready to be put out.
 struct Checked {
     is_scene: bool,
@@ -217,6 +229,7 @@ fn once(args: &Args, look: LookChoice) -> Status {
     let named = args.output_file.iter().filter(|path| !is_stdout(path));
     let mut tried = named.map(|path| {
         spare_scenes(&files.files, path)?;
+        endings::fits(path, args.endings())?;
         try_file_in_new_folder(path)
     });
     if let Err(complaint) = tried.try_for_each(|tried| tried) {

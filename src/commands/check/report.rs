@@ -27,6 +27,18 @@ pub enum Format {
     Junit,
 }
 
+impl Format {
+    /// How the names of files in this format end, except for plain text.
+    pub fn endings(self) -> &'static [&'static str] {
+        match self {
+            Format::Human | Format::Short | Format::Github => &[],
+            Format::Json | Format::Gitlab => &["json"],
+            Format::Sarif => &["sarif", "json"],
+            Format::Junit => &["xml"],
+        }
+    }
+}
+
 /// One file's findings, ready to be put out.
 pub enum Output {
     Text(Vec<u8>),

@@ -15,6 +15,7 @@ use super::{Args, Job, cost, notes};
 use crate::analysis::Analysis;
 use crate::commands::LookChoice;
 use crate::commands::draft::try_file;
+use crate::commands::endings;
 use crate::commands::paths::is_stdout;
 use crate::commands::spare::spare;
 use crate::commands::terminal::{complain, note, progress_bar, tell};
@@ -108,7 +109,10 @@ pub fn draw(
         .iter()
         .map(|path| Output::create_map(path))
         .collect::<Result<Vec<_>, _>>()?;
-    args.stats.iter().try_for_each(|path| try_file(path))?;
+    if let Some(path) = &args.stats {
+        endings::fits(path, &["json"])?;
+        try_file(path)?;
+    }
     // Who watches a scene ends that with Ctrl-C and wants no more of it.
     let is_kept = !args.watch && !is_stdout(&job.picture);
     let unfinished: Vec<Unfinished> = match is_kept {

@@ -49,6 +49,10 @@ impl Target for Zpg {
         "The resolved scene as records"
     }
 
+    fn makes_scenes(&self) -> bool {
+        true
+    }
+
     fn draws(&self) -> bool {
         false
     }
