@@ -15,6 +15,7 @@ use zpg::study::accuracy::rungs::{Kernel, Settings};
 use zpg::study::accuracy::stage::Stage;
 use zpg::study::accuracy::tiles::{TILE, Tile};
 use zpg::study::naive::{Naive, Wide};
+use zpg::study::program::Program;
 use zpg::study::{mitsuba, povray};
 use zpg::syntax::Captions;
 use zpg::trace::{Images, Numbers, Tracer, selected_camera};
@@ -186,13 +187,13 @@ impl Prepared {
             ASIDE[1],
             -case.distance,
         );
-        let program = Path::new(povray::PROGRAM);
+        let program = &Program::new(povray::PROGRAM);
         let size = (SIZE[0], SIZE[1]);
         let film = povray::render(program, &translation, 0, size, folder, "peer").ok()?;
         Some(self.wrong(&film.pixels.iter().map(|p| p[1] > 0.5).collect()))
     }
 
-    fn mitsuba(&self, folder: &Path, python: &Path) -> Option<usize> {
+    fn mitsuba(&self, folder: &Path, python: &Program) -> Option<usize> {
         let tracer = Tracer::new(&self.scene).expect("one shape is compiled");
         let options = MitsubaOptions {
             size: (SIZE[0], SIZE[1]),
@@ -250,7 +251,7 @@ fn main() {
     );
     for case in &SPHERES {
         let p = Prepared::of(case);
-        let theirs = shown(p.mitsuba(folder.path(), &python));
+        let theirs = shown(p.mitsuba(folder.path(), &Program::new(&python)));
         println!("| {} | {theirs} | {} |", case.name, ours(&p));
     }
 }

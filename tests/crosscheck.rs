@@ -141,6 +141,26 @@ fn other_pictures_differ() {
             > 0.5
     );
     assert!(picture["flip"].as_f64().unwrap() > 0.05);
+    // The floor is the largest part of the picture. No more of it can differ than all that does.
+    let (mostly, differing) = (&picture["mostly"], &picture["differing"]["off_silhouettes"]);
+    assert_eq!(mostly["shape"], 3);
+    let pixels = mostly["pixels"].as_u64().unwrap();
+    assert!(
+        pixels > 2000 && pixels < differing.as_u64().unwrap(),
+        "{mostly}"
+    );
+    assert_eq!(mostly["rows"][1], 71);
+    let text_only = zpg(
+        dir.path(),
+        &[&args[..args.len() - 1], &["--program", &program]].concat(),
+    );
+    let said = text(&text_only.stdout);
+    assert!(
+        said.contains(&format!(
+            "most of them       {pixels} where 3 (box) is seen, in the rows "
+        )),
+        "{said}"
+    );
 }
 
 /// POV-Ray's picture of a scene without one of its lamps.
@@ -359,6 +379,22 @@ fn what_is_missing_is_said() {
             && said.contains("nowhere` was tried)"),
         "{said}"
     );
+    // What was prepared for the program goes, too.
+    assert!(!dir.path().join("a-povray").exists());
+    let with = [
+        "crosscheck",
+        "a.zpg",
+        "--with",
+        "mitsuba",
+        "--program",
+        "./nowhere",
+    ];
+    assert_eq!(zpg(dir.path(), &with).status.code(), Some(2));
+    assert!(!dir.path().join("a-mitsuba").exists());
+    // A folder that was there before stays.
+    fs::create_dir(dir.path().join("mine")).unwrap();
+    zpg(dir.path(), &[&with[..], &["-o", "mine"]].concat());
+    assert!(dir.path().join("mine").exists());
     // A name is looked for where programs are, and said as it is.
     let named = [&args[..5], &["nowhere-at-all"]].concat();
     let said = String::from_utf8_lossy(&zpg(dir.path(), &named).stderr).into_owned();
@@ -449,12 +485,37 @@ fn programs_that_fail() {
     assert!(text(&run.stderr).contains("Mitsuba is not installed: get it with `pip install"));
 }
 
-/// Ctrl-C, told to zpg alone: what it runs ends, too, and nothing is said of that.
+/// A program is ended with all that it has started when its time is over, and what to do is said.
+#[test]
+#[cfg(unix)]
+fn a_program_that_takes_too_long_is_ended() {
+    for (with, instead) in [("povray", "`--size` or `--depth`"), ("mitsuba", "`--size`")] {
+        let dir = folder(SCENE);
+        let endless = Endless::new(dir.path(), "endless");
+        let path = endless.path.to_str().unwrap();
+        let args = ["crosscheck", "a.zpg", "--with", with, "--program", path];
+        let run = zpg(dir.path(), &[&args[..], &["--timeout", "2s"]].concat());
+        assert_eq!(run.status.code(), Some(2));
+        let said = text(&run.stderr);
+        assert!(
+            said.contains("took longer than 2 s: allow it more with `--timeout`"),
+            "{said}"
+        );
+        assert!(said.contains(&format!("a smaller {instead}\n")), "{said}");
+        endless.wait_for_end();
+    }
+}
+
+/// Ctrl-C and SIGTERM, told to zpg alone: what it runs ends, too, and nothing is said of that.
 #[test]
 #[cfg(unix)]
 fn an_interrupted_one_ends_its_programs() {
     use std::process::{Command, Stdio};
-    for with in ["povray", "mitsuba"] {
+    for (with, signal, status) in [
+        ("povray", "-INT", 130),
+        ("mitsuba", "-INT", 130),
+        ("povray", "-TERM", 143),
+    ] {
         let dir = folder(SCENE);
         let endless = Endless::new(dir.path(), "endless");
         let child = program::command()
@@ -467,10 +528,10 @@ fn an_interrupted_one_ends_its_programs() {
             .unwrap();
         endless.wait_for_start();
         let number = child.id().to_string();
-        let told = Command::new("kill").args(["-INT", &number]).status();
+        let told = Command::new("kill").args([signal, &number]).status();
         assert!(told.unwrap().success());
         let run = child.wait_with_output().unwrap();
-        assert_eq!(run.status.code(), Some(130), "{}", text(&run.stderr));
+        assert_eq!(run.status.code(), Some(status), "{}", text(&run.stderr));
         assert_eq!((text(&run.stdout), text(&run.stderr)), Default::default());
         endless.wait_for_end();
     }

@@ -14,12 +14,15 @@ use super::draft::{self, try_folder, unwritable};
 use super::help;
 use super::size::Size;
 use super::spare::spare;
+use super::time::Seconds;
 use super::{LookChoice, Status, complain, convert, load_sound, terminal, usage};
 use crate::analysis::Analysis;
 use crate::analysis::file::STDIN;
 use crate::commands::refuse;
+use crate::diagnostics::layout::wrapped;
 use crate::diagnostics::{Complaint, Error, Language, Value};
-use crate::study::program::ProgramError;
+use crate::study::program::{Program, ProgramError};
+use crate::study::whereabouts::Whereabouts;
 use crate::trace;
 use crate::trace::film::{Packing, write_rgb8};
 
@@ -54,7 +57,7 @@ pub struct Args {
 
     /// The program
     #[arg(long, value_enum)]
-    with: Program,
+    with: Other,
 
     /// Size of the pictures, in pixels; at most 16777216 of them
     #[arg(help_heading = help::PICTURE)]
@@ -90,6 +93,16 @@ pub struct Args {
     #[arg(long, value_name = "PATH")]
     program: Option<PathBuf>,
 
+    /// How long a run of the program may take: 90s, 2m, 1h; glass that splits colours takes three runs
+    #[arg(help_heading = help::LIMITS)]
+    #[arg(
+        long,
+        value_name = "TIME",
+        default_value = "10m",
+        allow_hyphen_values = true
+    )]
+    timeout: Seconds,
+
     /// Print the numbers as JSON
     #[arg(long)]
     json: bool,
@@ -97,26 +110,26 @@ pub struct Args {
 
 /// The programs to compare with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Program {
+enum Other {
     /// POV-Ray 3.7
     Povray,
     /// Mitsuba 3
     Mitsuba,
 }
 
-impl Program {
+impl Other {
     /// What people call it.
     fn title(self) -> &'static str {
         match self {
-            Program::Povray => "POV-Ray",
-            Program::Mitsuba => "Mitsuba",
+            Other::Povray => "POV-Ray",
+            Other::Mitsuba => "Mitsuba",
         }
     }
 
     fn name(self) -> &'static str {
         match self {
-            Program::Povray => "povray",
-            Program::Mitsuba => "mitsuba",
+            Other::Povray => "povray",
+            Other::Mitsuba => "mitsuba",
         }
     }
 }
@@ -170,6 +183,9 @@ trait Outcome: Serialize {
         1.0 - left_out as f64 / all.max(1) as f64
     }
 
+    /// Where most of the pixels are that differ off silhouettes.
+    fn mostly(&self) -> Option<Whereabouts>;
+
     /// Whether so much could be compared that it is an answer.
     fn tells(&self) -> bool {
         true
@@ -208,12 +224,10 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     };
     terminal::end_on_interrupt(look);
     let said = match args.with {
-        Program::Povray => {
-            povray::compare(args, &loaded, look).and_then(|c| answer(args, c, look.language()))
-        }
-        Program::Mitsuba => {
-            mitsuba::compare(args, &loaded, look).and_then(|c| answer(args, c, look.language()))
-        }
+        Other::Povray => povray::compare(args, &loaded, look)
+            .and_then(|c| answer(args, &loaded, c, look.language())),
+        Other::Mitsuba => mitsuba::compare(args, &loaded, look)
+            .and_then(|c| answer(args, &loaded, c, look.language())),
     };
     match said {
         Ok((agrees, text)) => {
@@ -231,6 +245,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
 /// Writes the numbers, and gives what is to be said of them.
 fn answer<T: Outcome>(
     args: &Args,
+    loaded: &Analysis,
     pictures: Vec<Compared<T>>,
     language: Language,
 ) -> Result<(bool, Vec<u8>), Error> {
@@ -268,15 +283,45 @@ fn answer<T: Outcome>(
             .with("width", width.to_string())
             .with("height", height.to_string())
             .with("answer", agrees);
-        text += &(line.wording(language) + "\n");
-        for (what, line) in comparison.lines(args, language) {
-            let (what, line) = (language.say(what, &[]), line.wording(language));
-            text += &format!("  {what:<WIDTH$} {line}\n");
+        let width = terminal::width();
+        text += &(wrapped(&line.wording(language), width, "  ") + "\n");
+        let mut lines = comparison.lines(args, language);
+        if let Some(found) = comparison.mostly() {
+            lines.insert(1, ("crosscheck-where", most(loaded, found)));
+        }
+        for (what, line) in lines {
+            let what = language.say(what, &[]);
+            let line = format!("  {what:<WIDTH$} {}", line.wording(language));
+            text += &(wrapped(&line, width, &" ".repeat(WIDTH + 3)) + "\n");
         }
     }
     let last = Complaint::new("crosscheck-folder").with("folder", folder.as_path());
-    text += &(last.wording(language) + "\n");
+    text += &(wrapped(&last.wording(language), terminal::width(), "  ") + "\n");
     Ok((answer.agrees, text.into_bytes()))
+}
+
+/// Where most of what differs is.
+fn most(loaded: &Analysis, found: Whereabouts) -> Complaint {
+    let record = found
+        .shape
+        .and_then(|id| Some((id, loaded.definition(id)?)));
+    let [rows, columns] = [found.rows, found.columns].map(|ends| ends.map(|n| n.to_string()));
+    let what = match (record, found.shape) {
+        (Some((id, record)), _) => Complaint::new("crosscheck-of-type")
+            .with("id", id.to_string())
+            .with("type", Value::Term(record.ty().title)),
+        (None, Some(id)) => Complaint::quoted(id),
+        (None, None) => Complaint::new("crosscheck-background"),
+    };
+    let [first_row, last_row] = rows;
+    let [first_column, last_column] = columns;
+    Complaint::new("crosscheck-mostly")
+        .with("pixels", Value::Count(found.pixels as u64))
+        .with("what", what)
+        .with("first-row", first_row)
+        .with("last-row", last_row)
+        .with("first-column", first_column)
+        .with("last-column", last_column)
 }
 
 /// The answer "yes", which says how many of the pixels were compared unless all were. The share is rounded down: 100 %
@@ -307,34 +352,55 @@ fn folder(args: &Args) -> PathBuf {
         .unwrap_or_else(|| PathBuf::from(format!("{}-{}", stem(args), args.with.name())))
 }
 
-/// The folder, which exists from now on; what is written there is no picture of the scene, nor are `files`.
-fn made_folder<'f>(
-    args: &Args,
-    loaded: &Analysis,
-    files: impl IntoIterator<Item = &'f str>,
-) -> Result<PathBuf, Complaint> {
-    let folder = folder(args);
-    let ends = ["", "_left", "_right"];
-    let pictures = ends.map(|end| PICTURES.map(|name| format!("{name}{end}.png")));
-    let ours = pictures.iter().flatten().map(|name| folder.join(name));
-    let files = files.into_iter().map(|name| folder.join(name));
-    let paths: Vec<PathBuf> = ours.chain(files).collect();
-    spare(&args.file, loaded, paths.iter().map(PathBuf::as_path))?;
-    match fs::create_dir_all(&folder) {
-        Ok(()) => Ok(folder),
-        Err(e) => Err(unwritable(&folder, &e)),
+/// The folder for what is written.
+struct Folder {
+    path: PathBuf,
+    /// It was not there before.
+    is_new: bool,
+}
+
+impl Folder {
+    /// It exists from now on; what is written there is no picture of the scene, nor are `files`.
+    fn made<'f>(
+        args: &Args,
+        loaded: &Analysis,
+        files: impl IntoIterator<Item = &'f str>,
+    ) -> Result<Folder, Complaint> {
+        let path = folder(args);
+        let ends = ["", "_left", "_right"];
+        let pictures = ends.map(|end| PICTURES.map(|name| format!("{name}{end}.png")));
+        let ours = pictures.iter().flatten().map(|name| path.join(name));
+        let files = files.into_iter().map(|name| path.join(name));
+        let paths: Vec<PathBuf> = ours.chain(files).collect();
+        spare(&args.file, loaded, paths.iter().map(PathBuf::as_path))?;
+        let is_new = !path.exists();
+        match fs::create_dir_all(&path) {
+            Ok(()) => Ok(Folder { path, is_new }),
+            Err(e) => Err(unwritable(&path, &e)),
+        }
+    }
+
+    /// What there is without an answer of the program is of no use.
+    fn forget(&self) {
+        if self.is_new {
+            let _ = fs::remove_dir_all(&self.path);
+        }
     }
 }
 
 /// The program to run, from any folder.
-fn program(args: &Args, name: &str) -> PathBuf {
-    match &args.program {
+fn program(args: &Args, name: &str) -> Program {
+    let path = match &args.program {
         // A name alone is looked for where programs are.
         Some(path) if path.components().count() > 1 => {
             std::path::absolute(path).unwrap_or_else(|_| path.clone())
         }
         Some(path) => path.clone(),
         None => PathBuf::from(name),
+    };
+    Program {
+        limit: Some(args.timeout.into()),
+        ..Program::new(path)
     }
 }
 
@@ -375,28 +441,43 @@ fn images(loaded: &Analysis) -> Result<trace::Images, Error> {
     trace::Images::load(&loaded.scene, folder).map_err(Error::from)
 }
 
-/// Why a program gave no answer; `name` is what people call it, `how` the ways to get it, and `path` what was
-/// tried.
-fn failed(
-    error: ProgramError,
-    (name, how): (&'static str, &'static str),
-    path: &Path,
-    folder: &Path,
-) -> Complaint {
-    match error {
-        ProgramError::Missing => Complaint::new("no-program")
-            .with("how", Complaint::new(how))
-            .with("path", path),
-        ProgramError::Start(e) => Complaint::new("program-failed").with("said", e.to_string()),
-        ProgramError::Io(e) => return unwritable(folder, &e),
-        ProgramError::Failed(said) => {
-            Complaint::new("program-failed").with("said", said.replace('\n', "\n    "))
+/// A program, as people are told of it.
+struct Asked {
+    /// What they call it.
+    name: &'static str,
+    /// The ways to get it.
+    how: &'static str,
+    /// What helps when it takes too long.
+    late: &'static str,
+}
+
+impl Asked {
+    /// Why it gave no answer.
+    fn failed(&self, error: ProgramError, program: &Program, folder: &Folder) -> Complaint {
+        match error {
+            ProgramError::Missing => {
+                folder.forget();
+                Complaint::new("no-program")
+                    .with("how", Complaint::new(self.how))
+                    .with("path", program.path.as_path())
+            }
+            ProgramError::Start(e) => {
+                folder.forget();
+                Complaint::new("program-failed").with("said", e.to_string())
+            }
+            ProgramError::Io(e) => return unwritable(&folder.path, &e),
+            ProgramError::Failed(said) => {
+                Complaint::new("program-failed").with("said", said.replace('\n', "\n    "))
+            }
+            ProgramError::Late(limit) => Complaint::new("program-late")
+                .with("seconds", limit.as_secs_f64().to_string())
+                .with("instead", Complaint::new(self.late)),
+            ProgramError::Unexpected(what) => {
+                Complaint::new("program-strange").with("what", Value::Term(what))
+            }
         }
-        ProgramError::Unexpected(what) => {
-            Complaint::new("program-strange").with("what", Value::Term(what))
-        }
+        .with("program", self.name)
     }
-    .with("program", name)
 }
 
 fn write_pictures(

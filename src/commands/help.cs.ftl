@@ -297,6 +297,8 @@ help-crosscheck-tolerance = mitsuba: o kolik se smějí sítě odchýlit od zak�
     .value = DÉLKA
 help-crosscheck-program = Cesta k programu, pokud se nenajde podle jména (povray nebo python3)
     .value = CESTA
+help-crosscheck-timeout = Jak dlouho smí jeden běh programu trvat: 90s, 2m, 1h; sklo, které rozkládá barvy, potřebuje tři běhy
+    .value = ČAS
 help-crosscheck-json = Vypíše čísla jako JSON
 
 ## Co mají příkazy, které popisují obrázek (render a farm)

@@ -194,13 +194,31 @@ pub fn stop_on_interrupt(look: LookChoice) -> Arc<AtomicBool> {
     stop
 }
 
-/// Has Ctrl-C end the program at once, and the programs that it runs.
+/// Has Ctrl-C, and where there is such a thing SIGTERM, end the program at once, and the programs that it runs.
 pub fn end_on_interrupt(look: LookChoice) {
-    if let Err(e) = ctrlc::set_handler(|| program::exit(Status::Interrupted as u8)) {
-        let why = Complaint::new("ctrl-c-leaves-programs").with("reason", e.to_string());
+    let leaves = |reason: String| {
+        let why = Complaint::new("ctrl-c-leaves-programs").with("reason", reason);
         warn(look, &why);
+    };
+    if let Err(e) = ctrlc::set_handler(|| program::exit(Status::Interrupted as u8)) {
+        leaves(e.to_string());
+    }
+    #[cfg(unix)]
+    match signal_hook::iterator::Signals::new([signal_hook::consts::SIGTERM]) {
+        Ok(mut signals) => {
+            std::thread::spawn(move || {
+                if signals.forever().next().is_some() {
+                    program::exit(TERMINATED);
+                }
+            });
+        }
+        Err(e) => leaves(e.to_string()),
     }
 }
+
+/// The exit status after SIGTERM: 128 and the number of the signal, as shells have it.
+#[cfg(unix)]
+const TERMINATED: u8 = 143;
 
 /// Shows how many rows of a picture are done, unless nobody wants to know.
 pub fn progress_bar(rows: u64, look: LookChoice) -> ProgressBar {

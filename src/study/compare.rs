@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::silhouette::{Edge, Studied, study};
+use super::whereabouts::Whereabouts;
 use crate::diagnostics::Error;
 use crate::scene::Camera;
 use crate::trace::film::srgb8;
@@ -32,6 +33,8 @@ pub struct Comparison {
     /// Off edges, with total reflection: not compared.
     pub total_reflection: usize,
     pub differing: Differing,
+    /// Where most of those are that differ off edges.
+    pub mostly: Option<Whereabouts>,
     pub difference: Difference,
     /// The mean of the FLIP map of both pictures in sRGB (Andersson et al., "FLIP: A Difference
     /// Evaluator for Alternating Images", 2020): 0 for equal ones.
@@ -81,7 +84,9 @@ impl Comparison {
             |i: usize, p: [f32; 3]| distance(p.map(|c| c.min(most)), theirs.pixels[i]) > bar;
         // Half the bar each way: two pictures that are an edge apart differ by all of it.
         let ours = study(tracer, camera, settings, bar / 2.0, differs, progress)?;
-        let comparison = Comparison::new(&ours, theirs, most, bar);
+        let mut comparison = Comparison::new(&ours, theirs, most, bar);
+        let size = (settings.width, settings.height);
+        comparison.mostly = Whereabouts::of(tracer, camera, size, &comparison.wrong());
         Ok((comparison, ours.picture.film))
     }
 
@@ -117,6 +122,7 @@ impl Comparison {
                 on_silhouettes: count(Pixel::Edge(Edge::Silhouette)),
                 on_other_edges: count(Pixel::Edge(Edge::Other)),
             },
+            mostly: None,
             difference: Difference {
                 largest: compared().fold(0.0, f64::max),
                 mean: sum / compared().count().max(1) as f64,
@@ -125,6 +131,12 @@ impl Comparison {
             map,
             bar,
         }
+    }
+
+    /// The numbers of the pixels that differ off edges.
+    fn wrong(&self) -> Vec<usize> {
+        let wrong = |i: &usize| self.map[*i].0 == Pixel::Differing;
+        (0..self.map.len()).filter(wrong).collect()
     }
 
     /// How many pixels are not compared: edges that differ, and total reflection.

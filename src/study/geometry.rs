@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::compare::{ALIKE, alike};
 use super::mitsuba::CHANNELS;
+use super::whereabouts::Whereabouts;
 use crate::geometry::Aabb;
 use crate::geometry::array::{dot, sub};
 use crate::parallel;
@@ -116,6 +117,8 @@ pub struct Comparison {
     pub wrong: usize,
     /// Of all pixels.
     pub share_wrong: f64,
+    /// Where most of these are.
+    pub mostly: Option<Whereabouts>,
     pub exact: Differences,
     pub meshes: Differences,
     #[serde(skip)]
@@ -214,6 +217,7 @@ pub fn compare(
         shared: Vec::new(),
         wrong: 0,
         share_wrong: 0.0,
+        mostly: None,
         exact: Differences::default(),
         meshes: Differences::default(),
     };
@@ -252,6 +256,9 @@ pub fn compare(
         .collect();
     comparison.shared.sort_by_key(|s| Reverse(s.pixels));
     comparison.share_wrong = comparison.wrong as f64 / comparison.pixels.max(1) as f64;
+    let is_wrong = |i: &usize| matches!(comparison.map[*i], Pixel::Wrong);
+    let wrong: Vec<usize> = (0..ours.len()).filter(is_wrong).collect();
+    comparison.mostly = Whereabouts::of(tracer, camera, (width, height), &wrong);
     Some(comparison)
 }
 

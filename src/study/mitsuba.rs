@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use super::program::{ProgramError, run};
+use super::program::{Program, ProgramError, run};
 use crate::translate::mitsuba::Output;
 
 /// The Python that is asked for the package `mitsuba`.
@@ -29,9 +29,9 @@ pub const CHANNELS: usize = 7;
 ///
 /// # Errors
 ///
-/// There is no such Python, it has no Mitsuba, that fails, or the folder cannot be written to.
+/// There is no such Python, it has no Mitsuba, that fails or takes too long, or the folder cannot be written to.
 pub fn render(
-    python: &Path,
+    python: &Program,
     made: &Output,
     document: usize,
     folder: &Path,

@@ -5,6 +5,7 @@
 //! [`mitsuba`] asks the real Mitsuba where it sees surfaces, and [`geometry`] compares that.
 //! [`accuracy`] says what accuracy costs in time. [`naive`] is a ray tracer as textbooks have it, in numbers
 //! of any kind; [`plain`] is the same over the hierarchy of the tracer. [`page`] is what pages of HTML have in common.
+//! [`whereabouts`] says where most of what differs is.
 
 pub mod accuracy;
 pub mod compare;
@@ -16,3 +17,4 @@ pub mod plain;
 pub mod povray;
 pub mod program;
 pub mod silhouette;
+pub mod whereabouts;

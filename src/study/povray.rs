@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::Path;
 
-use super::program::{ProgramError, run};
+use super::program::{Program, ProgramError, run};
 use crate::trace::Film;
 use crate::translate::pov::Translation;
 
@@ -16,9 +16,9 @@ pub const PROGRAM: &str = "povray";
 ///
 /// # Errors
 ///
-/// POV-Ray is missing or fails, or the folder cannot be written to.
+/// POV-Ray is missing, fails or takes too long, or the folder cannot be written to.
 pub fn render(
-    program: &Path,
+    program: &Program,
     translation: &Translation,
     file: usize,
     size: (u32, u32),

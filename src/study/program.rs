@@ -1,12 +1,32 @@
 //! Running other programs.
 
 use std::ffi::OsStr;
-use std::io;
-use std::path::Path;
-use std::process::{Command, Stdio};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
 
 use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
+
+/// Another program.
+#[derive(Debug, Clone)]
+pub struct Program {
+    pub path: PathBuf,
+    /// How long a run of it may take, if that matters.
+    pub limit: Option<Duration>,
+}
+
+impl Program {
+    /// A program that may take as long as it does.
+    pub fn new(path: impl Into<PathBuf>) -> Program {
+        Program {
+            path: path.into(),
+            limit: None,
+        }
+    }
+}
 
 /// Why another program gives no answer.
 #[derive(Debug)]
@@ -19,6 +39,8 @@ pub enum ProgramError {
     Io(io::Error),
     /// It has failed; the end of what it says.
     Failed(String),
+    /// It has taken longer than this, and was ended.
+    Late(Duration),
     /// What it has written is not what it was asked for.
     Unexpected(&'static str),
 }
@@ -49,32 +71,51 @@ pub fn exit(status: u8) -> ! {
 
 /// Ends the programs that a process has started, and those that they have; not the process itself.
 pub fn end_those_of(process: u32) {
-    let mut system = System::new();
-    // Threads would be processes to the library, whose parent is their own.
-    let what = ProcessRefreshKind::nothing().without_tasks();
-    system.refresh_processes_specifics(ProcessesToUpdate::All, true, what);
-    let top = Pid::from_u32(process);
-    let parent = |pid: Pid| system.process(pid).and_then(|p| p.parent());
-    let is_one = |pid: Pid| {
-        // A process cannot have more ancestors than there are processes: numbers are used again.
-        let ancestors = std::iter::successors(parent(pid), |&pid| parent(pid));
-        let mut ancestors = ancestors.take(system.processes().len());
-        pid != top && ancestors.any(|pid| pid == top)
-    };
+    let system = processes();
     for (&pid, program) in system.processes() {
-        if is_one(pid) {
+        if is_of(&system, pid, process) {
             program.kill();
         }
     }
 }
 
+/// Ends a program, and those that it has started.
+fn end(child: &mut Child) {
+    let system = processes();
+    // First of all itself, so that it starts no others. What it has started is known by then.
+    let _ = child.kill();
+    for (&pid, program) in system.processes() {
+        if is_of(&system, pid, child.id()) {
+            program.kill();
+        }
+    }
+}
+
+fn processes() -> System {
+    let mut system = System::new();
+    // Threads would be processes to the library, whose parent is their own.
+    let what = ProcessRefreshKind::nothing().without_tasks();
+    system.refresh_processes_specifics(ProcessesToUpdate::All, true, what);
+    system
+}
+
+/// Whether a process has started another one, or one that has.
+fn is_of(system: &System, pid: Pid, process: u32) -> bool {
+    let top = Pid::from_u32(process);
+    let parent = |pid: Pid| system.process(pid).and_then(|p| p.parent());
+    // A process cannot have more ancestors than there are processes: numbers are used again.
+    let ancestors = std::iter::successors(parent(pid), |&pid| parent(pid));
+    let mut ancestors = ancestors.take(system.processes().len());
+    pid != top && ancestors.any(|pid| pid == top)
+}
+
 /// Runs a program in a folder and waits for it.
 pub(super) fn run<S: AsRef<OsStr>>(
-    program: &Path,
+    program: &Program,
     folder: &Path,
     arguments: &[S],
 ) -> Result<(), ProgramError> {
-    let mut command = Command::new(program);
+    let mut command = Command::new(&program.path);
     let command = (command.args(arguments).current_dir(folder))
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
@@ -86,7 +127,7 @@ pub(super) fn run<S: AsRef<OsStr>>(
             _ => ProgramError::Start(e),
         })?
     };
-    let output = child.wait_with_output().map_err(ProgramError::Start)?;
+    let output = wait(child, program.limit)?;
     drop(starting());
     if output.status.success() {
         return Ok(());
@@ -99,4 +140,45 @@ pub(super) fn run<S: AsRef<OsStr>>(
     }
     let last = lines.len().saturating_sub(LINES);
     Err(ProgramError::Failed(lines[last..].join("\n")))
+}
+
+/// How often is looked whether a program has ended.
+const LOOK: Duration = Duration::from_millis(10);
+
+/// Waits for the end of a program, or ends it when its time is over.
+fn wait(mut child: Child, limit: Option<Duration>) -> Result<Output, ProgramError> {
+    let Some(limit) = limit else {
+        return child.wait_with_output().map_err(ProgramError::Start);
+    };
+    let start = Instant::now();
+    let (stdout, stderr) = (child.stdout.take(), child.stderr.take());
+    thread::scope(|scope| {
+        // It would wait for somebody to read what it says.
+        let stdout = scope.spawn(|| all_of(stdout));
+        let stderr = scope.spawn(|| all_of(stderr));
+        let status = loop {
+            match child.try_wait() {
+                Ok(Some(status)) => break Ok(status),
+                Ok(None) if start.elapsed() < limit => thread::sleep(LOOK),
+                Ok(None) => break Err(ProgramError::Late(limit)),
+                Err(e) => break Err(ProgramError::Start(e)),
+            }
+        };
+        if status.is_err() {
+            end(&mut child);
+            let _ = child.wait();
+        }
+        Ok(Output {
+            status: status?,
+            stdout: stdout.join().unwrap_or_default(),
+            stderr: stderr.join().unwrap_or_default(),
+        })
+    })
+}
+
+/// What comes out of a pipe, as far as it can be read.
+fn all_of(pipe: Option<impl Read>) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let _ = pipe.map(|mut pipe| pipe.read_to_end(&mut bytes));
+    bytes
 }

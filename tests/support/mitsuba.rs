@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use zpg::study::program::Program;
 use zpg::translate::mitsuba::Output;
 
 /// The version that `tests/run` installs.
@@ -30,6 +31,6 @@ pub fn render(name: &str, made: &Output, samples: u32) -> Vec<f32> {
         .join("mitsuba")
         .join(name);
     fs::create_dir_all(&folder).expect("a folder for the files");
-    zpg::study::mitsuba::render(&python(), made, 0, &folder, name, samples)
+    zpg::study::mitsuba::render(&Program::new(python()), made, 0, &folder, name, samples)
         .unwrap_or_else(|e| panic!("{name}: {e:?}"))
 }

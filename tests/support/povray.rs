@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use zpg::scene::Rgb;
 use zpg::study::povray::{PROGRAM, render as take};
+use zpg::study::program::Program;
 use zpg::trace::Film;
 use zpg::translate::pov::Translation;
 
@@ -26,7 +27,7 @@ pub fn render(name: &str, translation: &Translation, file: usize, size: (u32, u3
 /// The same as a film.
 pub fn film(name: &str, translation: &Translation, file: usize, size: (u32, u32)) -> Film {
     take(
-        Path::new(PROGRAM),
+        &Program::new(PROGRAM),
         translation,
         file,
         size,

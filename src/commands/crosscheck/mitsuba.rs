@@ -1,7 +1,7 @@
 //! Geometry, beside Mitsuba's.
 
 use super::{Args, Compared, Outcome, Pictures};
-use super::{each_camera, failed, images, made_folder, program, stem};
+use super::{Asked, Folder, each_camera, images, program, stem};
 use crate::analysis::Analysis;
 use crate::commands::LookChoice;
 use crate::diagnostics::{Complaint, Error, Language, Value};
@@ -10,12 +10,17 @@ use crate::solids::staging::Viewpoint;
 use crate::study::geometry::{self, Comparison, LEGEND, Shared, our_normals, their_normals};
 use crate::study::mitsuba::{PROGRAM, render};
 use crate::study::program::ProgramError;
+use crate::study::whereabouts::Whereabouts;
 use crate::syntax::Captions;
 use crate::trace::Tracer;
 use crate::translate::about_camera;
 use crate::translate::mitsuba::{Integrator, Options, is_exact, square_size, write};
 
-const HOW: &str = "crosscheck-how-mitsuba";
+const ASKED: Asked = Asked {
+    name: "Mitsuba",
+    how: "crosscheck-how-mitsuba",
+    late: "crosscheck-late-mitsuba",
+};
 
 /// So many pairs of surfaces in one place are named.
 const NAMED: usize = 3;
@@ -54,31 +59,37 @@ pub fn compare(
         return Err(Error::scene(why));
     }
     let made = write(scene, &tracer, &options)?;
-    let folder = made_folder(
+    let folder = Folder::made(
         args,
         loaded,
         made.meshes.iter().map(|(name, _)| name.as_str()),
     )?;
     let program = program(args, PROGRAM);
-    let fail = |e| failed(e, ("Mitsuba", HOW), &program, &folder);
+    let fail = |e| ASKED.failed(e, &program, &folder);
     let suffixes = made.documents.iter().map(|d| d.0);
-    each_camera(args, look.language(), &folder, suffixes, |i, suffix| {
-        let name = format!("{}{suffix}", stem(args));
-        let theirs = render(&program, &made, i, &folder, &name, 0).map_err(fail)?;
-        let ours = geometry::seen(&tracer, &cameras[i], size);
-        let comparison = geometry::compare(&tracer, &cameras[i], &ours, &theirs, size, &made);
-        let comparison = comparison.ok_or_else(|| {
-            fail(ProgramError::Unexpected(
-                "what it has written is of another size",
-            ))
-        })?;
-        let pictures = Pictures {
-            ours: our_normals(&ours),
-            theirs: their_normals(&ours, &theirs),
-            difference: comparison.picture(),
-        };
-        Ok((pictures, comparison))
-    })
+    each_camera(
+        args,
+        look.language(),
+        &folder.path,
+        suffixes,
+        |i, suffix| {
+            let name = format!("{}{suffix}", stem(args));
+            let theirs = render(&program, &made, i, &folder.path, &name, 0).map_err(fail)?;
+            let ours = geometry::seen(&tracer, &cameras[i], size);
+            let comparison = geometry::compare(&tracer, &cameras[i], &ours, &theirs, size, &made);
+            let comparison = comparison.ok_or_else(|| {
+                fail(ProgramError::Unexpected(
+                    "what it has written is of another size",
+                ))
+            })?;
+            let pictures = Pictures {
+                ours: our_normals(&ours),
+                theirs: their_normals(&ours, &theirs),
+                difference: comparison.picture(),
+            };
+            Ok((pictures, comparison))
+        },
+    )
 }
 
 impl Outcome for Comparison {
@@ -92,6 +103,10 @@ impl Outcome for Comparison {
 
     fn legend() -> &'static [([u8; 3], &'static str)] {
         &LEGEND
+    }
+
+    fn mostly(&self) -> Option<Whereabouts> {
+        self.mostly
     }
 
     fn tells(&self) -> bool {

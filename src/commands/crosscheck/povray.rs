@@ -1,7 +1,7 @@
 //! Pictures, beside POV-Ray's.
 
 use super::{Args, Compared, Outcome, Pictures};
-use super::{each_camera, failed, images, made_folder, program, stem};
+use super::{Asked, Folder, each_camera, images, program, stem};
 use crate::analysis::Analysis;
 use crate::commands::{LookChoice, draft, terminal};
 use crate::diagnostics::{Complaint, Error, Language, Value};
@@ -9,13 +9,18 @@ use crate::scene::Camera;
 use crate::solids::staging::Viewpoint;
 use crate::study::compare::{Comparison, LEGEND};
 use crate::study::povray::{PROGRAM, render};
+use crate::study::whereabouts::Whereabouts;
 use crate::syntax::Captions;
 use crate::trace::film::srgb8;
 use crate::trace::{Film, Settings, Tracer};
 use crate::translate::plain::plain;
 use crate::translate::pov::{self, pictures};
 
-const HOW: &str = "crosscheck-how-povray";
+const ASKED: Asked = Asked {
+    name: "POV-Ray",
+    how: "crosscheck-how-povray",
+    late: "crosscheck-late-povray",
+};
 
 /// Takes, compares and writes all pictures.
 pub fn compare(
@@ -47,29 +52,35 @@ pub fn compare(
         cutoff: 0.0,
         ..Settings::default()
     };
-    let folder = made_folder(args, loaded, copies.iter().map(|(name, _)| name.as_str()))?;
+    let folder = Folder::made(args, loaded, copies.iter().map(|(name, _)| name.as_str()))?;
     for (name, png) in &copies {
-        draft::write(&folder.join(name), |out| out.write_all(png))?;
+        draft::write(&folder.path.join(name), |out| out.write_all(png))?;
     }
     let program = program(args, PROGRAM);
     let cameras: Vec<Camera> = scene.chosen_cameras().copied().collect();
     let suffixes = translation.files.iter().map(|f| f.suffix);
-    each_camera(args, look.language(), &folder, suffixes, |i, suffix| {
-        let name = format!("{name}{suffix}");
-        let theirs = render(&program, &translation, i, size, &folder, &name)
-            .map_err(|e| failed(e, ("POV-Ray", HOW), &program, &folder))?;
-        let most = (1.0 / translation.light_scale) as f32;
-        let progress = terminal::progress_bar(size.1.into(), look);
-        let view = (&tracer, &cameras[i], &settings);
-        let (comparison, ours) = Comparison::of(view, &theirs, most, bar, || progress.inc(1))?;
-        progress.finish_and_clear();
-        let pictures = Pictures {
-            ours: srgb(&ours),
-            theirs: srgb(&theirs),
-            difference: comparison.picture(),
-        };
-        Ok((pictures, comparison))
-    })
+    each_camera(
+        args,
+        look.language(),
+        &folder.path,
+        suffixes,
+        |i, suffix| {
+            let name = format!("{name}{suffix}");
+            let theirs = render(&program, &translation, i, size, &folder.path, &name)
+                .map_err(|e| ASKED.failed(e, &program, &folder))?;
+            let most = (1.0 / translation.light_scale) as f32;
+            let progress = terminal::progress_bar(size.1.into(), look);
+            let view = (&tracer, &cameras[i], &settings);
+            let (comparison, ours) = Comparison::of(view, &theirs, most, bar, || progress.inc(1))?;
+            progress.finish_and_clear();
+            let pictures = Pictures {
+                ours: srgb(&ours),
+                theirs: srgb(&theirs),
+                difference: comparison.picture(),
+            };
+            Ok((pictures, comparison))
+        },
+    )
 }
 
 fn srgb(film: &Film) -> Vec<u8> {
@@ -87,6 +98,10 @@ impl Outcome for Comparison {
 
     fn legend() -> &'static [([u8; 3], &'static str)] {
         &LEGEND
+    }
+
+    fn mostly(&self) -> Option<Whereabouts> {
+        self.mostly
     }
 
     fn lines(&self, args: &Args, language: Language) -> Vec<(&'static str, Complaint)> {

@@ -61,6 +61,10 @@ sheet-more = { $count ->
    *[other] a { $count } dalších
 }
 crosscheck-off-silhouettes = mimo obrysy
+crosscheck-where = nejvíc z nich
+crosscheck-mostly = { $pixels } tam, kde je vidět { $what }, v řádcích { $first-row } až { $last-row } a sloupcích { $first-column } až { $last-column }
+crosscheck-of-type = { $id } ({ $type })
+crosscheck-background = pozadí
 crosscheck-on-silhouettes = na obrysech
 crosscheck-off-edges = mimo hrany
 crosscheck-on-other-edges = na jiných hranách

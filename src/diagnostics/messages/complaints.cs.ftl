@@ -236,6 +236,9 @@ zero-direction = směr je nulový vektor
 no-program = program { $program } není nainstalován: získáte ho { $how } (hledalo se `{ $path }`)
 program-failed = { $program } selhal:
     { $said }
+program-late = program { $program } neskončil do { $seconds } s, a proto byl ukončen: dejte mu víc času volbou `--timeout`, nebo zvolte { $instead }
+crosscheck-late-povray = menší `--size` nebo `--depth`
+crosscheck-late-mitsuba = menší `--size`
 program-strange = { $program }: { $what }
 
 ## Převod

@@ -232,6 +232,9 @@ zero-direction = the direction is the zero vector
 no-program = { $program } is not installed: get it { $how } (`{ $path }` was tried)
 program-failed = { $program } has failed:
     { $said }
+program-late = { $program } was ended, as it took longer than { $seconds } s: allow it more with `--timeout`, or choose { $instead }
+crosscheck-late-povray = a smaller `--size` or `--depth`
+crosscheck-late-mitsuba = a smaller `--size`
 program-strange = { $program }: { $what }
 
 ## Translating
