@@ -91,7 +91,8 @@ pub fn listed(first: &str, entries: &[String], width: usize, indent: &str) -> St
         let entry = if is_last {
             entry.clone()
         } else {
-            format!("{entry} ·")
+            // The point is never alone in a line.
+            format!("{entry}{BOUND}·")
         };
         let space = if line.is_empty() || i == 0 { "" } else { " " };
         let fits = |text: &str| display_width(text) <= width;

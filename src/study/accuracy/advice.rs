@@ -17,10 +17,15 @@ pub fn advise(report: &mut Report, language: Language) {
     let parts = match wrong_reference(report, language) {
         Some(wrong) => vec![wrong],
         None => {
+            let (limit, change) = (limit(report, language), change(report, language));
+            let said = [&limit, &change].into_iter().flatten();
+            let is_said = said.into_iter().any(|part| part.text.contains("`--depth "));
+            let depth = depth(report, language).filter(|_| !is_said);
             let all = [
-                limit(report, language),
+                limit,
                 busy(report, language),
-                change(report, language),
+                change,
+                depth,
                 numbers(report, language),
                 unchecked(report, language),
             ];
@@ -305,6 +310,54 @@ fn change(report: &Report, language: Language) -> Option<Advice> {
     Some(Advice { what, text })
 }
 
+/// Whether another depth of rays would show, or would do.
+fn depth(report: &Report, language: Language) -> Option<Advice> {
+    let number = |row: &Row| row.setting.parse::<u32>().ok();
+    let rows = || {
+        let rows = report.rows.iter().filter(|r| r.is_on(Axis::Depth));
+        rows.filter_map(|r| Some((number(r)?, r, r.times_default?)))
+    };
+    let (own, default, _) = rows().find(|(_, r, _)| r.default)?;
+    let off = default.off();
+    let deeper = rows().filter(|(depth, r, _)| *depth > own && r.off() < off);
+    let is_alike = |r: &Row| r.off() <= off && r.steps() <= report.goal.steps / 10.0;
+    let flatter = rows().filter(|(depth, r, _)| *depth < own && is_alike(r));
+    let mut values = vec![("depth", Value::from(own.to_string()))];
+    let message = if let Some((_, row, time)) = deeper.min_by_key(|(n, r, _)| (r.off(), *n)) {
+        values.extend([
+            ("option", row.option.clone().into()),
+            ("right", count(off - row.off())),
+            ("off", count(off)),
+            ("times", words::times(language, time).into()),
+        ]);
+        "accuracy-depth-more"
+    } else if let Some((_, row, time)) = flatter.min_by_key(|(n, ..)| *n) {
+        values.extend([
+            ("option", row.option.clone().into()),
+            ("price", price(report, time, language).into()),
+        ]);
+        "accuracy-depth-less"
+    } else if rows().any(|(depth, ..)| depth < own) {
+        "accuracy-depth-right"
+    } else {
+        return None;
+    };
+    Some(Advice {
+        what: "depth",
+        text: say(language, message, &values),
+    })
+}
+
+/// `saves 12 %` and its like; `time` is that of a setting over that of the default.
+fn price(report: &Report, time: f64, language: Language) -> String {
+    let percent = |share: f64| [("percent", words::percent(language, share).into())];
+    match time - 1.0 {
+        p if p.abs() <= report.noise.relative => say(language, "accuracy-saves-nothing", &[]),
+        p if p < 0.0 => say(language, "accuracy-saves", &percent(-p)),
+        p => say(language, "accuracy-costs", &percent(p)),
+    }
+}
+
 /// Whether the advice speaks of a row.
 pub fn names(report: &Report, row: &Row) -> bool {
     let option = format!("`{}`", row.option);
@@ -332,20 +385,6 @@ fn numbers(report: &Report, language: Language) -> Option<Advice> {
             (_, n, _) => say(language, "accuracy-numbers-report", &[("off", count(n))]),
         });
     }
-    let noise = report.noise.relative;
-    let price = |time: f64| match time - 1.0 {
-        p if p.abs() <= noise => say(language, "accuracy-saves-nothing", &[]),
-        p if p < 0.0 => say(
-            language,
-            "accuracy-saves",
-            &[("percent", words::percent(language, -p).into())],
-        ),
-        p => say(
-            language,
-            "accuracy-costs",
-            &[("percent", words::percent(language, p).into())],
-        ),
-    };
     for (name, message) in [
         ("f32", "accuracy-numbers-f32"),
         ("plain-f64", "accuracy-numbers-plain"),
@@ -358,7 +397,10 @@ fn numbers(report: &Report, language: Language) -> Option<Advice> {
         said.push(say(
             language,
             message,
-            &[("off", count(off)), ("price", price(time).into())],
+            &[
+                ("off", count(off)),
+                ("price", price(report, time, language).into()),
+            ],
         ));
     }
     (!said.is_empty()).then(|| Advice {

@@ -17,7 +17,7 @@ accuracy-at-most = nejvýše { $error }
 accuracy-advice-set = S `{ $option }` je tato chyba { $error } kroku a obrázek trvá { $times }krát tak dlouho jako s výchozím nastavením.
 accuracy-advice-dearer = S `{ $option }` je { $error } kroku, ale obrázek trvá { $times }krát tak dlouho.
 accuracy-advice-even = I `{ $option }`, s nímž obrázek trvá { $times }krát tak dlouho jako s výchozím nastavením, ponechá chybu { $error } kroku.
-accuracy-advice-busy = Počítač byl na přesné měření času příliš zaneprázdněný: běhy trvaly { $times }násobek svého času procesoru, protože procesor používaly i jiné programy. Než se na časy spolehnete, ukončete je a měřte znovu.
+accuracy-advice-busy = Počítač byl na přesné měření času příliš zaneprázdněný: procesor používaly i jiné programy, takže běhy trvaly { $times }násobek svého času procesoru. Než se na časy spolehnete, ukončete tyto programy a měřte znovu.
 accuracy-advice-others = Každý z ostatních druhů chyby je při výchozím nastavení menší než { $error } kroku.
 accuracy-price = za { $percent } % času navíc
 accuracy-price-none = bez měřitelného času navíc
@@ -26,7 +26,13 @@ accuracy-advice-repair = Z { $pixels ->
    *[other] { $pixels } prohlédnutých pixelů
 } se jich kvůli zanedbanému světlu liší { $off } o víc než krok. `{ $option }` jich opraví { $right } { $price }.
 accuracy-advice-save = `{ $option }` ušetří { $percent } % času a žádný další pixel se neliší o víc než krok.
-accuracy-advice-no-change = Žádné nastavení neušetří desetinu času, aniž by to bylo vidět.
+accuracy-advice-no-change = Žádné jiné nastavení neušetří desetinu času, aniž by to bylo vidět.
+accuracy-depth-more = Výchozí hloubka { $depth } vynechává světlo, které by bylo vidět: `{ $option }` z { $off ->
+    [one] { $off } pixelu
+   *[other] { $off } pixelů
+} opraví { $right } a obrázek trvá { $times }krát tak dlouho.
+accuracy-depth-less = Výchozí hloubka { $depth } je víc než dost: `{ $option }` dává na pohled stejný obrázek a { $price }.
+accuracy-depth-right = Výchozí hloubka { $depth } stačí a s menší se obrázek změní.
 accuracy-numbers-same = Dvojitá přesnost tu stačí: double-double s dvojnásobným počtem číslic trvá { $times }krát tak dlouho a dává tentýž obrázek.
 accuracy-numbers-unseen = Dvojitá přesnost na pohled stačí: double-double s dvojnásobným počtem číslic trvá { $times }krát tak dlouho a neopraví žádný pixel.
 accuracy-numbers-untimed = Dvojitá přesnost nepokazí žádný pixel.
@@ -105,11 +111,12 @@ accuracy-note-effects = Co stojí jednotlivé efekty. Vypínají se po jednom; p
 accuracy-background = pozadí
 accuracy-time-by = čas podle toho, co je vidět
 accuracy-error-by = chyba podle toho, co je vidět
-accuracy-taken-out = co ušetří vypnutí každého zvlášť (překrývají se)
+accuracy-taken-out = čas efektů (překrývají se)
 accuracy-not-run = neměřeno
 accuracy-cut = vynecháno kvůli času
 accuracy-noise = časy jsou jisté na ±{ $percent } %
-accuracy-share = měřeno na { $percent } % pixelů
+accuracy-noise-busy = časy jsou jen hrubé, protože počítač byl příliš zaneprázdněný
+accuracy-share = chyby se měřily na { $percent } % pixelů, v malých dlaždicích po celém obrázku
 accuracy-reference-edges = hrany se porovnávají s obrázkem o { $samples ->
     [one] { $samples } vzorku
    *[other] { $samples } vzorcích

@@ -18,7 +18,7 @@ accuracy-advice-set = With `{ $option }` this error is { $error } steps, and the
 accuracy-advice-dearer = With `{ $option }` it is { $error } steps, but the picture takes { $times } times as long.
 accuracy-advice-even = Even `{ $option }`, which takes { $times } times as long as the default settings, leaves an error of { $error } steps.
 accuracy-advice-others = With the default settings each other kind of error is below { $error } steps.
-accuracy-advice-busy = The machine was too busy for exact times: the runs took { $times } times their CPU time, since other programs had the processor. Close them and measure again before you rely on the times.
+accuracy-advice-busy = The machine was too busy for exact times: other programs had the processor, so that the runs took { $times } times their CPU time. Close these programs and measure again before you rely on the times.
 accuracy-price = for { $percent } % more time
 accuracy-price-none = for no measurable time
 accuracy-advice-repair = In { $off } of the { $pixels ->
@@ -26,7 +26,13 @@ accuracy-advice-repair = In { $off } of the { $pixels ->
    *[other] { $pixels } pixels
 } that were looked at the light that is cut shows by more than a step. `{ $option }` puts { $right } of them right { $price }.
 accuracy-advice-save = `{ $option }` saves { $percent } % of the time, and no further pixel is off by more than a step.
-accuracy-advice-no-change = No setting saves a tenth of the time without a change that can be seen.
+accuracy-advice-no-change = No other setting saves a tenth of the time without a visible change.
+accuracy-depth-more = A depth of { $depth }, the default, cuts light that can be seen: `{ $option }` puts { $right } of { $off ->
+    [one] { $off } pixel
+   *[other] { $off } pixels
+} right, and the picture takes { $times } times as long.
+accuracy-depth-less = A depth of { $depth }, the default, is more than enough: `{ $option }` shows the same to the eye and { $price }.
+accuracy-depth-right = A depth of { $depth }, the default, is enough, and with less the picture changes.
 accuracy-numbers-same = Doubles are enough here: double-double, which has twice as many digits, takes { $times } times as long and gives the same picture.
 accuracy-numbers-unseen = Doubles are enough to the eye: double-double, which has twice as many digits, takes { $times } times as long and puts no pixel right.
 accuracy-numbers-untimed = Doubles put no pixel wrong.
@@ -102,11 +108,12 @@ accuracy-note-effects = What each effect costs. Effects are taken out one at a t
 accuracy-background = background
 accuracy-time-by = time by what is seen first
 accuracy-error-by = error by what is seen first
-accuracy-taken-out = taken out alone, saves (they overlap)
+accuracy-taken-out = time by effect (these overlap)
 accuracy-not-run = not run
 accuracy-cut = left out to keep the time
 accuracy-noise = times are sure to ±{ $percent } %
-accuracy-share = measured on { $percent } % of the pixels
+accuracy-noise-busy = times are rough, since the machine was too busy
+accuracy-share = errors were measured on { $percent } % of the pixels, in small tiles all over the picture
 accuracy-reference-edges = edges are compared with { $samples ->
     [one] { $samples } sample
    *[other] { $samples } samples

@@ -110,7 +110,10 @@ impl Page<'_> {
             parts.map(|a| prose(&a.text)).collect::<Vec<_>>().join(" ")
         };
         let tiles = [
-            tile(self.say("accuracy-tile-change"), part(&["change", "save"])),
+            tile(
+                self.say("accuracy-tile-change"),
+                part(&["change", "save", "depth"]),
+            ),
             tile(self.say("accuracy-tile-numbers"), part(&["numbers"])),
             tile(
                 self.say("accuracy-tile-sure"),

@@ -12,6 +12,8 @@ use unicode_width::UnicodeWidthStr as _;
 /// How wide a row is without its bar, and the longest bar.
 const ROW: usize = 78;
 const BAR: usize = 24;
+/// Entries of a list that are as wide are sentences.
+const SENTENCE: usize = 40;
 /// Rows of each kind, unless more are needed.
 const MOST_ROWS: usize = 5;
 
@@ -180,7 +182,15 @@ fn summaries(out: &mut String, report: &Report, language: Language, width: usize
     let mut list = |message: &'static str, items: Vec<String>| {
         if !items.is_empty() {
             let name = padded(&say(language, message, &[]), 30) + "  ";
-            line(out, &listed(&name, &items, width, "  "));
+            // Sentences begin in a line of their own.
+            let first = match items.iter().all(|item| item.width() < SENTENCE) {
+                true => &name,
+                false => {
+                    line(out, name.trim_end());
+                    "  "
+                }
+            };
+            line(out, &listed(first, &items, width, "  "));
         }
     };
     let objects = |share: fn(&super::super::report::Object) -> f64| {
@@ -210,10 +220,12 @@ fn summaries(out: &mut String, report: &Report, language: Language, width: usize
         })
         .collect();
     list("accuracy-taken-out", effects);
-    let skipped: Vec<String> = (report.skipped.iter())
-        .map(|s| format!("{}: {}", s.axis, s.why.wording(language)))
-        .collect();
-    list("accuracy-not-run", skipped);
+    let together = report.skipped.chunk_by(|a, b| a.why == b.why);
+    let skipped = together.map(|all| {
+        let axes: Vec<&str> = all.iter().map(|s| s.axis).collect();
+        format!("{}: {}", axes.join(", "), all[0].why.wording(language))
+    });
+    list("accuracy-not-run", skipped.collect());
     list("accuracy-cut", words::each(language, &report.budget.cut));
     line(out, &listed("", &sureness(report, language), width, "  "));
 }
@@ -221,11 +233,11 @@ fn summaries(out: &mut String, report: &Report, language: Language, width: usize
 /// How sure all of this is.
 pub fn sureness(report: &Report, language: Language) -> Vec<String> {
     let noise = words::percent(language, report.noise.relative);
-    let mut parts = vec![say(
-        language,
-        "accuracy-noise",
-        &[("percent", noise.into())],
-    )];
+    let times = match report.too_busy() {
+        Some(_) => "accuracy-noise-busy",
+        None => "accuracy-noise",
+    };
+    let mut parts = vec![say(language, times, &[("percent", noise.into())])];
     if report.budget.pixels_share < 1.0 {
         let share = words::percent(language, report.budget.pixels_share);
         parts.push(say(
