@@ -43,13 +43,59 @@ fn fixes_are_written_and_the_rest_is_reported() {
     let fixed = SCENE.replace("0,5", "0.5");
     assert_eq!(fs::read_to_string(dir.path().join("a.zpg")).unwrap(), fixed);
     // Guesses on demand only; what has nothing to mend is not touched.
-    zpg(dir.path(), &["check", "--fix", "--unsafe-fixes", "."], "");
+    let run = zpg(dir.path(), &["check", "--fix", "--unsafe-fixes", "."], "");
+    let out = text(&run.stdout);
+    assert!(out.contains("a.zpg:2: `1 3` → `3 1`\n"), "{out}");
+    assert!(
+        out.contains("a.zpg:3: `0.7 0.7 0.7` → `0.333 0.333 0.333`\n"),
+        "{out}"
+    );
     let all = (fixed.replace("14 1 3", "14 3 1")).replace("0.7 0.7 0.7", "0.333 0.333 0.333");
     assert_eq!(fs::read_to_string(dir.path().join("a.zpg")).unwrap(), all);
     assert_eq!(
         fs::read_to_string(dir.path().join("b.zpg")).unwrap(),
         "1 9999 2 0\n"
     );
+}
+
+/// What guesses have changed is listed with lines of the file as it is now, however many rounds they took: the second
+/// record that was made of one moves the lines below it.
+#[test]
+fn changes_are_listed_by_lines_of_the_file() {
+    let scene = "50 -402 1 4 6 5\n2 9 0,5\n3 14 1 3\n4 -101 2 3\n1 9999 4 0\n";
+    let dir = folder(&[("a.zpg", scene)]);
+    let run = zpg(
+        dir.path(),
+        &["check", "--fix", "--unsafe-fixes", "a.zpg"],
+        "",
+    );
+    let out = text(&run.stdout);
+    let now = fs::read_to_string(dir.path().join("a.zpg")).unwrap();
+    let listed: Vec<&str> = out
+        .lines()
+        .filter_map(|l| l.strip_prefix("  a.zpg:"))
+        .collect();
+    assert_eq!(
+        listed,
+        [
+            "1: `4 6 5` → nothing",
+            "2: nothing → `50 -1 4 6 5`",
+            "3: `0,5` → `0.5`",
+            "4: `1 3` → `3 1`"
+        ],
+        "{now}"
+    );
+    for change in listed {
+        let (line, new) = (
+            change.split(':').next().unwrap(),
+            change.split(" → ").nth(1).unwrap(),
+        );
+        let line = now.lines().nth(line.parse::<usize>().unwrap() - 1).unwrap();
+        assert!(
+            new == "nothing" || line.contains(new.trim_matches('`')),
+            "{change}: {line}"
+        );
+    }
 }
 
 #[test]

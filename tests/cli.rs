@@ -102,6 +102,25 @@ fn an_unreadable_file_does_not_stop_the_others() {
         "error: cannot read a.zpg: No such file or directory\n"
     );
     assert!(text(&run.stdout).contains("b.zpg:1:3: N601 note: "));
+    // What was not read has passed no check.
+    fs::write(dir.path().join("good.zpg"), GOOD).unwrap();
+    for (lang, said) in [
+        (
+            "en",
+            "Nothing was found in 1 file; what could not be read was not checked.\n",
+        ),
+        (
+            "cs",
+            "V 1 souboru se nic nenašlo; co nešlo přečíst, se nezkontrolovalo.\n",
+        ),
+    ] {
+        let args = ["check", "--lang", lang, "a.zpg", "good.zpg"];
+        let run = zpg(dir.path(), &args);
+        assert_eq!(
+            (run.status.code(), text(&run.stdout)),
+            (Some(2), said.to_owned())
+        );
+    }
 }
 
 #[test]

@@ -119,7 +119,13 @@ fn a_part_of_an_adaptive_picture_is_as_in_the_whole() {
 #[test]
 fn a_heatmap_is_brighter_where_there_is_more_to_test() {
     let dir = folder(&[("a.zpg", SCENE.as_bytes())]);
-    let said = render(dir.path(), "a.zpg -o a.png --size 64x48 --heatmap h.png");
+    let run = zpg(
+        dir.path(),
+        "render a.zpg -o a.png --size 64x48 --heatmap h.png",
+    );
+    let wrote = "Wrote a.png: 64 × 48 pixels\nWrote h.png: 64 × 48 pixels\n";
+    assert_eq!(String::from_utf8(run.stdout).unwrap(), wrote);
+    let said = String::from_utf8(run.stderr).unwrap();
     assert!(
         said.starts_with("heatmap: intersection tests per pixel, from 0"),
         "{said}"

@@ -1,9 +1,10 @@
-//! Showing how a file would change, as a unified diff.
+//! Showing how a file would change, as a unified diff, or has changed, line by line.
 
 use std::fmt;
 
 use clap::builder::styling::AnsiColor;
 use imara_diff::{InternedInput, Interner, Token, UnifiedDiffConfig, UnifiedDiffPrinter};
+use rustc_hash::FxHashMap;
 
 use crate::format::difference;
 
@@ -77,5 +78,143 @@ pub fn diff(out: &mut Vec<u8>, path: &str, old: &str, new: &str, colour: bool) {
             }
             None => out.extend(line.as_bytes()),
         }
+    }
+}
+
+/// What has changed in a line.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Change<'t> {
+    /// The number of the line as it is now, from 1; of one that is gone, of what stands there now.
+    pub line: usize,
+    /// Without the words that both begin or end with; nothing where there was none, or is none.
+    pub old: &'t str,
+    pub new: &'t str,
+}
+
+/// What has changed, in the order of the lines.
+pub fn changes<'t>(old: &'t str, new: &'t str) -> Vec<Change<'t>> {
+    let input = InternedInput::new(old, new);
+    let diff = difference::of(&input);
+    let (before, after): (Vec<&str>, Vec<&str>) = (old.lines().collect(), new.lines().collect());
+    let mut all = Vec::new();
+    for hunk in diff.hunks() {
+        let [old, new] = [hunk.before, hunk.after].map(|r| r.start as usize..r.end as usize);
+        let first = 1 + new.start;
+        for (at, old, new) in pairs(&before[old], &after[new]) {
+            let (old, new) = without_common(old, new);
+            if (old, new) != ("", "") {
+                let line = first + at;
+                all.push(Change { line, old, new });
+            }
+        }
+    }
+    all
+}
+
+/// Which line has become which: those that begin with the same word, as records do with their ID, and what is left between
+/// them in order. Each comes with the number of lines that there are before it now; nothing stands for no line.
+fn pairs<'t>(old: &[&'t str], new: &[&'t str]) -> Vec<(usize, &'t str, &'t str)> {
+    let id = |line: &'t str| line.split_whitespace().next().unwrap_or_default();
+    // How many of the lines to come begin with a word.
+    let count = |lines: &[&'t str]| {
+        let mut all: FxHashMap<&str, usize> = FxHashMap::default();
+        lines
+            .iter()
+            .for_each(|l| *all.entry(id(l)).or_default() += 1);
+        all
+    };
+    let (mut left, mut to_come) = (count(old), count(new));
+    let has = |words: &FxHashMap<&str, usize>, word: &str| words.get(word).is_some_and(|&n| n > 0);
+    let take = |words: &mut FxHashMap<&'t str, usize>, line: &'t str| {
+        words
+            .entry(id(line))
+            .and_modify(|n| *n = n.saturating_sub(1));
+    };
+    let (mut i, mut j) = (0, 0);
+    let mut all = Vec::new();
+    while i < old.len() || j < new.len() {
+        let (was, now) = (old.get(i).copied(), new.get(j).copied());
+        let are_one = match (was, now) {
+            (Some(was), Some(now)) => id(was) == id(now),
+            _ => false,
+        };
+        let stays = was.is_some_and(|was| has(&to_come, id(was)));
+        let is_old = now.is_some_and(|now| has(&left, id(now)));
+        let (was, now) = match (was, now) {
+            _ if are_one => (was, now),
+            (_, Some(_)) if stays => (None, now),
+            (Some(_), _) if is_old => (was, None),
+            _ => (was, now),
+        };
+        all.push((j, was.unwrap_or_default(), now.unwrap_or_default()));
+        if let Some(was) = was {
+            take(&mut left, was);
+            i += 1;
+        }
+        if let Some(now) = now {
+            take(&mut to_come, now);
+            j += 1;
+        }
+    }
+    all
+}
+
+/// Two texts without the words that both begin with and end with.
+fn without_common<'t>(old: &'t str, new: &'t str) -> (&'t str, &'t str) {
+    let (mut old, mut new) = (old.trim(), new.trim());
+    let first = |text: &'t str| text.split_once(char::is_whitespace).unwrap_or((text, ""));
+    while !old.is_empty() && first(old).0 == first(new).0 {
+        (old, new) = (first(old).1.trim_start(), first(new).1.trim_start());
+    }
+    let last = |text: &'t str| match text.rsplit_once(char::is_whitespace) {
+        Some((rest, word)) => (rest, word),
+        None => ("", text),
+    };
+    while !old.is_empty() && last(old).1 == last(new).1 {
+        (old, new) = (last(old).0.trim_end(), last(new).0.trim_end());
+    }
+    (old, new)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(old: &str, new: &str) -> Vec<String> {
+        let tell = |c: &Change| format!("{}: {} → {}", c.line, c.old, c.new);
+        changes(old, new).iter().map(tell).collect()
+    }
+
+    #[test]
+    fn lines_are_those_of_the_file_as_it_is_now() {
+        let old = "2 9 0,5  # a #\n50 -402 1 4 6 5\n3 9 1\ngone\n4 9 1 # x #\n";
+        let new = "2 9 0.5  # a #\n50 -402 1\n50 -1 4 6 5\n3 9 1\n4 9 1.5 # x #\n";
+        assert_eq!(
+            told(old, new),
+            [
+                "1: 0,5 → 0.5",
+                "2: 4 6 5 → ",
+                "3:  → 50 -1 4 6 5",
+                "5: gone → ",
+                "5: 1 → 1.5"
+            ]
+        );
+        // The record that one has become two of moves those below it.
+        let old = "50 -402 1 4 6 5\n2 9 0,5\n3 14 1 3\n";
+        let new = "50 -402 1\n50 -1 4 6 5\n2 9 0.5\n3 14 3 1\n";
+        assert_eq!(
+            told(old, new),
+            [
+                "1: 4 6 5 → ",
+                "2:  → 50 -1 4 6 5",
+                "3: 0,5 → 0.5",
+                "4: 1 3 → 3 1"
+            ]
+        );
+        assert_eq!(told("2 9 1\n", "20 9 1\n"), ["1: 2 → 20"]);
+        assert_eq!(told("a\nb\nc\n", "a\nc\n"), ["2: b → "]);
+        assert_eq!(told("a\n", "a\nb\n"), ["2:  → b"]);
+        assert_eq!(told("a b\r\n", "a b\n"), Vec::<String>::new());
+        assert_eq!(told("a\n", "a\n"), Vec::<String>::new());
     }
 }

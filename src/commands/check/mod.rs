@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use super::difference::diff;
+use super::difference::{Change, changes, diff};
 use super::draft::{self, try_file_in_new_folder, unwritable};
 use super::endings;
 use super::help;
@@ -26,7 +26,7 @@ use crate::analysis::file;
 use crate::analysis::{Analysis, Settings, allowing, fixing, repair};
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::render::human::Look;
-use crate::diagnostics::{Code, Complaint, Language, Value, fixes};
+use crate::diagnostics::{Code, Complaint, Language, SourceFile, Value};
 use crate::lint::levels::{Choice, Selector};
 use crate::parallel;
 use crate::syntax::quote;
@@ -371,7 +371,7 @@ impl Checker<'_> {
             let again = |source| levelled(Analysis::of(source));
             let mended = fixing::to_fixed_point(loaded, self.args.unsafe_fixes, again);
             if self.args.unsafe_fixes && !self.args.diff {
-                changes = changes_of(&mended, &old, self.look.language);
+                changes = changes_of(&mended.analysis.source, &old, self.look.language);
             }
             (loaded, fixed) = (mended.analysis, mended.count);
             left = Some(mended.findings);
@@ -496,30 +496,22 @@ impl Checker<'_> {
     }
 }
 
-/// `scene.zpg:4: -204 → -299`, a line for each edit. `old` is the text before all of them.
-fn changes_of(mended: &fixing::Mended, old: &str, language: Language) -> Vec<String> {
-    let path = &mended.analysis.source.path;
-    let mut out = Vec::new();
-    let mut text = old.to_owned();
-    for edits in &mended.rounds {
-        let mut line = 1;
-        let mut at = 0;
-        for edit in edits {
-            let before = &text[at..edit.span.start as usize];
-            line += before.matches('\n').count();
-            at = edit.span.start as usize;
-            let shown = |text: &str| match text.trim() {
-                "" => language.say("change-nothing", &[]),
-                text => quote(text),
-            };
-            let values = [
-                ("place", Value::from(format!("{path}:{line}"))),
-                ("old", shown(&text[edit.span.range()]).into()),
-                ("new", shown(&edit.text).into()),
-            ];
-            out.push(language.say("change", &values));
-        }
-        text = fixes::edited(&text, edits);
-    }
-    out
+/// `scene.zpg:4: -204 → -299`, a line for each line of the scene that has changed from `old`.
+fn changes_of(now: &SourceFile, old: &str, language: Language) -> Vec<String> {
+    let shown = |text: &str| match text {
+        "" => language.say("change-nothing", &[]),
+        text => quote(text),
+    };
+    let told = |change: &Change| {
+        let values = [
+            (
+                "place",
+                Value::from(format!("{}:{}", now.path, change.line)),
+            ),
+            ("old", shown(change.old).into()),
+            ("new", shown(change.new).into()),
+        ];
+        language.say("change", &values)
+    };
+    changes(old, &now.text).iter().map(told).collect()
 }

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use crate::diagnostics::layout::wrapped_if;
 use crate::diagnostics::render::human::{self, Look};
 use crate::diagnostics::render::{Tally, github, gitlab, json, junit, sarif, short};
-use crate::diagnostics::{Diagnostic, SourceFile};
+use crate::diagnostics::{Diagnostic, SourceFile, Value};
 
 /// How to print the findings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
@@ -97,7 +97,13 @@ pub fn write(
     match format {
         // With nothing read there is nothing to sum up.
         Format::Human if total.files > 0 && !quiet => {
-            let text = format!("{fixes}{}", total.sentence(look.language));
+            let files = [("files", Value::Count(total.files as u64))];
+            let sum = match total.is_clean() && !complete {
+                // What could not be read has passed no check.
+                true => look.language.say("tally-incomplete", &files),
+                false => total.sentence(look.language),
+            };
+            let text = format!("{fixes}{sum}");
             writeln!(out, "{}", wrapped_if(&text, look.width, "  "))
         }
         Format::Human | Format::Short | Format::Github => Ok(()),

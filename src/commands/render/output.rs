@@ -85,9 +85,10 @@ impl Output {
         }
     }
 
-    /// Writes a map of costs whose scale ends at `max`.
-    pub fn finish_map(self, costs: &CostMap, max: u32) -> Result<(), Complaint> {
-        self.draft.finish(|out| costs.write_png(out, max))
+    /// Writes a map of costs whose scale ends at `max`; the file that it is in now.
+    pub fn finish_map(self, costs: &CostMap, max: u32) -> Result<PathBuf, Complaint> {
+        self.draft.finish(|out| costs.write_png(out, max))?;
+        Ok(self.path)
     }
 
     /// Writes the picture; the file that it is in now. The formats that have room for it get its origin.

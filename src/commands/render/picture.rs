@@ -180,7 +180,7 @@ pub fn draw(
     }
     let start = Instant::now();
     let (counts, samples) = totals(&drawn);
-    write_maps(maps, &drawn, stereo, look)?;
+    let maps = write_maps(maps, &drawn, stereo, look)?;
     let mut films = compose(drawn, stereo, outputs.len());
     if let Some(times) = args.picture.exposure {
         films.iter_mut().for_each(|film| film.expose(times));
@@ -195,6 +195,7 @@ pub fn draw(
         }
     }
     unfinished.iter().for_each(Unfinished::remove);
+    said += &maps;
     seconds.encode = start.elapsed().as_secs_f64();
 
     if args.cost {
@@ -361,29 +362,35 @@ fn totals(pictures: &[Picture]) -> (Counts, Samples) {
     (counts, samples)
 }
 
-/// Writes the maps of costs, if they are asked for, on one scale, and says which.
+/// Writes the maps of costs, if they are asked for, on one scale, and says which. Gives what is to be said of the files.
 fn write_maps(
     files: Vec<Output>,
     pictures: &[Picture],
     stereo: Stereo,
     look: LookChoice,
-) -> Result<(), Error> {
+) -> Result<String, Error> {
     let maps: Vec<CostMap> = match pictures {
         [left, right] if files.len() == 1 => vec![match stereo {
             Stereo::Anaglyph => left.costs.plus(&right.costs),
             Stereo::SideBySide | Stereo::Pair => left.costs.beside(&right.costs),
         }],
-        _ if files.is_empty() => return Ok(()),
+        _ if files.is_empty() => return Ok(String::new()),
         _ => pictures.iter().map(|p| p.costs.clone()).collect(),
     };
     let max = maps.iter().map(CostMap::max).max().unwrap_or(0);
+    let mut said = String::new();
     for (file, map) in files.into_iter().zip(&maps) {
-        file.finish_map(map, max)?;
+        let path = file.finish_map(map, max)?;
+        let wrote = Complaint::new("wrote-picture")
+            .with("path", path.as_path())
+            .with("width", map.width.to_string())
+            .with("height", map.height.to_string());
+        said += &(wrote.wording(look.language()) + "\n");
     }
     let scale = Complaint::new("heatmap-scale").with("max", max.to_string());
     if look.quiet {
-        return Ok(());
+        return Ok(String::new());
     }
     tell(&scale.wording(look.language()));
-    Ok(())
+    Ok(said)
 }

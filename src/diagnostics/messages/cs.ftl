@@ -18,6 +18,10 @@ note = poznámka
 style = styl
 
 tally-clean = Vše je v pořádku!
+tally-incomplete = V { $files ->
+    [one] { $files } souboru
+   *[other] { $files } souborech
+} se nic nenašlo; co nešlo přečíst, se nezkontrolovalo.
 tally-errors = { $count ->
     [one] { $count } chyba
     [few] { $count } chyby

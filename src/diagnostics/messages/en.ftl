@@ -21,6 +21,10 @@ note = note
 style = style
 
 tally-clean = All checks passed!
+tally-incomplete = Nothing was found in { $files ->
+    [one] { $files } file
+   *[other] { $files } files
+}; what could not be read was not checked.
 tally-errors = { $count ->
     [one] { $count } error
    *[other] { $count } errors
