@@ -272,5 +272,11 @@ fn topics_of_several_words() {
     };
     assert_eq!(page(&["point", "light"]), page(&["point light"]));
     assert_eq!(page(&["point", "light"]), page(&["-402"]));
-    assert_eq!(page(&["textura", "obrazová"]), page(&["-301"]));
+    // Under the word that was looked for.
+    let (named, coded) = (page(&["textura", "obrazová"]), page(&["-301"]));
+    assert!(named.starts_with("# textura obrazová: image texture (-301)\n"));
+    assert_eq!(
+        named.split_once('\n').unwrap().1,
+        coded.split_once('\n').unwrap().1
+    );
 }

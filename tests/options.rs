@@ -705,3 +705,47 @@ fn defaults_in_help_are_accepted() {
         assert_eq!(said.contains("from 0 to 1"), !is_right, "{cutoff}: {said}");
     }
 }
+
+/// Words that are none of zpg's are answered with those that are: a command with a letter missing, a scene without a
+/// command, a side in other words.
+#[test]
+fn what_is_meant_is_proposed() {
+    let dir = folder(&[("a.zpg", "2 9 1\n3 11 0 0 0 1\n40 -101 2 3\n1 9999 40 0\n")]);
+    for (arguments, proposed) in [
+        (&["help", "rendr"][..], "did you mean `render`?"),
+        (&["rendr"], "did you mean `render`?"),
+        (
+            &["a.zpg"],
+            "did you mean `zpg check a.zpg` or `zpg render a.zpg`?",
+        ),
+        (&["none.json"], "did you mean `zpg check none.json` or "),
+        (
+            &["render", "a.zpg", "--view", "shora"],
+            "did you mean `top`?",
+        ),
+        (
+            &["render", "a.zpg", "--view", "Zezadu"],
+            "did you mean `back`?",
+        ),
+        (
+            &["probe", "a.zpg", "--point", "0 0 0", "--object", "99"],
+            "its objects: 2, 3, 40\n",
+        ),
+        (
+            &["probe", "a.zpg", "--point", "0 0 0", "--object", "41"],
+            "did you mean 40?",
+        ),
+        (&["explain", "203"], "did you mean `-203`?"),
+    ] {
+        let run = zpg(dir.path(), arguments);
+        let said = text(&run.stderr);
+        assert_eq!(run.status.code(), Some(2), "{arguments:?}: {said}");
+        assert!(said.contains(proposed), "{arguments:?}: {said}");
+    }
+    // Nothing is proposed for what is far from all.
+    let said = text(&zpg(dir.path(), &["quite-something"]).stderr).to_owned();
+    assert!(!said.contains("did you mean"), "{said}");
+    let said =
+        text(&zpg(dir.path(), &["render", "a.zpg", "--view", "elsewhere"]).stderr).to_owned();
+    assert!(!said.contains("did you mean"), "{said}");
+}

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::io::{self, IsTerminal as _};
 
 use super::page::{Form, laid_out};
+use super::topics::Topic;
 use super::{LookChoice, Status, complain, terminal};
 use crate::diagnostics::layout::hanging;
 use crate::diagnostics::{Code, Complaint, Language};
@@ -21,7 +22,8 @@ Examples:
   zpg explain E101            a finding by its code
   zpg explain undefined-id    … or by its name
   zpg explain -399            a record type by its number
-  zpg explain checkerboard    … or by its keyword")]
+  zpg explain checkerboard    … or by its keyword
+  zpg explain glass           how to make glass, a mirror, a prism, a shadow")]
 pub struct Args {
     /// A code or name of a finding, or a number, keyword or other name of a record type, of one word or several
     #[arg(value_name = "CODE|TYPE", allow_negative_numbers = true)]
@@ -105,21 +107,40 @@ fn page(topic: &str, language: Language) -> Option<String> {
         return Some(type_page(RecordType::by_code(number)?, language));
     }
     let is_named = |t: &&RecordType| names(t).any(|name| normalise(&name) == topic);
+    let about = Topic::of(&topic);
     if let Some(ty) = RECORD_TYPES.iter().find(is_named) {
-        return Some(type_page(ty, language));
+        let mut page = type_page(ty, language);
+        if let Some(about) = about {
+            let heading = language.say("explain-in-a-scene", &[]);
+            page += &format!("\n## {heading}\n\n{}", about.text(language));
+        }
+        return Some(page);
     }
     // What people call it. A word may stand for several types.
     let types = words::named(&topic);
-    let (ty, others) = types.split_first()?;
-    let mut page = type_page(ty, language);
-    if !others.is_empty() {
-        let list =
+    let list = |types: &[&RecordType]| {
+        let one =
             |ty: &&RecordType| format!("{} (`zpg explain {}`)", language.name(ty.title), ty.code);
-        let list: Vec<String> = others.iter().map(list).collect();
-        let also = language.say("explain-also", &[("list", list.join(", ").into())]);
-        page = format!("{}\n\n{also}\n", page.trim_end());
+        let list: Vec<String> = types.iter().map(one).collect();
+        language.say("explain-also", &[("list", list.join(", ").into())])
+    };
+    let word = topic.replace('-', " ");
+    if let Some(about) = about {
+        let (title, text) = (about.title(language), about.text(language).trim_end());
+        let heading = match plain(title) == plain(&word) {
+            true => title.to_owned(),
+            false => format!("{word}: {title}"),
+        };
+        return Some(format!("# {heading}\n\n{text}\n\n{}\n", list(&types)));
     }
-    Some(page)
+    let (ty, others) = types.split_first()?;
+    let page = type_page(ty, language);
+    // The page begins with the word that was looked for.
+    let page = page.replacen("# ", &format!("# {word}: "), 1);
+    Some(match others.is_empty() {
+        true => page,
+        false => format!("{}\n\n{}\n", page.trim_end(), list(others)),
+    })
 }
 
 /// What a record type goes by, in any language.
@@ -139,6 +160,14 @@ const MAX_SUGGESTIONS: usize = 3;
 /// The names nearest to what was typed, nearest first.
 fn suggestions(topic: &str, language: Language) -> Vec<String> {
     let topic = normalise(topic);
+    // Of a number without its minus nothing else is meant.
+    if let Some(ty) = topic
+        .parse()
+        .ok()
+        .and_then(|n: i64| RecordType::by_code(-n))
+    {
+        return vec![ty.code.to_string()];
+    }
     let allowed = (topic.chars().count() / 3).clamp(1, 3);
     let codes = Code::ALL
         .iter()
@@ -217,8 +246,6 @@ mod tests {
             ("koule v obecne poloze", &["11"]),
             ("cylinder", &["1"]),
             ("válec", &["1"]),
-            ("glass", &["-201", "-203"]),
-            ("zrcadlo", &["-201"]),
             ("look at", &["-501"]),
             ("light", &["-402", "-401"]),
         ] {
@@ -239,8 +266,42 @@ mod tests {
         }
     }
 
+    /// What people want to make has a page of its own, which begins with the word and shows a scene that does it.
+    #[test]
+    fn topics_have_scenes() {
+        let (english, czech) = (Language::English, Language::Czech);
+        for (word, language, heading, codes) in [
+            ("glass", english, "# glass", &["-201", "-203"][..]),
+            ("sklo", czech, "# sklo", &["-201", "-203"]),
+            ("sklo", english, "# sklo: glass", &["-203"]),
+            ("mirror", english, "# mirror", &["-201"]),
+            ("prism", english, "# prism", &["-102"]),
+            ("hranol", czech, "# hranol", &["-102"]),
+            ("shadow", english, "# shadow", &["-402"]),
+            ("stin", czech, "# stín", &["-402"]),
+        ] {
+            let page = page(word, language).expect(word);
+            assert_eq!(page.lines().next(), Some(heading));
+            assert!(page.contains("```zpg\n"), "{page}");
+            for code in codes {
+                assert!(page.contains(&format!("zpg explain {code}`")), "{page}");
+            }
+        }
+        assert!(page("glass", english).unwrap().contains("water 1.33"));
+        // A type with such a page has both.
+        for word in ["checkerboard", "šachovnice"] {
+            let page = page(word, czech).unwrap();
+            assert!(page.starts_with("# šachovnice (-399)") && page.contains("```zpg\n"));
+        }
+        let lathe = page("lathe", english).unwrap();
+        assert!(lathe.starts_with("# lathe: surface of revolution (1)"));
+    }
+
     #[test]
     fn what_was_meant() {
+        for (number, code) in [("203", "-203"), ("402", "-402"), ("501", "-501")] {
+            assert_eq!(suggestions(number, Language::English), [code]);
+        }
         assert_eq!(
             suggestions("chekerboard", Language::English),
             ["checkerboard"]

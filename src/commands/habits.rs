@@ -1,4 +1,6 @@
-//! What people write who know ruff: options and commands that zpg calls otherwise, or does without.
+//! What people write who know ruff or speak Czech: options, commands and values that zpg calls otherwise, or does without.
+
+use crate::syntax::words::plain;
 
 /// A word of ruff, and the message that says what there is instead.
 const HABITS: [(&str, &str); 29] = [
@@ -38,4 +40,35 @@ pub fn message(word: &str) -> Option<&'static str> {
     let word = word.split('=').next().unwrap_or(word);
     let habit = HABITS.iter().find(|(name, _)| *name == word);
     habit.map(|(_, message)| *message)
+}
+
+/// Sides, as people say them, and the values of `--view`.
+const SIDES: [(&str, &str); 20] = [
+    ("above", "top"),
+    ("up", "top"),
+    ("shora", "top"),
+    ("seshora", "top"),
+    ("nahore", "top"),
+    ("below", "bottom"),
+    ("down", "bottom"),
+    ("zdola", "bottom"),
+    ("zespoda", "bottom"),
+    ("dole", "bottom"),
+    ("zepredu", "front"),
+    ("predni", "front"),
+    ("behind", "back"),
+    ("rear", "back"),
+    ("zezadu", "back"),
+    ("zleva", "left"),
+    ("zprava", "right"),
+    ("isometric", "iso"),
+    ("izometrie", "iso"),
+    ("sikmo", "iso"),
+];
+
+/// The value that is meant by another word.
+pub fn value(word: &str) -> Option<&'static str> {
+    let word = plain(word);
+    let side = SIDES.iter().find(|(name, _)| *name == word);
+    side.map(|(_, value)| *value)
 }

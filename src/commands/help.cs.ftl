@@ -543,6 +543,7 @@ help-explain = Vysvětlí nález nebo typ záznamu
           zpg explain undefined-id    … nebo podle názvu
           zpg explain -399            typ záznamu podle čísla
           zpg explain šachovnice      … nebo podle jména, českého či anglického
+          zpg explain sklo            jak udělat sklo, zrcadlo, hranol, stín
 help-explain-topic = Kód nebo název nálezu, číslo nebo jméno typu záznamu, o jednom slově nebo více
     .value = KÓD|TYP
 

@@ -7,7 +7,7 @@
 //! [`frames`] says which pictures a scene with varying numbers has, [`help`] gives `--help` in other languages, [`language`] chooses one, [`memory`] says how much memory and how many
 //! threads may be taken, [`rewrite`] changes files, [`settings`] finds the scenes and settings of a run, [`size`] reads
 //! `640x480`, [`spare`] keeps what is read from being written over, [`terminal`] knows about colour and about output that
-//! nobody reads any more, [`time`] reads `90s`, [`usage`] says what is wrong with arguments, [`watch`] does something again when a scene changes.
+//! nobody reads any more, [`time`] reads `90s`, [`topics`] are pages of `explain`, [`usage`] says what is wrong with arguments, [`watch`] does something again when a scene changes.
 
 pub mod accuracy;
 mod belongings;
@@ -46,6 +46,7 @@ pub mod size;
 mod spare;
 pub mod terminal;
 mod time;
+mod topics;
 pub mod usage;
 mod watch;
 

@@ -253,18 +253,31 @@ fn alone(scene: &Scene, id: u32) -> Result<Render, Error> {
     }
 }
 
-/// There is no object with this ID; proposes the one nearest in spelling, and among those the nearest
-/// number.
+/// So many objects are named where there is none of the ID that was asked for.
+const NAMED: usize = 20;
+
+/// There is no object with this ID. Proposes the one whose ID is a letter away, of several the nearest number, and else
+/// names those that there are.
 fn unknown(scene: &Scene, id: u32) -> Error {
     let written = id.to_string();
-    let objects = (scene.entities.iter()).filter(|e| e.kind == Some(Kind::Object));
-    let near = objects.map(|e| {
-        let distance = strsim::osa_distance(&written, &e.id.to_string());
-        (distance, e.id.abs_diff(id), e.id)
-    });
-    let complaint = match near.min() {
-        Some((.., near)) => Complaint::new("no-such-object-near").with("near", near.to_string()),
-        None => Complaint::new("no-such-object"),
+    let objects = scene
+        .entities
+        .iter()
+        .filter(|e| e.kind == Some(Kind::Object));
+    let mut objects: Vec<u32> = objects.map(|e| e.id).collect();
+    objects.sort_unstable();
+    let near = objects
+        .iter()
+        .filter(|n| strsim::osa_distance(&written, &n.to_string()) <= 1);
+    let near = near.min_by_key(|n| (n.abs_diff(id), **n));
+    let mut named: Vec<String> = objects.iter().take(NAMED).map(u32::to_string).collect();
+    if objects.len() > NAMED {
+        named.push("…".to_owned());
+    }
+    let complaint = match near {
+        Some(near) => Complaint::new("no-such-object-near").with("near", near.to_string()),
+        None if named.is_empty() => Complaint::new("no-such-object"),
+        None => Complaint::new("no-such-object-of").with("objects", named.join(", ")),
     };
     Error::Request(complaint.with("id", id.to_string()))
 }

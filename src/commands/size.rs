@@ -1,4 +1,4 @@
-//! The size of a picture on the command line: `640x480`.
+//! The size of a picture on the command line: `640x480`, or `640 × 480` as messages have it.
 
 use std::str::FromStr;
 
@@ -16,9 +16,9 @@ impl FromStr for Size {
 
     fn from_str(s: &str) -> Result<Size, Complaint> {
         let (w, h) = s
-            .split_once(['x', 'X'])
+            .split_once(['x', 'X', '×'])
             .ok_or_else(|| Complaint::new("expected-size"))?;
-        let side = |s: &str| match s.parse() {
+        let side = |s: &str| match s.trim().parse() {
             Ok(n @ 1..) => Ok(n),
             _ => Err(Complaint::new("not-pixels").with("text", s.to_owned())),
         };
@@ -33,9 +33,11 @@ mod tests {
 
     #[test]
     fn sizes() {
-        let size = "320x200".parse::<Size>().map(|s| (s.width, s.height));
-        assert_eq!(size, Ok((320, 200)));
-        for wrong in ["320", "0x200", "320x-1", "320x200x1", "x"] {
+        for size in ["320x200", "320X200", "320×200", "320 × 200"] {
+            let size = size.parse::<Size>().map(|s| (s.width, s.height));
+            assert_eq!(size, Ok((320, 200)));
+        }
+        for wrong in ["320", "0x200", "320x-1", "320x200x1", "x", "×"] {
             assert!(wrong.parse::<Size>().is_err(), "{wrong}");
         }
     }

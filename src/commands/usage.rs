@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::io::{self, Write};
+use std::path::Path;
 use std::str::FromStr;
 
 use clap::builder::StyledStr;
@@ -34,10 +35,10 @@ pub fn whole<T: FromStr + Copy>(text: &str) -> Result<T, Complaint> {
     number(text, "expected-whole-number", |_| true)
 }
 
-/// Answers arguments that cannot be read, and those that ask for help.
-pub fn refuse(error: &clap::Error, look: LookChoice) -> Status {
+/// Answers arguments that cannot be read, and those that ask for help. `commands` are all that there are.
+pub fn refuse(error: &clap::Error, commands: &[String], look: LookChoice) -> Status {
     let language = look.language();
-    let Some(what) = complaint(error) else {
+    let Some(what) = complaint(error, commands) else {
         let help = error.render();
         // Nobody is left to be told when the stream is gone.
         return match error.use_stderr() {
@@ -79,7 +80,7 @@ fn laid_out(help: &StyledStr, colour: bool) -> String {
 }
 
 /// What is wrong with the arguments; nothing if that is for clap to say, as help is.
-fn complaint(error: &clap::Error) -> Option<Complaint> {
+fn complaint(error: &clap::Error, commands: &[String]) -> Option<Complaint> {
     let get = |kind| error.get(kind).and_then(listed);
     let arg = |message| Some(Complaint::new(message).with("arg", get(ContextKind::InvalidArg)?));
     let what = match error.kind() {
@@ -137,7 +138,43 @@ fn complaint(error: &clap::Error) -> Option<Complaint> {
     let written = written.into_iter().find_map(get);
     let mut near = suggested(error);
     near.retain(|near| written.as_deref().is_none_or(|w| is_near(w, near)));
+    if let Some(written) = written.as_deref().filter(|_| near.is_empty()) {
+        near = meant(error, written, commands);
+    }
     Some(what.or_meant(near))
+}
+
+/// What else may be meant by a word that clap has no name for.
+fn meant(error: &clap::Error, written: &str, commands: &[String]) -> Vec<String> {
+    match error.kind() {
+        ErrorKind::InvalidSubcommand if is_scene(Path::new(written)) => {
+            vec![
+                format!("zpg check {written}"),
+                format!("zpg render {written}"),
+            ]
+        }
+        ErrorKind::InvalidSubcommand => {
+            let near = commands.iter().filter(|name| is_near(written, name));
+            near.cloned().collect()
+        }
+        ErrorKind::InvalidValue => {
+            let all = error.get(ContextKind::ValidValue);
+            let is_one = |value: &&str| match all {
+                Some(ContextValue::Strings(all)) => all.iter().any(|v| v == value),
+                _ => false,
+            };
+            let value = habits::value(written).filter(is_one);
+            value.map(str::to_owned).into_iter().collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Whether a word is a scene or a folder, and no command.
+fn is_scene(path: &Path) -> bool {
+    let endings = ["zpg", "json"];
+    let ending = path.extension().unwrap_or_default();
+    endings.iter().any(|e| ending.eq_ignore_ascii_case(e)) || path.exists()
 }
 
 /// What clap takes for the name that was meant, or several.

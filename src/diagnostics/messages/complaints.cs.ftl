@@ -209,6 +209,7 @@ orbit-of-projection = kamera { $id } má jen matici projekce a žádnou polohu, 
 orbit-without-direction = kamery { $id } se dívají opačnými směry a nemají společnou osu
 
 no-such-object = scéna nemá objekt { $id }
+no-such-object-of = scéna nemá objekt { $id }; objekty scény: { $objects }
 no-such-object-near = scéna nemá objekt { $id }; měli jste na mysli { $near }?
 not-an-object = { $id } je { $kind }, ne objekt
 two-inputs = scéna a paprsky nemohou být současně na standardním vstupu
@@ -400,6 +401,7 @@ lsp-render-id = 1 je ID renderovacího záznamu a jiné být nemůže
 lsp-reserved-id = 1 je vyhrazeno renderovacímu záznamu
 lsp-not-an-id = { $text } není ID: ID je celé číslo od 2 do { $max }
 lsp-id-taken = { $id } je již použito na řádku { $line }
+explain-in-a-scene = Ve scéně
 explain-also = Viz též: { $list }
 lsp-no-uri = { $text } není URI
 lsp-no-command = zpg nemá příkaz { $text }

@@ -206,6 +206,7 @@ orbit-of-projection = camera { $id } has a projection matrix alone, and no posit
 orbit-without-direction = the cameras of { $id } look into opposite directions, and have no axis in common
 
 no-such-object = the scene has no object { $id }
+no-such-object-of = the scene has no object { $id }; its objects: { $objects }
 no-such-object-near = the scene has no object { $id }; did you mean { $near }?
 not-an-object = { $id } is { $kind-a }, not an object
 two-inputs = the scene and the rays cannot both be standard input
@@ -395,6 +396,7 @@ lsp-render-id = 1 is the ID of the render record and stays so
 lsp-reserved-id = 1 is kept for the render record
 lsp-not-an-id = { $text } is not an ID: an ID is a whole number from 2 to { $max }
 lsp-id-taken = { $id } is taken: it stands in line { $line }
+explain-in-a-scene = In a scene
 explain-also = See also: { $list }
 lsp-no-uri = { $text } is no URI
 lsp-no-command = zpg has no command { $text }
