@@ -62,9 +62,13 @@ impl Output {
             Format::Short => short::write(&mut text, source, &diagnostics, language),
             Format::Json => return Output::Json(json::File::new(source, diagnostics)),
             Format::Sarif => return Output::Sarif(sarif::File::new(source, diagnostics)),
-            Format::Github => github::write(&mut text, source, &diagnostics),
-            Format::Gitlab => return Output::Gitlab(gitlab::File::new(source, &diagnostics)),
-            Format::Junit => return Output::Junit(junit::File::new(source, &diagnostics)),
+            Format::Github => github::write(&mut text, source, &diagnostics, language),
+            Format::Gitlab => {
+                return Output::Gitlab(gitlab::File::new(source, &diagnostics, language));
+            }
+            Format::Junit => {
+                return Output::Junit(junit::File::new(source, &diagnostics, language));
+            }
         };
         debug_assert!(written.is_ok(), "memory takes everything");
         Output::Text(text)

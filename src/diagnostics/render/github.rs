@@ -9,8 +9,13 @@ use super::{one_text, plain_path, visible};
 use crate::diagnostics::source::{Locator, SourceFile};
 use crate::diagnostics::{Diagnostic, Language, Severity};
 
-/// Writes a file's findings, in the order they are given; in English, whoever runs this.
-pub fn write(out: &mut dyn Write, file: &SourceFile, diagnostics: &[Diagnostic]) -> io::Result<()> {
+/// Writes a file's findings, in the order they are given.
+pub fn write(
+    out: &mut dyn Write,
+    file: &SourceFile,
+    diagnostics: &[Diagnostic],
+    language: Language,
+) -> io::Result<()> {
     let path = plain_path(&file.path, cfg!(windows));
     let shown = visible(&path);
     let mut locator = Locator::new(file);
@@ -37,12 +42,12 @@ pub fn write(out: &mut dyn Write, file: &SourceFile, diagnostics: &[Diagnostic])
         }
         let title = property(&format!("zpg ({code} {name})"));
         // The log shows nothing but the message: it has to name the place and the code, too.
-        let words = d.wording(Language::English);
+        let words = d.wording(language);
         let mut message = format!(
             "{shown}:{}:{}: {code}: {}",
             start.line,
             start.column,
-            one_text(&words)
+            one_text(&words, language)
         );
         for (label, text) in d.labels.iter().zip(&words.labels) {
             let place = locator.position(label.span.start);
@@ -94,7 +99,7 @@ mod tests {
     fn print(path: &str, text: &str, d: Diagnostic) -> String {
         let file = SourceFile::new(path, text.into());
         let mut out = Vec::new();
-        write(&mut out, &file, &[d]).unwrap();
+        write(&mut out, &file, &[d], Language::English).unwrap();
         String::from_utf8(out).unwrap()
     }
 

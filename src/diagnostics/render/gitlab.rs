@@ -47,7 +47,7 @@ struct Place {
 }
 
 impl File {
-    pub fn new(file: &SourceFile, diagnostics: &[Diagnostic]) -> File {
+    pub fn new(file: &SourceFile, diagnostics: &[Diagnostic], language: Language) -> File {
         let path = plain_path(&file.path, cfg!(windows));
         let mut locator = Locator::new(file);
         let mut issue = |d: &Diagnostic| {
@@ -55,7 +55,7 @@ impl File {
             let end = locator.position(d.span.end.max(d.span.start));
             Issue {
                 check_name: d.code.as_str(),
-                description: format!("{}: {}", d.code.as_str(), text(d)),
+                description: format!("{}: {}", d.code.as_str(), text(d, language)),
                 severity: severity(d.severity),
                 fingerprint: String::new(),
                 location: Location {
@@ -73,8 +73,8 @@ impl File {
 }
 
 /// The whole message on one line.
-fn text(d: &Diagnostic) -> String {
-    one_text(&d.wording(Language::English)).replace('\n', "; ")
+fn text(d: &Diagnostic, language: Language) -> String {
+    one_text(&d.wording(language), language).replace('\n', "; ")
 }
 
 fn place(position: &Position) -> Place {
@@ -105,7 +105,7 @@ fn severity(severity: Severity) -> &'static str {
     }
 }
 
-/// Writes the report of a run; in English, whoever runs this.
+/// Writes the report of a run.
 pub fn write(out: &mut dyn Write, files: Vec<File>) -> io::Result<()> {
     let mut issues: Vec<Issue> = files.into_iter().flat_map(|file| file.0).collect();
     // Equal findings on equal lines are counted.

@@ -29,11 +29,11 @@ struct Finding {
 }
 
 impl File {
-    pub fn new(file: &SourceFile, diagnostics: &[Diagnostic]) -> File {
+    pub fn new(file: &SourceFile, diagnostics: &[Diagnostic], language: Language) -> File {
         let path = writable(&plain_path(&file.path, cfg!(windows)));
         let mut locator = Locator::new(file);
         let mut finding = |d: &Diagnostic| {
-            let words = d.wording(Language::English);
+            let words = d.wording(language);
             let place = locator.position(d.span.start);
             Finding {
                 code: d.code.as_str(),
@@ -44,7 +44,7 @@ impl File {
                     "{path}:{}:{}: {}",
                     place.line,
                     place.column,
-                    writable(&one_text(&words))
+                    writable(&one_text(&words, language))
                 ),
                 line: place.line,
                 column: place.column,
@@ -55,7 +55,7 @@ impl File {
     }
 }
 
-/// Writes the report of a run; in English, whoever runs this.
+/// Writes the report of a run. Names of tests are the same in all languages.
 pub fn write(out: &mut dyn Write, files: &[File]) -> io::Result<()> {
     let failures: usize = files.iter().map(|file| file.findings.len()).sum();
     let tests: usize = files.iter().map(|file| file.findings.len().max(1)).sum();

@@ -104,11 +104,11 @@ impl Tally {
     }
 }
 
-/// What a finding says besides its second places, as lines of one text; for programs, in English.
-fn one_text(words: &Wording) -> String {
+/// What a finding says besides its second places, as lines of one text.
+fn one_text(words: &Wording, language: Language) -> String {
     let mut lines = vec![words.message.as_str()];
     // A label that points says nothing where nothing is pointed at.
-    if words.label != Language::English.say("here", &[]) {
+    if words.label != language.say("here", &[]) {
         lines.push(&words.label);
     }
     lines.extend(words.notes.iter().chain(&words.help).map(String::as_str));

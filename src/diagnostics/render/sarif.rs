@@ -226,7 +226,7 @@ struct Places<'a> {
 impl Places<'_> {
     fn finding(&mut self, d: Diagnostic) -> Finding {
         let words = d.wording(LANGUAGE);
-        let text = one_text(&words);
+        let text = one_text(&words, Language::English);
         let labels = d.labels.iter().zip(words.labels);
         let fixes = d.fixes.into_iter().zip(words.fixes);
         Finding {
