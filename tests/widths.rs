@@ -108,3 +108,55 @@ fn machines_get_one_line_for_each() {
         assert_eq!(said(Some("80"), &arguments), said(Some("1000"), &arguments));
     }
 }
+
+/// A box in a ball of glass before a mirror: effects with long reasons, and approximations with long notes.
+const GLASS: &str = "2 11 0 1 0 1\n3 14 2 0.5\n4 -102 2 3\n4 -201 0.1 0.2 0.7\n4 -203 1.5 1.52 1.54\n5 4 0 1 0 0\n\
+                     6 -701 1 1 1\n7 -701 0 0 0\n5 -399 1 1 6 7\n8 -101 4 5\n9 -501 0 2 8 0 -0.2 -1 0 1 0 45\n50 -402 0.9\n\
+                     50 -1 3 5 5\n1 9999 8 0\n";
+
+/// What plan and convert say, and the columns of help and of explain, go on under their column.
+#[test]
+fn columns_fit_and_hang() {
+    for language in ["en", "cs"] {
+        for arguments in [
+            &["plan", "b.zpg"][..],
+            &[
+                "convert",
+                "b.zpg",
+                "-o",
+                "b.glb",
+                "--tolerance",
+                "1",
+                "--verbose",
+            ],
+            &["fmt", "--help"],
+            &["explain"],
+        ] {
+            let answer = |columns: &str| {
+                let dir = folder(&[("b.zpg", GLASS)]);
+                let mut command = program::command();
+                let command = command.env("COLUMNS", columns).current_dir(dir.path());
+                let run = command
+                    .args(arguments)
+                    .args(["--lang", language])
+                    .output()
+                    .unwrap();
+                assert!(run.status.success(), "{}", text(&run.stderr));
+                text(&run.stdout) + &text(&run.stderr)
+            };
+            let (narrow, wide) = (answer("80"), answer("1000"));
+            for line in narrow.lines() {
+                assert!(line.width() <= 80, "{arguments:?}: {line}");
+            }
+            assert_eq!(words(&narrow), words(&wide), "{arguments:?}");
+            // The list of codes has no texts in English.
+            let is_short = arguments == ["explain"] && language == "en";
+            let (narrow, wide) = (narrow.lines().count(), wide.lines().count());
+            assert!(is_short || narrow > wide, "{arguments:?}");
+        }
+    }
+    let help = said(Some("80"), &["fmt", "--help", "--lang", "en"]);
+    // The settings of the style are a table of three columns.
+    let under = format!("\n{}under each other\n", " ".repeat(33));
+    assert!(help.contains(&under), "{help}");
+}

@@ -11,9 +11,10 @@ use super::memory::Memory;
 use super::paths::is_stdout;
 use super::size::Size;
 use super::spare::spare;
-use super::terminal::tell;
+use super::terminal::{tell, width};
 use super::{LookChoice, Needs, Status, complain, load_for, refuse, usage};
 use crate::analysis::file::STDIN;
+use crate::diagnostics::layout::hanging;
 use crate::diagnostics::{Complaint, Error, Value};
 use crate::translate::Fidelity;
 use crate::translate::fidelity::row;
@@ -208,7 +209,8 @@ fn deliver(args: &Args, made: &Output, look: LookChoice) -> Status {
         }
     };
     // Nobody is left to be told when standard error is gone.
-    let _ = write!(io::stderr(), "{said}");
+    let mut lines = said.lines().map(|line| hanging(line, width()));
+    let _ = lines.try_for_each(|line| writeln!(io::stderr(), "{line}"));
     match written {
         Ok(()) if look.quiet => Status::Clean,
         Ok(()) => say_written(made.files.iter().chain(&report), look),

@@ -6,8 +6,9 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use super::terminal::unprintable;
+use super::terminal::{unprintable, width};
 use super::{LookChoice, Status, complain, load_sound, refuse};
+use crate::diagnostics::layout::hanging;
 use crate::diagnostics::{Complaint, Error, Language, SourceFile, Value};
 use crate::trace::plan::unseen::{Unseen, Why};
 use crate::trace::plan::{Decision, Plan};
@@ -126,7 +127,14 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         true => serde_json::to_writer_pretty(&mut out, &answer)
             .map_err(io::Error::from)
             .and_then(|()| writeln!(out)),
-        false => print(&mut out, &answer, language),
+        false => {
+            let mut text = Vec::new();
+            print(&mut text, &answer, language).and_then(|()| {
+                let text = String::from_utf8_lossy(&text);
+                let mut lines = text.lines().map(|line| hanging(line, width()));
+                lines.try_for_each(|line| writeln!(out, "{line}"))
+            })
+        }
     };
     match written {
         // Nobody reads any more.

@@ -41,9 +41,12 @@ pub fn hanging(line: &str, width: usize) -> String {
     }
     let indent = line.len() - line.trim_start().len();
     // Columns are set off by two spaces at the least.
-    let starts = line.match_indices("  ").map(|(at, gap)| at + gap.len());
-    let is_start = |at: &usize| *at > indent && !line[*at..].starts_with(' ');
-    let columns = starts.filter(is_start).map(|at| display_width(&line[..at]));
+    let words = line
+        .char_indices()
+        .filter(|(_, c)| *c != ' ')
+        .map(|(at, _)| at);
+    let is_start = |at: &usize| *at > indent && line[..*at].ends_with("  ");
+    let columns = words.filter(is_start).map(|at| display_width(&line[..at]));
     let column = columns
         .filter(|column| column + LEAST_COLUMN <= width)
         .last();
@@ -113,6 +116,19 @@ pub fn listed(first: &str, entries: &[String], width: usize, indent: &str) -> St
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// However many spaces there are before a column.
+    #[test]
+    fn what_goes_on_is_under_its_column() {
+        for gap in 2..9 {
+            let head = format!("E004{}", " ".repeat(gap));
+            let line = format!("{head}aaaa bbbb cccc dddd eeee ffff");
+            let indent = " ".repeat(head.len());
+            let width = head.len() + 24;
+            let expected = format!("{head}aaaa bbbb cccc dddd eeee\n{indent}ffff");
+            assert_eq!(hanging(&line, width), expected, "{gap}");
+        }
+    }
 
     #[test]
     fn words_stay_whole_and_lines_within_the_width() {
