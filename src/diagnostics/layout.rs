@@ -46,10 +46,8 @@ pub fn hanging(line: &str, width: usize) -> String {
         .filter(|(_, c)| *c != ' ')
         .map(|(at, _)| at);
     let is_start = |at: &usize| *at > indent && line[..*at].ends_with("  ");
-    let columns = words.filter(is_start).map(|at| display_width(&line[..at]));
-    let column = columns
-        .filter(|column| column + LEAST_COLUMN <= width)
-        .last();
+    let mut columns = words.filter(is_start).map(|at| display_width(&line[..at]));
+    let column = columns.rfind(|column| column + LEAST_COLUMN <= width);
     wrapped(line, width, &" ".repeat(column.unwrap_or(indent + 4)))
 }
 
