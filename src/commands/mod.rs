@@ -1,15 +1,15 @@
 //! One file per subcommand of the command line. Each has `Args`, derived for clap, and `run`, which
 //! returns the exit [`Status`].
 //!
-//! What they share: [`belongings`] of files stay theirs, [`camera`] says who takes the picture, [`load`] loads a scene
-//! and says why a command refuses, [`paths`] expands folders, [`difference`] shows how a file would change, [`draft`]
-//! writes files that appear when they are complete, [`endings`] refuses names that say something else than what is
-//! written, [`frames`] says which pictures a scene with varying numbers has, [`help`] gives `--help` in other
-//! languages, [`language`] chooses one, [`memory`] says how much memory and how many threads may be taken, [`rewrite`]
-//! changes files, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`, [`spare`] keeps what
-//! is read from being written over, [`terminal`] knows about colour and about output that nobody reads any more,
-//! [`time`] reads `90s`, [`topics`] are pages of `explain`, [`usage`] says what is wrong with arguments, [`watch`] does
-//! something again when a scene changes.
+//! What they share: [`belongings`] of files stay theirs, [`camera`] says who takes the picture, [`canvas`] has text on
+//! pictures, [`load`] loads a scene and says why a command refuses, [`paths`] expands folders, [`difference`] shows how
+//! a file would change, [`draft`] writes files that appear when they are complete, [`endings`] refuses names that say
+//! something else than what is written, [`frames`] says which pictures a scene with varying numbers has, [`help`] gives
+//! `--help` in other languages, [`language`] chooses one, [`memory`] says how much memory and how many threads may be
+//! taken, [`rewrite`] changes files, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`,
+//! [`spare`] keeps what is read from being written over, [`terminal`] knows about colour and about output that nobody
+//! reads any more, [`time`] reads `90s`, [`topics`] are pages of `explain`, [`usage`] says what is wrong with
+//! arguments, [`watch`] does something again when a scene changes.
 
 pub mod accuracy;
 mod belongings;
