@@ -14,7 +14,6 @@ use super::help;
 use super::seconds::Seconds;
 use super::size::Size;
 use super::terminal::{print, progress_bar, stop_on_interrupt, width};
-use super::time::Seconds;
 use super::{LookChoice, Status, complain, load_sound, refuse, usage};
 use crate::analysis::Analysis;
 use crate::analysis::file::STDIN;
