@@ -13,8 +13,8 @@ use super::frames::Frames;
 use super::paths;
 use super::render::frames::check_each;
 use super::render::options::PictureArgs;
-use super::seconds::Seconds;
 use super::terminal::{self, LookChoice, complain, stop_on_interrupt};
+use super::time::Seconds;
 use super::{Status, load_sound, refuse, usage};
 use crate::analysis::config::Configs;
 use crate::diagnostics::{Complaint, Error, Language, Value};
@@ -183,9 +183,7 @@ fn job(
     let pictures = u32::try_from(scenes.len()).unwrap_or(u32::MAX);
     let tasks = [count, tiles]
         .into_iter()
-        .fold(Some(pictures), |product, n| {
-            product.and_then(|product| product.checked_mul(n))
-        });
+        .try_fold(pictures, u32::checked_mul);
     let tasks = tasks.ok_or_else(|| Complaint::new("too-many-tasks"))?;
     let each = measured.seconds(tiles, args.cores);
     // Who says how many bands there are wants them one by one.

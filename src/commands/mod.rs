@@ -41,7 +41,6 @@ pub mod plan;
 pub mod probe;
 pub mod render;
 mod rewrite;
-mod seconds;
 pub mod settings;
 pub mod sheet;
 pub mod size;
