@@ -337,6 +337,31 @@ fn checksum(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(!0, add)
 }
 
+/// Whichever comes first, the picture is whole, and the other says what it lacks.
+#[test]
+fn two_joins_at_once_make_one_picture() {
+    let dir = scene("");
+    let dir = dir.path();
+    says(dir, "render a.zpg --size 40x30 -o whole.png", 0);
+    for _ in 0..5 {
+        let parts = draw(dir, "--size 40x30", 10, "png");
+        let join = || {
+            let mut command = program::command();
+            let command = command.args(format!("join {parts} -o j.png").split_whitespace());
+            let command = command.stderr(Stdio::piped()).stdout(Stdio::null());
+            command.current_dir(dir).spawn().unwrap()
+        };
+        let runs = [join(), join()].map(|run| run.wait_with_output().unwrap());
+        assert!(bytes(dir, "j.png") == bytes(dir, "whole.png"));
+        assert!(runs.iter().any(|run| run.status.success()));
+        for run in runs.iter().filter(|run| !run.status.success()) {
+            let said = String::from_utf8_lossy(&run.stderr);
+            assert!(said.contains("cannot read part"), "{said}");
+        }
+        fs::remove_file(dir.join("j.png")).unwrap();
+    }
+}
+
 #[test]
 fn tiles_that_cannot_be() {
     let dir = scene("");

@@ -108,8 +108,13 @@ fn join(args: &Args) -> Result<Origin, Refusal> {
     written.map_err(Refusal::Failure)?;
     if !args.keep {
         for part in &parts {
-            let removed = fs::remove_file(&part.path);
-            removed.map_err(|e| Refusal::Failure(unwritable(&part.path, &e)))?;
+            match fs::remove_file(&part.path) {
+                // Another run has joined them as well.
+                Err(e) if e.kind() != io::ErrorKind::NotFound => {
+                    return Err(Refusal::Failure(unwritable(&part.path, &e)));
+                }
+                _ => {}
+            }
         }
     }
     Ok(whole)
