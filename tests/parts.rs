@@ -94,8 +94,9 @@ fn parts_join_into_the_bytes_of_the_whole() {
     // Linear parts make a PNG, too.
     says(dir, "render a.zpg --size 40x31 -o whole.png", 0);
     let parts = draw(dir, "--size 40x31", 3, "exr");
-    says(dir, &format!("join {parts} -o joined.png --keep"), 0);
+    says(dir, &format!("join {parts} -o joined.png"), 0);
     assert!(bytes(dir, "joined.png") == bytes(dir, "whole.png"));
+    // They have more than the PNG.
     assert!(dir.join("part1.exr").exists());
 }
 
@@ -304,6 +305,11 @@ fn parts_that_lack_or_do_not_belong_are_named() {
         let said = says(dir, &format!("join {all} -o {output}"), status);
         assert!(said.contains(why), "{output}: {said}");
     }
+    // A finished picture is no part, and stays.
+    says(dir, &format!("render a.zpg {size} -o finished.exr"), 0);
+    let said = says(dir, "join finished.exr -o j.png", 1);
+    assert!(said.contains("finished.exr is a whole picture"), "{said}");
+    assert!(dir.join("finished.exr").exists());
     fs::create_dir(dir.join("empty")).unwrap();
     assert!(says(dir, "join empty -o j.png", 2).contains("there are no parts"));
     // Nothing was removed meanwhile.

@@ -428,7 +428,8 @@ help-join = Spojí části obrázku
         Části jsou to, co zapisuje `zpg render --tile`. Obrázek má tytéž bajty, jaké by zapsal `zpg render` bez --tile.
         Části jiného obrázku, jiné verze zpg nebo s jinými volbami příkaz odmítne, stejně jako řádky, které chybějí nebo
         jsou tu dvakrát: návratový kód je pak 1 a nic se nezapíše ani nesmaže. Složka zastupuje soubory PNG a EXR v ní.
-        Z částí PNG vznikne PNG, z částí EXR buď PNG, nebo EXR. Části se smažou, pokud není zadáno --keep.
+        Z částí PNG vznikne PNG, z částí EXR buď PNG, nebo EXR. Části se smažou, pokud není zadáno --keep; části EXR,
+        ze kterých vzniklo PNG, zůstanou, protože je v nich víc.
 
         Příklady:
           zpg join dily/*.png -o scena.png

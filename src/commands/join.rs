@@ -16,7 +16,8 @@ use crate::picture_files::{self, Format, Origin, read};
 The parts are what `zpg render --tile` writes. The picture has the bytes that `zpg render` without --tile would have
 written. Parts of another picture, another version of zpg, or other options are refused, and so are rows that are
 missing or there twice: the exit status is then 1, and nothing is written or removed. A folder stands for the PNG and
-EXR files in it. PNG parts make a PNG; EXR parts make a PNG or an EXR. The parts are removed unless --keep is given.
+EXR files in it. PNG parts make a PNG; EXR parts make a PNG or an EXR. The parts are removed unless --keep is given;
+EXR parts that make a PNG stay, since they have more than it.
 
 Examples:
   zpg join bands/*.png -o scene.png
@@ -106,8 +107,10 @@ fn join(args: &Args) -> Result<Origin, Refusal> {
         return Err(Refusal::No(complaint));
     }
     written.map_err(Refusal::Failure)?;
+    // Linear colours are more than a PNG has.
+    let is_all = |part: &&Part| part.format == format;
     if !args.keep {
-        for part in &parts {
+        for part in parts.iter().filter(is_all) {
             match fs::remove_file(&part.path) {
                 // Another run has joined them as well.
                 Err(e) if e.kind() != io::ErrorKind::NotFound => {
@@ -184,6 +187,10 @@ fn whole(parts: &[Part]) -> Result<Origin, Complaint> {
     let unfinished = parts.iter().find(|part| part.origin.unfinished);
     if let Some(part) = unfinished {
         return Err(Complaint::new("joined-unfinished").with("path", part.path.as_path()));
+    }
+    // Whoever names a finished picture has mistaken it for a part, and wants to keep it.
+    if let Some(part) = parts.iter().find(|part| part.origin.is_whole()) {
+        return Err(Complaint::new("joined-whole").with("path", part.path.as_path()));
     }
     let most = most_common(parts);
     if let Some(part) = (parts.iter()).find(|p| !p.origin.is_of_one_picture(&most.origin)) {

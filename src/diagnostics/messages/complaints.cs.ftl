@@ -147,6 +147,7 @@ expected-number-from-one = očekává se celé číslo od 1 do 1000000
 not-drawn-by-zpg = { $path } neuvádí, které části kterého obrázku obsahuje: nezapsal ho `zpg render`, nebo ho změnil jiný program
 picture-cut-off = soubor { $path } je poškozený nebo neúplný: vykreslete ho znovu
 joined-format = obrázek se spojuje do .png nebo .exr, ne do { $path }
+joined-whole = { $path } je celý obrázek, ne jeho část
 joined-unfinished = { $path } zbyl po přerušeném `zpg render`: pokračuje v něm `zpg render --resume`
 exr-of-png = { $path } má osmibitové barvy, ze kterých .exr nevznikne: vykreslete části jako .exr
 no-parts = chybí části: žádný soubor nekončí na .png ani .exr

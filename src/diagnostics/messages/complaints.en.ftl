@@ -144,6 +144,7 @@ expected-number-from-one = expected a whole number from 1 to 1000000
 not-drawn-by-zpg = { $path } does not say what picture it is a part of: it was not written by `zpg render`, or another program has changed it
 picture-cut-off = { $path } is damaged or cut off: draw it again
 joined-format = a picture is joined as .png or .exr, not as { $path }
+joined-whole = { $path } is a whole picture, and no part of one
 joined-unfinished = { $path } is what an interrupted `zpg render` has left: `zpg render --resume` goes on with it
 exr-of-png = { $path } has 8-bit colours, of which no .exr can be made: draw the parts as .exr
 no-parts = there are no parts: no file that ends in .png or .exr
