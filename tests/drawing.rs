@@ -197,6 +197,11 @@ fn several_scenes_go_into_a_folder() {
     );
     render(dir.path(), &["in", "-o", "new/out"]);
     assert!(dir.path().join("new/out/c.png").exists());
+    // Each class has a folder of its own.
+    render(dir.path(), &[".", "-o", "all"]);
+    for name in ["a.png", "b.png", "in/a.png", "in/c.png"] {
+        assert!(dir.path().join("all").join(name).exists(), "{name}");
+    }
     render(dir.path(), &["b.zpg", "-o", "one/"]);
     assert!(dir.path().join("one/b.png").exists());
     let [said, _] = render(dir.path(), &["a.zpg", "./a.zpg", "-o", "twice"]);
@@ -209,7 +214,11 @@ fn several_scenes_go_into_a_folder() {
     assert!(refused(&["a.zpg", "b.zpg", "-o", "x.png"]).contains("x.png is one file"));
     assert!(refused(&["a.zpg", "b.zpg", "-o", "-"]).contains("standard output takes one picture"));
     assert!(refused(&["a.zpg", "b.zpg", "--stats", "s.json"]).contains("are for one scene"));
-    assert!(refused(&["a.zpg", "in", "-o", "out"]).contains("out/a.png"));
+    let said = refused(&["a.zpg", "in", "-o", "out"]);
+    assert!(
+        said.contains("the pictures of a.zpg and in/a.zpg would both be out/a.png"),
+        "{said}"
+    );
 }
 
 /// It draws when the scene changes, and not when its own picture does.

@@ -385,6 +385,7 @@ fn tiles_that_cannot_be() {
         ("--tile 1/4 -o a.png --watch", "--watch"),
         ("--tile 1/4 -o a.png .", "`--tile` is for one scene"),
         ("--resume --stats s.json", "--stats"),
+        ("--frames 0-1 --orbit 9,360 --view top", "--view"),
     ] {
         let said = says(dir, &format!("render a.zpg {options}"), 2);
         assert!(said.contains(why), "{options}: {said}");
@@ -401,6 +402,7 @@ fn what_is_drawn_is_not_drawn_again() {
         assert!(says(dir, &command, 0).contains("Wrote"));
         let said = says(dir, &command, 0);
         assert_eq!(said.contains("is drawn already"), is_skipped, "{said}");
+        assert_eq!(said.contains("is drawn in any case"), !is_skipped, "{said}");
     }
     let whole = bytes(dir, "a.png");
     let command = "render a.zpg --size 40x30 -o a.png --resume";

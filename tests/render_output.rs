@@ -240,7 +240,7 @@ fn bad_pictures_are_errors_of_the_scene() {
 
 #[cfg(unix)]
 #[test]
-fn ctrl_c_leaves_no_file() {
+fn ctrl_c_before_the_first_row_leaves_no_file() {
     use std::time::{Duration, Instant};
     let dir = folder(&[("a.zpg", SCENE.as_bytes())]);
     let files = || fs::read_dir(dir.path()).unwrap().count();

@@ -60,6 +60,8 @@ pub fn colour(word: &str) -> Option<[u8; 3]> {
     let stem = ENDINGS.iter().find_map(|ending| word.strip_suffix(ending));
     let czech = CZECH.iter().find(|names| Some(names.0) == stem);
     let name = czech.map_or(word.as_str(), |names| names.1);
+    // The library spells all of these in one way.
+    let name = &name.replace("grey", "gray");
     if !name.bytes().all(|b| b.is_ascii_lowercase()) {
         return None;
     }

@@ -17,6 +17,7 @@ use super::terminal::{self, LookChoice, complain, stop_on_interrupt};
 use super::time::Seconds;
 use super::{Status, load_sound, refuse, usage};
 use crate::analysis::config::Configs;
+use crate::diagnostics::layout::wrapped;
 use crate::diagnostics::{Complaint, Error, Language, Value};
 use crate::study::accuracy::words;
 use engine::{Engine, Work};
@@ -123,7 +124,7 @@ pub fn run(args: &Args, command: Command, look: LookChoice) -> Status {
     let is_class = found.files.len() > 1;
     let mut scenes = Vec::new();
     let mut broken = Vec::new();
-    for (path, place) in scenes::places(found.files) {
+    for (path, place) in scenes::places(&args.paths, found.files) {
         match load_sound(&path, look) {
             Ok(loaded) => scenes.push(Scene {
                 path,
@@ -220,6 +221,7 @@ fn job(
     };
     args.engine.write(&work, readme, &args.output)?;
     let wrote = Complaint::new("wrote-file").with("path", args.output.as_path());
+    let summary = wrapped(&summary, terminal::width(), "");
     Ok(format!("{}\n{summary}", wrote.wording(look.language())))
 }
 

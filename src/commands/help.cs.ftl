@@ -480,9 +480,9 @@ help-probe-object = Ptá se jen na tento objekt, v té podobě, jakou má na kon
     .value = ID
 help-probe-precision = Čísla, kterými se počítá; u dd jsou t, body a normály texty o 32 číslicích. Na --point nemá vliv
     .value = ČÍSLA
-    .f32 = { help-render-precision.f32 }
-    .f64 = { help-render-precision.f64 }
-    .dd = { help-render-precision.dd }
+    .f32 = { help-any-precision.f32 }
+    .f64 = { help-any-precision.f64 }
+    .dd = { help-any-precision.dd }
 
 ## zpg plan
 

@@ -47,6 +47,16 @@ pub fn expand(paths: &[PathBuf], configs: &Arc<Configs>, look: LookChoice) -> Fi
     found
 }
 
+/// A file's place below the folder among these paths that it was found in; of a file that is named itself, its name.
+pub fn place_below(paths: &[PathBuf], file: &Path) -> PathBuf {
+    let mut folders = paths.iter().filter(|path| path.is_dir());
+    let below = folders.find_map(|folder| file.strip_prefix(folder).ok());
+    below.map_or_else(
+        || PathBuf::from(file.file_name().unwrap_or_default()),
+        Path::to_owned,
+    )
+}
+
 /// The same for a file however it is called.
 fn identity(file: &Path) -> PathBuf {
     if file.as_os_str() == STDIN {

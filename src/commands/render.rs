@@ -168,7 +168,10 @@ fn jobs(args: &Args, look: LookChoice) -> Option<Vec<Job>> {
     };
     let places = match wrong {
         Some(message) => Err(Complaint::new(message)),
-        None => places(&found.files, several, args.output.as_deref()),
+        None => {
+            let below = |scene: &Path| paths::place_below(&args.paths, scene);
+            places(&found.files, several, args.output.as_deref(), below)
+        }
     };
     match places {
         Ok(places) => {

@@ -1,13 +1,13 @@
 //! The scenes of a job, and the textures that they need.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::analysis::Analysis;
 use crate::commands::draft::{self, folder_of, unwritable};
-use crate::commands::paths::is_stdin;
+use crate::commands::paths::{is_stdin, place_below};
 use crate::commands::spare::spare_scenes;
 use crate::diagnostics::Complaint;
 use crate::scene::Texture;
@@ -25,23 +25,24 @@ const LIST: &str = "scenes.txt";
 /// The folder of the scenes.
 const SCENES: &str = "scenes";
 
-/// Where scenes lie among the scenes of the job: those of several folders in several folders.
-pub fn places(files: Vec<PathBuf>) -> Vec<(PathBuf, PathBuf)> {
-    let folders: BTreeMap<PathBuf, usize> = (files.iter())
-        .map(|file| folder_of(file).to_owned())
-        .collect::<std::collections::BTreeSet<_>>()
-        .into_iter()
-        .zip(1..)
+/// Where scenes lie among the scenes of the job: as below the folder that was named, or, where two have the same place,
+/// in folders with numbers.
+pub fn places(paths: &[PathBuf], files: Vec<PathBuf>) -> Vec<(PathBuf, PathBuf)> {
+    let below: Vec<PathBuf> = (files.iter())
+        .map(|file| place_below(paths, file))
         .collect();
-    let place = |file: &PathBuf| {
-        let name = PathBuf::from(file.file_name().unwrap_or_default());
-        match folders.len() {
-            1 => name,
-            _ => Path::new(&folders[folder_of(file)].to_string()).join(name),
-        }
+    let different: BTreeSet<&PathBuf> = below.iter().collect();
+    if different.len() == files.len() {
+        return files.into_iter().zip(below).collect();
+    }
+    let folders: BTreeSet<PathBuf> = files.iter().map(|f| folder_of(f).to_owned()).collect();
+    let folders: BTreeMap<PathBuf, usize> = folders.into_iter().zip(1..).collect();
+    let numbered = |file: PathBuf| {
+        let folder = folders[folder_of(&file)].to_string();
+        let place = Path::new(&folder).join(file.file_name().unwrap_or_default());
+        (file, place)
     };
-    let places: Vec<PathBuf> = files.iter().map(place).collect();
-    files.into_iter().zip(places).collect()
+    files.into_iter().map(numbered).collect()
 }
 
 /// A name for the job: letters, digits and dashes.

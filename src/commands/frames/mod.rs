@@ -38,7 +38,7 @@ pub struct FrameArgs {
 
     /// Turn a camera, or the two of a stereo camera, around what it looks at; 360 degrees make a loop
     #[arg(help_heading = help::FRAMES)]
-    #[arg(long, value_name = "ID,DEGREES")]
+    #[arg(long, value_name = "ID,DEGREES", conflicts_with = "view")]
     orbit: Vec<Orbit>,
 
     /// Draw only these of the frames

@@ -1,12 +1,12 @@
 //! Picture files, and pictures on standard output.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 use std::ffi::OsStr;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use crate::commands::draft::{Draft, unwritable};
+use crate::commands::draft::{Draft, folder_of, unwritable};
 use crate::commands::paths::is_stdout;
 use crate::diagnostics::Complaint;
 use crate::picture_files::{self, Origin, Row};
@@ -109,11 +109,12 @@ impl Output {
 }
 
 /// Where the pictures of scenes go: a file each. Without `output` that is the current folder. Several scenes need a
-/// folder, which is made.
+/// folder, which is made; the scenes of a folder keep their subfolders, as `below` has them.
 pub fn places(
     scenes: &[PathBuf],
     several: bool,
     output: Option<&Path>,
+    below: impl Fn(&Path) -> PathBuf,
 ) -> Result<Vec<PathBuf>, Complaint> {
     let folder = match output {
         Some(path) if is_stdout(path) && several => {
@@ -123,22 +124,31 @@ pub fn places(
             if Format::of(path).is_some() && !path.is_dir() {
                 return Err(Complaint::new("several-in-one-file").with("path", path));
             }
-            fs::create_dir_all(path).map_err(|e| unwritable(path, &e))?;
             path
         }
         Some(path) => return Ok(vec![path.to_owned()]),
         None => Path::new(""),
     };
-    let mut taken = HashSet::new();
-    let place = |scene: &PathBuf| {
-        let stem = scene.file_stem().filter(|stem| *stem != "-");
-        let picture = folder.join(with_added(stem.unwrap_or("scene".as_ref()), "", "png"));
-        match taken.insert(picture.clone()) {
-            true => Ok(picture),
-            false => Err(Complaint::new("would-write-twice").with("path", picture.as_path())),
+    let mut taken = HashMap::new();
+    let mut pictures = Vec::new();
+    for scene in scenes {
+        let within = below(scene);
+        let stem = within.file_stem().filter(|stem| *stem != "-");
+        let name = with_added(stem.unwrap_or("scene".as_ref()), "", "png");
+        let picture = folder.join(&within).with_file_name(name);
+        if let Some(other) = taken.insert(picture.clone(), scene) {
+            return Err(Complaint::new("pictures-of-one-name")
+                .with("path", picture.as_path())
+                .with("scene", other.as_path())
+                .with("other", scene.as_path()));
         }
-    };
-    scenes.iter().map(place).collect()
+        pictures.push(picture);
+    }
+    for picture in &pictures {
+        let folder = folder_of(picture);
+        fs::create_dir_all(folder).map_err(|e| unwritable(folder, &e))?;
+    }
+    Ok(pictures)
 }
 
 /// Whether a path names a folder: it is one, or ends with a slash.

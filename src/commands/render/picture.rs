@@ -21,7 +21,7 @@ use crate::commands::spare::spare;
 use crate::commands::terminal::{complain, note, progress_bar, tell};
 use crate::diagnostics::{Complaint, Error, Span};
 use crate::parallel;
-use crate::picture_files::{Origin, read};
+use crate::picture_files::{Format, Origin, read};
 use crate::scene::{Camera, Scene};
 use crate::trace::plan::Plan;
 use crate::trace::stats::Counts;
@@ -100,6 +100,13 @@ pub fn draw(
     if args.resume && paths.iter().zip(&origins).all(|(p, o)| is_drawn(p, o)) {
         let said = paths.iter().map(|path| say(look, "already-drawn", path));
         return Ok(said.collect());
+    }
+    let is_silent = |path: &&PathBuf| !is_stdout(path) && Format::of(path).is_none();
+    if let Some(path) = paths.iter().find(is_silent).filter(|_| args.resume) {
+        note(
+            look,
+            &Complaint::new("note-drawn-anyway").with("path", path.as_path()),
+        );
     }
     let outputs = paths
         .iter()

@@ -202,4 +202,4 @@ cost-shapes = testy s tělesy
 cost-uncertain = paprsky rozhodnuté v double-double
 cost-phases = čas
 cost-objects = nejdražší z toho, co je vidět
-cost-effect = nejdražší efekt, vypne-li se sám
+cost-effect = nejdražší efekt, vypne-li se jen on
