@@ -28,6 +28,7 @@ mod emitted;
 mod explain_examples;
 mod extension;
 mod extreme_numbers;
+mod farm;
 mod features;
 mod fixes;
 mod formatting;

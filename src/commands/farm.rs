@@ -117,14 +117,23 @@ pub fn run(args: &Args, command: Command, look: LookChoice) -> Status {
     if found.failed || found.files.is_empty() {
         return Status::Failure;
     }
-    if let Err(complaint) = args.picture.frames.check() {
+    // The scenes of an earlier job in the same folder are copies.
+    let (copies, files) = scenes::in_folder(&args.output, found.files);
+    let places = scenes::places(&args.paths, files);
+    let checked = match copies.first() {
+        Some(copy) if places.is_empty() => {
+            Err(Complaint::new("would-overwrite-scene").with("path", copy.as_path()))
+        }
+        _ => scenes::check_places(&places).and_then(|()| args.picture.frames.check()),
+    };
+    if let Err(complaint) = checked {
         complain(look, &complaint);
         return Status::Failure;
     }
-    let is_class = found.files.len() > 1;
+    let is_class = places.len() > 1;
     let mut scenes = Vec::new();
     let mut broken = Vec::new();
-    for (path, place) in scenes::places(&args.paths, found.files) {
+    for (path, place) in places {
         match load_sound(&path, look) {
             Ok(loaded) => scenes.push(Scene {
                 path,
@@ -178,6 +187,7 @@ fn job(
 ) -> Result<String, Error> {
     let is_class = scenes.len() + broken.len() > 1;
     scenes::check_folder(&args.output)?;
+    scenes::check_pictures(scenes)?;
     let count = frames.map_or(1, Frames::count);
     let measured = measure::measure(&args.picture, scenes, args.tile_time.0)?;
     let tiles = measured.tiles(args.tiles, args.tile_time.0 * f64::from(args.cores))?;
@@ -192,6 +202,7 @@ fn job(
         Some(_) => 1,
         None => (args.tile_time.0 / each).clamp(1.0, f64::from(tasks)) as u32,
     };
+    let chunk = chunk.max(args.engine.least_chunk(tasks));
     let summary = summary(args, &measured, (tasks, tiles, chunk), look);
     let work = Work {
         name: scenes::name(&scenes[0].place),
@@ -203,13 +214,15 @@ fn job(
         },
         tasks,
         tiles,
+        is_framed: frames.is_some(),
         frames: count,
         first_frame: frames.map_or(0, |frames| *frames.drawn().start()),
         digits: frames.map_or(4, |frames| frames.label(0).len()),
         chunk,
         cores: args.cores,
         megabytes: measured.megabytes(tiles),
-        minutes: (3.0 * each * f64::from(chunk) / 60.0).ceil().max(10.0) as u64,
+        minutes: minutes(3.0 * each * f64::from(chunk)),
+        join_minutes: minutes(measured.join * f64::from(pictures) * f64::from(count)),
         is_class,
     };
     scenes::copy(&args.output, scenes, broken)?;
@@ -223,6 +236,11 @@ fn job(
     let wrote = Complaint::new("wrote-file").with("path", args.output.as_path());
     let summary = wrapped(&summary, terminal::width(), "");
     Ok(format!("{}\n{summary}", wrote.wording(look.language())))
+}
+
+/// A limit, which is never short.
+fn minutes(seconds: f64) -> u64 {
+    (seconds / 60.0).ceil().max(10.0) as u64
 }
 
 /// What a job is, in a few sentences.

@@ -9,12 +9,12 @@ while [ "$task" -le "$last" ]; do
     picture=$(((task - 1) / @TILES@))
     tile=$(((task - 1) % @TILES@ + 1))
     scene=$(sed -n "$((picture / @FRAMES@ + 1))p" scenes.txt)
-    set -- "scenes/$scene" --resume --threads "${THREADS:-0}" @OPTIONS@
-    if [ @FRAMES@ -gt 1 ]; then
+    set -- "scenes/$scene" --resume --threads "${THREADS:-@CORES@}" @OPTIONS@
+    if [ @FRAMED@ = yes ]; then
         set -- "$@" --only $((@FIRST_FRAME@ + picture % @FRAMES@))
     fi
     if [ @TILES@ -gt 1 ]; then
-        file=$out/parts/${scene%.*}/$tile.@ENDING@
+        file=$out/parts/${scene%.*}/$tile-of-@TILES@.@ENDING@
         set -- "$@" --tile "$tile/@TILES@"
     else
         file=$out/${scene%.*}.@ENDING@

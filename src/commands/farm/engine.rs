@@ -29,6 +29,8 @@ pub struct Work {
     pub tasks: u32,
     /// Bands of each picture.
     pub tiles: u32,
+    /// Whether numbers vary from frame to frame, even if there is a single one.
+    pub is_framed: bool,
     /// Pictures of each scene.
     pub frames: u32,
     pub first_frame: u32,
@@ -40,12 +42,26 @@ pub struct Work {
     pub megabytes: u64,
     /// What tasks in one go may take at most.
     pub minutes: u64,
+    /// What joining all pictures may take at most.
+    pub join_minutes: u64,
     /// Whether there are several scenes, of which there is a sheet at the end.
     pub is_class: bool,
 }
 
-/// Slurm runs so many tasks of one array at a time.
+/// Slurm runs so many elements of one array at a time.
 const AT_A_TIME: u32 = 64;
+/// So many elements an array of Slurm has at most: its MaxArraySize is 1001 unless it is set.
+const ARRAY: u32 = 1000;
+
+/// What engines start.
+const STARTED: [&str; 6] = [
+    "job.yaml",
+    "job-plain.yaml",
+    "draw.slurm",
+    "join.slurm",
+    "submit.sh",
+    "Makefile",
+];
 
 const DRAW: &str = include_str!("draw.sh");
 const JOIN: &str = include_str!("join.sh");
@@ -67,6 +83,14 @@ const STEPS: &str = "        - name: Tasks
           range: 1-@TASKS@:@CHUNK@";
 
 impl Engine {
+    /// So many tasks are drawn in one go at least, where there are so many in all.
+    pub fn least_chunk(self, tasks: u32) -> u32 {
+        match self {
+            Engine::Slurm => tasks.div_ceil(ARRAY),
+            Engine::Openjd | Engine::Shell => 1,
+        }
+    }
+
     /// The names of the files and what stands in them; `readme` is about the engine.
     fn files(self, work: &Work, readme: &'static str) -> Vec<(&'static str, String)> {
         let filled = |text: &str| work.fill(text);
@@ -104,7 +128,14 @@ impl Engine {
 
     /// Writes the files of a job into its folder.
     pub fn write(self, work: &Work, readme: &'static str, folder: &Path) -> Result<(), Complaint> {
-        for (name, text) in self.files(work, readme) {
+        let files = self.files(work, readme);
+        // What an earlier job of another engine has left would draw other tasks.
+        for name in STARTED {
+            if !files.iter().any(|(written, _)| *written == name) {
+                let _ = std::fs::remove_file(folder.join(name));
+            }
+        }
+        for (name, text) in files {
             draft::write(&folder.join(name), |out| out.write_all(text.as_bytes()))?;
         }
         Ok(())
@@ -119,11 +150,14 @@ impl Work {
         let values = [
             ("NAME", self.name.clone()),
             ("SUMMARY", self.summary.clone()),
-            ("OPTIONS", self.options.clone()),
             ("VERSION", env!("CARGO_PKG_VERSION").to_owned()),
             ("ENDING", self.ending.to_owned()),
             ("TASKS", number(self.tasks.into())),
             ("TILES", number(self.tiles.into())),
+            (
+                "FRAMED",
+                if self.is_framed { "yes" } else { "no" }.to_owned(),
+            ),
             ("FRAMES", number(self.frames.into())),
             ("FIRST_FRAME", number(self.first_frame.into())),
             ("DIGITS", number(self.digits as u64)),
@@ -133,7 +167,10 @@ impl Work {
             ("CORES", number(self.cores.into())),
             ("MEGABYTES", number(self.megabytes)),
             ("MINUTES", number(self.minutes)),
+            ("JOIN_MINUTES", number(self.join_minutes)),
             ("SECONDS", number(60 * self.minutes)),
+            // The last one: nothing is put into what people have written.
+            ("OPTIONS", self.options.clone()),
         ];
         let mut filled = text.to_owned();
         for (name, value) in values {

@@ -16,6 +16,8 @@ use crate::trace::Images;
 const SECONDS: f64 = 6.0;
 /// So many scenes are looked at for that, spread evenly.
 const SCENES: usize = 6;
+/// Putting the bands of a picture together takes so many seconds a pixel at most: ten times what it takes here.
+const JOIN: f64 = 1e-6;
 /// What this process takes is taken so many times, since another machine may take more.
 const MARGIN: f64 = 1.25;
 
@@ -31,6 +33,8 @@ pub struct Measured {
     process: f64,
     /// Bytes that all pixels of the picture take.
     picture: f64,
+    /// Putting the bands of the picture together takes so many seconds at most.
+    pub join: f64,
 }
 
 /// Draws small parts of some of the pictures.
@@ -65,13 +69,14 @@ pub fn measure(picture: &PictureArgs, scenes: &[Scene], tile_time: f64) -> Resul
     let [width, rows] = (settings.crop).map_or([settings.width, settings.height], |crop| {
         [crop.width, crop.height]
     });
-    let bytes = bytes_of_pixels(picture.sampling()) * f64::from(width) * f64::from(rows);
+    let count = f64::from(width) * f64::from(rows) * cameras as f64;
     Ok(Measured {
         build,
         pixels: pixels * cameras as f64,
         rows,
         process: peak_memory() as f64,
-        picture: bytes * cameras as f64,
+        picture: bytes_of_pixels(picture.sampling()) * count,
+        join: JOIN * count,
     })
 }
 

@@ -1,6 +1,6 @@
 //! The scenes of a job, and the textures that they need.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -25,6 +25,16 @@ const LIST: &str = "scenes.txt";
 /// The folder of the scenes.
 const SCENES: &str = "scenes";
 
+/// Those that lie in a folder, and the others.
+pub fn in_folder(folder: &Path, files: Vec<PathBuf>) -> (Vec<PathBuf>, Vec<PathBuf>) {
+    let folder = folder.canonicalize().ok();
+    let is_in = |file: &PathBuf| {
+        let place = file.canonicalize().ok();
+        (place.zip(folder.as_ref())).is_some_and(|(place, folder)| place.starts_with(folder))
+    };
+    files.into_iter().partition(is_in)
+}
+
 /// Where scenes lie among the scenes of the job: as below the folder that was named, or, where two have the same place,
 /// in folders with numbers.
 pub fn places(paths: &[PathBuf], files: Vec<PathBuf>) -> Vec<(PathBuf, PathBuf)> {
@@ -43,6 +53,30 @@ pub fn places(paths: &[PathBuf], files: Vec<PathBuf>) -> Vec<(PathBuf, PathBuf)>
         (file, place)
     };
     files.into_iter().map(numbered).collect()
+}
+
+/// Makes sure that a job can name these scenes: its list has a place a line.
+pub fn check_places(places: &[(PathBuf, PathBuf)]) -> Result<(), Complaint> {
+    for (file, place) in places {
+        let is_line = |place: &str| !place.contains(['\n', '\r']);
+        match is_stdin(file) {
+            true => return Err(Complaint::new("farm-stdin")),
+            false if place.to_str().is_some_and(is_line) => {}
+            false => return Err(Complaint::new("farm-name").with("path", file.as_path())),
+        }
+    }
+    Ok(())
+}
+
+/// Makes sure that each scene has a picture of its own.
+pub fn check_pictures(scenes: &[Scene]) -> Result<(), Complaint> {
+    let mut seen = HashSet::new();
+    let twice = (scenes.iter())
+        .map(|scene| scene.place.with_extension(""))
+        .find(|picture| !seen.insert(picture.clone()));
+    twice.map_or(Ok(()), |picture| {
+        Err(Complaint::new("farm-same-name").with("name", picture.display().to_string()))
+    })
 }
 
 /// A name for the job: letters, digits and dashes.
@@ -96,9 +130,6 @@ pub fn copy(job: &Path, scenes: &[Scene], broken: &[(PathBuf, PathBuf)]) -> Resu
 }
 
 fn copy_file(from: &Path, to: &Path) -> Result<(), Complaint> {
-    if is_stdin(from) {
-        return Err(Complaint::new("farm-stdin"));
-    }
     let fail = |e: io::Error| unwritable(to, &e);
     fs::create_dir_all(folder_of(to)).map_err(fail)?;
     spare_scenes(&[from.to_owned()], to)?;

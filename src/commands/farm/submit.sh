@@ -5,4 +5,4 @@ cd "$(dirname "$0")"
 mkdir -p log
 job=$(sbatch --parsable "$@" draw.slurm)
 echo "drawing: job $job"
-echo "joining: job $(sbatch --parsable "$@" --dependency="afterok:${job%%;*}" join.slurm)"
+echo "joining: job $(sbatch --parsable "$@" --dependency="afterok:${job%%;*}" --kill-on-invalid-dep=yes join.slurm)"
