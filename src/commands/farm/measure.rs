@@ -16,7 +16,7 @@ use crate::trace::Images;
 const SECONDS: f64 = 6.0;
 /// So many scenes are looked at for that, spread evenly.
 const SCENES: usize = 6;
-/// Putting the bands of a picture together takes so many seconds a pixel at most: ten times what it takes here.
+/// Putting the bands of a picture together takes so many seconds a pixel at most: many times what it takes here.
 const JOIN: f64 = 1e-6;
 /// What this process takes is taken so many times, since another machine may take more.
 const MARGIN: f64 = 1.25;
