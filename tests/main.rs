@@ -29,6 +29,7 @@ mod explain_examples;
 mod extension;
 mod extreme_numbers;
 mod farm;
+mod farm_page;
 mod features;
 mod fixes;
 mod formatting;
