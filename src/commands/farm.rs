@@ -197,10 +197,10 @@ fn job(
         .try_fold(pictures, u32::checked_mul);
     let tasks = tasks.ok_or_else(|| Complaint::new("too-many-tasks"))?;
     let each = measured.seconds(tiles, args.cores);
-    // Who says how many bands there are wants them one by one.
-    let chunk = match args.tiles {
-        Some(_) => 1,
-        None => (args.tile_time.0 / each).clamp(1.0, f64::from(tasks)) as u32,
+    // Who says how many bands there are wants them one by one, and processes of make share the tasks.
+    let chunk = match (args.tiles, args.engine) {
+        (Some(_), _) | (_, Engine::Shell) => 1,
+        (None, _) => (args.tile_time.0 / each).clamp(1.0, f64::from(tasks)) as u32,
     };
     let chunk = chunk.max(args.engine.least_chunk(tasks));
     let summary = summary(args, &measured, (tasks, tiles, chunk), look);
