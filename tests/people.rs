@@ -3,6 +3,7 @@
 
 mod agreement;
 mod commas;
+mod guesses;
 mod meant;
 mod messages;
 mod order;

@@ -12,7 +12,8 @@
 //!   printed on one line and nothing but comments follows it there. (The exceptions, matrices and
 //!   profiles in rows, have no optional parameters.)
 //! - Where the scene has errors, the lines tell what was meant. A line with something on it that
-//!   could not be read is left as it is, to the byte, and so is one with a comma that may be a decimal one.
+//!   could not be read is left as it is, to the byte, and so is one with a comma that may be a decimal one, and a record
+//!   that takes numbers from a line which would be a record of its own.
 //!
 //! Whether that worked is tested each time: the result is read again, and where another layout lets
 //! mistakes be read differently, the lines in question stay as they are.
@@ -73,7 +74,8 @@ fn attempt(
     let broken = document.items.iter().any(|i| matches!(i, Item::Broken(_)));
     let mut care = Care {
         zeros: broken,
-        ..Care::default()
+        // Another layout would hide what is suspicious about them.
+        items: document.doubted.iter().copied().collect(),
     };
     for round in 0..ROUNDS {
         let (result, edit) = print(text, document, options, &care, wanted.clone());

@@ -22,6 +22,9 @@ pub struct Document {
     pub searched: usize,
     /// What kinds of things there are.
     pub contents: Contents,
+    /// The first tokens of records that take their last numbers from a line which would be a record of its own: W314
+    /// says so. Another layout would hide it.
+    pub doubted: Vec<u32>,
 }
 
 /// Something that stands in the file in the place of a record.
@@ -146,7 +149,16 @@ impl Document {
             items,
             values,
             searched,
+            doubted: Vec::new(),
         }
+    }
+
+    /// The index of the item to which a place in the text belongs.
+    pub(super) fn item_at(&self, at: u32) -> Option<usize> {
+        let token = self.tokens.partition_point(|t| t.end() <= at) as u32;
+        let item = self.items.partition_point(|item| item.ends().1 < token);
+        let holds = |item: &Item| item.ends().0 <= token;
+        self.items.get(item).is_some_and(holds).then_some(item)
     }
 
     /// From the first character of the first token to the last of the last.

@@ -198,9 +198,7 @@ impl Search<'_, '_> {
                 (true, true) => IMPLAUSIBLE,
                 (false, true) if self.witnesses.is_void_line(stretch, last) => IMPLAUSIBLE,
                 (false, true) if self.doubt_takeovers => IMPLAUSIBLE,
-                (false, true) if r.end == stretch.line_end(last) && !self.sums.is_sure(last) => {
-                    DOUBTFUL
-                }
+                (false, true) if self.is_doubtful(r.end, last) => DOUBTFUL,
                 (false, true) => IMPLAUSIBLE,
                 (true, false) => 300,
                 (false, false) if !stretch.ends_line(r.end) => 200,
@@ -213,6 +211,13 @@ impl Search<'_, '_> {
         }
         // What the resolver would object to counts too, but never as much as a fault of form.
         price + self.objections(start, r)
+    }
+
+    /// Whether a record that ends with a line may well have taken its numbers: nothing is sure about that line.
+    fn is_doubtful(&self, end: usize, line: usize) -> bool {
+        end == self.stretch.line_end(line)
+            && !self.sums.is_sure(line)
+            && !self.witnesses.is_surely_a_record(self.stretch, line)
     }
 
     /// Whether the rest of a line is a record that defines what a line before defines.

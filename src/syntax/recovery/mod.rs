@@ -131,10 +131,15 @@ fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Ve
         && let Some(strict) = strict
     {
         // The arity has a reading without faults. If nothing in it would be an error for its meaning,
-        // it stands against two errors, and against one where no line was crossed.
+        // it stands against two errors, and against one where no line was crossed. A reading that cuts up the line of
+        // the render record is not what anybody meant.
         let sound = damage::damage(stretch, around, &strict) == 0
             && way::is_sound(stretch, around, &strict);
-        if sound && (damage > 1 || !witness::is_odd(stretch, witnesses, &strict)) {
+        let may_be_meant = match damage {
+            1 => !witness::is_odd(stretch, witnesses, &strict),
+            _ => !witness::loses_render(stretch, witnesses, &strict),
+        };
+        if sound && may_be_meant {
             pieces = strict;
         }
     }

@@ -3,7 +3,7 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::super::signature::Reading;
-use super::super::table::{Effect, RecordKind};
+use super::super::table::{Effect, RecordKind, RecordType};
 use super::damage;
 use super::faults;
 use super::known::Known;
@@ -238,6 +238,13 @@ impl<'a> Witnesses<'a> {
         self.ends[line] as usize == stretch.line_end(line)
     }
 
+    /// Whether it would be, and of a type whose number is hardly a parameter.
+    pub fn is_surely_a_record(&self, stretch: &Stretch, line: usize) -> bool {
+        let ty = stretch.record_type(stretch.line_start(line) + 1);
+        let is_head = |t: &RecordType| t.code <= LEAST_HEAD || t.kind == RecordKind::Render;
+        self.is_complete_line(stretch, line) && ty.is_some_and(is_head)
+    }
+
     pub fn is_void_line(&self, stretch: &Stretch, line: usize) -> bool {
         self.ends[line] > 0 && stretch.sigs[stretch.line_start(line)].int == Some(0)
     }
@@ -338,6 +345,17 @@ fn run_to_line_end(stretch: &Stretch, line: usize) -> bool {
     true
 }
 
+/// Whether a line is a render record by itself, and its numbers are those of other records in a reading.
+pub fn loses_render(stretch: &Stretch, witnesses: &Witnesses, pieces: &[Piece]) -> bool {
+    let is_render = |line: usize| {
+        let ty = stretch.record_type(stretch.line_start(line) + 1);
+        ty.is_some_and(|t| t.kind == RecordKind::Render)
+            && witnesses.is_complete_line(stretch, line)
+    };
+    let begins = |at: usize| pieces.binary_search_by_key(&at, |p| p.start).is_ok();
+    (0..stretch.line_count()).any(|line| is_render(line) && !begins(stretch.line_start(line)))
+}
+
 /// Whether a reading without faults has something in it that people do not write in a text laid out
 /// in lines: a record that straddles, one that takes the line of an operation or a property, a VOID without a comment
 /// behind a record, a heading's `0` taken for a number.
@@ -346,10 +364,7 @@ pub fn is_odd(stretch: &Stretch, witnesses: &Witnesses, pieces: &[Piece]) -> boo
         let behind = !stretch.starts_line(p.start);
         let last = stretch.line(p.end - 1);
         let over_lines = stretch.line(p.start) != last;
-        let is_record = || {
-            let ty = stretch.record_type(stretch.line_start(last) + 1);
-            witnesses.is_complete_line(stretch, last) && ty.is_some_and(|t| t.code <= LEAST_HEAD)
-        };
+        let is_record = || witnesses.is_surely_a_record(stretch, last);
         match p.verdict {
             Verdict::Void => behind,
             _ => {

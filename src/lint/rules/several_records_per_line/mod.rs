@@ -81,11 +81,17 @@ fn report(context: &Context, line: &Line, ends: bool, out: &mut Vec<Diagnostic>)
     };
     let finding = Diagnostic::new(Code::S503, context.document.item_span(first))
         .with("count", Value::Count(line.more.len() as u64));
-    // What could not be read is read by its lines: with others it may be something else.
-    out.push(match context.document.contents.broken {
-        true => finding,
-        false => finding.fix(fix),
-    });
+    // What could not be read is read by its lines: with others it may be something else. And a record that may have
+    // taken another one's numbers must not look as if all were well.
+    let doubted = &context.document.doubted;
+    let is_doubted = |item: &Item| doubted.binary_search(&item.ends().0).is_ok();
+    let mut items = line.torn.into_iter().chain(line.more.iter().copied());
+    out.push(
+        match context.document.contents.broken || items.any(is_doubted) {
+            true => finding,
+            false => finding.fix(fix),
+        },
+    );
 }
 
 /// A record of several lines in one, unless it has comments or is long.
