@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::Analysis;
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::{Code, Diagnostic, Severity};
+use crate::scene::names::references;
+use crate::syntax::Item;
 
 /// How much there is to mend, what weighs most first: how many errors there are; how many of these are
 /// malformed tokens, which hide what else is wrong with their records; how many warnings, notes and
@@ -24,7 +26,8 @@ pub fn weight(analysis: &Analysis) -> Vec<usize> {
 }
 
 /// Whether there is an error on a line that is as it was, which it did not have. On a line that was
-/// changed there may be one in place of another that hid it.
+/// changed there may be one in place of another that hid it, and so there may on a line that names the ID of a record
+/// which could not be read: that ID may be defined twice, or be of another kind.
 pub fn has_new_errors(before: &Analysis, after: &Analysis) -> bool {
     let mut numbers: FxHashMap<&str, usize> = FxHashMap::default();
     let before_lines = lines(before).map(|line| {
@@ -36,8 +39,47 @@ pub fn has_new_errors(before: &Analysis, after: &Analysis) -> bool {
         .map(|line| numbers.get(line).copied())
         .collect();
     let old = errors(before, &before_lines);
-    let mut new = errors(after, &after_lines).into_iter();
-    new.any(|(error, count)| old.get(&error).is_none_or(|&old| count > old))
+    let new = errors(after, &after_lines).into_iter();
+    let mut more = (new.filter(|(error, count)| old.get(error).is_none_or(|old| count > old)))
+        .map(|((_, line), _)| line)
+        .peekable();
+    if more.peek().is_none() {
+        return false;
+    }
+    let hidden = unreadable_ids(before);
+    let mut of_number = vec![0; numbers.len()];
+    for (i, number) in before_lines.iter().enumerate() {
+        of_number[number.unwrap_or_default()] = i;
+    }
+    more.any(|line| !names(before, of_number[line], &hidden))
+}
+
+/// The IDs of records that cannot be read.
+fn unreadable_ids(analysis: &Analysis) -> FxHashSet<u32> {
+    let items = analysis.document.items.iter();
+    let broken = items.filter_map(|item| match item {
+        Item::Broken(broken) => broken.id,
+        _ => None,
+    });
+    broken.collect()
+}
+
+/// Whether a record on a line has one of some IDs or refers to one.
+fn names(analysis: &Analysis, line: usize, ids: &FxHashSet<u32>) -> bool {
+    let (source, document) = (&analysis.source, &analysis.document);
+    let span = source.line_span(line);
+    let start = |item: &Item| document.item_span(item).start;
+    let first = document
+        .items
+        .partition_point(|item| start(item) < span.start);
+    let on_line = document.items[first..].iter();
+    let mut records = on_line
+        .take_while(|item| start(item) < span.end)
+        .filter_map(Item::record);
+    records.any(|record| {
+        let mut references = references(document, record);
+        ids.contains(&record.id) || references.any(|id| ids.contains(&id))
+    })
 }
 
 fn lines(analysis: &Analysis) -> impl Iterator<Item = &str> {

@@ -38,3 +38,12 @@ fn a_doubtful_record_keeps_its_layout() {
     let apart = text.replace("1 9999 6 0\n", "7 9 2 8 9 3\n1 9999 6 0\n");
     assert!(fixed(&apart, false).contains("\n7 9 2\n8 9 3\n"));
 }
+
+#[test]
+fn what_a_broken_record_hid_stops_no_fix() {
+    let text = "3 11 0 2,5 0 1\n3 11 0 3 0 1\n1 9999 3 0\n";
+    assert_eq!(fixed(text, false), text.replace("2,5", "2.5"));
+    let text = "3 -701 modrá\n2 9 1\n3 9 2\n4 -101 2 3\n1 9999 4 0\n";
+    let mended = text.replace("modrá", "0 0 1");
+    assert!(fixed(text, true).starts_with(&mended[..12]));
+}
