@@ -57,15 +57,47 @@ pub fn colour(word: &str) -> Option<[u8; 3]> {
     let word = plain(word)
         .replacen("svetlo", "svetle", 1)
         .replacen("tmavo", "tmave", 1);
-    let stem = ENDINGS.iter().find_map(|ending| word.strip_suffix(ending));
-    let czech = CZECH.iter().find(|names| Some(names.0) == stem);
-    let name = czech.map_or(word.as_str(), |names| names.1);
-    // The library spells all of these in one way.
-    let name = &name.replace("grey", "gray");
-    if !name.bytes().all(|b| b.is_ascii_lowercase()) {
+    of_function(&word)
+        .or_else(|| named(&word))
+        .or_else(|| named(&meant(&word)?))
+}
+
+/// A colour as CSS writes it with numbers, `rgb(255, 128, 0)`.
+fn of_function(word: &str) -> Option<[u8; 3]> {
+    word.starts_with("rgb").then(|| parsed(word))?
+}
+
+/// Shorter words are no misspelling of a name.
+const MISSPELLED_LEAST: usize = 5;
+
+/// The name that a word is but for a letter, if it is the only one.
+fn meant(word: &str) -> Option<String> {
+    if word.chars().count() < MISSPELLED_LEAST {
         return None;
     }
-    let colour = color::parse_color(name)
+    let czech = |stem: &str| ENDINGS.map(|ending| format!("{stem}{ending}"));
+    let names = CZECH.iter().flat_map(|(stem, name)| {
+        let all = czech(stem).into_iter().chain([(*name).to_owned()]);
+        let near = |n: &String| n.len() >= MISSPELLED_LEAST && strsim::osa_distance(n, word) == 1;
+        all.filter(near).map(|name| (name, *stem))
+    });
+    let found: Vec<(String, &str)> = names.collect();
+    let (name, stem) = found.first()?;
+    found.iter().all(|f| f.1 == *stem).then(|| name.clone())
+}
+
+/// The colour that goes by a name without accents.
+fn named(word: &str) -> Option<[u8; 3]> {
+    let stem = ENDINGS.iter().find_map(|ending| word.strip_suffix(ending));
+    let czech = CZECH.iter().find(|names| Some(names.0) == stem);
+    let name = czech.map_or(word, |names| names.1);
+    // The library spells all of these in one way.
+    let name = &name.replace("grey", "gray");
+    (name.bytes().all(|b| b.is_ascii_lowercase())).then(|| parsed(name))?
+}
+
+fn parsed(css: &str) -> Option<[u8; 3]> {
+    let colour = color::parse_color(css)
         .ok()?
         .to_alpha_color::<Srgb>()
         .to_rgba8();
@@ -121,9 +153,30 @@ mod tests {
             "ball",
             "transparent",
             "none",
-            "rgb(1,2,3)",
+            "rgb(1,2)",
+            "rgba(1,2,3,0.5)",
+            // `lime` and `line`, `tan` and `tin`: no short word is a misspelt one.
+            "line",
         ] {
             assert_eq!(colour(word), None, "{word}");
+        }
+    }
+
+    #[test]
+    fn two_words_numbers_and_a_letter_too_few() {
+        for (name, shown) in [
+            ("tmavě modrá", "#000080"),
+            ("světle zelená", "#90ee90"),
+            ("dark blue", "#00008b"),
+            ("Light Green", "#90ee90"),
+            ("rgb(255, 128,0)", "#ff8000"),
+            ("rgb(100%, 0%, 0%)", "#ff0000"),
+            ("čevená", "#ff0000"),
+            ("zelenna", "#008000"),
+            ("purlpe", "#800080"),
+            ("tmavě čevená", "#8b0000"),
+        ] {
+            assert_eq!(colour(name), hex::colour(shown), "{name}");
         }
     }
 

@@ -1,5 +1,5 @@
-//! A colour as other programs write it, `7 -701 #ff8000` or `7 -701 red`, is one finding that says which numbers it
-//! is, and so is a material, `7 -201 glass`.
+//! A colour as other programs write it, `7 -701 #ff8000`, `7 -701 rgb(255, 128, 0)` or `7 -701 dark red`, is one finding
+//! that says which numbers it is, and so is a material, `7 -201 glass`.
 
 use super::{colour_names, materials};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span};
@@ -34,8 +34,14 @@ fn one_word(document: &Document, text: &str, id: u32, kind: RecordKind) -> Optio
     let tokens = document.tokens[id as usize..].iter();
     let mut on_line = tokens.take_while(|t| t.kind() != TokenKind::Newline);
     let word = on_line.by_ref().nth(2)?;
-    if !on_line.all(|t| t.kind().is_comment()) {
-        return None;
+    let more: Vec<&Token> = on_line.take_while(|t| !t.kind().is_comment()).collect();
+    if !more.is_empty() {
+        // Two words, or numbers in brackets.
+        let span = word.span().to(more.last()?.span());
+        let is_colour = kind == RecordKind::Colour && word.kind() == TokenKind::Word;
+        let colour = shown(&text[span.range()]).filter(|_| is_colour)?;
+        let finding = Diagnostic::new(Code::E003, span).case("colour");
+        return Some(proposing(finding, text, span, (spelled_out(colour), "")));
     }
     let within = word.text(text).trim_matches('"');
     if kind != RecordKind::Colour {

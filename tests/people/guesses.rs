@@ -1,7 +1,7 @@
 //! Guesses and fixes of layout that newcomers found to be wrong, in short scenes.
 
 use zpg::analysis::{Analysis, fixing, repair};
-use zpg::diagnostics::{Code, Diagnostic};
+use zpg::diagnostics::{Applicability, Code, Diagnostic, Fix, fixes};
 use zpg::format::{Options, format};
 
 use super::read;
@@ -9,6 +9,22 @@ use super::read;
 fn fixed(text: &str, unsafe_too: bool) -> String {
     let mended = fixing::to_fixed_point(read(text), unsafe_too, Analysis::of);
     mended.analysis.source.text.clone()
+}
+
+/// What each fix of the first finding with a code makes of a text.
+#[track_caller]
+fn proposals(text: &str, code: Code) -> Vec<(Fix, String)> {
+    let all = repair::proposals(&read(text));
+    let finding = all.iter().find(|d| d.code == code);
+    let finding = finding.unwrap_or_else(|| panic!("{text}\n{all:?}"));
+    let made = |fix: &Fix| (fix.clone(), fixes::apply(text, std::iter::once(fix)).0);
+    finding.fixes.iter().map(made).collect()
+}
+
+#[track_caller]
+fn first(text: &str, code: Code) -> String {
+    let all = proposals(text, code);
+    all.first().unwrap_or_else(|| panic!("{text}")).1.clone()
 }
 
 fn codes(text: &str) -> Vec<Code> {
@@ -46,4 +62,115 @@ fn what_a_broken_record_hid_stops_no_fix() {
     let text = "3 -701 modrá\n2 9 1\n3 9 2\n4 -101 2 3\n1 9999 4 0\n";
     let mended = text.replace("modrá", "0 0 1");
     assert!(fixed(text, true).starts_with(&mended[..12]));
+}
+
+#[test]
+fn a_material_by_the_id_of_a_colour_gets_an_id_of_its_own() {
+    let text = "3 -701 0.5 0 0\n3 -201 1 0 0\n2 9 1\n2 -299 3 0\n1 9999 2 0\n";
+    let meant = "3 -701 0.5 0 0\n4 -201 1 0 0\n2 9 1\n2 -299 3 4\n1 9999 2 0\n";
+    assert_eq!(fixed(text, true), meant);
+    let other = "3 -201 1 0 0\n3 -701 0.5 0 0\n2 9 1\n2 -299 0 3\n1 9999 2 0\n";
+    let meant = "3 -201 1 0 0\n4 -701 0.5 0 0\n2 9 1\n2 -299 4 3\n1 9999 2 0\n";
+    assert_eq!(fixed(other, true), meant);
+    // A lamp has a colour and no index.
+    let lamp = "2 9 1\n5 -402 1\n5 -203 1 0 0\n1 9999 2 0\n";
+    let made = proposals(lamp, Code::E103);
+    assert!(made.iter().any(|m| m.1 == lamp.replace("-203", "-701")));
+}
+
+#[test]
+fn a_missing_operand_is_the_object_that_is_left() {
+    let text = "2 9 1\n3 9 2\n4 -101 2\n1 9999 4 0\n";
+    assert_eq!(fixed(text, true), text.replace("-101 2", "-101 2 3"));
+    for operation in ["-102", "-103"] {
+        let text = text.replace("-101", operation);
+        let made = proposals(&text, Code::E008);
+        assert!(
+            !made.is_empty()
+                && made
+                    .iter()
+                    .all(|m| m.1.contains(&format!("4 {operation} ")))
+        );
+    }
+    // With nothing left it may be a complement.
+    let alone = "2 9 1\n4 -101 2\n1 9999 4 0\n";
+    assert_eq!(first(alone, Code::E008), alone.replace("-101", "-104"));
+}
+
+#[test]
+fn a_scaling_of_two_numbers_stays_a_scaling() {
+    let text = "2 9 1\n2 -3 2 3\n1 9999 2 0\n";
+    let made = proposals(text, Code::E008);
+    let texts: Vec<&str> = made.iter().map(|m| m.1.as_str()).collect();
+    let meant = ["2 3 1", "2 3 3"].map(|numbers| text.replace("2 3", numbers));
+    assert_eq!(texts, meant);
+    assert!(
+        made.iter()
+            .all(|m| m.0.applicability == Applicability::Choice)
+    );
+    assert_eq!(fixed(text, true), text);
+    assert!(proposals(&text.replace("-3 2 3", "-1 30 2"), Code::E008).is_empty());
+}
+
+#[test]
+fn a_direction_of_length_1_is_one() {
+    let scene =
+        |direction: &str| format!("2 9 1\n9 -501 0 2 10 {direction} 45\n50 -402 0.9\n1 9999 2 0\n");
+    let camera = |direction: &str| {
+        let text = first(&scene(direction), Code::E008);
+        text.lines().nth(1).unwrap().to_owned()
+    };
+    assert_eq!(camera("0 0 -1"), "9 -501 0 2 10 0 0 -1 0 1 0 45");
+    assert_eq!(
+        camera("0 -0.196 -0.981"),
+        "9 -501 0 2 10 0 -0.196 -0.981 0 1 0 45"
+    );
+    assert_eq!(camera("0 0 0"), "9 -501 0 2 10 0 -2 -10 0 1 0 45");
+    // Upwards nothing is seen: it is the point 1 above the origin.
+    assert_eq!(camera("0 1 0"), "9 -501 0 2 10 0 -1 -10 0 1 0 45");
+}
+
+#[test]
+fn a_second_definition_may_have_the_next_id() {
+    let text = "12 9 1\n12 11 4 0 0 1\n1 9999 12 0\n";
+    assert_eq!(first(text, Code::E102), text.replace("12 11", "13 11"));
+    let thrice = "12 9 1\n12 11 4 0 0 1\n12 11 8 0 0 1\n1 9999 12 0\n";
+    let mended = "12 9 1\n13 11 4 0 0 1\n14 11 8 0 0 1\n1 9999 12 0\n";
+    assert_eq!(fixed(thrice, true), mended);
+}
+
+/// A line that ends a scene of a ball, and what it was meant to be.
+#[test]
+fn words_and_angles_are_what_they_say() {
+    for (line, code, meant) in [
+        ("2 -701 tmavě modrá", Code::E003, "2 -701 0 0 0.216"),
+        ("2 -701 rgb(255,0,0)", Code::E003, "2 -701 1 0 0"),
+        ("2 -701 čevená", Code::E003, "2 -701 1 0 0"),
+        ("2 otoceni 90 y", Code::E006, "2 -2 90 2"),
+        ("2 otočení y 90", Code::E006, "2 -2 90 2"),
+        ("2 zrcadlo", Code::E006, "2 -201 0 1 0"),
+        ("2 glass", Code::E006, "2 -201 0 0.1 0.9"),
+        ("2 -2 pi/2 3", Code::E012, "2 -2 90 3"),
+        ("2 -2 PI/4 1", Code::E012, "2 -2 45 1"),
+        ("2 -2 -π/2 1", Code::E012, "2 -2 -90 1"),
+        ("2 -2 2*pi/3 1", Code::E012, "2 -2 120 1"),
+        // What is wrong with the ID comes to light when the axis is right.
+        ("22 -2 90 y", Code::E012, "22 -2 90 2"),
+    ] {
+        let text = format!("2 9 1\n{line}\n1 9999 2 0\n");
+        let made = first(&text, code);
+        let numbers = |line: &str| -> Vec<String> {
+            let numbers = line.split(' ').map(|n| n.parse::<f64>().unwrap());
+            numbers.map(|n| format!("{n:.3}")).collect()
+        };
+        assert_eq!(
+            numbers(made.lines().nth(1).unwrap()),
+            numbers(meant),
+            "{line}"
+        );
+    }
+    // A certain mistake on the line hides no other one.
+    let text = "2 koule 0 1 0 1,5\n1 9999 2 0\n";
+    assert_eq!(first(text, Code::E006), text.replace("koule", "11"));
+    assert_eq!(fixed(text, true), "2 11 0 1 0 1.5\n1 9999 2 0\n");
 }

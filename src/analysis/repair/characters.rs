@@ -19,6 +19,20 @@ pub fn number(text: &str) -> Option<String> {
     plain(text)
 }
 
+/// The degrees that an angle in parts of π is, as `pi/2`, `2*PI/3` or `-π`.
+pub fn degrees(text: &str) -> Option<String> {
+    let text = text.to_lowercase().replace('π', "pi");
+    let (above, below) = text.split_once('/').unwrap_or((&text, "1"));
+    let factor = above.strip_suffix("pi")?.trim_end_matches(['*', '·']);
+    let factor = match factor {
+        "" | "+" => "1".to_owned(),
+        "-" | "−" => "-1".to_owned(),
+        factor => plain(factor)?,
+    };
+    let value = 180.0 * factor.parse::<f64>().ok()? / plain(below)?.parse::<f64>().ok()?;
+    value.is_finite().then(|| value.to_string())
+}
+
 /// Whether a word is a sign that belongs to the number before it.
 pub fn is_unit(text: &str) -> bool {
     matches!(text, "%" | "°" | "º" | "˚" | "deg" | "degrees" | "stupňů")

@@ -78,7 +78,7 @@ struct Trial {
     candidate: Candidate,
     scene: Analysis,
     line: Span,
-    /// How many errors are left that are not [hidden](hidden_by_type).
+    /// How many errors are left that are not [hidden].
     errors: usize,
 }
 
@@ -265,7 +265,10 @@ impl Engine<'_> {
         let line = place.line();
         // What moves lines would take this one to another place.
         let moves = |d: &Diagnostic| d.code == Code::E107;
-        let elsewhere = |d: &&Diagnostic| d.is_error() && !line.touches(d.span) && !moves(d);
+        // What is certain on the line itself is no matter of this finding either.
+        let certain = |d: &Diagnostic| d.code == Code::E003 && has_safe_fix(d) && *d != finding;
+        let elsewhere =
+            |d: &&Diagnostic| d.is_error() && (!line.touches(d.span) || certain(d)) && !moves(d);
         let others: Vec<Fix> = (self.findings.iter().filter(elsewhere))
             .filter_map(|d| d.applicable_fix(true).or(d.fixes.first()).cloned())
             .collect();
@@ -279,7 +282,7 @@ impl Engine<'_> {
             let Some((scene, own_line)) = attempt else {
                 break;
             };
-            let hidden = hidden_by_type(&finding, &candidate, &scene, own_line);
+            let hidden = hidden(&finding, &candidate, &scene, own_line);
             let errors = judge::errors(&scene) - hidden;
             let least = trials.first().map_or(usize::MAX, |t| t.errors);
             let better = match finding.is_error() {
@@ -453,10 +456,11 @@ fn codes_at(scene: &Analysis, line: Span) -> impl Iterator<Item = Code> {
     (scene.errors.iter()).filter_map(move |&(code, span)| on_line(span).then_some(code))
 }
 
-/// How many errors of a line show only now that an unknown type has its minus again: undefined IDs. They are no reason
-/// to take it for another type.
-fn hidden_by_type(d: &Diagnostic, candidate: &Candidate, scene: &Analysis, line: Span) -> usize {
-    match d.code == Code::E007 && candidate.habit == Habit::Sign {
+/// How many errors of a line show only now that an unknown type has its minus again, or a rotation the number of its axis:
+/// undefined IDs. They are no reason to take it for something else.
+fn hidden(d: &Diagnostic, candidate: &Candidate, scene: &Analysis, line: Span) -> usize {
+    let is_sign = d.code == Code::E007 && candidate.habit == Habit::Sign;
+    match is_sign || candidate.habit == Habit::Axis {
         true => codes_at(scene, line)
             .filter(|&code| code == Code::E101)
             .count(),

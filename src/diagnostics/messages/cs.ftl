@@ -122,6 +122,8 @@ fix-point = je-li { $text } bod, na který se má kamera dívat, napsat { $numbe
 fix-look-at = je-li { $text } bod, na který se má kamera dívat, napsat směr { $way } (tento bod minus poloha kamery) a vektor „nahoru“ { $number }
 fix-parts = napsat to jako několik záznamů po dvou objektech ({ $type })
 fix-up = napsat vektor „nahoru“ { $number }
+fix-free-id = dát záznamu ID { $number }
+fix-own-id = dát záznamu ID { $number } a napsat ho i v přiřazení ({ $text })
 defined-here = { $id } je definováno zde
 declared-here = { $id } je deklarováno zde
 

@@ -115,6 +115,11 @@ fix-point = if { $text } is the point to look at, write { $number }: a direction
 fix-look-at = if { $text } is the point to look at, write the direction { $way } (that point minus the position) and the up vector { $number }
 fix-parts = write it as several records ({ $type }) of two objects each
 fix-up = write the up vector { $number }
+fix-free-id = give it the ID { $number }
+fix-own-id = give it the ID { $number }, and write that in { $count ->
+    [one] the assignment to { $text }
+   *[other] the assignments to { $text }
+}, too
 defined-here = { $id } is defined here
 declared-here = { $id } is declared here
 

@@ -2,10 +2,13 @@
 
 use super::{Candidate, Habit, Place};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
-use crate::geometry::array::sub;
+use crate::geometry::array::{length, sub};
 use crate::lint::spelling::decimal;
 use crate::syntax::quote;
 use crate::syntax::table::RecordKind;
+
+/// A direction of length 1 is written with so many digits at least.
+const ROUNDED: f64 = 1e-3;
 
 impl Place<'_> {
     /// The direction is the point that the camera looks at, or the up vector is along the direction.
@@ -66,7 +69,9 @@ impl Place<'_> {
         );
         out.push(to_point);
         let up = upright([dx, dy, dz]);
-        out.push(candidate("fix-up", Habit::Up, text.clone(), up));
+        let is_unit = (length([dx, dy, dz]) - 1.0).abs() < ROUNDED;
+        let habit = if is_unit { Habit::Direction } else { Habit::Up };
+        out.push(candidate("fix-up", habit, text.clone(), up));
     }
 
     /// Three parameters written anew.

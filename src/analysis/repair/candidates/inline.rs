@@ -27,9 +27,13 @@ const TITLE: &str = "fix-inline";
 /// The title of fixes that give an ID to a part of an operation.
 pub(super) const PARTS_TITLE: &str = "fix-parts";
 
-/// The IDs that a fix gives to colours and parts.
+/// The titles of fixes that give a record another ID, alone and where it is assigned.
+pub(super) const FREE_TITLE: &str = "fix-free-id";
+pub(super) const OWN_TITLE: &str = "fix-own-id";
+
+/// The IDs that a fix gives to records.
 pub fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
-    let is_one = fix.title == TITLE || fix.title == PARTS_TITLE;
+    let is_one = [TITLE, PARTS_TITLE, FREE_TITLE, OWN_TITLE].contains(&fix.title);
     let edits = fix.edits.iter().filter(move |_| is_one);
     edits.filter_map(|edit| edit.text.parse().ok())
 }
@@ -147,7 +151,7 @@ impl Place<'_> {
     }
 
     /// The first of the IDs that are larger than all of the file and all that are `used`.
-    fn free_id(&self, used: &[u32]) -> Option<u32> {
+    pub(super) fn free_id(&self, used: &[u32]) -> Option<u32> {
         let items = self.analysis.document.items.iter();
         let ids = items.filter_map(|item| match item {
             Item::Record(r) => Some(r.id),

@@ -5,6 +5,7 @@ mod cameras;
 mod comments;
 mod inline;
 mod numbers;
+mod own_id;
 mod references;
 mod types;
 
@@ -38,6 +39,8 @@ pub enum Habit {
     Sibling,
     /// What is too much is a record of its own.
     Apart,
+    /// The direction of a camera has the length 1, so it is one.
+    Direction,
     /// The direction of a camera is the point that it looks at.
     Point,
     /// The up vector of a camera is along its direction.
@@ -78,7 +81,9 @@ impl Habit {
             Habit::Doubled | Habit::Sibling => matches!(finding.code, E008 | E009),
             Habit::Apart => matches!(finding.code, E003 | E007 | E008 | E009 | E012 | E101),
             Habit::Count => finding.case == "points",
-            Habit::Point | Habit::Up => matches!(finding.code, E008 | E203 | E207),
+            Habit::Direction | Habit::Point | Habit::Up => {
+                matches!(finding.code, E008 | E203 | E207)
+            }
             Habit::Swapped => {
                 matches!(finding.code, E101 | E103 | E104 | E107 | E108 | W319)
             }
@@ -252,6 +257,7 @@ impl<'a> Place<'a> {
             self.arranged(&mut out);
             self.references(finding, &mut out);
             self.ids(finding, undefined, &mut out);
+            self.own_id(finding, &[undefined, taken].concat(), &mut out);
             if out.is_empty() {
                 self.lost_type(&mut out);
             }
@@ -312,7 +318,7 @@ impl<'a> Place<'a> {
                 Some(d.with("number", written))
             }
             Habit::Shifted | Habit::Reference | Habit::Id | Habit::Type | Habit::Proposed => None,
-            Habit::Point | Habit::Up => None,
+            Habit::Direction | Habit::Point | Habit::Up => None,
         }
     }
 
@@ -321,7 +327,7 @@ impl<'a> Place<'a> {
         use Habit::*;
         let arranges = matches!(
             candidate.habit,
-            Apart | Doubled | Sibling | Word | Sign | Axis | Point | Count
+            Apart | Doubled | Sibling | Word | Sign | Axis | Direction | Point | Count
         );
         if candidate.ty.is_some() || !arranges {
             return;

@@ -96,8 +96,15 @@ impl Place<'_> {
 
     /// An axis by its letter, which may stand before the angle.
     pub(super) fn axis(&self, out: &mut Vec<Candidate>) {
-        let &[first, last] = self.params() else {
-            return;
+        let turns = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Rotation);
+        let new = self.axis_number(self.params()).filter(|_| turns);
+        out.extend(new.and_then(|new| self.write(Habit::Axis, &new)));
+    }
+
+    /// The angle and the axis of a rotation whose axis is a letter.
+    pub(super) fn axis_number(&self, params: &[Token]) -> Option<[(Token, String); 2]> {
+        let &[first, last] = params else {
+            return None;
         };
         let axis = |t: &Token| match t.text(self.text) {
             "x" | "X" => Some("1"),
@@ -105,14 +112,13 @@ impl Place<'_> {
             "z" | "Z" => Some("3"),
             _ => None,
         };
-        let turns = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Rotation);
         let (angle, axis) = match (axis(&first), axis(&last)) {
-            (Some(axis), None) if turns => (last, axis),
-            (None, Some(axis)) if turns => (first, axis),
-            _ => return,
+            (Some(axis), None) => (last, axis),
+            (None, Some(axis)) => (first, axis),
+            _ => return None,
         };
         let angle = angle.text(self.text).to_owned();
-        out.extend(self.write(Habit::Axis, &[(first, angle), (last, axis.to_owned())]));
+        Some([(first, angle), (last, axis.to_owned())])
     }
 
     /// Numbers in other characters; a unit or dash on its own joins its number.
@@ -121,6 +127,7 @@ impl Place<'_> {
             .filter(|t| !t.kind().is_trivia())
             .copied()
             .collect();
+        let turns = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Rotation);
         let mut new = Vec::new();
         let mut i = 0;
         while i < on_line.len() {
@@ -158,7 +165,10 @@ impl Place<'_> {
             if is_word {
                 let is_bracket = matches!(token.text(self.text), "[" | "]");
                 let number = is_bracket.then(String::new);
-                match number.or_else(|| characters::number(token.text(self.text))) {
+                let written = token.text(self.text);
+                let number = number.or_else(|| characters::number(written));
+                let is_angle = i == 2 && turns;
+                match number.or_else(|| characters::degrees(written).filter(|_| is_angle)) {
                     Some(text) => new.push((token, text)),
                     // What else is wrong with the line is another matter.
                     None if i != 1 => return,

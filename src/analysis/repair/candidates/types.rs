@@ -1,7 +1,12 @@
 //! Another type, or the numbers that go with another.
 
+use rustc_hash::FxHashSet;
+
 use super::{Candidate, Habit, MOST, Place};
+use crate::analysis::materials;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::scene::names::references;
+use crate::syntax::Item;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType, ShapeKind};
 use crate::syntax::words;
@@ -27,9 +32,7 @@ const SIBLINGS: &[(i32, &[i32])] = &[
     (1, &[2]),
     (2, &[1]),
     (12, &[5, 11]),
-    (-1, &[-2]),
     (-2, &[-1, -4]),
-    (-3, &[-1, -2]),
     (-4, &[-2]),
     (-101, &[-104, -105]),
     (-103, &[-104]),
@@ -54,6 +57,11 @@ impl Place<'_> {
         let count = (behind.iter())
             .take_while(|t| t.kind() == TokenKind::Word)
             .count();
+        // An axis before its angle is no word of the name.
+        let count = match self.axis_number(behind.get(count.saturating_sub(1)..).unwrap_or(&[])) {
+            Some(_) if count > 1 => count - 1,
+            _ => count,
+        };
         let Some(last) = count.checked_sub(1).map(|last| behind[last]) else {
             return;
         };
@@ -71,11 +79,36 @@ impl Place<'_> {
         out.extend(fitting.map(|ty| {
             let mut candidate = self.write_type(Habit::Word, ty);
             candidate.fix.edits[0].span = span;
+            let axis = (self.axis_number(params)).filter(|_| ty.kind == RecordKind::Rotation);
+            let axis = axis.into_iter().flatten();
+            candidate
+                .fix
+                .edits
+                .extend(
+                    (axis.filter(|(t, new)| t.text(self.text) != new)).map(|(t, text)| Edit {
+                        span: t.span(),
+                        text,
+                    }),
+                );
             candidate
         }));
+        out.extend(self.material(span, params));
         if out.len() == start {
             out.extend(named.iter().filter_map(|ty| self.placed(span, ty, params)));
         }
+    }
+
+    /// A material in the place of its type and its numbers.
+    fn material(&self, word: Span, params: &[Token]) -> Option<Candidate> {
+        let numbers = materials::numbers(RecordKind::Optics, &self.text[word.range()])?;
+        let ty = RecordType::of(RecordKind::Optics);
+        let text = format!("{} {numbers}", ty.code);
+        let fix = Fix::replace("fix-write", Applicability::Unsafe, word, text.clone());
+        params.is_empty().then(|| Candidate {
+            habit: Habit::Word,
+            fix: fix.with("number", quote(&text)),
+            ty: None,
+        })
     }
 
     /// A cylinder about the y axis of a radius and a height, or of a height and a radius; or from one centre of an end
@@ -142,7 +175,11 @@ impl Place<'_> {
         let Some(ty) = self.ty().filter(|ty| !self.fits(ty)) else {
             return;
         };
-        let siblings = SIBLINGS.iter().filter(|s| s.0 == ty.code);
+        // An operand is missing rather than that another operation was meant.
+        let spare = self.spare_operands(ty);
+        let siblings = SIBLINGS
+            .iter()
+            .filter(|s| s.0 == ty.code && spare.is_empty());
         for &code in siblings.flat_map(|s| s.1) {
             if let Some(ty) = RecordType::by_code(code.into()).filter(|ty| self.fits(ty)) {
                 out.push(self.write_type(Habit::Sibling, ty));
@@ -175,6 +212,15 @@ impl Place<'_> {
             (RecordKind::Scaling | RecordKind::RefractiveIndex, &[s], _) => {
                 out.push(new("fix-write", format!("{s} {s} {s}")));
             }
+            // Nobody can tell how much the third is.
+            (RecordKind::Scaling, &[a, b], _) => {
+                let all = [format!("{a} {b} 1"), format!("{a} {b} {b}")];
+                out.extend(all.map(|text| {
+                    let mut candidate = new("fix-write", text);
+                    candidate.fix.applicability = Applicability::Choice;
+                    candidate
+                }));
+            }
             // A grey, but not six digits as other programs write a colour.
             (RecordKind::Colour, &[s], _)
                 if hex::colour(s).is_none() && self.params().iter().all(is_part) =>
@@ -184,7 +230,11 @@ impl Place<'_> {
             (RecordKind::Render, &[one], _) => out.push(new("fix-write", format!("{one} 0"))),
             (RecordKind::Union | RecordKind::Intersection | RecordKind::Difference, &[one], _) => {
                 let others = self.entities(&[Kind::Object]).map(|e| e.id);
-                let mut others: Vec<u32> = others.filter(|id| id.to_string() != one).collect();
+                let others = others.filter(|id| id.to_string() != one);
+                let mut others: Vec<u32> = match spare.is_empty() {
+                    true => others.collect(),
+                    false => spare,
+                };
                 // The last ones first.
                 others.reverse();
                 for id in others.into_iter().take(MOST / 2) {
@@ -200,8 +250,28 @@ impl Place<'_> {
         }
     }
 
+    /// The objects that are defined above and that nothing refers to, where an operation has an operand too few.
+    fn spare_operands(&self, ty: &RecordType) -> Vec<u32> {
+        let [one] = self.params() else {
+            return Vec::new();
+        };
+        if ty.family != Family::Operation || ty.params.len() == 1 {
+            return Vec::new();
+        }
+        let document = &self.analysis.document;
+        let records = document.items.iter().filter_map(Item::record);
+        let mut used: FxHashSet<u32> = records.flat_map(|r| references(document, r)).collect();
+        used.extend(one.integer(self.text).and_then(|id| u32::try_from(id).ok()));
+        let objects = self.entities(&[Kind::Object]).map(|e| e.id);
+        objects.filter(|id| !used.contains(id)).collect()
+    }
+
     /// Records of other types that have as many numbers, the nearest number first.
     pub(super) fn types(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
+        // A property by the ID of one of another kind needs an ID of its own.
+        if finding.code == Code::E103 && self.other_property().is_some() {
+            return;
+        }
         let known = self.ty().is_some_and(|ty| self.fits(ty));
         let unknown = match finding.code {
             Code::E007 => true,

@@ -1,0 +1,95 @@
+//! An ID of its own for a record that has another one's.
+
+use super::inline::{FREE_TITLE, OWN_TITLE};
+use super::{Candidate, Habit, Place};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::syntax::Item;
+use crate::syntax::table::{Effect, Kind, ParamKind, RecordKind, RecordType};
+
+impl Place<'_> {
+    /// What this record defines and what its ID is, where these are properties of different kinds.
+    pub(super) fn other_property(&self) -> Option<(Kind, Kind)> {
+        let is_property = |kind: &Kind| matches!(kind, Kind::Optics | Kind::Texture | Kind::Colour);
+        let Effect::DefinesOrChanges(own, _) = self.ty()?.effect else {
+            return None;
+        };
+        let id = self.id()?;
+        let mut entities = self.analysis.scene.entities.iter();
+        let other = entities.find(|e| e.id == id)?.kind.filter(is_property)?;
+        (is_property(&own) && own != other).then_some((own, other))
+    }
+
+    /// A free ID. Where this is a property by the ID of one of another kind, assignments of the one assign the other,
+    /// too.
+    pub(super) fn own_id(&self, finding: &Diagnostic, used: &[u32], out: &mut Vec<Candidate>) {
+        let head = self.tokens[0].span();
+        let is_twice = finding.code == Code::E102 && finding.case.is_empty();
+        let property = (self.other_property()).filter(|_| finding.code == Code::E103);
+        let (Some(new), Some(id)) = (self.free_id(used), self.id()) else {
+            return;
+        };
+        if finding.span != head || !(is_twice || property.is_some()) {
+            return;
+        }
+        let mut edits = vec![edit(head, new)];
+        let mut objects: Vec<String> = Vec::new();
+        if let Some(kinds) = property {
+            for (object, place) in self.assignments(id, kinds) {
+                edits.push(edit(place, new));
+                objects.push(object.to_string());
+            }
+        }
+        edits.sort_by_key(|e| e.span.start);
+        let fix = Fix {
+            title: if objects.is_empty() {
+                FREE_TITLE
+            } else {
+                OWN_TITLE
+            },
+            values: vec![
+                ("number", new.to_string().into()),
+                ("text", objects.join(", ").into()),
+                ("count", Value::Count(objects.len() as u64)),
+            ],
+            applicability: Applicability::Unsafe,
+            edits,
+        };
+        out.push(Candidate {
+            habit: Habit::Id,
+            fix,
+            ty: None,
+        });
+    }
+
+    /// The objects that an ID is assigned to, and the places there for a property of the first kind, which are empty or
+    /// have that ID as well.
+    fn assignments(&self, id: u32, (own, other): (Kind, Kind)) -> Vec<(u32, Span)> {
+        let ty = RecordType::of(RecordKind::Assignment);
+        let place = |kind: Kind| {
+            let takes = |k: &ParamKind| matches!(k, ParamKind::Reference { kinds, .. } if kinds.contains(&kind));
+            ty.params.iter().position(|p| takes(&p.kind))
+        };
+        // A colour and a texture have one place.
+        let (Some(own), Some(other)) = (place(own), place(other)) else {
+            return Vec::new();
+        };
+        let document = &self.analysis.document;
+        let all = document.items.iter().filter_map(Item::record);
+        let all = all.filter(|r| r.kind == ty.kind && own != other);
+        all.filter_map(|record| {
+            let values = document.values(record);
+            let is = |i: usize, id: u32| values.get(i) == Some(&f64::from(id));
+            let is_meant = is(other, id) && (is(own, 0) || is(own, id)) || is(own, id);
+            let token = document.params(record).nth(own).filter(|_| is_meant)?;
+            Some((record.id, token.span()))
+        })
+        .collect()
+    }
+}
+
+fn edit(span: Span, id: u32) -> Edit {
+    Edit {
+        span,
+        text: id.to_string(),
+    }
+}
