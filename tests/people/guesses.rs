@@ -174,3 +174,23 @@ fn words_and_angles_are_what_they_say() {
     assert_eq!(first(text, Code::E006), text.replace("koule", "11"));
     assert_eq!(fixed(text, true), "2 11 0 1 0 1.5\n1 9999 2 0\n");
 }
+
+#[test]
+fn a_material_may_be_that_of_the_only_object_without_one() {
+    let property = |line: &str, assigned: &str| {
+        let text = format!("2 9 1\n{line}\n1 9999 2 0\n");
+        let meant = format!("2 9 1\n{line}\n{assigned}\n1 9999 2 0\n");
+        assert_eq!(fixed(&text, true), meant);
+        assert_eq!(fixed(&text, false), text);
+    };
+    property("3 -201 1 0 0", "2 -299 0 3");
+    property("3 -701 1 0 0 # red #", "2 -299 3 0");
+    // It may be either's, and what a union has is its parts', too.
+    for text in [
+        "2 9 1\n4 9 2\n5 -101 2 4\n3 -201 1 0 0\n1 9999 5 0\n",
+        "2 9 1\n4 -104 2\n3 -201 1 0 0\n6 -201 0 1 0\n4 -299 0 6\n1 9999 4 0\n",
+        "2 9 1\n3 -201 1 0 0\n6 -201 0 1 0\n1 9999 2 0\n",
+    ] {
+        assert_eq!(fixed(text, true), text);
+    }
+}

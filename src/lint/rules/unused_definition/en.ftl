@@ -1,6 +1,7 @@
 W310 = the { $type } { $id } is never used
     .label = nothing that is drawn has it
     .help = assign it with `ID -299 TEXTURE OPTICS`, or remove it
+    .fix = assign it: add { $text }
 W310-object = the { $type } { $id } is not part of what is drawn
     .label = nothing that is drawn is made of it
     .help = join it to the scene with a union, or remove it

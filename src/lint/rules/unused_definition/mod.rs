@@ -1,5 +1,7 @@
 //! W310: something that is defined and not needed for the picture.
 
+mod assign;
+
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::scene::Entity;
@@ -37,15 +39,25 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             }
         }
     }
+    let mut properties = Vec::new();
     // A placeholder and its later definition share an ID. The finding points at the later one.
     for entity in context.scene.entities.iter().rev() {
         let Some(number) = context.scene.ids.get(entity.id) else {
             continue;
         };
         let known = std::mem::replace(&mut all[number as usize], DECIDED);
-        if known & (SOUND | USED | HELD | DECIDED) == SOUND {
-            out.extend(finding(context, entity));
+        if known & (SOUND | USED | HELD | DECIDED) == SOUND
+            && let Some(finding) = finding(context, entity)
+        {
+            let at = out.len();
+            properties.extend(finding.case.is_empty().then_some((at, entity)));
+            out.push(finding);
         }
+    }
+    if let [(at, property)] = properties[..] {
+        out[at]
+            .fixes
+            .extend(assign::to_the_only_one(context, property));
     }
 }
 
