@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 
 use super::lexer::{Token, TokenKind};
 use super::recovery::LEAST_HEAD as LEAST_OF_SCENES;
-use super::table::{RecordKind, RecordType};
+use super::table::{RECORD_TYPES, RecordKind, RecordType};
 use super::words;
 
 /// What the lines of a text begin with.
@@ -18,8 +18,8 @@ pub struct SceneLines {
     pub typed: usize,
     /// Whether a render record is among them, with its ID.
     pub is_drawn: bool,
-    /// Those of which only the minus of such a type is lost.
-    unsigned: usize,
+    /// Those of which only the minus of such a type is lost, or a digit of it wrong.
+    slipped: usize,
     /// Those with an ID, the name of a type, and numbers.
     pub worded: usize,
     /// How many numbers are on lines with an ID and a type: a number whose sign may be lost or a dash, or a name.
@@ -55,11 +55,19 @@ impl SceneLines {
             };
             let (plain, signed) = (RecordType::by_code(code), RecordType::by_code(-code));
             has_type |= i == 1 && (plain.is_some() || signed.is_some());
+            if i == 1 && plain.is_none() && signed.is_none() {
+                let code = if dashed.is_some() { -code } else { code };
+                let is_first = line.clone().next().is_some_and(|t| t.text(text) == "1");
+                let is_near = is_nearly_a_type(code, count - 2, is_first);
+                has_type |= is_near;
+                self.slipped += usize::from(is_near);
+                continue;
+            }
             let is_drawn = plain.is_some_and(|ty| ty.kind == RecordKind::Render);
             let is_typed = match signed.filter(|ty| ty.code <= LEAST_OF_SCENES) {
                 Some(_) if dashed.is_some() => true,
                 Some(ty) => {
-                    self.unsigned += usize::from(i + 1 + ty.params.len() == count);
+                    self.slipped += usize::from(i + 1 + ty.params.len() == count);
                     false
                 }
                 None => is_drawn && dashed.is_none() && count > 2,
@@ -74,12 +82,27 @@ impl SceneLines {
     }
 
     /// How many numbers are on lines with the head of a record; `None` where no line begins as those of scenes alone do.
-    /// Types without their signs count for that where one line in five has one, and so do names of types.
+    /// Types without their signs or with a wrong digit count for that where one line in five has one, and so do names of
+    /// types.
     pub fn headed(&self) -> Option<usize> {
         let are_many = |n: usize| n > 1 && 5 * n >= self.all;
-        let are_of_scene = self.typed > 0 || are_many(self.unsigned) || are_many(self.worded);
+        let are_of_scene = self.typed > 0 || are_many(self.slipped) || are_many(self.worded);
         are_of_scene.then_some(self.numbers)
     }
+}
+
+/// Whether a number is the type of a record of so many parameters but for a digit, and `is_first` whether its ID is 1.
+/// Hardly a table has such numbers.
+fn is_nearly_a_type(code: i64, params: usize, is_first: bool) -> bool {
+    let is_of_scenes = |ty: &&RecordType| match ty.kind {
+        RecordKind::Render => is_first,
+        _ => ty.code <= LEAST_OF_SCENES && !is_first,
+    };
+    let written = code.to_string();
+    let fitting = RECORD_TYPES.iter().filter(|ty| ty.params.len() == params);
+    code.abs() >= i64::from(-LEAST_OF_SCENES)
+        && (fitting.filter(is_of_scenes))
+            .any(|ty| strsim::osa_distance(&ty.code.to_string(), &written) == 1)
 }
 
 /// Which words are names of types. A text may have millions of others, of which not all are looked up.

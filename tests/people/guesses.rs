@@ -176,6 +176,14 @@ fn words_and_angles_are_what_they_say() {
 }
 
 #[test]
+fn two_types_with_a_wrong_digit_are_in_a_scene() {
+    let text = "2 11 0 1 0 1\n50 -404 0.9\n1 999 2 0\n";
+    assert!(read(text).is_scene());
+    let table = "2 11 0 1 0 1\n50 -444 0.9\n1 777 2 0\n";
+    assert!(!read(table).is_scene());
+}
+
+#[test]
 fn a_material_may_be_that_of_the_only_object_without_one() {
     let property = |line: &str, assigned: &str| {
         let text = format!("2 9 1\n{line}\n1 9999 2 0\n");
