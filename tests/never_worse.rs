@@ -185,14 +185,16 @@ fn no_file_has_more_errors_after_its_fixes() {
                 key.map_or_else(|| none.clone(), |k| all[k].clone())
             };
             let (old, new) = (of(&before), of(&after));
-            // On a line that is as it was there is nothing new.
+            // On a line that is as it was there is nothing new, but that an ID is defined twice, which a record that could
+            // not be read may have hidden.
             let lines: Vec<&str> = text.split('\n').map(str::trim).collect();
             let count = |all: &[(String, String)], e: &(String, String)| {
                 all.iter().filter(|o| *o == e).count()
             };
             let anew = new
                 .iter()
-                .any(|e| lines.contains(&e.1.as_str()) && count(&new, e) > count(&old, e));
+                .filter(|e| e.0 != "E102" && lines.contains(&e.1.as_str()))
+                .any(|e| count(&new, e) > count(&old, e));
             if new.len() > old.len() || anew {
                 wrong += &format!("{name}: {old:?}, then {new:?}\n{text}\n→\n{now}\n");
             }

@@ -52,12 +52,12 @@ const CZECH: &[(&str, &str)] = &[
 const ENDINGS: [&str; 3] = ["a", "y", "e"];
 
 /// Red, green and blue of a name in sRGB, from 0 to 255.
-pub fn colour(word: &str) -> Option<[u8; 3]> {
+pub fn colour(written: &str) -> Option<[u8; 3]> {
     // `světlomodrá` is `světle modrá`.
-    let word = plain(word)
+    let word = plain(written)
         .replacen("svetlo", "svetle", 1)
         .replacen("tmavo", "tmave", 1);
-    of_function(&word)
+    of_function(&written.to_lowercase())
         .or_else(|| named(&word))
         .or_else(|| named(&meant(&word)?))
 }

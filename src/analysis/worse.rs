@@ -27,7 +27,7 @@ pub fn weight(analysis: &Analysis) -> Vec<usize> {
 
 /// Whether there is an error on a line that is as it was, which it did not have. On a line that was
 /// changed there may be one in place of another that hid it, and so there may on a line that names the ID of a record
-/// which could not be read: that ID may be defined twice, or be of another kind.
+/// which could not be read: that ID may be defined twice.
 pub fn has_new_errors(before: &Analysis, after: &Analysis) -> bool {
     let mut numbers: FxHashMap<&str, usize> = FxHashMap::default();
     let before_lines = lines(before).map(|line| {
@@ -40,8 +40,9 @@ pub fn has_new_errors(before: &Analysis, after: &Analysis) -> bool {
         .collect();
     let old = errors(before, &before_lines);
     let new = errors(after, &after_lines).into_iter();
-    let mut more = (new.filter(|(error, count)| old.get(error).is_none_or(|old| count > old)))
-        .map(|((_, line), _)| line)
+    let mut more = new
+        .filter(|(error, count)| old.get(error).is_none_or(|old| count > old))
+        .map(|(error, _)| error)
         .peekable();
     if more.peek().is_none() {
         return false;
@@ -51,7 +52,7 @@ pub fn has_new_errors(before: &Analysis, after: &Analysis) -> bool {
     for (i, number) in before_lines.iter().enumerate() {
         of_number[number.unwrap_or_default()] = i;
     }
-    more.any(|line| !names(before, of_number[line], &hidden))
+    more.any(|(code, line)| code != Code::E102 || !names(before, of_number[line], &hidden))
 }
 
 /// The IDs of records that cannot be read.
