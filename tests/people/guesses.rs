@@ -153,7 +153,7 @@ fn words_and_angles_are_what_they_say() {
         ("2 -2 pi/2 3", Code::E012, "2 -2 90 3"),
         ("2 -2 PI/4 1", Code::E012, "2 -2 45 1"),
         ("2 -2 -π/2 1", Code::E012, "2 -2 -90 1"),
-        ("2 -2 2*pi/3 1", Code::E012, "2 -2 120 1"),
+        ("2 -2 2*pi/3 1", Code::E003, "2 -2 120 1"),
         // What is wrong with the ID comes to light when the axis is right.
         ("22 -2 90 y", Code::E012, "22 -2 90 2"),
     ] {
