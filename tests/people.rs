@@ -6,6 +6,7 @@ mod commas;
 mod guesses;
 mod meant;
 mod messages;
+mod newcomers;
 mod order;
 mod rules;
 mod scenes;

@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::Analysis;
 use super::repair;
 use super::worse::{harms, has_new_errors, weight};
-use crate::diagnostics::{Applicability, Diagnostic, Edit, Fix, SourceFile, fixes};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, SourceFile, fixes};
 use crate::lint;
 use crate::syntax::{preserved, recognise};
 
@@ -40,6 +40,7 @@ pub fn to_fixed_point(
         (REFUSED_BYTES / analysis.source.text.len().max(1)).clamp(REFUSED.start, REFUSED.end);
     let (mut count, mut rounds) = (0, Vec::new());
     let mut guessed = false;
+    let unseen = analysis.findings().iter().any(|d| d.code == Code::W324);
     // Errors first: what they hid is weighed against what there is then.
     let of = |analysis: &Analysis, errors: bool, guessed: bool| -> Vec<Fix> {
         // Nothing has to be tried for fixes that are certain.
@@ -55,9 +56,13 @@ pub fn to_fixed_point(
         let is_asked = |d: &&Diagnostic| {
             d.is_error() == errors && !(guessed && lint::takes_records_out(d.code))
         };
-        let all = findings.iter().filter(is_asked);
-        all.filter_map(|d| d.applicable_fix(unsafe_too).cloned())
-            .collect()
+        let all = findings.iter().filter(is_asked).filter_map(|d| {
+            let fix = d.applicable_fix(unsafe_too)?;
+            // What a guess has moved out of view is no reason to turn a camera that was right.
+            let follows = guessed && d.code == Code::W324 && !unseen;
+            (!follows).then(|| fix.clone())
+        });
+        all.collect()
     };
     let mut next = |analysis: &Analysis, guessed: bool| {
         [true, false].into_iter().find_map(|errors| {

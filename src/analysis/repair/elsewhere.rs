@@ -59,11 +59,8 @@ fn taking(analysis: &Analysis) -> impl Iterator<Item = Suspect> {
 
 /// Copies of what is no object, where something else is asked of at least two references to them.
 fn copies(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
-    let id = |d: &Diagnostic| match d.values.iter().find(|v| v.0 == "id") {
-        Some((_, Value::Text(text))) if d.code == Code::E103 => text.parse::<u32>().ok(),
-        _ => None,
-    };
-    let mut named: Vec<u32> = findings.iter().filter_map(id).collect();
+    let misused = findings.iter().filter(|d| d.code == Code::E103);
+    let mut named: Vec<u32> = misused.filter_map(super::named).collect();
     named.sort_unstable();
     let twice = named.chunk_by(|a, b| a == b).filter(|c| c.len() > 1);
     let is_copy = |record: &&Record| record.kind == RecordKind::Copy;

@@ -421,15 +421,19 @@ fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &Place) {
     }
 }
 
-/// The IDs that are used and defined nowhere, the first ones.
-fn undefined(findings: &[Diagnostic]) -> Vec<u32> {
-    let id = |d: &Diagnostic| match d.values.iter().find(|v| v.0 == "id") {
+/// The ID that a finding speaks of.
+fn named(d: &Diagnostic) -> Option<u32> {
+    match d.values.iter().find(|v| v.0 == "id") {
         Some((_, Value::Text(text))) => text.parse().ok(),
         _ => None,
-    };
+    }
+}
+
+/// The IDs that are used and defined nowhere, the first ones.
+fn undefined(findings: &[Diagnostic]) -> Vec<u32> {
     let mut all: Vec<u32> = (findings.iter())
         .filter(|d| d.code == Code::E101)
-        .filter_map(id)
+        .filter_map(named)
         .take(TRIALS)
         .collect();
     all.sort_unstable();

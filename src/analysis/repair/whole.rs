@@ -24,6 +24,9 @@ pub const ALL: [Find; 4] = [dashes, minus, scenes, reserved];
 /// So many records make a habit.
 const MANY: usize = 3;
 
+/// So many IDs that are used as what they are not are looked at.
+const MISUSED: usize = 8;
+
 /// Whether a finding is one of these.
 pub fn is_of_many(d: &Diagnostic) -> bool {
     let is_moved = d.code == Code::E107 && !d.fixes.is_empty();
@@ -189,9 +192,10 @@ fn largest(analysis: &Analysis) -> u32 {
 fn reserved(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let is_other = |d: &&Diagnostic| d.code == Code::E105 && d.case == "other";
     let first = findings.iter().find(is_other)?.clone();
-    // What is used and defined nowhere may be just that object.
-    let new = match super::undefined(findings)[..] {
-        [id] => id,
+    // What is used and defined nowhere may be just that object, or what is used as an object and is a colour only.
+    let (undefined, misused) = (super::undefined(findings), misused(analysis, findings));
+    let new = match (&undefined[..], &misused[..]) {
+        (&[id], _) | ([], &[id]) => id,
         _ => largest(analysis).checked_add(1)?.max(2),
     };
     let new = new.to_string();
@@ -207,6 +211,8 @@ fn reserved(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
         edits.extend(named.map(|r| edit(r.0.span(), new.clone())));
         spans.extend(edits[before..].iter().map(|e| e.span));
     }
+    let is_explained = |d: &&Diagnostic| super::named(d).is_some_and(|id| id.to_string() == new);
+    spans.extend((findings.iter().filter(is_explained)).map(|d| d.span));
     let mut finding = first.fix(Fix {
         title: "fix",
         values: vec![("number", new.into())],
@@ -215,6 +221,24 @@ fn reserved(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     });
     finding.case = "objects";
     Some(Matter { finding, spans })
+}
+
+/// The IDs that are used as objects, and that only a colour defines, which would have changed an object.
+fn misused(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<u32> {
+    let is_misused = |d: &&Diagnostic| d.code == Code::E103;
+    let mut all: Vec<u32> = (findings.iter().filter(is_misused))
+        .filter_map(super::named)
+        .take(MISUSED)
+        .collect();
+    all.sort_unstable();
+    all.dedup();
+    all.retain(|&id| {
+        let defining = records(analysis).filter(|r| r.id == id);
+        let mut effects = defining.map(|r| r.ty().effect);
+        let all_may_change = !effects.any(|effect| matches!(effect, Effect::Defines(_)));
+        all_may_change && analysis.definition(id).is_some()
+    });
+    all
 }
 
 /// Two scenes one behind the other: what follows the first render record is a scene by itself.

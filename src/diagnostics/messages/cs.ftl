@@ -121,6 +121,7 @@ fix-cylinder = napsat { $text } ({ $type })
 fix-point = je-li { $text } bod, na který se má kamera dívat, napsat { $number }: směr je tento bod minus poloha kamery
 fix-look-at = je-li { $text } bod, na který se má kamera dívat, napsat směr { $way } (tento bod minus poloha kamery) a vektor „nahoru“ { $number }
 fix-parts = napsat to jako několik záznamů po dvou objektech ({ $type })
+fix-turns = napsat pro každou osu jedno otočení, nejdřív kolem x
 fix-up = napsat vektor „nahoru“ { $number }
 fix-free-id = dát záznamu ID { $number }
 fix-own-id = dát záznamu ID { $number } a napsat ho i v přiřazení ({ $text })

@@ -114,6 +114,7 @@ fix-cylinder = write the { $type } { $text }
 fix-point = if { $text } is the point to look at, write { $number }: a direction is that point minus the position
 fix-look-at = if { $text } is the point to look at, write the direction { $way } (that point minus the position) and the up vector { $number }
 fix-parts = write it as several records ({ $type }) of two objects each
+fix-turns = write one rotation for each axis, about x first
 fix-up = write the up vector { $number }
 fix-free-id = give it the ID { $number }
 fix-own-id = give it the ID { $number }, and write that in { $count ->

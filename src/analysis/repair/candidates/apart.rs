@@ -132,7 +132,8 @@ impl Place<'_> {
             x.is_some_and(|x| (0.0..=1.0).contains(&x))
         };
         if ty.family != Family::Light {
-            return None;
+            // A shape of sizes alone has no place of its own: either may be meant, and one makes more sense.
+            return ty.vectors.is_empty().then_some(Order::Either);
         }
         match (is_intensity(params.first()), is_intensity(params.last())) {
             (false, true) => Some(Order::PlaceFirst),

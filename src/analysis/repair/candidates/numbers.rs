@@ -8,23 +8,31 @@ use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
 
 impl Place<'_> {
-    /// A rotation with an angle for each axis, as other programs have it, of which all but one are 0.
+    /// A rotation with an angle for each axis, as other programs have it: one about each axis whose angle is not 0, about
+    /// x first.
     pub(super) fn angles(&self) -> Option<Candidate> {
-        let turns = self.ty()?.kind == RecordKind::Rotation;
-        if let (&[_, _, _, _], true) = (self.params(), turns) {
+        let ty = self.ty().filter(|ty| ty.kind == RecordKind::Rotation)?;
+        if self.params().len() == 4 {
             return self.about_vector();
         }
         let [first, _, last] = *self.params() else {
             return None;
         };
-        let is_angle = |t: &&Token| t.number(self.text).is_some_and(|x| x != 0.0);
-        let all = || (1..).zip(self.params());
-        let (axis, angle) = all().find(|(_, t)| is_angle(t)).filter(|_| turns)?;
-        let is_one = all().all(|(i, t)| i == axis || t.number(self.text) == Some(0.0));
-        let text = format!("{} {axis}", angle.text(self.text));
+        let mut turns = Vec::new();
+        for (axis, t) in (1..).zip(self.params()) {
+            if t.number(self.text)? != 0.0 {
+                turns.push(format!("{} {axis}", t.text(self.text)));
+            }
+        }
+        let title = match turns.len() {
+            0 => return None,
+            1 => "fix-write",
+            _ => "fix-turns",
+        };
+        let text = turns.join(&format!("\n{} {} ", self.id()?, ty.code));
         let span = Span::new(first.start, last.end());
-        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
-        is_one.then(|| Candidate {
+        let fix = Fix::replace(title, Applicability::Unsafe, span, text.clone());
+        Some(Candidate {
             habit: Habit::Doubled,
             fix: fix.with("number", quote(&text)),
             ty: None,

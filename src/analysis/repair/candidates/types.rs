@@ -18,7 +18,8 @@ const OFTEN: &[i32] = &[
     16,
 ];
 
-/// Records that people take for each other, by the numbers they have; the first is written in place of the others.
+/// Records that people take for each other, by the numbers they have; the first is written in place of the others. No
+/// transformation is meant as one of another kind.
 const SIBLINGS: &[(i32, &[i32])] = &[
     (9, &[11, 10, 13]),
     (10, &[9, 11]),
@@ -32,7 +33,7 @@ const SIBLINGS: &[(i32, &[i32])] = &[
     (1, &[2]),
     (2, &[1]),
     (12, &[5, 11]),
-    (-2, &[-1, -4]),
+    (-2, &[-4]),
     (-4, &[-2]),
     (-101, &[-104, -105]),
     (-103, &[-104]),
