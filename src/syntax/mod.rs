@@ -49,3 +49,4 @@ pub use captions::Captions;
 pub use directive::is_directive;
 pub use parser::parse;
 pub use quote::quote;
+pub use recovery::LEAST_HEAD;

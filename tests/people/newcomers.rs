@@ -1,7 +1,8 @@
 //! What somebody writes who knows POV-Ray, or has lost a number or the order of two: all guesses together make the
 //! scene that was meant.
 
-use zpg::analysis::{Analysis, fixing};
+use zpg::analysis::{Analysis, fixing, repair};
+use zpg::diagnostics::{Code, fixes};
 
 use super::read;
 
@@ -31,11 +32,164 @@ const BEFORE: &[(&str, &str)] = &[
     ),
     ("2 14 0 1 0 0.5 0.15\n", "2 14 0.5 0.15\n2 -1 0 1 0\n"),
     ("2 10 0 1 0 0.5 0.6 0.7\n", "2 10 0.5 0.6 0.7\n2 -1 0 1 0\n"),
+    // ID and type swapped.
+    ("12 2 -1 -1 -1 1 1 1\n", "2 12 -1 -1 -1 1 1 1\n"),
+    ("14 2 1 0.3\n", "2 14 1 0.3\n"),
     (
         "2 14 0.5 0.15 1.3 1.5 -3\n",
         "2 14 0.5 0.15\n2 -1 1.3 1.5 -3\n",
     ),
 ];
+
+/// The same behind a ball, which is drawn.
+const BEHIND: &[(&str, &str)] = &[
+    // A colour that is used, with ID and type swapped.
+    (
+        "-701 14 0.1 0.1 0.2\n2 -299 14 0\n",
+        "14 -701 0.1 0.1 0.2\n2 -299 14 0\n",
+    ),
+    // A space in the type, or a typing error.
+    ("2 -7 01 0.9 0.1 0.1\n", "2 -701 0.9 0.1 0.1\n"),
+    ("3 -702 1 0 0\n2 -299 3 0\n", "3 -701 1 0 0\n2 -299 3 0\n"),
+    // The name of a type behind its number, or in its place.
+    ("2 -701 rgb 1 0 0\n", "2 -701 1 0 0\n"),
+    ("2 -701 rgb <1,0,0>\n", "2 -701 1 0 0\n"),
+    ("2 -701 color red\n", "2 -701 1 0 0\n"),
+    ("2 color red\n", "2 -701 1 0 0\n"),
+    ("2 barva červená\n", "2 -701 1 0 0\n"),
+    ("2 pigment 1 0 0\n", "2 -701 1 0 0\n"),
+    // A keyword before the ID.
+    ("translate 2 -1.3 1.15 0\n", "2 -1 -1.3 1.15 0\n"),
+    ("posun 2 -1.3 1.15 0\n", "2 -1 -1.3 1.15 0\n"),
+    // Per cent.
+    (
+        "35 -201 80 20 0\n2 -299 0 35\n",
+        "35 -201 0.8 0.2 0\n2 -299 0 35\n",
+    ),
+    (
+        "35 -201 62.5 5 0\n2 -299 0 35\n",
+        "35 -201 0.625 0.05 0\n2 -299 0 35\n",
+    ),
+];
+
+/// Lines of the rest: what is there, what is written, and what was meant.
+const INSTEAD: &[(&str, &str, &str)] = &[
+    ("1 9999 2 0", "render 2 0", "1 9999 2 0"),
+    ("1 9999 2 0", "render 2", "1 9999 2 0"),
+    (
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+        "9 camera <0,3,8> <0,1,0> 45",
+        "9 -501 0 3 8 0 -2 -8 0 1 0 45",
+    ),
+    (
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+        "9 -501 0 0 6 0 0 -1 0 1 0",
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+    ),
+    (
+        "50 -402 1\n50 -1 3 5 5",
+        "50 light <5,8,6> 0.8",
+        "50 -402 0.8\n50 -1 5 8 6",
+    ),
+    (
+        "50 -402 1\n50 -1 3 5 5",
+        "50 light_source <5,8,6> 0.8",
+        "50 -402 0.8\n50 -1 5 8 6",
+    ),
+];
+
+/// What is drawn is joined with an object on a line of its own, the second of a scene.
+const JOINED: &[(&str, &str)] = &[
+    ("sphere 4 0 1.6 0 0.6", "4 11 0 1.6 0 0.6"),
+    ("koule 4 0 1.6 0 0.6", "4 11 0 1.6 0 0.6"),
+    ("sphere { <0,1.6,0>, 0.6 }", "4 11  0 1.6 0  0.6 "),
+    ("14 4 1 0.3", "4 14 1 0.3"),
+    // The ID is a type, too.
+    (
+        "4 11 0 1.6 0 0.6\n4 -710 0.9 0.1 0.1",
+        "4 11 0 1.6 0 0.6\n4 -701 0.9 0.1 0.1",
+    ),
+];
+
+#[test]
+fn lines_behind_what_is_drawn() {
+    for (written, meant) in BEHIND {
+        let ball = "2 9 1\n";
+        assert_eq!(
+            fixed(&format!("{ball}{written}{REST}")),
+            format!("{ball}{meant}{REST}")
+        );
+    }
+}
+
+#[test]
+fn lines_of_the_rest() {
+    for (old, written, meant) in INSTEAD {
+        let text = |new: &str| format!("2 9 1\n{}", REST.replace(old, new));
+        assert_eq!(fixed(&text(written)), text(meant));
+    }
+}
+
+fn joined(line: &str) -> String {
+    let rest = REST.replace("9999 2", "9999 7");
+    format!("2 9 1\n{line}\n7 -101 2 4\n{rest}")
+}
+
+#[test]
+fn objects_with_a_damaged_beginning() {
+    for (written, meant) in JOINED {
+        assert_eq!(fixed(&joined(written)), joined(meant));
+    }
+    let merged = joined("4 11 0 1.6 0 0.6");
+    assert_eq!(fixed(&merged.replace("7 -101", "7 merge")), merged);
+}
+
+/// A sphere that has lost a number is no half-space that has lost its ID.
+#[test]
+fn an_id_that_is_a_type_and_a_number_that_is_lost() {
+    let text = joined("4 11 0 1.6 0.6\n4 -701 1 0 0");
+    let all = repair::proposals(&read(&text));
+    let errors: Vec<Code> = (all.iter().filter(|d| d.is_error()))
+        .map(|d| d.code)
+        .collect();
+    assert_eq!(errors, [Code::E008]);
+    assert_eq!(fixed(&text), text);
+    // Where another ID is used and defined nowhere, it may be the lost one.
+    let lost = joined("11 0 1.6 0 0.6");
+    let all = repair::proposals(&read(&lost));
+    assert!(all.iter().any(|d| d.code == Code::E005), "{all:?}");
+}
+
+/// A minus that is lost in a box, or one too many, is proposed; a box may be meant as thin as nothing.
+#[test]
+fn the_minus_of_a_thin_box() {
+    for (written, meant) in [
+        ("2 12 -2 0 1 2 1 1", "2 12 -2 0 -1 2 1 1"),
+        ("2 12 -2 0 -1 2 1 -1", "2 12 -2 0 -1 2 1 1"),
+    ] {
+        let text = |line: &str| format!("{line}\n{REST}");
+        let all = repair::proposals(&read(&text(written)));
+        let thin = all.iter().find(|d| d.code == Code::W305).unwrap();
+        let (proposed, _) = fixes::apply(&text(written), thin.fixes.first().into_iter());
+        assert_eq!(proposed, text(meant));
+        assert_eq!(fixed(&text(written)), text(written));
+    }
+    let floor = read(&format!("2 12 -1 0 -1 1 0 1\n{REST}"));
+    assert!(floor.findings().iter().all(|d| d.fixes.is_empty()));
+}
+
+/// Names of types and colours are no comment.
+#[test]
+fn no_keyword_is_a_comment() {
+    for text in [
+        joined("sphere 4 0 1.6 0 0.6"),
+        joined("sphere { <0,1.6,0>, 0.6 }"),
+    ] {
+        let all = repair::proposals(&read(&text));
+        let mut titles = all.iter().flat_map(|d| &d.fixes).map(|f| f.title);
+        assert!(titles.all(|title| title != "fix-comment"), "{all:?}");
+    }
+}
 
 #[test]
 fn lines_before_the_rest_of_a_scene() {

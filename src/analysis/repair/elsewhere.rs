@@ -1,6 +1,8 @@
 //! Slips that show on other lines only: a record whose type takes up the numbers of the next lines, and a copy of
 //! something that is no object but is used as one.
 
+use rustc_hash::FxHashSet;
+
 use super::candidates::{Candidate, Habit, Place};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
@@ -24,6 +26,7 @@ const MOST: usize = 4;
 /// The lines that may be to blame for errors on others.
 pub fn suspects(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
     let mut all: Vec<Suspect> = taking(analysis).take(MOST).collect();
+    all.extend(exchanged(analysis, findings).into_iter().take(MOST));
     all.extend(copies(analysis, findings).into_iter().take(MOST));
     all
 }
@@ -55,6 +58,35 @@ fn taking(analysis: &Analysis) -> impl Iterator<Item = Suspect> {
                 least: 1,
             })
         })
+}
+
+/// Lines with ID and type in each other's place, where the ID is used and defined nowhere.
+fn exchanged(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
+    let undefined = super::undefined(findings);
+    if undefined.is_empty() {
+        return Vec::new();
+    }
+    let mut lines = FxHashSet::default();
+    let mut out = Vec::new();
+    for d in findings.iter().filter(|d| d.is_error()) {
+        let place = Place::both(analysis, d.span.start).into_iter().next();
+        let Some(place) = place.filter(|place| lines.insert(place.line().start)) else {
+            continue;
+        };
+        let Some((finding, candidate)) = place.exchange() else {
+            continue;
+        };
+        let id = candidate.fix.edits[0].text.parse();
+        if id.is_ok_and(|id| undefined.contains(&id)) {
+            out.push(Suspect {
+                finding,
+                candidates: vec![candidate],
+                misread: place.line(),
+                least: 2,
+            });
+        }
+    }
+    out
 }
 
 /// Copies of what is no object, where something else is asked of at least two references to them.

@@ -8,6 +8,7 @@
 mod candidates;
 mod characters;
 mod elsewhere;
+mod heads;
 mod judge;
 mod whole;
 
@@ -43,6 +44,7 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
         trials: TRIALS.min(TOKENS / tokens.max(1)),
     };
     if analysis.is_records() && engine.findings.iter().any(is_tried) {
+        heads::retell(engine.analysis, &mut engine.findings);
         engine.whole();
         engine.elsewhere();
         engine.lines();

@@ -158,7 +158,7 @@ fn edit(span: Span, text: impl Into<String>) -> Edit {
     }
 }
 
-fn records(analysis: &Analysis) -> impl Iterator<Item = &Record> {
+pub fn records(analysis: &Analysis) -> impl Iterator<Item = &Record> {
     analysis
         .document
         .items
@@ -170,7 +170,7 @@ fn records(analysis: &Analysis) -> impl Iterator<Item = &Record> {
 }
 
 /// The references of a record: their tokens and IDs.
-fn references<'a>(
+pub fn references<'a>(
     analysis: &'a Analysis,
     record: &'a Record,
 ) -> impl Iterator<Item = (Token, i64)> {

@@ -25,15 +25,16 @@ impl Place<'_> {
     /// The type may have lost its minus, too.
     pub(super) fn apart(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let is_better = |c: &Candidate| matches!(c.habit, Habit::Doubled | Habit::Sibling);
-        let (Some(code), Some(id)) = (self.int(1), self.id()) else {
+        let Some(id) = self.id() else {
             return;
         };
         let is_surplus = matches!(finding.code, Code::E007 | Code::E009);
         if !is_surplus || out.iter().any(is_better) {
             return;
         }
-        let lost = code.checked_neg().and_then(RecordType::by_code);
-        let (ty, habit) = match (RecordType::by_code(code), lost) {
+        let lost = self.int(1).and_then(i64::checked_neg);
+        let (ty, habit) = match (self.ty(), lost.and_then(RecordType::by_code)) {
+            (Some(ty), _) if self.named.is_some() => (ty, Habit::Word),
             (Some(ty), _) => (ty, Habit::Apart),
             (None, Some(ty)) => (ty, Habit::Sign),
             (None, None) => return,
@@ -172,25 +173,6 @@ impl Place<'_> {
             fix,
             ty: None,
         })
-    }
-
-    /// A shape by its name, with its place before its numbers: `torus <0, 1, 0> 2 1`.
-    pub(super) fn placed(
-        &self,
-        word: Span,
-        ty: &'static RecordType,
-        params: &[Token],
-    ) -> Option<Candidate> {
-        let (place, own) = params.split_at_checked(OWN)?;
-        let is_one = ty.family == Family::Shape && !ty.is_counted() && own.len() == ty.params.len();
-        let id = self.id().filter(|_| is_one)?;
-        let translation = RecordType::of(RecordKind::Translation);
-        let (place_text, own_text) = (self.spaced(place)?, self.spaced(own)?);
-        let edit = |span: Span, text: String| Edit { span, text };
-        let span = place[0].span().to(own[own.len() - 1].span());
-        let moved = format!("{own_text}\n{id} {} {place_text}", translation.code);
-        let edits = vec![edit(word, ty.code.to_string()), edit(span, moved)];
-        self.records_apart(ty, &[translation], Habit::Word, place, edits)
     }
 
     /// Whether numbers may be meant as records that follow what is defined.

@@ -1,7 +1,7 @@
 //! Where a camera looks, and which way is up.
 
 use super::{Candidate, Habit, Place};
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 use crate::geometry::array::{length, sub};
 use crate::lint::spelling::decimal;
 use crate::syntax::quote;
@@ -9,6 +9,8 @@ use crate::syntax::table::RecordKind;
 
 /// A direction of length 1 is written with so many digits at least.
 const ROUNDED: f64 = 1e-3;
+/// The angle of a camera that lacks it.
+const ANGLE: &str = "45";
 
 impl Place<'_> {
     /// The direction is the point that the camera looks at, or the up vector is along the direction.
@@ -72,6 +74,20 @@ impl Place<'_> {
         let is_unit = (length([dx, dy, dz]) - 1.0).abs() < ROUNDED;
         let habit = if is_unit { Habit::Direction } else { Habit::Up };
         out.push(candidate("fix-up", habit, text.clone(), up));
+    }
+
+    /// A camera without its angle, which is the last number: 45 degrees are what most have.
+    pub(super) fn without_angle(&self, finding: &Diagnostic) -> Option<Candidate> {
+        let ty = self.ty().filter(|ty| ty.kind == RecordKind::Camera)?;
+        let is_one = finding.code == Code::E008 && self.params().len() + 1 == ty.params.len();
+        let last = self.params().last().filter(|_| is_one)?;
+        let at = Span::new(last.end(), last.end());
+        Some(Candidate {
+            habit: Habit::Up,
+            fix: Fix::replace("fix-angle", Applicability::Unsafe, at, format!(" {ANGLE}"))
+                .with("number", quote(ANGLE)),
+            ty: None,
+        })
     }
 
     /// Three parameters written anew.

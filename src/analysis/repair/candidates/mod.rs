@@ -3,6 +3,7 @@
 mod apart;
 mod cameras;
 mod comments;
+mod heads;
 mod inline;
 mod numbers;
 mod own_id;
@@ -27,6 +28,10 @@ pub enum Habit {
     Characters,
     /// A word stands in the place of a type's number.
     Word,
+    /// The name of a type stands before the ID.
+    Keyword,
+    /// ID and type stand in each other's place.
+    Exchanged,
     /// A comment has no signs around it.
     Comment,
     /// A profile says another number of points than it has.
@@ -74,9 +79,10 @@ impl Habit {
             Habit::Sign => matches!(finding.code, E007 | E103),
             Habit::Characters => matches!(
                 finding.code,
-                E001 | E002 | E003 | E004 | E006 | E010 | E011 | E012
+                E001 | E002 | E003 | E004 | E006 | E007 | E010 | E011 | E012
             ),
-            Habit::Word => finding.code == E006,
+            Habit::Exchanged => finding.case == "exchanged",
+            Habit::Word | Habit::Keyword => finding.code == E006,
             Habit::Comment => matches!(finding.code, E001 | E002 | E003 | E007 | E009 | E012),
             Habit::Doubled | Habit::Sibling => matches!(finding.code, E008 | E009),
             Habit::Apart => matches!(finding.code, E003 | E007 | E008 | E009 | E012 | E101),
@@ -116,6 +122,8 @@ pub struct Place<'a> {
     all: &'a [Token],
     /// The significant tokens of the record that begins the line, else of the line.
     tokens: Vec<Token>,
+    /// The type, where a word stands in its place.
+    named: Option<&'static RecordType>,
 }
 
 impl<'a> Place<'a> {
@@ -162,6 +170,7 @@ impl<'a> Place<'a> {
             line: Span::new(all[head].start, end),
             all,
             tokens,
+            named: None,
         })
     }
 
@@ -177,12 +186,12 @@ impl<'a> Place<'a> {
         self.tokens.get(2..).unwrap_or(&[])
     }
 
-    fn id(&self) -> Option<u32> {
+    pub fn id(&self) -> Option<u32> {
         u32::try_from(self.int(0)?).ok().filter(|&id| id > 0)
     }
 
     fn ty(&self) -> Option<&'static RecordType> {
-        RecordType::by_code(self.int(1)?)
+        self.named.or_else(|| RecordType::by_code(self.int(1)?))
     }
 
     /// Whether it makes an object of others.
@@ -238,6 +247,9 @@ impl<'a> Place<'a> {
         let mut out = Vec::new();
         if finding.is_error() {
             self.characters(&mut out);
+            out.extend(self.torn_type());
+            out.extend(self.own_name());
+            self.keyword(&mut out);
             self.spaced_name(&mut out);
             self.words(&mut out);
             self.axis(&mut out);
@@ -247,12 +259,14 @@ impl<'a> Place<'a> {
             self.doubled(&mut out);
             self.surplus(finding, &mut out);
             out.extend(self.angles());
+            out.extend(self.per_cent(finding));
             out.extend(self.operands(&[undefined, taken].concat()));
             self.siblings(&mut out);
             self.apart(finding, &mut out);
             self.inline(&[undefined, taken].concat(), &mut out);
             self.camera(finding, &mut out);
             self.without_up(finding, &mut out);
+            out.extend(self.without_angle(finding));
             self.types(finding, &mut out);
             self.arranged(&mut out);
             self.references(finding, &mut out);
@@ -264,8 +278,12 @@ impl<'a> Place<'a> {
         } else if finding.code == Code::W319 {
             self.swapped(&mut out);
         }
-        if out.iter().any(|c| inline::is_inline(&c.fix)) {
-            // Colours are no comment.
+        let is_keyword = |c: &Candidate| c.habit == Habit::Keyword;
+        if out
+            .iter()
+            .any(|c| inline::is_inline(&c.fix) || is_keyword(c))
+        {
+            // Colours are no comment, nor is the name of a type before numbers.
             out.retain(|c| c.habit != Habit::Comment);
         }
         out.iter_mut().for_each(|c| self.drop_separators(c));
@@ -294,7 +312,8 @@ impl<'a> Place<'a> {
             Habit::Sign => with_type(Diagnostic::new(Code::E007, edit.span).case("sign")),
             Habit::NoType => with_type(Diagnostic::new(Code::E006, edit.span).case("lost")),
             Habit::Characters => Some(Diagnostic::new(Code::E003, edit.span).with("text", written)),
-            Habit::Word => {
+            Habit::Exchanged => Some(self.exchange()?.0),
+            Habit::Word | Habit::Keyword => {
                 let d = Diagnostic::new(Code::E006, edit.span).case("word");
                 Some(d.with("text", written))
             }
@@ -327,7 +346,7 @@ impl<'a> Place<'a> {
         use Habit::*;
         let arranges = matches!(
             candidate.habit,
-            Apart | Doubled | Sibling | Word | Sign | Axis | Direction | Point | Count
+            Apart | Doubled | Sibling | Word | Keyword | Sign | Axis | Direction | Point | Count
         );
         if candidate.ty.is_some() || !arranges {
             return;

@@ -3,6 +3,7 @@
 use super::{Candidate, Habit, Place};
 use crate::analysis::repair::characters;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
+use crate::lint::spelling::decimal;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
@@ -37,6 +38,27 @@ impl Place<'_> {
             fix: fix.with("number", quote(&text)),
             ty: None,
         })
+    }
+
+    /// Parts of light in per cent.
+    pub(super) fn per_cent(&self, finding: &Diagnostic) -> Option<Candidate> {
+        let ty = self.ty().filter(|ty| self.fits(ty))?;
+        let is_parts = matches!(ty.kind, RecordKind::Optics | RecordKind::OpticsRgb);
+        if finding.code != Code::E206 || !is_parts {
+            return None;
+        }
+        let mut new = Vec::new();
+        for &t in self.params() {
+            let x = t.number(self.text)?;
+            let is_one = x == 0.0 || (1.0..=100.0).contains(&x);
+            let text = if x == 0.0 {
+                t.text(self.text).to_owned()
+            } else {
+                decimal(x / 100.0)
+            };
+            new.push((t, is_one.then_some(text)?));
+        }
+        self.write(Habit::Proposed, &new)
     }
 
     /// A rotation about an axis that is given as a vector, behind the angle or before it.

@@ -3,7 +3,7 @@
 use rustc_hash::FxHashSet;
 
 use super::{Candidate, Habit, MOST, Place};
-use crate::analysis::materials;
+use crate::analysis::{colours, materials};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::scene::names::references;
 use crate::syntax::Item;
@@ -66,6 +66,12 @@ impl Place<'_> {
         let Some(last) = count.checked_sub(1).map(|last| behind[last]) else {
             return;
         };
+        // The name of a colour is what a colour has for its numbers.
+        let is_colour = |t: &Token| colours::numbers(t.text(self.text)).is_some();
+        let (count, last) = match behind[..count] {
+            [.., before, last] if behind.len() == count && is_colour(&last) => (count - 1, before),
+            _ => (count, last),
+        };
         let span = behind[0].span().to(last.span());
         let params = &behind[count..];
         if words::is_cylinder(&self.text[span.range()]) {
@@ -95,7 +101,7 @@ impl Place<'_> {
         }));
         out.extend(self.material(span, params));
         if out.len() == start {
-            out.extend(named.iter().filter_map(|ty| self.placed(span, ty, params)));
+            out.extend(named.iter().flat_map(|ty| self.named(span, ty, params)));
         }
     }
 

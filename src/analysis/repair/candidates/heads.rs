@@ -1,0 +1,217 @@
+//! The beginning of a record: the name of a type before its ID, ID and type in each other's place, a type with a space in
+//! it, and its name behind it.
+
+use rustc_hash::FxHashSet;
+
+use super::{Candidate, Habit, Place};
+use crate::analysis::colours;
+use crate::analysis::repair::whole::{records, references};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
+use crate::syntax::LEAST_HEAD;
+use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::quote;
+use crate::syntax::table::{Effect, RecordKind, RecordType};
+use crate::syntax::words;
+
+/// The render record always has this ID.
+const RENDER: u32 = 1;
+
+impl Place<'_> {
+    /// The name of a type before all numbers, as other programs have it: `sphere 4 0 1 0 0.5`. Without an ID it gets the
+    /// only one that is undefined.
+    pub(super) fn keyword(&self, out: &mut Vec<Candidate>) {
+        let is_word = |t: &&Token| t.kind() == TokenKind::Word;
+        let count = self.tokens.iter().take_while(is_word).count();
+        let (named, rest) = self.tokens.split_at(count);
+        let (Some(first), Some(last)) = (named.first(), named.last()) else {
+            return;
+        };
+        let word = first.span().to(last.span());
+        for ty in words::types(&self.text[word.range()]) {
+            let edit = |span: Span, text: String| Edit { span, text };
+            let edits = match rest.split_first() {
+                _ if ty.kind == RecordKind::Render => {
+                    let mut edits = vec![edit(word, format!("{RENDER} {}", ty.code))];
+                    match rest {
+                        // Black is behind it.
+                        [root] => edits.push(edit(Span::new(root.end(), root.end()), " 0".into())),
+                        _ if self.fit(ty, rest) => {}
+                        _ => continue,
+                    }
+                    edits
+                }
+                Some((id, params)) if self.fit(ty, params) => {
+                    let Some(text) = id.integer(self.text).filter(|&id| id > 0) else {
+                        continue;
+                    };
+                    let code = ty.code.to_string();
+                    vec![edit(word, text.to_string()), edit(id.span(), code)]
+                }
+                _ if self.fit(ty, rest) && matches!(ty.effect, Effect::Defines(_)) => {
+                    let &[id] = &self.missing()[..] else {
+                        continue;
+                    };
+                    vec![edit(word, format!("{id} {}", ty.code))]
+                }
+                _ => continue,
+            };
+            out.push(self.beginning(Habit::Keyword, edits));
+        }
+    }
+
+    /// ID and type in each other's place, as a finding and what puts it right. The ID is used elsewhere.
+    pub fn exchange(&self) -> Option<(Diagnostic, Candidate)> {
+        let [ty, id] = [self.tokens.first()?, self.tokens.get(1)?];
+        let meant = RecordType::by_code(ty.integer(self.text)?)?;
+        let is_id = id
+            .integer(self.text)
+            .is_some_and(|id| id > i64::from(RENDER));
+        let is_right = self.ty().is_some_and(|ty| self.fits(ty)) && self.id().is_some();
+        if !is_id || is_right || !self.fits(meant) || meant.kind == RecordKind::Undefined {
+            return None;
+        }
+        let edit = |t: &Token, new: &Token| Edit {
+            span: t.span(),
+            text: new.text(self.text).to_owned(),
+        };
+        let edits = vec![edit(ty, id), edit(id, ty)];
+        let finding = Diagnostic::new(Code::E005, ty.span().to(id.span()))
+            .case("exchanged")
+            .with("text", quote(ty.text(self.text)))
+            .with("number", quote(id.text(self.text)));
+        Some((finding, self.beginning(Habit::Exchanged, edits)))
+    }
+
+    /// A type with a space in it: `-7 01`. Two positive numbers are rather a type and what follows it.
+    pub(super) fn torn_type(&self) -> Option<Candidate> {
+        let (first, second) = (self.tokens.get(1)?, self.tokens.get(2)?);
+        let span = first.span().to(second.span());
+        if self.ty().is_some_and(|ty| self.fits(ty)) || !second.kind().is_number() {
+            return None;
+        }
+        let between = Span::new(first.end(), second.start);
+        let is_space = self.text[between.range()].chars().all(|c| c == ' ');
+        let joined = format!("{}{}", first.text(self.text), second.text(self.text));
+        let ty = RecordType::by_code(joined.parse().ok()?).filter(|ty| is_space && ty.code < 0)?;
+        let mut candidate = self.write_type(Habit::Characters, ty);
+        candidate.fix.edits[0].span = span;
+        self.fit(ty, &self.tokens[3..]).then_some(candidate)
+    }
+
+    /// The name of the type behind its number, before the parameters: `-701 rgb 1 0 0`, `-701 color red`.
+    pub(super) fn own_name(&self) -> Option<Candidate> {
+        let ty = self.ty()?;
+        let is_name = |t: &&Token| {
+            let mut named = words::types(t.text(self.text)).into_iter();
+            t.kind() == TokenKind::Word && named.any(|n| n.code == ty.code)
+        };
+        let count = self.params().iter().take_while(is_name).count();
+        let (named, rest) = self.params().split_at(count);
+        let (first, last) = (named.first()?, rest.last()?);
+        let text = self.numbers_of(ty, rest)?;
+        let span = first.span().to(last.span());
+        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
+        Some(Candidate {
+            habit: Habit::Characters,
+            fix: fix.with("number", quote(&text)),
+            ty: None,
+        })
+    }
+
+    /// That a record has one number too few or too many.
+    pub fn one_off(&self) -> Option<Diagnostic> {
+        let ty = self.ty().filter(|ty| ty.kind != RecordKind::Undefined)?;
+        let is_one = self.params().len().abs_diff(self.wanted(ty)) == 1;
+        self.wrong_count().filter(|_| is_one)
+    }
+
+    /// That a type is none, if it is nothing else that scenes have.
+    pub fn odd_type(&self) -> Option<Diagnostic> {
+        let code = self.int(1).filter(|&code| code <= LEAST_HEAD.into())?;
+        let is_none = RecordType::by_code(code).is_none();
+        let d = Diagnostic::new(Code::E007, self.tokens[1].span())
+            .with("text", quote(&code.to_string()));
+        is_none.then_some(d)
+    }
+
+    /// The IDs that are referred to and defined nowhere, whatever is said of them.
+    fn missing(&self) -> Vec<u32> {
+        let entities = &self.analysis.scene.entities;
+        let named = records(self.analysis).flat_map(|r| references(self.analysis, r));
+        let mut all: Vec<u32> = named
+            .filter_map(|n| u32::try_from(n.1).ok())
+            .filter(|&id| id > RENDER)
+            .collect();
+        all.sort_unstable();
+        all.dedup();
+        let known: FxHashSet<u32> = entities.iter().map(|e| e.id).collect();
+        all.retain(|id| !known.contains(id));
+        all
+    }
+
+    /// The numbers of a record, of which those of a colour may be its name.
+    fn numbers_of(&self, ty: &RecordType, params: &[Token]) -> Option<String> {
+        match params {
+            [one] if ty.kind == RecordKind::Colour => colours::numbers(one.text(self.text)),
+            _ if self.fit(ty, params) => self.spaced(params),
+            _ => None,
+        }
+    }
+
+    /// The name of a type in its place, where its numbers have a slip of their own: a place that stands first, a camera
+    /// without its up vector.
+    pub(super) fn named(
+        &self,
+        word: Span,
+        ty: &'static RecordType,
+        params: &[Token],
+    ) -> Vec<Candidate> {
+        let code = Edit {
+            span: word,
+            text: ty.code.to_string(),
+        };
+        if let ([colour], RecordKind::Colour) = (params, ty.kind) {
+            let text = self.numbers_of(ty, params);
+            let numbers = text.map(|text| Edit {
+                span: colour.span(),
+                text,
+            });
+            let edits = numbers.map(|numbers| vec![code, numbers]);
+            return Vec::from_iter(edits.map(|edits| self.beginning(Habit::Word, edits)));
+        }
+        let word = Token::new(TokenKind::Word, word.start as usize, word.end as usize);
+        let place = Place {
+            tokens: [&[self.tokens[0], word], params].concat(),
+            named: Some(ty),
+            ..*self
+        };
+        let Some(finding) = place.wrong_count() else {
+            return Vec::new();
+        };
+        let mut out = Vec::from_iter(place.angles());
+        place.apart(&finding, &mut out);
+        place.without_up(&finding, &mut out);
+        for candidate in &mut out {
+            candidate.habit = Habit::Word;
+            candidate.fix.edits.insert(0, code.clone());
+        }
+        out
+    }
+
+    /// A candidate that shows how the record begins.
+    fn beginning(&self, habit: Habit, edits: Vec<Edit>) -> Candidate {
+        let shown: Vec<&str> = edits.iter().map(|e| e.text.trim()).collect();
+        let number = quote(&shown.join(" "));
+        let fix = Fix {
+            title: "fix-write",
+            values: vec![("number", number.into())],
+            applicability: Applicability::Unsafe,
+            edits,
+        };
+        Candidate {
+            habit,
+            fix,
+            ty: None,
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! Records that look as if their IDs were lost, since the ID is the number of a type, too: another number is wrong.
+
+use super::candidates::Place;
+use super::whole::{records, references};
+use crate::analysis::Analysis;
+use crate::diagnostics::{Code, Diagnostic};
+use crate::syntax::table::{Effect, RecordKind};
+
+/// Says of a record whose ID is that of something else in the scene what else is wrong with it.
+pub fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
+    let is_lost = |d: &Diagnostic| d.code == Code::E005 && d.case == "lost";
+    // The lost ID may be one of these.
+    let has_undefined = findings.iter().any(|d| d.code == Code::E101);
+    for d in findings.iter_mut().filter(|d| is_lost(d)) {
+        let places = Place::both(analysis, d.span.start);
+        let Some((place, id)) = places.first().and_then(|p| Some((p, p.id()?))) else {
+            continue;
+        };
+        let own = place.line();
+        let is_named = |id: u32| {
+            records(analysis).any(|r| {
+                let span = analysis.document.span(r.first, r.last);
+                let is_head = r.id == id && r.kind != RecordKind::Undefined;
+                let mut named = references(analysis, r);
+                !own.touches(span) && (is_head || named.any(|n| n.1 == i64::from(id)))
+            })
+        };
+        let is_defined = |id: u32| {
+            records(analysis).any(|r| r.id == id && matches!(r.ty().effect, Effect::Defines(_)))
+        };
+        if !is_named(id) {
+            continue;
+        }
+        let told = match has_undefined || is_defined(id) {
+            true => None,
+            false => place.one_off(),
+        };
+        if let Some(told) = told.or_else(|| place.odd_type()) {
+            *d = told;
+        }
+    }
+}
