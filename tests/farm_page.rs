@@ -98,7 +98,7 @@ fn the_commands_do_what_the_page_says() {
     let drawn = [
         &["pawns/submit.sh", "pawns/join.slurm"][..],
         &["job/job.yaml", "job/job-plain.yaml"],
-        &["two/out/pawns.png", "two/out/parts/pawns/8.png"],
+        &["two/out/pawns.png", "two/out/parts/pawns/8-of-8.png"],
         &["class/out/good.png", "class/out/sheet.html"],
         &[
             "orbit/out/pawns.0000.png",
