@@ -173,7 +173,6 @@ fn commands_that_read_take_it() {
     let records = "2 11 0 1 0 1\n2 -701 0.5 0.5 0.5\n50 -402 1\n50 -1 0 5 5\n\
                    9 -501 0 1 5 0 0 -1 0 1 0 45\n1 9999 2 0\n";
     let dir = folder(&[("a.json", GOOD), ("b.zpg", records)]);
-    let read = |name: &str| fs::read(dir.path().join(name)).unwrap();
     let run = |args: &[&str]| {
         let run = zpg(dir.path(), args);
         assert_eq!(
@@ -186,7 +185,8 @@ fn commands_that_read_take_it() {
     };
     run(&["render", "a.json", "--size", "16x12"]);
     run(&["render", "b.zpg", "--size", "16x12"]);
-    assert!(read("a.png") == read("b.png"));
+    let pixels = |name: &str| image::open(dir.path().join(name)).unwrap().to_rgb8();
+    assert!(pixels("a.png") == pixels("b.png"));
     for question in [
         ["--ray", "0 1 9 0 0 -1"],
         ["--pixel", "320,240"],

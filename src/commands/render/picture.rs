@@ -16,7 +16,7 @@ use crate::analysis::Analysis;
 use crate::commands::LookChoice;
 use crate::commands::draft::try_file;
 use crate::commands::endings;
-use crate::commands::paths::is_stdout;
+use crate::commands::paths::{is_stdin, is_stdout};
 use crate::commands::spare::spare;
 use crate::commands::terminal::{complain, note, progress_bar, tell};
 use crate::diagnostics::{Complaint, Error, Span};
@@ -120,8 +120,9 @@ pub fn draw(
         endings::fits(path, &["json"])?;
         try_file(path)?;
     }
-    // Who watches a scene ends that with Ctrl-C and wants no more of it.
-    let is_kept = !args.watch && !is_stdout(&job.picture);
+    // Who watches a scene ends that with Ctrl-C and wants no more of it, and so does an editor, which draws what it
+    // writes to standard input.
+    let is_kept = !args.watch && !is_stdin(&job.scene) && !is_stdout(&job.picture);
     let unfinished: Vec<Unfinished> = match is_kept {
         true => (unfinished(&job.picture, cameras.len())
             .into_iter()

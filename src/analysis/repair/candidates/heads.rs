@@ -108,6 +108,10 @@ impl Place<'_> {
         let count = self.params().iter().take_while(is_name).count();
         let (named, rest) = self.params().split_at(count);
         let (first, last) = (named.first()?, rest.last()?);
+        // `rgb(255, 0, 0)` is a colour of CSS as a whole.
+        if self.text[first.end() as usize..].starts_with('(') {
+            return None;
+        }
         let text = self.numbers_of(ty, rest)?;
         let span = first.span().to(last.span());
         let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
