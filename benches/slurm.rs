@@ -61,7 +61,7 @@ fn main() {
         .current_dir(dir.join("job"));
     let said = String::from_utf8(submit.output().expect("sh is there").stdout).expect("a text");
     let job = (said.lines().next())
-        .and_then(|line| line.strip_prefix("drawing: job "))
+        .and_then(|line| line.strip_prefix("drawing: job ")?.split(',').next())
         .unwrap_or_else(|| panic!("{said}"));
     let running = || slurm.says("squeue", &["-h", "-r", "-t", "R", "-j", job, "-o", "%K"]);
     let is_running = |task: &str| running().lines().any(|line| line.trim() == task);

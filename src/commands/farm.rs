@@ -234,7 +234,9 @@ fn job(
     };
     args.engine.write(&work, readme, &args.output)?;
     let wrote = Complaint::new("wrote-file").with("path", args.output.as_path());
-    let summary = wrapped(&summary, terminal::width(), "");
+    let readme = args.output.join("README.md").display().to_string();
+    let next = look.language().say("farm-next", &[("path", readme.into())]);
+    let summary = wrapped(&format!("{summary} {next}"), terminal::width(), "");
     Ok(format!("{}\n{summary}", wrote.wording(look.language())))
 }
 

@@ -143,6 +143,7 @@ hover-side = { $axis } { $low } až { $high }
 
 ## zpg farm
 
+farm-next = Jak ji spustit, říká { $path }.
 farm-summary =
     Dílčích úloh: { $tasks }. Každá potrvá asi { $each } (procesorů: { $cores }), všechny dohromady { $all } výpočtu. { $tiles ->
         [one] Dílčí úlohou je obrázek.

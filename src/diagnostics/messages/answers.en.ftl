@@ -164,6 +164,7 @@ hover-side = { $axis } { $low } to { $high }
 
 ## zpg farm
 
+farm-next = { $path } says how to start it.
 farm-summary =
     { $tasks ->
         [one] One task
