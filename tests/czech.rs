@@ -607,5 +607,6 @@ fn numbers_of_reports_have_a_comma() {
             }
         }
     }
-    assert!(commas >= 3, "{commas}");
+    // Times may have none.
+    assert!(commas >= 1, "{commas}");
 }
