@@ -53,6 +53,9 @@ const ENDINGS: [&str; 3] = ["a", "y", "e"];
 
 /// Red, green and blue of a name in sRGB, from 0 to 255.
 pub fn colour(written: &str) -> Option<[u8; 3]> {
+    if !written.starts_with(char::is_alphabetic) {
+        return None;
+    }
     // `světlomodrá` is `světle modrá`.
     let word = plain(written)
         .replacen("svetlo", "svetle", 1)
@@ -75,10 +78,16 @@ fn meant(word: &str) -> Option<String> {
     if word.chars().count() < MISSPELLED_LEAST {
         return None;
     }
-    let czech = |stem: &str| ENDINGS.map(|ending| format!("{stem}{ending}"));
+    // Letters are counted first: that is quicker, and most names have another number of them.
+    let may_be = |length: usize| length >= MISSPELLED_LEAST && length.abs_diff(word.len()) <= 1;
+    let czech = |stem: &&str| {
+        let all = ENDINGS.map(|ending| format!("{stem}{ending}"));
+        may_be(stem.len() + 1).then_some(all).into_iter().flatten()
+    };
     let names = CZECH.iter().flat_map(|(stem, name)| {
-        let all = czech(stem).into_iter().chain([(*name).to_owned()]);
-        let near = |n: &String| n.len() >= MISSPELLED_LEAST && strsim::osa_distance(n, word) == 1;
+        let css = may_be(name.len()).then(|| (*name).to_owned());
+        let near = |n: &String| strsim::osa_distance(n, word) == 1;
+        let all = czech(stem).chain(css);
         all.filter(near).map(|name| (name, *stem))
     });
     let found: Vec<(String, &str)> = names.collect();

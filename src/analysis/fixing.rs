@@ -83,10 +83,12 @@ pub fn to_fixed_point(
         findings.iter_mut().for_each(|d| d.fixes.retain(kept));
         analysis.findings = findings.into();
     }
-    let proposals = repair::proposals(&analysis);
+    // Guesses are for errors to choose from.
+    let is_left = analysis.findings().iter().any(Diagnostic::is_error);
     let findings = match unsafe_too {
-        true => with_choices(analysis.findings(), proposals),
-        false => proposals,
+        true if is_left => with_choices(analysis.findings(), repair::proposals(&analysis)),
+        true => analysis.findings().to_vec(),
+        false => repair::proposals(&analysis),
     };
     Mended {
         analysis,

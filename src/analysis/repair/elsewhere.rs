@@ -4,10 +4,11 @@
 use rustc_hash::FxHashSet;
 
 use super::candidates::{Candidate, Habit, Place};
+use super::whole::records;
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::syntax::Record;
 use crate::syntax::table::{Kind, RecordKind};
-use crate::syntax::{Item, Record};
 
 /// A line that may be to blame.
 pub struct Suspect {
@@ -29,13 +30,6 @@ pub fn suspects(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
     all.extend(exchanged(analysis, findings).into_iter().take(MOST));
     all.extend(copies(analysis, findings).into_iter().take(MOST));
     all
-}
-
-fn records(analysis: &Analysis) -> impl Iterator<Item = &Record> {
-    (analysis.document.items.iter()).filter_map(|item| match item {
-        Item::Record(record) => Some(record),
-        _ => None,
-    })
 }
 
 /// Lines that are a record of a sibling's type, and whose record as it is written goes on behind them.

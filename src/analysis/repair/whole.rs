@@ -159,14 +159,7 @@ fn edit(span: Span, text: impl Into<String>) -> Edit {
 }
 
 pub fn records(analysis: &Analysis) -> impl Iterator<Item = &Record> {
-    analysis
-        .document
-        .items
-        .iter()
-        .filter_map(|item| match item {
-            Item::Record(record) => Some(record),
-            _ => None,
-        })
+    analysis.document.items.iter().filter_map(Item::record)
 }
 
 /// The references of a record: their tokens and IDs.
