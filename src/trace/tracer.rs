@@ -86,6 +86,7 @@ impl Tracer {
     }
 
     /// The part of (0, to] in which a ray can see anything.
+    #[inline]
     pub(super) fn window<R: Precision>(&self, ray: &Ray<R>, to: R) -> Option<(R, R)> {
         match &self.clip {
             None => Some((R::ZERO, to)),

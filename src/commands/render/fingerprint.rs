@@ -1,6 +1,6 @@
 //! Hashes of what a picture depends on, so that files can say what they are a picture of.
 
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
 use serde::Serialize;
@@ -37,15 +37,23 @@ impl Write for Hashed {
 
 /// A hash of a scene as it is drawn, with the bytes of its textures; comments and layout do not matter.
 pub fn of_scene(scene: &Scene, folder: &Path) -> String {
-    let mut hash = Hashed(Sha256::new());
-    // Nothing fails but writing, which does not here.
-    let _ = serde_json::to_writer(&mut hash, &json::write(scene));
+    let mut hash = of_json(&json::write(scene));
     for file in Images::files(scene) {
         // What cannot be read is said when it is to be drawn.
         let bytes = std::fs::read(folder.join(file)).unwrap_or_default();
-        hash.0.update(Sha256::digest(&bytes));
+        hash.update(Sha256::digest(&bytes));
     }
-    digits(hash.0)
+    digits(hash)
+}
+
+/// The hash of a value as JSON, which takes in more.
+fn of_json(value: &impl Serialize) -> Sha256 {
+    // JSON is written in pieces of a few bytes.
+    let mut out = BufWriter::new(Hashed(Sha256::new()));
+    // Nothing fails but writing, which does not here.
+    let _ = serde_json::to_writer(&mut out, value);
+    out.into_inner()
+        .map_or_else(|_| Sha256::new(), |hashed| hashed.0)
 }
 
 /// What a file shows of the cameras of a scene.
@@ -103,7 +111,5 @@ pub fn of_settings(args: &Args, settings: &Settings, content: Content) -> String
             Stereo::Anaglyph => "anaglyph",
         }),
     };
-    let mut hash = Hashed(Sha256::new());
-    let _ = serde_json::to_writer(&mut hash, &options);
-    digits(hash.0)
+    digits(of_json(&options))
 }

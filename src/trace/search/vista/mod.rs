@@ -114,6 +114,7 @@ impl Vista {
 
     /// What a ray may meet that comes to the point by a way: as [`leaving`](Self::leaving). `None`: it comes from too
     /// far away.
+    #[inline]
     pub fn arriving(&self, way: Vec3) -> Option<impl Iterator<Item = (f64, &Body)>> {
         let size = way.abs().max_component();
         let length = way.length() * (1.0 + KNOWN);
