@@ -1,6 +1,6 @@
 //! `zpg farm`: jobs, as what runs them takes them.
 
-mod jobs;
+pub mod jobs;
 mod slurm;
 
 use std::fs;

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
+use crate::farm::jobs::floor;
 use crate::support::program::{self, folder};
 
 /// A glass ball, a box and a textured floor, seen by two cameras.
@@ -12,18 +13,6 @@ const SCENE: &str = "2 11 0 0 0 1\n2 -201 0.2 0.2 0.6\n2 -203 1.5 1.5 1.5\n3 12 
                      4 -101 2 3\n5 -101 4 8\n9 -501 0 0 8 0 0 -1 0 1 0 30\n10 -501 1 0 8 0 0 -1 0 1 0 30\n\
                      50 -401 1\n51 -402 1\n51 -1 3 5 6\n1 9999 5 0\n";
 const STEREO: &str = "60 -503 9 10\n";
-
-/// A picture of four pixels.
-fn floor() -> Vec<u8> {
-    let mut png = Vec::new();
-    let mut encoder = png::Encoder::new(&mut png, 2, 2);
-    encoder.set_color(png::ColorType::Rgb);
-    let mut writer = encoder.write_header().unwrap();
-    let pixels = [200, 10, 10, 240, 240, 240, 240, 240, 240, 10, 200, 10];
-    writer.write_image_data(&pixels).unwrap();
-    writer.finish().unwrap();
-    png
-}
 
 fn scene(more: &str) -> tempfile::TempDir {
     let text = format!("{SCENE}{more}");
@@ -474,9 +463,17 @@ fn an_interrupted_picture_is_taken_up() {
             }
         }
         assert!(interrupted > 0, "{output}: nothing was interrupted");
+        // What damage leaves of the rows is taken, and the others are drawn again.
+        let part = dir.join("b.part.exr");
+        let is_damaged = part.exists();
+        if is_damaged {
+            let whole = fs::read(&part).unwrap();
+            fs::write(&part, &whole[..whole.len() * 2 / 3]).unwrap();
+        }
         assert!(rows.is_sorted(), "{output}: {rows:?}");
         let name = output.split(' ').next().unwrap();
-        says(dir, &command, 0);
+        let said = says(dir, &command, 0);
+        assert_eq!(said.contains("b.part.exr is damaged"), is_damaged, "{said}");
         for part in parts {
             assert!(!dir.join(part).exists(), "{part}");
         }

@@ -6,6 +6,8 @@ mod options;
 mod scenes;
 
 use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
 
 use clap::Command;
 
@@ -13,12 +15,12 @@ use super::frames::Frames;
 use super::paths;
 use super::render::frames::check_each;
 use super::render::options::PictureArgs;
-use super::terminal::{self, LookChoice, complain, stop_on_interrupt};
+use super::terminal::{self, LookChoice, complain};
 use super::time::Seconds;
 use super::{Status, load_sound, refuse, usage};
 use crate::analysis::config::Configs;
 use crate::diagnostics::layout::wrapped;
-use crate::diagnostics::{Complaint, Error, Language, Value};
+use crate::diagnostics::{Complaint, Error, Value};
 use crate::study::accuracy::words;
 use engine::{Engine, Work};
 use measure::Measured;
@@ -91,25 +93,6 @@ fn at_least_one(text: &str) -> Result<u32, Complaint> {
     })
 }
 
-/// In the language of whoever asks, by the engine.
-const READMES: [(Engine, &str, &str); 3] = [
-    (
-        Engine::Openjd,
-        include_str!("farm/README.openjd.md"),
-        include_str!("farm/README.openjd.cs.md"),
-    ),
-    (
-        Engine::Slurm,
-        include_str!("farm/README.slurm.md"),
-        include_str!("farm/README.slurm.cs.md"),
-    ),
-    (
-        Engine::Shell,
-        include_str!("farm/README.shell.md"),
-        include_str!("farm/README.shell.cs.md"),
-    ),
-];
-
 /// `command` is that of the whole program.
 pub fn run(args: &Args, command: Command, look: LookChoice) -> Status {
     let configs = Configs::default().into();
@@ -134,11 +117,13 @@ pub fn run(args: &Args, command: Command, look: LookChoice) -> Status {
     let mut scenes = Vec::new();
     let mut broken = Vec::new();
     for (path, place) in places {
+        let start = Instant::now();
         match load_sound(&path, look) {
             Ok(loaded) => scenes.push(Scene {
                 path,
                 place,
                 loaded,
+                reading: start.elapsed().as_secs_f64(),
             }),
             Err(status) if !is_class || status == Status::Failure => return status,
             // They go with the job, so that the sheet can say what is wrong with them.
@@ -166,7 +151,8 @@ pub fn run(args: &Args, command: Command, look: LookChoice) -> Status {
 /// The frames, which are the same of all scenes, each of which has been looked at; `None` for one picture. What is wrong
 /// has been said.
 fn frames(args: &Args, scenes: &[Scene], look: LookChoice) -> Result<Option<Frames>, Status> {
-    let stop = stop_on_interrupt(look);
+    // Ctrl-C ends this at once.
+    let stop = AtomicBool::new(false);
     let mut first = None;
     for scene in scenes.iter().filter(|_| args.picture.frames.are_given()) {
         let frames = Frames::of(&args.picture.frames, &scene.loaded);
@@ -227,12 +213,7 @@ fn job(
     };
     scenes::copy(&args.output, scenes, broken)?;
     options::copy_table(&args.picture.frames, &args.output)?;
-    let (_, english, czech) = READMES[args.engine as usize];
-    let readme = match look.language() {
-        Language::English => english,
-        Language::Czech => czech,
-    };
-    args.engine.write(&work, readme, &args.output)?;
+    args.engine.write(&work, look.language(), &args.output)?;
     let wrote = Complaint::new("wrote-file").with("path", args.output.as_path());
     let readme = args.output.join("README.md").display().to_string();
     let next = look.language().say("farm-next", &[("path", readme.into())]);

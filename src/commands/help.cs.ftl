@@ -369,7 +369,7 @@ help-render = Vykreslí scény
           zpg render scena.zpg -o zoom.apng --frames 0-24 --set 9.fovy=60..20
           zpg render scena.zpg --cost
           zpg render scena.zpg --crop 200,100,64,64 --stats naklady.json
-          zpg render scena.zpg -o dily/3.png --tile 3/8
+          zpg render scena.zpg -o 3z8.png --tile 3/8
 help-render-paths = Scény jako záznamy nebo JSON, nebo složky se scénami; `-` je standardní vstup
     .value = CESTA
 help-render-output = Kam obrázek zapsat: .png, .jpg, .webp, .exr nebo .pfm; `-` je standardní výstup. Nebo složka, nebo .apng ze snímků

@@ -5,6 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::draft::{Draft, unwritable};
+use super::render::output::wrote;
 use super::terminal::{self, LookChoice, complain};
 use super::{Status, spare};
 use crate::diagnostics::Complaint;
@@ -55,11 +56,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     match join(args) {
         Ok(origin) if look.quiet => drop(origin),
         Ok(origin) => {
-            let [width, height] = origin.size.map(|side| side.to_string());
-            let wrote = Complaint::new("wrote-picture")
-                .with("path", args.output.as_path())
-                .with("width", width)
-                .with("height", height);
+            let wrote = wrote(&args.output, origin.size);
             let line = wrote.wording(look.language());
             return terminal::print(look, Status::Clean, |out| writeln!(out, "{line}"));
         }
@@ -91,10 +88,10 @@ fn join(args: &Args) -> Result<Origin, Refusal> {
     }
     // Files are opened one by one as their turn comes, and may have changed until then.
     let mut fault = None;
-    let mut rows = parts
+    let rows = parts
         .iter()
         .flat_map(|part| rows(part).unwrap_or_else(failing));
-    let mut rows = rows.by_ref().map(|row| {
+    let mut rows = rows.map(|row| {
         row.map_err(|complaint| {
             fault = Some(complaint);
             io::Error::other("a part cannot be read")

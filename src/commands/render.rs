@@ -6,7 +6,7 @@ mod fingerprint;
 pub mod frames;
 mod notes;
 pub mod options;
-mod output;
+pub mod output;
 mod picture;
 pub mod stats;
 mod tile;
@@ -52,7 +52,7 @@ Examples:
   zpg render scene.zpg -o zoom.apng --frames 0-24 --set 9.fovy=60..20
   zpg render scene.zpg --cost
   zpg render scene.zpg --crop 200,100,64,64 --stats cost.json
-  zpg render scene.zpg -o bands/3.png --tile 3/8")]
+  zpg render scene.zpg -o 3of8.png --tile 3/8")]
 pub struct Args {
     /// Scenes, as records or as JSON, or folders with scenes; `-` is standard input
     #[arg(value_name = "PATH", required = true)]

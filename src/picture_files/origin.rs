@@ -41,17 +41,10 @@ impl Origin {
 
     /// Whether both belong to one picture.
     pub fn is_of_one_picture(&self, other: &Origin) -> bool {
-        let picture = |o: &Origin| {
-            let Origin {
-                version,
-                scene,
-                settings,
-                size,
-                ..
-            } = o.clone();
-            (version, scene, settings, size)
-        };
-        picture(self) == picture(other)
+        self.size == other.size
+            && self.version == other.version
+            && self.scene == other.scene
+            && self.settings == other.settings
     }
 
     pub(super) fn to_text(&self) -> String {

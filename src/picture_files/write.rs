@@ -16,6 +16,7 @@ use exr::meta::header::Header;
 use exr::prelude::Compression;
 
 use super::{Format, Origin, Row};
+use crate::trace::film::{self, Packing};
 
 /// Rows from the top, each as wide as the picture.
 type Rows<'r> = &'r mut dyn Iterator<Item = io::Result<Row>>;
@@ -50,12 +51,8 @@ fn copy(from: &mut impl Read, to: &mut dyn Write) -> io::Result<()> {
 }
 
 fn write_png(out: &mut dyn Write, origin: &Origin, rows: Rows) -> io::Result<()> {
-    let mut encoder = png::Encoder::new(out, origin.size[0], origin.span()[1]);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    encoder.set_compression(png::Compression::Fast);
-    encoder.set_filter(png::Filter::Up);
+    let size = [origin.size[0], origin.span()[1]];
+    let mut encoder = film::encoder(out, size, png::BitDepth::Eight, Packing::Quick);
     encoder.add_text_chunk(Origin::NAME.to_owned(), origin.to_text())?;
     let mut writer = encoder.write_header()?;
     let mut stream = writer.stream_writer_with_size(1 << 16)?;

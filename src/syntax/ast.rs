@@ -5,7 +5,7 @@ use super::contents::Contents;
 use super::lexed::Lexed;
 use super::lexer::Token;
 use super::table::{RecordKind, RecordType};
-use crate::diagnostics::Span;
+use crate::diagnostics::{Code, Diagnostic, Span};
 
 /// A parsed scene text.
 #[derive(Debug, Default)]
@@ -151,6 +151,13 @@ impl Document {
             searched,
             doubted: Vec::new(),
         }
+    }
+
+    /// Takes down the records that findings doubt, which are in the order of their places.
+    pub(super) fn doubt(&mut self, findings: &[Diagnostic]) {
+        let line_breaks = findings.iter().filter(|d| d.code == Code::W314);
+        let doubted = line_breaks.filter_map(|d| self.item_at(d.span.start));
+        self.doubted = doubted.map(|i| self.items[i].ends().0).collect();
     }
 
     /// The index of the item to which a place in the text belongs.

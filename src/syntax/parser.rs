@@ -65,9 +65,7 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
     diagnostics::sort(&mut findings);
     let (items, searched) = (plan.items, plan.searched);
     let mut document = Document::new(lexed, items, searched);
-    let line_breaks = findings.iter().filter(|d| d.code == Code::W314);
-    let doubted = line_breaks.filter_map(|d| document.item_at(d.span.start));
-    document.doubted = doubted.map(|i| document.items[i].ends().0).collect();
+    document.doubt(&findings);
     (document, findings)
 }
 

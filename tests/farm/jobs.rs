@@ -15,7 +15,7 @@ pub const STEREO: &str = "60 -503 9 10\n";
 pub const MONO: &str = "60 -502 9\n";
 
 /// A picture of four pixels.
-fn floor() -> Vec<u8> {
+pub fn floor() -> Vec<u8> {
     let mut png = Vec::new();
     let mut encoder = png::Encoder::new(&mut png, 2, 2);
     encoder.set_color(png::ColorType::Rgb);

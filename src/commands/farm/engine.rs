@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::commands::draft;
-use crate::diagnostics::Complaint;
+use crate::diagnostics::{Complaint, Language};
 
 /// Who runs the tasks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -91,8 +91,20 @@ impl Engine {
         }
     }
 
-    /// The names of the files and what stands in them; `readme` is about the engine.
-    fn files(self, work: &Work, readme: &'static str) -> Vec<(&'static str, String)> {
+    /// How a job is started.
+    fn readme(self, language: Language) -> &'static str {
+        match (self, language) {
+            (Engine::Openjd, Language::English) => include_str!("README.openjd.md"),
+            (Engine::Openjd, Language::Czech) => include_str!("README.openjd.cs.md"),
+            (Engine::Slurm, Language::English) => include_str!("README.slurm.md"),
+            (Engine::Slurm, Language::Czech) => include_str!("README.slurm.cs.md"),
+            (Engine::Shell, Language::English) => include_str!("README.shell.md"),
+            (Engine::Shell, Language::Czech) => include_str!("README.shell.cs.md"),
+        }
+    }
+
+    /// The names of the files and what stands in them.
+    fn files(self, work: &Work, language: Language) -> Vec<(&'static str, String)> {
         let filled = |text: &str| work.fill(text);
         let join = match work.is_class {
             true => [JOIN, SHEET].concat(),
@@ -101,7 +113,7 @@ impl Engine {
         let mut files = vec![
             ("draw.sh", filled(DRAW)),
             ("join.sh", filled(&join)),
-            ("README.md", filled(readme)),
+            ("README.md", filled(self.readme(language))),
         ];
         match self {
             Engine::Openjd => {
@@ -127,8 +139,8 @@ impl Engine {
     }
 
     /// Writes the files of a job into its folder.
-    pub fn write(self, work: &Work, readme: &'static str, folder: &Path) -> Result<(), Complaint> {
-        let files = self.files(work, readme);
+    pub fn write(self, work: &Work, language: Language, folder: &Path) -> Result<(), Complaint> {
+        let files = self.files(work, language);
         // What an earlier job of another engine has left would draw other tasks.
         for name in STARTED {
             if !files.iter().any(|(written, _)| *written == name) {

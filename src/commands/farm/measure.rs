@@ -1,11 +1,9 @@
 //! How long pictures take, and how much memory.
 
 use std::sync::Arc;
-use std::time::Instant;
 
 use super::scenes::Scene;
 use crate::commands::draft::folder_of;
-use crate::commands::load::analyse;
 use crate::commands::render::options::{PictureArgs, bytes_of_pixels};
 use crate::commands::render::stats::peak_memory;
 use crate::diagnostics::{Complaint, Error};
@@ -49,10 +47,6 @@ pub fn measure(picture: &PictureArgs, scenes: &[Scene], tile_time: f64) -> Resul
     let seconds = SECONDS.min(tile_time) / some().count().max(1) as f64;
     let (mut build, mut pixels, mut cameras) = (0.0f64, 0.0f64, 1);
     for scene in some() {
-        let start = Instant::now();
-        let bytes = std::fs::read(&scene.path).unwrap_or_default();
-        drop(analyse(&scene.path, bytes));
-        let read = start.elapsed().as_secs_f64();
         let staged = picture.camera.staged(&scene.loaded.scene, picture.size)?;
         let folder = folder_of(&scene.path);
         let images = Images::load(&staged, folder)?;
@@ -63,7 +57,7 @@ pub fn measure(picture: &PictureArgs, scenes: &[Scene], tile_time: f64) -> Resul
         cameras = cameras.max(staged.chosen_cameras().count());
         let shared = Arc::new(staged.into_owned());
         let pilot = pilot(shared, &images, camera, &settings, seconds)?;
-        build = build.max(read + pilot.build);
+        build = build.max(scene.reading + pilot.build);
         pixels = pixels.max(pilot.pixels);
     }
     let [width, rows] = (settings.crop).map_or([settings.width, settings.height], |crop| {

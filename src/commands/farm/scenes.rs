@@ -18,6 +18,8 @@ pub struct Scene {
     /// Its place among the scenes of the job.
     pub place: PathBuf,
     pub loaded: Analysis,
+    /// Seconds that it took to read the scene.
+    pub reading: f64,
 }
 
 /// The list of the scenes that are drawn, one a line.

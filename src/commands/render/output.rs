@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 use std::ffi::OsStr;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::commands::draft::{Draft, folder_of, unwritable};
@@ -14,22 +13,22 @@ use crate::trace::{CostMap, Film};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Format {
-    Png,
+    Rows(picture_files::Format),
     Jpeg,
     WebP,
-    Exr,
     Pfm,
 }
 
 impl Format {
     /// By the ending of a name.
     fn of(path: &Path) -> Option<Format> {
+        if let Some(format) = picture_files::Format::of(path) {
+            return Some(Format::Rows(format));
+        }
         let extension = path.extension().unwrap_or_default().to_string_lossy();
         Some(match extension.to_lowercase().as_str() {
-            "png" => Format::Png,
             "jpg" | "jpeg" => Format::Jpeg,
             "webp" => Format::WebP,
-            "exr" => Format::Exr,
             "pfm" => Format::Pfm,
             _ => return None,
         })
@@ -40,7 +39,7 @@ impl Format {
         match self {
             Format::Jpeg => u16::MAX.into(),
             Format::WebP => 1 << 14,
-            Format::Png | Format::Exr | Format::Pfm => u32::MAX,
+            Format::Rows(_) | Format::Pfm => u32::MAX,
         }
     }
 }
@@ -57,11 +56,11 @@ impl Output {
     /// output, which takes a PNG.
     pub fn create(path: &Path, size: [u32; 2], is_part: bool) -> Result<Output, Complaint> {
         let format = match is_stdout(path) {
-            true => Some(Format::Png),
+            true => Some(Format::Rows(picture_files::Format::Png)),
             false => Format::of(path),
         };
         let format = format.ok_or_else(|| Complaint::new("unknown-format").with("path", path))?;
-        if is_part && !matches!(format, Format::Png | Format::Exr) {
+        if is_part && !matches!(format, Format::Rows(_)) {
             return Err(Complaint::new("part-format").with("path", path));
         }
         if size.into_iter().any(|side| side > format.longest_side()) {
@@ -80,7 +79,7 @@ impl Output {
     pub fn create_map(path: &Path) -> Result<Output, Complaint> {
         let output = Output::create(path, [0; 2], false)?;
         match output.format {
-            Format::Png if !is_stdout(path) => Ok(output),
+            Format::Rows(picture_files::Format::Png) if !is_stdout(path) => Ok(output),
             _ => Err(Complaint::new("map-is-png").with("path", path)),
         }
     }
@@ -93,19 +92,25 @@ impl Output {
 
     /// Writes the picture; the file that it is in now. The formats that have room for it get its origin.
     pub fn finish(self, film: &Film, origin: &Origin) -> Result<Option<PathBuf>, Complaint> {
-        let by_rows = |format, out: &mut dyn Write| {
-            let mut rows = film.rows().map(|row| Ok(Row::Linear(row.to_vec())));
-            picture_files::write(format, out, origin, &mut rows)
-        };
         self.draft.finish(|out| match self.format {
-            Format::Png => by_rows(picture_files::Format::Png, out),
+            Format::Rows(format) => {
+                let mut rows = film.rows().map(|row| Ok(Row::Linear(row.to_vec())));
+                picture_files::write(format, out, origin, &mut rows)
+            }
             Format::Jpeg => film.write_jpeg(out),
             Format::WebP => film.write_webp(out),
-            Format::Exr => by_rows(picture_files::Format::Exr, out),
             Format::Pfm => film.write_pfm(out),
         })?;
         Ok(Some(self.path).filter(|path| !is_stdout(path)))
     }
+}
+
+/// That a picture was written: its width and height in pixels.
+pub fn wrote(path: &Path, [width, height]: [u32; 2]) -> Complaint {
+    Complaint::new("wrote-picture")
+        .with("path", path)
+        .with("width", width.to_string())
+        .with("height", height.to_string())
 }
 
 /// Where the pictures of scenes go: a file each. Without `output` that is the current folder. Several scenes need a

@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use super::fingerprint::{self, Content};
 use super::options::{Stereo, bytes_of_pixels};
-use super::output::{Output, left_and_right, unfinished};
+use super::output::{Output, left_and_right, unfinished, wrote};
 use super::stats::{Samples, Seconds, Stats, peak_memory, write_stats};
 use super::unfinished::Unfinished;
 use super::{Args, Job, cost, notes};
@@ -98,8 +98,8 @@ pub fn draw(
         .map(|&content| pictures.origin(across, content));
     let origins: Vec<Origin> = origins.collect();
     if args.resume && paths.iter().zip(&origins).all(|(p, o)| is_drawn(p, o)) {
-        let said = paths.iter().map(|path| say(look, "already-drawn", path));
-        return Ok(said.collect());
+        let about = |path: &PathBuf| Complaint::new("already-drawn").with("path", path.as_path());
+        return Ok(paths.iter().map(|path| line(look, &about(path))).collect());
     }
     let is_silent = |path: &&PathBuf| !is_stdout(path) && Format::of(path).is_none();
     if let Some(path) = paths.iter().find(is_silent).filter(|_| args.resume) {
@@ -198,8 +198,8 @@ pub fn draw(
     }
     let mut said = String::new();
     for ((output, film), origin) in outputs.into_iter().zip(&films).zip(&origins) {
-        if let Some(path) = output.finish(film, origin)?.filter(|_| !look.quiet) {
-            said += &wrote(look, &path, film, origin);
+        if let Some(path) = output.finish(film, origin)? {
+            said += &line(look, &wrote_rows(&path, film, origin));
         }
     }
     unfinished.iter().for_each(Unfinished::remove);
@@ -311,27 +311,25 @@ fn leave(unfinished: &[Unfinished], drawn: &[Picture], start: u32, look: LookCho
     }
 }
 
-/// A line about a file, unless nobody wants to know.
-fn say(look: LookChoice, message: &'static str, path: &Path) -> String {
-    let line = Complaint::new(message).with("path", path);
+/// A line, unless nobody wants to know.
+fn line(look: LookChoice, about: &Complaint) -> String {
     match look.quiet {
         true => String::new(),
-        false => line.wording(look.language()) + "\n",
+        false => about.wording(look.language()) + "\n",
     }
 }
 
-/// The line about a file that was written.
-fn wrote(look: LookChoice, path: &Path, film: &Film, origin: &Origin) -> String {
+/// What is to be said of a file that was written.
+fn wrote_rows(path: &Path, film: &Film, origin: &Origin) -> Complaint {
+    if origin.is_whole() {
+        return wrote(path, [film.width, film.height]);
+    }
     let [first, count] = origin.span();
-    let wrote = match origin.is_whole() {
-        true => Complaint::new("wrote-picture").with("height", film.height.to_string()),
-        false => Complaint::new("wrote-rows")
-            .with("first", first.to_string())
-            .with("last", (first + count - 1).to_string())
-            .with("height", origin.size[1].to_string()),
-    };
-    let wrote = (wrote.with("path", path)).with("width", film.width.to_string());
-    wrote.wording(look.language()) + "\n"
+    Complaint::new("wrote-rows")
+        .with("path", path)
+        .with("first", first.to_string())
+        .with("last", (first + count - 1).to_string())
+        .with("height", origin.size[1].to_string())
 }
 
 /// The cameras that take the picture: one, or left and right.
@@ -389,11 +387,7 @@ fn write_maps(
     let mut said = String::new();
     for (file, map) in files.into_iter().zip(&maps) {
         let path = file.finish_map(map, max)?;
-        let wrote = Complaint::new("wrote-picture")
-            .with("path", path.as_path())
-            .with("width", map.width.to_string())
-            .with("height", map.height.to_string());
-        said += &(wrote.wording(look.language()) + "\n");
+        said += &line(look, &wrote(&path, [map.width, map.height]));
     }
     let scale = Complaint::new("heatmap-scale").with("max", max.to_string());
     if look.quiet {

@@ -39,7 +39,7 @@ impl Unfinished {
         is_ours
     }
 
-    /// Draws those of the wanted rows that are not in the file.
+    /// Draws those of the wanted rows that are not in the file. Rows after damage are not.
     pub fn go_on(
         &self,
         wanted: Range<u32>,
@@ -50,7 +50,9 @@ impl Unfinished {
             return draw(wanted);
         }
         let mut picture = blank(self.origin.size[0], wanted.clone());
-        self.fill(&mut picture, wanted.start)?;
+        if let Err(damage) = self.fill(&mut picture, wanted.start) {
+            note(look, &damage);
+        }
         for missing in gaps(&picture.finished) {
             let at = |row: u32| wanted.start + row;
             let drawn = draw(at(missing.start)..at(missing.end))?;
