@@ -334,7 +334,7 @@ help-any-stereo = Jak zapsat oba obrázky z dvojice kamer [výchozí: pair]
     .anaglyph = jeden obrázek pro červeno-azurové brýle
 help-any-frames = Vykreslí obrázek pro každý z těchto snímků: JMÉNO.0000.png a tak dále, nebo jeden .apng
     .value = A-B
-help-any-set = Mění číslo od prvního snímku k poslednímu, například 9.fovy=30..60, 5.x[3]=1..2 nebo 5@7.x=0..4, kde 7 je řádek; jména vypíše `zpg explain`
+help-any-set = Mění číslo od prvního snímku k poslednímu, například `9.fovy=30..60`, `5.x[3]=1..2` nebo `5@7.x=0..4`, kde 7 je řádek; jména vypíše `zpg explain`
     .value = ID.PARAMETR=OD..DO
 help-any-frames_from = Vezme čísla z tabulky: sloupec pro každé číslo, se jménem v prvním řádku, a řádek pro každý snímek
     .value = TABULKA.csv

@@ -25,7 +25,7 @@ pub struct FrameArgs {
     #[arg(long, value_name = "A-B")]
     frames: Option<Range>,
 
-    /// Let a number vary from the first frame to the last, as in 9.fovy=30..60, 5.x[3]=1..2 or 5@7.x=0..4, where
+    /// Let a number vary from the first frame to the last, as in `9.fovy=30..60`, `5.x[3]=1..2` or `5@7.x=0..4`, where
     /// 7 is a line; the names are those that `zpg explain` lists
     #[arg(help_heading = help::FRAMES)]
     #[arg(long, value_name = "ID.PARAM=FROM..TO")]
