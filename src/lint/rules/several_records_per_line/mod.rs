@@ -13,6 +13,8 @@ struct Line<'a> {
     torn: Option<&'a Item>,
     /// Those that begin behind another one.
     more: Vec<&'a Item>,
+    /// Something on it cannot be read.
+    broken: bool,
 }
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -28,13 +30,14 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
         // A broken stretch was reported; where it ends is only a guess.
         if matches!(before, Item::Broken(_)) || matches!(item, Item::Broken(_)) {
+            line.broken = true;
             continue;
         }
         if is_torn(context, before) {
             report(context, &line, false, out);
             line = Line {
                 torn: Some(before),
-                more: Vec::new(),
+                ..Line::default()
             };
         }
         line.more.push(item);
@@ -81,17 +84,18 @@ fn report(context: &Context, line: &Line, ends: bool, out: &mut Vec<Diagnostic>)
     };
     let finding = Diagnostic::new(Code::S503, context.document.item_span(first))
         .with("count", Value::Count(line.more.len() as u64));
-    // What could not be read is read by its lines: with others it may be something else. And a record that may have
-    // taken another one's numbers must not look as if all were well.
+    // What could not be read is read by its lines: with others it may be something else. So beside it only a line is
+    // cut that is whole records. And a record that may have taken another one's numbers must not look as if all were
+    // well.
     let doubted = &context.document.doubted;
     let is_doubted = |item: &Item| doubted.binary_search(&item.ends().0).is_ok();
     let mut items = line.torn.into_iter().chain(line.more.iter().copied());
-    out.push(
-        match context.document.contents.broken || items.any(is_doubted) {
-            true => finding,
-            false => finding.fix(fix),
-        },
-    );
+    let is_whole = line.torn.is_none() && !line.more.last().is_some_and(|l| is_torn(context, l));
+    let is_sure = !context.document.contents.broken || is_whole && !line.broken;
+    out.push(match is_sure && !items.any(is_doubted) {
+        true => finding.fix(fix),
+        false => finding,
+    });
 }
 
 /// A record of several lines in one, unless it has comments or is long.
