@@ -54,10 +54,19 @@ pub fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order) -> Sl
             let head = got > 0 || ty.code <= LEAST_HEAD || in_order;
             (Some(ty), if head { Slip::Yes } else { Slip::Maybe })
         }
-        // Words for numbers, as in `2 -701 red`: of a table no row has those, nor such a type.
-        Verdict::WrongArity { ty, .. } if ty.code <= LEAST_HEAD => {
+        // Words for numbers, as in `2 -701 red`, or a vector that lacks, as in a camera without its up vector: of a
+        // table no row has those, nor such a type.
+        Verdict::WrongArity { ty, got, expected } if ty.code <= LEAST_HEAD => {
             let has_word = stretch.bad(start + 2, end) > 0;
-            (Some(ty), if has_word { Slip::Yes } else { Slip::No })
+            let is_short = got < expected && 2 * got > expected;
+            (
+                Some(ty),
+                if has_word || is_short {
+                    Slip::Yes
+                } else {
+                    Slip::No
+                },
+            )
         }
         Verdict::BadPointCount { ty } if end > start + 4 => (Some(ty), Slip::Yes),
         Verdict::BadType
@@ -87,6 +96,15 @@ const NO_COORDINATE: i32 = 20;
 
 /// No table of numbers has a row that begins with an integer and a type as low as this.
 pub const LEAST_HEAD: i32 = -99;
+
+/// Whether a line begins like a record that no table of numbers would begin like.
+pub fn looks_like_a_head(stretch: &Stretch, line: usize) -> bool {
+    let start = stretch.line_start(line);
+    let id = stretch.sigs[start].int.is_some_and(|id| id > 0);
+    id && stretch
+        .record_type(start + 1)
+        .is_some_and(|t| t.code <= LEAST_HEAD || t.kind == RecordKind::Render)
+}
 
 /// How many numbers more or less are a slip of the pen.
 const SLIP_MAX: usize = 2;

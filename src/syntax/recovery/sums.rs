@@ -2,7 +2,7 @@
 //! long it is.
 
 use super::super::table::RecordKind;
-use super::slips::LEAST_HEAD;
+use super::slips::looks_like_a_head;
 use super::stretch::Stretch;
 use super::witness::Witnesses;
 
@@ -151,13 +151,4 @@ fn sums(flags: impl Iterator<Item = bool>) -> Vec<u32> {
             n
         }))
         .collect()
-}
-
-/// Whether a line begins like a record that no table of numbers would begin like.
-fn looks_like_a_head(stretch: &Stretch, line: usize) -> bool {
-    let start = stretch.line_start(line);
-    let id = stretch.sigs[start].int.is_some_and(|id| id > 0);
-    id && stretch
-        .record_type(start + 1)
-        .is_some_and(|t| t.code <= LEAST_HEAD || t.kind == RecordKind::Render)
 }

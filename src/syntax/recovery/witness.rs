@@ -101,7 +101,8 @@ impl<'a> Witnesses<'a> {
                 }
                 0 => {
                     // Where the next line is a record, no rows follow.
-                    let alone = ends.get(line + 1).is_some_and(|&end| end > 0);
+                    let alone = ends.get(line + 1).is_some_and(|&end| end > 0)
+                        || line + 1 < lines && slips::looks_like_a_head(stretch, line + 1);
                     if line >= table_to && !alone {
                         table_to = slips::rows_expected(stretch, line);
                     }
