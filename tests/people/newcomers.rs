@@ -57,6 +57,22 @@ const BEHIND: &[(&str, &str)] = &[
     ("2 -701 color red\n", "2 -701 1 0 0\n"),
     ("2 color red\n", "2 -701 1 0 0\n"),
     ("2 barva červená\n", "2 -701 1 0 0\n"),
+    // Colours of two words: CSS's darkblue is 0 0 139, and navy 0 0 128, in sRGB.
+    ("2 -701 dark blue\n", "2 -701 0 0 0.26\n"),
+    ("2 colour dark blue\n", "2 -701 0 0 0.26\n"),
+    ("2 barva tmavě modrá\n", "2 -701 0 0 0.216\n"),
+    (
+        "2 -399 4 4 dark blue white\n",
+        "51 -701 0 0 0.26\n52 -701 1 1 1\n2 -399 4 4 51 52\n",
+    ),
+    // A place in square brackets before the numbers of the record.
+    ("51 -402 [4,6,5] 1\n", "51 -402 1\n51 -1 4 6 5\n"),
+    ("51 -402 [4, 6, 5] 0.5\n", "51 -402 0.5\n51 -1 4 6 5\n"),
+    // Only the other place of an assignment has something that nothing needs.
+    (
+        "6 -201 0.8 0.2 0\n2 -299 3 0\n",
+        "6 -201 0.8 0.2 0\n2 -299 0 6\n",
+    ),
     ("2 pigment 1 0 0\n", "2 -701 1 0 0\n"),
     // A keyword before the ID.
     ("translate 2 -1.3 1.15 0\n", "2 -1 -1.3 1.15 0\n"),

@@ -125,7 +125,7 @@ impl Place<'_> {
         let params = self.params();
         let ends = params.get(OWN - 1..=OWN)?;
         let between = &self.text[ends[0].end() as usize..ends[1].start as usize];
-        if between.contains(['>', ')', '}']) {
+        if between.contains(['>', ')', '}', ']']) {
             return Some(Order::Brackets);
         }
         let is_intensity = |t: Option<&Token>| {

@@ -155,11 +155,20 @@ impl Place<'_> {
 
     /// The numbers of a record, of which those of a colour may be its name.
     fn numbers_of(&self, ty: &RecordType, params: &[Token]) -> Option<String> {
-        match params {
-            [one] if ty.kind == RecordKind::Colour => colours::numbers(one.text(self.text)),
-            _ if self.fit(ty, params) => self.spaced(params),
-            _ => None,
+        match self.fit(ty, params) {
+            true => self.spaced(params),
+            false if ty.kind == RecordKind::Colour => self.colour_name(params),
+            false => None,
         }
+    }
+
+    /// The numbers of a colour whose name some tokens are, all of them: `red`, `dark blue`.
+    pub(super) fn colour_name(&self, tokens: &[Token]) -> Option<String> {
+        let (first, last) = (tokens.first()?, tokens.last()?);
+        if !tokens.iter().all(|t| t.kind() == TokenKind::Word) {
+            return None;
+        }
+        colours::numbers(&self.text[first.span().to(last.span()).range()])
     }
 
     /// The name of a type in its place, where its numbers have a slip of their own: a place that stands first, a camera
@@ -174,14 +183,11 @@ impl Place<'_> {
             span: word,
             text: ty.code.to_string(),
         };
-        if let ([colour], RecordKind::Colour) = (params, ty.kind) {
-            let text = self.numbers_of(ty, params);
-            let numbers = text.map(|text| Edit {
-                span: colour.span(),
-                text,
-            });
-            let edits = numbers.map(|numbers| vec![code, numbers]);
-            return Vec::from_iter(edits.map(|edits| self.beginning(Habit::Word, edits)));
+        if let ([first, ..], RecordKind::Colour) = (params, ty.kind)
+            && let Some(text) = self.colour_name(params)
+        {
+            let span = first.span().to(params[params.len() - 1].span());
+            return vec![self.beginning(Habit::Word, vec![code, Edit { span, text }])];
         }
         let word = Token::new(TokenKind::Word, word.start as usize, word.end as usize);
         let place = Place {

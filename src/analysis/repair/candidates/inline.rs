@@ -1,7 +1,6 @@
 //! Colours in the place of their IDs: `1 9999 2 0.2 0.3 0.4`.
 
 use super::{Candidate, Habit, Place};
-use crate::analysis::colours;
 use crate::diagnostics::{Applicability, Edit, Fix, Span, Value};
 use crate::syntax::Item;
 use crate::syntax::lexer::{Token, TokenKind};
@@ -93,9 +92,10 @@ impl Place<'_> {
     fn colour(&self, tokens: &[Token]) -> Option<(usize, Inline)> {
         let first = tokens.first()?;
         if first.kind() == TokenKind::Word {
-            let numbers = colours::numbers(first.text(self.text))?;
-            let span = first.span();
-            return Some((1, Inline { span, numbers }));
+            let named = |of: usize| Some((of, self.colour_name(tokens.get(..of)?)?));
+            let (of, numbers) = named(2).or_else(|| named(1))?;
+            let span = first.span().to(tokens[of - 1].span());
+            return Some((of, Inline { span, numbers }));
         }
         let parts = tokens.get(..PARTS)?;
         let is_part = |t: &Token| {

@@ -1,6 +1,7 @@
 //! What may have been meant by a line that something is wrong with.
 
 mod apart;
+mod brackets;
 mod cameras;
 mod comments;
 mod heads;
@@ -156,13 +157,14 @@ impl<'a> Place<'a> {
             .get(item)
             .filter(|item| item.ends().0 == begin);
         let on_line = || all.iter().filter(|t| !t.kind().is_trivia()).copied();
-        let tokens: Vec<Token> = match item.map(|item| item.ends().1) {
+        let mut tokens: Vec<Token> = match item.map(|item| item.ends().1) {
             Some(end) if goes_on && end as usize >= last => {
                 document.significant(begin, end).copied().collect()
             }
             _ => on_line().collect(),
         };
         let text = &source.text;
+        brackets::strip(&mut tokens, text);
         let end = line.start + text[line.range()].trim_end().len() as u32;
         Some(Place {
             analysis,
@@ -359,19 +361,20 @@ impl<'a> Place<'a> {
                 .is_none_or(u8::is_ascii_whitespace)
         };
         let separators = self.all.iter().filter(|t| t.kind() == TokenKind::Separator);
-        let left = separators.filter(|t| {
-            let is_in = |e: &Edit| e.span.start <= t.start && t.end() <= e.span.end;
-            !edits.iter().any(is_in)
-        });
+        let separators = separators.map(|t| t.span());
+        let left = separators
+            .chain(brackets::all(self.all, self.text))
+            .filter(|s| {
+                let is_in = |e: &Edit| e.span.start <= s.start && s.end <= e.span.end;
+                !edits.iter().any(is_in)
+            });
         let left: Vec<Edit> = left
-            .map(|t| {
-                let apart =
-                    t.start == 0 || is_space(t.start as usize - 1) || is_space(t.end() as usize);
+            .map(|span| {
+                let apart = span.start == 0
+                    || is_space(span.start as usize - 1)
+                    || is_space(span.end as usize);
                 let text = if apart { "" } else { " " }.to_owned();
-                Edit {
-                    span: t.span(),
-                    text,
-                }
+                Edit { span, text }
             })
             .collect();
         edits.extend(left);

@@ -2,7 +2,8 @@
 
 use super::{Candidate, Habit, MOST, Place};
 use crate::diagnostics::{Code, Diagnostic};
-use crate::scene::Entity;
+use crate::scene::{Entity, names};
+use crate::syntax::Item;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Effect, Family, Kind, Param, ParamKind, RecordKind};
 
@@ -47,6 +48,7 @@ impl Place<'_> {
             return;
         }
         self.swapped(out);
+        self.other_place(finding, &all, out);
         let id = |t: &Token| t.integer(self.text).unwrap_or(0);
         // A single one is no more than one off, and 0 is none.
         let several = all.iter().filter(|(t, _)| id(t) != 0).count() > 1;
@@ -85,6 +87,32 @@ impl Place<'_> {
                 (others.iter().take(MOST))
                     .filter_map(|o| self.write(Habit::Reference, &[(*t, o.3.to_string())])),
             );
+        }
+    }
+
+    /// A reference that nothing fits may have been meant for another place, which has none: that of the only thing there
+    /// that no record names.
+    fn other_place(
+        &self,
+        finding: &Diagnostic,
+        all: &[(Token, &'static [Kind])],
+        out: &mut Vec<Candidate>,
+    ) {
+        let own = all.iter().find(|(t, _)| finding.span == t.span());
+        let Some((own, _)) = own.filter(|(_, kinds)| self.entities(kinds).next().is_none()) else {
+            return;
+        };
+        let document = &self.analysis.document;
+        let is_named = |id: u32| {
+            let mut records = document.items.iter().filter_map(Item::record);
+            records.any(|r| names::references(document, r).any(|named| named == id))
+        };
+        for (place, kinds) in all.iter().filter(|(t, _)| t.integer(self.text) == Some(0)) {
+            let mut unused = self.entities(kinds).filter(|e| !is_named(e.id));
+            if let (Some(one), None) = (unused.next(), unused.next()) {
+                let new = [(*own, "0".to_owned()), (*place, one.id.to_string())];
+                out.extend(self.write(Habit::Reference, &new));
+            }
         }
     }
 

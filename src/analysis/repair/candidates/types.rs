@@ -3,7 +3,7 @@
 use rustc_hash::FxHashSet;
 
 use super::{Candidate, Habit, MOST, Place};
-use crate::analysis::{colours, materials};
+use crate::analysis::materials;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::scene::names::references;
 use crate::syntax::Item;
@@ -63,14 +63,14 @@ impl Place<'_> {
             Some(_) if count > 1 => count - 1,
             _ => count,
         };
+        // The name of a colour, of two words or one, is what a colour has for its numbers.
+        let is_colour = |of: &usize| self.colour_name(&behind[count - of..count]).is_some();
+        let colour = [2, 1]
+            .into_iter()
+            .find(|of| behind.len() == count && count > *of && is_colour(of));
+        let count = count - colour.unwrap_or(0);
         let Some(last) = count.checked_sub(1).map(|last| behind[last]) else {
             return;
-        };
-        // The name of a colour is what a colour has for its numbers.
-        let is_colour = |t: &Token| colours::numbers(t.text(self.text)).is_some();
-        let (count, last) = match behind[..count] {
-            [.., before, last] if behind.len() == count && is_colour(&last) => (count - 1, before),
-            _ => (count, last),
         };
         let span = behind[0].span().to(last.span());
         let params = &behind[count..];
