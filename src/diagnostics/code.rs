@@ -152,12 +152,14 @@ codes! {
     W329 "smaller-than-a-pixel" of rule "smaller_than_a_pixel";
     W330 "nothing-lit" of rule "nothing_lit";
     W331 "unseen-texture" of rule "unseen_texture";
+    W332 "idle-difference" of rule "idle_difference";
     N601 "not-utf8";
     N602 "no-camera" of rule "no_camera";
     N603 "no-light" of rule "no_light";
     N604 "utf16";
     N605 "two-readings";
     N606 "too-bright" of rule "too_bright";
+    N607 "rotation-in-radians" of rule "rotation_in_radians";
     S501 "notation-separator" of rule "notation_separator";
     S502 "bare-comment" of rule "bare_comment";
     S503 "several-records-per-line" of rule "several_records_per_line";

@@ -23,6 +23,7 @@ mod comment_hides_records;
 mod degenerate_shape;
 mod empty_result;
 mod energy_gain;
+mod idle_difference;
 mod ill_scaled;
 mod lamp_in_solid;
 mod mixed_intersection;
@@ -36,6 +37,7 @@ mod nothing_lit;
 mod overlapping_union;
 mod pointless_index;
 mod pointless_transformation;
+mod rotation_in_radians;
 mod scene_box_cuts;
 mod self_intersecting;
 mod several_cameras;
@@ -66,6 +68,8 @@ use ShapeKind as S;
 
 const CUTS: &[RecordKind] = &[R::Intersection, R::Difference];
 const UNIONS: &[RecordKind] = &[R::Union];
+const DIFFERENCES: &[RecordKind] = &[R::Difference];
+const ROTATIONS: &[RecordKind] = &[R::Rotation];
 const INTERSECTIONS: &[RecordKind] = &[R::Intersection];
 const SOLID_OPERATIONS: &[RecordKind] = &[R::Intersection, R::Difference, R::Complement];
 const BOUNDS: &[RecordKind] = &[R::BoundingBox, R::BoundingSphere];
@@ -254,6 +258,11 @@ pub const RULES: &[Rule] = &[
         asks_for: &[TEXTURES, RENDER],
     },
     Rule {
+        code: Code::W332,
+        check: idle_difference::check,
+        asks_for: &[DIFFERENCES],
+    },
+    Rule {
         code: Code::N602,
         check: no_camera::check,
         asks_for: &[],
@@ -267,6 +276,11 @@ pub const RULES: &[Rule] = &[
         code: Code::N606,
         check: too_bright::check,
         asks_for: &[RENDER],
+    },
+    Rule {
+        code: Code::N607,
+        check: rotation_in_radians::check,
+        asks_for: &[ROTATIONS],
     },
     Rule {
         code: Code::S501,

@@ -19,7 +19,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for record in context.records().filter(|r| r.kind == RecordKind::Camera) {
         let p = context.record_params(record);
         // Few numbers look like that.
-        if usual(&p).is_none() {
+        if usual_view(&p).is_none() {
             continue;
         }
         let camera = cameras.iter().find(|c| c.id == p.id);
@@ -50,13 +50,24 @@ pub fn meant(context: &Context, camera: &Camera, p: &Params) -> Option<u32> {
     if p.ty.kind != RecordKind::Camera || camera.projection.is_some() {
         return None;
     }
-    usual(p).filter(|_| !fits(context, camera))
+    usual_view(p).filter(|_| !fits(context, camera))
 }
 
-/// The usual angle, in degrees, that a number is in radians, as far as its decimals go; rounded or cut off.
-fn usual(p: &Params) -> Option<u32> {
-    let x = p.number(FOVY);
-    let (_, decimals) = p.text_of(FOVY).split_once('.')?;
+/// The usual angle of view, in degrees, that the number of a camera is in radians.
+fn usual_view(p: &Params) -> Option<u32> {
+    let all = (2..=35).map(|k| 5 * k);
+    usual(p.number(FOVY), p.text_of(FOVY), &BY_HEART, all)
+}
+
+/// The angle in degrees that a number is in radians, as far as its decimals go; rounded or cut off. With two decimals
+/// it is one of those that people know `by_heart`, with more any of `all`.
+pub fn usual(
+    x: f64,
+    written: &str,
+    by_heart: &[u32],
+    mut all: impl Iterator<Item = u32>,
+) -> Option<u32> {
+    let (_, decimals) = written.split_once('.')?;
     if !decimals.bytes().all(|b| b.is_ascii_digit()) {
         return None;
     }
@@ -66,9 +77,9 @@ fn usual(p: &Params) -> Option<u32> {
     };
     match decimals.len() {
         0 | 1 => None,
-        2 => BY_HEART.into_iter().find(|d| is(d, 0.01)),
+        2 => by_heart.iter().copied().find(|d| is(d, 0.01)),
         // π may have been 3.14.
-        _ => (2..=35).map(|k| 5 * k).find(|d| is(d, 0.001)),
+        _ => all.find(|d| is(d, 0.001)),
     }
 }
 

@@ -12,6 +12,26 @@ use crate::solids::named;
 use crate::solids::proofs::{Literals, Proofs, Reason};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    each(context, |_, _, operation| {
+        if let Some((x, y, reason)) = &operation.proof {
+            out.extend(finding(context, operation.node, (*x, *y), reason));
+        }
+    });
+}
+
+/// An intersection or a difference.
+pub struct Operation {
+    pub node: NodeId,
+    pub operands: (NodeId, NodeId),
+    pub is_difference: bool,
+    /// An operand is empty, of which has been spoken.
+    pub is_of_nothing: bool,
+    /// That it is empty itself.
+    pub proof: Option<(NodeId, NodeId, Reason)>,
+}
+
+/// Looks at each intersection and each difference, with a few of what is to hold in each node before it.
+pub fn each(context: &Context, mut found: impl FnMut(&mut Proofs, &[Literals], Operation)) {
     let scene = context.scene;
     let bounds = context.bounds();
     let mut proofs = Proofs::new(scene, bounds);
@@ -33,23 +53,30 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 _ => (false, own),
             },
             Node::Intersection(a, b) | Node::Difference(a, b) => {
-                let cut = matches!(node, Node::Difference(..));
+                let is_difference = matches!(node, Node::Difference(..));
                 let first = lists[a as usize];
-                let second = match cut {
+                let second = match is_difference {
                     true => proofs.complement(b, &lists),
                     false => lists[b as usize].to_vec(),
                 };
-                let known = is_empty(a) || (!cut && is_empty(b));
-                let proof = match known || (cut && is_empty(b)) {
+                let known = is_empty(a) || (!is_difference && is_empty(b));
+                let is_of_nothing = known || (is_difference && is_empty(b));
+                let proof = match is_of_nothing {
                     true => None,
-                    false => proofs.nothing(&first, &second, (!cut).then_some((a, b))),
+                    false => proofs.nothing(&first, &second, (!is_difference).then_some((a, b))),
                 };
-                if let Some((x, y, reason)) = &proof {
-                    out.extend(finding(context, i as NodeId, (*x, *y), reason));
-                }
+                let nothing = known || proof.is_some();
+                let operation = Operation {
+                    node: i as NodeId,
+                    operands: (a, b),
+                    is_difference,
+                    is_of_nothing,
+                    proof,
+                };
+                found(&mut proofs, &lists, operation);
                 let mut all = first;
                 all.extend(&second);
-                (known || proof.is_some(), all)
+                (nothing, all)
             }
         };
         empty.push(nothing);

@@ -1,0 +1,10 @@
+W332 = rozdíl { $id } nic neodečte: { $two } { $two-id } se nedotýká objektu { $one-id } ({ $one })
+    .label = tohle nic neodečte
+    .one = { $one }
+    .two = { $two }
+    .note = přesuňte jeden objekt k druhému, nebo rozdíl vynechte
+W332-gap = rozdíl { $id } nic neodečte: { $two } { $two-id } a { $one } { $one-id } jsou od sebe aspoň { $gap }
+    .label = { W332.label }
+    .one = { W332.one }
+    .two = { W332.two }
+    .note = { W332.note }

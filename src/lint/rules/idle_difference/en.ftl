@@ -1,0 +1,10 @@
+W332 = the difference { $id } takes nothing away: the { $two } { $two-id } does not touch the { $one } { $one-id }
+    .label = this takes nothing away
+    .one = the { $one }
+    .two = the { $two }
+    .note = move one of them to the other, or leave the difference out
+W332-gap = the difference { $id } takes nothing away: the { $two } { $two-id } and the { $one } { $one-id } are { $gap } or more apart
+    .label = { W332.label }
+    .one = { W332.one }
+    .two = { W332.two }
+    .note = { W332.note }

@@ -1,0 +1,56 @@
+//! W332: a difference that takes nothing away for certain: what is taken away lies apart.
+
+use super::empty_result::each;
+use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::geometry::array::length;
+use crate::lint::Context;
+use crate::lint::spelling::near;
+use crate::scene::NodeId;
+use crate::solids::named;
+use crate::solids::proofs::Reason;
+
+pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    each(context, |proofs, lists, operation| {
+        let (a, b) = operation.operands;
+        if !operation.is_difference || operation.is_of_nothing || operation.proof.is_some() {
+            return;
+        }
+        let lists = [a, b].map(|n| &lists[n as usize]);
+        if let Some((_, _, reason)) = proofs.nothing(lists[0], lists[1], Some((a, b))) {
+            out.extend(finding(context, operation.node, (a, b), &reason));
+        }
+    });
+}
+
+fn finding(
+    context: &Context,
+    operation: NodeId,
+    (a, b): (NodeId, NodeId),
+    reason: &Reason,
+) -> Option<Diagnostic> {
+    let scene = context.scene;
+    let (one, two) = (named(scene, a)?, named(scene, b)?);
+    let record = scene.origins[operation as usize];
+    let p = context.params(record.span)?;
+    let d = Diagnostic::new(Code::W332, p.span_of(1, 1))
+        .with("id", record.id.to_string())
+        .with("one", Value::Term(one.title))
+        .with("one-id", one.id.to_string())
+        .with("two", Value::Term(two.title))
+        .with("two-id", two.id.to_string());
+    // What is within something that was taken away already may touch what is left.
+    let gap = match reason {
+        Reason::Within | Reason::Same => return None,
+        Reason::Apart { end, begin, .. } => Some(begin - end),
+        Reason::Balls { between, radii } => Some(between - radii),
+        Reason::Plane { normal, end, begin } => Some((begin - end) / length(*normal)),
+        Reason::Beyond | Reason::Parts => None,
+    };
+    let d = match gap {
+        Some(gap) => d.case("gap").with("gap", near(gap, gap)),
+        None => d,
+    };
+    let same = one.span == two.span;
+    let d = d.label(one.span, "one");
+    Some(if same { d } else { d.label(two.span, "two") })
+}
