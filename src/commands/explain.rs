@@ -9,6 +9,7 @@ use super::{LookChoice, Status, complain, terminal};
 use crate::diagnostics::layout::hanging;
 use crate::diagnostics::{Code, Complaint, Language};
 use crate::features::pages::{code_page, type_page};
+use crate::lint::levels::Selector;
 use crate::syntax::quote;
 use crate::syntax::table::{RECORD_TYPES, RecordType};
 use crate::syntax::words::{self, plain};
@@ -21,6 +22,8 @@ Without an argument, all codes and record types are listed.
 Examples:
   zpg explain E101            a finding by its code
   zpg explain undefined-id    … or by its name
+  zpg explain W310 W305       several
+  zpg explain W3              all codes that begin like this, in a list
   zpg explain -399            a record type by its number
   zpg explain checkerboard    … or by its keyword
   zpg explain glass           how to make glass, a mirror, a prism, a shadow")]
@@ -39,7 +42,14 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         });
     }
     let topic = &args.topic.join(" ");
-    match page(topic, look.language()) {
+    if let Some(group) = group(topic) {
+        return terminal::print(look, Status::Clean, |out| {
+            let lines = group.codes().iter().map(|&c| line(c, look.language()));
+            let mut lines = lines.map(|line| hanging(&line, terminal::width()));
+            lines.try_for_each(|line| writeln!(out, "{line}"))
+        });
+    }
+    match page(topic, look.language()).or_else(|| pages(&args.topic, look.language())) {
         Some(page) => {
             let stdout = io::stdout();
             let colour = look.colour(&stdout);
@@ -63,12 +73,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
 fn index(language: Language) -> String {
     let mut index = String::new();
     for &code in Code::ALL {
-        let title = match language {
-            Language::English => String::new(),
-            Language::Czech => first_sentence(code, language),
-        };
-        let line = format!("{:>5}  {:<24}  {title}", code.as_str(), code.name());
-        index += line.trim_end();
+        index += &line(code, language);
         index.push('\n');
     }
     index.push('\n');
@@ -81,6 +86,28 @@ fn index(language: Language) -> String {
         let _ = writeln!(index, "{:>5}  {name}", ty.code);
     }
     index
+}
+
+/// A code in the list of all.
+fn line(code: Code, language: Language) -> String {
+    let title = match language {
+        Language::English => String::new(),
+        Language::Czech => first_sentence(code, language),
+    };
+    let line = format!("{:>5}  {:<24}  {title}", code.as_str(), code.name());
+    line.trim_end().to_owned()
+}
+
+/// The codes that begin with a topic, such as `W3`.
+fn group(topic: &str) -> Option<Selector> {
+    let has_page = page(topic, Language::English).is_some();
+    topic.trim().parse().ok().filter(|_| !has_page)
+}
+
+/// The pages on several topics of one word each.
+fn pages(topics: &[String], language: Language) -> Option<String> {
+    let pages: Option<Vec<String>> = topics.iter().map(|topic| page(topic, language)).collect();
+    Some(pages?.join("\n"))
 }
 
 /// What a page says first, in one line.
@@ -296,6 +323,28 @@ mod tests {
         }
         let lathe = page("lathe", english).unwrap();
         assert!(lathe.starts_with("# lathe: surface of revolution (1)"));
+    }
+
+    #[test]
+    fn several_topics_and_groups() {
+        let english = Language::English;
+        let topics = ["W310", "torus", "-399"].map(str::to_owned);
+        let all = pages(&topics, english).unwrap();
+        let headings: Vec<&str> = all.lines().filter(|l| l.starts_with("# ")).collect();
+        assert_eq!(
+            headings,
+            [
+                "# unused-definition (W310)",
+                "# torus (14)",
+                "# checkerboard (-399)"
+            ]
+        );
+        assert!(pages(&["W310".to_owned(), "nothing".to_owned()], english).is_none());
+        let codes = group("n60").unwrap();
+        assert!(codes.codes().contains(&Code::N601) && !codes.holds(Code::S501));
+        for topic in ["W310", "torus", "light", "nothing", ""] {
+            assert!(group(topic).is_none(), "{topic}");
+        }
     }
 
     #[test]

@@ -542,6 +542,8 @@ help-explain = Vysvětlí nález nebo typ záznamu
         Příklady:
           zpg explain E101            nález podle kódu
           zpg explain undefined-id    … nebo podle názvu
+          zpg explain W310 W305       několik nálezů
+          zpg explain W3              seznam kódů, které tak začínají
           zpg explain -399            typ záznamu podle čísla
           zpg explain šachovnice      … nebo podle jména, českého či anglického
           zpg explain sklo            jak udělat sklo, zrcadlo, hranol, stín
