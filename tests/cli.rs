@@ -173,6 +173,38 @@ fn explain_lists_all_topics() {
 }
 
 #[test]
+fn explain_takes_several_topics_and_groups() {
+    let dir = tempfile::tempdir().unwrap();
+    let run = zpg(dir.path(), &["explain", "W310", "W305"]);
+    let said = text(&run.stdout);
+    assert!(said.starts_with("# unused-definition (W310)"), "{said}");
+    assert!(said.contains("\n# degenerate-shape (W305)"), "{said}");
+    let run = zpg(dir.path(), &["explain", "E20"]);
+    let said = text(&run.stdout);
+    assert!(said.starts_with(" E201  not-positive\n"), "{said}");
+    assert!(said.lines().all(|line| line.starts_with(" E20")), "{said}");
+    let run = zpg(dir.path(), &["explain", "W310", "chekerboard"]);
+    assert_eq!(run.status.code(), Some(2));
+}
+
+/// What else was written may not go together either: the usage has none of it.
+#[test]
+fn usage_after_a_conflict_is_that_of_the_command() {
+    let dir = tempfile::tempdir().unwrap();
+    let args = ["render", "a.zpg", "--tile", "1/4", "--resume", "--watch"];
+    let run = zpg(dir.path(), &args);
+    let said = text(&run.stderr);
+    assert!(
+        said.contains("`--tile <I/N>` does not go together with `--watch`"),
+        "{said}"
+    );
+    assert!(
+        said.contains("\nUsage: zpg render [OPTIONS] <PATH>...\n"),
+        "{said}"
+    );
+}
+
+#[test]
 fn explain_suggests() {
     let dir = tempfile::tempdir().unwrap();
     let run = zpg(dir.path(), &["explain", "chekerboard"]);

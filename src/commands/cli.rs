@@ -74,9 +74,7 @@ pub fn run() -> Status {
             let look = LookChoice::among(std::env::args_os());
             let mut command = help::in_language(Cli::command(), look.language(), width());
             let again = command.try_get_matches_from_mut(std::env::args_os());
-            let commands = command.get_subcommands().map(|c| c.get_name().to_owned());
-            let commands: Vec<String> = commands.collect();
-            return usage::refuse(&again.err().unwrap_or(error), &commands, look);
+            return usage::refuse(&again.err().unwrap_or(error), &mut command, look);
         }
     };
     allocator::keep(KEPT_BYTES);

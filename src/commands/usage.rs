@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::str::FromStr;
 
+use clap::Command;
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
@@ -35,10 +36,12 @@ pub fn whole<T: FromStr + Copy>(text: &str) -> Result<T, Complaint> {
     number(text, "expected-whole-number", |_| true)
 }
 
-/// Answers arguments that cannot be read, and those that ask for help. `commands` are all that there are.
-pub fn refuse(error: &clap::Error, commands: &[String], look: LookChoice) -> Status {
+/// Answers arguments that cannot be read by a command, and those that ask for help.
+pub fn refuse(error: &clap::Error, command: &mut Command, look: LookChoice) -> Status {
     let language = look.language();
-    let Some(what) = complaint(error, commands) else {
+    let commands = command.get_subcommands().map(|c| c.get_name().to_owned());
+    let commands: Vec<String> = commands.collect();
+    let Some(what) = complaint(error, &commands) else {
         let help = error.render();
         // Nobody is left to be told when the stream is gone.
         return match error.use_stderr() {
@@ -65,11 +68,28 @@ pub fn refuse(error: &clap::Error, commands: &[String], look: LookChoice) -> Sta
             .is_none_or(|written| is_near(written, near))
     };
     let usage = usage.filter(|_| suggested(error).iter().all(is_meant));
+    // With a conflict, that of all arguments that are there, and these may not go together either.
+    let usage = match error.kind() {
+        ErrorKind::ArgumentConflict => usage.map(|usage| general(&usage, command)),
+        _ => usage,
+    };
     if let Some(usage) = usage.as_deref().and_then(|u| u.strip_prefix("Usage: ")) {
         say(Complaint::new("usage").with("usage", own_words(usage.to_owned(), language)));
     }
     say(Complaint::new("usage-more"));
     Status::Failure
+}
+
+/// The usage of the subcommand that a usage is of, as its help begins.
+fn general(usage: &str, command: &mut Command) -> String {
+    let mut name = usage.split_whitespace().skip(2);
+    let of = name
+        .next()
+        .and_then(|name| command.find_subcommand_mut(name));
+    match of {
+        Some(of) => of.render_usage().to_string(),
+        None => usage.to_owned(),
+    }
 }
 
 fn laid_out(help: &StyledStr, colour: bool) -> String {
