@@ -95,8 +95,9 @@ fn is_czech(dir: &Path, arguments: &[&str], status: i32) -> String {
     said
 }
 
-const COMMANDS: [&str; 14] = [
+const COMMANDS: [&str; 15] = [
     "check",
+    "new",
     "fmt",
     "convert",
     "crosscheck",

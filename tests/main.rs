@@ -57,6 +57,7 @@ mod metamorphic;
 mod mitsuba;
 mod mutations;
 mod never_worse;
+mod new;
 mod options;
 mod outputs;
 mod parts;

@@ -5,7 +5,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 use super::terminal::width;
 use super::{
     LookChoice, Status, accuracy, check, completions, convert, crosscheck, explain, farm, fmt,
-    help, join, lsp, plan, probe, render, sheet, usage,
+    help, join, lsp, new, plan, probe, render, sheet, usage,
 };
 use crate::{allocator, parallel};
 
@@ -20,6 +20,7 @@ Exit status: 0 done and clean; 1 the scene has errors, or the answer is \"no\"; 
 a file cannot be read or written, or is no scene.
 
 Examples:
+  zpg new scene.zpg         a scene to start with
   zpg check scene.zpg       what is wrong with a scene
   zpg fmt scene.zpg         one record a line, numbers in their shortest spelling
   zpg render scene.zpg      a picture, scene.png
@@ -42,6 +43,7 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    New(new::Args),
     Check(check::Args),
     #[command(alias = "format")]
     Fmt(fmt::Args),
@@ -83,6 +85,7 @@ pub fn run() -> Status {
         let _ = parallel::take_part(0);
     }
     match &cli.command {
+        Command::New(args) => new::run(args, cli.look),
         Command::Check(args) => check::run(args, cli.look),
         Command::Fmt(args) => fmt::run(args, cli.look),
         Command::Convert(args) => convert::run(args, cli.look),

@@ -80,6 +80,7 @@ help-zpg = Nástroje pro scény v jazyce ZPG
         nebo soubor nelze přečíst, nelze zapsat či není scénou.
 
         Příklady:
+          zpg new scena.zpg         scéna, se kterou lze začít
           zpg check scena.zpg       co je ve scéně špatně
           zpg fmt scena.zpg         jeden záznam na řádek, čísla v co nejkratším zápisu
           zpg render scena.zpg      obrázek, scena.png
@@ -91,6 +92,27 @@ help-zpg = Nástroje pro scény v jazyce ZPG
           zpg probe scena.zpg --ray "0 0 9  0 0 -1"
           zpg explain E101          co nález znamená a jak chybu opravit
           zpg explain koule         co typ záznamu znamená a jak se zapisuje
+
+## zpg new
+
+help-new = Zapíše scénu, se kterou lze začít
+    .after =
+        Scéna má nejvýše dvacet řádků s komentáři v jazyce zpráv. Projde příkazy `zpg check` a `zpg fmt --check` a
+        `zpg render` ji vykreslí. Soubor, který už existuje, zůstane, jak je.
+
+        Příklady:
+          zpg new scena.zpg
+          zpg new okno.zpg --from glass
+          zpg new - --from bracket | zpg render - -o konzola.png
+help-new-file = Soubor scény, který končí na .zpg; `-` je standardní výstup
+    .value = SOUBOR
+help-new-from = Co je na scéně; není-li zadáno, zrcadlo, prsten a koule
+    .value = PŘEDLOHA
+    .glass = sklo a jantar na šachovnici, prosvícené světlem
+    .bracket = strojní součást: tělesa spojená a odečtená
+    .chessboard = dva pěšci, rotační tělesa, na leštěné desce
+    .stereo = dva prsteny a zrcadlo pro dvojici kamer
+help-new-force = Přepíše soubor, který už existuje
 
 ## zpg check
 

@@ -7,7 +7,7 @@
 //! something else than what is written, [`frames`] says which pictures a scene with varying numbers has, [`help`] gives
 //! `--help` in other languages, [`language`] chooses one, [`memory`] says how much memory and how many threads may be
 //! taken, [`rewrite`] changes files, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`,
-//! [`spare`] keeps what is read from being written over, [`terminal`] knows about colour and about output that nobody
+//! [`shell`] quotes words, [`spare`] keeps what is read from being written over, [`terminal`] knows about colour and about output that nobody
 //! reads any more, [`time`] reads `90s`, [`topics`] are pages of `explain`, [`usage`] says what is wrong with
 //! arguments, [`watch`] does something again when a scene changes.
 
@@ -34,6 +34,7 @@ mod language;
 pub mod load;
 pub mod lsp;
 pub mod memory;
+pub mod new;
 mod numbers;
 mod page;
 pub mod paths;
@@ -43,6 +44,7 @@ pub mod render;
 mod rewrite;
 pub mod settings;
 pub mod sheet;
+mod shell;
 pub mod size;
 mod spare;
 pub mod terminal;

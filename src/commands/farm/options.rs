@@ -8,6 +8,7 @@ use clap::{ArgMatches, Args, Command};
 use crate::commands::draft;
 use crate::commands::frames::FrameArgs;
 use crate::commands::render::options::PictureArgs;
+use crate::commands::shell::quoted;
 use crate::diagnostics::Complaint;
 
 /// The table of frames in the folder of the job.
@@ -44,15 +45,6 @@ fn option(name: &str, id: &str, matches: &ArgMatches) -> String {
     written.collect::<Vec<_>>().join(" ")
 }
 
-/// A word as a shell reads it.
-fn quoted(word: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./,:=+@".contains(c);
-    match word.chars().all(is_plain) && !word.is_empty() {
-        true => word.to_owned(),
-        false => format!("'{}'", word.replace('\'', r"'\''")),
-    }
-}
-
 /// Copies the table of frames, if there is one.
 pub fn copy_table(frames: &FrameArgs, job: &Path) -> Result<(), Complaint> {
     let Some(table) = frames.table() else {
@@ -64,23 +56,4 @@ pub fn copy_table(frames: &FrameArgs, job: &Path) -> Result<(), Complaint> {
             .with("reason", Complaint::from(&e))
     })?;
     draft::write(&job.join(TABLE), |out| out.write_all(&bytes))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::quoted;
-
-    #[test]
-    fn words_are_quoted_for_a_shell() {
-        for (word, shown) in [
-            ("640x480", "640x480"),
-            ("9.fovy=30..60", "9.fovy=30..60"),
-            ("5.x[3]=1..2", "'5.x[3]=1..2'"),
-            ("a b", "'a b'"),
-            ("it's", r"'it'\''s'"),
-            ("", "''"),
-        ] {
-            assert_eq!(quoted(word), shown);
-        }
-    }
 }
