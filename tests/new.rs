@@ -88,3 +88,44 @@ fn nothing_is_written_over() {
     let run = zpg(dir.path(), &["new", "my scene.zpg"], "");
     assert!(text(&run.stdout).contains("`zpg render 'my scene.zpg'`"));
 }
+
+/// Alone, `zpg` names five commands, and each of them does what it says when they are run one after the other.
+#[test]
+fn the_program_alone_says_how_to_start() {
+    for lang in ["en", "cs"] {
+        let dir = folder::<&str>(&[]);
+        let run = zpg(dir.path(), &["--lang", lang], "");
+        assert_eq!(
+            (run.status.code(), text(&run.stdout)),
+            (Some(2), String::new())
+        );
+        let said = text(&run.stderr);
+        let examples = said.lines().filter_map(|line| line.strip_prefix("  zpg "));
+        let commands: Vec<&str> = examples
+            .filter_map(|line| line.split("  ").next())
+            .collect();
+        assert_eq!(commands.len(), 5, "{said}");
+        for command in commands {
+            let words: Vec<&str> = command.split(' ').chain(["--lang", lang]).collect();
+            let run = zpg(dir.path(), &words, "");
+            assert_eq!(
+                run.status.code(),
+                Some(0),
+                "{command}: {}",
+                text(&run.stderr)
+            );
+        }
+        let drawn = fs::read_dir(dir.path()).unwrap().filter(|entry| {
+            entry
+                .as_ref()
+                .unwrap()
+                .path()
+                .extension()
+                .is_some_and(|e| e == "png")
+        });
+        assert_eq!(drawn.count(), 1);
+        if lang == "en" {
+            assert_eq!(text(&zpg(dir.path(), &[], "").stderr), said);
+        }
+    }
+}

@@ -58,6 +58,7 @@ fn all_that_is_said_fits() {
                 &["render", "--help"],
                 &["check", "-h"],
                 &["--help"],
+                &[],
                 &["check", "--fix-only"],
                 &["render", "a.zpg"],
             ] {

@@ -14,7 +14,6 @@ use crate::{allocator, parallel};
 #[command(
     name = "zpg",
     version,
-    arg_required_else_help = true,
     after_help = "\
 Exit status: 0 done and clean; 1 the scene has errors, or the answer is \"no\"; 2 wrong usage, or
 a file cannot be read or written, or is no scene.

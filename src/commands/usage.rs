@@ -14,6 +14,7 @@ use super::help::{own_words, shown};
 use super::terminal::{complain, tell, width};
 use super::{LookChoice, Status};
 use crate::diagnostics::Complaint;
+use crate::diagnostics::layout::paragraphs;
 use crate::lint::levels::UnknownCode;
 
 /// Reads a number of the command line that must satisfy a condition.
@@ -36,9 +37,20 @@ pub fn whole<T: FromStr + Copy>(text: &str) -> Result<T, Complaint> {
     number(text, "expected-whole-number", |_| true)
 }
 
-/// Answers arguments that cannot be read by a command, and those that ask for help.
+/// Answers arguments that cannot be read by a command, those that ask for help, and none: with the commands that a
+/// newcomer needs.
 pub fn refuse(error: &clap::Error, command: &mut Command, look: LookChoice) -> Status {
     let language = look.language();
+    let is_bare = matches!(
+        error.kind(),
+        ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+    );
+    if is_bare {
+        let start = paragraphs(&language.say("start", &[]), width());
+        // Nobody is left to be told when the stream is gone.
+        let _ = writeln!(io::stderr(), "{start}");
+        return Status::Failure;
+    }
     let commands = command.get_subcommands().map(|c| c.get_name().to_owned());
     let commands: Vec<String> = commands.collect();
     let Some(what) = complaint(error, &commands) else {
@@ -108,10 +120,6 @@ fn complaint(error: &clap::Error, commands: &[String]) -> Option<Complaint> {
         ErrorKind::InvalidSubcommand => {
             let command = get(ContextKind::InvalidSubcommand)?;
             Complaint::new("usage-no-command").with("arg", command)
-        }
-        ErrorKind::MissingSubcommand => {
-            let commands = get(ContextKind::ValidSubcommand)?;
-            Complaint::new("usage-command").with("commands", commands)
         }
         ErrorKind::MissingRequiredArgument => arg("usage-missing")?,
         ErrorKind::ArgumentConflict => match get(ContextKind::PriorArg)? {

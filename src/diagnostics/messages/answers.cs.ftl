@@ -152,3 +152,16 @@ farm-summary =
         [one] { "" }
        *[other] { " " }Najednou se kreslí úloh: { $chunk }.
     }
+
+## zpg samotné
+
+start =
+    zpg: nástroje pro scény v jazyce ZPG
+
+      zpg new scena.zpg      zapíše scénu, se kterou lze začít
+      zpg check scena.zpg    řekne, co je špatně a co napsat místo toho
+      zpg fmt scena.zpg      dá každý záznam na vlastní řádek a zarovná čísla
+      zpg render scena.zpg   vykreslí scénu do souboru scena.png
+      zpg explain koule      popíše typ záznamu nebo nález
+
+    `zpg --help` vypíše všechny příkazy, `zpg render --help` všechny volby jednoho.

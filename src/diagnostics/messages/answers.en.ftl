@@ -179,3 +179,16 @@ farm-summary =
         [one] { "" }
        *[other] { " " }{ $chunk } tasks are drawn in one go.
     }
+
+## zpg alone
+
+start =
+    zpg: tools for scenes in the ZPG scene language
+
+      zpg new scene.zpg      writes a scene to start with
+      zpg check scene.zpg    says what is wrong, and what to write instead
+      zpg fmt scene.zpg      puts each record on a line of its own and aligns the numbers
+      zpg render scene.zpg   draws the scene into scene.png
+      zpg explain sphere     describes a type of record or a finding
+
+    `zpg --help` lists all commands, `zpg render --help` all options of one.

@@ -322,7 +322,6 @@ usage = Použití: { $usage }
 usage-more = Více řekne `--help`.
 usage-unknown = neočekávaný argument `{ $arg }`
 usage-no-command = příkaz `{ $arg }` neexistuje
-usage-command = chybí příkaz; možnosti jsou { $commands }
 usage-missing = chybí: { $arg }
 usage-twice = `{ $arg }` lze uvést jen jednou
 usage-conflict = `{ $arg }` nelze uvést spolu s `{ $other }`

@@ -315,7 +315,6 @@ usage = Usage: { $usage }
 usage-more = For more information, try `--help`.
 usage-unknown = unexpected argument `{ $arg }`
 usage-no-command = there is no command `{ $arg }`
-usage-command = which command? There are { $commands }
 usage-missing = missing: { $arg }
 usage-twice = `{ $arg }` can be given only once
 usage-conflict = `{ $arg }` does not go together with `{ $other }`
