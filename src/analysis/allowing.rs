@@ -5,7 +5,7 @@
 //! 1. into the comment of this kind that covers it already;
 //! 2. at the end of its record's last line;
 //! 3. straight behind the record, where a comment begins that goes on over several lines or never ends;
-//! 4. alone on the line above the record;
+//! 4. alone on the line above the record, as `allow-next(…)` above the first one;
 //! 5. at the head of the file, which covers all of it, where the finding is in no record.
 //!
 //! What comes of a place is tried: the scene is read again, and must have fewer findings and none that is new. Editors
@@ -21,7 +21,7 @@ use super::worse::{counts, has_new_errors};
 use crate::diagnostics::source::line_break;
 use crate::diagnostics::{Code, Diagnostic, Edit, SourceFile, Span, fixes};
 use crate::syntax::Item;
-use crate::syntax::directive::{entries, is_directive};
+use crate::syntax::directive::{Allow, is_directive};
 use crate::syntax::lexer::{Token, TokenKind};
 
 /// The kinds of places, the best first.
@@ -57,6 +57,8 @@ enum Place {
     Line(u32),
     /// On a line of its own.
     Own(u32),
+    /// On the line above the first record, about that record alone.
+    AboveFirst(u32),
 }
 
 impl Place {
@@ -68,6 +70,10 @@ impl Place {
             Place::List { at, first: false } => (at, format!(", {codes}")),
             Place::Line(at) => (at, format!(" # zpg: allow({codes}) #")),
             Place::Own(at) => (at, format!("# zpg: allow({codes}) #{}", line_break(text))),
+            Place::AboveFirst(at) => {
+                let end = line_break(text);
+                (at, format!("# zpg: allow-next({codes}) #{end}"))
+            }
         };
         Edit {
             span: Span::new(at, at),
@@ -254,7 +260,7 @@ impl<'a> Finder<'a> {
             Kind::Merged => self.merged(record, finding.code),
             Kind::EndOfLine => self.end_of_line(record).map(Place::Line),
             Kind::BehindRecord => Some(Place::Line(self.span(record).end)),
-            Kind::LineAbove => self.line_above(record).map(Place::Own),
+            Kind::LineAbove => self.line_above(record),
             Kind::Head => self.of_file(finding.code, kind),
         }
     }
@@ -307,10 +313,12 @@ impl<'a> Finder<'a> {
         let on_lines = self.directives[first..]
             .iter()
             .take_while(|&&i| line(i) <= *lines.end());
-        let on_lines = on_lines.copied().find_map(|i| self.list(i, code));
+        let mut on_lines = on_lines.copied().filter(|&i| !self.is_about_next(i));
+        let on_lines = on_lines.find_map(|i| self.list(i, code));
         let above = || {
             let above = *self.directives[..first].last()?;
-            let is_next = line(above) + 1 == *lines.start() && !self.is_at_head(above);
+            let is_of_record = !self.is_at_head(above) || self.is_about_next(above);
+            let is_next = line(above) + 1 == *lines.start() && is_of_record;
             let is_alone = is_next && self.record_at(self.token(above).start).is_none();
             self.list(above, code).filter(|_| is_alone)
         };
@@ -322,17 +330,23 @@ impl<'a> Finder<'a> {
         self.records.is_empty() || self.token(directive).start < self.span(0).start
     }
 
+    /// Whether a comment is about the record below it, wherever it stands.
+    fn is_about_next(&self, directive: u32) -> bool {
+        let allow = Allow::read(self.token(directive), &self.analysis.source.text);
+        allow.is_some_and(|allow| allow.is_about_next)
+    }
+
     /// Behind the last entry between the brackets of a comment, unless the code is there.
     fn list(&self, directive: u32, code: Code) -> Option<Place> {
         let token = self.token(directive);
-        let (list, all) = entries(token, &self.analysis.source.text)?;
+        let Allow { list, entries, .. } = Allow::read(token, &self.analysis.source.text)?;
         let has = |entry: &&str| entry.eq_ignore_ascii_case(code.as_str());
-        if all.iter().any(has) {
+        if entries.iter().any(has) {
             return None;
         }
         Some(Place::List {
             at: list.end,
-            first: all.iter().all(|entry| entry.is_empty()),
+            first: entries.iter().all(|entry| entry.is_empty()),
         })
     }
 
@@ -363,19 +377,23 @@ impl<'a> Finder<'a> {
         Some(end)
     }
 
-    /// The start of the line that a record begins on, if nothing stands before it there. Above the first record it
-    /// would be the head of the file.
-    fn line_above(&self, record: usize) -> Option<u32> {
+    /// Above the line that a record begins on, if nothing stands before it there.
+    fn line_above(&self, record: usize) -> Option<Place> {
         let source = &self.analysis.source;
         let start = self.span(record).start;
         let line = source.line_span(self.line(start)).start;
         let before = &source.text[line as usize..start as usize];
-        (record > 0 && before.trim().is_empty()).then_some(line)
+        let place = match record {
+            0 => Place::AboveFirst(line),
+            _ => Place::Own(line),
+        };
+        before.trim().is_empty().then_some(place)
     }
 
     /// At the head of the file.
     fn of_file(&self, code: Code, kind: Kind) -> Option<Place> {
-        let first = self.directives.first().copied();
+        let of_file = |i: &u32| !self.is_about_next(*i);
+        let first = self.directives.iter().copied().find(of_file);
         let head =
             first.filter(|&i| self.is_at_head(i) && self.record_at(self.token(i).start).is_none());
         match (kind, head) {

@@ -1,7 +1,7 @@
 //! Comments that say what is all right: `# zpg: allow(W307, colour-out-of-range) as it is meant #`.
 //!
 //! What stands between the brackets is what `zpg.toml` knows too: codes, names and groups. On a record's line such a comment covers the record, alone on the line above one too; at the head
-//! of the file, before any record, it covers the file. What it allows is not reported. An entry that
+//! of the file, before any record, it covers the file. `allow-next(…)` covers the record below it, also at the head. What it allows is not reported. An entry that
 //! allows nothing is S504.
 
 use std::collections::BTreeMap;
@@ -10,7 +10,7 @@ use super::Context;
 use super::levels::Selector;
 use crate::diagnostics::{self, Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::syntax::Item;
-use crate::syntax::directive::{self, is_directive};
+use crate::syntax::directive::{Allow, is_directive};
 use crate::syntax::lexer::{Token, TokenKind};
 
 /// The comments that say so, as tokens.
@@ -134,15 +134,20 @@ impl Directive {
         let line = layout.line_at(at);
         let own = layout.records_on(line.span);
         let alone = own.is_none();
-        let covers = if own.is_some() {
+        let allow = Allow::read(token, text);
+        let covers = if allow.as_ref().is_some_and(|allow| allow.is_about_next) {
+            layout.below(line.end)
+        } else if own.is_some() {
             own
         } else if layout.none_before(line.span.start) {
             Some(Span::new(0, text.len() as u32))
         } else {
             layout.below(line.end)
         };
-        let entries = directive::entries(token, text)
-            .map(|(span, all)| (all.into_iter().map(str::to_owned).collect(), span));
+        let entries = allow.map(|allow| {
+            let all = allow.entries.into_iter().map(str::to_owned).collect();
+            (all, allow.list)
+        });
         Directive {
             comment: token.span(),
             removal: match alone {

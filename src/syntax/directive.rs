@@ -26,15 +26,30 @@ pub fn inside(comment: &str) -> &str {
     comment.trim_start_matches('#').trim_end_matches('#').trim()
 }
 
-/// What stands between the brackets of `allow(…)`: where, and its entries, with empty ones. Nothing for another
-/// comment.
-pub fn entries<'a>(token: &Token, text: &'a str) -> Option<(Span, Vec<&'a str>)> {
-    let comment = token.text(text);
-    let rest = without_word(inside(comment), PREFIX)?;
-    let rest = without_word(rest, "allow")?.strip_prefix('(')?;
-    // What follows is the reason.
-    let (list, _) = rest.split_once(')')?;
-    let start = token.start + comment.find('(')? as u32 + 1;
-    let span = Span::new(start, start + list.len() as u32);
-    Some((span, list.split(',').map(str::trim).collect()))
+/// A comment that allows findings.
+pub struct Allow<'a> {
+    /// Where the list between the brackets is.
+    pub list: Span,
+    /// What stands in it, with empty entries.
+    pub entries: Vec<&'a str>,
+    /// Whether it is about the next record wherever it stands: `allow-next(…)`.
+    pub is_about_next: bool,
+}
+
+impl<'a> Allow<'a> {
+    /// Reads `allow(…)` or `allow-next(…)`; nothing for another comment.
+    pub fn read(token: &Token, text: &'a str) -> Option<Allow<'a>> {
+        let comment = token.text(text);
+        let rest = without_word(inside(comment), PREFIX)?;
+        let next = without_word(rest, "allow-next");
+        let rest = next.or_else(|| without_word(rest, "allow"))?;
+        // What follows is the reason.
+        let (list, _) = rest.strip_prefix('(')?.split_once(')')?;
+        let start = token.start + comment.find('(')? as u32 + 1;
+        Some(Allow {
+            list: Span::new(start, start + list.len() as u32),
+            entries: list.split(',').map(str::trim).collect(),
+            is_about_next: next.is_some(),
+        })
+    }
 }
