@@ -143,6 +143,24 @@ fn colour_is_a_choice() {
     assert!(!coloured(&["check", "b.zpg"]));
     assert!(!coloured(&["check", "b.zpg", "--color", "never"]));
     assert!(coloured(&["check", "b.zpg", "--color", "always"]));
+    // Continuous integration has no terminal and shows colour.
+    let forced = |variables: &[(&str, &str)], args: &[&str]| {
+        let mut command = crate::support::program::command();
+        command.env_remove("NO_COLOR").envs(variables.to_vec());
+        let run = command.args(args).current_dir(dir.path()).output().unwrap();
+        text(&run.stdout).contains('\u{1b}')
+    };
+    for name in ["FORCE_COLOR", "CLICOLOR_FORCE"] {
+        assert!(forced(&[(name, "1")], &["check", "b.zpg"]));
+        assert!(!forced(
+            &[(name, "1"), ("NO_COLOR", "1")],
+            &["check", "b.zpg"]
+        ));
+        assert!(!forced(
+            &[(name, "1")],
+            &["check", "b.zpg", "--color", "never"]
+        ));
+    }
 }
 
 #[test]

@@ -36,7 +36,7 @@ help-heading-global = Společné volby
 
 help-any-color = Kdy používat barvy
     .value = KDY
-    .auto = na terminálu, není-li nastaveno NO_COLOR
+    .auto = na terminálu a kde je nastaveno FORCE_COLOR nebo CLICOLOR_FORCE, není-li nastaveno NO_COLOR
     .always = vždy
     .never = nikdy
 help-any-lang = Jazyk zpráv [výchozí: podle LC_ALL, LC_MESSAGES nebo LANG]

@@ -43,7 +43,7 @@ pub struct LookChoice {
 /// When to colour what is printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
 enum ColorChoice {
-    /// On a terminal, unless NO_COLOR is set
+    /// On a terminal, or where FORCE_COLOR or CLICOLOR_FORCE is set, unless NO_COLOR is
     #[default]
     Auto,
     Always,
@@ -88,15 +88,10 @@ impl LookChoice {
 
     /// Whether to colour what goes to this stream.
     pub fn colour(self, stream: &impl IsTerminal) -> bool {
-        let is_set = |name| std::env::var_os(name).is_some_and(|v| !v.is_empty());
         match self.color {
             ColorChoice::Always => true,
             ColorChoice::Never => false,
-            ColorChoice::Auto => {
-                stream.is_terminal()
-                    && !is_set("NO_COLOR")
-                    && std::env::var_os("TERM").is_none_or(|t| t != "dumb")
-            }
+            ColorChoice::Auto => usual(stream.is_terminal(), |name| std::env::var_os(name)),
         }
     }
 
@@ -105,6 +100,21 @@ impl LookChoice {
         self.lang
             .map_or_else(language::of_environment, Language::from)
     }
+}
+
+/// Whether to use colour where no option says: <https://no-color.org>, <https://force-color.org> and
+/// <https://bixense.com/clicolors>, the first of them that is set.
+fn usual(is_terminal: bool, variable: impl Fn(&str) -> Option<OsString>) -> bool {
+    let is_set = |name| variable(name).is_some_and(|value| !value.is_empty());
+    // Many programs take 0 for a no.
+    let says_yes = |name| is_set(name) && variable(name).is_some_and(|value| value != "0");
+    if is_set("NO_COLOR") {
+        return false;
+    }
+    if says_yes("FORCE_COLOR") || says_yes("CLICOLOR_FORCE") {
+        return true;
+    }
+    is_terminal && variable("TERM").is_none_or(|terminal| terminal != "dumb")
 }
 
 /// Says on standard error what went wrong.
@@ -288,4 +298,27 @@ pub fn is_unread() -> bool {
 /// Standard output cannot be written to.
 pub fn unprintable(error: &io::Error) -> Complaint {
     Complaint::new("cannot-print").with("reason", Complaint::from(error))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colour_is_forced_and_forbidden() {
+        let of = |is_terminal, all: &[(&str, &str)]| {
+            usual(is_terminal, |name| {
+                let found = all.iter().find(|(n, _)| *n == name);
+                found.map(|(_, value)| OsString::from(value))
+            })
+        };
+        assert!(of(true, &[]) && !of(false, &[]));
+        assert!(!of(true, &[("TERM", "dumb")]) && of(true, &[("TERM", "xterm")]));
+        for name in ["FORCE_COLOR", "CLICOLOR_FORCE"] {
+            assert!(of(false, &[(name, "1")]) && of(false, &[(name, "1"), ("TERM", "dumb")]));
+            assert!(!of(false, &[(name, "")]) && !of(false, &[(name, "0")]));
+            assert!(!of(true, &[(name, "1"), ("NO_COLOR", "1")]));
+            assert!(of(false, &[(name, "1"), ("NO_COLOR", "")]));
+        }
+    }
 }
