@@ -46,6 +46,7 @@ fn the_ending_says_what_it_is_to_be() {
         ("a.ply", b"ply"),
         ("a.obj", b"#"),
         ("a.glb", b"glTF"),
+        ("a.stl", b"made by zpg"),
         ("a.json", b"{"),
         ("a.zpg", b""),
     ] {
@@ -83,6 +84,7 @@ fn meshes_are_named_after_the_scene() {
         ("ply", &["thing.ply"][..]),
         ("obj", &["thing.obj", "thing.mtl"]),
         ("glb", &["thing.glb"]),
+        ("stl", &["thing.stl"]),
     ] {
         let output = zpg(folder.path(), &["convert", "thing.zpg", "--to", format], "");
         assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
@@ -104,6 +106,53 @@ fn a_scene_without_a_name_needs_one() {
     let output = zpg(folder.path(), &named, SCENE);
     assert_eq!(output.status.code(), Some(0));
     assert!(folder.path().join("here.ply").exists());
+}
+
+/// `-` is standard output, whose bytes are those of the file; also of a scene without a name. An OBJ is several files.
+#[test]
+fn meshes_go_to_standard_output() {
+    let folder = folder();
+    for format in ["ply", "glb", "stl"] {
+        for (file, input) in [("thing.zpg", ""), ("-", SCENE)] {
+            let output = zpg(
+                folder.path(),
+                &["convert", file, "--to", format, "-o", "-"],
+                input,
+            );
+            assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+            assert!(!errors(&output).contains("Wrote"), "{}", errors(&output));
+            let name = format!("a.{format}");
+            zpg(folder.path(), &["convert", "thing.zpg", "-o", &name], "");
+            assert_eq!(output.stdout, fs::read(folder.path().join(name)).unwrap());
+        }
+    }
+    let output = zpg(
+        folder.path(),
+        &["convert", "thing.zpg", "--to", "obj", "-o", "-"],
+        "",
+    );
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0));
+    assert!(errors(&output).contains("several files"));
+    assert!(!folder.path().join("-").exists());
+}
+
+/// Bytes that are no text would leave a terminal in a strange state.
+#[cfg(target_os = "linux")]
+#[test]
+fn meshes_are_not_shown_on_a_terminal() {
+    let folder = folder();
+    let command = format!(
+        "{} convert thing.zpg --to stl -o -",
+        crate::support::program::PATH
+    );
+    let mut script = std::process::Command::new("script");
+    let script = script
+        .args(["-qec", &command, "/dev/null"])
+        .env("LC_ALL", "C");
+    let run = script.current_dir(folder.path()).output().unwrap();
+    assert_eq!(run.status.code(), Some(2));
+    let said = String::from_utf8(run.stdout).unwrap();
+    assert!(said.contains("no text for a terminal"), "{said}");
 }
 
 #[test]

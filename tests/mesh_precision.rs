@@ -1,5 +1,6 @@
 //! Meshes far from the origin: their points as the files have them, held against the bounds that are reported.
 
+use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
 
@@ -74,6 +75,39 @@ fn read_glb(bytes: &[u8]) -> (Vec<Point>, Vec<[usize; 3]>) {
     (points, triangles.collect())
 }
 
+/// Points are written anew for each triangle; those in one place are one point.
+fn read_stl(bytes: &[u8]) -> (Vec<Point>, Vec<[usize; 3]>) {
+    assert!(!bytes.starts_with(b"solid"));
+    let count = word(bytes, 80);
+    assert_eq!(bytes.len(), 84 + 50 * count);
+    let mut points: Vec<Point> = Vec::new();
+    let mut known = HashMap::new();
+    let triangles = (0..count).map(|i| {
+        let three = |k: usize| [0, 1, 2].map(|n| float(bytes, 84 + 50 * i + 12 * k + 4 * n));
+        let [normal, a, b, c] = [0, 1, 2, 3].map(three);
+        // The normal is a unit vector, at right angles to two sides, and points out: to where the corners go round
+        // counter-clockwise.
+        let side = |p: Point| [0, 1, 2].map(|n| p[n] - a[n]);
+        let (u, v) = (side(b), side(c));
+        let cross = [0, 1, 2].map(|n| {
+            let (i, j) = ((n + 1) % 3, (n + 2) % 3);
+            u[i] * v[j] - u[j] * v[i]
+        });
+        let length = cross.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let along: f64 = (0..3).map(|n| normal[n] * cross[n]).sum();
+        assert!(along >= length * (1.0 - 1e-6), "{normal:?} {cross:?}");
+        [a, b, c].map(|p| {
+            let number = known.entry(p.map(f64::to_bits)).or_insert(points.len());
+            if *number == points.len() {
+                points.push(p);
+            }
+            *number
+        })
+    });
+    let triangles = triangles.collect();
+    (points, triangles)
+}
+
 fn read_obj(bytes: &[u8]) -> (Vec<Point>, Vec<[usize; 3]>) {
     let text = std::str::from_utf8(bytes).unwrap();
     let rows = |start: &'static str| text.lines().filter_map(move |l| l.strip_prefix(start));
@@ -103,6 +137,7 @@ fn converted(folder: &Path, to: &str, scene: &str, more: &[&str]) -> Found {
     let (points, triangles) = match to {
         "ply" => read_ply(&bytes),
         "glb" => read_glb(&bytes),
+        "stl" => read_stl(&bytes),
         _ => read_obj(&bytes),
     };
     Found {
@@ -142,7 +177,7 @@ impl Found {
     }
 }
 
-const TARGETS: [&str; 3] = ["ply", "glb", "obj"];
+const TARGETS: [&str; 4] = ["ply", "glb", "obj", "stl"];
 
 #[test]
 fn the_bound_holds_at_any_distance() {

@@ -1,6 +1,6 @@
 //! `zpg convert`: the scene for other programs.
 
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use super::camera::CameraArgs;
@@ -19,7 +19,7 @@ use crate::diagnostics::{Complaint, Error, Value};
 use crate::translate::Fidelity;
 use crate::translate::fidelity::row;
 use crate::translate::registry::{TARGETS, named, of_file};
-use crate::translate::target::{Options, Output, Prepared, Target};
+use crate::translate::target::{Form, Options, Output, Prepared, Target};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// Translate a scene for another program
@@ -32,6 +32,7 @@ Examples:
   zpg convert scene.zpg -o scene.pov
   zpg convert scene.zpg -o scene.xml
   zpg convert scene.zpg -o scene.glb --tolerance 0.01
+  zpg convert scene.zpg --to stl -o - | gzip > scene.stl.gz
   zpg convert scene.zpg --to json | jq .nodes
   zpg convert made-by-a-program.json --to zpg")]
 pub struct Args {
@@ -42,7 +43,7 @@ pub struct Args {
     #[arg(long, value_name = "TO", value_parser = target())]
     to: Option<&'static dyn Target>,
 
-    /// Where to write; `-` is standard output. If not given: standard output, and a mesh to SCENE.ply (obj, glb) in the
+    /// Where to write; `-` is standard output. If not given: standard output, and a mesh to SCENE.ply (obj, glb, stl) in the
     /// current folder. A stereo pair is written to NAME_left and NAME_right; on standard output it is
     /// one file with a switch. Beside NAME.obj there are NAME.mtl and a picture of each texture,
     /// NAME_texture_N.png; beside NAME.xml such pictures, and meshes NAME_1.ply and so on; beside NAME.pov the
@@ -92,9 +93,6 @@ pub struct Args {
     report: Option<PathBuf>,
 }
 
-/// What is written to files only.
-const MESHES: [&str; 3] = ["ply", "obj", "glb"];
-
 /// Takes the name of a target.
 fn target() -> impl TypedValueParser<Value = &'static dyn Target> {
     let values = TARGETS.map(|t| PossibleValue::new(t.name()).help(t.help()));
@@ -128,7 +126,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     }
     let outputs = [&args.output, &args.report].into_iter().flatten();
     let on_stdout = outputs.filter(|path| is_stdout(path)).count();
-    let is_text = !MESHES.contains(&to.name());
+    let is_text = to.form() == Form::Text;
     if on_stdout > 1 || on_stdout > 0 && args.output.is_none() && is_text {
         complain(look, &Complaint::new("two-on-stdout"));
         return Status::Failure;
@@ -153,13 +151,12 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         memory: args.memory.for_triangles(),
         confine: &|scene| args.memory.confine_scene(scene),
         file: &args.file,
-        output: args.output.as_deref().filter(|path| !is_stdout(path)),
+        // A mesh without a name of its own has that of the scene.
+        output: (args.output.as_deref()).filter(|path| !is_text || !is_stdout(path)),
     };
-    if options.output != args.output.as_deref() && MESHES.contains(&to.name()) {
-        complain(look, &Complaint::new("mesh-on-stdout"));
-        return Status::Failure;
-    }
-    let made = to.write(&Prepared::new(&loaded), &options);
+    let made = to
+        .write(&Prepared::new(&loaded), &options)
+        .map(on_stdout_if_asked);
     let spared = made.and_then(|made| {
         let files = made.files.iter().filter_map(|(path, _)| path.as_deref());
         spare(
@@ -183,10 +180,26 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
 /// Makes sure that the files can be written that are named.
 fn can_write(args: &Args, to: &dyn Target) -> Result<(), Complaint> {
     let output = args.output.as_deref().filter(|path| !is_stdout(path));
+    if args.output.as_deref().is_some_and(is_stdout) {
+        let refused = match to.form() {
+            Form::Files => Some("mesh-on-stdout"),
+            Form::Binary if io::stdout().is_terminal() => Some("binary-on-terminal"),
+            Form::Binary | Form::Text => None,
+        };
+        refused.map_or(Ok(()), |why| Err(Complaint::new(why)))?;
+    }
     output.map_or(Ok(()), |path| endings::fits(path, &[to.ending()]))?;
     (args.report.iter()).try_for_each(|path| endings::fits(path, &["json"]))?;
     let mut named = output.into_iter().chain(args.report.as_deref());
     named.try_for_each(try_file)
+}
+
+/// A file that is called `-` goes to standard output.
+fn on_stdout_if_asked(mut made: Output) -> Output {
+    for (path, _) in &mut made.files {
+        path.take_if(|path| is_stdout(path));
+    }
+    made
 }
 
 /// Writes the translation and its report.

@@ -7,9 +7,9 @@ use std::path::Path;
 use crate::diagnostics::Complaint;
 
 /// How the names of files end that zpg reads or writes.
-const KNOWN: [&str; 17] = [
-    "zpg", "json", "toml", "pov", "xml", "ply", "obj", "mtl", "glb", "png", "jpg", "jpeg", "webp",
-    "apng", "exr", "pfm", "sarif",
+const KNOWN: [&str; 18] = [
+    "zpg", "json", "toml", "pov", "xml", "ply", "obj", "mtl", "glb", "stl", "png", "jpg", "jpeg",
+    "webp", "apng", "exr", "pfm", "sarif",
 ];
 
 /// Refuses a name with an ending that stands for something else than what is to be written, whose names end in `own`; the

@@ -221,6 +221,7 @@ help-convert = Převede scénu pro jiný program
           zpg convert scena.zpg -o scena.pov
           zpg convert scena.zpg -o scena.xml
           zpg convert scena.zpg -o scena.glb --tolerance 0.01
+          zpg convert scena.zpg --to stl -o - | gzip > scena.stl.gz
           zpg convert scena.zpg --to json | jq .nodes
           zpg convert vytvorena-programem.json --to zpg
 help-convert-to = Do čeho scénu převést; bez této volby to určí přípona za -o
@@ -230,9 +231,10 @@ help-convert-to = Do čeho scénu převést; bez této volby to určí přípona
     .ply = trojúhelníky: Stanford PLY, binární, s barvami
     .obj = trojúhelníky: Wavefront OBJ a vedle něj knihovna materiálů
     .glb = trojúhelníky: glTF 2.0, binární
+    .stl = trojúhelníky: STL, binární, pro 3D tisk
     .json = vyhodnocená scéna pro jiné programy
     .zpg = vyhodnocená scéna jako záznamy
-help-convert-output = Kam převod zapsat; `-` je standardní výstup. Bez této volby jde na standardní výstup, síť do souboru SCÉNA.ply (obj, glb) v aktuální složce. Z dvojice kamer vzniknou soubory JMÉNO_left a JMÉNO_right, na standardním výstupu jeden soubor s přepínačem. K souboru JMÉNO.obj patří JMÉNO.mtl a obrázky textur JMÉNO_texture_N.png; k souboru JMÉNO.xml takové obrázky a sítě JMÉNO_1.ply a další; k souboru JMÉNO.pov obrázky scény JMÉNO_image_N.png. Ve jménech vedle .obj a .pov se nahradí, co není písmeno bez diakritiky, číslice, -, _ ani tečka
+help-convert-output = Kam převod zapsat; `-` je standardní výstup. Bez této volby jde na standardní výstup, síť do souboru SCÉNA.ply (obj, glb, stl) v aktuální složce. Z dvojice kamer vzniknou soubory JMÉNO_left a JMÉNO_right, na standardním výstupu jeden soubor s přepínačem. K souboru JMÉNO.obj patří JMÉNO.mtl a obrázky textur JMÉNO_texture_N.png; k souboru JMÉNO.xml takové obrázky a sítě JMÉNO_1.ply a další; k souboru JMÉNO.pov obrázky scény JMÉNO_image_N.png. Ve jménech vedle .obj a .pov se nahradí, co není písmeno bez diakritiky, číslice, -, _ ani tečka
     .value = SOUBOR
 help-convert-force = Přepíše scénou (--to zpg) i soubor, který už existuje
 help-convert-size = Velikost obrázku, pro který se převádí kamera, v pixelech

@@ -5,12 +5,13 @@ use super::{json, mesh, mitsuba, pov};
 use std::path::Path;
 
 /// In the order of `--help`.
-pub static TARGETS: [&dyn Target; 7] = [
+pub static TARGETS: [&dyn Target; 8] = [
     &pov::target::Pov,
     &mitsuba::target::Mitsuba,
     &mesh::target::Format::Ply,
     &mesh::target::Format::Obj,
     &mesh::target::Format::Glb,
+    &mesh::target::Format::Stl,
     &json::target::Json,
     &json::target::Zpg,
 ];

@@ -36,12 +36,28 @@ pub trait Target: fmt::Debug + Sync {
     /// Whether there must be something to draw.
     fn draws(&self) -> bool;
 
+    /// What is written.
+    fn form(&self) -> Form {
+        Form::Text
+    }
+
     /// Translates a scene. The report says of every feature that the scene uses what became of it.
     ///
     /// # Errors
     ///
     /// What in the scene or in the request has no translation.
     fn write(&self, scene: &Prepared, options: &Options) -> Result<Output, Error>;
+}
+
+/// What a translation consists of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// Text: standard output has it unless a file is named.
+    Text,
+    /// A file that is no text: standard output has it where that is asked for.
+    Binary,
+    /// Files that name each other.
+    Files,
 }
 
 /// A scene, and what is known of it, computed once and only where a target asks.

@@ -147,7 +147,7 @@ async function refused(message: string, scene: string): Promise<void> {
 }
 
 async function convert(): Promise<void> {
-  const targets = ["pov", "mitsuba", "ply", "obj", "glb", "json"];
+  const targets = ["pov", "mitsuba", "ply", "obj", "glb", "stl", "json"];
   const target = await vscode.window.showQuickPick(targets, { placeHolder: vscode.l10n.t("Convert the scene to") });
   if (target !== undefined) {
     await onScene("zpg.convert", target);

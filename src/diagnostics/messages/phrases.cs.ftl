@@ -161,6 +161,7 @@ term-a-mesh-has-no-lights = síť nemá světla
 term-a-mesh-has-no-camera = síť nemá kameru
 term-a-mesh-has-no-background = síť nemá pozadí
 term-a-ply-file-has-colours-only = soubor PLY má jen barvy
+term-an-stl-file-has-triangles-only = soubor STL má jen trojúhelníky
 term-a-material = materiál
 term-between-the-points-of-the-mesh = mezi body sítě
 term-what-it-cuts-is-closed = co ořízne, to uzavře

@@ -32,6 +32,7 @@ pub mod shape;
 mod shared;
 mod skin;
 mod soup;
+mod stl;
 pub mod target;
 #[cfg(test)]
 mod tests;

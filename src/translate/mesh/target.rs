@@ -9,13 +9,13 @@ use super::material::Coloured;
 use super::model::{model, report};
 use super::options::Options;
 use super::picture::file_name;
-use super::{glb, obj, ply, precision};
+use super::{glb, obj, ply, precision, stl};
 use crate::analysis::file::STDIN;
 use crate::diagnostics::{Complaint, Error};
 use crate::solids::staging::{Viewpoint, staged};
 use crate::translate::names::Names;
 use crate::translate::plain::plain;
-use crate::translate::target::{self, Output, Prepared, Target};
+use crate::translate::target::{self, Form, Output, Prepared, Target};
 
 /// The kinds of files there are for meshes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,6 +23,7 @@ pub enum Format {
     Ply,
     Obj,
     Glb,
+    Stl,
 }
 
 impl Target for Format {
@@ -31,6 +32,7 @@ impl Target for Format {
             Format::Ply => "ply",
             Format::Obj => "obj",
             Format::Glb => "glb",
+            Format::Stl => "stl",
         }
     }
 
@@ -39,11 +41,19 @@ impl Target for Format {
             Format::Ply => "Triangles: Stanford PLY, binary, with colours",
             Format::Obj => "Triangles: Wavefront OBJ, with a library of materials beside it",
             Format::Glb => "Triangles: glTF 2.0, binary",
+            Format::Stl => "Triangles: STL, binary, for 3D printers",
         }
     }
 
     fn draws(&self) -> bool {
         true
+    }
+
+    fn form(&self) -> Form {
+        match self {
+            Format::Obj => Form::Files,
+            Format::Ply | Format::Glb | Format::Stl => Form::Binary,
+        }
     }
 
     fn write(&self, scene: &Prepared, options: &target::Options) -> Result<Output, Error> {
@@ -56,7 +66,7 @@ impl Target for Format {
             tolerance: options.tolerance,
             memory: options.memory,
             eye: None,
-            pictured: *self != Format::Ply,
+            pictured: matches!(self, Format::Obj | Format::Glb),
             digits: *self == Format::Obj,
         };
         let model = model(scene.scene(), &tracer.graph, &own)?;
@@ -67,6 +77,11 @@ impl Target for Format {
             Format::Ply => {
                 let places = precision::single(mesh);
                 let bytes = ply::write(&coloured, &places.all);
+                (vec![(Some(path), bytes)], places.off)
+            }
+            Format::Stl => {
+                let places = precision::single(mesh);
+                let bytes = stl::write(&places.all, &mesh.triangles);
                 (vec![(Some(path), bytes)], places.off)
             }
             Format::Glb => {

@@ -40,6 +40,9 @@ impl Bounds {
     }
 }
 
+/// Why something is dropped that is no place.
+const TRIANGLES_ONLY: &str = "an STL file has triangles only";
+
 pub fn verdict(target: &str, feature: Feature, bounds: Bounds) -> Verdict {
     match feature {
         Feature::Record(kind) => record(target, kind, bounds),
@@ -67,12 +70,21 @@ fn record(target: &str, kind: RecordKind, bounds: Bounds) -> Verdict {
         RecordKind::Copy => Verdict::exact(""),
         RecordKind::Optics | RecordKind::OpticsRgb | RecordKind::RefractiveIndex => match target {
             "ply" => Verdict::dropped("a PLY file has colours only"),
+            "stl" => Verdict::dropped(TRIANGLES_ONLY),
             "obj" => Verdict::approximate("a material of MTL", "Kd, Ks, Tf, Ni"),
             _ => Verdict::approximate(
                 "a physically based material",
                 "metallic, roughness, transmission, index",
             ),
         },
+        RecordKind::Colour
+        | RecordKind::ImageTexture
+        | RecordKind::SolidTexture
+        | RecordKind::Checkerboard
+            if target == "stl" =>
+        {
+            Verdict::dropped(TRIANGLES_ONLY)
+        }
         RecordKind::Assignment | RecordKind::Colour => Verdict::exact(""),
         RecordKind::ImageTexture | RecordKind::Checkerboard if target != "ply" => {
             Verdict::approximate("straight between the points of the mesh", "a picture")
@@ -116,8 +128,12 @@ fn of_effect(target: &str, effect: Effect) -> Verdict {
         Effect::Reflection | Effect::Refraction | Effect::Dispersion | Effect::TotalReflection => {
             match target {
                 "ply" => Verdict::dropped("a PLY file has colours only"),
+                "stl" => Verdict::dropped(TRIANGLES_ONLY),
                 _ => Verdict::approximate("a material", ""),
             }
+        }
+        Effect::VertexColours | Effect::SmoothNormals if target == "stl" => {
+            Verdict::dropped(TRIANGLES_ONLY)
         }
         Effect::VertexColours => Verdict::approximate("between the points of the mesh", ""),
         Effect::SmoothNormals => Verdict::exact("normals of the mesh"),
