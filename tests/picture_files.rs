@@ -78,6 +78,91 @@ fn zpg_shows_what_was_stored() {
     }
 }
 
+/// A JPEG is shown as its camera was held. Exif says on which side of the upright picture the file's first row and its
+/// first column are; so that is how the files are made.
+#[test]
+fn jpegs_are_upright() {
+    #[derive(Clone, Copy)]
+    enum Side {
+        Top,
+        Bottom,
+        Left,
+        Right,
+    }
+    use Side::{Bottom, Left, Right, Top};
+    let sides = [
+        (Top, Left),
+        (Top, Right),
+        (Bottom, Right),
+        (Bottom, Left),
+        (Left, Top),
+        (Right, Top),
+        (Right, Bottom),
+        (Left, Bottom),
+    ];
+    let [width, height] = SIZE;
+    let grey = |x: usize, y: usize| (40 + 12 * x + 5 * y) as u8;
+    // How far a pixel of the upright picture is from a side.
+    let from = |side, x: usize, y: usize| match side {
+        Top => y,
+        Bottom => height - 1 - y,
+        Left => x,
+        Right => width - 1 - x,
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let loaded = Analysis::new("scene", b"2 5 0 0 1 1\n2 -301 p.jpg\n1 9999 2 0\n".to_vec());
+    for (number, (first_row, first_column)) in (1u8..).zip(sides) {
+        let turned = matches!(first_row, Left | Right);
+        let stored = if turned {
+            [height, width]
+        } else {
+            [width, height]
+        };
+        let mut data = vec![0; width * height];
+        for y in 0..height {
+            for x in 0..width {
+                let (row, column) = (from(first_row, x, y), from(first_column, x, y));
+                data[row * stored[0] + column] = grey(x, y);
+            }
+        }
+        // Both orders of bytes that TIFF has: a tag of 16 bits with one number of 16 bits.
+        let large = [
+            &b"MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0"[..],
+            &[number],
+            &[0; 6],
+        ];
+        let small = [
+            &b"II\x2a\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0"[..],
+            &[number],
+            &[0; 7],
+        ];
+        for exif in [large.concat(), small.concat()] {
+            let mut bytes = Vec::new();
+            let mut encoder = Encoder::new(&mut bytes, 100);
+            encoder.add_exif_metadata(&exif).unwrap();
+            let [columns, rows] = stored.map(|n| n as u16);
+            encoder
+                .encode(&data, columns, rows, ColorType::Luma)
+                .unwrap();
+            fs::write(folder.path().join("p.jpg"), &bytes).unwrap();
+            let images = Images::load(&loaded.scene, folder.path()).unwrap();
+            let bitmap = images.get("p.jpg").unwrap();
+            for y in 0..height {
+                for x in 0..width {
+                    let (u, v) = (x as f64 + 0.5, y as f64 + 0.5);
+                    let shown = bitmap.colour([u / width as f64, 1.0 - v / height as f64])[1];
+                    let shown = (1.055 * shown.powf(1.0 / 2.4) - 0.055) * 255.0;
+                    let expected = f64::from(grey(x, y));
+                    assert!(
+                        (shown - expected).abs() < 3.0,
+                        "{number}: {x} {y}: {shown} {expected}"
+                    );
+                }
+            }
+        }
+    }
+}
+
 /// What would be drawn wrong is refused.
 #[test]
 fn jpegs_whose_first_component_is_coarser_are_not_read() {

@@ -1,5 +1,6 @@
 //! PNG and JPEG files decoded.
 
+use super::orientation::Orientation;
 use crate::diagnostics::Complaint;
 use std::fmt::Display;
 use std::fs;
@@ -122,9 +123,11 @@ fn jpeg(file: &[u8], limits: &Limits) -> Result<([u32; 2], Pixels), Complaint> {
         Some(ColorSpace::Luma) => (ColorSpace::Luma, 1),
         _ => (ColorSpace::RGB, 3),
     };
+    let orientation = Orientation::of(decoder.exif().map(Vec::as_slice));
     decoder.set_options(options.jpeg_set_out_colorspace(colours));
     let data = decoder.decode().map_err(broken)?;
-    Ok((size, Pixels::Eight(rgb(&data, samples))))
+    let (size, pixels) = orientation.upright(size, rgb(&data, samples));
+    Ok((size, Pixels::Eight(pixels)))
 }
 
 /// Whether no component of a JPEG has more samples, across or down, than the first: the decoder takes that for granted,

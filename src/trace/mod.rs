@@ -23,6 +23,7 @@ pub mod film;
 pub mod graph;
 pub mod image;
 pub mod membership;
+mod orientation;
 mod picture;
 pub mod pixels;
 pub mod plan;

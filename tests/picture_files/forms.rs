@@ -216,7 +216,11 @@ fn jpegs() -> Vec<File> {
             files.push(File {
                 name: format!("{name}{way}.jpg"),
                 bytes,
-                shown: shown.clone(),
+                shown: match way {
+                    // Turned by half a turn, the last pixel is the first one.
+                    "_said" => shown.iter().rev().copied().collect(),
+                    _ => shown.clone(),
+                },
                 most,
             });
         }
