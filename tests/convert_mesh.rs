@@ -112,25 +112,31 @@ fn a_scene_without_a_name_needs_one() {
 #[test]
 fn meshes_go_to_standard_output() {
     let folder = folder();
-    for format in ["ply", "glb", "stl"] {
-        for (file, input) in [("thing.zpg", ""), ("-", SCENE)] {
-            let output = zpg(
-                folder.path(),
-                &["convert", file, "--to", format, "-o", "-"],
-                input,
-            );
-            assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
-            assert!(!errors(&output).contains("Wrote"), "{}", errors(&output));
-            let name = format!("a.{format}");
-            zpg(folder.path(), &["convert", "thing.zpg", "-o", &name], "");
-            assert_eq!(output.stdout, fs::read(folder.path().join(name)).unwrap());
-        }
+    let convert = |scene, to, output, input| {
+        let arguments = [
+            "convert",
+            scene,
+            "--to",
+            to,
+            "--tolerance",
+            "0.1",
+            "-o",
+            output,
+        ];
+        zpg(folder.path(), &arguments, input)
+    };
+    for (scene, input, format) in [
+        ("thing.zpg", "", "ply"),
+        ("thing.zpg", "", "glb"),
+        ("-", SCENE, "stl"),
+    ] {
+        let output = convert(scene, format, "-", input);
+        assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+        assert!(!errors(&output).contains("Wrote"), "{}", errors(&output));
+        convert("thing.zpg", format, "a", "");
+        assert_eq!(output.stdout, fs::read(folder.path().join("a")).unwrap());
     }
-    let output = zpg(
-        folder.path(),
-        &["convert", "thing.zpg", "--to", "obj", "-o", "-"],
-        "",
-    );
+    let output = convert("thing.zpg", "obj", "-", "");
     assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0));
     assert!(errors(&output).contains("several files"));
     assert!(!folder.path().join("-").exists());
