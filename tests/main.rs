@@ -4,6 +4,7 @@
 mod any_files;
 mod campaign;
 mod exact;
+mod examples;
 mod support;
 mod trace_support;
 

@@ -10,7 +10,7 @@ use super::{LookChoice, Status, help, terminal};
 Examples:
   zpg completions bash > ~/.local/share/bash-completion/completions/zpg
   zpg completions fish > ~/.config/fish/completions/zpg.fish
-  zpg completions zsh  > a file called _zpg in a folder of $fpath")]
+  zpg completions zsh > ~/.zfunc/_zpg    where ~/.zfunc is a folder of $fpath")]
 pub struct Args {
     /// The shell
     #[arg(value_enum)]

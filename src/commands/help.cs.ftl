@@ -580,6 +580,10 @@ help-lsp = Jazykový server: nálezy, nápověda, opravy a další přímo v edi
     .after =
         Editory tento příkaz spouštějí samy a komunikují s ním přes jeho standardní vstup a výstup; jak který nastavit,
         říká docs/editors.md. Nastavení se čte ze zpg.toml stejně jako na příkazové řádce.
+
+        Příklady:
+          zpg lsp              co spouští editor
+          zpg lsp --lang en    totéž s anglickými zprávami
 help-lsp-stdio = Komunikuje přes standardní vstup a výstup, jako vždy; některé editory tuto volbu zadávají
 
 ## zpg completions
@@ -589,6 +593,6 @@ help-completions = Vypíše skript, který v shellu doplňuje příkazovou řád
         Příklady:
           zpg completions bash > ~/.local/share/bash-completion/completions/zpg
           zpg completions fish > ~/.config/fish/completions/zpg.fish
-          zpg completions zsh  > soubor _zpg ve složce z $fpath
+          zpg completions zsh > ~/.zfunc/_zpg    kde ~/.zfunc je složka z $fpath
 help-completions-shell = Shell
     .value = SHELL

@@ -8,7 +8,11 @@ use crate::lsp::{self, Ending};
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Editors start this command themselves and talk to it on its standard input and output; docs/editors.md
-says how each of them is set up. Settings come from zpg.toml, as on the command line.")]
+says how each of them is set up. Settings come from zpg.toml, as on the command line.
+
+Examples:
+  zpg lsp              what an editor starts
+  zpg lsp --lang cs    the same with messages in Czech")]
 pub struct Args {
     /// Talk on standard input and output, as it always does; some editors say so
     #[arg(long)]
