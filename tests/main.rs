@@ -21,6 +21,7 @@ mod commenting;
 mod convert_glb;
 mod convert_json;
 mod convert_mesh;
+mod course;
 mod crosscheck;
 mod czech;
 mod drawing;
