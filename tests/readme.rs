@@ -7,6 +7,9 @@ use std::path::{Path, PathBuf};
 /// The README is read in a few minutes.
 const MOST_WORDS: usize = 900;
 
+/// As many as a line of the changelog has.
+const MOST_WORDS_OF_AN_ENTRY: usize = 15;
+
 /// The page in each language, and the locale that a reader of it has.
 const READMES: [(&str, &str); 2] = [("README.md", "C"), ("README.cs.md", "cs_CZ.UTF-8")];
 
@@ -95,6 +98,24 @@ fn folder_of(page: &str) -> tempfile::TempDir {
         }
     }
     folder
+}
+
+/// Entries are read at a glance. The newest heading is the version of the program.
+#[test]
+fn entries_of_the_changelog_are_short() {
+    let page = page("CHANGELOG.md");
+    let version = page.lines().find_map(|line| line.strip_prefix("## "));
+    assert_eq!(version, Some(env!("CARGO_PKG_VERSION")));
+    let mut count = 0;
+    for line in page.lines() {
+        assert!(!line.starts_with(' '), "an entry is one line: {line}");
+        if let Some(entry) = line.strip_prefix("- ") {
+            let words = entry.split_whitespace().count();
+            assert!(words <= MOST_WORDS_OF_AN_ENTRY, "{words} words: {entry}");
+            count += 1;
+        }
+    }
+    assert!(count > 50);
 }
 
 #[test]
