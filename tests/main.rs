@@ -39,6 +39,7 @@ mod frames;
 mod gallery;
 mod glossary;
 mod grammar;
+mod hand_over;
 mod handout;
 mod hard_cases;
 mod hard_scenes;
