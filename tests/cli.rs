@@ -289,6 +289,70 @@ fn completions_speak_the_language() {
     assert_eq!(script("bash", "en"), script("bash", "cs"));
 }
 
+/// Each command has a page in both languages, and the page has all options that its help has.
+#[test]
+fn the_manual_has_a_page_on_every_command() {
+    let dir = tempfile::tempdir().unwrap();
+    let page = |about: &[&str], lang: &str| {
+        let run = zpg(dir.path(), &[&["man", "--lang", lang], about].concat());
+        assert_eq!(run.status.code(), Some(0), "{about:?}");
+        text(&run.stdout).replace("\\-", "-")
+    };
+    let all = page(&[], "en");
+    let commands: Vec<&str> = all
+        .lines()
+        .filter_map(|line| line.strip_prefix("zpg-")?.strip_suffix("(1)"))
+        .collect();
+    assert!(commands.len() >= 15 && commands.contains(&"man"), "{all}");
+    for name in commands {
+        let help = zpg(dir.path(), &[name, "--help"]);
+        let help = text(&help.stdout).to_owned();
+        let options = help
+            .lines()
+            .filter_map(|line| line.trim().strip_prefix('-'));
+        let options =
+            options.filter_map(|o| Some(o.split("--").nth(1)?.split([' ', '[', '=']).next()?));
+        let options: Vec<String> = options.map(|o| format!("--{o}")).collect();
+        assert!(
+            options.contains(&"--help".to_owned()),
+            "{name}: {options:?}"
+        );
+        for (lang, sections) in [
+            ("en", ["NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS"]),
+            ("cs", ["JMÉNO", "POUŽITÍ", "POPIS", "VOLBY"]),
+        ] {
+            let page = page(&[name], lang);
+            assert!(
+                page.contains(&format!(".TH zpg-{name} 1 \"zpg 0.")),
+                "{page}"
+            );
+            for section in sections {
+                assert!(
+                    page.contains(&format!(".SH {section}\n")),
+                    "{section} in {page}"
+                );
+            }
+            for option in &options {
+                assert!(page.contains(option), "{option} in {page}");
+            }
+            // Requests and macros are lines with a dot; text begins none.
+            let known = [
+                ".TH", ".SH", ".TP", ".IP", ".RS", ".RE", ".PP", ".br", ".nf", ".fi", ".ie", ".el",
+            ];
+            for line in page.lines().filter(|l| l.starts_with(['.', '\''])) {
+                assert!(known.iter().any(|k| line.starts_with(k)), "{line}");
+            }
+        }
+        assert!(!page(&[name], "cs").contains("Print "), "{name}");
+    }
+    let run = zpg(dir.path(), &["man", "rendr"]);
+    assert_eq!(run.status.code(), Some(2));
+    assert_eq!(
+        text(&run.stderr),
+        "error: there is no command `rendr`; did you mean `render`?\n"
+    );
+}
+
 #[test]
 fn a_closed_pipe_is_no_failure() {
     let dir = tempfile::tempdir().unwrap();

@@ -95,7 +95,7 @@ fn is_czech(dir: &Path, arguments: &[&str], status: i32) -> String {
     said
 }
 
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 16] = [
     "check",
     "new",
     "fmt",
@@ -111,6 +111,7 @@ const COMMANDS: [&str; 15] = [
     "explain",
     "lsp",
     "completions",
+    "man",
 ];
 
 #[test]
@@ -209,6 +210,7 @@ fn wrong_usage() {
         &["explain", "W999"],
         &["explain", "kouule"],
         &["completions", "cmd"],
+        &["man", "rendr"],
         &["lsp", "--tcp"],
         &["--color", "x"],
         &["--lang"],

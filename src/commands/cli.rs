@@ -5,7 +5,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 use super::terminal::width;
 use super::{
     LookChoice, Status, accuracy, check, completions, convert, crosscheck, explain, farm, fmt,
-    help, join, lsp, new, plan, probe, render, sheet, usage,
+    help, join, lsp, man, new, plan, probe, render, sheet, usage,
 };
 use crate::{allocator, parallel};
 
@@ -59,6 +59,7 @@ pub enum Command {
     Explain(explain::Args),
     Lsp(lsp::Args),
     Completions(completions::Args),
+    Man(man::Args),
 }
 
 /// Freed blocks of memory up to this size are used again: enough to read and draw a scene of ten thousand shapes. If larger
@@ -99,5 +100,6 @@ pub fn run() -> Status {
         Command::Explain(args) => explain::run(args, cli.look),
         Command::Lsp(args) => lsp::run(args, cli.look),
         Command::Completions(args) => completions::run(args, Cli::command(), cli.look),
+        Command::Man(args) => man::run(args, Cli::command(), cli.look),
     }
 }

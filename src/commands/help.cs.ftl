@@ -32,6 +32,15 @@ help-heading-limits = Meze
 help-heading-questions = Otázky
 help-heading-global = Společné volby
 
+## Oddíly stránek manuálu
+
+help-section-name = JMÉNO
+help-section-synopsis = POUŽITÍ
+help-section-description = POPIS
+help-section-options = VOLBY
+help-section-commands = PŘÍKAZY
+help-section-notes = POZNÁMKY
+
 ## Co mají všechny příkazy
 
 help-any-color = Kdy používat barvy
@@ -596,3 +605,13 @@ help-completions = Vypíše skript, který v shellu doplňuje příkazovou řád
           zpg completions zsh > ~/.zfunc/_zpg    kde ~/.zfunc je složka z $fpath
 help-completions-shell = Shell
     .value = SHELL
+
+## zpg man
+
+help-man = Vypíše stránku manuálu o zpg nebo o některém příkazu
+    .after =
+        Příklady:
+          zpg man render > zpg-render.1    stránka o zpg render, v jazyce zpráv
+          man ./zpg-render.1               jak vypadá
+help-man-about = Příkaz [výchozí: celé zpg]
+    .value = PŘÍKAZ

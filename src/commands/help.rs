@@ -121,6 +121,24 @@ pub fn described(mut command: Command, language: Language) -> Command {
     }
 }
 
+/// The command with what its options for help and for the version do in a language. It has been built before.
+pub fn described_help(command: Command, language: Language) -> Command {
+    command.mut_args(|arg| of_clap(arg, language))
+}
+
+/// clap's own options, which it has built in English.
+fn of_clap(arg: Arg, language: Language) -> Arg {
+    let message = match arg.get_id().as_str() {
+        "help" => "help-word-help",
+        "version" => "help-word-version",
+        _ => return arg,
+    };
+    match language.own(message, None) {
+        Some(text) => arg.long_help(text.clone()).help(text),
+        None => arg,
+    }
+}
+
 fn descriptions(command: Command, language: Language) -> Command {
     let name = command.get_name().to_owned();
     let about = match name.as_str() {
@@ -137,11 +155,7 @@ fn descriptions(command: Command, language: Language) -> Command {
 }
 
 fn description(command: &str, arg: Arg, language: Language) -> Arg {
-    match arg.get_id().as_str() {
-        "help" => return arg.help(language.say("help-word-help", &[])),
-        "version" => return arg.help(language.say("help-word-version", &[])),
-        _ => {}
-    }
+    let arg = of_clap(arg, language);
     let Some(id) = id_of(command, &arg, language) else {
         return arg;
     };
@@ -260,6 +274,7 @@ mod tests {
 
     use super::*;
     use crate::commands::cli::Cli;
+    use crate::commands::man::SECTIONS;
 
     const CZECH: &str = include_str!("help.cs.ftl");
 
@@ -307,6 +322,7 @@ mod tests {
         assert!(missing.is_empty(), "not in help.cs.ftl: {missing:#?}");
         used.extend(WORDS.map(|(_, message)| message.to_owned()));
         used.insert("help-word-values-below".to_owned());
+        used.extend(SECTIONS.map(|(_, message)| message.to_owned()));
         used.extend(HEADINGS.map(|(_, message)| message.to_owned()));
         let mut message = "";
         for line in CZECH.lines() {

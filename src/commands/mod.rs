@@ -33,6 +33,7 @@ pub mod join;
 mod language;
 pub mod load;
 pub mod lsp;
+pub mod man;
 pub mod memory;
 pub mod new;
 mod numbers;

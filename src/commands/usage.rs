@@ -221,7 +221,7 @@ fn suggested(error: &clap::Error) -> Vec<String> {
 }
 
 /// Whether someone may have meant one name who has written another: a part of it, or few letters are others.
-fn is_near(written: &str, name: &str) -> bool {
+pub fn is_near(written: &str, name: &str) -> bool {
     let [written, name] = [written, name].map(|w| w.trim_start_matches('-'));
     let part = written.len() > 2 && (name.contains(written) || written.contains(name));
     part || strsim::osa_distance(written, name) <= 1 + written.len() / 4
