@@ -163,15 +163,18 @@ impl Memory {
 static HALF: LazyLock<u64> = LazyLock::new(|| {
     let mut system = System::new();
     system.refresh_memory();
-    let group = system.cgroup_limits().map(|l| l.total_memory);
-    let total = [Some(system.total_memory()), group, address_space()]
-        .into_iter()
-        .flatten()
-        .filter(|&bytes| bytes > 0)
-        .min();
-    // Where nobody tells, what most machines have.
-    total.unwrap_or(8 << 30) / 2
+    memory_of(&system) / 2
 });
+
+/// The memory there is for this process, of a system that has been asked.
+fn memory_of(system: &System) -> u64 {
+    // It knows nothing where /proc is missing, and must not be asked for its groups then.
+    let all = Some(system.total_memory()).filter(|&bytes| bytes > 0);
+    let group = all.and_then(|_| Some(system.cgroup_limits()?.total_memory));
+    let known = [all, group, address_space()].into_iter().flatten();
+    // Where nobody tells, what most machines have.
+    known.filter(|&bytes| bytes > 0).min().unwrap_or(8 << 30)
+}
 
 /// The limit that `ulimit -v` sets.
 fn address_space() -> Option<u64> {
@@ -201,6 +204,12 @@ pub fn threads(wanted: usize, look: LookChoice) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// In a chroot without /proc, the system is as if it had never been asked.
+    #[test]
+    fn memory_of_a_system_that_says_nothing() {
+        assert!(memory_of(&System::new()) > 0);
+    }
 
     #[test]
     fn sizes() {
