@@ -1,6 +1,8 @@
 // The real VS Code with the extension as it is packed, in a headless browser; then the tests within its extension
 // host (vscode-api). usage: node vscode.mjs EDITORS VSIX ZPG OUT
 //
+// ZPG is the path of the program, or `packed` where the extension has one.
+//
 // EDITORS holds what tests/run installs: `vscode` (the server of code-server) and `browser` (playwright-core).
 
 import assert from "node:assert/strict";
@@ -41,7 +43,7 @@ const settings = {
   "editor.inlayHints.enabled": "on",
   "editor.hover.delay": 100,
   "editor.codeActionsOnSave": {},
-  "zpg.serverPath": join(home, "nowhere", "zpg"),
+  "zpg.serverPath": zpg === "packed" ? undefined : join(home, "nowhere", "zpg"),
 };
 writeFileSync(join(home, "data", "data", "User", "settings.json"), JSON.stringify(settings));
 
@@ -166,20 +168,22 @@ async function inTheWindow() {
     await page.locator(".explorer-folders-view .monaco-list-row", { hasText: "a.zpg" }).dblclick();
     await page.locator(".editor-instance .view-line").first().waitFor();
   });
-  await step("zpg is not there", () => complaint(`is not at ${join(home, "nowhere", "zpg")}`, "Open Settings"));
-  await step("the setting is wrong", () => set("zpg-is-nowhere"));
-  await step("zpg is not in the PATH", async () => {
-    await complaint("zpg-is-nowhere, which finds the mistakes in scenes, is not in the PATH", "How to Install");
-    const frame = page.frameLocator("iframe.webview.ready").frameLocator("#active-frame");
-    await frame.getByText("cargo install --path .").first().waitFor();
-  });
-  await step("a command says so too", async () => {
-    await palette("View: Close Editor");
-    await palette("ZPG: Render");
-    await complaint("zpg-is-nowhere", "Open Settings");
-  });
-  // The server starts as soon as the setting is right.
-  await step("the setting is right", () => set(zpg));
+  if (zpg !== "packed") {
+    await step("zpg is not there", () => complaint(`is not at ${join(home, "nowhere", "zpg")}`, "Open Settings"));
+    await step("the setting is wrong", () => set("zpg-is-nowhere"));
+    await step("zpg is not in the PATH", async () => {
+      await complaint("zpg-is-nowhere, which finds the mistakes in scenes, is not in the PATH", "How to Install");
+      const frame = page.frameLocator("iframe.webview.ready").frameLocator("#active-frame");
+      await frame.getByText("cargo install --path .").first().waitFor();
+    });
+    await step("a command says so too", async () => {
+      await palette("View: Close Editor");
+      await palette("ZPG: Render");
+      await complaint("zpg-is-nowhere", "Open Settings");
+    });
+    // The server starts as soon as the setting is right.
+    await step("the setting is right", () => set(zpg));
+  }
   await step("a squiggle", () => page.locator(".squiggly-error").first().waitFor());
   await step("hints", () => until("no hints", (all) => all.some((l) => /11\s*sphere\s*x:\s*0\s*y:\s*1/.test(l))));
   await step("a colour box", () => page.locator(".colorpicker-color-decoration").first().waitFor());

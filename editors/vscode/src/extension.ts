@@ -11,6 +11,9 @@ let client: LanguageClient | undefined;
 /** What says how zpg is installed. */
 let page: vscode.Uri;
 
+/** Where the extension is installed. */
+let home: vscode.Uri;
+
 /** The start that runs, or has run: one begins where the last has ended. */
 let starting: Promise<void> = Promise.resolve();
 
@@ -18,7 +21,8 @@ let starting: Promise<void> = Promise.resolve();
 const OWN_COMMANDS = ["zpg.preview", "zpg.showReferences"];
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
-  page = vscode.Uri.joinPath(context.extensionUri, vscode.l10n.t("INSTALL.md"));
+  home = context.extensionUri;
+  page = vscode.Uri.joinPath(home, vscode.l10n.t("INSTALL.md"));
   const preview = new Preview(() => client);
   const command = (name: string, run: (...args: any[]) => unknown) =>
     context.subscriptions.push(vscode.commands.registerCommand(name, run));
@@ -60,7 +64,7 @@ function restart(): Promise<void> {
 }
 
 async function start(): Promise<void> {
-  const found = await program();
+  const found = await program(home);
   if (found.fault !== undefined) {
     // Nothing waits for the answer.
     void complain(found, page, restart);

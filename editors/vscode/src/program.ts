@@ -17,9 +17,21 @@ export type Program = { path: string; fault?: Fault };
 /** How long it may take to say its version, in milliseconds. */
 const PATIENCE = 10000;
 
-/** What the setting names. A name that is not in the PATH is looked for where cargo installs, too. */
-export async function program(): Promise<Program> {
-  const named = vscode.workspace.getConfiguration("zpg").get<string>("serverPath") || "zpg";
+/**
+ * What the setting names. Where it is left alone, the program that is packed with the extension; some packages have none. A
+ * name that is not in the PATH is looked for where cargo installs, too.
+ */
+export async function program(extension: vscode.Uri): Promise<Program> {
+  const settings = vscode.workspace.getConfiguration("zpg");
+  const named = settings.get<string>("serverPath") || "zpg";
+  const set = settings.inspect<string>("serverPath");
+  if ((set?.workspaceFolderValue ?? set?.workspaceValue ?? set?.globalValue) === undefined) {
+    const name = process.platform === "win32" ? "zpg.exe" : "zpg";
+    const packed = vscode.Uri.joinPath(extension, "program", "bin", name).fsPath;
+    if ((await faultOf(packed)) === undefined) {
+      return { path: packed };
+    }
+  }
   const path = named.replace(/^~(?=[/\\])/, homedir());
   const fault = await faultOf(path);
   if (fault === "missing" && isName(path)) {
