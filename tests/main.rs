@@ -63,6 +63,7 @@ mod never_worse;
 mod new;
 mod options;
 mod outputs;
+mod packages;
 mod parts;
 mod people;
 mod picture_files;
