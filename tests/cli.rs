@@ -310,8 +310,7 @@ fn the_manual_has_a_page_on_every_command() {
         let options = help
             .lines()
             .filter_map(|line| line.trim().strip_prefix('-'));
-        let options =
-            options.filter_map(|o| Some(o.split("--").nth(1)?.split([' ', '[', '=']).next()?));
+        let options = options.filter_map(|o| o.split("--").nth(1)?.split([' ', '[', '=']).next());
         let options: Vec<String> = options.map(|o| format!("--{o}")).collect();
         assert!(
             options.contains(&"--help".to_owned()),
