@@ -92,8 +92,8 @@ mod without_fma {
             && is_x86_feature_detected!("movbe")
     }
 
-    /// Where the other build lies. A file of that name which is this build itself would hand over to itself for ever: such a
-    /// file, copied or linked, is none.
+    /// Where the other build lies. A file of that name which is this build itself would hand over to itself for ever: such
+    /// a file, copied or linked, is none.
     #[cfg(all(target_arch = "x86_64", unix))]
     fn faster() -> Option<std::path::PathBuf> {
         const NAME: &str = "zpg-x86-64-v3";

@@ -153,7 +153,7 @@ fn the_crate_holds_what_it_needs() {
     }
 }
 
-/// `zpg` as npm installs it: arguments and the exit status go through, and where the other package is missing it says so.
+/// `zpg` as npm installs it: arguments and the exit status go through; where the other package is missing, it says so.
 #[cfg(target_os = "linux")]
 #[test]
 #[ignore = "needs Node.js"]

@@ -22,7 +22,7 @@ function program() {
 }
 
 const child = spawn(program(), process.argv.slice(2), { stdio: "inherit" });
-// The terminal sends Ctrl-C to both, and what is sent to this process alone is passed on. The program decides how it ends.
+// The terminal sends Ctrl-C to both; what is sent to this process alone is passed on. The program decides how it ends.
 process.on("SIGINT", () => {});
 for (const signal of ["SIGTERM", "SIGHUP"]) {
   process.on(signal, () => child.kill(signal));

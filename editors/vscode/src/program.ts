@@ -18,8 +18,8 @@ export type Program = { path: string; fault?: Fault };
 const PATIENCE = 10000;
 
 /**
- * What the setting names. Where it is left alone, the program that is packed with the extension; some packages have none. A
- * name that is not in the PATH is looked for where cargo installs, too.
+ * What the setting names. Where it is left alone, the program that is packed with the extension; some packages have
+ * none. A name that is not in the PATH is looked for where cargo installs, too.
  */
 export async function program(extension: vscode.Uri): Promise<Program> {
   const settings = vscode.workspace.getConfiguration("zpg");
