@@ -190,7 +190,7 @@ fn the_workflow_runs() {
 /// All that is named is there: options of the hooks and commands of the pages, the version, settings of the extension.
 #[test]
 fn names_are_those_of_zpg() {
-    let version = format!("zpg=={}", env!("CARGO_PKG_VERSION"));
+    let version = format!("zpg-tools=={}", env!("CARGO_PKG_VERSION"));
     assert!(steps()["Install zpg"].ends_with(&version));
     let dir = copied();
     let hooks = yaml(".pre-commit-config.yaml");

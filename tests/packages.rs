@@ -68,6 +68,35 @@ fn every_manifest_has_the_same_version() {
     }
 }
 
+/// Another program is called `zpg` on PyPI, so every page and file asks pip for the wheel's own name.
+#[test]
+fn pip_is_asked_for_the_wheel() {
+    assert!(read("pyproject.toml").contains("\nname = \"zpg-tools\"\n"));
+    let mut asked = 0;
+    for file in walk(&path("docs")) {
+        let Ok(page) = fs::read_to_string(&file) else {
+            continue;
+        };
+        assert!(!page.contains("[zpg=="), "{}", file.display());
+        for (at, words) in page.match_indices("pip install zpg") {
+            let rest = &page[at + words.len()..];
+            assert!(rest.starts_with("-tools"), "{}", file.display());
+            asked += 1;
+        }
+    }
+    assert!(asked >= 2);
+}
+
+/// All files below a folder.
+fn walk(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path());
+    let below = entries.map(|p| match p.is_dir() {
+        true => walk(&p),
+        false => vec![p],
+    });
+    below.flatten().collect()
+}
+
 /// A system stands in three places: where its names are, in npm's manifest, and in the workflow that builds for it.
 #[cfg(unix)]
 #[test]
