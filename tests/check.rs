@@ -366,8 +366,8 @@ fn wrong_usage_in_both_languages() {
         ),
         (
             &[],
-            "error: which command? There are check, ",
-            "chyba: chybí příkaz; možnosti jsou check, ",
+            "zpg: tools for scenes in the ZPG scene language\n\n  zpg new scene.zpg ",
+            "zpg: nástroje pro scény v jazyce ZPG\n\n  zpg new scena.zpg ",
         ),
         (
             &["render"],
