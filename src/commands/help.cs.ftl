@@ -314,7 +314,7 @@ help-crosscheck = Porovná, co ve scéně vidí zpg a co jiný program
           zpg crosscheck scena.zpg --with mitsuba --program venv/bin/python
 help-crosscheck-file = Scéna
     .value = SOUBOR
-help-crosscheck-with = Program, se kterým porovnat
+help-crosscheck-with = Program, se kterým se má porovnat
     .value = PROGRAM
     .povray = POV-Ray 3.7
     .mitsuba = Mitsuba 3
@@ -347,7 +347,7 @@ help-any-samples = Počet vzorků v každém pixelu; jeden leží v jeho středu
     .value = N
 help-any-adaptive = Přidává vzorky, nejvýše do 1024, dokud odhad chyby pixelu v lineárním RGB neklesne pod tuto mez
     .value = MEZ
-help-any-exposure = Zesvětlí všechno tolikrát
+help-any-exposure = Kolikrát obrázek zesvětlit
     .value = KOLIKRÁT
 help-any-depth = Kolikrát se smí paprsek odrazit nebo lomit
     .value = N

@@ -1,5 +1,5 @@
 W301 = složky barvy mají být mezi 0 a 1; zde je { $parts }
-    .label = použije se tak, jak je
+    .label = barva se použije tak, jak je
     .note = povrch se složkou větší než 1 je jasnější než světlo, které na něj dopadá; záporná složka světlo ubírá. Má-li světlo svítit víc, zvyšte jeho intenzitu
     .bytes = vypadá to na čísla od 0 do 255
     .divide = vydělit číslem 255
