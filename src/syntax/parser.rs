@@ -240,8 +240,8 @@ impl<'s> Plan<'s> {
     fn agrees(&self, start: usize, reading: &Reading) -> Option<usize> {
         let c = &self.columns;
         let first_break = (start + 1..reading.end).find(|&i| c.starts_line(i));
-        if let Some(second_line) = first_break {
-            let whole = c.ends_line(reading.end) && !self.takes_lines(second_line, reading.end);
+        if let Some(second) = first_break {
+            let whole = c.ends_line(reading.end) && !self.takes_lines(start, second, reading.end);
             return whole.then_some(reading.end);
         }
         let mut end = reading.end;
@@ -265,14 +265,14 @@ impl<'s> Plan<'s> {
     }
 
     /// Whether a record whose second line begins at a token has lines among its own that say they are records.
-    fn takes_lines(&self, second_line: usize, end: usize) -> bool {
+    fn takes_lines(&self, head: usize, second_line: usize, end: usize) -> bool {
         let c = &self.columns;
-        let mut line = second_line;
-        let mut length_before = 0;
+        let (mut line, mut length_before) = (second_line, 0);
         loop {
             let next = (line + 1..end).find(|&i| c.starts_line(i)).unwrap_or(end);
             let last = next == end;
             let looks = match c.int(line) {
+                _ if signature::begins_again(c, head, line) => true,
                 Some(0) => last && c.before_comment(line),
                 Some(1..) => signature::read(c, line, c.len()).is_some_and(|r| match last {
                     true => c.ends_line(r.end),
@@ -423,7 +423,7 @@ impl<'s> Plan<'s> {
             self.items.push(Item::Record(whole(&c, at, &reading)));
             odd |= signature::is_odd(&c, at, &reading);
             let last_line = (at + 1..reading.end).rev().find(|&i| c.starts_line(i));
-            if last_line.is_some_and(|line| self.takes_lines(line, reading.end)) {
+            if last_line.is_some_and(|line| self.takes_lines(at, line, reading.end)) {
                 recovery::line_break(c, (at, reading.end), &mut self.notes);
             }
             at = reading.end;

@@ -284,3 +284,12 @@ pub fn values_allowed(c: &Columns, start: usize, r: &Reading) -> bool {
             (r.ty.param(i, r.count as usize)).is_none_or(|p| allows(p, c.lexed.values[at]))
         })
 }
+
+/// Whether a record is a head alone on its line, and the line below, of which it takes its parameters, begins with the
+/// same ID and the type of a change: so begins the next record of that object.
+pub fn begins_again(columns: &Columns, head: usize, line: usize) -> bool {
+    let ty = columns
+        .int(line + 1)
+        .and_then(|code| RecordType::by_code(code.into()));
+    line == head + 2 && columns.int(line) == columns.int(head) && ty.is_some_and(|ty| ty.code < 0)
+}

@@ -363,7 +363,7 @@ E014-scene-json = soubor je scéna zapsaná v JSON
 
 E015 = { $why }
 
-W314 = { $type } si bere poslední čísla z řádku, který by sám byl úplným záznamem
+W314 = { $type } si bere poslední čísla z řádku, který by sám byl záznamem
     .label = vzato ze začátku tohoto řádku
     .begin = záznam začíná zde
     .note = řádek by sám byl záznam { $line }

@@ -47,9 +47,10 @@ pub fn pieces(stretch: &Stretch, witnesses: &Witnesses, all: &[Piece], out: &mut
             Verdict::Void => {}
             Verdict::Whole(r) => {
                 let last = stretch.line(r.end - 1);
-                if witnesses.is_complete_line(stretch, last)
-                    && witnesses.takes_over(stretch, piece.start, r.end)
-                {
+                let is_taken = witnesses.is_complete_line(stretch, last)
+                    && witnesses.takes_over(stretch, piece.start, r.end);
+                let head = stretch.line_start(last);
+                if is_taken || stretch.begins_again(piece.start, head) {
                     out.push(reporter.line_break(piece, r.ty));
                 }
             }

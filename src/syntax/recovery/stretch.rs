@@ -116,6 +116,11 @@ impl<'s> Stretch<'s> {
         (self.columns.lexed).goes_out(self.from + from, self.from + to)
     }
 
+    /// [`signature::begins_again`] for a record and the start of a line.
+    pub fn begins_again(&self, head: usize, line: usize) -> bool {
+        signature::begins_again(&self.columns, self.from + head, self.from + line)
+    }
+
     /// The significant token of the whole text that a token here is.
     pub fn in_text(&self, i: usize) -> usize {
         self.from + i

@@ -13,6 +13,15 @@ const PER_CENT_MAX: f64 = 100.0;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for record in context.records() {
+        // Its numbers may be another record's: W314 says so.
+        if context
+            .document
+            .doubted
+            .binary_search(&record.first)
+            .is_ok()
+        {
+            continue;
+        }
         // The parts of optics are shares of light, not colours.
         if !matches!(record.kind, RecordKind::Colour | RecordKind::Shape(_)) {
             continue;
