@@ -1,4 +1,4 @@
-//! W323: an angle of view that is a usual one in radians.
+//! W323: an angle of view that is so small that it was hardly meant in degrees.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
 use crate::lint::Context;
@@ -10,6 +10,9 @@ use crate::syntax::table::RecordKind;
 /// The angles that people know by heart in radians: they are known with two decimals.
 const BY_HEART: [u32; 4] = [30, 45, 60, 90];
 
+/// The smallest angle of view, in degrees, that someone who writes radians is believed to mean.
+const SMALLEST: f64 = 10.0;
+
 /// What is drawn fits into a picture that was meant to be as narrow as it is: it is seen under an angle of no more
 /// than this many times that of the picture. In radians it would be 57 times.
 const FITS: f64 = 4.0;
@@ -19,16 +22,16 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for record in context.records().filter(|r| r.kind == RecordKind::Camera) {
         let p = context.record_params(record);
         // Few numbers look like that.
-        if usual_view(&p).is_none() {
+        if in_degrees(&p).is_none() {
             continue;
         }
         let camera = cameras.iter().find(|c| c.id == p.id);
-        let Some(degrees) = camera.and_then(|c| meant(context, c, &p)) else {
+        let Some((degrees, case)) = camera.and_then(|c| meant(context, c, &p)) else {
             continue;
         };
-        let degrees = degrees.to_string();
         out.push(
             Diagnostic::new(Code::W323, p.span_of(FOVY, 1))
+                .case(case)
                 .with("angle", p.text_of(FOVY).to_owned())
                 .with("degrees", degrees.clone())
                 .fix(Fix::replace(
@@ -45,12 +48,23 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 const FOVY: usize = 9;
 
 /// The angle in degrees that is meant by a camera, and by the record that defines it, whose angle of view looks like
-/// radians.
-pub fn meant(context: &Context, camera: &Camera, p: &Params) -> Option<u32> {
+/// radians; and which case that is.
+pub fn meant(context: &Context, camera: &Camera, p: &Params) -> Option<(String, &'static str)> {
     if p.ty.kind != RecordKind::Camera || camera.projection.is_some() {
         return None;
     }
-    usual_view(p).filter(|_| !fits(context, camera))
+    in_degrees(p).filter(|_| !fits(context, camera))
+}
+
+/// The angle of view in degrees that the number of a camera is in radians, and the case of the finding: a usual angle,
+/// or any other that a camera may have.
+fn in_degrees(p: &Params) -> Option<(String, &'static str)> {
+    if let Some(degrees) = usual_view(p) {
+        return Some((degrees.to_string(), ""));
+    }
+    let degrees = p.number(FOVY).to_degrees();
+    let is_view = (SMALLEST..180.0).contains(&degrees);
+    is_view.then(|| (((degrees * 100.0).round() / 100.0).to_string(), "unusual"))
 }
 
 /// The usual angle of view, in degrees, that the number of a camera is in radians.
