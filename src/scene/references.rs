@@ -199,16 +199,22 @@ impl Resolver<'_> {
                 Diagnostic::new(Code::E104, span).with("parameter", Value::Term(what))
             }
             None if id == 1 => wrong_kind(span, Kind::Render, what, kinds),
-            None => {
-                self.undefined(id, span, kinds, late, &used(p));
-                return None;
-            }
+            None => match self.later(id).filter(|_| !late) {
+                // To move it up would not help.
+                Some((at, Some(kind))) if kind != Kind::Undefined && !kinds.contains(&kind) => {
+                    wrong_kind(span, kind, what, kinds).label(at, "defined-here")
+                }
+                _ => {
+                    self.undefined(id, span, kinds, late, &used(p));
+                    return None;
+                }
+            },
         };
         let finding = self.showing(finding.with("id", id.to_string()), id);
         let finding = self.with_proposal(finding, id, span, kinds, &used(p));
         match self.state(id) {
             Some(state) => self.say_unless_lost(state, finding, id, kinds),
-            None => self.out.push(finding),
+            None => self.say_unless_any_lost(finding, id, kinds),
         }
         None
     }
