@@ -30,27 +30,49 @@ pub fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) ->
         return Some(());
     }
     let name = |i: usize| p.param(i).map_or("", |q| q.name);
-    // Lower and upper bounds in turn, each pair in order and not equal: xmin xmax ymin ymax zmin zmax.
-    let in_turn = (0..n).all(|i| p.number(first + 2 * i) < p.number(first + 2 * i + 1));
     // The bound that belongs to each place.
-    let order: Vec<usize> = match in_turn {
-        true => [0, 1]
+    let swapped: Vec<usize> = (first..first + 2 * n)
+        .map(|i| match i < first + n {
+            true if inverted.contains(&i) => i + n,
+            false if inverted.contains(&(i - n)) => i - n,
+            _ => i,
+        })
+        .collect();
+    let sorted: Vec<usize> = [0, 1]
+        .iter()
+        .flat_map(|end| (0..n).map(move |i| first + 2 * i + end))
+        .collect();
+    // Lower and upper bounds in turn, each pair in order and not equal: xmin xmax ymin ymax zmin zmax. Where the bounds
+    // come out the same when they are swapped, there is nothing to choose.
+    let in_turn = (0..n).all(|i| p.number(first + 2 * i) < p.number(first + 2 * i + 1))
+        && !sorted
             .iter()
-            .flat_map(|end| (0..n).map(move |i| first + 2 * i + end))
-            .collect(),
-        false => (first..first + 2 * n)
-            .map(|i| match i < first + n {
-                true if inverted.contains(&i) => i + n,
-                false if inverted.contains(&(i - n)) => i - n,
-                _ => i,
-            })
-            .collect(),
+            .zip(&swapped)
+            .all(|(&a, &b)| p.number(a) == p.number(b));
+    // Bounds are often the same number with either sign.
+    let symmetric = |order: &[usize]| {
+        let is_one = |&i: &usize| p.number(order[i]) == -p.number(order[i + n]);
+        (0..n).filter(is_one).count()
     };
-    let edits = (first..).zip(order).filter(|(to, from)| to != from);
-    let edits = edits.map(|(to, from)| Edit {
-        span: p.span_of(to, 1),
-        text: p.text_of(from).to_owned(),
-    });
+    let is_sorted = in_turn && (inverted.len() > 1 || symmetric(&sorted) > symmetric(&swapped));
+    let fix = |title, order: &[usize], applicability| {
+        let moved = (first..).zip(order).filter(|(to, from)| to != *from);
+        let edits = moved.map(|(to, &from)| Edit {
+            span: p.span_of(to, 1),
+            text: p.text_of(from).to_owned(),
+        });
+        Fix {
+            title,
+            values: Vec::new(),
+            applicability,
+            edits: edits.collect(),
+        }
+    };
+    let proposed = match (in_turn, is_sorted) {
+        (_, true) => fix("fix-order", &sorted, Applicability::Unsafe),
+        (true, false) => fix("fix", &swapped, Applicability::Unsafe),
+        (false, false) => fix("fix", &swapped, Applicability::Safe),
+    };
     let at = inverted[0];
     out.push(
         Diagnostic::new(Code::E202, p.span_of(at, 1))
@@ -59,15 +81,9 @@ pub fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) ->
             .with("type", Value::Term(p.ty.title))
             .with("others", Value::Count(inverted.len() as u64 - 1))
             .label(p.span_of(at + n, 1), "other")
-            .fix(Fix {
-                title: if in_turn { "fix-order" } else { "fix" },
-                values: Vec::new(),
-                applicability: match in_turn {
-                    true => Applicability::Unsafe,
-                    false => Applicability::Safe,
-                },
-                edits: edits.collect(),
-            }),
+            .fix(proposed),
     );
+    let other = (in_turn && !is_sorted).then(|| fix("fix-order", &sorted, Applicability::Choice));
+    out.last_mut()?.fixes.extend(other);
     None
 }
