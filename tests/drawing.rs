@@ -52,6 +52,36 @@ fn what_is_wrong_with_a_picture_is_said() {
     }
 }
 
+/// The render record names an earlier step of the scene, or something was forgotten in it.
+#[test]
+fn objects_that_are_not_drawn_are_counted() {
+    let balls = "3 11 1 0 0 1\n4 11 0 1 0 1\n";
+    let scene = |line: &str| [CAMERA, LAMP, "2 9 1\n", balls, line, "1 9999 2 0\n"].concat();
+    for (scene, [english, czech]) in [
+        ([CAMERA, LAMP, BALL].concat(), ["", ""]),
+        (
+            scene("5 -101 2 3\n6 -101 5 4\n"),
+            [
+                "note: 1 object is not drawn: `zpg check` says which\n",
+                "poznámka: 1 objekt se nezobrazí: který, řekne `zpg check`\n",
+            ],
+        ),
+        (
+            scene(""),
+            [
+                "note: 2 objects are not drawn: `zpg check` says which\n",
+                "poznámka: 2 objekty se nezobrazí: které, řekne `zpg check`\n",
+            ],
+        ),
+        ("# zpg: allow(W310) #\n".to_owned() + &scene(""), ["", ""]),
+    ] {
+        let dir = folder(&[("a.zpg", scene)]);
+        assert_eq!(render(dir.path(), &["a.zpg"])[1], english);
+        assert_eq!(render(dir.path(), &["a.zpg", "--lang", "cs"])[1], czech);
+        assert_eq!(render(dir.path(), &["a.zpg", "-q"])[1], "");
+    }
+}
+
 /// A part of the picture that shows only background is not nothing in view of the whole, but of what is drawn.
 #[test]
 fn a_view_from_a_side_lacks_no_camera() {

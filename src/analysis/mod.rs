@@ -289,6 +289,19 @@ impl Analysis {
         self.bounds.get_or_init(|| node_bounds(&self.scene))
     }
 
+    /// How many objects the findings say are not part of what is drawn. The other findings are not looked for.
+    pub fn undrawn(&self) -> usize {
+        if let Some(foreign) = &self.foreign {
+            return foreign.records.undrawn();
+        }
+        let Settings { levels, choice } = &self.settings;
+        if !self.is_scene || !levels.is_on(choice, Code::W310) {
+            return 0;
+        }
+        let context = lint::Context::new(&self.source.text, &self.document, &self.scene);
+        lint::undrawn(&context)
+    }
+
     /// Moves the findings out, without a copy of what reading found. Afterwards [`findings`](Self::findings) is empty, and
     /// new settings do not bring back what reading found.
     pub fn take_findings(&mut self) -> Vec<Diagnostic> {

@@ -142,6 +142,17 @@ pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec
     allow::apply(context, &allowing, out);
 }
 
+/// How many objects findings say are not part of what is drawn (W310), without those that comments allow.
+pub fn undrawn(context: &Context) -> usize {
+    let mut found = Vec::new();
+    rules::unused_definition::check(context, &mut found);
+    allow::apply(context, &allow::comments(context), &mut found);
+    let objects = found
+        .iter()
+        .filter(|d| rules::unused_definition::is_of_object(d));
+    objects.count()
+}
+
 /// Whether the fixes of a rule take records out.
 pub fn takes_records_out(code: Code) -> bool {
     rules::TAKING_OUT.contains(&code)

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::output::{Output, left_and_right};
-use super::{Args, Job, animation, picture};
+use super::{Args, Job, animation, notes, picture};
 use crate::analysis::{Analysis, repair};
 use crate::commands::draft::{try_file, unwritable};
 use crate::commands::frames::Frames;
@@ -131,6 +131,7 @@ fn prepared(args: &Args, job: &Job, stop: &AtomicBool, look: LookChoice) -> Resu
     });
     let frames = frames.map_err(|error| refuse(&loaded, error, look))?;
     check_each(&frames, &loaded, stop, look)?;
+    notes::say_undrawn(args, &loaded, look);
     Ok(frames)
 }
 

@@ -1,9 +1,10 @@
 //! What is wrong with a picture, in one line each on standard error.
 
 use super::Args;
+use crate::analysis::Analysis;
 use crate::commands::LookChoice;
 use crate::commands::terminal::note;
-use crate::diagnostics::Complaint;
+use crate::diagnostics::{Complaint, Value};
 use crate::geometry::Aabb;
 use crate::scene::{Camera, Scene, View};
 use crate::solids::staging::is_dark;
@@ -36,6 +37,20 @@ pub fn say(
         if let Some(message) = fault(tracer, (scene, camera), settings, picture) {
             note(look, &Complaint::new(message));
         }
+    }
+}
+
+/// Says how many objects are not part of what is drawn, as long as the records are there; nothing of a band.
+pub fn say_undrawn(args: &Args, loaded: &Analysis, look: LookChoice) {
+    if look.quiet || args.tile.is_some() {
+        return;
+    }
+    let count = loaded.undrawn();
+    if count > 0 {
+        note(
+            look,
+            &Complaint::new("note-undrawn").with("count", Value::Count(count as u64)),
+        );
     }
 }
 

@@ -123,6 +123,11 @@ two-on-stdout = na standardní výstup lze poslat jen jeden z výstupů: pro dru
 pair-on-stdout = dva obrázky nelze poslat na standardní výstup: zvolte --stereo side-by-side nebo --stereo anaglyph
 note-left-eye = ze dvou kamer se použije levá, { $id }; druhou zvolí `--camera`
 note-no-camera = scéna nemá kameru: zobrazí se zprava, zepředu a shora
+note-undrawn = { $count ->
+    [one] { $count } objekt se nezobrazí: který, řekne
+    [few] { $count } objekty se nezobrazí: které, řekne
+   *[other] { $count } objektů se nezobrazí: které, řekne
+} `zpg check`
 note-no-light = scéna nemá světlo: přidá se ambientní světlo a bodové světlo nad kamerou a vlevo od ní
 note-nothing-in-view = v záběru nic není; celou scénu ukáže `--view iso`
 note-camera-inside = kamera je uvnitř tělesa: obrázek ukazuje těleso zevnitř

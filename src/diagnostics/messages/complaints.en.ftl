@@ -120,6 +120,10 @@ two-on-stdout = standard output takes one of the outputs: name a file for the ot
 pair-on-stdout = two pictures cannot be written to standard output: choose --stereo side-by-side or --stereo anaglyph
 note-left-eye = of the two cameras, { $id } is taken, the left one; `--camera` takes the other
 note-no-camera = the scene has no camera: it is seen from the right, the front and above
+note-undrawn = { $count ->
+    [one] { $count } object is
+   *[other] { $count } objects are
+} not drawn: `zpg check` says which
 note-no-light = the scene has no light: an ambient light and a lamp above the camera and to its left are added
 note-nothing-in-view = nothing is in view; `--view iso` shows the whole scene
 note-camera-inside = the camera is inside of a solid: the picture shows that from within

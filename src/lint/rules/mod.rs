@@ -47,7 +47,7 @@ mod stale_operand;
 mod surface_operand;
 mod too_bright;
 mod unseen_texture;
-mod unused_definition;
+pub mod unused_definition;
 mod up_along_view;
 
 use super::Context;

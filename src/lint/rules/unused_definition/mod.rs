@@ -1,6 +1,9 @@
 //! W310: something that is defined and not needed for the picture.
 
 mod assign;
+mod whole;
+
+use std::cell::LazyCell;
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
@@ -21,9 +24,10 @@ const HELD: Known = 8;
 const DECIDED: Known = 16;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    if context.scene.render.is_none() || context.has_broken() {
+    let Some(render) = context.scene.render.filter(|_| !context.has_broken()) else {
         return;
-    }
+    };
+    let root = render.root_id.to_string();
     let mut all = definitions(context);
     // What seems to be unused may be what was meant where a record names what is not there.
     let Some(names) = context.names() else {
@@ -39,7 +43,8 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             }
         }
     }
-    let mut properties = Vec::new();
+    let holders = LazyCell::new(|| whole::holders(context, names));
+    let (mut properties, mut wholes) = (Vec::new(), Vec::new());
     // A placeholder and its later definition share an ID. The finding points at the later one.
     for entity in context.scene.entities.iter().rev() {
         let Some(number) = context.scene.ids.get(entity.id) else {
@@ -47,9 +52,13 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         };
         let known = std::mem::replace(&mut all[number as usize], DECIDED);
         if known & (SOUND | USED | HELD | DECIDED) == SOUND
-            && let Some(finding) = finding(context, entity)
+            && let Some(mut finding) = finding(context, entity)
         {
             let at = out.len();
+            if finding.case == "object" && holders.contains(&number) {
+                finding = finding.case("whole").with("part", root.clone());
+                wholes.push((at, entity));
+            }
             properties.extend(finding.case.is_empty().then_some((at, entity)));
             out.push(finding);
         }
@@ -59,6 +68,14 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .fixes
             .extend(assign::to_the_only_one(context, property));
     }
+    if let [(at, object)] = wholes[..] {
+        out[at].fixes.extend(whole::drawn(context, object));
+    }
+}
+
+/// Whether a finding is about an object.
+pub fn is_of_object(finding: &Diagnostic) -> bool {
+    finding.code == Code::W310 && ["object", "whole"].contains(&finding.case)
 }
 
 fn finding(context: &Context, entity: &Entity) -> Option<Diagnostic> {
