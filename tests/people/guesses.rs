@@ -206,3 +206,29 @@ fn a_material_may_be_that_of_the_only_object_without_one() {
         assert_eq!(fixed(text, true), text);
     }
 }
+
+#[test]
+fn what_changes_a_second_definition_goes_with_it() {
+    let camera = "9 -501 0 3 12 0 -0.2 -1 0 1 0 45\n";
+    let lamp = "50 -402 1\n50 -1 4 6 5\n";
+    // The ID 4 is used and defined nowhere.
+    let text = format!(
+        "2 11 0 0 0 1\n2 -701 1 0 0\n2 12 2 0 0 3 1 1\n2 -701 0 0 1\n2 -1 0 1 0\n3 -101 2 4\n2 -1 5 0 0\n\
+         {camera}{lamp}1 9999 3 0\n"
+    );
+    let second = "2 12 2 0 0 3 1 1\n2 -701 0 0 1\n2 -1 0 1 0\n";
+    assert_eq!(
+        fixed(&text, true),
+        text.replace(second, &second.replace("2 1", "4 1").replace("2 -", "4 -"))
+    );
+    // Nothing is undefined, so each gets the next free one.
+    for second in [
+        "50 -402 0.5\n50 -1 -4 6 5\n",
+        "9 -501 1 3 12 0 -0.2 -1 0 1 0 45\n9 -1 0 1 0\n",
+    ] {
+        let text = format!("2 9 1\n{camera}{lamp}{second}1 9999 2 0\n");
+        let id = second.split(' ').next().unwrap();
+        let new = second.replace(&format!("{id} -"), "51 -");
+        assert_eq!(first(&text, Code::E102), text.replace(second, &new));
+    }
+}

@@ -4,6 +4,7 @@ use super::inline::{FREE_TITLE, OWN_TITLE};
 use super::{Candidate, Habit, Place};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::Item;
+use crate::syntax::ast::Record;
 use crate::syntax::table::{Effect, Kind, ParamKind, RecordKind, RecordType};
 
 impl Place<'_> {
@@ -32,6 +33,9 @@ impl Place<'_> {
             return;
         }
         let mut edits = vec![edit(head, new)];
+        if is_twice {
+            edits.extend(self.changes(id).map(|place| edit(place, new)));
+        }
         let mut objects: Vec<String> = Vec::new();
         if let Some(kinds) = property {
             for (object, place) in self.assignments(id, kinds) {
@@ -59,6 +63,19 @@ impl Place<'_> {
             fix,
             ty: None,
         });
+    }
+
+    /// The IDs of the records that follow this one directly and change what it defines.
+    pub(super) fn changes(&self, id: u32) -> impl Iterator<Item = Span> {
+        let document = &self.analysis.document;
+        let end = self.tokens.last().map_or(self.line.end, |t| t.end());
+        let behind = document.items.iter();
+        let behind = behind.skip_while(move |item| document.item_span(item).start < end);
+        let records = behind.filter(|item| !matches!(item, Item::Void { .. }));
+        let is_change =
+            move |r: &&Record| r.id == id && !matches!(r.ty().effect, Effect::Defines(_));
+        let own = records.map_while(move |item| item.record().filter(is_change));
+        own.map(|r| document.id_token(r).span())
     }
 
     /// The objects that an ID is assigned to, and the places there for a property of the first kind, which are empty or

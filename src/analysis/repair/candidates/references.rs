@@ -1,7 +1,7 @@
 //! Other IDs: those that a record refers to, and its own.
 
 use super::{Candidate, Habit, MOST, Place};
-use crate::diagnostics::{Code, Diagnostic};
+use crate::diagnostics::{Code, Diagnostic, Edit};
 use crate::scene::{Entity, names};
 use crate::syntax::Item;
 use crate::syntax::lexer::Token;
@@ -170,7 +170,17 @@ impl Place<'_> {
         if finding.code == Code::E102 && finding.span == self.tokens[0].span() {
             let head = self.tokens[0];
             let new = undefined.iter().take(MOST / 2);
-            out.extend(new.filter_map(|id| self.write(Habit::Id, &[(head, id.to_string())])));
+            let changes = Vec::from_iter(self.id().into_iter().flat_map(|id| self.changes(id)));
+            out.extend(new.filter_map(|id| {
+                let text = id.to_string();
+                let mut candidate = self.write(Habit::Id, &[(head, text.clone())])?;
+                let others = changes.iter().map(|&span| Edit {
+                    span,
+                    text: text.clone(),
+                });
+                candidate.fix.edits.extend(others);
+                Some(candidate)
+            }));
             return;
         }
         let Some(ty) = self.ty().filter(|ty| self.fits(ty)) else {
