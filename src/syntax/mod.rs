@@ -30,6 +30,7 @@ pub mod describe;
 pub mod directive;
 pub mod grammar;
 pub mod hex;
+pub mod hidden;
 pub mod ids;
 pub mod in_records;
 mod lexed;

@@ -1,7 +1,7 @@
 //! Guesses and fixes of layout that newcomers found to be wrong, in short scenes.
 
 use zpg::analysis::{Analysis, fixing, repair};
-use zpg::diagnostics::{Applicability, Code, Diagnostic, Fix, fixes};
+use zpg::diagnostics::{Applicability, Code, Diagnostic, Fix, Language, fixes};
 use zpg::format::{Options, format};
 
 use super::read;
@@ -231,4 +231,28 @@ fn what_changes_a_second_definition_goes_with_it() {
         let new = second.replace(&format!("{id} -"), "51 -");
         assert_eq!(first(&text, Code::E102), text.replace(second, &new));
     }
+}
+
+#[test]
+fn an_id_that_a_comment_defines_is_no_other() {
+    let lamp = "9 -501 0 3 12 0 -0.2 -1 0 1 0 45\n50 -402 1\n50 -1 4 6 5\n";
+    for behind in ["1 9999 4 0\n", "4 -1 1 0 0\n5 -101 2 4\n1 9999 5 0\n"] {
+        let text = format!("2 11 0 0 0 1 # a 1\n3 11 2 0 0 1\n4 -101 2 3 #\n{lamp}{behind}");
+        let all = repair::proposals(&read(&text));
+        let said = all
+            .iter()
+            .filter(|d| d.code == Code::E101)
+            .collect::<Vec<_>>();
+        assert!(!said.is_empty(), "{all:?}");
+        for d in said {
+            assert!(d.fixes.is_empty(), "{d:?}");
+            let help = "ID 4 is defined inside the comment that begins on line 1";
+            assert_eq!(d.wording(Language::English).help.as_deref(), Some(help));
+        }
+        assert_eq!(fixed(&text, true), text);
+    }
+    // What the comment only changes is another matter.
+    let text = format!("2 9 1 # a\n4 -701 1 0 0\n4 -1 0 0 1 #\n{lamp}1 9999 4 0\n")
+        .replace("4 -701 1 0 0\n", "");
+    assert_eq!(fixed(&text, true), text.replace("9999 4", "9999 2"));
 }

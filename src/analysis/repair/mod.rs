@@ -9,6 +9,7 @@ mod candidates;
 mod characters;
 mod elsewhere;
 mod heads;
+mod hidden;
 mod judge;
 mod whole;
 
@@ -45,6 +46,7 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
     };
     if analysis.is_records() && engine.findings.iter().any(is_tried) {
         heads::retell(engine.analysis, &mut engine.findings);
+        hidden::retell(engine.analysis, &mut engine.findings);
         engine.whole();
         engine.elsewhere();
         engine.lines();
@@ -198,7 +200,8 @@ impl Engine<'_> {
         while at < self.findings.len() && self.trials > 1 {
             let finding = &self.findings[at];
             let done = mended.is_some_and(|line| line.touches(finding.span));
-            let settled = has_safe_fix(finding) || whole::is_of_many(finding);
+            let settled =
+                has_safe_fix(finding) || whole::is_of_many(finding) || hidden::is_hidden(finding);
             if is_tried(finding)
                 && !done
                 && !settled
@@ -434,7 +437,7 @@ fn named(d: &Diagnostic) -> Option<u32> {
 /// The IDs that are used and defined nowhere, the first ones.
 fn undefined(findings: &[Diagnostic]) -> Vec<u32> {
     let mut all: Vec<u32> = (findings.iter())
-        .filter(|d| d.code == Code::E101)
+        .filter(|d| d.code == Code::E101 && !hidden::is_hidden(d))
         .filter_map(named)
         .take(TRIALS)
         .collect();

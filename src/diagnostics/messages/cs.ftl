@@ -391,6 +391,9 @@ write-lost-id = napsat `{ $lost }`
 
 E101 = { $id } není definováno
     .label = žádný záznam v souboru toto ID nemá
+E101-hidden = { E101 }
+    .label = { E101.label }
+    .help = ID { $id } je definováno uvnitř komentáře, který začíná na řádku { $line }
 E101-no-id = { $number } není ID
     .label = zde má být ID některého záznamu
 

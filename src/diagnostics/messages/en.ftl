@@ -388,6 +388,9 @@ write-lost-id = write `{ $lost }`
 
 E101 = { $id } is not defined
     .label = nothing in this file has this ID
+E101-hidden = { E101 }
+    .label = { E101.label }
+    .help = ID { $id } is defined inside the comment that begins on line { $line }
 E101-no-id = { $number } is not an ID
     .label = the ID of something was expected
 
