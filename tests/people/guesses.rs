@@ -256,29 +256,3 @@ fn an_id_that_a_comment_defines_is_no_other() {
         .replace("4 -701 1 0 0\n", "");
     assert_eq!(fixed(&text, true), text.replace("9999 4", "9999 2"));
 }
-
-#[test]
-fn exchanged_ids_and_types_are_exchanged_again() {
-    let lamp = "9 -501 0 3 12 0 -0.2 -1 0 1 0 45\n50 -402 1\n50 -1 4 6 5\n1 9999 2 0\n";
-    let meant = ["2 11 0 0 0 1", "2 -701 1 0 0", "2 -1 0 1 0"];
-    let slips = ["11 2 0 0 0 1", "-701 2 1 0 0", "-1 2 0 1 0"];
-    for which in 1..8 {
-        let lines: Vec<&str> = (0..3)
-            .map(|i| {
-                if which >> i & 1 == 1 {
-                    slips[i]
-                } else {
-                    meant[i]
-                }
-            })
-            .collect();
-        let text = format!("{}\n{lamp}", lines.join("\n"));
-        assert_eq!(fixed(&text, true), format!("{}\n{lamp}", meant.join("\n")));
-        let all = repair::proposals(&read(&text)).into_iter();
-        let all: Vec<&str> = all.filter(Diagnostic::is_error).map(|d| d.case).collect();
-        assert!(
-            !all.is_empty() && all.iter().all(|case| *case == "exchanged"),
-            "{text}{all:?}"
-        );
-    }
-}

@@ -16,9 +16,6 @@ use crate::syntax::words;
 /// The render record always has this ID.
 const RENDER: u32 = 1;
 
-/// So many lines get ID and type exchanged at once.
-const LINES: usize = 64;
-
 impl Place<'_> {
     /// The name of a type before all numbers, as other programs have it: `sphere 4 0 1 0 0.5`. Without an ID it gets the
     /// only one that is undefined.
@@ -62,43 +59,27 @@ impl Place<'_> {
         }
     }
 
-    /// ID and type in each other's place, as a finding and what puts it right, on the lines below, too: where several
-    /// cannot be read, a finding may speak of the first alone.
+    /// ID and type in each other's place, as a finding and what puts it right. The ID is used elsewhere.
     pub fn exchange(&self) -> Option<(Diagnostic, Candidate)> {
-        let [ty, id] = self.exchanged()?;
-        let finding = Diagnostic::new(Code::E005, ty.span().to(id.span()))
-            .case("exchanged")
-            .with("text", quote(ty.text(self.text)))
-            .with("number", quote(id.text(self.text)));
-        let edits = |ty: Token, id: Token| {
-            [(ty, id), (id, ty)].map(|(t, new)| Edit {
-                span: t.span(),
-                text: new.text(self.text).to_owned(),
-            })
-        };
-        let mut candidate = self.beginning(Habit::Exchanged, edits(ty, id).into());
-        let source = &self.analysis.source;
-        let line = source.line_index(source.floor(self.line.start));
-        let last = source.line_count().min(line + LINES);
-        let below = (line + 1..last).map_while(|line| {
-            let place = Place::of(self.analysis, source.line_span(line).start, false)?;
-            place.exchanged()
-        });
-        let below = below.flat_map(|[ty, id]| edits(ty, id));
-        candidate.fix.edits.extend(below);
-        Some((finding, candidate))
-    }
-
-    /// The type and the ID that stand in each other's place.
-    fn exchanged(&self) -> Option<[Token; 2]> {
-        let [ty, id] = [*self.tokens.first()?, *self.tokens.get(1)?];
+        let [ty, id] = [self.tokens.first()?, self.tokens.get(1)?];
         let meant = RecordType::by_code(ty.integer(self.text)?)?;
         let is_id = id
             .integer(self.text)
             .is_some_and(|id| id > i64::from(RENDER));
         let is_right = self.ty().is_some_and(|ty| self.fits(ty)) && self.id().is_some();
-        let is_meant = is_id && !is_right && self.fits(meant);
-        (is_meant && meant.kind != RecordKind::Undefined).then_some([ty, id])
+        if !is_id || is_right || !self.fits(meant) || meant.kind == RecordKind::Undefined {
+            return None;
+        }
+        let edit = |t: &Token, new: &Token| Edit {
+            span: t.span(),
+            text: new.text(self.text).to_owned(),
+        };
+        let edits = vec![edit(ty, id), edit(id, ty)];
+        let finding = Diagnostic::new(Code::E005, ty.span().to(id.span()))
+            .case("exchanged")
+            .with("text", quote(ty.text(self.text)))
+            .with("number", quote(id.text(self.text)));
+        Some((finding, self.beginning(Habit::Exchanged, edits)))
     }
 
     /// A type with a space in it: `-7 01`. Two positive numbers are rather a type and what follows it.

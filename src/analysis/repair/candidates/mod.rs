@@ -251,7 +251,6 @@ impl<'a> Place<'a> {
             self.characters(&mut out);
             out.extend(self.torn_type());
             out.extend(self.own_name());
-            out.extend(self.exchange().map(|(_, candidate)| candidate));
             self.keyword(&mut out);
             self.spaced_name(&mut out);
             self.words(&mut out);
