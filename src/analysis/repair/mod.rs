@@ -82,7 +82,7 @@ struct Trial {
     candidate: Candidate,
     scene: Analysis,
     line: Span,
-    /// How many errors are left that are not [hidden].
+    /// How many errors are left that are not [hidden()].
     errors: usize,
 }
 
