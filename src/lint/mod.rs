@@ -4,6 +4,7 @@
 mod allow;
 mod glance;
 pub mod levels;
+mod operations;
 mod parts;
 mod properties;
 mod rays;
@@ -12,6 +13,8 @@ mod rules;
 pub mod spelling;
 
 use std::sync::OnceLock;
+
+use operations::Proven;
 
 use crate::diagnostics::{Code, Diagnostic, Span};
 use crate::parallel;
@@ -28,6 +31,7 @@ pub struct Context<'a> {
     pub scene: &'a Scene,
     bounds: OnceLock<Vec<NodeBounds>>,
     names: OnceLock<Option<Names>>,
+    proven: OnceLock<Vec<Proven>>,
 }
 
 impl<'a> Context<'a> {
@@ -38,12 +42,18 @@ impl<'a> Context<'a> {
             scene,
             bounds: OnceLock::new(),
             names: OnceLock::new(),
+            proven: OnceLock::new(),
         }
     }
 
     /// The bounds of each node, for the rules about geometry.
     fn bounds(&self) -> &[NodeBounds] {
         self.bounds.get_or_init(|| node_bounds(self.scene))
+    }
+
+    /// The operations of which something is known for certain.
+    fn proven(&self) -> &[Proven] {
+        self.proven.get_or_init(|| operations::proven(self))
     }
 
     /// Who names whom; nothing if something is named that is not there.

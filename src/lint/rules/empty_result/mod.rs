@@ -1,86 +1,18 @@
 //! W319: an intersection or a difference that is empty for certain.
-//!
-//! An operation without unions is that everything of a list is to hold: some things, and the
-//! complements of others. It is empty if two of the first lie apart, if one of the first lies within
-//! one of the second, or is the same. Chains keep a few of their list only.
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
+use crate::lint::operations::{Proof, Proven};
 use crate::lint::spelling::near;
-use crate::scene::{Node, NodeId};
+use crate::scene::NodeId;
 use crate::solids::named;
-use crate::solids::proofs::{Literals, Proofs, Reason};
+use crate::solids::proofs::Reason;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    each(context, |_, _, operation| {
-        if let Some((x, y, reason)) = &operation.proof {
-            out.extend(finding(context, operation.node, (*x, *y), reason));
+    for Proven { node, what } in context.proven() {
+        if let Proof::Empty(x, y, reason) = what {
+            out.extend(finding(context, *node, (*x, *y), reason));
         }
-    });
-}
-
-/// An intersection or a difference.
-pub struct Operation {
-    pub node: NodeId,
-    pub operands: (NodeId, NodeId),
-    pub is_difference: bool,
-    /// An operand is empty, of which has been spoken.
-    pub is_of_nothing: bool,
-    /// That it is empty itself.
-    pub proof: Option<(NodeId, NodeId, Reason)>,
-}
-
-/// Looks at each intersection and each difference, with a few of what is to hold in each node before it.
-pub fn each(context: &Context, mut found: impl FnMut(&mut Proofs, &[Literals], Operation)) {
-    let scene = context.scene;
-    let bounds = context.bounds();
-    let mut proofs = Proofs::new(scene, bounds);
-    // What is empty has been spoken of, here or by the rules about shapes.
-    let mut empty: Vec<bool> = Vec::with_capacity(scene.nodes.len());
-    let mut lists: Vec<Literals> = Vec::with_capacity(scene.nodes.len());
-    for (i, node) in scene.nodes.iter().enumerate() {
-        let is_empty = |n: NodeId| empty[n as usize];
-        let own = Literals::new((i as NodeId, false));
-        let (nothing, list) = match *node {
-            Node::Shape(_) => (bounds[i].all.is_empty(), own),
-            Node::Transform { child, .. } => (is_empty(child), own),
-            Node::Paint { child, .. } | Node::Copy { child, .. } => {
-                (is_empty(child), lists[child as usize])
-            }
-            Node::Union(a, b) => (is_empty(a) && is_empty(b), own),
-            Node::Complement(child) => match lists[child as usize][..] {
-                [(n, turned)] => (false, Literals::new((n, !turned))),
-                _ => (false, own),
-            },
-            Node::Intersection(a, b) | Node::Difference(a, b) => {
-                let is_difference = matches!(node, Node::Difference(..));
-                let first = lists[a as usize];
-                let second = match is_difference {
-                    true => proofs.complement(b, &lists),
-                    false => lists[b as usize].to_vec(),
-                };
-                let known = is_empty(a) || (!is_difference && is_empty(b));
-                let is_of_nothing = known || (is_difference && is_empty(b));
-                let proof = match is_of_nothing {
-                    true => None,
-                    false => proofs.nothing(&first, &second, (!is_difference).then_some((a, b))),
-                };
-                let nothing = known || proof.is_some();
-                let operation = Operation {
-                    node: i as NodeId,
-                    operands: (a, b),
-                    is_difference,
-                    is_of_nothing,
-                    proof,
-                };
-                found(&mut proofs, &lists, operation);
-                let mut all = first;
-                all.extend(&second);
-                (nothing, all)
-            }
-        };
-        empty.push(nothing);
-        lists.push(list);
     }
 }
 

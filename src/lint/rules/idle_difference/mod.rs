@@ -1,25 +1,22 @@
 //! W332: a difference that takes nothing away for certain: what is taken away lies apart.
 
-use super::empty_result::each;
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::geometry::array::length;
 use crate::lint::Context;
+use crate::lint::operations::{Proof, Proven};
 use crate::lint::spelling::near;
-use crate::scene::NodeId;
+use crate::scene::{Node, NodeId};
 use crate::solids::named;
 use crate::solids::proofs::Reason;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    each(context, |proofs, lists, operation| {
-        let (a, b) = operation.operands;
-        if !operation.is_difference || operation.is_of_nothing || operation.proof.is_some() {
-            return;
+    for Proven { node, what } in context.proven() {
+        if let (Proof::Idle(reason), Node::Difference(a, b)) =
+            (what, &context.scene.nodes[*node as usize])
+        {
+            out.extend(finding(context, *node, (*a, *b), reason));
         }
-        let lists = [a, b].map(|n| &lists[n as usize]);
-        if let Some((_, _, reason)) = proofs.nothing(lists[0], lists[1], Some((a, b))) {
-            out.extend(finding(context, operation.node, (a, b), &reason));
-        }
-    });
+    }
 }
 
 fn finding(
