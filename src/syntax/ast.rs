@@ -160,6 +160,11 @@ impl Document {
         self.doubted = doubted.map(|i| self.items[i].ends().0).collect();
     }
 
+    /// Whether the record that begins with a token is among the doubted ones.
+    pub fn is_doubted(&self, first: u32) -> bool {
+        self.doubted.binary_search(&first).is_ok()
+    }
+
     /// The index of the item to which a place in the text belongs.
     pub(super) fn item_at(&self, at: u32) -> Option<usize> {
         let token = self.tokens.partition_point(|t| t.end() <= at) as u32;

@@ -9,8 +9,8 @@ use crate::syntax::table::Effect;
 
 const CASE: &str = "hidden";
 
-/// Whether a comment defines the ID that a finding calls undefined.
-pub fn is_hidden(d: &Diagnostic) -> bool {
+/// Whether a finding says that a comment defines the ID which it calls undefined.
+pub fn is_told(d: &Diagnostic) -> bool {
     d.code == Code::E101 && d.case == CASE
 }
 

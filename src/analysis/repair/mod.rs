@@ -9,7 +9,7 @@ mod candidates;
 mod characters;
 mod elsewhere;
 mod heads;
-mod hidden;
+mod in_comments;
 mod judge;
 mod whole;
 
@@ -46,7 +46,7 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
     };
     if analysis.is_records() && engine.findings.iter().any(is_tried) {
         heads::retell(engine.analysis, &mut engine.findings);
-        hidden::retell(engine.analysis, &mut engine.findings);
+        in_comments::retell(engine.analysis, &mut engine.findings);
         engine.whole();
         engine.elsewhere();
         engine.lines();
@@ -82,7 +82,7 @@ struct Trial {
     candidate: Candidate,
     scene: Analysis,
     line: Span,
-    /// How many errors are left that are not [hidden()].
+    /// How many errors are left that are not [hidden].
     errors: usize,
 }
 
@@ -200,8 +200,9 @@ impl Engine<'_> {
         while at < self.findings.len() && self.trials > 1 {
             let finding = &self.findings[at];
             let done = mended.is_some_and(|line| line.touches(finding.span));
-            let settled =
-                has_safe_fix(finding) || whole::is_of_many(finding) || hidden::is_hidden(finding);
+            let settled = has_safe_fix(finding)
+                || whole::is_of_many(finding)
+                || in_comments::is_told(finding);
             if is_tried(finding)
                 && !done
                 && !settled
@@ -437,7 +438,7 @@ fn named(d: &Diagnostic) -> Option<u32> {
 /// The IDs that are used and defined nowhere, the first ones.
 fn undefined(findings: &[Diagnostic]) -> Vec<u32> {
     let mut all: Vec<u32> = (findings.iter())
-        .filter(|d| d.code == Code::E101 && !hidden::is_hidden(d))
+        .filter(|d| d.code == Code::E101 && !in_comments::is_told(d))
         .filter_map(named)
         .take(TRIALS)
         .collect();

@@ -59,14 +59,12 @@ pub fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order) -> Sl
         Verdict::WrongArity { ty, got, expected } if ty.code <= LEAST_HEAD => {
             let has_word = stretch.bad(start + 2, end) > 0;
             let is_short = got < expected && 2 * got > expected;
-            (
-                Some(ty),
-                if has_word || is_short {
-                    Slip::Yes
-                } else {
-                    Slip::No
-                },
-            )
+            let slip = if has_word || is_short {
+                Slip::Yes
+            } else {
+                Slip::No
+            };
+            (Some(ty), slip)
         }
         Verdict::BadPointCount { ty } if end > start + 4 => (Some(ty), Slip::Yes),
         Verdict::BadType

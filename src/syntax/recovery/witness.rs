@@ -3,12 +3,12 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::super::signature::Reading;
-use super::super::table::{Effect, RecordKind, RecordType};
+use super::super::table::{Effect, RecordKind};
 use super::damage;
 use super::faults;
 use super::known::Known;
 use super::order::Order;
-use super::slips::{self, LEAST_HEAD, Slip};
+use super::slips::{self, Slip};
 use super::stretch::{LONG, Stretch};
 use super::surroundings::Surroundings;
 use super::verdict::{Piece, Verdict};
@@ -241,9 +241,7 @@ impl<'a> Witnesses<'a> {
 
     /// Whether it would be, and of a type whose number is hardly a parameter.
     pub fn is_surely_a_record(&self, stretch: &Stretch, line: usize) -> bool {
-        let ty = stretch.record_type(stretch.line_start(line) + 1);
-        let is_head = |t: &RecordType| t.code <= LEAST_HEAD || t.kind == RecordKind::Render;
-        self.is_complete_line(stretch, line) && ty.is_some_and(is_head)
+        self.is_complete_line(stretch, line) && slips::looks_like_a_head(stretch, line)
     }
 
     pub fn is_void_line(&self, stretch: &Stretch, line: usize) -> bool {

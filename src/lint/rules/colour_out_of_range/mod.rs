@@ -14,12 +14,7 @@ const PER_CENT_MAX: f64 = 100.0;
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for record in context.records() {
         // Its numbers may be another record's: W314 says so.
-        if context
-            .document
-            .doubted
-            .binary_search(&record.first)
-            .is_ok()
-        {
+        if context.document.is_doubted(record.first) {
             continue;
         }
         // The parts of optics are shares of light, not colours.

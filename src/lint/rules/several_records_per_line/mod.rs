@@ -87,8 +87,7 @@ fn report(context: &Context, line: &Line, ends: bool, out: &mut Vec<Diagnostic>)
     // What could not be read is read by its lines: with others it may be something else. So beside it only a line is
     // cut that is whole records. And a record that may have taken another one's numbers must not look as if all were
     // well.
-    let doubted = &context.document.doubted;
-    let is_doubted = |item: &Item| doubted.binary_search(&item.ends().0).is_ok();
+    let is_doubted = |item: &Item| context.document.is_doubted(item.ends().0);
     let mut items = line.torn.into_iter().chain(line.more.iter().copied());
     let is_whole = line.torn.is_none() && !line.more.last().is_some_and(|l| is_torn(context, l));
     let is_sure = !context.document.contents.broken || is_whole && !line.broken;
