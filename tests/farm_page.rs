@@ -94,7 +94,9 @@ fn both_pages_have_the_same_commands() {
 #[cfg(unix)]
 #[test]
 fn the_commands_do_what_the_page_says() {
-    const OTHERS: [&str; 6] = ["cargo", "ffmpeg", "ls", "openjd", "squeue", "tail"];
+    const OTHERS: [&str; 7] = [
+        "cargo", "ffmpeg", "ls", "openjd", "python3", "squeue", "tail",
+    ];
     let drawn = [
         &["pawns/submit.sh", "pawns/join.slurm"][..],
         &["job/job.yaml", "job/job-plain.yaml"],
