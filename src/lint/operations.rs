@@ -53,7 +53,7 @@ pub fn proven(context: &Context) -> Vec<Proven> {
                     false => lists[b as usize].to_vec(),
                 };
                 let mut nothing = is_empty(a) || (!cut && is_empty(b));
-                if !nothing && !(cut && is_empty(b)) {
+                if !(nothing || cut && is_empty(b)) {
                     let proof = proofs.nothing(&first, &second, (!cut).then_some((a, b)));
                     nothing = proof.is_some();
                     let what = match proof {
