@@ -124,6 +124,43 @@ fn an_unreadable_file_does_not_stop_the_others() {
 }
 
 #[test]
+fn a_scene_without_its_ending_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("a.zpg"), "2 9 1\n1 9999 2 0\n").unwrap();
+    for (args, expected) in [
+        (
+            ["check", "a"],
+            "error: cannot read a: there is no such file, but a.zpg\n",
+        ),
+        (
+            ["render", "a"],
+            "error: cannot read a: there is no such file, but a.zpg\n",
+        ),
+        (
+            ["check", "b"],
+            "error: cannot read b: No such file or directory\n",
+        ),
+    ] {
+        let out = zpg(folder.path(), &args);
+        assert_eq!(String::from_utf8(out.stderr).unwrap(), expected);
+        assert_eq!(out.status.code(), Some(2));
+    }
+}
+
+/// Names of formats that ruff has are understood.
+#[test]
+fn formats_have_other_names() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("a.zpg"), "2 9\n").unwrap();
+    for (theirs, ours) in [("concise", "short"), ("full", "human")] {
+        let [a, b] = [["--output-format", theirs], ["--format", ours]]
+            .map(|[flag, name]| zpg(folder.path(), &["check", flag, name, "a.zpg"]).stdout);
+        assert!(!a.is_empty());
+        assert_eq!(a, b);
+    }
+}
+
+#[test]
 fn standard_input_is_a_dash() {
     let dir = tempfile::tempdir().unwrap();
     let run = zpg_with(

@@ -82,6 +82,38 @@ fn objects_that_are_not_drawn_are_counted() {
     }
 }
 
+/// A comma between two digits is read as a space, and the picture shows something else.
+#[test]
+fn decimal_commas_are_said() {
+    for (ball, [english, czech]) in [
+        (
+            "2 11 0,5 0 1\n",
+            [
+                "note: line 10: `0,5` is read as two numbers, `0 5`; write a decimal point if it is one\n",
+                "poznámka: řádek 10: `0,5` se čte jako dvě čísla, `0 5`; je-li to jedno, napište desetinnou tečku\n",
+            ],
+        ),
+        (
+            "2 11 0,5 0 1\n2 -1 0,0 0\n",
+            [
+                "note: line 10: `0,5` is read as two numbers, `0 5`; write a decimal point if it is one (1 more like it)\n",
+                "poznámka: řádek 10: `0,5` se čte jako dvě čísla, `0 5`; je-li to jedno, napište desetinnou tečku (takových je ještě 1)\n",
+            ],
+        ),
+        // A list in commas throughout is none.
+        ("2 11 0,5,0,1\n", ["", ""]),
+    ] {
+        let far = "9 -501 0 5 9 0 0 -1 0 1 0 45\n";
+        let scene = [far, "50 -401 0.3\n", ball, "1 9999 2 0\n"].concat();
+        let line = scene.lines().position(|line| line.contains("0,5")).unwrap() + 1;
+        let dir = folder(&[("a.zpg", scene)]);
+        let at = |text: &str| text.replace("10:", &format!("{line}:"));
+        assert_eq!(render(dir.path(), &["a.zpg"])[1], at(english));
+        assert_eq!(render(dir.path(), &["a.zpg", "--lang", "cs"])[1], at(czech));
+        assert_eq!(render(dir.path(), &["a.zpg", "-q"])[1], "");
+    }
+}
+
 /// A part of the picture that shows only background is not nothing in view of the whole, but of what is drawn.
 #[test]
 fn a_view_from_a_side_lacks_no_camera() {

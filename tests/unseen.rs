@@ -303,7 +303,7 @@ fn what_is_out_of_view_is_in_no_picture() {
             let mut count = [0; 2];
             for _ in 0..12 {
                 let camera = random_camera(&mut r);
-                if view::out_of_view(&scene, &bounds, root, &camera).is_some() {
+                if view::out_of_view(&scene, &bounds, root, &camera, view::Parts::All).is_some() {
                     let picture = tracer.render(&camera, &small(32, 24), || ()).unwrap();
                     let empty = |p: &[f32; 3]| *p == [0.1, 0.2, 0.3];
                     assert!(picture.film.pixels.iter().all(empty), "{seed} {camera:?}");

@@ -42,7 +42,19 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
     match result {
         Ok(Some(bytes)) => Ok(bytes),
         Ok(None) => Err(too_large()),
+        Err(e) if e.kind() == io::ErrorKind::NotFound => Err(error(not_found(path, &e))),
         Err(e) => Err(error((&e).into())),
+    }
+}
+
+/// Why there is no such file; names the scene that is called so but for its ending.
+fn not_found(path: &Path, error: &io::Error) -> Complaint {
+    let mut scene = path.as_os_str().to_owned();
+    scene.push(".zpg");
+    let scene = Path::new(&scene);
+    match scene.is_file() {
+        true => Complaint::new("not-found-but").with("path", scene),
+        false => error.into(),
     }
 }
 

@@ -302,6 +302,16 @@ impl Analysis {
         lint::undrawn(&context)
     }
 
+    /// Numbers that are read as two each, and may be one with a decimal comma.
+    pub fn commas_in_doubt(&self) -> Vec<Span> {
+        let Settings { levels, choice } = &self.settings;
+        let has_any = self.is_records() && self.document.contents.separators;
+        match has_any && levels.is_on(choice, Code::S501) {
+            true => syntax::commas::in_doubt(&self.source.text, &self.document),
+            false => Vec::new(),
+        }
+    }
+
     /// Moves the findings out, without a copy of what reading found. Afterwards [`findings`](Self::findings) is empty, and
     /// new settings do not bring back what reading found.
     pub fn take_findings(&mut self) -> Vec<Diagnostic> {

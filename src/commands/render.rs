@@ -196,7 +196,7 @@ fn one(args: &Args, job: &Job, stop: &Arc<AtomicBool>, look: LookChoice) -> Stat
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
-    notes::say_undrawn(args, &loaded, look);
+    notes::say_of_records(args, &loaded, look);
     // The records are not needed any more, and take more memory than the scene.
     loaded.forget_records();
     let load = start.elapsed().as_secs_f64();

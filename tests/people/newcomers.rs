@@ -2,7 +2,7 @@
 //! scene that was meant.
 
 use zpg::analysis::{Analysis, fixing, repair};
-use zpg::diagnostics::{Code, fixes};
+use zpg::diagnostics::{Code, Language, fixes};
 
 use super::read;
 
@@ -74,6 +74,12 @@ const BEHIND: &[(&str, &str)] = &[
         "6 -201 0.8 0.2 0\n2 -299 0 6\n",
     ),
     ("2 pigment 1 0 0\n", "2 -701 1 0 0\n"),
+    // A grey, and a second record on the line.
+    ("2 -701 rgb 0.8\n", "2 -701 0.8 0.8 0.8\n"),
+    (
+        "51 -402 0.5 51 -1 4 6 5 51 -701 yellow\n",
+        "51 -402 0.5\n51 -1 4 6 5\n51 -701 1 1 0\n",
+    ),
     // A keyword before the ID.
     ("translate 2 -1.3 1.15 0\n", "2 -1 -1.3 1.15 0\n"),
     ("posun 2 -1.3 1.15 0\n", "2 -1 -1.3 1.15 0\n"),
@@ -102,6 +108,25 @@ const INSTEAD: &[(&str, &str, &str)] = &[
         "9 -501 0 0 6 0 0 -1 0 1 0",
         "9 -501 0 0 6 0 0 -1 0 1 0 45",
     ),
+    // Words between the numbers; the direction is the point minus the position.
+    (
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+        "9 -501 0 0 6 look_at 0 0 0 0 1 0 45",
+        "9 -501 0 0 6 0 0 -6 0 1 0 45",
+    ),
+    (
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+        "9 -501 location 0 0 6 direction 0 0 -1 sky 0 1 0 angle 45",
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+    ),
+    // A line of the camera is left out.
+    (
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+        "9 -501 0 0 6\n  0 0 -1\n  45",
+        "9 -501 0 0 6\n  0 0 -1 0 1 0\n  45",
+    ),
+    // ID and type swapped, the minus in its place.
+    ("50 -402 1\n", "402 -50 1\n", "50 -402 1\n"),
     (
         "50 -402 1\n50 -1 3 5 5",
         "50 light <5,8,6> 0.8",
@@ -205,6 +230,47 @@ fn no_keyword_is_a_comment() {
         let mut titles = all.iter().flat_map(|d| &d.fixes).map(|f| f.title);
         assert!(titles.all(|title| title != "fix-comment"), "{all:?}");
     }
+}
+
+/// ID and type may be swapped where the ID is defined as something else, but not in a row of ellipsoids of which one
+/// lacks a number.
+#[test]
+fn swapped_where_something_else_has_the_id() {
+    let scene = |line: &str| {
+        format!(
+            "{line}\n2 -701 1 0 0\n3 9 0.5\n4 -101 2 3\n{}",
+            REST.replace("9999 2", "9999 4")
+        )
+    };
+    assert_eq!(fixed(&scene("11 2 0 0 0 1")), scene("2 11 0 0 0 1"));
+    let row = "11 10 1 2 0.5\n12 10 2 0.5 1\n13 10 0.5 1\n14 -101 11 12\n2 -101 14 13\n";
+    assert_eq!(fixed(&format!("{row}{REST}")), format!("{row}{REST}"));
+}
+
+/// A record with too many numbers does not take the next one as well.
+#[test]
+fn too_many_numbers_before_too_few() {
+    let all = repair::proposals(&read(&format!("2 9 1\n2 -3 2 2 2 2\n2 -1 1\n{REST}")));
+    let said: Vec<(Code, String)> = (all.iter())
+        .map(|d| (d.code, d.wording(Language::English).message))
+        .collect();
+    assert_eq!(
+        said[0].1,
+        "too many numbers: a scaling takes 3 numbers, here are 4"
+    );
+    assert_eq!(
+        said[1].1,
+        "too few numbers: a translation takes 3 numbers, here is 1"
+    );
+}
+
+/// Words are no numbers.
+#[test]
+fn words_are_not_counted() {
+    let all = repair::proposals(&read(&format!("2 9 1\n2 -701 rgb 0.8 0.9\n{REST}")));
+    let said = all.iter().map(|d| d.wording(Language::English).message);
+    let said: Vec<String> = said.collect();
+    assert!(said.iter().all(|s| !s.contains("here are 3")), "{said:?}");
 }
 
 #[test]

@@ -54,9 +54,11 @@ fn taking(analysis: &Analysis) -> impl Iterator<Item = Suspect> {
         })
 }
 
-/// Lines with ID and type in each other's place, where the ID is used and defined nowhere.
+/// Lines with ID and type in each other's place, where the ID is used and defined nowhere, or as something else.
 fn exchanged(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
-    let undefined = super::undefined(findings);
+    let mut undefined = super::undefined(findings);
+    let misused = findings.iter().filter(|d| d.code == Code::E103);
+    undefined.extend(misused.filter_map(super::named));
     if undefined.is_empty() {
         return Vec::new();
     }

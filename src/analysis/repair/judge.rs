@@ -5,7 +5,7 @@ use crate::diagnostics::{Code, Severity};
 use crate::scene::{Node, NodeId, Scene, View};
 use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::solids::proofs::{Literals, Proofs};
-use crate::trace::plan::unseen::view::out_of_view;
+use crate::trace::plan::unseen::view::{Parts, out_of_view};
 
 /// What weighs most first.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -98,7 +98,7 @@ fn is_unseen(scene: &Scene, bounds: &[NodeBounds]) -> bool {
         return false;
     };
     let nothing = bounds[render.root as usize].all.is_empty();
-    nothing || out_of_view(scene, bounds, render.root, camera).is_some()
+    nothing || out_of_view(scene, bounds, render.root, camera, Parts::All).is_some()
 }
 
 #[cfg(test)]

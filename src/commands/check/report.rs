@@ -12,8 +12,10 @@ use crate::diagnostics::{Diagnostic, SourceFile, Value};
 pub enum Format {
     /// With the lines in question, notes and proposed fixes
     #[default]
+    #[value(alias = "full")]
     Human,
     /// One line for each finding
+    #[value(alias = "concise")]
     Short,
     /// For programs
     Json,

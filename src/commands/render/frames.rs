@@ -131,7 +131,7 @@ fn prepared(args: &Args, job: &Job, stop: &AtomicBool, look: LookChoice) -> Resu
     });
     let frames = frames.map_err(|error| refuse(&loaded, error, look))?;
     check_each(&frames, &loaded, stop, look)?;
-    notes::say_undrawn(args, &loaded, look);
+    notes::say_of_records(args, &loaded, look);
     Ok(frames)
 }
 

@@ -8,6 +8,7 @@ use crate::diagnostics::{Complaint, Value};
 use crate::geometry::Aabb;
 use crate::scene::{Camera, Scene, View};
 use crate::solids::staging::is_dark;
+use crate::syntax::quote;
 use crate::trace::camera;
 use crate::trace::film::{FEW, is_above_white};
 use crate::trace::{Film, Picture, Settings, Tracer};
@@ -40,10 +41,26 @@ pub fn say(
     }
 }
 
-/// Says how many objects are not part of what is drawn, as long as the records are there; nothing of a band.
-pub fn say_undrawn(args: &Args, loaded: &Analysis, look: LookChoice) {
+/// Says what of the records is hardly meant, as long as they are there: objects that are not part of what is drawn, and
+/// commas that may be decimal ones. Nothing of a band.
+pub fn say_of_records(args: &Args, loaded: &Analysis, look: LookChoice) {
     if look.quiet || args.tile.is_some() {
         return;
+    }
+    let commas = loaded.commas_in_doubt();
+    if let Some(&first) = commas.first() {
+        let (text, line) = (
+            &loaded.source.text[first.range()],
+            loaded.source.position(first.start).line,
+        );
+        note(
+            look,
+            &Complaint::new("note-comma")
+                .with("text", quote(text))
+                .with("number", quote(&text.replace(',', " ")))
+                .with("line", line.to_string())
+                .with("more", Value::Count(commas.len() as u64 - 1)),
+        );
     }
     let count = loaded.undrawn();
     if count > 0 {

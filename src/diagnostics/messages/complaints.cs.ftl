@@ -11,6 +11,7 @@ at-line = { $path }:{ $line }: { $why }
 cannot-read = { $path } nelze přečíst: { $reason }
 cannot-write = { $path } nelze zapsat: { $reason }
 cannot-print = na standardní výstup nelze zapisovat: { $reason }
+not-found-but = takový soubor není, ale je zde { $path }
 too-large = soubor je větší než { $size } GiB
 picture-broken = je poškozený, nebo má podobu, kterou zpg nečte
 picture-too-wide = má { $width } × { $height } pixelů; přečte se nejvýše { $side } × { $side }
@@ -123,6 +124,10 @@ two-on-stdout = na standardní výstup lze poslat jen jeden z výstupů: pro dru
 pair-on-stdout = dva obrázky nelze poslat na standardní výstup: zvolte --stereo side-by-side nebo --stereo anaglyph
 note-left-eye = ze dvou kamer se použije levá, { $id }; druhou zvolí `--camera`
 note-no-camera = scéna nemá kameru: zobrazí se zprava, zepředu a shora
+note-comma = řádek { $line }: { $text } se čte jako dvě čísla, { $number }; je-li to jedno, napište desetinnou tečku{ $more ->
+    [0] { "" }
+   *[other] {" "}(takových je ještě { $more })
+}
 note-undrawn = { $count ->
     [one] { $count } objekt se nezobrazí: který, řekne
     [few] { $count } objekty se nezobrazí: které, řekne

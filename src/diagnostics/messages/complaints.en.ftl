@@ -11,6 +11,7 @@ at-line = { $path }:{ $line }: { $why }
 cannot-read = cannot read { $path }: { $reason }
 cannot-write = cannot write { $path }: { $reason }
 cannot-print = cannot write to standard output: { $reason }
+not-found-but = there is no such file, but { $path }
 too-large = it is larger than { $size } GiB
 picture-broken = it is damaged, or in a form that zpg does not read
 picture-too-wide = it has { $width } × { $height } pixels; { $side } × { $side } are read at most
@@ -120,6 +121,10 @@ two-on-stdout = standard output takes one of the outputs: name a file for the ot
 pair-on-stdout = two pictures cannot be written to standard output: choose --stereo side-by-side or --stereo anaglyph
 note-left-eye = of the two cameras, { $id } is taken, the left one; `--camera` takes the other
 note-no-camera = the scene has no camera: it is seen from the right, the front and above
+note-comma = line { $line }: { $text } is read as two numbers, { $number }; write a decimal point if it is one{ $more ->
+    [0] { "" }
+   *[other] {" "}({ $more } more like it)
+}
 note-undrawn = { $count ->
     [one] { $count } object is
    *[other] { $count } objects are

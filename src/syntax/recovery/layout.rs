@@ -23,7 +23,9 @@ const DOUBTFUL: u32 = 900;
 /// The price of a line that says it is a record of its own and is swallowed by another: more than an
 /// error, as it would be one by itself at most.
 const OWN_LINE: u32 = FAULT + FAULT / 2;
-/// How many of these are counted at most, so that prices do not overflow.
+/// So many lines of a broken stretch are asked whether they begin as records do.
+const HEADS: usize = 12;
+/// How many own lines are counted at most, so that prices do not overflow.
 const OWN_LINES_MAX: u32 = 1_000_000;
 /// The price of a record that ends within a line that is one of its own but for a slip: more than
 /// what the two are worth as errors.
@@ -298,9 +300,24 @@ impl Search<'_, '_> {
             own += u32::from(
                 stretch.starts_line(start) && self.witnesses.is_complete_line(stretch, first),
             );
+            own += self.heads_behind(start, end);
             price += OWN_LINE * own.min(OWN_LINES_MAX);
         }
         (verdict, price)
+    }
+
+    /// How many lines of a broken stretch begin as records do, behind as many numbers as its first line needs.
+    fn heads_behind(&self, start: usize, end: usize) -> u32 {
+        let stretch = self.stretch;
+        let (first, last) = (stretch.line(start), stretch.line(end - 1));
+        let full = heads::expected_ends(stretch, start).into_iter().max();
+        let is_head = |line: &usize| {
+            let at = stretch.line_start(*line);
+            full.is_some_and(|full| full <= at)
+                && stretch.sigs[at].int.is_some_and(|id| id > 0)
+                && stretch.record_type(at + 1).is_some()
+        };
+        (first + 1..=last).take(HEADS).filter(is_head).count() as u32
     }
 
     /// Where a broken stretch that begins at `i` may end.

@@ -37,6 +37,7 @@ mod layout;
 mod order;
 pub mod report;
 pub mod respell;
+mod rows;
 mod slips;
 mod stretch;
 mod sums;

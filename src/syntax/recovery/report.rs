@@ -59,8 +59,8 @@ pub fn pieces(stretch: &Stretch, witnesses: &Witnesses, all: &[Piece], out: &mut
     }
 }
 
-struct Reporter<'a, 's> {
-    stretch: &'a Stretch<'s>,
+pub(super) struct Reporter<'a, 's> {
+    pub(super) stretch: &'a Stretch<'s>,
 }
 
 impl Reporter<'_, '_> {
@@ -115,9 +115,14 @@ impl Reporter<'_, '_> {
             Verdict::WrongArity { ty, got, expected } => {
                 self.real_type(start, out);
                 self.bad_tokens(ty, start + 2, end, out);
-                // A word for all numbers, as in `2 -701 red`, is one mistake.
-                let is_word = |i: usize| self.stretch.sigs[i].kind == TokenKind::Word;
-                if !(got == 1 && expected > 1 && is_word(start + 2)) {
+                // A word for all numbers, as in `2 -701 red`, is one mistake, and so is one between numbers.
+                let is_word = |i: &usize| self.stretch.sigs[*i].kind == TokenKind::Word;
+                let words = (start + 2..end).filter(is_word).count();
+                let numbers = got - words.min(got);
+                let is_all = got == 1 && expected > 1 && words == 1;
+                if !is_all && numbers != expected {
+                    // Of too many, one may stand in the place of a number.
+                    let got = if got < expected { numbers } else { got };
                     out.push(self.count(piece, ty, got, expected));
                 }
             }
@@ -385,88 +390,6 @@ impl Reporter<'_, '_> {
             (None, None) if ty.kind == RecordKind::ImageTexture => d.case("file"),
             (None, None) => d,
         }
-    }
-
-    /// How many whole points a record has that says another number of them.
-    fn points(&self, piece: &Piece, ty: &RecordType, got: usize) -> Option<usize> {
-        let each: usize = ty.repeats.iter().map(|group| group.len()).sum();
-        let numbers = got.checked_sub(1).filter(|_| each > 0)?;
-        if !numbers.is_multiple_of(each) || numbers < 2 * each {
-            return None;
-        }
-        let rows = self.rows(piece, ty);
-        let is_whole = |&(from, to): &(usize, usize)| {
-            (ty.repeats.iter()).any(|group| (to - from).is_multiple_of(group.len()))
-        };
-        (rows.len() == 1 || rows.iter().all(is_whole)).then_some(numbers / each)
-    }
-
-    /// The numbers of a record line by line, behind its ID, its type and its number of points.
-    fn rows(&self, piece: &Piece, ty: &RecordType) -> Vec<(usize, usize)> {
-        let stretch = self.stretch;
-        let head = piece.start + 2 + usize::from(ty.is_counted());
-        let (first, last) = (stretch.line(piece.start), stretch.line(piece.end - 1));
-        let rows = (first..=last).map(|l| {
-            let from = match l == first {
-                true => head,
-                false => stretch.line_start(l),
-            };
-            let to = stretch.line_end(l).min(piece.end);
-            (from.min(to), to)
-        });
-        rows.collect()
-    }
-
-    /// In a record laid out over lines: the line whose length deviates from the others by just what
-    /// the whole record deviates.
-    fn odd_row(
-        &self,
-        piece: &Piece,
-        ty: &RecordType,
-        got: usize,
-        expected: usize,
-    ) -> Option<(usize, usize)> {
-        let stretch = self.stretch;
-        let (first, last) = (stretch.line(piece.start), stretch.line(piece.end - 1));
-        if first == last || stretch.is_free {
-            return None;
-        }
-        let rows = self.rows(piece, ty);
-        let off = got as i64 - expected as i64;
-        let lengths: Vec<i64> = rows.iter().map(|r| (r.1 - r.0) as i64).collect();
-        if lengths[0] == off && off > 0 {
-            return Some((piece.start, rows[0].1));
-        }
-        // How uneven the table is with row `r` put right: how often the length changes from row to
-        // row (a short last row is none), and whether points and colours part at a row's end.
-        let points = ty.repeats.first().map_or(0, |g| g.len() as i64);
-        let head = piece.start + 2 + usize::from(ty.is_counted());
-        let points = points * stretch.sigs[(head - 1).min(piece.end - 1)].int.unwrap_or(0) as i64;
-        let uneven = |r: usize| {
-            let right = |i: usize| lengths[i] - if i == r { off } else { 0 };
-            let begin = usize::from(lengths[0] == 0);
-            let changes = (begin + 1..lengths.len())
-                .filter(|&i| {
-                    let (before, now) = (right(i - 1), right(i));
-                    now > before || now < before && i + 1 < lengths.len()
-                })
-                .count();
-            let mut sum = 0;
-            let parted = (0..lengths.len()).any(|i| {
-                sum += right(i);
-                sum == points
-            });
-            let mut distinct: Vec<i64> = (begin..lengths.len()).map(right).collect();
-            distinct.sort_unstable();
-            distinct.dedup();
-            (!parted, changes, distinct.len(), r + 1 == lengths.len())
-        };
-        let first_row = usize::from(lengths[0] == 0);
-        let best = (first_row..rows.len())
-            .filter(|&r| lengths[r] - off > 0)
-            .min_by_key(|&r| uneven(r))?;
-        let from = stretch.line_start(first + best).max(piece.start);
-        Some((from, rows[best].1))
     }
 
     fn lost_sign(

@@ -83,6 +83,63 @@ impl Place<'_> {
         out.splice(at..at, placed);
     }
 
+    /// Whole records behind the first one of a line, of which colours may have names: each goes to a line of its own.
+    pub(super) fn records_behind(&self) -> Option<Candidate> {
+        let ty = self.ty().filter(|ty| !ty.is_counted())?;
+        let mut at = 2 + self.wanted(ty);
+        let (mut edits, mut last) = (Vec::new(), None);
+        while at < self.tokens.len() {
+            let place = Place {
+                tokens: self.tokens[at..].to_vec(),
+                named: None,
+                ..*self
+            };
+            let (id, ty) = (place.id()?, place.ty()?);
+            let (count, text) = place.own_numbers(ty)?;
+            let gap = Span::new(self.tokens[at - 1].end(), self.tokens[at].start);
+            let params = &place.params()[..count];
+            let edit = |span: Span, text: String| Edit { span, text };
+            edits.push(edit(self.is_gap(gap).then_some(gap)?, String::from("\n")));
+            edits.push(edit(
+                params[0].span().to(params[count - 1].span()),
+                text.clone(),
+            ));
+            last = Some((ty, format!("{id} {} {text}", ty.code)));
+            at += 2 + count;
+        }
+        let (ty, text) = last?;
+        let fix = Fix {
+            title: "fix-apart",
+            values: vec![
+                ("type", Value::Term(ty.title)),
+                ("text", quote(&text).into()),
+            ],
+            applicability: Applicability::Unsafe,
+            edits,
+        };
+        Some(Candidate {
+            habit: Habit::Apart,
+            fix,
+            ty: None,
+        })
+    }
+
+    /// How many of the parameters here are those of the record, and these as numbers.
+    fn own_numbers(&self, ty: &RecordType) -> Option<(usize, String)> {
+        let named = |count: usize| {
+            let name = self.params().get(..count)?;
+            Some((count, self.colour_name(name)?))
+        };
+        let is_colour = ty.kind == RecordKind::Colour;
+        if let Some(colour) = [2, 1].into_iter().filter(|_| is_colour).find_map(named) {
+            return Some(colour);
+        }
+        let count = self.wanted(ty);
+        let numbers = self.params().get(..count).filter(|n| !n.is_empty())?;
+        let text = self.spaced(numbers)?;
+        (numbers.iter().all(|t| t.kind().is_number())).then_some((count, text))
+    }
+
     /// The type with its minus, if that is what is wrong.
     fn signed(&self, ty: &RecordType, habit: Habit) -> Vec<Edit> {
         let sign = (habit == Habit::Sign).then(|| Edit {

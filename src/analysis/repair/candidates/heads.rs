@@ -62,23 +62,27 @@ impl Place<'_> {
     /// ID and type in each other's place, as a finding and what puts it right. The ID is used elsewhere.
     pub fn exchange(&self) -> Option<(Diagnostic, Candidate)> {
         let [ty, id] = [self.tokens.first()?, self.tokens.get(1)?];
-        let meant = RecordType::by_code(ty.integer(self.text)?)?;
-        let is_id = id
-            .integer(self.text)
-            .is_some_and(|id| id > i64::from(RENDER));
+        let (code, number) = (ty.integer(self.text)?, id.integer(self.text)?);
+        // The minus may have stayed in its place, as in `402 -50 1`.
+        let (code, number) = match number < 0 && code > 0 {
+            true => (-code, number.checked_neg()?),
+            false => (code, number),
+        };
+        let meant = RecordType::by_code(code)?;
+        let is_id = number > i64::from(RENDER);
         let is_right = self.ty().is_some_and(|ty| self.fits(ty)) && self.id().is_some();
         if !is_id || is_right || !self.fits(meant) || meant.kind == RecordKind::Undefined {
             return None;
         }
-        let edit = |t: &Token, new: &Token| Edit {
+        let edit = |t: &Token, new: i64| Edit {
             span: t.span(),
-            text: new.text(self.text).to_owned(),
+            text: new.to_string(),
         };
-        let edits = vec![edit(ty, id), edit(id, ty)];
+        let edits = vec![edit(ty, number), edit(id, code)];
         let finding = Diagnostic::new(Code::E005, ty.span().to(id.span()))
             .case("exchanged")
-            .with("text", quote(ty.text(self.text)))
-            .with("number", quote(id.text(self.text)));
+            .with("text", quote(&code.to_string()))
+            .with("number", quote(&number.to_string()));
         Some((finding, self.beginning(Habit::Exchanged, edits)))
     }
 
@@ -112,7 +116,13 @@ impl Place<'_> {
         if self.text[first.end() as usize..].starts_with('(') {
             return None;
         }
-        let text = self.numbers_of(ty, rest)?;
+        // A grey has one number for all three.
+        let is_grey =
+            ty.kind == RecordKind::Colour && rest.len() == 1 && rest[0].kind().is_number();
+        let text = match is_grey {
+            true => [rest[0].text(self.text); 3].join(" "),
+            false => self.numbers_of(ty, rest)?,
+        };
         let span = first.span().to(last.span());
         let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
         Some(Candidate {

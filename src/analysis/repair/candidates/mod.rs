@@ -251,6 +251,7 @@ impl<'a> Place<'a> {
             self.characters(&mut out);
             out.extend(self.torn_type());
             out.extend(self.own_name());
+            out.extend(self.labelled());
             self.keyword(&mut out);
             self.spaced_name(&mut out);
             self.words(&mut out);
@@ -264,6 +265,12 @@ impl<'a> Place<'a> {
             out.extend(self.per_cent(finding));
             out.extend(self.operands(&[undefined, taken].concat()));
             self.siblings(&mut out);
+            let behind = self.records_behind();
+            // A record is no comment.
+            if behind.is_some() {
+                out.retain(|c| c.habit != Habit::Comment);
+            }
+            out.extend(behind);
             self.apart(finding, &mut out);
             self.inline(&[undefined, taken].concat(), &mut out);
             self.camera(finding, &mut out);

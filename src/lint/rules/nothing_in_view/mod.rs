@@ -1,6 +1,6 @@
 //! W324: all that is drawn lies behind the camera, or beside what it sees.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::geometry::array::{cross, length, sub, unit};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
@@ -10,7 +10,7 @@ use crate::scene::record::Params;
 use crate::scene::{Camera, NodeId, Vec3};
 use crate::syntax::quote;
 use crate::syntax::table::RecordKind;
-use crate::trace::plan::unseen::view::{Side, USUAL, out_of_view};
+use crate::trace::plan::unseen::view::{Parts, Side, USUAL, out_of_view};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -20,10 +20,23 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         if angle_in_radians::meant(context, camera, &p).is_some() {
             continue;
         }
-        let Some(side) = out_of_view(scene, context.bounds(), render.root, camera) else {
+        let is_written = p.ty.kind == RecordKind::Camera;
+        let seen = |of| out_of_view(scene, context.bounds(), render.root, camera, of);
+        let Some(side) = seen(Parts::All) else {
+            // A floor without end is seen from almost everywhere.
+            let bounded = is_written && seen(Parts::Bounded).is_some();
+            let meant =
+                bounded.then(|| turned_to_point(context, render.root, camera, &p, Parts::Bounded));
+            out.extend(meant.flatten().map(|fix| {
+                Diagnostic::new(Code::W324, p.span_of(3, 3))
+                    .case("unbounded")
+                    .with("id", camera.id.to_string())
+                    .with("width", USUAL[0].to_string())
+                    .with("height", USUAL[1].to_string())
+                    .fix(fix)
+            }));
             continue;
         };
-        let is_written = p.ty.kind == RecordKind::Camera;
         let span = match is_written {
             true => p.span_of(3, 3),
             false => p.span(),
@@ -55,45 +68,67 @@ fn name(side: Side) -> &'static str {
 /// Fixes that turn the camera to what is drawn: to the point that the direction is meant as, and to the middle. None
 /// where something moves the camera.
 fn turned(context: &Context, root: NodeId, camera: &Camera, p: &Params) -> Vec<Fix> {
-    if p.numbers(0) != camera.position || p.numbers(3) != camera.direction {
+    if is_moved(camera, p) {
         return Vec::new();
     }
-    let sees = |way: Vec3| sees(context, root, camera, way);
-    let fix = |title, values, numbers: [String; 3]| {
-        let edits = (3..).zip(numbers).map(|(i, text)| Edit {
-            span: p.span_of(i, 1),
-            text,
-        });
-        Fix {
-            title,
-            values,
-            applicability: Applicability::Unsafe,
-            edits: edits.collect(),
-        }
-    };
-    let mut fixes = Vec::new();
-    let way = sub(camera.direction, camera.position);
-    if sees(way) {
-        let numbers = way.map(decimal);
-        let written = (3..6).map(|i| p.text_of(i)).collect::<Vec<_>>().join(" ");
-        let values = vec![
-            ("text", quote(&written).into()),
-            ("number", quote(&numbers.join(" ")).into()),
-        ];
-        fixes.push(fix("fix-point", values, numbers));
-    }
+    let mut fixes = Vec::from_iter(turned_to_point(context, root, camera, p, Parts::All));
     let all = context.bounds()[root as usize].bounded();
     let way = sub(all.centre(), camera.position);
-    if all.is_bounded() && sees(way) {
+    if all.is_bounded() && sees(context, root, camera, way, Parts::All) {
         let numbers = way.map(|x| near(x, length(way)));
-        let other = fix("fix", Vec::new(), numbers);
+        let other = fix("fix", Vec::new(), numbers, p);
         fixes.extend((fixes.iter().all(|f| f.edits != other.edits)).then_some(other));
     }
     fixes
 }
 
-/// Whether the camera would see something if it looked this way. The up vector must not be along it.
-fn sees(context: &Context, root: NodeId, camera: &Camera, way: Vec3) -> bool {
+/// The fix that turns the camera to the point that the direction is meant as, if it sees some of these parts then.
+fn turned_to_point(
+    context: &Context,
+    root: NodeId,
+    camera: &Camera,
+    p: &Params,
+    of: Parts,
+) -> Option<Fix> {
+    let way = sub(camera.direction, camera.position);
+    if is_moved(camera, p) || !sees(context, root, camera, way, of) {
+        return None;
+    }
+    let numbers = way.map(decimal);
+    let written = (3..6).map(|i| p.text_of(i)).collect::<Vec<_>>().join(" ");
+    let values = vec![
+        ("text", quote(&written).into()),
+        ("number", quote(&numbers.join(" ")).into()),
+    ];
+    Some(fix("fix-point", values, numbers, p))
+}
+
+/// Whether something moves the camera away from what its record says.
+fn is_moved(camera: &Camera, p: &Params) -> bool {
+    p.numbers(0) != camera.position || p.numbers(3) != camera.direction
+}
+
+/// A fix that writes another direction.
+fn fix(
+    title: &'static str,
+    values: Vec<(&'static str, Value)>,
+    numbers: [String; 3],
+    p: &Params,
+) -> Fix {
+    let edits = (3..).zip(numbers).map(|(i, text)| Edit {
+        span: p.span_of(i, 1),
+        text,
+    });
+    Fix {
+        title,
+        values,
+        applicability: Applicability::Unsafe,
+        edits: edits.collect(),
+    }
+}
+
+/// Whether the camera would see some of these parts if it looked this way. The up vector must not be along it.
+fn sees(context: &Context, root: NodeId, camera: &Camera, way: Vec3, of: Parts) -> bool {
     /// The least sine between direction and up.
     const UPRIGHT: f64 = 0.01;
     let (Some(direction), Some(up)) = (unit(way), unit(camera.up)) else {
@@ -104,5 +139,5 @@ fn sees(context: &Context, root: NodeId, camera: &Camera, way: Vec3) -> bool {
         ..*camera
     };
     length(cross(direction, up)) >= UPRIGHT
-        && out_of_view(context.scene, context.bounds(), root, &turned).is_none()
+        && out_of_view(context.scene, context.bounds(), root, &turned, of).is_none()
 }

@@ -5,7 +5,7 @@ use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
 use crate::lint::spelling::rough;
 use crate::syntax::table::RecordKind;
-use crate::trace::plan::unseen::view::{USUAL, out_of_view, pixels};
+use crate::trace::plan::unseen::view::{Parts, USUAL, out_of_view, pixels};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -17,7 +17,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             continue;
         };
         // Of what is not seen at all another rule speaks.
-        if out_of_view(scene, bounds, render.root, camera).is_some() {
+        if out_of_view(scene, bounds, render.root, camera, Parts::All).is_some() {
             continue;
         }
         let span = match p.ty.kind {

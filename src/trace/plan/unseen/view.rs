@@ -133,13 +133,22 @@ impl Field {
     }
 }
 
-/// Where all that is drawn lies, if a camera sees nothing of it in a picture of the usual size. `None` where it may see
-/// something, or where there is nothing.
+/// Which parts of what is drawn a camera is asked to see.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Parts {
+    All,
+    /// Those that have an end: no planes, no half-spaces.
+    Bounded,
+}
+
+/// Where all these parts of what is drawn lie, if a camera sees nothing of them in a picture of the usual size. `None`
+/// where it may see something, or where there is nothing.
 pub fn out_of_view(
     scene: &Scene,
     bounds: &[NodeBounds],
     root: NodeId,
     camera: &Camera,
+    of: Parts,
 ) -> Option<Side> {
     let field = Field::of(camera)?;
     let clip = scene.render.and_then(|r| r.clip);
@@ -149,7 +158,7 @@ pub fn out_of_view(
     let mut parts = 0;
     let is_beyond = |b: &Aabb| {
         let b = b.intersection(&clip);
-        if b.is_empty() {
+        if b.is_empty() || of == Parts::Bounded && !b.is_bounded() {
             return true;
         }
         let beyond: Vec<bool> = field.beyond(&b).collect();
@@ -213,6 +222,10 @@ fn all_below(
             Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push((child, matrix)),
             Node::Shape(s) if is_true(&scene.shapes[s as usize].geometry.bounds(&matrix)) => {}
             Node::Shape(_) => return false,
+            // What has no end is asked part by part.
+            Node::Union(a, b) if !bounds[node as usize].all.is_bounded() => {
+                todo.extend([(a, matrix), (b, matrix)]);
+            }
             _ if is_true(&bounds[node as usize].all.transformed(&matrix)) => {}
             Node::Union(a, b) => todo.extend([(a, matrix), (b, matrix)]),
             _ => return false,
