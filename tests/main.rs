@@ -45,6 +45,7 @@ mod hard_cases;
 mod hard_scenes;
 mod invariance;
 mod lamps;
+mod licences;
 mod lint_generated;
 mod lint_large;
 mod lint_media;

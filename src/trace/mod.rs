@@ -12,6 +12,8 @@
 //! errors; what is closer than these in doubles, [`search::escalate`] asks again in double-double, and some
 //! shapes ask once more in quad-double.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod adaptive;
 pub mod bitmap;
 pub mod camera;

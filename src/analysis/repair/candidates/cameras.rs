@@ -116,10 +116,10 @@ impl Place<'_> {
         let number = |i: usize| numbers[i].number(self.text);
         let title = match is_camera {
             true => {
-                for i in 3..6 {
+                for (i, of) in (3..6).zip(0..) {
                     edits.push(Edit {
                         span: numbers[i].span(),
-                        text: decimal(number(i)? - number(i - 3)?),
+                        text: decimal(number(i)? - number(of)?),
                     });
                 }
                 "fix-labelled-point"
