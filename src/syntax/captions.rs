@@ -74,6 +74,14 @@ impl Captions {
         self.get(id).filter(|_| *own)
     }
 
+    /// An entity's ID, with what a comment or a heading says about it.
+    pub fn entity(&self, id: u32) -> String {
+        match self.get(id) {
+            Some(words) => format!("{id}, {words}"),
+            None => id.to_string(),
+        }
+    }
+
     /// What a comment or a heading says about an entity.
     pub fn get(&self, id: u32) -> Option<&str> {
         let (text, _) = self.ids.get(&id)?;

@@ -6,7 +6,6 @@
 //! faces that it meets first. That one shows what there is to see, and the other nothing: from outside
 //! the face of the earlier part, from inside the skin. Rays then take as many steps as they should.
 
-use std::boxed::Box;
 use std::collections::HashMap;
 
 use super::aspects::DEFAULT;
@@ -14,7 +13,7 @@ use super::build::Builder;
 use super::changes::Change;
 use super::grouping;
 use super::neighbours::Neighbours;
-use super::piece::{Group, Modifier, Piece};
+use super::tree::{Modifier, Object, Operation};
 use super::union::{Members, Reaching, non_empty};
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
@@ -33,7 +32,7 @@ enum Seen {
     /// Nothing: they are one medium, with another one between them in the order.
     Nothing,
     /// The look with this number, from inside at the skin.
-    Look(u32),
+    Look(usize),
     /// What cannot be said of the skin: from inside, too, the face of the earlier one.
     Face,
 }
@@ -84,23 +83,17 @@ impl Meetings {
     }
 }
 
-/// Keeps of an object what is inside of another one, or outside.
-pub(super) fn clip(by: Piece, outside: bool) -> Modifier {
-    let by = Box::new(by);
-    Modifier::Clip { by, outside }
-}
-
 impl Seen {
     /// What is said of the side of a face from which that is seen.
-    fn one_side(self) -> Vec<Modifier> {
+    fn one_side<'a>(self) -> Vec<Modifier<'a>> {
         match self {
-            Seen::Look(look) => vec![Modifier::Look(look), Modifier::UnseenWithin],
+            Seen::Look(look) => vec![Modifier::Texture(look), Modifier::UnseenWithin],
             Seen::Nothing | Seen::Face => vec![Modifier::Unseen],
         }
     }
 }
 
-impl Builder<'_> {
+impl<'a> Builder<'a> {
     /// Which groups of a union touch, and how the faces between them are seen.
     pub(super) fn meetings(&mut self, groups: &mut [Members], reaching: &Reaching) -> Meetings {
         let mut meetings = Vec::new();
@@ -169,13 +162,13 @@ impl Builder<'_> {
     }
 
     /// The number of the look that all of a group has, if it can be said from outside.
-    fn common_look(&mut self, group: &Members) -> Option<u32> {
+    fn common_look(&mut self, group: &Members) -> Option<usize> {
         let mut looks =
             group
                 .nodes
                 .iter()
                 .map(|&(node, state)| match self.settle_look(node, state.look) {
-                    (_, Some(Modifier::Look(look))) => Some(look),
+                    (_, Some(Modifier::Texture(look))) => Some(look),
                     _ => None,
                 });
         let first = looks.next()??;
@@ -189,7 +182,7 @@ impl Builder<'_> {
         meetings: &Meetings,
         later: usize,
         reaching: &Reaching,
-    ) -> Vec<Piece> {
+    ) -> Vec<Object<'a>> {
         let clear: Vec<_> = (meetings.of_later(later).iter())
             .filter(|m| m.apart)
             .copied()
@@ -206,9 +199,8 @@ impl Builder<'_> {
         let Some(own) = self.grown(groups, meetings, later, reaching) else {
             return Vec::new();
         };
-        self.unseen = true;
         let mut pieces = Vec::new();
-        let mut before: Vec<Piece> = Vec::new();
+        let mut before: Vec<Object<'a>> = Vec::new();
         for alike in clear.chunk_by(|a, b| a.seen == b.seen) {
             let mut around = Vec::new();
             for meeting in alike {
@@ -216,11 +208,11 @@ impl Builder<'_> {
             }
             self.unseen_twice |= alike[0].seen == Seen::Face;
             let mut modifiers = alike[0].seen.one_side();
-            modifiers.extend(non_empty(Group::Union, around.clone()).map(|by| clip(by, false)));
-            modifiers.extend(non_empty(Group::Union, before.clone()).map(|by| clip(by, true)));
+            modifiers.extend(non_empty(Operation::Union, around.clone()).map(Modifier::inside));
+            modifiers.extend(non_empty(Operation::Union, before.clone()).map(Modifier::outside));
             before.extend(around);
             let all = std::iter::once(own.clone()).chain(taken.clone()).collect();
-            pieces.push(Piece::group(Group::Difference, all).with(modifiers));
+            pieces.push(Object::of(Operation::Difference, all).with(modifiers));
         }
         pieces
     }
@@ -233,7 +225,7 @@ impl Builder<'_> {
         meetings: &Meetings,
         earlier: usize,
         reaching: &Reaching,
-    ) -> (Vec<Piece>, Option<Modifier>) {
+    ) -> (Vec<Object<'a>>, Option<Modifier<'a>>) {
         let Some(sided) = meetings.sided.get(&earlier) else {
             return (Vec::new(), None);
         };
@@ -244,7 +236,7 @@ impl Builder<'_> {
         };
         let parts: Vec<NodeId> = group.nodes.iter().map(|n| n.0).collect();
         let mut pieces = Vec::new();
-        let mut before: Vec<Piece> = Vec::new();
+        let mut before: Vec<Object<'a>> = Vec::new();
         for alike in sided.chunk_by(|a, b| a.seen == b.seen) {
             let mut around = Vec::new();
             for meeting in alike {
@@ -261,20 +253,20 @@ impl Builder<'_> {
                         all.extend(self.longer_into(group, &parts));
                     }
                 }
-                around.push(Piece::group(Group::Difference, all));
+                around.push(Object::of(Operation::Difference, all));
             }
             let mut modifiers = alike[0].seen.one_side();
-            modifiers.extend(non_empty(Group::Union, around.clone()).map(|by| clip(by, false)));
-            modifiers.extend(non_empty(Group::Union, before.clone()).map(|by| clip(by, true)));
+            modifiers.extend(non_empty(Operation::Union, around.clone()).map(Modifier::inside));
+            modifiers.extend(non_empty(Operation::Union, before.clone()).map(Modifier::outside));
             before.extend(around);
             pieces.push(own.clone().with(modifiers));
         }
-        let rest = non_empty(Group::Union, before).map(|by| clip(by, true));
+        let rest = non_empty(Operation::Union, before).map(Modifier::outside);
         (pieces, rest)
     }
 
     /// A group's solids, longer where they have faces in one place with others that they are to be taken from.
-    fn longer_into(&mut self, group: &Members, others: &[NodeId]) -> Vec<Piece> {
+    fn longer_into(&mut self, group: &Members, others: &[NodeId]) -> Vec<Object<'a>> {
         let mut changes = HashMap::new();
         for &(node, _) in &group.nodes {
             changes.insert(node, self.reach(node, others).flush);
@@ -290,7 +282,7 @@ impl Builder<'_> {
         meetings: &Meetings,
         later: usize,
         reaching: &Reaching,
-    ) -> Option<Piece> {
+    ) -> Option<Object<'a>> {
         let clear = || meetings.around(later).map(|earlier| &groups[earlier]);
         let group = &groups[later];
         let grows = clear().any(|earlier| reaching.has(earlier, group));
@@ -313,11 +305,11 @@ impl Builder<'_> {
             }
         }
         all.extend(self.owned_by_neighbours(groups, meetings, later, reaching));
-        Some(Piece::group(Group::Difference, all))
+        Some(Object::of(Operation::Difference, all))
     }
 
     /// A box with the ends that a solid has where others end, but not where it stands on one of them.
-    fn ends_within<'a>(&self, node: NodeId, others: impl Iterator<Item = &'a Members>) -> Aabb {
+    fn ends_within<'m>(&self, node: NodeId, others: impl Iterator<Item = &'m Members>) -> Aabb {
         let own = self.box_of(node);
         let others: Vec<NodeId> = others.flat_map(|g| g.nodes.iter().map(|n| n.0)).collect();
         let mut around = Aabb::ALL;

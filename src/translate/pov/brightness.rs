@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::print::text::number;
 use crate::diagnostics::Complaint;
 use crate::solids::staging::staged;
 use crate::trace::{Settings, Tracer};
@@ -28,7 +29,7 @@ pub fn state(report: &mut Report, scene: &Prepared, options: &target::Options, d
                 percent => format!("{percent:.0}"),
             });
             let bound = Complaint::new("fidelity-light-above-white").with("percent", percent);
-            let note = Complaint::new("fidelity-light-scale").with("scale", super::number(dimmed));
+            let note = Complaint::new("fidelity-light-scale").with("scale", number(dimmed));
             (Fidelity::Approximate(bound), note)
         }
     };

@@ -1,5 +1,6 @@
 //! From nodes to objects: which `#declare`s a scene becomes, and what each consists of.
 
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 
 use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
@@ -8,19 +9,24 @@ use super::descend::{End, Stop};
 use super::difference::Substance;
 use super::facts::{self, Facts};
 use super::frame::power_of_two_about;
-use super::look::Looks;
 use super::offset::stretched;
-use super::piece::{Body, Group, Key, Look, Medium, Modifier, Part, Piece, State};
 use super::sets::Sets;
 use super::sheets;
 use super::spread;
+use super::state::{Key, Layer, Look, Medium, State};
+use super::textures::Textures;
+use super::tree::{Body, Declaration, Modifier, Object, Operation};
+use super::triangle;
+use super::turned::with_normals_turned;
 use super::volumes::{self, Volumes};
 use crate::diagnostics::Complaint;
 use crate::geometry::Aabb;
 use crate::geometry::vec::Vec3;
-use crate::scene::{Node, NodeId, Scene};
-use crate::solids::bounds::{NodeBounds, node_bounds};
+use crate::scene::{Geometry, Node, NodeId, Scene, TriangleNormals};
+use crate::solids::bounds::NodeBounds;
+use crate::solids::contacts;
 use crate::solids::shapes::facts::Facts as _;
+use crate::syntax::Captions;
 use crate::trace::members;
 use crate::translate::fidelity::{Fidelity, Report};
 use crate::translate::names;
@@ -41,7 +47,11 @@ pub(super) struct Builder<'a> {
     pub facts: Vec<Facts>,
     pub bounds: Vec<NodeBounds>,
     pub sets: Sets,
-    pub looks: Looks,
+    pub textures: Textures,
+    captions: &'a Captions,
+    /// What is declared, by number.
+    keys: Vec<Key>,
+    numbers: HashMap<Key, usize>,
     /// How shapes are changed where nobody sees it.
     pub changes: Changes,
     /// How far apart faces are that are one, in the coordinates of what is written at the moment: see
@@ -51,8 +61,6 @@ pub(super) struct Builder<'a> {
     pub hair_of_scene: f64,
     /// For each node how many times as long the scene is in the coordinates that it is placed in.
     stretches: Vec<f64>,
-    /// Something has faces that nobody sees.
-    pub unseen: bool,
     /// Some of them stand between other faces and those who look at them from inside.
     pub unseen_twice: bool,
     /// Shapes that were made longer.
@@ -75,17 +83,18 @@ pub(super) struct Builder<'a> {
     /// The render box cuts through the scene, or a camera is in it: what lies inside of opaque
     /// objects can be seen.
     pub cut_open: bool,
-    /// An index that differs by channel was written.
-    pub dispersive: bool,
-    /// An index was written.
-    pub refractive: bool,
 }
 
 impl<'a> Builder<'a> {
-    pub fn new(scene: &'a Scene, root: NodeId, report: Report) -> Builder<'a> {
+    pub fn new(
+        scene: &'a Scene,
+        bounds: Vec<NodeBounds>,
+        root: NodeId,
+        captions: &'a Captions,
+        report: Report,
+    ) -> Builder<'a> {
         let mut aspects = Aspects::of(scene);
         let facts = facts::facts(scene, &mut aspects, root);
-        let bounds = node_bounds(scene);
         let volumes = volumes::proved(scene, &bounds);
         let all = bounds.get(root as usize).map_or(Aabb::EMPTY, |b| b.all);
         let cut_open = scene
@@ -109,12 +118,14 @@ impl<'a> Builder<'a> {
             bounds,
             cut_open,
             sets: Sets::of(scene, root),
-            looks: Looks::default(),
+            textures: Textures::default(),
+            captions,
+            keys: Vec::new(),
+            numbers: HashMap::new(),
             changes: Changes::default(),
             hair: 0.0,
             hair_of_scene: 0.0,
             stretches: stretches(scene, root),
-            unseen: false,
             unseen_twice: false,
             longer: HashSet::new(),
             turned: HashMap::new(),
@@ -125,30 +136,90 @@ impl<'a> Builder<'a> {
             volumes,
             report,
             ids: names::node_ids(scene),
-            dispersive: false,
-            refractive: false,
+        }
+    }
+
+    /// All objects that the scene consists of: each behind those it is made of, the root's last.
+    pub fn objects(&mut self, root: NodeId) -> Vec<Declaration<'a>> {
+        enum Step<'a> {
+            Visit(usize),
+            Write(usize, Declaration<'a>),
+        }
+        let state = State::ROOT;
+        self.declared(Key { node: root, state });
+        let mut todo = vec![Step::Visit(0)];
+        let mut visited = HashSet::new();
+        let mut places: HashMap<usize, usize> = HashMap::new();
+        let mut objects = Vec::new();
+        while let Some(step) = todo.pop() {
+            match step {
+                Step::Visit(number) => {
+                    if !visited.insert(number) {
+                        continue;
+                    }
+                    let declaration = self.declaration(self.keys[number]);
+                    let mut needs = Vec::new();
+                    declaration.object.each(&mut |part| {
+                        if let Body::Declared(number) = part.body {
+                            needs.push(Step::Visit(number));
+                        }
+                    });
+                    todo.push(Step::Write(number, declaration));
+                    todo.extend(needs.into_iter().rev());
+                }
+                Step::Write(number, mut declaration) => {
+                    (declaration.object).each_declared(&mut |number| *number = places[number]);
+                    places.insert(number, objects.len());
+                    objects.push(declaration);
+                }
+            }
+        }
+        objects
+    }
+
+    /// A reference to the object that a key is declared as.
+    fn declared(&mut self, key: Key) -> Object<'a> {
+        let next = self.keys.len();
+        let number = *self.numbers.entry(key).or_insert(next);
+        if number == next {
+            self.keys.push(key);
+        }
+        Object::new(Body::Declared(number))
+    }
+
+    fn declaration(&mut self, key: Key) -> Declaration<'a> {
+        let id = self.ids[key.node as usize];
+        let mut object = self.definition(key).unwrap_or(Object::nothing());
+        if key.state.flush.is_none()
+            && let Some((volume, written)) = self.volumes.get_mut(&key.node)
+        {
+            *written = true;
+            object.modifiers.push(Modifier::Bound(*volume));
+        }
+        object.comment = names::comment(self.scene, self.captions, key.node, id);
+        Declaration {
+            id,
+            name: String::new(),
+            object,
         }
     }
 
     /// The object that a key is declared as; `None` where there is nothing in it.
-    pub fn definition(&mut self, key: Key) -> Option<Piece> {
+    fn definition(&mut self, key: Key) -> Option<Object<'a>> {
         let descent = self.descend(key.node, key.state, Stop::BelowStart);
-        let mut piece = match self.body(&descent.end) {
-            Some(piece) => self.with_sides(piece.with(descent.modifiers), &descent.end),
-            // Nothing, turned inside out, is all of space.
-            None if descent.modifiers.contains(&Modifier::Inverse) => {
-                let mut modifiers = descent.modifiers;
-                modifiers.retain(|m| !matches!(m, Modifier::Inverse | Modifier::Matrix(_)));
-                Piece::new(Body::Everything, 0).with(modifiers)
+        let object = match descent.end {
+            End::Nothing => Object::nothing(),
+            End::Shape(shape, state) => {
+                let id = self.ids[key.node as usize];
+                return Some(self.shape(shape, state, descent.modifiers, id));
             }
-            None => return None,
+            end => self.body(&end).unwrap_or(Object::nothing()),
         };
-        piece.id = self.ids[key.node as usize];
-        Some(piece)
+        Some(object.with(descent.modifiers))
     }
 
     /// What is at the end of a descent, if anything is left of it.
-    fn body(&mut self, end: &End) -> Option<Piece> {
+    fn body(&mut self, end: &End) -> Option<Object<'a>> {
         if let End::Union(part, ..)
         | End::Intersection(part, ..)
         | End::Difference(part, ..)
@@ -158,10 +229,9 @@ impl<'a> Builder<'a> {
             self.hair = self.hair_of_scene * self.stretches[part as usize];
         }
         Some(match *end {
-            End::Nothing => return None,
-            End::Everything => Piece::new(Body::Everything, 0),
-            End::Shape(shape, state) => self.shape(shape, state),
-            End::Shared(shared) => Piece::new(Body::Declared(shared), 0),
+            End::Nothing | End::Shape(..) => return None,
+            End::Everything => Object::new(Body::Everything),
+            End::Shared(shared) => self.declared(shared),
             End::Union(a, b, state) => {
                 let members = self.flat_union(&[a, b], state);
                 self.union(members)?
@@ -174,103 +244,169 @@ impl<'a> Builder<'a> {
                 }
                 let members = self.without_wider(members);
                 let members = self.with_room(members);
-                Piece::group(Group::Intersection, self.pieces(&members))
+                Object::of(Operation::Intersection, self.pieces(&members))
             }
             End::Difference(a, b, state) => self.difference(a, b, state)?,
             End::CrossedSurfaces(a, b, state) => {
                 let mut members = Vec::new();
                 for (shown, by) in [(a, b), (b, a)] {
-                    let piece = self.piece(shown, state);
-                    let clip = self.clip(by, false);
-                    members.extend(piece.map(|p| p.with(clip)));
+                    let object = self.piece(shown, state);
+                    let by = self.piece(by, State::GEOMETRY);
+                    members.extend(object.map(|o| o.with(by.map(Modifier::inside))));
                 }
-                Piece::group(Group::Union, members)
+                Object::of(Operation::Union, members)
             }
             End::Split(node, state) => {
-                let surface = state.part(Part::Surface);
+                let surface = state.layer(Layer::Surface);
                 let plate = Change::Plate(self.hair / 2.0, self.densest);
                 let clear = self.is_transparent(node, state.look);
                 let plate = clear.then(|| self.changes.number(plate));
                 let parts = [
-                    (node, state.part(Part::Solid)),
+                    (node, state.layer(Layer::Solid)),
                     (node, surface.flush(surface.flush.or(plate))),
                 ];
-                Piece::group(Group::Union, self.pieces(&parts))
+                Object::of(Operation::Union, self.pieces(&parts))
             }
         })
     }
 
     /// The object that stands for a node inside another object: a shape is written out, an
     /// operation is declared before.
-    pub fn piece(&mut self, node: NodeId, state: State) -> Option<Piece> {
+    pub fn piece(&mut self, node: NodeId, state: State) -> Option<Object<'a>> {
         let descent = self.descend(node, state, Stop::AtShared);
-        let piece = match descent.end {
+        let id = self.ids[node as usize];
+        let mut object = match descent.end {
             End::Nothing => return None,
-            End::Everything => Piece::new(Body::Everything, 0),
-            End::Shape(shape, state) => self.shape(shape, state),
-            End::Shared(shared) => Piece::new(Body::Declared(shared), 0),
-            _ => return Some(Piece::new(Body::Declared(Key { node, state }), 0)),
+            End::Everything => Object::new(Body::Everything),
+            End::Shape(shape, state) => {
+                return Some(self.shape(shape, state, descent.modifiers, id));
+            }
+            End::Shared(key) => self.declared(key),
+            _ => return Some(self.declared(Key { node, state })),
         };
-        let mut piece = self.with_sides(piece.with(descent.modifiers), &descent.end);
-        if let Body::Shape(shape, _) = piece.body
-            && self.turned.contains_key(&shape)
+        if let End::Shared(key) = descent.end
+            && id != 0
+            && id != self.ids[key.node as usize]
         {
-            let behind = |m: &Modifier| match m {
-                Modifier::Look(look) => Some(*look),
-                _ => None,
-            };
-            let look = piece.modifiers.iter().find_map(behind);
-            let behind = look.and_then(|l| self.looks.behind(&self.aspects, l));
-            piece = piece.with(behind.map(Modifier::Behind));
+            object.comment = Some(self.caption(id));
         }
-        match self.ids[node as usize] {
-            0 => {}
-            id => piece.id = id,
-        }
-        Some(piece)
+        Some(object.with(descent.modifiers))
     }
 
-    pub fn pieces(&mut self, members: &[(NodeId, State)]) -> Vec<Piece> {
+    /// What the scene calls an entity.
+    fn caption(&self, id: u32) -> String {
+        match self.captions.own(id) {
+            Some(words) => format!("{id}, {words}"),
+            None => id.to_string(),
+        }
+    }
+
+    pub fn pieces(&mut self, members: &[(NodeId, State)]) -> Vec<Object<'a>> {
         members
             .iter()
             .filter_map(|&(node, state)| self.piece(node, state))
             .collect()
     }
 
-    fn shape(&mut self, shape: u32, state: State) -> Piece {
-        let record = &self.scene.shapes[shape as usize];
+    /// A shape with what is said about it; `id` is that of the entity that it belongs to.
+    fn shape(
+        &mut self,
+        shape: u32,
+        state: State,
+        modifiers: Vec<Modifier<'a>>,
+        id: u32,
+    ) -> Object<'a> {
+        let scene = self.scene;
+        let record = &scene.shapes[shape as usize];
         let geometry = &record.geometry;
-        let flush = match self.is_laid_out(state.look) {
-            // Textures that are laid on shapes would be seen to move with them.
-            true => state.flush.filter(|f| self.changes.is_small(*f)),
-            false => state.flush,
-        };
-        let flush = flush.filter(|f| match geometry.is_solid() {
-            true => self.changes.changed(*f, geometry).is_some(),
-            false => self.changes.plate(*f).is_some() && geometry.character().is_flat,
-        });
+        let change = state
+            .flush
+            .filter(|f| self.applies(*f, state.look, geometry));
         if let Some(Change::Longer(_) | Change::Sides(..) | Change::Both(..)) =
-            flush.map(|f| self.changes.get(f))
+            change.map(|f| self.changes.get(f))
         {
             self.longer.insert(shape);
         }
-        let piece = Piece::new(Body::Shape(shape, flush), record.id);
-        match state.look {
+        let own = match state.look {
             // A texture that lies on shapes was handed down to here.
             Look::Own { texture, optics } => {
-                let own = if record.geometry.character().has_colours {
-                    TextureUse::here(PROFILE)
-                } else {
-                    TextureUse::DEFAULT
+                let own = match geometry.character().has_colours {
+                    true => TextureUse::here(PROFILE),
+                    false => TextureUse::DEFAULT,
                 };
-                let texture = texture.unwrap_or(own);
-                let optics = optics.unwrap_or(DEFAULT);
+                let (texture, optics) = (texture.unwrap_or(own), optics.unwrap_or(DEFAULT));
                 let on = Some((shape, record.id));
-                let look = self.looks.number(&self.aspects, texture, optics, on);
-                piece.with(look.map(Modifier::Look))
+                self.textures.number(&self.aspects, texture, optics, on)
             }
-            Look::Above { .. } => piece,
+            Look::Above { .. } => None,
+        };
+        let mut all: Vec<_> = own.map(Modifier::Texture).into_iter().collect();
+        all.extend(modifiers);
+        let texture = all.iter().find_map(|m| match m {
+            Modifier::Texture(texture) => Some(*texture),
+            _ => None,
+        });
+        let clear = match texture {
+            Some(texture) => self.textures.is_transparent(&self.aspects, texture),
+            None => state.look == Look::Above { transparent: true },
+        };
+        let mut body = self.changed(shape, change);
+        if let Some((by, index)) = change.and_then(|c| self.changes.plate(c)) {
+            // Where something around it gives it its look, both sides would have that.
+            if !clear || texture.is_some() {
+                body = sheets::plate(geometry, by).unwrap_or(body);
+            }
+            if clear && texture.is_some() {
+                all.push(Modifier::UnseenWithin);
+                all.extend((index != DEFAULT).then(|| self.index(index)));
+            }
         }
+        if self.turned.contains_key(&shape) {
+            let behind = texture.and_then(|t| self.textures.behind(&self.aspects, t));
+            all.extend(behind.map(Modifier::InnerTexture));
+        }
+        let id = if id == 0 { record.id } else { id };
+        let note = change.map_or("", |c| self.changes.note(c));
+        Object {
+            body,
+            modifiers: all,
+            comment: (id != 0).then(|| self.caption(id) + note),
+        }
+    }
+
+    /// Whether a change is made to a shape of some look.
+    fn applies(&self, change: u32, look: Look, geometry: &Geometry) -> bool {
+        // Textures that are laid on shapes would be seen to move with them.
+        let may = !self.is_laid_out(look) || self.changes.is_small(change);
+        may && match geometry.is_solid() {
+            true => self.changes.changed(change, geometry).is_some(),
+            false => self.changes.plate(change).is_some() && geometry.character().is_flat,
+        }
+    }
+
+    /// A shape, changed, as POV-Ray can have it.
+    fn changed(&mut self, shape: u32, change: Option<u32>) -> Body<'a> {
+        let geometry = &self.scene.shapes[shape as usize].geometry;
+        let other = match self.turned.get(&shape) {
+            Some(true) => with_normals_turned(geometry),
+            _ => change.and_then(|c| self.changes.changed(c, geometry)),
+        };
+        let geometry = other.map_or(Cow::Borrowed(geometry), Cow::Owned);
+        if let Geometry::Triangle { vertices, normals } = &*geometry
+            && let TriangleNormals::PerVertex(normals) = normals
+            && !triangle::are_equally_long(normals)
+        {
+            let fidelity = Fidelity::approximate(triangle::BOUND);
+            self.report
+                .count("vertex normals of different length", fidelity, "a mesh");
+            return Body::Mesh(triangle::cut(vertices, normals));
+        }
+        Body::Shape(geometry)
+    }
+
+    /// The modifier of an index by its number.
+    pub fn index(&self, number: u32) -> Modifier<'a> {
+        Modifier::Index(self.aspects.index(number))
     }
 
     /// Whether some of a node may look so.
@@ -294,15 +430,6 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// Keeps of an object what lies inside a node, or outside; `None` where that is all of it.
-    pub fn clip(&mut self, by: NodeId, outside: bool) -> Option<Modifier> {
-        let by = self.piece(by, State::GEOMETRY)?;
-        Some(Modifier::Clip {
-            by: std::boxed::Box::new(by),
-            outside,
-        })
-    }
-
     /// The operands of a union and of the unions among them, in order. What is within one that came
     /// before is left out.
     pub fn flat_union(&mut self, roots: &[NodeId], state: State) -> Vec<(NodeId, State)> {
@@ -317,10 +444,10 @@ impl<'a> Builder<'a> {
                 (None, End::Nothing) => {}
                 (None, _) => {
                     let facts = self.facts[node as usize];
-                    let surface = facts.has_surface && state.part != Part::Solid;
+                    let surface = facts.has_surface && state.layer != Layer::Solid;
                     let place = self.sets.place(node);
                     let is_new = if surface {
-                        surfaces.insert((place, state.part))
+                        surfaces.insert((place, state.layer))
                     } else {
                         let known = self.sets.is_within(place, &solids);
                         self.sets.add(place, &mut solids);
@@ -391,7 +518,7 @@ impl<'a> Builder<'a> {
                 && !self.facts[node as usize].has_surface
             {
                 let place = self.sets.place(node);
-                let set = later.entry((substance, state.part)).or_default();
+                let set = later.entry((substance, state.layer)).or_default();
                 if self.sets.is_within(place, set) {
                     continue;
                 }
@@ -491,14 +618,36 @@ impl<'a> Builder<'a> {
         self.bounds[node as usize].all
     }
 
-    /// A box around all that is drawn.
-    pub fn box_of_root(&self) -> Aabb {
-        let Some(render) = self.scene.render else {
-            return Aabb::EMPTY;
-        };
-        match render.clip {
-            Some((min, max)) => Aabb::new(min, max),
-            None => self.box_of(render.root),
+    /// States what the scene has that the objects have not.
+    pub fn report_what_is_left(&mut self) {
+        if self.unseen_twice {
+            self.report.state(
+                "depth of rays in parts that others surround",
+                Fidelity::approximate("light that is mirrored there takes two steps more"),
+                "",
+            );
+        }
+        let is_left = |pair: &[u32; 2]| !pair.iter().any(|shape| self.longer.contains(shape));
+        let mut flush = contacts::pairs(self.scene, &self.bounds).into_iter();
+        if let Some([shape, _]) = flush.find(is_left) {
+            self.faces_in_one_place(self.scene.shapes[shape as usize].id);
+        }
+        if !self.longer.is_empty() {
+            let note = "made longer, where nobody sees them";
+            let tools = "solids that end flush with others";
+            self.report.state(tools, Fidelity::Exact, note);
+        }
+        let drawn = |node| (self.facts.get(node as usize)).is_some_and(|f| f.uses > 0);
+        let left_out = volumes::left_out(self.scene, &self.volumes, drawn);
+        if !left_out.is_empty() {
+            let ids: Vec<String> = left_out.iter().take(8).map(u32::to_string).collect();
+            let more = match left_out.len() > ids.len() {
+                true => ", …",
+                false => "",
+            };
+            let ids = Complaint::new("fidelity-volumes").with("ids", ids.join(", ") + more);
+            let volumes = "bounding volumes left out";
+            self.report.state(volumes, Fidelity::Exact, ids);
         }
     }
 

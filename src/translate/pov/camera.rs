@@ -1,58 +1,41 @@
 //! Cameras.
 
 use super::Options;
-use super::build::Builder;
-use super::frame::Frame;
-use super::text::{entity, vector};
+use super::tree::Lens;
 use crate::diagnostics::{Complaint, Error, Value};
 use crate::geometry::Aabb;
 use crate::geometry::array::{add, cross, dot, length, sub, unit};
 use crate::scene::sight::Sight;
 use crate::scene::{Camera, Scene, Vec3};
 use crate::solids::staging::Basis;
-use crate::syntax::Captions;
 use crate::translate::about_camera;
-use crate::translate::fidelity::Fidelity;
+use crate::translate::fidelity::{Fidelity, Report};
 
 /// A camera that takes the picture, and its rays.
 pub struct Eye {
     pub camera: Camera,
-    lens: Lens,
-}
-
-impl Eye {
-    /// Where its rays come from; the middle of the picture where they are parallel.
-    pub fn location(&self) -> Vec3 {
-        self.lens.location
-    }
-}
-
-/// POV-Ray's rays are direction + (x − ½)·right + (½ − y)·up, from the location or, if they are
-/// parallel, from the location moved by that. The vectors may be of any hand and need not be at
-/// right angles.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Lens {
-    parallel: bool,
-    location: Vec3,
-    direction: Vec3,
-    right: Vec3,
-    up: Vec3,
+    pub lens: Lens,
 }
 
 /// The cameras that take the picture: one, or left and right.
 ///
 /// # Errors
 /// A camera whose rays are not those of a pinhole or parallel.
-pub fn eyes(scene: &Scene, builder: &mut Builder, options: &Options) -> Result<Vec<Eye>, Error> {
+pub fn eyes(
+    scene: &Scene,
+    whole: Aabb,
+    options: &Options,
+    report: &mut Report,
+) -> Result<Vec<Eye>, Error> {
     let mut out = Vec::new();
     for &camera in scene.chosen_cameras() {
         let fault = |message| Error::scene(about_camera(&camera, message));
         let basis = Basis::of(&camera).ok_or_else(|| fault("camera-nowhere"))?;
-        let lens = match &camera.projection {
-            None => match from_far(&camera, &basis, options.aspect(), builder.box_of_root()) {
+        let mut lens = match &camera.projection {
+            None => match from_far(&camera, &basis, options.aspect(), whole) {
                 Some((lens, off)) => {
                     let pixels = off * f64::from(options.size.0.max(options.size.1));
-                    builder.report.state(
+                    report.state(
                         "camera far away",
                         Fidelity::Approximate(
                             Complaint::new("fidelity-parallel")
@@ -68,10 +51,8 @@ pub fn eyes(scene: &Scene, builder: &mut Builder, options: &Options) -> Result<V
                 let sight = Sight::of(p).map_err(|_| fault("camera-of-no-lens"))?;
                 let lens = projecting(&sight, &camera, &basis)
                     .ok_or_else(|| fault("camera-of-no-lens"))?;
-                if !lens.parallel
-                    && !sees_all_behind_near(&sight, &camera, &basis, builder.box_of_root())
-                {
-                    builder.report.state(
+                if !lens.parallel && !sees_all_behind_near(&sight, &camera, &basis, whole) {
+                    report.state(
                         "near plane of the projection matrix",
                         Fidelity::approximate(
                             "what lies between the camera and the near plane is seen",
@@ -83,11 +64,19 @@ pub fn eyes(scene: &Scene, builder: &mut Builder, options: &Options) -> Result<V
             }
         };
         if lens.parallel {
-            builder.report.state(
+            report.state(
                 "parallel rays",
                 Fidelity::approximate("moved by a billionth of the picture"),
                 "so that none runs exactly along a face",
             );
+        }
+        lens.caption = match camera.id {
+            0 => "the scene has no camera".to_owned(),
+            id => options.captions.entity(id),
+        };
+        lens.shift = shift(&lens);
+        for v in [&mut lens.direction, &mut lens.right, &mut lens.up] {
+            *v = clean(*v);
         }
         out.push(Eye { camera, lens });
     }
@@ -97,11 +86,11 @@ pub fn eyes(scene: &Scene, builder: &mut Builder, options: &Options) -> Result<V
 fn pinhole(camera: &Camera, basis: &Basis, aspect: f64) -> Lens {
     let height = 2.0 * (camera.fovy / 2.0).to_radians().tan();
     Lens {
-        parallel: false,
         location: camera.position,
         direction: basis.forward,
         right: basis.right.map(|c| c * height * aspect),
         up: basis.up.map(|c| c * height),
+        ..Lens::default()
     }
 }
 
@@ -131,6 +120,7 @@ fn from_far(camera: &Camera, basis: &Basis, aspect: f64, scene: Aabb) -> Option<
         direction: lens.direction,
         right: lens.right.map(|c| c * distance),
         up: lens.up.map(|c| c * distance),
+        ..lens
     };
     Some((lens, 0.5 * radius / (distance - radius)))
 }
@@ -150,15 +140,16 @@ fn projecting(sight: &Sight, camera: &Camera, basis: &Basis) -> Option<Lens> {
             direction: unit(direction)?,
             right: across(right?.0),
             up: across(top?.0),
+            ..Lens::default()
         }
     } else {
         let length = length(direction);
         Lens {
-            parallel: false,
             location: place(sight.eye()?),
             direction: direction.map(|c| c / length),
             right: along_x.map(|c| 2.0 * c / length),
             up: along_y.map(|c| 2.0 * c / length),
+            ..Lens::default()
         }
     };
     let finite = [lens.location, lens.direction, lens.right, lens.up]
@@ -168,19 +159,13 @@ fn projecting(sight: &Sight, camera: &Camera, basis: &Basis) -> Option<Lens> {
     finite.then_some(lens)
 }
 
-impl Lens {
-    /// Parallel rays could all run exactly along faces and seams, where POV-Ray does not know what to
-    /// do: they are moved by a hair.
-    fn shift(&self) -> String {
-        // By the size of the picture: a millionth of a pixel, and a million times what is rounded.
-        const HAIR: f64 = 1e-9;
-        let shift: Vec3 = std::array::from_fn(|i| HAIR * (0.6 * self.right[i] + self.up[i]));
-        let shift = shift.map(|x| format!("{x:.1e}").parse().unwrap_or(x));
-        format!(
-            "  translate {} // by a hair, so that no ray runs exactly along a face or a seam\n",
-            vector(&clean(shift))
-        )
-    }
+/// By how much parallel rays are moved. They could all run exactly along faces and seams, where POV-Ray does not know
+/// what to do.
+fn shift(lens: &Lens) -> Vec3 {
+    // By the size of the picture: a millionth of a pixel, and a million times what is rounded.
+    const HAIR: f64 = 1e-9;
+    let shift: Vec3 = std::array::from_fn(|i| HAIR * (0.6 * lens.right[i] + lens.up[i]));
+    clean(shift.map(|x| format!("{x:.1e}").parse().unwrap_or(x)))
 }
 
 /// A vector without what is but rounding.
@@ -227,36 +212,6 @@ fn sees_all_behind_near(sight: &Sight, camera: &Camera, basis: &Basis, scene: Aa
         .map(|k| depth(sub(corner(k), eye), normal))
         .fold(f64::INFINITY, f64::min);
     scene.is_empty() || starts.iter().all(|s| (0.0..=nearest).contains(s))
-}
-
-/// The cameras as text: one, or two behind a switch.
-pub fn cameras(eyes: &[Eye], frame: &Frame, captions: &Captions) -> String {
-    let mut out = String::new();
-    let place = frame.modifiers();
-    for (i, eye) in eyes.iter().enumerate() {
-        let lens = &eye.lens;
-        let comment = match eye.camera.id {
-            0 => " // the scene has no camera".to_owned(),
-            id => format!(" // {}", entity(id, captions)),
-        };
-        let (kind, shift) = match lens.parallel {
-            true => ("  orthographic\n", lens.shift()),
-            false => ("", String::new()),
-        };
-        let text = format!(
-            "camera {{{comment}\n{kind}  location {}\n  direction {}\n  right {}\n  up {}\n{shift}  {place}\n}}\n",
-            vector(&lens.location),
-            vector(&clean(lens.direction)),
-            vector(&clean(lens.right)),
-            vector(&clean(lens.up)),
-        );
-        out.push_str(&if eyes.len() > 1 {
-            format!("#if (Eye = {i})\n{text}#end\n")
-        } else {
-            text
-        });
-    }
-    out
 }
 
 #[cfg(test)]

@@ -181,6 +181,20 @@ impl Changes {
         }
     }
 
+    /// What a comment says of a shape that is changed so.
+    pub fn note(&self, number: u32) -> &'static str {
+        match self.get(number) {
+            Change::Longer(_)
+            | Change::Sides(..)
+            | Change::Both(..)
+            | Change::Planes(_)
+            | Change::Within(..) => ": made longer, since it ends flush with something",
+            Change::Offset(by) | Change::One(by, _) if by < 0.0 => ": a hair smaller",
+            Change::Offset(_) | Change::One(..) | Change::Skin(..) => ": a hair larger",
+            Change::Plate(..) => ": a hair thick",
+        }
+    }
+
     pub fn get(&self, number: u32) -> Change {
         self.changes[number as usize]
     }

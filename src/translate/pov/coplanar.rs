@@ -6,7 +6,7 @@ use std::collections::HashMap;
 
 use super::build::Builder;
 use super::changes::Change;
-use super::piece::{Look, Part, State};
+use super::state::{Layer, Look, State};
 use super::union::Kind;
 use crate::geometry::array::{length, sub};
 use crate::geometry::{Aabb, Matrix};
@@ -274,10 +274,10 @@ impl Builder<'_> {
             match self.scene.nodes[node as usize] {
                 Node::Shape(shape) => {
                     let geometry = &self.scene.shapes[shape as usize].geometry;
-                    let left_out = match state.part {
-                        Part::All => false,
-                        Part::Solid => !geometry.is_solid(),
-                        Part::Surface => geometry.is_solid(),
+                    let left_out = match state.layer {
+                        Layer::All => false,
+                        Layer::Solid => !geometry.is_solid(),
+                        Layer::Surface => geometry.is_solid(),
                     };
                     if left_out {
                         continue;

@@ -4,7 +4,8 @@
 
 use super::aspects::{DEFAULT, TextureUse};
 use super::build::Builder;
-use super::piece::{Key, Look, Medium, Modifier, Part, State};
+use super::state::{Key, Layer, Look, Medium, State};
+use super::tree::Modifier;
 use crate::scene::{Node, NodeId};
 
 /// Unions of more parts are left together.
@@ -42,13 +43,13 @@ pub(super) enum Stop {
     Never,
 }
 
-pub(super) struct Descent {
+pub(super) struct Descent<'a> {
     pub end: End,
     /// What was met on the way, in the order to be written: the innermost first.
-    pub modifiers: Vec<Modifier>,
+    pub modifiers: Vec<Modifier<'a>>,
 }
 
-impl Descent {
+impl Descent<'_> {
     /// The union at the end, if nothing stands before it.
     pub fn bare_union(&self) -> Option<(NodeId, NodeId, State)> {
         match self.end {
@@ -74,20 +75,20 @@ impl Descent {
 
 /// Modifiers as they are met: the outermost first.
 #[derive(Default)]
-struct Way {
-    modifiers: Vec<Modifier>,
+struct Way<'a> {
+    modifiers: Vec<Modifier<'a>>,
     inverse: bool,
 }
 
-impl Way {
-    fn push(&mut self, modifier: Modifier) {
+impl<'a> Way<'a> {
+    fn push(&mut self, modifier: Modifier<'a>) {
         match (self.modifiers.last_mut(), modifier) {
             (Some(Modifier::Matrix(outer)), Modifier::Matrix(m)) => *outer = outer.after(&m),
             (_, modifier) => self.modifiers.push(modifier),
         }
     }
 
-    fn end(mut self, end: End) -> Descent {
+    fn end(mut self, end: End) -> Descent<'a> {
         if self.inverse {
             self.modifiers.push(Modifier::Inverse);
         }
@@ -99,21 +100,21 @@ impl Way {
     }
 }
 
-impl Builder<'_> {
+impl<'a> Builder<'a> {
     /// Goes down from a node as far as one object reaches.
-    pub(super) fn descend(&mut self, start: NodeId, state: State, stop: Stop) -> Descent {
+    pub(super) fn descend(&mut self, start: NodeId, state: State, stop: Stop) -> Descent<'a> {
         let (mut node, mut state) = (start, state);
         let mut way = Way::default();
         loop {
             let f = self.facts[node as usize];
-            let solid = f.has_solid && state.part != Part::Surface;
-            let surface = f.has_surface && state.part != Part::Solid;
+            let solid = f.has_solid && state.layer != Layer::Surface;
+            let surface = f.has_surface && state.layer != Layer::Solid;
             if !solid && !surface {
                 return way.end(End::Nothing);
             }
             if !(f.has_solid && f.has_surface) {
                 // One name for the one part there is.
-                state.part = Part::All;
+                state.layer = Layer::All;
             }
             let apart = stop == Stop::AmongParts && f.uses <= 1 && way.modifiers.is_empty();
             if !(apart && self.is_union_of_parts(node, state.look)) {
@@ -158,7 +159,7 @@ impl Builder<'_> {
                     }
                     way.inverse = !way.inverse;
                     state.flush = state.flush.map(|f| self.changes.turned(f));
-                    state.part = Part::Solid;
+                    state.layer = Layer::Solid;
                     node = child;
                 }
                 Node::Union(a, b) => {
@@ -176,7 +177,7 @@ impl Builder<'_> {
                     return way.end(End::Split(node, state));
                 }
                 Node::Intersection(a, b) if solid => {
-                    state.part = Part::Solid;
+                    state.layer = Layer::Solid;
                     if a != b {
                         self.one_medium(node, a, &mut state, &mut way);
                         return way.end(End::Intersection(a, b, state));
@@ -184,7 +185,7 @@ impl Builder<'_> {
                     node = a;
                 }
                 Node::Intersection(a, b) => {
-                    state.part = Part::Surface;
+                    state.layer = Layer::Surface;
                     let (of_a, of_b) = (self.facts[a as usize], self.facts[b as usize]);
                     let a_shows = of_a.has_surface && of_b.has_solid;
                     let b_shows = of_b.has_surface && of_a.has_solid;
@@ -192,22 +193,22 @@ impl Builder<'_> {
                         return way.end(End::CrossedSurfaces(a, b, state));
                     }
                     let (shown, by) = if a_shows { (a, b) } else { (b, a) };
-                    if let Some(clip) = self.clip(by, false) {
-                        way.push(clip);
+                    if let Some(by) = self.piece(by, State::GEOMETRY) {
+                        way.push(Modifier::inside(by));
                     }
                     node = shown;
                 }
                 Node::Difference(a, b) if solid => {
-                    state.part = Part::Solid;
+                    state.layer = Layer::Solid;
                     if self.facts[b as usize].has_solid {
                         return way.end(End::Difference(a, b, state));
                     }
                     node = a;
                 }
                 Node::Difference(a, b) => {
-                    state.part = Part::Surface;
-                    if let Some(clip) = self.clip(b, true) {
-                        way.push(clip);
+                    state.layer = Layer::Surface;
+                    if let Some(by) = self.piece(b, State::GEOMETRY) {
+                        way.push(Modifier::outside(by));
                     }
                     node = a;
                 }
@@ -242,20 +243,20 @@ impl Builder<'_> {
         node: NodeId,
         state: &mut State,
         surface: bool,
-        way: &mut Way,
+        way: &mut Way<'a>,
     ) -> bool {
         let f = self.facts[node as usize];
         if state.medium == Medium::Above {
             return true;
         }
-        if !f.has_solid || state.part == Part::Surface {
+        if !f.has_solid || state.layer == Layer::Surface {
             state.medium = Medium::Above;
         } else if f.index.uniform && !self.is_of_several(node, state.look) {
             if f.index.first != DEFAULT && self.is_transparent(node, state.look) {
                 if surface {
                     return false;
                 }
-                way.push(Modifier::Interior(f.index.first));
+                way.push(self.index(f.index.first));
             }
             state.medium = Medium::Above;
         }
@@ -274,11 +275,11 @@ impl Builder<'_> {
     }
 
     /// One solid has one inside: the first operand's.
-    fn one_medium(&mut self, node: NodeId, first: NodeId, state: &mut State, way: &mut Way) {
+    fn one_medium(&mut self, node: NodeId, first: NodeId, state: &mut State, way: &mut Way<'a>) {
         if state.medium == Medium::Own {
             let index = self.facts[first as usize].index;
             if index.first != DEFAULT && self.is_transparent(node, state.look) {
-                way.push(Modifier::Interior(index.first));
+                way.push(self.index(index.first));
             }
             state.medium = Medium::Above;
             if !index.uniform {
@@ -289,7 +290,7 @@ impl Builder<'_> {
 
     /// The modifier that gives a node its look, where that is the same for all of it and can be
     /// said from outside; and the look that is left to say below.
-    pub(super) fn settle_look(&mut self, node: NodeId, look: Look) -> (Look, Option<Modifier>) {
+    pub(super) fn settle_look(&mut self, node: NodeId, look: Look) -> (Look, Option<Modifier<'a>>) {
         let Look::Own { texture, optics } = look else {
             return (look, None);
         };
@@ -308,9 +309,9 @@ impl Builder<'_> {
                 Look::Above {
                     transparent: self.aspects.is_transparent(o),
                 },
-                self.looks
+                self.textures
                     .number(&self.aspects, t, o, None)
-                    .map(Modifier::Look),
+                    .map(Modifier::Texture),
             ),
             _ => (Look::Own { texture, optics }, None),
         }

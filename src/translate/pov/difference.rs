@@ -5,7 +5,8 @@ use super::aspects::{DEFAULT, PROFILE, TextureUse};
 use super::build::{Builder, inside_medium};
 use super::descend::{End, Stop};
 use super::grouping::{self, meet};
-use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
+use super::state::{Layer, Look, Medium, State};
+use super::tree::{Modifier, Object, Operation};
 use super::union::non_empty;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::NodeId;
@@ -21,9 +22,9 @@ struct Cut {
     boxes: Vec<Aabb>,
 }
 
-impl Builder<'_> {
+impl<'a> Builder<'a> {
     /// A − B, with everything that is taken from A before.
-    pub(super) fn difference(&mut self, a: NodeId, b: NodeId, state: State) -> Option<Piece> {
+    pub(super) fn difference(&mut self, a: NodeId, b: NodeId, state: State) -> Option<Object<'a>> {
         let (base, cutters) = self.cut_chain(a, b, state);
         if self.is_within(base.0, &cutters) {
             return None;
@@ -73,7 +74,7 @@ impl Builder<'_> {
         cutters: &[NodeId],
         look: Look,
         change: Option<u32>,
-    ) -> Option<Piece> {
+    ) -> Option<Object<'a>> {
         let of = base.0;
         let base = self.without_what_goes(base, cutters)?;
         let offset = change.and_then(|c| self.changes.offset(c));
@@ -87,7 +88,7 @@ impl Builder<'_> {
         &mut self,
         (node, state): (NodeId, State),
         cutters: &[NodeId],
-    ) -> Option<Piece> {
+    ) -> Option<Object<'a>> {
         let descent = self.descend(node, state, Stop::BelowStart);
         let Some((a, b, inner)) = descent.bare_union() else {
             return self.piece(node, state);
@@ -109,7 +110,7 @@ impl Builder<'_> {
         look: Look,
         base: Option<NodeId>,
         offset: Option<u32>,
-    ) -> Vec<Piece> {
+    ) -> Vec<Object<'a>> {
         let look = match look {
             // The colours of a profile are on its own surface only.
             Look::Own {
@@ -122,7 +123,7 @@ impl Builder<'_> {
             look => look,
         };
         let state = State {
-            part: Part::Solid,
+            layer: Layer::Solid,
             look,
             medium: Medium::Above,
             flush: offset,
@@ -136,9 +137,9 @@ impl Builder<'_> {
                 optics: Some(o),
             } if !self.aspects.is_laid_on_shapes(t.texture) => (
                 State::GEOMETRY.look,
-                self.looks
+                self.textures
                     .number(&self.aspects, t, o, None)
-                    .map(Modifier::Look),
+                    .map(Modifier::Texture),
             ),
             look => (look, None),
         };
@@ -159,7 +160,7 @@ impl Builder<'_> {
 
     /// A − (A′ ∩ X) is A − X where A is in A′, and A − (B − A) is A: their common faces would be
     /// speckled.
-    fn cutter(&mut self, base: NodeId, node: NodeId, state: State) -> Option<Piece> {
+    fn cutter(&mut self, base: NodeId, node: NodeId, state: State) -> Option<Object<'a>> {
         let longer = self.flush(node, self.box_of(base));
         let change = match state.flush {
             // Where it ends flush with the base it is longer even if it is a hair smaller.
@@ -183,11 +184,11 @@ impl Builder<'_> {
         if kept.len() == members.len() || kept.is_empty() {
             return self.piece(node, state);
         }
-        Some(Piece::group(Group::Intersection, self.pieces(&kept)))
+        Some(Object::of(Operation::Intersection, self.pieces(&kept)))
     }
 
     /// A base of several substances: its parts are cut one by one.
-    fn cut_by_part(&mut self, base: (NodeId, State), cutters: &[NodeId]) -> Option<Piece> {
+    fn cut_by_part(&mut self, base: (NodeId, State), cutters: &[NodeId]) -> Option<Object<'a>> {
         let descent = self.descend(base.0, base.1, Stop::Never);
         let mut moved = Some(Matrix::IDENTITY);
         for modifier in &descent.modifiers {
@@ -215,7 +216,7 @@ impl Builder<'_> {
             }
             pieces.extend(self.cut_group(group, cutters, &back, others));
         }
-        Some(non_empty(Group::Union, pieces)?.with(descent.modifiers))
+        Some(non_empty(Operation::Union, pieces)?.with(descent.modifiers))
     }
 
     fn by_substance(&self, parts: &[(NodeId, State)]) -> Vec<Cut> {
@@ -232,7 +233,7 @@ impl Builder<'_> {
     }
 
     /// Where parts of different substance overlap, the first one owns the overlap.
-    fn taken_first(&mut self, earlier: &Cut, later: &Cut) -> Vec<Piece> {
+    fn taken_first(&mut self, earlier: &Cut, later: &Cut) -> Vec<Object<'a>> {
         let both = earlier.nodes.iter().chain(&later.nodes);
         if both
             .into_iter()
@@ -263,8 +264,8 @@ impl Builder<'_> {
         group: &Cut,
         cutters: &[NodeId],
         back: &Matrix,
-        others: Vec<Piece>,
-    ) -> Option<Piece> {
+        others: Vec<Object<'a>>,
+    ) -> Option<Object<'a>> {
         let Some((look, index)) = group.substance else {
             let base = self.union(group.nodes.clone())?;
             return Some(self.cut_away_piece(base, cutters, back, &others));
@@ -291,24 +292,24 @@ impl Builder<'_> {
             look => look,
         };
         let taken = moved(self.cutters(cutters, look, None, None), back);
-        let interior = (transparent && index != DEFAULT).then_some(Modifier::Interior(index));
+        let interior = (transparent && index != DEFAULT).then(|| self.index(index));
         Some(difference(base, taken, &others).with(interior))
     }
 
     /// The last resort for a base of several substances: POV-Ray finds out at every point of a cut
     /// face what it cuts.
-    fn cut_away(&mut self, base: (NodeId, State), cutters: &[NodeId]) -> Option<Piece> {
+    fn cut_away(&mut self, base: (NodeId, State), cutters: &[NodeId]) -> Option<Object<'a>> {
         let base = self.piece(base.0, base.1)?;
         Some(self.cut_away_piece(base, cutters, &Matrix::IDENTITY, &[]))
     }
 
     fn cut_away_piece(
         &mut self,
-        base: Piece,
+        base: Object<'a>,
         cutters: &[NodeId],
         back: &Matrix,
-        others: &[Piece],
-    ) -> Piece {
+        others: &[Object<'a>],
+    ) -> Object<'a> {
         self.report.count(
             "cut faces of composite objects",
             Fidelity::approximate(
@@ -323,21 +324,21 @@ impl Builder<'_> {
         let mut members = vec![base];
         members.extend(taken);
         members.extend(others.iter().cloned());
-        Piece::group(Group::CutawayDifference, members)
+        Object::of(Operation::CutawayDifference, members)
     }
 }
 
-fn difference(base: Piece, taken: Vec<Piece>, others: &[Piece]) -> Piece {
+fn difference<'a>(base: Object<'a>, taken: Vec<Object<'a>>, others: &[Object<'a>]) -> Object<'a> {
     let mut members = vec![base];
     members.extend(taken);
     members.extend(others.iter().cloned());
-    Piece::group(Group::Difference, members)
+    Object::of(Operation::Difference, members)
 }
 
-fn moved(pieces: Vec<Piece>, m: &Matrix) -> Vec<Piece> {
+fn moved<'a>(pieces: Vec<Object<'a>>, m: &Matrix) -> Vec<Object<'a>> {
     if *m == Matrix::IDENTITY {
         return pieces;
     }
-    let moved = |p: Piece| p.with([Modifier::Matrix(*m)]);
+    let moved = |p: Object<'a>| p.with([Modifier::Matrix(*m)]);
     pieces.into_iter().map(moved).collect()
 }

@@ -4,7 +4,7 @@
 
 use super::build::Builder;
 use super::changes::{Change, moved_back};
-use super::piece::State;
+use super::state::State;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Node, NodeId};
 use crate::solids::shapes::facts::Facts as _;

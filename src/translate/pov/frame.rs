@@ -1,16 +1,13 @@
 //! Where the scene is put: POV-Ray's tolerances are absolute, so it is moved about the origin and
 //! scaled.
 
-use std::fmt::Write as _;
-
-use super::build::Builder;
 use super::camera::Eye;
-use super::reach::reach;
-use super::text::{number, vector};
+use super::reach::Reach;
+use super::tree::Frame;
 use crate::diagnostics::{Complaint, Value};
+use crate::geometry::Aabb;
 use crate::scene::Vec3;
-use crate::solids::staging::seen_box;
-use crate::translate::fidelity::Fidelity;
+use crate::translate::fidelity::{Fidelity, Report};
 
 /// The size that the scene is scaled to: POV-Ray's tolerances, 1e-6 to 1e-3, are small beside that, and its
 /// limits, 1e7, far away.
@@ -31,103 +28,59 @@ const FAR_FOR_NEAR: f64 = 262_144.0;
 /// Of scenes that are farther from the origin than so many sizes the coordinates are moved.
 const OFF: f64 = 16.0;
 
-/// From the scene's coordinates to those that POV-Ray works in.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frame {
-    /// Comes to lie in the origin; the origin itself for most scenes.
-    centre: Vec3,
-    /// A power of two.
-    unit: f64,
-}
-
-impl Frame {
-    /// Brings the scene to about [`SIZE`], or nearer if the camera is far away; and farther apart where
-    /// what is seen would be too near for the tolerances.
-    pub fn of(builder: &mut Builder, eyes: &[Eye]) -> Frame {
-        let scene = builder.scene;
-        let seen = seen_box(scene, &builder.bounds);
-        let locations = || eyes.iter().map(Eye::location);
-        let middle = match seen.is_empty() {
-            true => [0.0; 3],
-            false => seen.centre(),
-        };
-        let away = |p: Vec3| (0..3).fold(0.0f64, |m, i| m.max((p[i] - middle[i]).abs()));
-        let distance = locations().map(away).fold(0.0, f64::max);
-        let size = match seen.is_empty() {
-            true => distance,
-            false => seen.radius(),
-        };
-        let mut unit = power_of_two_about((SIZE / size).min(FAR / distance));
-        if let Some(reach) = reach(scene, eyes, builder.box_of_root()) {
-            let wanted = (SIZE / reach.near).max(SIZE * OVERLOOKED / reach.gap);
-            if wanted > unit {
-                unit = unit.max(power_of_two_about(wanted.min(FAR_FOR_NEAR / reach.far)));
-            }
-            let overlooked = OVERLOOKED / unit;
-            let nearer = |message| {
-                let length = Value::Decimal(format!("{overlooked:.1e}"));
-                Fidelity::Approximate(Complaint::new(message).with("length", length))
-            };
-            if reach.near * unit < SIZE * OVERLOOKED {
-                builder.report.state(
-                    "things that are small beside what is far away",
-                    nearer("fidelity-overlooked"),
-                    "",
-                );
-            }
-            if reach.gap < overlooked {
-                builder.report.state(
-                    "narrow gaps behind transparent surfaces",
-                    nearer("fidelity-overlooked-behind"),
-                    "",
-                );
-            }
+/// Brings the scene to about [`SIZE`], or nearer if the camera is far away; and farther apart where what is seen would
+/// be too near for the tolerances. `seen` is a box around what the cameras see.
+pub fn frame(seen: Aabb, eyes: &[Eye], reach: Option<Reach>, report: &mut Report) -> Frame {
+    let locations = || eyes.iter().map(|eye| eye.lens.location);
+    let middle = match seen.is_empty() {
+        true => [0.0; 3],
+        false => seen.centre(),
+    };
+    let away = |p: Vec3| (0..3).fold(0.0f64, |m, i| m.max((p[i] - middle[i]).abs()));
+    let distance = locations().map(away).fold(0.0, f64::max);
+    let size = match seen.is_empty() {
+        true => distance,
+        false => seen.radius(),
+    };
+    let mut unit = power_of_two_about((SIZE / size).min(FAR / distance));
+    if let Some(reach) = reach {
+        let wanted = (SIZE / reach.near).max(SIZE * OVERLOOKED / reach.gap);
+        if wanted > unit {
+            unit = unit.max(power_of_two_about(wanted.min(FAR_FOR_NEAR / reach.far)));
         }
-        let step = power_of_two_about(size);
-        let is_off = middle.iter().any(|x| x.abs() > OFF * size);
-        let centre = match is_off && step > 0.0 {
-            true => middle.map(|x| (x / step).round() * step),
-            false => [0.0; 3],
+        let overlooked = OVERLOOKED / unit;
+        let nearer = |message| {
+            let length = Value::Decimal(format!("{overlooked:.1e}"));
+            Fidelity::Approximate(Complaint::new(message).with("length", length))
         };
-        Frame { centre, unit }
-    }
-
-    /// How far apart faces are put in the scene's coordinates that are one: less than can be seen, more than
-    /// POV-Ray's tolerances.
-    pub fn hair(&self) -> f64 {
-        HAIR / self.unit
-    }
-
-    /// The declarations that [`modifiers`](Self::modifiers) needs.
-    pub fn write(&self, out: &mut String) {
-        // Writing to a string does not fail.
-        if self.is_moved() {
-            let _ = write!(
-                out,
-                "// The finished scene is moved by this to the origin, because far from it numbers are coarse.\n\
-                 #declare Centre = {};\n",
-                vector(&self.centre)
+        if reach.near * unit < SIZE * OVERLOOKED {
+            report.state(
+                "things that are small beside what is far away",
+                nearer("fidelity-overlooked"),
+                "",
             );
         }
-        let _ = write!(
-            out,
-            "// The finished scene is scaled by this, because tolerances are absolute.\n\
-             #declare Unit = {};\n",
-            number(self.unit)
-        );
-    }
-
-    /// What is said of everything that has a place.
-    pub fn modifiers(&self) -> &'static str {
-        match self.is_moved() {
-            true => "translate -Centre scale Unit",
-            false => "scale Unit",
+        if reach.gap < overlooked {
+            report.state(
+                "narrow gaps behind transparent surfaces",
+                nearer("fidelity-overlooked-behind"),
+                "",
+            );
         }
     }
+    let step = power_of_two_about(size);
+    let is_off = middle.iter().any(|x| x.abs() > OFF * size);
+    let centre = match is_off && step > 0.0 {
+        true => middle.map(|x| (x / step).round() * step),
+        false => [0.0; 3],
+    };
+    Frame { centre, unit }
+}
 
-    fn is_moved(&self) -> bool {
-        self.centre != [0.0; 3]
-    }
+/// How far apart faces are put in the scene's coordinates that are one: less than can be seen, more than POV-Ray's
+/// tolerances.
+pub fn hair(frame: &Frame) -> f64 {
+    HAIR / frame.unit
 }
 
 /// The largest power of two that is not above `x`; 1 for a number without one.

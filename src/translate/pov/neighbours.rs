@@ -6,7 +6,8 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use super::between::Meetings;
 use super::build::Builder;
 use super::changes::Change;
-use super::piece::{Group, Piece, State};
+use super::state::State;
+use super::tree::{Object, Operation};
 use super::union::{Members, Reaching};
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
@@ -55,7 +56,7 @@ impl Neighbours {
     }
 }
 
-impl Builder<'_> {
+impl<'a> Builder<'a> {
     /// What is not a group's although it would be behind the faces of those within which it ends: opaque
     /// groups there, and the places where those lie against each other, or against what is opaque.
     pub(super) fn owned_by_neighbours(
@@ -64,7 +65,7 @@ impl Builder<'_> {
         meetings: &Meetings,
         later: usize,
         reaching: &Reaching,
-    ) -> Vec<Piece> {
+    ) -> Vec<Object<'a>> {
         let around: Vec<usize> = meetings.around(later).collect();
         let neighbours = &meetings.neighbours;
         let walls = neighbours.walls.get(&later).map_or(&[][..], |w| &w[..]);
@@ -113,7 +114,7 @@ impl Builder<'_> {
 
     /// The layers along the faces where solids of one group lie against each other: what is a hair smaller than
     /// each of them leaves these out.
-    pub(super) fn joints(&mut self, neighbours: &Neighbours, group: usize) -> Vec<Piece> {
+    pub(super) fn joints(&mut self, neighbours: &Neighbours, group: usize) -> Vec<Object<'a>> {
         let contacts = neighbours.contacts.get(&(group, group));
         let pairs = contacts.into_iter().flatten();
         pairs.filter_map(|(a, b)| self.contact(*a, *b)).collect()
@@ -121,13 +122,13 @@ impl Builder<'_> {
 
     /// The layer along the faces that two solids have in one place: farther to both sides than the faces that
     /// are a hair behind theirs.
-    fn contact(&mut self, a: NodeId, b: NodeId) -> Option<Piece> {
+    fn contact(&mut self, a: NodeId, b: NodeId) -> Option<Object<'a>> {
         let by = 2.0 * self.hair;
         if !(self.has_offset(a, by) && self.has_offset(b, by)) {
             return None;
         }
         let larger = self.changes.number(Change::Offset(by));
         let both = [a, b].map(|node| (node, State::GEOMETRY.flush(Some(larger))));
-        Some(Piece::group(Group::Intersection, self.pieces(&both)))
+        Some(Object::of(Operation::Intersection, self.pieces(&both)))
     }
 }

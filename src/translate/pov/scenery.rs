@@ -1,48 +1,27 @@
 //! Lights.
 
-use super::frame::{Frame, power_of_two_about};
-use super::text::{entity, number, rgb, vector};
-use crate::scene::{NodeId, Optics, Render, Rgb, Scene};
+use super::frame::power_of_two_about;
+use super::tree::Light;
+use crate::scene::{NodeId, Optics, PointLight, Render, Rgb, Scene};
 use crate::solids::bounds::NodeBounds;
 use crate::syntax::Captions;
 use crate::trace::plan::unseen::view::on_surfaces;
 
-/// The point lights, one a line.
-pub fn point_lights(scene: &Scene, frame: &Frame, captions: &Captions) -> String {
-    let mut out = String::new();
-    let place = frame.modifiers();
-    for light in &scene.point_lights {
-        out.push_str(&format!(
-            "light_source {{ {}, {}*{}*Light_Scale {place} }} // {}\n",
-            vector(&light.position),
-            rgb(light.colour),
-            number(light.intensity),
-            entity(light.id, captions)
-        ));
-    }
-    out
+/// The point lights.
+pub fn point_lights(scene: &Scene, captions: &Captions) -> Vec<Light> {
+    let light = |light: &PointLight| Light {
+        caption: captions.entity(light.id),
+        position: light.position,
+        colour: light.colour,
+        intensity: light.intensity,
+    };
+    scene.point_lights.iter().map(light).collect()
 }
 
 /// Whether any lamp lies on a surface.
 pub fn is_lit_from_surface(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> bool {
     let places: Vec<_> = scene.point_lights.iter().map(|l| l.position).collect();
     on_surfaces(scene, bounds, root, &places).contains(&true)
-}
-
-/// The scene in a group with its lights. Of other lights POV-Ray remembers what was last in their way, and asks that first:
-/// without its tolerance, so that a light may be hidden by the surface that it lies on.
-pub fn light_group(lights: &str, picture: &str) -> String {
-    let mut out = String::from(
-        "\n// A light that lies on a surface is not hidden by that in a light group.\nlight_group {\n",
-    );
-    for line in lights.lines().chain(picture.lines()) {
-        if !line.is_empty() {
-            out.push_str("  ");
-            out.push_str(line);
-        }
-        out.push('\n');
-    }
-    out + "}\n"
 }
 
 /// The sum of the ambient lights.

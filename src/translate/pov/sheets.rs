@@ -6,13 +6,16 @@
 //! shows what there is to see, the other lets the ray out again, and the face that it lies in is within. The
 //! plate is of the densest medium around, so that no light is totally reflected where it enters.
 
+use std::borrow::Cow;
+
 use super::aspects::DEFAULT;
 use super::build::Builder;
 use super::changes::Change;
-use super::descend::End;
-use super::piece::{Body, Look, Modifier, Piece, State};
+use super::state::State;
+use super::tree::{Body, Object, Operation};
 use super::union::Members;
-use crate::scene::{NodeId, Scene};
+use crate::geometry::array::{add, cross, length, sub};
+use crate::scene::{Geometry, NodeId, Scene, TriangleNormals, Vec3};
 use crate::solids::shapes::facts::Facts as _;
 
 /// For each node whether any is in it; nothing where no light goes through anything.
@@ -60,36 +63,53 @@ impl Builder<'_> {
         let by = thick.map_or(self.hair / 2.0, |(by, _)| by);
         Some(self.changes.number(Change::Plate(by, densest?)))
     }
+}
 
-    /// Gives a sheet that is written as a plate its two sides and its inside.
-    pub(super) fn with_sides(&mut self, mut piece: Piece, end: &End) -> Piece {
-        let Body::Shape(shape, Some(change)) = piece.body else {
-            return piece;
-        };
-        let Some((_, index)) = self.changes.plate(change) else {
-            return piece;
-        };
-        let look = piece.modifiers.iter().find_map(|m| match m {
-            Modifier::Look(look) => Some(*look),
-            _ => None,
-        });
-        let clear = match (look, end) {
-            (Some(look), _) => self.looks.is_transparent(&self.aspects, look),
-            (None, End::Shape(_, state)) => state.look == (Look::Above { transparent: true }),
-            _ => false,
-        };
-        match (clear, look) {
-            (false, _) => piece,
-            // Something around it gives it its look, which both sides would have.
-            (true, None) => {
-                piece.body = Body::Shape(shape, None);
-                piece
-            }
-            (true, Some(_)) => {
-                self.unseen = true;
-                let within = (index != DEFAULT).then_some(Modifier::Interior(index));
-                piece.with([Modifier::UnseenWithin]).with(within)
-            }
+/// A flat surface as a plate, so far from it on both sides.
+pub fn plate<'a>(geometry: &Geometry, by: f64) -> Option<Body<'a>> {
+    let shape = |geometry: Geometry| Body::Shape(Cow::Owned(geometry));
+    Some(match geometry {
+        Geometry::Rectangle { min, max } => shape(Geometry::Box {
+            min: [min[0], min[1], -by],
+            max: [max[0], max[1], by],
+        }),
+        Geometry::Plane([a, b, c, d]) => {
+            let by = by * length([*a, *b, *c]);
+            let sides = [[*a, *b, *c, d - by], [-a, -b, -c, -d - by]];
+            let sides = sides.map(|side| Object::new(shape(Geometry::HalfSpace(side))));
+            Body::Operation(Operation::Intersection, sides.into())
         }
-    }
+        Geometry::Triangle {
+            vertices,
+            normals: TriangleNormals::Flat,
+        } => {
+            let [p, q, r] = **vertices;
+            let n = cross(sub(q, p), sub(r, p));
+            let by = by / length(n);
+            if !by.is_finite() {
+                return None;
+            }
+            let side = |corners: [Vec3; 3], by: f64| Geometry::Triangle {
+                vertices: Box::new(corners.map(|corner| add(corner, n, by))),
+                normals: TriangleNormals::Flat,
+            };
+            // Clockwise seen from outside, each; triangles by themselves forget that where they are moved.
+            Body::Mesh(vec![side([p, r, q], by), side([p, q, r], -by)])
+        }
+        Geometry::Triangle { .. }
+        | Geometry::Revolution { .. }
+        | Geometry::HalfSpace(_)
+        | Geometry::Sphere { .. }
+        | Geometry::Ellipsoid { .. }
+        | Geometry::Box { .. }
+        | Geometry::GeodesicSphere { .. }
+        | Geometry::Torus { .. }
+        | Geometry::Quadric(_)
+        | Geometry::Cone { .. }
+        | Geometry::DoubleCone { .. }
+        | Geometry::ParabolicCylinder { .. }
+        | Geometry::HyperbolicCylinder { .. }
+        | Geometry::Hyperboloid { .. }
+        | Geometry::HyperbolicParaboloid { .. } => return None,
+    })
 }

@@ -1,7 +1,5 @@
 //! Triangles with shading normals.
 
-use super::shape::Primitive;
-use super::text::vector;
 use crate::geometry::array::length;
 use crate::scene::{Geometry, TriangleNormals, Vec3};
 
@@ -15,36 +13,27 @@ const OFF: f64 = 1e-3;
 /// What the cut triangle's normals are off by at most, for the report.
 pub const BOUND: &str = "off by less than a thousandth of the difference between two normals";
 
-pub fn smooth(vertices: &[Vec3; 3], normals: &[Vec3; 3]) -> Primitive {
-    let corner = |i: usize| format!("{}, {}", vector(&vertices[i]), vector(&normals[i]));
-    if are_equally_long(normals) {
-        return Primitive::new("smooth_triangle", [0, 1, 2].map(corner).join(", "));
-    }
+/// Triangles whose interpolated normals are those of one: itself, where its normals are equally long.
+pub fn cut(vertices: &[Vec3; 3], normals: &[Vec3; 3]) -> Vec<Geometry> {
     let parts = parts(normals);
-    let mut lines = Vec::new();
-    let at = |i: usize, j: usize| {
+    let at = |(i, j): (usize, usize), from: &[Vec3; 3]| -> Vec3 {
         let (u, v) = (i as f64 / parts as f64, j as f64 / parts as f64);
-        let mix = |from: &[Vec3; 3]| -> Vec3 {
-            std::array::from_fn(|k| from[0][k] * (1.0 - u - v) + from[1][k] * u + from[2][k] * v)
-        };
-        format!("{}, {}", vector(&mix(vertices)), vector(&mix(normals)))
+        std::array::from_fn(|k| from[0][k] * (1.0 - u - v) + from[1][k] * u + from[2][k] * v)
     };
+    let part = |corners: [(usize, usize); 3]| Geometry::Triangle {
+        vertices: Box::new(corners.map(|c| at(c, vertices))),
+        normals: TriangleNormals::PerVertex(Box::new(corners.map(|c| at(c, normals)))),
+    };
+    let mut all = Vec::new();
     for i in 0..parts {
         for j in 0..parts - i {
-            let mut part = |corners: [(usize, usize); 3]| {
-                let corners = corners.map(|(i, j)| at(i, j));
-                lines.push(format!("smooth_triangle {{ {} }}", corners.join(", ")));
-            };
-            part([(i, j), (i + 1, j), (i, j + 1)]);
+            all.push(part([(i, j), (i + 1, j), (i, j + 1)]));
             if i + j + 1 < parts {
-                part([(i + 1, j), (i + 1, j + 1), (i, j + 1)]);
+                all.push(part([(i + 1, j), (i + 1, j + 1), (i, j + 1)]));
             }
         }
     }
-    Primitive {
-        keyword: "mesh",
-        lines,
-    }
+    all
 }
 
 /// Between two normals one of which is longer by a part ρ, equally long ones are off by up to ρ/4 of
@@ -60,23 +49,6 @@ fn parts(normals: &[Vec3; 3]) -> usize {
     } else {
         PARTS
     }
-}
-
-/// A triangle with its normals on the other side.
-pub fn turned(geometry: &Geometry) -> Option<Geometry> {
-    let Geometry::Triangle { vertices, normals } = geometry else {
-        return None;
-    };
-    let back = |n: Vec3| n.map(|x| -x);
-    let normals = match normals {
-        TriangleNormals::Flat => TriangleNormals::Flat,
-        TriangleNormals::One(n) => TriangleNormals::One(back(*n)),
-        TriangleNormals::PerVertex(n) => TriangleNormals::PerVertex(Box::new(n.map(back))),
-    };
-    Some(Geometry::Triangle {
-        vertices: vertices.clone(),
-        normals,
-    })
 }
 
 /// Within rounding, also that of normals that were written with ten digits.

@@ -124,3 +124,20 @@ fn turns(
     });
     any.then_some(!sides[0])
 }
+
+/// A triangle with its normals on the other side.
+pub fn with_normals_turned(geometry: &Geometry) -> Option<Geometry> {
+    let Geometry::Triangle { vertices, normals } = geometry else {
+        return None;
+    };
+    let back = |n: Vec3| n.map(|x| -x);
+    let normals = match normals {
+        TriangleNormals::Flat => TriangleNormals::Flat,
+        TriangleNormals::One(n) => TriangleNormals::One(back(*n)),
+        TriangleNormals::PerVertex(n) => TriangleNormals::PerVertex(Box::new(n.map(back))),
+    };
+    Some(Geometry::Triangle {
+        vertices: vertices.clone(),
+        normals,
+    })
+}

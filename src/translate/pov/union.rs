@@ -4,11 +4,11 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 use super::aspects::DEFAULT;
-use super::between::clip;
 use super::build::{Builder, inside_medium};
 use super::grouping::{self, meet_each_other};
-use super::piece::{Group, Look, Medium, Modifier, Part, Piece, State};
 use super::standing::Stand;
+use super::state::{Layer, Look, Medium, State};
+use super::tree::{Modifier, Object, Operation};
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
 use crate::translate::fidelity::Fidelity;
@@ -36,10 +36,10 @@ pub(super) struct Members {
 
 impl Members {
     /// The operation that joins them.
-    pub fn kind(&self) -> Group {
+    pub fn kind(&self) -> Operation {
         match self.seen_into && self.nodes.len() > 1 && meet_each_other(&self.boxes) {
-            true => Group::Merge,
-            false => Group::Union,
+            true => Operation::Merge,
+            false => Operation::Union,
         }
     }
 }
@@ -77,12 +77,12 @@ impl Reaching {
     }
 }
 
-impl Builder<'_> {
+impl<'a> Builder<'a> {
     /// The union of operands that are no unions themselves.
-    pub(super) fn union(&mut self, members: Vec<(NodeId, State)>) -> Option<Piece> {
+    pub(super) fn union(&mut self, members: Vec<(NodeId, State)>) -> Option<Object<'a>> {
         let seen_into = |&(node, state): &(NodeId, State)| {
             self.facts[node as usize].has_solid
-                && state.part != Part::Surface
+                && state.layer != Layer::Surface
                 && self.is_seen_into(node, state)
         };
         if !members.iter().any(seen_into) {
@@ -90,7 +90,7 @@ impl Builder<'_> {
             let kinds = vec![(None, false); members.len()];
             self.level(&mut members, &kinds);
             let pieces = self.pieces(&members);
-            return non_empty(Group::Union, pieces);
+            return non_empty(Operation::Union, pieces);
         }
         let (mut solids, mut surfaces) = self.by_part(&members);
         let (kinds, mut reaching) = self.settled(&mut solids);
@@ -119,7 +119,7 @@ impl Builder<'_> {
             surface.1.flush = plate.or(surface.1.flush);
         }
         pieces.extend(self.pieces(&surfaces));
-        non_empty(Group::Union, pieces)
+        non_empty(Operation::Union, pieces)
     }
 
     fn level_all(
@@ -273,11 +273,11 @@ impl Builder<'_> {
         let (mut solids, mut surfaces) = (Vec::new(), Vec::new());
         for &(node, state) in members {
             let f = self.facts[node as usize];
-            if f.has_solid && state.part != Part::Surface {
-                solids.push((node, state.part(Part::Solid)));
+            if f.has_solid && state.layer != Layer::Surface {
+                solids.push((node, state.layer(Layer::Solid)));
             }
-            if f.has_surface && state.part != Part::Solid {
-                surfaces.push((node, state.part(Part::Surface)));
+            if f.has_surface && state.layer != Layer::Solid {
+                surfaces.push((node, state.layer(Layer::Surface)));
             }
         }
         (solids, surfaces)
@@ -331,13 +331,13 @@ impl Builder<'_> {
     fn one_medium_union(
         &mut self,
         group: &mut Members,
-        clips: Vec<Modifier>,
-        others: Vec<Piece>,
-    ) -> Option<Piece> {
+        clips: Vec<Modifier<'a>>,
+        others: Vec<Object<'a>>,
+    ) -> Option<Object<'a>> {
         let kind = group.kind();
-        if kind == Group::Union && others.is_empty() && !group.bounds_media {
+        if kind == Operation::Union && others.is_empty() && !group.bounds_media {
             let pieces = self.pieces(&group.nodes);
-            return Some(non_empty(Group::Union, pieces)?.with(clips));
+            return Some(non_empty(Operation::Union, pieces)?.with(clips));
         }
         let index = group.medium.map_or(DEFAULT, |(_, index)| index);
         for (_, state) in &mut group.nodes {
@@ -346,19 +346,19 @@ impl Builder<'_> {
         let pieces = self.pieces(&group.nodes);
         let seen = non_empty(kind, pieces)?.with(clips);
         let all = std::iter::once(seen).chain(others).collect();
-        let piece = Piece::group(Group::Union, all);
+        let piece = Object::of(Operation::Union, all);
         let says = index != DEFAULT || group.bounds_media;
-        Some(piece.with(says.then_some(Modifier::Interior(index))))
+        Some(piece.with(says.then(|| self.index(index))))
     }
 
     /// Keeps of an object what no operand of a group holds.
-    fn outside_of(&mut self, group: &Members, reaching: &Reaching) -> Option<Modifier> {
-        let by = non_empty(Group::Union, self.longer(group, reaching))?;
-        Some(clip(by, true))
+    fn outside_of(&mut self, group: &Members, reaching: &Reaching) -> Option<Modifier<'a>> {
+        let by = non_empty(Operation::Union, self.longer(group, reaching))?;
+        Some(Modifier::outside(by))
     }
 
     /// The solids of a group, longer as they are where later ones are clipped by them.
-    pub(super) fn longer(&mut self, group: &Members, reaching: &Reaching) -> Vec<Piece> {
+    pub(super) fn longer(&mut self, group: &Members, reaching: &Reaching) -> Vec<Object<'a>> {
         // What is within something opaque is not seen anyway, but for faces that are in one place with its.
         let members: Vec<_> = (group.nodes.iter())
             .map(|(node, _)| (*node, State::GEOMETRY.flush(reaching.of(*node))))
@@ -372,7 +372,7 @@ impl Builder<'_> {
         &mut self,
         group: &Members,
         change: impl Fn(NodeId, State) -> Option<u32>,
-    ) -> Vec<Piece> {
+    ) -> Vec<Object<'a>> {
         let members: Vec<_> = (group.nodes.iter())
             .map(|&(node, state)| (node, State::GEOMETRY.flush(change(node, state))))
             .collect();
@@ -396,6 +396,6 @@ impl Builder<'_> {
     }
 }
 
-pub(super) fn non_empty(kind: Group, pieces: Vec<Piece>) -> Option<Piece> {
-    (!pieces.is_empty()).then(|| Piece::group(kind, pieces))
+pub(super) fn non_empty<'a>(kind: Operation, pieces: Vec<Object<'a>>) -> Option<Object<'a>> {
+    (!pieces.is_empty()).then(|| Object::of(kind, pieces))
 }

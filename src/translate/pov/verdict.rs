@@ -1,8 +1,7 @@
 //! What POV-Ray makes of each feature.
 
 use super::pictures::Pictures;
-use super::shape;
-use crate::syntax::table::RecordKind;
+use crate::syntax::table::{RecordKind, ShapeKind};
 use crate::translate::{Effect, Feature, Verdict};
 
 const IMAGE_MAP: &str = "image_map through the surface coordinates";
@@ -23,7 +22,7 @@ pub fn verdict(feature: Feature, pictures: &Pictures) -> Verdict {
 fn record(kind: RecordKind) -> Verdict {
     match kind {
         RecordKind::Undefined => Verdict::exact("there is nothing to draw"),
-        RecordKind::Shape(kind) => shape::verdict(kind),
+        RecordKind::Shape(kind) => shape(kind),
         RecordKind::Translation
         | RecordKind::Rotation
         | RecordKind::Scaling
@@ -50,6 +49,37 @@ fn record(kind: RecordKind) -> Verdict {
     }
 }
 
+/// What shading normals cost.
+const BEHIND: &str = "a light behind the triangle, but before its shading normal, is seen";
+
+/// How exact a shape is.
+fn shape(kind: ShapeKind) -> Verdict {
+    match kind {
+        ShapeKind::SurfaceOfRevolution => Verdict::exact("lathe { linear_spline }"),
+        ShapeKind::ColouredSurfaceOfRevolution => {
+            Verdict::exact("lathe { linear_spline }, the colours as a pigment")
+        }
+        ShapeKind::Plane | ShapeKind::HalfSpace => Verdict::exact("plane"),
+        ShapeKind::Rectangle => Verdict::exact("polygon"),
+        ShapeKind::Triangle => Verdict::exact("triangle"),
+        ShapeKind::TriangleWithNormal | ShapeKind::TriangleWithVertexNormals => {
+            Verdict::approximate(BEHIND, "smooth_triangle")
+        }
+        ShapeKind::SphereAtOrigin | ShapeKind::Ellipsoid | ShapeKind::Sphere => {
+            Verdict::exact("sphere")
+        }
+        ShapeKind::Box => Verdict::exact("box"),
+        ShapeKind::GeodesicSphere => Verdict::exact("a mesh of the same facets"),
+        ShapeKind::Torus => Verdict::exact("torus"),
+        ShapeKind::Quadric
+        | ShapeKind::ParabolicCylinder
+        | ShapeKind::HyperbolicCylinder
+        | ShapeKind::Hyperboloid
+        | ShapeKind::HyperbolicParaboloid => Verdict::exact("poly { 2 }"),
+        ShapeKind::Cone | ShapeKind::DoubleCone => Verdict::exact("cone"),
+    }
+}
+
 fn of_effect(effect: Effect) -> Verdict {
     match effect {
         Effect::Diffuse | Effect::Shadows | Effect::Reflection | Effect::Refraction => {
@@ -62,7 +92,7 @@ fn of_effect(effect: Effect) -> Verdict {
             "",
         ),
         Effect::VertexColours => Verdict::exact("a pigment over the profile"),
-        Effect::SmoothNormals => Verdict::approximate(shape::BEHIND, "smooth_triangle"),
+        Effect::SmoothNormals => Verdict::approximate(BEHIND, "smooth_triangle"),
         Effect::Background => Verdict::exact("background"),
         Effect::RenderBox => Verdict::exact("clipped_by"),
         Effect::AutomaticCamera => Verdict::exact("the camera is written out"),

@@ -1,13 +1,13 @@
-//! Shapes as POV-Ray has them: primitives, surface coordinates, and how exact they are.
+//! Shapes as POV-Ray has them: primitives and surface coordinates.
 
-use super::frame::power_of_two_about;
+use std::collections::BTreeSet;
+use std::fmt::{Result, Write};
+
 use super::profile::Profile;
 use super::text::{number, vector};
-use super::{poly, triangle, uv};
+use super::{poly, uv};
 use crate::geometry::array::length;
-use crate::scene::{Geometry, TriangleNormals};
-use crate::syntax::table::ShapeKind;
-use crate::translate::fidelity::Verdict;
+use crate::scene::{Geometry, TriangleNormals, Vec3};
 
 /// A primitive in the shape's own coordinates: a keyword, and what stands between its braces, one
 /// line each.
@@ -22,6 +22,11 @@ impl Primitive {
             keyword,
             lines: vec![line],
         }
+    }
+
+    /// All of it on one line.
+    pub fn line(&self) -> String {
+        format!("{} {{ {} }}", self.keyword, self.lines.join(" "))
     }
 
     /// Scaled at the end.
@@ -64,8 +69,8 @@ pub fn primitive(geometry: &Geometry) -> Primitive {
                 let corners: Vec<String> = vertices.iter().map(|c| vector(c)).collect();
                 Primitive::new("triangle", corners.join(", "))
             }
-            TriangleNormals::One(n) => triangle::smooth(vertices, &[*n; 3]),
-            TriangleNormals::PerVertex(n) => triangle::smooth(vertices, n),
+            TriangleNormals::One(n) => smooth(vertices, &[*n; 3]),
+            TriangleNormals::PerVertex(n) => smooth(vertices, n),
         },
         Geometry::Revolution { profile, .. } => Profile::of(profile).lathe(),
         Geometry::GeodesicSphere { radius, splits } => Primitive::new(
@@ -99,38 +104,6 @@ pub fn primitive(geometry: &Geometry) -> Primitive {
             let q = poly::diagonal(inverse(*a), 0.0, -inverse(*b), -1.0, 0.0);
             poly::quadric(&q)
         }
-    }
-}
-
-/// What shading normals cost.
-pub const BEHIND: &str = "a light behind the triangle, but before its shading normal, is seen";
-
-/// How exact a shape is.
-pub fn verdict(kind: ShapeKind) -> Verdict {
-    match kind {
-        ShapeKind::SurfaceOfRevolution => Verdict::exact("lathe { linear_spline }"),
-        ShapeKind::ColouredSurfaceOfRevolution => {
-            Verdict::exact("lathe { linear_spline }, the colours as a pigment")
-        }
-        ShapeKind::Plane | ShapeKind::HalfSpace => Verdict::exact("plane"),
-        ShapeKind::Rectangle => Verdict::exact("polygon"),
-        ShapeKind::Triangle => Verdict::exact("triangle"),
-        ShapeKind::TriangleWithNormal | ShapeKind::TriangleWithVertexNormals => {
-            Verdict::approximate(BEHIND, "smooth_triangle")
-        }
-        ShapeKind::SphereAtOrigin | ShapeKind::Ellipsoid | ShapeKind::Sphere => {
-            Verdict::exact("sphere")
-        }
-        ShapeKind::Box => Verdict::exact("box"),
-        ShapeKind::GeodesicSphere => Verdict::exact("a mesh of the same facets"),
-        ShapeKind::Torus => Verdict::exact("torus"),
-
-        ShapeKind::Quadric
-        | ShapeKind::ParabolicCylinder
-        | ShapeKind::HyperbolicCylinder
-        | ShapeKind::Hyperboloid
-        | ShapeKind::HyperbolicParaboloid => Verdict::exact("poly { 2 }"),
-        ShapeKind::Cone | ShapeKind::DoubleCone => Verdict::exact("cone"),
     }
 }
 
@@ -181,69 +154,9 @@ pub fn coordinates(geometry: &Geometry) -> uv::Coordinates {
     }
 }
 
-/// A flat surface as a plate, so far from it on both sides.
-pub fn plate(geometry: &Geometry, by: f64) -> Option<Primitive> {
-    let pair = |of: [Geometry; 2]| {
-        let line = |g: &Geometry| {
-            let Primitive { keyword, lines } = primitive(g);
-            format!("{keyword} {{ {} }}", lines.join(" "))
-        };
-        of.iter().map(line).collect::<Vec<_>>()
-    };
-    Some(match geometry {
-        Geometry::Rectangle { min, max } => {
-            let corner = |c: &[f64; 2], z: f64| vector(&[c[0], c[1], z]);
-            Primitive::new("box", format!("{}, {}", corner(min, -by), corner(max, by)))
-        }
-        Geometry::Plane([a, b, c, d]) => {
-            let by = by * length([*a, *b, *c]);
-            let sides = [[*a, *b, *c, d - by], [-a, -b, -c, -d - by]];
-            Primitive {
-                keyword: "intersection",
-                lines: pair(sides.map(Geometry::HalfSpace)),
-            }
-        }
-        Geometry::Triangle {
-            vertices,
-            normals: TriangleNormals::Flat,
-        } => {
-            let [p, q, r] = **vertices;
-            let [u, v] = [q, r].map(|x| [x[0] - p[0], x[1] - p[1], x[2] - p[2]]);
-            let n = [
-                u[1] * v[2] - u[2] * v[1],
-                u[2] * v[0] - u[0] * v[2],
-                u[0] * v[1] - u[1] * v[0],
-            ];
-            let by = by / length(n);
-            if !by.is_finite() {
-                return None;
-            }
-            let side = |corners: [[f64; 3]; 3], by: f64| Geometry::Triangle {
-                vertices: Box::new(corners.map(|x| std::array::from_fn(|i| x[i] + by * n[i]))),
-                normals: TriangleNormals::Flat,
-            };
-            Primitive {
-                // Clockwise seen from outside, each; triangles by themselves forget that where they are moved.
-                keyword: "mesh",
-                lines: pair([side([p, r, q], by), side([p, q, r], -by)]),
-            }
-        }
-        Geometry::Triangle { .. }
-        | Geometry::Revolution { .. }
-        | Geometry::HalfSpace(_)
-        | Geometry::Sphere { .. }
-        | Geometry::Ellipsoid { .. }
-        | Geometry::Box { .. }
-        | Geometry::GeodesicSphere { .. }
-        | Geometry::Torus { .. }
-        | Geometry::Quadric(_)
-        | Geometry::Cone { .. }
-        | Geometry::DoubleCone { .. }
-        | Geometry::ParabolicCylinder { .. }
-        | Geometry::HyperbolicCylinder { .. }
-        | Geometry::Hyperboloid { .. }
-        | Geometry::HyperbolicParaboloid { .. } => return None,
-    })
+fn smooth(vertices: &[Vec3; 3], normals: &[Vec3; 3]) -> Primitive {
+    let corner = |i: usize| format!("{}, {}", vector(&vertices[i]), vector(&normals[i]));
+    Primitive::new("smooth_triangle", [0, 1, 2].map(corner).join(", "))
 }
 
 /// Their plane is n·x = distance with a unit normal, the inside where n·x is less.
@@ -271,7 +184,7 @@ fn torus(major: f64, minor: f64) -> Primitive {
     // However thin the tube, it has to be thicker than the tolerances: 1e-3, sixteen times.
     const THIN: f64 = 1.0 / 64.0;
     let unit = match size_unit(major + minor) {
-        unit if minor < THIN * unit => power_of_two_about(minor / THIN),
+        unit if minor < THIN * unit => power_of_two(minor / THIN),
         unit => unit,
     };
     let (major, minor) = (major / unit, minor / unit);
@@ -293,25 +206,28 @@ pub fn size_unit(size: f64) -> f64 {
     if FITTING.contains(&size) || !(size > 0.0 && size.is_finite()) {
         return 1.0;
     }
-    // Within the range of normal numbers, as is its inverse.
-    size.log2().floor().clamp(-1000.0, 1000.0).exp2()
+    power_of_two(size)
+}
+
+/// The largest power of two that is not above a number, within the range of normal numbers, as is its inverse.
+fn power_of_two(x: f64) -> f64 {
+    x.log2().floor().clamp(-1000.0, 1000.0).exp2()
 }
 
 /// What the geodesic sphere of radius 1 with so many splits is called.
-pub fn geodesic_name(splits: u32) -> String {
+fn geodesic_name(splits: u32) -> String {
     format!("Geodesic_{splits}")
 }
 
 /// The macro that makes geodesic spheres, and those with the given numbers of splits.
-pub fn geodesics(splits: impl Iterator<Item = u32>) -> String {
-    let mut out = String::new();
-    for n in splits {
-        if out.is_empty() {
-            out.push_str(GEODESIC);
-        }
-        out.push_str(&format!("#declare {} = Geodesic({n})\n", geodesic_name(n)));
+pub fn geodesics(out: &mut dyn Write, splits: &BTreeSet<u32>) -> Result {
+    if !splits.is_empty() {
+        out.write_str(GEODESIC)?;
     }
-    out
+    for n in splits {
+        writeln!(out, "#declare {} = Geodesic({n})", geodesic_name(*n))?;
+    }
+    Ok(())
 }
 
 const GEODESIC: &str = "\

@@ -1,7 +1,8 @@
 //! Numbers, vectors and colours as POV-Ray reads them.
 
+use std::fmt::{self, Write};
+
 use crate::geometry::Matrix;
-use crate::syntax::Captions;
 
 /// The shortest decimal that reads back as the same number.
 pub fn number(x: f64) -> String {
@@ -94,19 +95,52 @@ fn scaled_and_turned(m: &Matrix) -> Option<([f64; 3], f64, usize)> {
     })
 }
 
-/// What the scene calls an entity: its ID and what a comment says of it.
-pub fn entity(id: u32, captions: &Captions) -> String {
-    match captions.get(id) {
-        Some(words) => format!("{id}, {words}"),
-        None => id.to_string(),
-    }
+/// Indented lines on their way to a stream.
+pub struct Page<'w> {
+    out: &'w mut dyn Write,
+    depth: usize,
 }
 
-/// Adds a comment to the first line of a text.
-pub fn commented(text: &str, comment: &str) -> String {
-    match text.split_once('\n') {
-        Some((first, rest)) => format!("{first} // {comment}\n{rest}"),
-        None => format!("{text} // {comment}"),
+impl<'w> Page<'w> {
+    pub fn new(out: &'w mut dyn Write) -> Page<'w> {
+        Page { out, depth: 0 }
+    }
+
+    /// A whole line.
+    pub fn line(&mut self, text: fmt::Arguments) -> fmt::Result {
+        self.begin()?;
+        self.out.write_fmt(text)?;
+        self.end(None)
+    }
+
+    pub fn blank(&mut self) -> fmt::Result {
+        self.out.write_char('\n')
+    }
+
+    /// The indentation of a line.
+    pub fn begin(&mut self) -> fmt::Result {
+        (0..self.depth).try_for_each(|_| self.out.write_str("  "))
+    }
+
+    /// A part of a line.
+    pub fn write(&mut self, text: &str) -> fmt::Result {
+        self.out.write_str(text)
+    }
+
+    /// Ends a line, after a comment.
+    pub fn end(&mut self, comment: Option<&str>) -> fmt::Result {
+        match comment {
+            Some(comment) => writeln!(self.out, " // {comment}"),
+            None => self.out.write_char('\n'),
+        }
+    }
+
+    /// Lines that are indented by one step more.
+    pub fn indented(&mut self, print: impl FnOnce(&mut Self) -> fmt::Result) -> fmt::Result {
+        self.depth += 1;
+        let printed = print(self);
+        self.depth -= 1;
+        printed
     }
 }
 

@@ -1,0 +1,211 @@
+//! A translation as text. Nothing is decided here: all that is printed stands in the [document](Document).
+
+mod objects;
+mod poly;
+mod profile;
+mod shape;
+pub mod text;
+mod textures;
+mod uv;
+
+use std::fmt::{Result, Write};
+
+use super::tree::{Document, Frame, Lens, Light};
+use text::{Page, number, rgb, vector};
+
+/// What faces look like that are only there for POV-Ray to know where a ray leaves an object.
+const UNSEEN: &str = "\
+    // Where one medium ends in another: a hair behind the face that is seen.\n\
+    #declare Unseen = texture { pigment { rgbf 1 } finish { ambient 0 diffuse 0 } };\n";
+
+/// A half-space whose boundary is beyond the farthest that POV-Ray looks.
+const EVERYWHERE: &str = "\
+    // All of space. What is clipped by it without something else is kept outside of that.\n\
+    #declare Everywhere = plane { <0, 1, 0>, 1e9 };\n";
+
+/// Prints a file for a camera, or for two with a switch.
+///
+/// # Errors
+/// Those of the stream.
+pub fn print(out: &mut dyn Write, document: &Document, lenses: &[Lens]) -> Result {
+    header(out, document, lenses)?;
+    settings(out, document)?;
+    cameras(out, lenses, &document.frame)?;
+    if !document.lights_in_group {
+        let mut page = Page::new(out);
+        lights(&mut page, document)?;
+    }
+    out.write_char('\n')?;
+    if document.tree.uses.unseen {
+        out.write_str(UNSEEN)?;
+    }
+    textures::print(out, document)?;
+    out.write_char('\n')?;
+    if document.tree.uses.everywhere {
+        out.write_str(EVERYWHERE)?;
+    }
+    shape::geodesics(out, &document.tree.uses.splits)?;
+    objects::print(out, &document.tree)?;
+    if !document.lights_in_group {
+        return picture(&mut Page::new(out), document);
+    }
+    // Of other lights POV-Ray remembers what was last in their way, and asks that first: without its tolerance, so
+    // that a light may be hidden by the surface that it lies on.
+    out.write_str(
+        "\n// A light that lies on a surface is not hidden by that in a light group.\nlight_group {\n",
+    )?;
+    let mut page = Page::new(out);
+    page.indented(|page| {
+        lights(page, document)?;
+        picture(page, document)
+    })?;
+    out.write_str("}\n")
+}
+
+/// How to render the file so that its pixels can be compared.
+fn header(out: &mut dyn Write, document: &Document, lenses: &[Lens]) -> Result {
+    let (w, h) = document.size;
+    if let Some(title) = document.title {
+        writeln!(out, "// {title}")?;
+    }
+    write!(
+        out,
+        "// A scene for POV-Ray 3.7. For linear values, one ray through the middle of each pixel:\n\
+         //   povray +Iscene.pov +Oscene.png +W{w} +H{h} -A -D +FN16 File_Gamma=1.0"
+    )?;
+    if document.tree.uses.dispersion {
+        out.write_str(" Declare=Channel=0")?;
+    }
+    if lenses.len() > 1 {
+        out.write_str(" Declare=Eye=0")?;
+    }
+    if document.light_scale < 1.0 {
+        write!(out, " Declare=Light_Scale={}", number(document.light_scale))?;
+    }
+    out.write_char('\n')?;
+    if document.tree.uses.dispersion {
+        out.write_str(
+            "// Some index differs by channel. Render three times, with Channel 0, 1 and 2, and keep\n\
+             // red of the first picture, green of the second and blue of the third.\n\
+             #ifndef (Channel) #declare Channel = 0; #end\n",
+        )?;
+    }
+    if lenses.len() > 1 {
+        out.write_str(
+            "// A stereo pair: render with Eye 0 (left) and Eye 1 (right).\n\
+             #ifndef (Eye) #declare Eye = 0; #end\n",
+        )?;
+    }
+    Ok(())
+}
+
+/// Scales, global settings, defaults, background.
+fn settings(out: &mut dyn Write, document: &Document) -> Result {
+    out.write_str(
+        "#version 3.7;\n\n\
+         // All light is multiplied by this. Less than 1 keeps what an image file cannot hold: light above white.\n\
+         #ifndef (Light_Scale) #declare Light_Scale = 1; #end\n",
+    )?;
+    let Frame { centre, unit } = &document.frame;
+    if document.frame.is_moved() {
+        write!(
+            out,
+            "// The finished scene is moved by this to the origin, because far from it numbers are coarse.\n\
+             #declare Centre = {};\n",
+            vector(centre)
+        )?;
+    }
+    let (ambient, background) = (rgb(document.ambient), rgb(document.background));
+    write!(
+        out,
+        "// The finished scene is scaled by this, because tolerances are absolute.\n\
+         #declare Unit = {};\n\
+         \nglobal_settings {{\n  assumed_gamma 1\n  ambient_light {ambient}*Light_Scale\n  \
+         max_trace_level {}\n  adc_bailout 0\n}}\n\
+         #default {{ texture {{ pigment {{ rgb 1 }} finish {{ ambient 1 diffuse 1 emission 0 }} }} }}\n\
+         background {{ {background}*Light_Scale }}\n\n",
+        number(*unit),
+        document.levels
+    )
+}
+
+/// What is said of everything that has a place.
+fn place(frame: &Frame) -> &'static str {
+    match frame.is_moved() {
+        true => "translate -Centre scale Unit",
+        false => "scale Unit",
+    }
+}
+
+/// One camera, or two behind a switch.
+fn cameras(out: &mut dyn Write, lenses: &[Lens], frame: &Frame) -> Result {
+    for (i, lens) in lenses.iter().enumerate() {
+        if lenses.len() > 1 {
+            writeln!(out, "#if (Eye = {i})")?;
+        }
+        writeln!(out, "camera {{ // {}", lens.caption)?;
+        if lens.parallel {
+            out.write_str("  orthographic\n")?;
+        }
+        write!(
+            out,
+            "  location {}\n  direction {}\n  right {}\n  up {}\n",
+            vector(&lens.location),
+            vector(&lens.direction),
+            vector(&lens.right),
+            vector(&lens.up),
+        )?;
+        if lens.parallel {
+            let shift = vector(&lens.shift);
+            writeln!(
+                out,
+                "  translate {shift} // by a hair, so that no ray runs exactly along a face or a seam"
+            )?;
+        }
+        writeln!(out, "  {}\n}}", place(frame))?;
+        if lenses.len() > 1 {
+            out.write_str("#end\n")?;
+        }
+    }
+    Ok(())
+}
+
+/// The point lights, one a line.
+fn lights(page: &mut Page, document: &Document) -> Result {
+    let place = place(&document.frame);
+    for Light {
+        caption,
+        position,
+        colour,
+        intensity,
+    } in &document.lights
+    {
+        page.line(format_args!(
+            "light_source {{ {}, {}*{}*Light_Scale {place} }} // {caption}",
+            vector(position),
+            rgb(*colour),
+            number(*intensity),
+        ))?;
+    }
+    Ok(())
+}
+
+/// The object that is drawn.
+fn picture(page: &mut Page, document: &Document) -> Result {
+    page.blank()?;
+    let Some(root) = document.tree.root else {
+        return page.line(format_args!("// There is nothing to draw."));
+    };
+    page.line(format_args!("// the scene: {}", document.caption))?;
+    page.line(format_args!("object {{"))?;
+    page.indented(|page| {
+        page.line(format_args!("{}", document.tree.objects[root].name))?;
+        if let Some((min, max)) = &document.clip {
+            page.line(format_args!("// only what lies in this box is drawn"))?;
+            let (min, max) = (vector(min), vector(max));
+            page.line(format_args!("clipped_by {{ box {{ {min}, {max} }} }}"))?;
+        }
+        page.line(format_args!("{}", place(&document.frame)))
+    })?;
+    page.line(format_args!("}}"))
+}

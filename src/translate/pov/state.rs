@@ -1,0 +1,84 @@
+//! What is decided about a node on the way down to it.
+
+use super::aspects::TextureUse;
+use crate::scene::NodeId;
+
+/// Which part of a node is meant: an operation treats the solids and the surfaces among its operands differently.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Layer {
+    All,
+    Solid,
+    Surface,
+}
+
+/// Who says what a node looks like.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Look {
+    /// The node itself, except for what is painted over it from above.
+    Own {
+        texture: Option<TextureUse>,
+        optics: Option<u32>,
+    },
+    /// An object around it, all of it alike.
+    Above { transparent: bool },
+}
+
+/// Who says what index the inside of a node has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Medium {
+    Own,
+    Above,
+}
+
+/// All that the way from the root down to a node decides about it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct State {
+    pub layer: Layer,
+    pub look: Look,
+    pub medium: Medium,
+    /// The number of the change that is made to its shapes.
+    pub flush: Option<u32>,
+}
+
+impl State {
+    /// Nothing is decided.
+    pub const ROOT: State = State {
+        layer: Layer::All,
+        look: Look::Own {
+            texture: None,
+            optics: None,
+        },
+        medium: Medium::Own,
+        flush: None,
+    };
+    /// A solid that only tells inside from outside.
+    pub const GEOMETRY: State = State {
+        layer: Layer::Solid,
+        look: Look::Above { transparent: false },
+        medium: Medium::Above,
+        flush: None,
+    };
+
+    pub fn layer(self, layer: Layer) -> State {
+        State { layer, ..self }
+    }
+
+    pub fn look(self, look: Look) -> State {
+        State { look, ..self }
+    }
+
+    pub fn flush(self, flush: Option<u32>) -> State {
+        State { flush, ..self }
+    }
+
+    pub fn medium(self, medium: Medium) -> State {
+        State { medium, ..self }
+    }
+}
+
+/// A node in a state: what one `#declare` is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Key {
+    pub node: NodeId,
+    pub state: State,
+}

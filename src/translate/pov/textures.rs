@@ -1,0 +1,162 @@
+//! The textures that a translation declares: each a texture of the scene with optics, and for one that is laid on
+//! shapes, on a shape.
+
+use std::collections::HashMap;
+
+use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
+use super::pictures::Pictures;
+use super::tree::{Image, Pattern, Texture};
+use crate::scene::{self, Geometry, Scene};
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+struct Key {
+    texture: TextureUse,
+    optics: u32,
+    shape: Option<u32>,
+    /// Light comes from the other side.
+    behind: bool,
+}
+
+/// Textures by number.
+#[derive(Debug, Default)]
+pub struct Textures {
+    keys: Vec<Key>,
+    names: Vec<String>,
+    numbers: HashMap<Key, usize>,
+    /// How many textures have the same name, but for a number at the end.
+    times: HashMap<String, u32>,
+}
+
+impl Textures {
+    /// The number of a texture; `None` for the one that everything has by default. The shape comes as its index and
+    /// its ID.
+    pub fn number(
+        &mut self,
+        aspects: &Aspects,
+        texture: TextureUse,
+        optics: u32,
+        shape: Option<(u32, u32)>,
+    ) -> Option<usize> {
+        if texture == TextureUse::DEFAULT && optics == DEFAULT {
+            return None;
+        }
+        let key = Key {
+            texture,
+            optics,
+            shape: shape.map(|(index, _)| index),
+            behind: false,
+        };
+        if let Some(number) = self.numbers.get(&key) {
+            return Some(*number);
+        }
+        let owner = aspects.owner(texture.texture, optics);
+        let mut name = match (owner, shape) {
+            (0, Some((_, id))) => format!("Look_{id}"),
+            (owner, Some((_, id))) => format!("Look_{owner}_on_{id}"),
+            (owner, None) => format!("Look_{owner}"),
+        };
+        let times = self.times.entry(name.clone()).or_insert(0);
+        *times += 1;
+        if *times > 1 {
+            name += &format!("_{times}");
+        }
+        Some(self.push(key, name))
+    }
+
+    /// The same texture lit from the other side; nothing for one that light goes through.
+    pub fn behind(&mut self, aspects: &Aspects, number: usize) -> Option<usize> {
+        let front = self.keys[number];
+        if aspects.is_transparent(front.optics) {
+            return None;
+        }
+        let behind = Key {
+            behind: true,
+            ..front
+        };
+        let known = self.numbers.get(&behind).copied();
+        Some(known.unwrap_or_else(|| self.push(behind, format!("{}_Behind", self.names[number]))))
+    }
+
+    fn push(&mut self, key: Key, name: String) -> usize {
+        let number = self.keys.len();
+        self.numbers.insert(key, number);
+        self.keys.push(key);
+        self.names.push(name);
+        number
+    }
+
+    /// Whether light goes through a texture.
+    pub fn is_transparent(&self, aspects: &Aspects, number: usize) -> bool {
+        aspects.is_transparent(self.keys[number].optics)
+    }
+
+    /// All textures, and the images that they show.
+    pub fn values<'a>(
+        self,
+        aspects: &Aspects,
+        scene: &'a Scene,
+        pictures: &Pictures,
+    ) -> (Vec<Texture<'a>>, Vec<Image>) {
+        let mut images = Images::default();
+        let mut textures = Vec::with_capacity(self.keys.len());
+        for (key, name) in self.keys.iter().zip(self.names) {
+            textures.push(Texture {
+                name,
+                pattern: pattern(key, aspects, scene, pictures, &mut images),
+                optics: *aspects.optics(key.optics),
+                is_behind: key.behind,
+            });
+        }
+        (textures, images.all)
+    }
+}
+
+#[derive(Default)]
+struct Images {
+    all: Vec<Image>,
+    numbers: HashMap<String, usize>,
+}
+
+impl Images {
+    fn number(&mut self, file: &str, pictures: &Pictures) -> usize {
+        if let Some(number) = self.numbers.get(file) {
+            return *number;
+        }
+        self.all.push(Image {
+            file: pictures.named(file),
+            caption: file.replace(char::is_control, " "),
+        });
+        self.numbers.insert(file.to_owned(), self.all.len() - 1);
+        self.all.len() - 1
+    }
+}
+
+fn pattern<'a>(
+    key: &Key,
+    aspects: &Aspects,
+    scene: &'a Scene,
+    pictures: &Pictures,
+    images: &mut Images,
+) -> Pattern<'a> {
+    let shape = key.shape.map(|s| &scene.shapes[s as usize].geometry);
+    if key.texture.texture == PROFILE
+        && let Some(Geometry::Revolution { profile, colours }) = shape
+    {
+        return Pattern::Profile(profile, colours);
+    }
+    match (aspects.texture(key.texture.texture), shape) {
+        (scene::Texture::Colour(colour), _) => Pattern::Colour(*colour),
+        (scene::Texture::Solid { colours, size }, _) => {
+            Pattern::Cubes(*aspects.frame(key.texture.frame), *colours, *size)
+        }
+        (scene::Texture::Checkerboard { n, m, colours }, Some(shape)) => {
+            Pattern::Checkerboard(shape, [*n, *m], *colours)
+        }
+        (scene::Texture::Image { file, .. }, Some(shape)) => {
+            Pattern::Image(shape, images.number(file, pictures))
+        }
+        // Such textures are handed down to shapes.
+        (scene::Texture::Checkerboard { colours, .. }, None) => Pattern::Colour(colours[0]),
+        (scene::Texture::Image { .. }, None) => Pattern::Colour(scene::DEFAULT_COLOUR),
+    }
+}

@@ -1,0 +1,258 @@
+//! What the passes share: a translation as values, before it is text.
+
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
+use crate::geometry::Matrix;
+use crate::scene::{Geometry, Optics, Rgb, Vec3, Volume};
+
+/// A translation that is to be printed.
+pub struct Document<'a> {
+    /// What a comment says of the whole scene.
+    pub title: Option<&'a str>,
+    /// Width and height of the picture in pixels.
+    pub size: (u32, u32),
+    /// `max_trace_level`.
+    pub levels: u32,
+    /// Power of two that dims all light enough for an image file.
+    pub light_scale: f64,
+    pub frame: Frame,
+    pub background: Rgb,
+    pub ambient: Rgb,
+    pub lights: Vec<Light>,
+    /// The lights lie in a group with the scene: one of them is on a surface.
+    pub lights_in_group: bool,
+    pub images: Vec<Image>,
+    pub tree: Tree<'a>,
+    /// What a comment calls the scene.
+    pub caption: String,
+    /// The box outside of which nothing is drawn.
+    pub clip: Option<(Vec3, Vec3)>,
+}
+
+/// From the scene's coordinates to those that POV-Ray works in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    /// Comes to lie in the origin; the origin itself for most scenes.
+    pub centre: Vec3,
+    /// A power of two.
+    pub unit: f64,
+}
+
+impl Frame {
+    pub fn is_moved(&self) -> bool {
+        self.centre != [0.0; 3]
+    }
+}
+
+/// The rays of a camera: direction + (x − ½)·right + (½ − y)·up, from the location or, if they are parallel, from
+/// the location moved by that. The vectors may be of any hand and need not be at right angles.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Lens {
+    pub caption: String,
+    pub parallel: bool,
+    pub location: Vec3,
+    pub direction: Vec3,
+    pub right: Vec3,
+    pub up: Vec3,
+    /// By what parallel rays are moved, so that none runs exactly along a face or a seam.
+    pub shift: Vec3,
+}
+
+/// A point light.
+pub struct Light {
+    pub caption: String,
+    pub position: Vec3,
+    pub colour: Rgb,
+    pub intensity: f64,
+}
+
+/// A picture file.
+pub struct Image {
+    /// Its kind and path in POV-Ray's language.
+    pub file: String,
+    /// What the scene calls it.
+    pub caption: String,
+}
+
+/// All that is declared, and what of it is drawn.
+#[derive(Default)]
+pub struct Tree<'a> {
+    pub textures: Vec<Texture<'a>>,
+    /// Each stands behind those it is made of.
+    pub objects: Vec<Declaration<'a>>,
+    /// The number of the object that is drawn; none where there is nothing.
+    pub root: Option<usize>,
+    pub uses: Uses,
+}
+
+/// What the objects make use of.
+#[derive(Default)]
+pub struct Uses {
+    /// Something has faces that nobody sees.
+    pub unseen: bool,
+    pub everywhere: bool,
+    /// Something has another index than 1.
+    pub refraction: bool,
+    /// Some index differs by channel.
+    pub dispersion: bool,
+    /// The numbers of splits of geodesic spheres.
+    pub splits: BTreeSet<u32>,
+}
+
+/// A texture with its optics.
+pub struct Texture<'a> {
+    pub name: String,
+    pub pattern: Pattern<'a>,
+    pub optics: Optics,
+    /// Light comes from the other side.
+    pub is_behind: bool,
+}
+
+/// What is drawn on a surface.
+pub enum Pattern<'a> {
+    Colour(Rgb),
+    /// The colours of a profile's points, along it.
+    Profile(&'a [[f64; 2]], &'a [Rgb]),
+    /// Cubes of an edge in coordinates that a matrix leads away from.
+    Cubes(Matrix, [Rgb; 2], f64),
+    /// Cells along the two surface coordinates of a shape.
+    Checkerboard(&'a Geometry, [u32; 2], [Rgb; 2]),
+    /// An image by its number, along the surface coordinates of a shape.
+    Image(&'a Geometry, usize),
+}
+
+/// An object with a name of its own.
+pub struct Declaration<'a> {
+    /// The entity it is named after, 0 for none.
+    pub id: u32,
+    pub name: String,
+    pub object: Object<'a>,
+}
+
+/// An object.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Object<'a> {
+    pub body: Body<'a>,
+    /// In the order they apply: the innermost first.
+    pub modifiers: Vec<Modifier<'a>>,
+    pub comment: Option<String>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub enum Body<'a> {
+    Shape(Cow<'a, Geometry>),
+    /// Triangles that are one object.
+    Mesh(Vec<Geometry>),
+    /// The declared object with this number.
+    Declared(usize),
+    /// All of space.
+    Everything,
+    Operation(Operation, Vec<Object<'a>>),
+}
+
+/// POV-Ray's operations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Operation {
+    Union,
+    Merge,
+    Intersection,
+    Difference,
+    /// A difference whose cut faces take the texture of the part they cut.
+    CutawayDifference,
+}
+
+/// Something said about an object.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Modifier<'a> {
+    Matrix(Matrix),
+    /// A texture by its number.
+    Texture(usize),
+    /// A texture by its number, of the side that the normals are not on.
+    InnerTexture(usize),
+    /// All light goes through, and nothing is seen.
+    Unseen,
+    /// All light goes through where it comes from inside; what is seen from outside was said before.
+    UnseenWithin,
+    /// The refractive index within.
+    Index(Rgb),
+    Inverse,
+    /// Only what lies inside of an object is there.
+    Clip(Box<Object<'a>>),
+    /// A volume that certainly holds the object.
+    Bound(Volume),
+}
+
+impl<'a> Object<'a> {
+    pub fn new(body: Body<'a>) -> Object<'a> {
+        Object {
+            body,
+            modifiers: Vec::new(),
+            comment: None,
+        }
+    }
+
+    /// An object without anything in it.
+    pub fn nothing() -> Object<'a> {
+        Object::new(Body::Operation(Operation::Union, Vec::new()))
+    }
+
+    /// One object of several; of a single one itself.
+    pub fn of(operation: Operation, mut operands: Vec<Object<'a>>) -> Object<'a> {
+        match (operands.len(), operands.pop()) {
+            (1, Some(only)) => only,
+            (_, last) => {
+                operands.extend(last);
+                Object::new(Body::Operation(operation, operands))
+            }
+        }
+    }
+
+    pub fn with(mut self, modifiers: impl IntoIterator<Item = Modifier<'a>>) -> Object<'a> {
+        self.modifiers.extend(modifiers);
+        self
+    }
+
+    /// Calls `f` with the object and all that it is made of, as far as that is not declared. Operations nest a few
+    /// levels deep at most: deeper ones are declared objects.
+    pub fn each(&self, f: &mut impl FnMut(&Object<'a>)) {
+        f(self);
+        if let Body::Operation(_, operands) = &self.body {
+            operands.iter().for_each(|operand| operand.each(f));
+        }
+        for modifier in &self.modifiers {
+            if let Modifier::Clip(by) = modifier {
+                by.each(f);
+            }
+        }
+    }
+
+    /// Calls `f` with the numbers of the declared objects in it.
+    pub fn each_declared(&mut self, f: &mut impl FnMut(&mut usize)) {
+        match &mut self.body {
+            Body::Declared(number) => f(number),
+            Body::Operation(_, operands) => operands.iter_mut().for_each(|o| o.each_declared(f)),
+            Body::Shape(_) | Body::Mesh(_) | Body::Everything => {}
+        }
+        for modifier in &mut self.modifiers {
+            if let Modifier::Clip(by) = modifier {
+                by.each_declared(f);
+            }
+        }
+    }
+}
+
+impl<'a> Modifier<'a> {
+    /// Keeps of an object what is inside of another one.
+    pub fn inside(by: Object<'a>) -> Modifier<'a> {
+        Modifier::Clip(Box::new(by))
+    }
+
+    /// Keeps of an object what is outside of another one. What is turned inside out by `inverse` keeps its bounds
+    /// there, unless it is one of the simplest shapes, and POV-Ray takes them for those of something without end
+    /// that is clipped: so it is taken from all of space.
+    pub fn outside(of: Object<'a>) -> Modifier<'a> {
+        let operands = vec![Object::new(Body::Everything), of];
+        Modifier::inside(Object::of(Operation::Difference, operands))
+    }
+}
