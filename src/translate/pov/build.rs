@@ -335,8 +335,7 @@ impl<'a> Builder<'a> {
                     false => TextureUse::DEFAULT,
                 };
                 let (texture, optics) = (texture.unwrap_or(own), optics.unwrap_or(DEFAULT));
-                let on = Some((shape, record.id));
-                self.textures.number(&self.aspects, texture, optics, on)
+                self.textures.number(texture, optics, Some(shape))
             }
             Look::Above { .. } => None,
         };

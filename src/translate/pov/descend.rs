@@ -309,9 +309,7 @@ impl<'a> Builder<'a> {
                 Look::Above {
                     transparent: self.aspects.is_transparent(o),
                 },
-                self.textures
-                    .number(&self.aspects, t, o, None)
-                    .map(Modifier::Texture),
+                self.textures.number(t, o, None).map(Modifier::Texture),
             ),
             _ => (Look::Own { texture, optics }, None),
         }

@@ -137,9 +137,7 @@ impl<'a> Builder<'a> {
                 optics: Some(o),
             } if !self.aspects.is_laid_on_shapes(t.texture) => (
                 State::GEOMETRY.look,
-                self.textures
-                    .number(&self.aspects, t, o, None)
-                    .map(Modifier::Texture),
+                self.textures.number(t, o, None).map(Modifier::Texture),
             ),
             look => (look, None),
         };

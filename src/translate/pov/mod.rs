@@ -168,12 +168,13 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
     } = builder;
     let (textures, images) = textures.values(&aspects, scene, &options.pictures);
     let tree = simplified(Tree {
+        images,
         root: objects.len().checked_sub(1),
         objects,
         textures,
         uses: Uses::default(),
     });
-    report_what_is_used(&tree, &images, cut_open, options, &mut report);
+    report_what_is_used(&tree, cut_open, options, &mut report);
     let light_scale = light_scale(&tree, scene, &render, options);
     let passes = if tree.uses.dispersion { 3 } else { 1 };
     let document = Document {
@@ -186,7 +187,6 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
         ambient: scenery::ambient(scene),
         lights: scenery::point_lights(scene, &options.captions),
         lights_in_group,
-        images,
         tree,
         caption: options.captions.entity(render.root_id),
         // A face in a face of the box is drawn, too.
@@ -222,13 +222,7 @@ fn light_scale(tree: &Tree, scene: &Scene, render: &Render, options: &Options) -
 }
 
 /// States what it costs that the objects are what they are.
-fn report_what_is_used(
-    tree: &Tree,
-    images: &[Image],
-    cut_open: bool,
-    options: &Options,
-    report: &mut Report,
-) {
+fn report_what_is_used(tree: &Tree, cut_open: bool, options: &Options, report: &mut Report) {
     if tree.uses.unseen {
         let note = "faces between them stand a hair apart";
         let media = "transparent parts that meet or overlap";
@@ -244,7 +238,7 @@ fn report_what_is_used(
         );
     }
     let closed = |image: &Image| !image.file.is_ascii();
-    if images.iter().any(closed) {
+    if tree.images.iter().any(closed) {
         report.state(
             "pictures whose paths are not ASCII",
             Fidelity::Dropped,

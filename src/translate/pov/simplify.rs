@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use super::tree::{Body, Declaration, Modifier, Object, Operation, Tree, Uses};
+use super::tree::{Body, Declaration, Modifier, Object, Operation, Pattern, Texture, Tree, Uses};
 use crate::scene::Geometry;
 use crate::scene::geometry::Parameter;
 
@@ -17,8 +17,21 @@ pub fn simplified<'a>(tree: Tree<'a>) -> Tree<'a> {
         out.numbers.push(number);
     }
     let root = tree.root.and_then(|root| out.numbers[root]);
+    let mut textures = used(&tree.textures, |f| {
+        let objects = out.objects.iter_mut();
+        objects.for_each(|declared| declared.object.each_texture(f));
+    });
+    let images = used(&tree.images, |f| {
+        for texture in &mut textures {
+            if let Pattern::Image(_, image) = &mut texture.pattern {
+                f(image);
+            }
+        }
+    });
+    name(&mut textures);
     Tree {
-        textures: tree.textures,
+        images,
+        textures,
         uses: uses(&out.objects),
         objects: out.objects,
         root,
@@ -112,6 +125,38 @@ impl<'a> Simplified<'a> {
             }
         }
         (!left.is_empty()).then(|| Object::of(operation, left))
+    }
+}
+
+/// What is used of all there is, in the order of its use, which gets its new numbers.
+fn used<T: Clone>(all: &[T], each: impl FnOnce(&mut dyn FnMut(&mut usize))) -> Vec<T> {
+    let mut used = Vec::new();
+    let mut numbers = vec![None; all.len()];
+    each(&mut |number| {
+        *number = *numbers[*number].get_or_insert_with(|| {
+            used.push(all[*number].clone());
+            used.len() - 1
+        });
+    });
+    used
+}
+
+/// Gives textures the names of the entities that they are of.
+fn name(textures: &mut [Texture]) {
+    let mut times: HashMap<(String, bool), u32> = HashMap::new();
+    for texture in textures {
+        let name = match texture.owner {
+            (0, Some(on)) => format!("Look_{on}"),
+            (owner, Some(on)) => format!("Look_{owner}_on_{on}"),
+            (owner, None) => format!("Look_{owner}"),
+        };
+        let times = times.entry((name.clone(), texture.is_behind)).or_insert(0);
+        *times += 1;
+        let behind = if texture.is_behind { "_Behind" } else { "" };
+        texture.name = match *times {
+            1 => format!("{name}{behind}"),
+            n => format!("{name}_{n}{behind}"),
+        };
     }
 }
 

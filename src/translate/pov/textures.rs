@@ -21,67 +21,43 @@ struct Key {
 #[derive(Debug, Default)]
 pub struct Textures {
     keys: Vec<Key>,
-    names: Vec<String>,
     numbers: HashMap<Key, usize>,
-    /// How many textures have the same name, but for a number at the end.
-    times: HashMap<String, u32>,
 }
 
 impl Textures {
-    /// The number of a texture; `None` for the one that everything has by default. The shape comes as its index and
-    /// its ID.
+    /// The number of a texture; `None` for the one that everything has by default. The shape comes as its index.
     pub fn number(
         &mut self,
-        aspects: &Aspects,
         texture: TextureUse,
         optics: u32,
-        shape: Option<(u32, u32)>,
+        shape: Option<u32>,
     ) -> Option<usize> {
-        if texture == TextureUse::DEFAULT && optics == DEFAULT {
-            return None;
-        }
+        let is_default = texture == TextureUse::DEFAULT && optics == DEFAULT;
         let key = Key {
             texture,
             optics,
-            shape: shape.map(|(index, _)| index),
+            shape,
             behind: false,
         };
-        if let Some(number) = self.numbers.get(&key) {
-            return Some(*number);
-        }
-        let owner = aspects.owner(texture.texture, optics);
-        let mut name = match (owner, shape) {
-            (0, Some((_, id))) => format!("Look_{id}"),
-            (owner, Some((_, id))) => format!("Look_{owner}_on_{id}"),
-            (owner, None) => format!("Look_{owner}"),
-        };
-        let times = self.times.entry(name.clone()).or_insert(0);
-        *times += 1;
-        if *times > 1 {
-            name += &format!("_{times}");
-        }
-        Some(self.push(key, name))
+        (!is_default).then(|| self.of(key))
     }
 
     /// The same texture lit from the other side; nothing for one that light goes through.
     pub fn behind(&mut self, aspects: &Aspects, number: usize) -> Option<usize> {
         let front = self.keys[number];
-        if aspects.is_transparent(front.optics) {
-            return None;
-        }
         let behind = Key {
             behind: true,
             ..front
         };
-        let known = self.numbers.get(&behind).copied();
-        Some(known.unwrap_or_else(|| self.push(behind, format!("{}_Behind", self.names[number]))))
+        (!aspects.is_transparent(front.optics)).then(|| self.of(behind))
     }
 
-    fn push(&mut self, key: Key, name: String) -> usize {
-        let number = self.keys.len();
-        self.numbers.insert(key, number);
-        self.keys.push(key);
-        self.names.push(name);
+    fn of(&mut self, key: Key) -> usize {
+        let next = self.keys.len();
+        let number = *self.numbers.entry(key).or_insert(next);
+        if number == next {
+            self.keys.push(key);
+        }
         number
     }
 
@@ -99,9 +75,11 @@ impl Textures {
     ) -> (Vec<Texture<'a>>, Vec<Image>) {
         let mut images = Images::default();
         let mut textures = Vec::with_capacity(self.keys.len());
-        for (key, name) in self.keys.iter().zip(self.names) {
+        for key in &self.keys {
+            let owner = aspects.owner(key.texture.texture, key.optics);
             textures.push(Texture {
-                name,
+                owner: (owner, key.shape.map(|s| scene.shapes[s as usize].id)),
+                name: String::new(),
                 pattern: pattern(key, aspects, scene, pictures, &mut images),
                 optics: *aspects.optics(key.optics),
                 is_behind: key.behind,

@@ -22,7 +22,6 @@ pub struct Document<'a> {
     pub lights: Vec<Light>,
     /// The lights lie in a group with the scene: one of them is on a surface.
     pub lights_in_group: bool,
-    pub images: Vec<Image>,
     pub tree: Tree<'a>,
     /// What a comment calls the scene.
     pub caption: String,
@@ -68,6 +67,7 @@ pub struct Light {
 }
 
 /// A picture file.
+#[derive(Clone)]
 pub struct Image {
     /// Its kind and path in POV-Ray's language.
     pub file: String,
@@ -78,6 +78,7 @@ pub struct Image {
 /// All that is declared, and what of it is drawn.
 #[derive(Default)]
 pub struct Tree<'a> {
+    pub images: Vec<Image>,
     pub textures: Vec<Texture<'a>>,
     /// Each stands behind those it is made of.
     pub objects: Vec<Declaration<'a>>,
@@ -101,7 +102,10 @@ pub struct Uses {
 }
 
 /// A texture with its optics.
+#[derive(Clone)]
 pub struct Texture<'a> {
+    /// The entity it is named after, 0 for none, and that of the shape that it is laid on.
+    pub owner: (u32, Option<u32>),
     pub name: String,
     pub pattern: Pattern<'a>,
     pub optics: Optics,
@@ -110,6 +114,7 @@ pub struct Texture<'a> {
 }
 
 /// What is drawn on a surface.
+#[derive(Clone)]
 pub enum Pattern<'a> {
     Colour(Rgb),
     /// The colours of a profile's points, along it.
@@ -223,6 +228,20 @@ impl<'a> Object<'a> {
         for modifier in &self.modifiers {
             if let Modifier::Clip(by) = modifier {
                 by.each(f);
+            }
+        }
+    }
+
+    /// Calls `f` with the numbers of the textures in it, in the order of the text.
+    pub fn each_texture(&mut self, f: &mut dyn FnMut(&mut usize)) {
+        if let Body::Operation(_, operands) = &mut self.body {
+            operands.iter_mut().for_each(|o| o.each_texture(f));
+        }
+        for modifier in &mut self.modifiers {
+            match modifier {
+                Modifier::Texture(number) | Modifier::InnerTexture(number) => f(number),
+                Modifier::Clip(by) => by.each_texture(f),
+                _ => {}
             }
         }
     }

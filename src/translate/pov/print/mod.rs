@@ -39,7 +39,7 @@ pub fn print(out: &mut dyn Write, document: &Document, lenses: &[Lens]) -> Resul
     if document.tree.uses.unseen {
         out.write_str(UNSEEN)?;
     }
-    textures::print(out, document)?;
+    textures::print(out, &document.tree)?;
     out.write_char('\n')?;
     if document.tree.uses.everywhere {
         out.write_str(EVERYWHERE)?;

@@ -12,11 +12,11 @@ use super::text::{matrix, number, rgb};
 use super::uv::Along;
 use crate::geometry::Matrix;
 use crate::scene::{CELL_NUDGE, Geometry, Rgb};
-use crate::translate::pov::tree::{Document, Pattern, Texture};
+use crate::translate::pov::tree::{Pattern, Texture, Tree};
 
 /// Prints the declarations of all images and textures.
-pub fn print(out: &mut dyn Write, document: &Document) -> Result {
-    for (i, image) in document.images.iter().enumerate() {
+pub fn print(out: &mut dyn Write, tree: &Tree) -> Result {
+    for (i, image) in tree.images.iter().enumerate() {
         writeln!(
             out,
             "#declare {} = function {{ pigment {{ image_map {{ {} gamma srgb interpolate 2 }} }} }} // {}",
@@ -25,7 +25,7 @@ pub fn print(out: &mut dyn Write, document: &Document) -> Result {
             image.caption
         )?;
     }
-    for texture in &document.tree.textures {
+    for texture in &tree.textures {
         functions(out, texture)?;
         write!(out, "#declare {} =", texture.name)?;
         layers(out, texture)?;
