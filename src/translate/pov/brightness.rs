@@ -2,12 +2,41 @@
 
 use std::borrow::Cow;
 
+use super::model::stretch::power_of_two_about;
 use super::print::text::number;
+use super::tree::Document;
 use crate::diagnostics::Complaint;
+use crate::scene::Optics;
 use crate::solids::staging::staged;
 use crate::trace::{Settings, Tracer};
 use crate::translate::target::{self, Prepared};
 use crate::translate::{Fidelity, Report};
+
+/// Lights are dimmed by at most this: a 16-bit file keeps eight bits then.
+const DIMMEST: f64 = 1.0 / 256.0;
+
+/// The power of two that keeps every value below 1. It follows from the recursion of the light:
+/// one more bounce on a surface shows at most kd·(all light) + (ks + kt)·(what was seen before).
+pub fn light_scale(document: &Document, depth: u32) -> f64 {
+    let default = Optics::default();
+    let mut brightest = 0.0f64;
+    for (c, background) in document.background.into_iter().enumerate() {
+        let lights = document.lights.iter().map(|l| l.intensity * l.colour[c]);
+        let light = lights.fold(document.ambient[c], |sum, light| sum + light);
+        let mut seen = background;
+        for _ in 0..=depth {
+            let bounce = |o: &Optics| o.kd[c] * light + (o.ks[c] + o.kt[c]) * seen;
+            let optics = document.tree.textures.iter().map(|t| &t.optics);
+            let all = optics.chain([&default]).map(bounce);
+            seen = all.fold(background, f64::max);
+        }
+        brightest = brightest.max(seen);
+    }
+    match brightest > 1.0 {
+        true => power_of_two_about(1.0 / brightest).max(DIMMEST),
+        false => 1.0,
+    }
+}
 
 /// Across and down: so many rays show whether a picture is brighter than white.
 const PIXELS: (u32, u32) = (80, 60);

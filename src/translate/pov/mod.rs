@@ -1,67 +1,34 @@
 //! POV-Ray 3.7 scenes.
 //!
-//! Coordinates stay as they are; the whole scene is moved and scaled at the end ([`frame`], by what
-//! [`reach`] sees of it), since POV-Ray's tolerances are absolute. With `assumed_gamma 1`, no attenuation
-//! and no highlights its light is that of the reference ray tracer, except at total internal reflection.
+//! Coordinates stay as they are; the whole scene is moved and scaled at the end, since POV-Ray's tolerances are
+//! absolute. With `assumed_gamma 1`, no attenuation and no highlights its light is that of the reference ray tracer,
+//! except at total internal reflection.
 //!
-//! From the resolved scene to text, by values in a [`tree`]: [`cuts`] and [`spread`] say the scene in another way where
-//! that is needed; [`build`] makes its objects, with their faces apart that POV-Ray could not tell apart;
-//! [`simplify`] leaves out what is empty, writes equal objects once and names them; [`print`] writes the text, and never
-//! sees the scene.
+//! From the scene to text in passes, which share a [`tree`] of values: [`lower`] makes objects of the scene, of which
+//! [`model`] knows what they ask, and asks [`separate`] what to do about faces in one place; [`simplify`] leaves out what
+//! is empty or there twice, and names the rest; [`print`] writes the text. It decides nothing, and never sees the scene.
 
-mod aspects;
-mod between;
 pub mod brightness;
-mod build;
-mod camera;
-mod changes;
-mod coplanar;
-mod cuts;
-mod descend;
-mod difference;
-mod facts;
-mod filling;
-mod flush;
-mod frame;
-mod grouping;
-mod matrices;
-mod neighbours;
-mod offset;
+mod lower;
+mod model;
 pub mod pictures;
-mod planes_moved;
 mod print;
-mod reach;
-mod rewrite;
-mod scenery;
-mod sets;
-mod sheets;
+mod separate;
 mod simplify;
-mod spread;
-mod standing;
-mod state;
 pub mod target;
-mod textures;
 mod tree;
-mod triangle;
-mod turned;
-mod union;
 mod verdict;
-mod volumes;
 
 use std::slice;
 
 use super::{Fidelity, File, Report};
 use crate::diagnostics::{Complaint, Error};
-use crate::geometry::Aabb;
-use crate::scene::{Optics, Render, Scene};
-use crate::solids::bounds::node_bounds;
-use crate::solids::staging::{Viewpoint, seen_box, staged};
+use crate::scene::Scene;
+use crate::solids::staging::{Viewpoint, staged};
 use crate::syntax::Captions;
-use build::Builder;
-use camera::Eye;
 use pictures::Pictures;
 use simplify::simplified;
-use tree::{Document, Image, Tree, Uses};
+use tree::{Document, Lens};
 
 /// What the scene itself does not say.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -121,114 +88,50 @@ pub struct Translation {
 }
 
 /// POV-Ray's own limit on `max_trace_level`.
-const MOST_LEVELS: u32 = 256;
+const MAX_TRACE_LEVEL: u32 = 256;
 
 /// Translates a scene.
 ///
 /// # Errors
 /// Something in it has no translation.
 pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
-    let mut report = Report::of("pov", scene, |f| verdict::verdict(f, &options.pictures));
+    let report = Report::of("pov", scene, |f| verdict::verdict(f, &options.pictures));
     let staged = staged(scene, options.viewpoint, options.aspect());
-    let scene = &*staged;
-    let reordered = cuts::reordered(scene);
-    let scene = reordered.as_ref().unwrap_or(scene);
-    let spread = spread::spread(scene);
-    let scene = spread.as_ref().unwrap_or(scene);
-    let render = scene.render.ok_or_else(Error::nothing_to_draw)?;
-    let bounds = node_bounds(scene);
-    let whole = match render.clip {
-        Some((min, max)) => Aabb::new(min, max),
-        None => bounds[render.root as usize].all,
-    };
-    let eyes = camera::eyes(scene, whole, options, &mut report)?;
-    let mut builder = Builder::new(scene, bounds, render.root, &options.captions, report);
-    if let Some(eye) = eyes.first() {
-        builder.turned = turned::turned(scene, &builder.facts, eye);
-        builder.holds_turned = turned::holders(scene, &builder.facts, &builder.turned);
-    }
-    let seen = seen_box(scene, &builder.bounds);
-    let frame = frame::frame(
-        seen,
-        &eyes,
-        reach::reach(scene, &eyes, whole),
-        &mut builder.report,
-    );
-    let hair = frame::hair(&frame);
-    builder.hair_of_scene = hair;
-    let objects = builder.objects(render.root);
-    let lights_in_group = scenery::is_lit_from_surface(scene, &builder.bounds, render.root);
-    builder.report_what_is_left();
-    let Builder {
-        textures,
-        aspects,
-        mut report,
-        cut_open,
-        ..
-    } = builder;
-    let (textures, images) = textures.values(&aspects, scene, &options.pictures);
-    let tree = simplified(Tree {
-        images,
-        root: objects.len().checked_sub(1),
-        objects,
-        textures,
-        uses: Uses::default(),
-    });
-    report_what_is_used(&tree, cut_open, options, &mut report);
-    let light_scale = light_scale(&tree, scene, &render, options);
-    let passes = if tree.uses.dispersion { 3 } else { 1 };
-    let document = Document {
-        title: options.captions.title(),
-        size: options.size,
-        levels: options.depth.saturating_add(1).min(MOST_LEVELS),
-        light_scale,
-        frame,
-        background: render.background,
-        ambient: scenery::ambient(scene),
-        lights: scenery::point_lights(scene, &options.captions),
-        lights_in_group,
-        tree,
-        caption: options.captions.entity(render.root_id),
-        // A face in a face of the box is drawn, too.
-        clip: (render.clip).map(|(min, max)| (min.map(|x| x - hair), max.map(|x| x + hair))),
-    };
-    let file = |suffix, eyes: &[Eye]| {
-        let lenses: Vec<_> = eyes.iter().map(|eye| eye.lens.clone()).collect();
+    let scene = lower::rewritten(&staged);
+    let (mut document, lenses, mut report) = lower::lower(&scene, options, report)?;
+    document.tree = simplified(document.tree);
+    document.light_scale = brightness::light_scale(&document, options.depth);
+    report_uses(&document, options, &mut report);
+    let file = |suffix, lenses: &[Lens]| {
         let mut text = String::new();
         // Writing to a string does not fail.
-        let _ = print::print(&mut text, &document, &lenses);
+        let _ = print::print(&mut text, &document, lenses);
         File { suffix, text }
     };
-    let files = match (&eyes[..], options.stereo) {
-        ([left, right], Stereo::TwoFiles) => {
-            { [("_left", left), ("_right", right)].map(|(s, eye)| file(s, slice::from_ref(eye))) }
-                .into()
-        }
-        _ => vec![file("", &eyes)],
+    let files = match (&lenses[..], options.stereo) {
+        ([left, right], Stereo::TwoFiles) => vec![
+            file("_left", slice::from_ref(left)),
+            file("_right", slice::from_ref(right)),
+        ],
+        _ => vec![file("", &lenses)],
     };
     Ok(Translation {
         files,
-        passes,
-        light_scale,
+        passes: if document.tree.uses.dispersion { 3 } else { 1 },
+        light_scale: document.light_scale,
         report,
     })
 }
 
-fn light_scale(tree: &Tree, scene: &Scene, render: &Render, options: &Options) -> f64 {
-    let default = Optics::default();
-    let optics = tree.textures.iter().map(|texture| &texture.optics);
-    let optics = optics.chain(std::iter::once(&default));
-    scenery::light_scale(scene, render, optics, options.depth)
-}
-
-/// States what it costs that the objects are what they are.
-fn report_what_is_used(tree: &Tree, cut_open: bool, options: &Options, report: &mut Report) {
+/// States what comes of what the objects make use of.
+fn report_uses(document: &Document, options: &Options, report: &mut Report) {
+    let tree = &document.tree;
     if tree.uses.unseen {
         let note = "faces between them stand a hair apart";
         let media = "transparent parts that meet or overlap";
         report.state(media, Fidelity::Exact, note);
     }
-    if cut_open && tree.uses.refraction {
+    if document.cut_open && tree.uses.refraction {
         report.state(
             "refraction in solids that the render box cuts open",
             Fidelity::approximate(
@@ -237,19 +140,18 @@ fn report_what_is_used(tree: &Tree, cut_open: bool, options: &Options, report: &
             "",
         );
     }
-    let closed = |image: &Image| !image.file.is_ascii();
-    if tree.images.iter().any(closed) {
+    if tree.images.iter().any(|image| !image.file.is_ascii()) {
         report.state(
             "pictures whose paths are not ASCII",
             Fidelity::Dropped,
             "POV-Ray cannot open them: choose a file with -o",
         );
     }
-    if options.depth >= MOST_LEVELS {
+    if options.depth >= MAX_TRACE_LEVEL {
         report.state(
             "depth",
             Fidelity::Approximate(
-                Complaint::new("fidelity-depth").with("depth", (MOST_LEVELS - 1).to_string()),
+                Complaint::new("fidelity-depth").with("depth", (MAX_TRACE_LEVEL - 1).to_string()),
             ),
             "",
         );

@@ -27,6 +27,8 @@ pub struct Document<'a> {
     pub caption: String,
     /// The box outside of which nothing is drawn.
     pub clip: Option<(Vec3, Vec3)>,
+    /// What lies inside of opaque objects can be seen.
+    pub cut_open: bool,
 }
 
 /// From the scene's coordinates to those that POV-Ray works in.
@@ -211,6 +213,11 @@ impl<'a> Object<'a> {
                 Object::new(Body::Operation(operation, operands))
             }
         }
+    }
+
+    /// The same, unless there is none at all.
+    pub fn unless_empty(operation: Operation, operands: Vec<Object<'a>>) -> Option<Object<'a>> {
+        (!operands.is_empty()).then(|| Object::of(operation, operands))
     }
 
     pub fn with(mut self, modifiers: impl IntoIterator<Item = Modifier<'a>>) -> Object<'a> {

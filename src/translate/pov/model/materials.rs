@@ -1,7 +1,7 @@
 //! What has to be known of every node before anything can be written: what it contains, whose
 //! properties it shows, and how often it is used. Computed bottom-up in one pass over the arena.
 
-use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
+use super::tables::{DEFAULT, PROFILE, Tables, TextureUse};
 use crate::scene::{Node, NodeId, Scene};
 use crate::solids::shapes::facts::Facts as _;
 
@@ -32,7 +32,7 @@ impl<T: Copy + PartialEq> Owned<T> {
 
 /// The facts about one node, as it is without what its parents paint over it.
 #[derive(Debug, Clone, Copy)]
-pub struct Facts {
+pub struct Material {
     pub has_solid: bool,
     pub has_surface: bool,
     /// Something in it has been given a texture, or optics.
@@ -50,7 +50,7 @@ pub struct Facts {
     pub uses: u32,
 }
 
-const BARE: Facts = Facts {
+const BARE: Material = Material {
     has_solid: false,
     has_surface: false,
     has_texture: false,
@@ -74,7 +74,7 @@ const BARE: Facts = Facts {
 };
 
 /// The facts about all nodes up to the root; those that the root does not reach stay bare.
-pub fn facts(scene: &Scene, aspects: &mut Aspects, root: NodeId) -> Vec<Facts> {
+pub fn materials(scene: &Scene, tables: &mut Tables, root: NodeId) -> Vec<Material> {
     let mut out = vec![BARE; root as usize + 1];
     out[root as usize].uses = 1;
     for id in (0..=root as usize).rev() {
@@ -88,9 +88,9 @@ pub fn facts(scene: &Scene, aspects: &mut Aspects, root: NodeId) -> Vec<Facts> {
     for id in 0..=root as usize {
         let uses = out[id].uses;
         if uses > 0 {
-            out[id] = Facts {
+            out[id] = Material {
                 uses,
-                ..one(scene, aspects, &out, &scene.nodes[id])
+                ..one(scene, tables, &out, &scene.nodes[id])
             };
         }
     }
@@ -108,7 +108,7 @@ fn children(node: &Node) -> (Option<NodeId>, Option<NodeId>) {
     }
 }
 
-fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Facts {
+fn one(scene: &Scene, tables: &mut Tables, done: &[Material], node: &Node) -> Material {
     let of = |id: NodeId| done[id as usize];
     match *node {
         Node::Shape(shape) => {
@@ -117,7 +117,7 @@ fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Fac
             let character = geometry.character();
             let coloured = character.has_colours;
             let texture = if coloured { PROFILE } else { DEFAULT };
-            Facts {
+            Material {
                 has_solid: solid,
                 has_surface: !solid,
                 has_texture: coloured,
@@ -130,7 +130,7 @@ fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Fac
         Node::Union(a, b) => union(of(a), of(b)),
         Node::Intersection(a, b) => {
             let (a, b) = (of(a), of(b));
-            Facts {
+            Material {
                 has_solid: a.has_solid && b.has_solid,
                 has_surface: (a.has_surface && b.has_solid) || (b.has_surface && a.has_solid),
                 // One solid has one inside: the first operand's.
@@ -141,7 +141,7 @@ fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Fac
             }
         }
         Node::Difference(a, _) => of(a),
-        Node::Complement(child) => Facts {
+        Node::Complement(child) => Material {
             has_solid: true,
             has_surface: false,
             ..of(child)
@@ -150,13 +150,13 @@ fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Fac
         Node::Transform { child, matrix } => {
             let mut facts = of(child);
             let m = &scene.matrices[matrix as usize];
-            facts.texture.first = aspects.moved(facts.texture.first, m);
-            facts.face_texture = facts.face_texture.map(|t| aspects.moved(t, m));
+            facts.texture.first = tables.moved(facts.texture.first, m);
+            facts.face_texture = facts.face_texture.map(|t| tables.moved(t, m));
             facts
         }
         Node::Paint { child, paint } => {
             let mut facts = of(child);
-            let given = aspects.paint(paint);
+            let given = tables.paint(paint);
             if let Some(texture) = given.texture {
                 facts.has_texture = true;
                 facts.texture = Owned::one(TextureUse::here(texture));
@@ -164,7 +164,7 @@ fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Fac
             }
             if let Some(optics) = given.optics {
                 facts.has_optics = true;
-                facts.transparent = aspects.is_transparent(optics);
+                facts.transparent = tables.is_transparent(optics);
                 facts.optics = Owned::one(optics);
                 facts.face_optics = Some(optics);
             }
@@ -176,7 +176,7 @@ fn one(scene: &Scene, aspects: &mut Aspects, done: &[Facts], node: &Node) -> Fac
     }
 }
 
-fn union(a: Facts, b: Facts) -> Facts {
+fn union(a: Material, b: Material) -> Material {
     // Surfaces own no points.
     let (texture, optics, index) = match (a.has_solid, b.has_solid) {
         (true, false) => (a.texture, a.optics, a.index),
@@ -187,7 +187,7 @@ fn union(a: Facts, b: Facts) -> Facts {
             a.index.or(b.index),
         ),
     };
-    Facts {
+    Material {
         has_solid: a.has_solid || b.has_solid,
         has_surface: a.has_surface || b.has_surface,
         has_texture: a.has_texture || b.has_texture,

@@ -1,16 +1,63 @@
-//! Shapes with their faces in some planes farther out.
+//! Planes, and shapes with their faces in some of them farther out.
 
-use super::coplanar::Plane;
-use crate::geometry::Aabb;
 use crate::geometry::array::{length, sub};
-use crate::scene::Geometry;
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::{Geometry, Vec3};
 use crate::solids::shapes::facts::Facts;
 use crate::solids::shapes::lengthen::{Cut, HALF};
 
+/// Planes that are this near, as a part of the numbers, are one: what a few roundings may do.
+const SAME: f64 = 1e-12;
 /// Normals that are this near are one: what rotations may do.
 const FLAT: f64 = 1e-9;
 /// Planes that are nearer than this part of what they are moved by are one.
 const NEAR: f64 = 1e-3;
+
+/// A plane n·x + d = 0 whose normal has the length 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plane {
+    pub n: Vec3,
+    pub d: f64,
+}
+
+impl Plane {
+    pub fn of(n: Vec3, d: f64) -> Option<Plane> {
+        let length = length(n);
+        let plane = Plane {
+            n: n.map(|x| x / length),
+            d: d / length,
+        };
+        (plane.n.iter().all(|x| x.is_finite()) && plane.d.is_finite()).then_some(plane)
+    }
+
+    /// In the coordinates that a matrix leads away from; and by how much lengths across it become longer there.
+    pub fn moved_back(&self, m: &Matrix) -> Option<(Plane, f64)> {
+        let n = std::array::from_fn(|j| (0..3).map(|i| self.n[i] * m.0[i][j]).sum());
+        let d = self.d + (0..3).map(|i| self.n[i] * m.0[i][3]).sum::<f64>();
+        Some((Plane::of(n, d)?, 1.0 / length(n)))
+    }
+
+    /// Whether it is another one, the normal to the same side. Numbers are as large as `size`.
+    pub fn is(&self, other: &Plane, size: f64) -> bool {
+        let size = size.max(self.d.abs());
+        length(sub(self.n, other.n)) <= SAME && (self.d - other.d).abs() <= SAME * size
+    }
+
+    /// So far out.
+    pub fn moved(&self, by: f64) -> Plane {
+        Plane {
+            d: self.d - by,
+            ..*self
+        }
+    }
+
+    pub fn turned(&self) -> Plane {
+        Plane {
+            n: self.n.map(|x| -x),
+            d: -self.d,
+        }
+    }
+}
 
 /// The shape with its flat faces in some planes farther out, if it has any there.
 pub fn with_planes_moved(geometry: &Geometry, planes: &[(Plane, f64)]) -> Option<Geometry> {

@@ -3,10 +3,10 @@
 
 use std::collections::HashMap;
 
-use super::aspects::{Aspects, DEFAULT, PROFILE, TextureUse};
-use super::pictures::Pictures;
-use super::tree::{Image, Pattern, Texture};
+use super::tables::{DEFAULT, PROFILE, Tables, TextureUse};
 use crate::scene::{self, Geometry, Scene};
+use crate::translate::pov::pictures::Pictures;
+use crate::translate::pov::tree::{Image, Pattern, Texture};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 struct Key {
@@ -43,13 +43,13 @@ impl Textures {
     }
 
     /// The same texture lit from the other side; nothing for one that light goes through.
-    pub fn behind(&mut self, aspects: &Aspects, number: usize) -> Option<usize> {
+    pub fn behind(&mut self, tables: &Tables, number: usize) -> Option<usize> {
         let front = self.keys[number];
         let behind = Key {
             behind: true,
             ..front
         };
-        (!aspects.is_transparent(front.optics)).then(|| self.of(behind))
+        (!tables.is_transparent(front.optics)).then(|| self.of(behind))
     }
 
     fn of(&mut self, key: Key) -> usize {
@@ -62,26 +62,26 @@ impl Textures {
     }
 
     /// Whether light goes through a texture.
-    pub fn is_transparent(&self, aspects: &Aspects, number: usize) -> bool {
-        aspects.is_transparent(self.keys[number].optics)
+    pub fn is_transparent(&self, tables: &Tables, number: usize) -> bool {
+        tables.is_transparent(self.keys[number].optics)
     }
 
     /// All textures, and the images that they show.
     pub fn values<'a>(
         self,
-        aspects: &Aspects,
+        tables: &Tables,
         scene: &'a Scene,
         pictures: &Pictures,
     ) -> (Vec<Texture<'a>>, Vec<Image>) {
         let mut images = Images::default();
         let mut textures = Vec::with_capacity(self.keys.len());
         for key in &self.keys {
-            let owner = aspects.owner(key.texture.texture, key.optics);
+            let owner = tables.owner(key.texture.texture, key.optics);
             textures.push(Texture {
                 owner: (owner, key.shape.map(|s| scene.shapes[s as usize].id)),
                 name: String::new(),
-                pattern: pattern(key, aspects, scene, pictures, &mut images),
-                optics: *aspects.optics(key.optics),
+                pattern: pattern(key, tables, scene, pictures, &mut images),
+                optics: *tables.optics(key.optics),
                 is_behind: key.behind,
             });
         }
@@ -111,7 +111,7 @@ impl Images {
 
 fn pattern<'a>(
     key: &Key,
-    aspects: &Aspects,
+    tables: &Tables,
     scene: &'a Scene,
     pictures: &Pictures,
     images: &mut Images,
@@ -122,10 +122,10 @@ fn pattern<'a>(
     {
         return Pattern::Profile(profile, colours);
     }
-    match (aspects.texture(key.texture.texture), shape) {
+    match (tables.texture(key.texture.texture), shape) {
         (scene::Texture::Colour(colour), _) => Pattern::Colour(*colour),
         (scene::Texture::Solid { colours, size }, _) => {
-            Pattern::Cubes(*aspects.frame(key.texture.frame), *colours, *size)
+            Pattern::Cubes(*tables.frame(key.texture.frame), *colours, *size)
         }
         (scene::Texture::Checkerboard { n, m, colours }, Some(shape)) => {
             Pattern::Checkerboard(shape, [*n, *m], *colours)

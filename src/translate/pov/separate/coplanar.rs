@@ -4,14 +4,14 @@
 
 use std::collections::HashMap;
 
-use super::build::Builder;
-use super::changes::Change;
-use super::state::{Layer, Look, State};
-use super::union::Kind;
-use crate::geometry::array::{length, sub};
+use super::settle::Kind;
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Node, NodeId, Vec3};
+use crate::scene::{Node, NodeId};
 use crate::solids::shapes::facts::Facts as _;
+use crate::translate::pov::model::Model;
+use crate::translate::pov::model::displacement::Change;
+use crate::translate::pov::model::plane::Plane;
+use crate::translate::pov::model::state::{Layer, Look, State};
 
 /// Unions of more parts are not searched.
 const MANY: usize = 1024;
@@ -19,54 +19,6 @@ const MANY: usize = 1024;
 const PATIENCE: usize = 64;
 /// So many hairs apart faces are put at most.
 const HIGH: f64 = 16.0;
-/// Planes that are this near, as a part of the numbers, are one: what a few roundings may do.
-const SAME: f64 = 1e-12;
-
-/// A plane n·x + d = 0 whose normal has the length 1.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plane {
-    pub n: Vec3,
-    pub d: f64,
-}
-
-impl Plane {
-    pub fn of(n: Vec3, d: f64) -> Option<Plane> {
-        let length = length(n);
-        let plane = Plane {
-            n: n.map(|x| x / length),
-            d: d / length,
-        };
-        (plane.n.iter().all(|x| x.is_finite()) && plane.d.is_finite()).then_some(plane)
-    }
-
-    /// In the coordinates that a matrix leads away from; and by how much lengths across it become longer there.
-    pub fn moved_back(&self, m: &Matrix) -> Option<(Plane, f64)> {
-        let n = std::array::from_fn(|j| (0..3).map(|i| self.n[i] * m.0[i][j]).sum());
-        let d = self.d + (0..3).map(|i| self.n[i] * m.0[i][3]).sum::<f64>();
-        Some((Plane::of(n, d)?, 1.0 / length(n)))
-    }
-
-    /// Whether it is another one, the normal to the same side. Numbers are as large as `size`.
-    pub fn is(&self, other: &Plane, size: f64) -> bool {
-        let size = size.max(self.d.abs());
-        length(sub(self.n, other.n)) <= SAME && (self.d - other.d).abs() <= SAME * size
-    }
-
-    /// So far out.
-    fn moved(&self, by: f64) -> Plane {
-        Plane {
-            d: self.d - by,
-            ..*self
-        }
-    }
-
-    fn turned(&self) -> Plane {
-        Plane {
-            n: self.n.map(|x| -x),
-            d: -self.d,
-        }
-    }
-}
 
 /// A flat face of a part in the union's coordinates.
 struct Face {
@@ -136,10 +88,10 @@ impl Face {
     }
 }
 
-impl Builder<'_> {
+impl Model<'_> {
     /// Changes parts of a union so that of several faces in one plane the right one is seen. `kinds` are
     /// what the parts are made of. Gives those of one medium that lie against each other.
-    pub(super) fn level(
+    pub fn level(
         &mut self,
         parts: &mut [(NodeId, State)],
         kinds: &[Kind],
@@ -253,7 +205,7 @@ impl Builder<'_> {
 
     /// What all solids of a part look like, or all surfaces, if that is the same for all.
     fn look_of(&self, (node, state): (NodeId, State), sheet: bool) -> Option<Look> {
-        let facts = &self.facts[node as usize];
+        let facts = &self.materials[node as usize];
         match state.look {
             Look::Own { texture, optics } if sheet => Some(Look::Own {
                 texture: Some(texture.or(facts.face_texture)?),

@@ -1,7 +1,5 @@
 //! Cameras.
 
-use super::Options;
-use super::tree::Lens;
 use crate::diagnostics::{Complaint, Error, Value};
 use crate::geometry::Aabb;
 use crate::geometry::array::{add, cross, dot, length, sub, unit};
@@ -10,6 +8,8 @@ use crate::scene::{Camera, Scene, Vec3};
 use crate::solids::staging::Basis;
 use crate::translate::about_camera;
 use crate::translate::fidelity::{Fidelity, Report};
+use crate::translate::pov::Options;
+use crate::translate::pov::tree::Lens;
 
 /// A camera that takes the picture, and its rays.
 pub struct Eye {

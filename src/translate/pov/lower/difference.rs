@@ -1,19 +1,16 @@
 //! Differences. All of the boundary of A − B has the properties of A, cut faces too, so B is
 //! written with A's look. Where A is a union of different looks, each of its parts is cut by itself.
 
-use super::aspects::{DEFAULT, PROFILE, TextureUse};
-use super::build::{Builder, inside_medium};
 use super::descend::{End, Stop};
-use super::grouping::{self, meet};
-use super::state::{Layer, Look, Medium, State};
-use super::tree::{Modifier, Object, Operation};
-use super::union::non_empty;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::NodeId;
 use crate::translate::fidelity::Fidelity;
-
-/// A look that is fully known, and the index behind it.
-pub(super) type Substance = (Look, u32);
+use crate::translate::pov::model::Model;
+use crate::translate::pov::model::grouping::{self, meet};
+use crate::translate::pov::model::looks::Substance;
+use crate::translate::pov::model::state::{Layer, Look, Medium, State};
+use crate::translate::pov::model::tables::{DEFAULT, PROFILE, TextureUse};
+use crate::translate::pov::tree::{Modifier, Object, Operation};
 
 /// Parts of the object that is cut, all of one substance.
 struct Cut {
@@ -22,9 +19,9 @@ struct Cut {
     boxes: Vec<Aabb>,
 }
 
-impl<'a> Builder<'a> {
+impl<'a> Model<'a> {
     /// A − B, with everything that is taken from A before.
-    pub(super) fn difference(&mut self, a: NodeId, b: NodeId, state: State) -> Option<Object<'a>> {
+    pub fn difference(&mut self, a: NodeId, b: NodeId, state: State) -> Option<Object<'a>> {
         let (base, cutters) = self.cut_chain(a, b, state);
         if self.is_within(base.0, &cutters) {
             return None;
@@ -48,23 +45,6 @@ impl<'a> Builder<'a> {
         }
         cutters.reverse();
         (base, cutters)
-    }
-
-    /// What all of a node consists of, if it is the same everywhere.
-    pub(super) fn substance(&self, node: NodeId, state: State) -> Option<Substance> {
-        let f = &self.facts[node as usize];
-        let look = match state.look {
-            Look::Above { .. } => state.look,
-            Look::Own { texture, optics } => Look::Own {
-                texture: Some(texture.or(f.texture.uniform.then_some(f.texture.first))?),
-                optics: Some(optics.or(f.optics.uniform.then_some(f.optics.first))?),
-            },
-        };
-        let index = match state.medium {
-            Medium::Above => DEFAULT,
-            Medium::Own => f.index.uniform.then_some(f.index.first)?,
-        };
-        Some((look, index))
     }
 
     /// The base without the cutters; the cut faces look like `look`. `change` is that of the whole.
@@ -91,13 +71,13 @@ impl<'a> Builder<'a> {
     ) -> Option<Object<'a>> {
         let descent = self.descend(node, state, Stop::BelowStart);
         let Some((a, b, inner)) = descent.bare_union() else {
-            return self.piece(node, state);
+            return Some(self.refer(node, state));
         };
         let mut parts = self.flat_union(&[a, b], inner);
         let all = parts.len();
         parts.retain(|(part, _)| !self.is_within(*part, cutters));
         match parts.len() == all {
-            true => self.piece(node, state),
+            true => Some(self.refer(node, state)),
             false => self.union(parts),
         }
     }
@@ -135,7 +115,7 @@ impl<'a> Builder<'a> {
             Look::Own {
                 texture: Some(t),
                 optics: Some(o),
-            } if !self.aspects.is_laid_on_shapes(t.texture) => (
+            } if !self.tables.is_laid_on_shapes(t.texture) => (
                 State::GEOMETRY.look,
                 self.textures.number(t, o, None).map(Modifier::Texture),
             ),
@@ -149,7 +129,7 @@ impl<'a> Builder<'a> {
         for (node, state) in tools {
             let piece = match base {
                 Some(base) => self.cutter(base, node, state),
-                None => self.piece(node, state),
+                None => Some(self.refer(node, state)),
             };
             out.extend(piece.map(|p| p.with(modifier.clone())));
         }
@@ -168,21 +148,21 @@ impl<'a> Builder<'a> {
             change => change.or(longer),
         };
         let state = state.flush(change);
-        let (whole, tool) = (self.sets.place(base), self.sets.place(node));
-        if self.sets.is_apart(whole, tool) {
+        let (whole, tool) = (self.solids.place(base), self.solids.place(node));
+        if self.solids.is_apart(whole, tool) {
             return None;
         }
         let descent = self.descend(node, state, Stop::BelowStart);
         let Some((a, b, inner)) = descent.bare_intersection() else {
-            return self.piece(node, state);
+            return Some(self.refer(node, state));
         };
         let members = self.flat_intersection(a, b, inner);
         let mut kept = members.clone();
         kept.retain(|(m, _)| !self.is_within(base, &[*m]));
         if kept.len() == members.len() || kept.is_empty() {
-            return self.piece(node, state);
+            return Some(self.refer(node, state));
         }
-        Some(Object::of(Operation::Intersection, self.pieces(&kept)))
+        Some(Object::of(Operation::Intersection, self.refer_all(&kept)))
     }
 
     /// A base of several substances: its parts are cut one by one.
@@ -197,7 +177,7 @@ impl<'a> Builder<'a> {
         }
         let back = moved.and_then(|m| m.inverse());
         let (End::Union(a, b, state), Some(back)) = (descent.end, back) else {
-            return self.cut_away(base, cutters);
+            return Some(self.cut_away(base, cutters));
         };
         let mut parts = self.flat_union(&[a, b], state);
         if back == Matrix::IDENTITY {
@@ -214,7 +194,7 @@ impl<'a> Builder<'a> {
             }
             pieces.extend(self.cut_group(group, cutters, &back, others));
         }
-        Some(non_empty(Operation::Union, pieces)?.with(descent.modifiers))
+        Some(Object::unless_empty(Operation::Union, pieces)?.with(descent.modifiers))
     }
 
     fn by_substance(&self, parts: &[(NodeId, State)]) -> Vec<Cut> {
@@ -254,7 +234,7 @@ impl<'a> Builder<'a> {
             .iter()
             .map(|&(node, _)| (node, State::GEOMETRY))
             .collect();
-        self.pieces(&bare)
+        self.refer_all(&bare)
     }
 
     fn cut_group(
@@ -271,7 +251,7 @@ impl<'a> Builder<'a> {
         let nodes: Vec<_> = group
             .nodes
             .iter()
-            .map(|&(node, state)| (node, inside_medium(state)))
+            .map(|&(node, state)| (node, state.medium(Medium::Above)))
             .collect();
         let base = self.union(nodes)?;
         let transparent = match group.nodes.first() {
@@ -284,7 +264,7 @@ impl<'a> Builder<'a> {
                 optics,
             } => Look::Own {
                 // The cutters lie outside the transformations that the base is in.
-                texture: Some(self.aspects.moved_back(t, back)),
+                texture: Some(self.tables.moved_back(t, back)),
                 optics,
             },
             look => look,
@@ -296,9 +276,9 @@ impl<'a> Builder<'a> {
 
     /// The last resort for a base of several substances: POV-Ray finds out at every point of a cut
     /// face what it cuts.
-    fn cut_away(&mut self, base: (NodeId, State), cutters: &[NodeId]) -> Option<Object<'a>> {
-        let base = self.piece(base.0, base.1)?;
-        Some(self.cut_away_piece(base, cutters, &Matrix::IDENTITY, &[]))
+    fn cut_away(&mut self, base: (NodeId, State), cutters: &[NodeId]) -> Object<'a> {
+        let base = self.refer(base.0, base.1);
+        self.cut_away_piece(base, cutters, &Matrix::IDENTITY, &[])
     }
 
     fn cut_away_piece(

@@ -45,7 +45,7 @@ pub struct PaintAspects {
 
 /// The values of all aspects in a scene.
 #[derive(Debug)]
-pub struct Aspects {
+pub struct Tables {
     textures: Table<Texture>,
     optics: Table<Optics>,
     indices: Table<Rgb>,
@@ -57,9 +57,9 @@ pub struct Aspects {
     optics_owners: Vec<u32>,
 }
 
-impl Aspects {
-    pub fn of(scene: &Scene) -> Aspects {
-        let mut out = Aspects {
+impl Tables {
+    pub fn of(scene: &Scene) -> Tables {
+        let mut out = Tables {
             textures: Table::with(Texture::Colour(DEFAULT_COLOUR)),
             optics: Table::with(Optics::default()),
             indices: Table::with(DEFAULT_INDEX),
@@ -71,7 +71,7 @@ impl Aspects {
         // Only its number counts.
         out.textures.values.push(Texture::Colour(DEFAULT_COLOUR));
         for paint in &scene.paints {
-            let aspects = PaintAspects {
+            let tables = PaintAspects {
                 texture: paint.texture.as_ref().map(|t| out.textures.number(t)),
                 optics: paint.optics.as_ref().map(|o| out.optics.number(o)),
                 index: paint.index.as_ref().map(|i| out.indices.number(i)),
@@ -80,7 +80,7 @@ impl Aspects {
                 .resize(out.textures.values.len(), paint.owner);
             out.optics_owners
                 .resize(out.optics.values.len(), paint.owner);
-            out.paints.push(aspects);
+            out.paints.push(tables);
         }
         out
     }

@@ -1,14 +1,14 @@
 //! What fills something and has its form: stones in holes, wine in a glass. Faces of two solids are in one
 //! place there; the filling is made a hair larger, so that its own is where nobody sees it.
 
-use super::build::Builder;
-use super::changes::Change;
-use super::sets::{Place, Sets};
-use super::standing::Stand;
+use super::extend::Stand;
 use crate::geometry::Matrix;
 use crate::scene::{Geometry, Node, NodeId};
 use crate::solids::shapes::facts::Facts as _;
 use crate::solids::shapes::offset::sides_within;
+use crate::translate::pov::model::Model;
+use crate::translate::pov::model::displacement::Change;
+use crate::translate::pov::model::{Interner, Occurrence};
 use std::collections::HashSet;
 
 /// So many nodes of a solid are looked at.
@@ -16,17 +16,17 @@ const PATIENCE: usize = 64;
 
 /// A shape that a solid is made of.
 struct Side {
-    place: Place,
+    place: Occurrence,
     shape: u32,
     /// Whether the solid is inside of it where it has its face.
     inside: bool,
 }
 
-impl Builder<'_> {
+impl Model<'_> {
     /// Whether a solid fills a hole that others have in its form: it is then made a hair larger, into what
     /// is around the hole, so that the face that it has in one place with theirs is theirs.
-    pub(super) fn plug(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
-        let place = self.sets.place(node);
+    pub fn plug(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
+        let place = self.solids.place(node);
         self.larger(node, others, |sets, other| {
             sets.taken(other).contains(&place)
         })
@@ -34,9 +34,9 @@ impl Builder<'_> {
 
     /// Whether a solid is made of something that others are made of, too, so that it has faces in one place
     /// with them; it is then made a hair larger.
-    pub(super) fn twin(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
-        let place = self.sets.place(node);
-        let parts: HashSet<Place> = self.sets.parts(place).into_iter().collect();
+    pub fn twin(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
+        let place = self.solids.place(node);
+        let parts: HashSet<Occurrence> = self.solids.parts(place).into_iter().collect();
         self.larger(node, others, |sets, other| {
             sets.parts(other).iter().any(|p| parts.contains(p))
         })
@@ -47,7 +47,7 @@ impl Builder<'_> {
         &mut self,
         node: NodeId,
         others: &[NodeId],
-        mut is_meant: impl FnMut(&mut Sets, Place) -> bool,
+        mut is_meant: impl FnMut(&mut Interner, Occurrence) -> bool,
     ) -> Stand {
         let mut stand = Stand::default();
         // Well within what is a hair smaller.
@@ -57,8 +57,8 @@ impl Builder<'_> {
         }
         let own = self.box_of(node);
         for &other in others {
-            let place = self.sets.place(other);
-            if self.box_of(other).overlaps(&own) && is_meant(&mut self.sets, place) {
+            let place = self.solids.place(other);
+            if self.box_of(other).overlaps(&own) && is_meant(&mut self.solids, place) {
                 stand.held.push(other);
             }
         }
@@ -70,7 +70,7 @@ impl Builder<'_> {
 
     /// Of two solids of one medium that lie on the two sides of one shape: which of them is inside of it, and
     /// the change that makes it a hair larger there. The face between them is then in neither's way.
-    pub(super) fn neighbours(&mut self, a: NodeId, b: NodeId) -> Option<(NodeId, u32)> {
+    pub fn neighbours(&mut self, a: NodeId, b: NodeId) -> Option<(NodeId, u32)> {
         let by = 2.0 * self.hair;
         if !(by > 0.0 && self.box_of(a).overlaps(&self.box_of(b))) {
             return None;
@@ -95,7 +95,7 @@ impl Builder<'_> {
             let (node, m, inside) = todo[at];
             match self.scene.nodes[node as usize] {
                 Node::Shape(shape) => sides.push(Side {
-                    place: self.sets.placed(node, &m),
+                    place: self.solids.placed(node, &m),
                     shape,
                     inside,
                 }),
@@ -119,7 +119,7 @@ impl Builder<'_> {
 
     /// Whether a surface of revolution has faces in one place with others on its axis, into which it is
     /// then made to reach: what a glass is filled with.
-    pub(super) fn filling(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
+    pub fn filling(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
         let mut stand = Stand::default();
         let scene = self.scene;
         // What is filled, and what fills it, are profiles: others are put a hair apart like all solids.
@@ -127,8 +127,8 @@ impl Builder<'_> {
             Geometry::Revolution { profile, .. } => Some(&profile[..]),
             _ => None,
         };
-        let place = self.sets.place(node);
-        let Some(own) = profile(self.sets.shape(place)) else {
+        let place = self.solids.place(node);
+        let Some(own) = profile(self.solids.shape(place)) else {
             return stand;
         };
         let mut all = Vec::new();
@@ -137,9 +137,9 @@ impl Builder<'_> {
                 continue;
             }
             let mut walls = Vec::new();
-            for part in self.sets.parts(self.sets.place(other)) {
+            for part in self.solids.parts(self.solids.place(other)) {
                 if part.is_placed_as(place) {
-                    walls.extend(profile(self.sets.shape(part)));
+                    walls.extend(profile(self.solids.shape(part)));
                 }
             }
             if sides_within(own, &walls).is_some() {

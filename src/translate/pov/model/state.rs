@@ -1,6 +1,6 @@
 //! What is decided about a node on the way down to it.
 
-use super::aspects::TextureUse;
+use super::tables::TextureUse;
 use crate::scene::NodeId;
 
 /// Which part of a node is meant: an operation treats the solids and the surfaces among its operands differently.

@@ -2,18 +2,18 @@
 //! written as a modifier or not at all: transformations, properties, copies, complements, operands
 //! without a say.
 
-use super::aspects::{DEFAULT, TextureUse};
-use super::build::Builder;
-use super::state::{Key, Layer, Look, Medium, State};
-use super::tree::Modifier;
 use crate::scene::{Node, NodeId};
+use crate::translate::pov::model::Model;
+use crate::translate::pov::model::state::{Key, Layer, Look, Medium, State};
+use crate::translate::pov::model::tables::{DEFAULT, TextureUse};
+use crate::translate::pov::tree::Modifier;
 
 /// Unions of more parts are left together.
 const FEW: usize = 32;
 
 /// What lies at the end of the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum End {
+pub enum End {
     /// There is nothing to draw or to cut with.
     Nothing,
     /// All of space.
@@ -33,7 +33,7 @@ pub(super) enum End {
 
 /// Which nodes that others use too end the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Stop {
+pub enum Stop {
     AtShared,
     /// As `AtShared`, and small unions that light goes through, or that touch what it goes through, are not
     /// given their look as a whole: each part has to be seen among those of the union around it.
@@ -43,7 +43,7 @@ pub(super) enum Stop {
     Never,
 }
 
-pub(super) struct Descent<'a> {
+pub struct Descent<'a> {
     pub end: End,
     /// What was met on the way, in the order to be written: the innermost first.
     pub modifiers: Vec<Modifier<'a>>,
@@ -100,13 +100,13 @@ impl<'a> Way<'a> {
     }
 }
 
-impl<'a> Builder<'a> {
+impl<'a> Model<'a> {
     /// Goes down from a node as far as one object reaches.
-    pub(super) fn descend(&mut self, start: NodeId, state: State, stop: Stop) -> Descent<'a> {
+    pub fn descend(&mut self, start: NodeId, state: State, stop: Stop) -> Descent<'a> {
         let (mut node, mut state) = (start, state);
         let mut way = Way::default();
         loop {
-            let f = self.facts[node as usize];
+            let f = self.materials[node as usize];
             let solid = f.has_solid && state.layer != Layer::Surface;
             let surface = f.has_surface && state.layer != Layer::Solid;
             if !solid && !surface {
@@ -146,7 +146,7 @@ impl<'a> Builder<'a> {
                 Node::Paint { child, paint } => {
                     // What the paint sets was looked at in the facts about this node already, when
                     // it was uniform; here it is handed down.
-                    let given = self.aspects.paint(paint);
+                    let given = self.tables.paint(paint);
                     if let Look::Own { texture, optics } = &mut state.look {
                         *texture = texture.or(given.texture.map(TextureUse::here));
                         *optics = optics.or(given.optics);
@@ -154,7 +154,7 @@ impl<'a> Builder<'a> {
                     node = child;
                 }
                 Node::Complement(child) => {
-                    if !self.facts[child as usize].has_solid {
+                    if !self.materials[child as usize].has_solid {
                         return way.end(End::Everything);
                     }
                     way.inverse = !way.inverse;
@@ -164,7 +164,7 @@ impl<'a> Builder<'a> {
                 }
                 Node::Union(a, b) => {
                     let shows = |id: NodeId| {
-                        let f = self.facts[id as usize];
+                        let f = self.materials[id as usize];
                         (f.has_solid && solid) || (f.has_surface && surface)
                     };
                     match (a == b, shows(a), shows(b)) {
@@ -186,30 +186,26 @@ impl<'a> Builder<'a> {
                 }
                 Node::Intersection(a, b) => {
                     state.layer = Layer::Surface;
-                    let (of_a, of_b) = (self.facts[a as usize], self.facts[b as usize]);
+                    let (of_a, of_b) = (self.materials[a as usize], self.materials[b as usize]);
                     let a_shows = of_a.has_surface && of_b.has_solid;
                     let b_shows = of_b.has_surface && of_a.has_solid;
                     if a_shows && b_shows && a != b {
                         return way.end(End::CrossedSurfaces(a, b, state));
                     }
                     let (shown, by) = if a_shows { (a, b) } else { (b, a) };
-                    if let Some(by) = self.piece(by, State::GEOMETRY) {
-                        way.push(Modifier::inside(by));
-                    }
+                    way.push(Modifier::inside(self.refer(by, State::GEOMETRY)));
                     node = shown;
                 }
                 Node::Difference(a, b) if solid => {
                     state.layer = Layer::Solid;
-                    if self.facts[b as usize].has_solid {
+                    if self.materials[b as usize].has_solid {
                         return way.end(End::Difference(a, b, state));
                     }
                     node = a;
                 }
                 Node::Difference(a, b) => {
                     state.layer = Layer::Surface;
-                    if let Some(by) = self.piece(b, State::GEOMETRY) {
-                        way.push(Modifier::outside(by));
-                    }
+                    way.push(Modifier::outside(self.refer(b, State::GEOMETRY)));
                     node = a;
                 }
             }
@@ -245,7 +241,7 @@ impl<'a> Builder<'a> {
         surface: bool,
         way: &mut Way<'a>,
     ) -> bool {
-        let f = self.facts[node as usize];
+        let f = self.materials[node as usize];
         if state.medium == Medium::Above {
             return true;
         }
@@ -268,16 +264,16 @@ impl<'a> Builder<'a> {
     fn is_of_several(&self, node: NodeId, look: Look) -> bool {
         let open = matches!(look, Look::Own { optics: None, .. });
         let gives = match self.scene.nodes[node as usize] {
-            Node::Paint { paint, .. } => self.aspects.paint(paint).index.is_some(),
+            Node::Paint { paint, .. } => self.tables.paint(paint).index.is_some(),
             _ => false,
         };
-        open && !gives && !self.facts[node as usize].optics.uniform
+        open && !gives && !self.materials[node as usize].optics.uniform
     }
 
     /// One solid has one inside: the first operand's.
     fn one_medium(&mut self, node: NodeId, first: NodeId, state: &mut State, way: &mut Way<'a>) {
         if state.medium == Medium::Own {
-            let index = self.facts[first as usize].index;
+            let index = self.materials[first as usize].index;
             if index.first != DEFAULT && self.is_transparent(node, state.look) {
                 way.push(self.index(index.first));
             }
@@ -285,50 +281,6 @@ impl<'a> Builder<'a> {
             if !index.uniform {
                 self.media_are_approximate();
             }
-        }
-    }
-
-    /// The modifier that gives a node its look, where that is the same for all of it and can be
-    /// said from outside; and the look that is left to say below.
-    pub(super) fn settle_look(&mut self, node: NodeId, look: Look) -> (Look, Option<Modifier<'a>>) {
-        let Look::Own { texture, optics } = look else {
-            return (look, None);
-        };
-        let f = self.facts[node as usize];
-        let texture = texture.or((!f.has_texture).then_some(TextureUse::DEFAULT));
-        let optics = optics.or((!f.has_optics).then_some(DEFAULT));
-        // Triangles with normals that turn away have a look for each side, and so have sheets in glass.
-        let holds = |holders: &[bool]| holders.get(node as usize) == Some(&true);
-        let sides = |o: u32| {
-            let sheets = holds(&self.holds_sheets) && self.aspects.is_transparent(o);
-            (sheets || holds(&self.holds_turned))
-                && !matches!(self.scene.nodes[node as usize], Node::Shape(_))
-        };
-        match (texture.or(f.face_texture), optics.or(f.face_optics)) {
-            (Some(t), Some(o)) if !sides(o) && !self.aspects.is_laid_on_shapes(t.texture) => (
-                Look::Above {
-                    transparent: self.aspects.is_transparent(o),
-                },
-                self.textures.number(t, o, None).map(Modifier::Texture),
-            ),
-            _ => (Look::Own { texture, optics }, None),
-        }
-    }
-
-    /// A look seen from inside a transformation.
-    fn look_below(&mut self, look: Look, matrix: u32) -> Look {
-        match look {
-            Look::Own {
-                texture: Some(texture),
-                optics,
-            } => Look::Own {
-                texture: Some(
-                    self.aspects
-                        .moved_back(texture, &self.scene.matrices[matrix as usize]),
-                ),
-                optics,
-            },
-            _ => look,
         }
     }
 }

@@ -2,24 +2,24 @@
 //! nearer one is up to rounding. Such a tool is written longer than it is. That changes nothing: what
 //! is added lies outside of the thing that is cut.
 
-use super::build::Builder;
-use super::changes::{Change, moved_back};
-use super::state::State;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Node, NodeId};
 use crate::solids::shapes::facts::Facts as _;
 use crate::solids::shapes::lengthen::{Cut, HAIR, HALF};
+use crate::translate::pov::model::Model;
+use crate::translate::pov::model::displacement::{Change, moved_back};
+use crate::translate::pov::model::state::State;
 
 /// So many nodes of a tool are looked at.
 const PATIENCE: u32 = 4096;
 
-impl Builder<'_> {
+impl Model<'_> {
     /// The number of the box around what is cut, for a tool that has a shape which ends flush with it.
-    pub(super) fn flush(&mut self, tool: NodeId, around: Aabb) -> Option<u32> {
+    pub fn flush(&mut self, tool: NodeId, around: Aabb) -> Option<u32> {
         self.flush_by(tool, Cut::of(around, HALF))
     }
 
-    pub(super) fn flush_by(&mut self, tool: NodeId, all: Cut) -> Option<u32> {
+    pub fn flush_by(&mut self, tool: NodeId, all: Cut) -> Option<u32> {
         let Cut { around, by, most } = all;
         if around.is_empty()
             || around
@@ -58,11 +58,11 @@ impl Builder<'_> {
 /// Of more tools none are compared with each other.
 const MANY: usize = 256;
 
-impl Builder<'_> {
+impl Model<'_> {
     /// Tools that end in one plane, from its two sides, would leave a skin there: one of them is made
     /// longer where it stays within the other. Where it does not, the report says so. `cut` is a box
     /// around what they are taken from.
-    pub(super) fn overlap_tools(&mut self, tools: &mut [(NodeId, State)], cut: Aabb) {
+    pub fn overlap_tools(&mut self, tools: &mut [(NodeId, State)], cut: Aabb) {
         if tools.len() > MANY {
             return;
         }
@@ -117,7 +117,7 @@ impl Builder<'_> {
     }
 
     /// The shape that a node is, if its axes are along those of the node.
-    pub(super) fn along_the_axes(&self, mut node: NodeId) -> Option<&Geometry> {
+    pub fn along_the_axes(&self, mut node: NodeId) -> Option<&Geometry> {
         loop {
             node = match self.scene.nodes[node as usize] {
                 Node::Shape(shape) => return Some(&self.scene.shapes[shape as usize].geometry),

@@ -11,7 +11,7 @@ const PATIENCE: usize = 1 << 20;
 /// Groups the operands of a union by key, in order of first appearance; operands without a key stay
 /// alone. Where two operands overlap the first owns the overlap, so an operand joins an older group
 /// only if it meets nothing that has come since. Gives each group's operands by position.
-pub(super) fn in_order<K: Eq + Hash>(operands: &[(Option<K>, Aabb)]) -> Vec<Vec<usize>> {
+pub fn in_order<K: Eq + Hash>(operands: &[(Option<K>, Aabb)]) -> Vec<Vec<usize>> {
     struct Grouped {
         members: Vec<usize>,
         hull: Aabb,
@@ -52,7 +52,7 @@ const MANY_GROUPS: usize = 256;
 
 /// The pairs of sets of which a box of the one touches one of the other, by position: the earlier and the
 /// later one, ordered by the later.
-pub(super) fn pairs(sets: &[&[Aabb]]) -> Vec<(usize, usize)> {
+pub fn pairs(sets: &[&[Aabb]]) -> Vec<(usize, usize)> {
     let tagged = |(i, set): (usize, &&[Aabb])| -> Vec<(usize, Aabb)> {
         set.iter().map(|b| (i, *b)).collect()
     };
@@ -83,12 +83,12 @@ pub(super) fn pairs(sets: &[&[Aabb]]) -> Vec<(usize, usize)> {
 }
 
 /// Whether a box of one set touches one of the other.
-pub(super) fn meet(a: &[Aabb], b: &[Aabb]) -> bool {
+pub fn meet(a: &[Aabb], b: &[Aabb]) -> bool {
     !a.is_empty() && !b.is_empty() && sweep(a, b)
 }
 
 /// Whether two boxes of a set touch.
-pub(super) fn meet_each_other(boxes: &[Aabb]) -> bool {
+pub fn meet_each_other(boxes: &[Aabb]) -> bool {
     sweep(boxes, &[])
 }
 

@@ -12,14 +12,14 @@ use crate::solids::shapes::facts::Facts as _;
 
 /// A solid at a place: what nodes are, whatever they look like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Place {
+pub struct Occurrence {
     core: u32,
     matrix: u32,
 }
 
-impl Place {
+impl Occurrence {
     /// Whether two solids lie in the same coordinates.
-    pub fn is_placed_as(self, other: Place) -> bool {
+    pub fn is_placed_as(self, other: Occurrence) -> bool {
         self.matrix == other.matrix
     }
 }
@@ -28,17 +28,17 @@ impl Place {
 enum Core {
     /// The first shape record with this geometry.
     Shape(u32),
-    Union(Place, Place),
-    Intersection(Place, Place),
-    Difference(Place, Place),
-    Complement(Place),
+    Union(Occurrence, Occurrence),
+    Intersection(Occurrence, Occurrence),
+    Difference(Occurrence, Occurrence),
+    Complement(Occurrence),
 }
 
 /// The solids of a scene.
 #[derive(Debug)]
-pub struct Sets {
+pub struct Interner {
     /// For each node.
-    places: Vec<Place>,
+    places: Vec<Occurrence>,
     cores: Vec<Core>,
     matrices: Matrices,
     /// The cores that are round about the y axis.
@@ -54,9 +54,9 @@ const PATIENCE: u32 = 64;
 /// Numbers that are this near, as a part of them, are the same: a power of two about 1e-13.
 const SAME: f64 = 1.0 / (1u64 << 43) as f64;
 
-impl Sets {
-    pub fn of(scene: &Scene, root: NodeId) -> Sets {
-        let mut sets = Sets {
+impl Interner {
+    pub fn of(scene: &Scene, root: NodeId) -> Interner {
+        let mut sets = Interner {
             places: Vec::with_capacity(root as usize + 1),
             cores: Vec::new(),
             matrices: Matrices::default(),
@@ -105,7 +105,7 @@ impl Sets {
                     sets.round.insert(number);
                 }
             }
-            sets.places.push(Place {
+            sets.places.push(Occurrence {
                 core: number,
                 matrix,
             });
@@ -113,23 +113,23 @@ impl Sets {
         sets
     }
 
-    fn moved(&mut self, place: Place, m: &Matrix) -> Place {
+    fn moved(&mut self, place: Occurrence, m: &Matrix) -> Occurrence {
         let mut all = m.after(self.matrices.get(place.matrix));
         if self.round.contains(&place.core) {
             all = unturned(&all);
         }
-        Place {
+        Occurrence {
             matrix: self.matrices.number(&rounded(&all)),
             ..place
         }
     }
 
-    pub fn place(&self, node: NodeId) -> Place {
+    pub fn place(&self, node: NodeId) -> Occurrence {
         self.places[node as usize]
     }
 
     /// The first shape that is the same as a solid, if it is one.
-    pub fn shape(&self, place: Place) -> Option<u32> {
+    pub fn shape(&self, place: Occurrence) -> Option<u32> {
         match self.cores[place.core as usize] {
             Core::Shape(shape) => Some(shape),
             _ => None,
@@ -137,13 +137,13 @@ impl Sets {
     }
 
     /// What a solid is made of.
-    fn core(&mut self, place: Place) -> Core {
+    fn core(&mut self, place: Occurrence) -> Core {
         let core = self.cores[place.core as usize];
         if place.matrix == HERE {
             return core;
         }
         let m = *self.matrices.get(place.matrix);
-        let mut moved = |p: Place| self.moved(p, &m);
+        let mut moved = |p: Occurrence| self.moved(p, &m);
         match core {
             Core::Shape(s) => Core::Shape(s),
             Core::Union(a, b) => Core::Union(moved(a), moved(b)),
@@ -154,7 +154,7 @@ impl Sets {
     }
 
     /// Adds a solid to others, and what it is the union of.
-    pub fn add(&mut self, place: Place, to: &mut HashSet<Place>) {
+    pub fn add(&mut self, place: Occurrence, to: &mut HashSet<Occurrence>) {
         let mut todo = vec![place];
         let mut steps = 0;
         while let Some(place) = todo.pop() {
@@ -169,7 +169,7 @@ impl Sets {
     }
 
     /// The solid and all that it is made of, as far as patience goes.
-    pub fn parts(&mut self, place: Place) -> Vec<Place> {
+    pub fn parts(&mut self, place: Occurrence) -> Vec<Occurrence> {
         let mut out = vec![place];
         let mut at = 0;
         while at < out.len() && out.len() < PATIENCE as usize {
@@ -186,12 +186,12 @@ impl Sets {
     }
 
     /// The solid of a node, moved.
-    pub fn placed(&mut self, node: NodeId, m: &Matrix) -> Place {
+    pub fn placed(&mut self, node: NodeId, m: &Matrix) -> Occurrence {
         self.moved(self.place(node), m)
     }
 
     /// What is taken from a solid, one thing after the other.
-    pub fn taken(&mut self, mut place: Place) -> HashSet<Place> {
+    pub fn taken(&mut self, mut place: Occurrence) -> HashSet<Occurrence> {
         let mut taken = HashSet::new();
         for _ in 0..PATIENCE {
             let Core::Difference(a, by) = self.core(place) else {
@@ -204,7 +204,7 @@ impl Sets {
     }
 
     /// Whether a solid is certainly part of one of others; those were [added](Self::add).
-    pub fn is_within(&mut self, place: Place, others: &HashSet<Place>) -> bool {
+    pub fn is_within(&mut self, place: Occurrence, others: &HashSet<Occurrence>) -> bool {
         if others.is_empty() {
             return false;
         }
@@ -213,7 +213,7 @@ impl Sets {
     }
 
     /// Goes down as many times as there is fuel.
-    fn within(&mut self, place: Place, others: &HashSet<Place>, fuel: &mut u32) -> bool {
+    fn within(&mut self, place: Occurrence, others: &HashSet<Occurrence>, fuel: &mut u32) -> bool {
         if others.contains(&place) {
             return true;
         }
@@ -232,7 +232,7 @@ impl Sets {
     }
 
     /// Whether a solid is certainly apart from another: what is taken from one of them holds the other.
-    pub fn is_apart(&mut self, a: Place, b: Place) -> bool {
+    pub fn is_apart(&mut self, a: Occurrence, b: Occurrence) -> bool {
         [(a, b), (b, a)].into_iter().any(|(whole, rest)| {
             let mut taken = HashSet::new();
             if let Core::Difference(_, by) = self.core(rest) {
@@ -245,7 +245,7 @@ impl Sets {
     /// Whether an intersection of solids is certainly empty: one is within another's opposite, or
     /// within what is taken from another.
     pub fn is_empty(&mut self, members: &[NodeId]) -> bool {
-        let mut inside: Vec<Place> = members.iter().map(|n| self.place(*n)).collect();
+        let mut inside: Vec<Occurrence> = members.iter().map(|n| self.place(*n)).collect();
         let mut outside = HashSet::new();
         let most = inside.len() + PATIENCE as usize;
         let mut at = 0;

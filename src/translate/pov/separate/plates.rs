@@ -8,19 +8,19 @@
 
 use std::borrow::Cow;
 
-use super::aspects::DEFAULT;
-use super::build::Builder;
-use super::changes::Change;
-use super::state::State;
-use super::tree::{Body, Object, Operation};
-use super::union::Members;
+use super::media::Members;
 use crate::geometry::array::{add, cross, length, sub};
 use crate::scene::{Geometry, NodeId, Scene, TriangleNormals, Vec3};
 use crate::solids::shapes::facts::Facts as _;
+use crate::translate::pov::model::Model;
+use crate::translate::pov::model::displacement::Change;
+use crate::translate::pov::model::state::State;
+use crate::translate::pov::model::tables::DEFAULT;
+use crate::translate::pov::tree::{Body, Object, Operation};
 
-/// For each node whether any is in it; nothing where no light goes through anything.
-pub fn holders(scene: &Scene, clear: bool) -> Vec<bool> {
-    let mut holds = vec![false; if clear { scene.nodes.len() } else { 0 }];
+/// For each node whether any flat surface is in it.
+pub fn holders(scene: &Scene) -> Vec<bool> {
+    let mut holds = vec![false; scene.nodes.len()];
     for id in 0..holds.len() {
         holds[id] = match scene.nodes[id] {
             crate::scene::Node::Shape(shape) => {
@@ -35,13 +35,9 @@ pub fn holders(scene: &Scene, clear: bool) -> Vec<bool> {
     holds
 }
 
-impl Builder<'_> {
+impl Model<'_> {
     /// The change of a surface that makes a plate of it, if light goes through it and what is around it.
-    pub(super) fn plate(
-        &mut self,
-        (node, state): (NodeId, State),
-        groups: &[Members],
-    ) -> Option<u32> {
+    pub fn plate(&mut self, (node, state): (NodeId, State), groups: &[Members]) -> Option<u32> {
         let holds = self.holds_sheets.get(node as usize) == Some(&true);
         if !holds || !self.is_transparent(node, state.look) {
             return None;
@@ -57,7 +53,7 @@ impl Builder<'_> {
                 None => self.densest,
             };
             let known = densest.unwrap_or(DEFAULT);
-            densest = Some(self.aspects.denser(known, index));
+            densest = Some(self.tables.denser(known, index));
         }
         let thick = state.flush.and_then(|f| self.changes.plate(f));
         let by = thick.map_or(self.hair / 2.0, |(by, _)| by);

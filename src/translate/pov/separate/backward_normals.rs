@@ -4,17 +4,16 @@
 
 use std::collections::HashMap;
 
-use super::camera::Eye;
-use super::facts::Facts;
 use crate::geometry::Matrix;
 use crate::geometry::vec::Vec3 as V;
 use crate::scene::{Geometry, Node, Scene, TriangleNormals, Vec3};
 use crate::solids::shapes::facts::Facts as _;
+use crate::translate::pov::model::materials::Material;
 
 /// For each such shape that stands in one place: whether its normals have to be turned to the eye's
 /// side.
-pub fn turned(scene: &Scene, facts: &[Facts], eye: &Eye) -> HashMap<u32, bool> {
-    let eyes = mirrored(scene, V::from(eye.camera.position));
+pub fn backward(scene: &Scene, facts: &[Material], eye: Vec3) -> HashMap<u32, bool> {
+    let eyes = mirrored(scene, V::from(eye));
     if !scene
         .shapes
         .iter()
@@ -50,7 +49,7 @@ pub fn turned(scene: &Scene, facts: &[Facts], eye: &Eye) -> HashMap<u32, bool> {
 }
 
 /// For each node whether it is made of any such shape; nothing where there are none.
-pub fn holders(scene: &Scene, facts: &[Facts], turned: &HashMap<u32, bool>) -> Vec<bool> {
+pub fn holders(scene: &Scene, facts: &[Material], turned: &HashMap<u32, bool>) -> Vec<bool> {
     if turned.is_empty() {
         return Vec::new();
     }

@@ -4,12 +4,12 @@
 //! (A − C) ∩ B as (A ∩ B) − C where C ends flush with B: it is made longer where it ends flush with what it is
 //! taken from.
 
-use super::aspects::Aspects;
-use super::facts::{Facts, facts};
 use super::rewrite::{Rewrite, Way, below};
 use crate::geometry::Aabb;
 use crate::scene::{Node, NodeId, Scene};
 use crate::solids::bounds::node_bounds;
+use crate::translate::pov::model::materials::{Material, materials};
+use crate::translate::pov::model::tables::Tables;
 
 /// Ends that are this near, as a part of the coordinates, may be flush; either order is right where they are not.
 const NEAR: f64 = 1e-9;
@@ -23,8 +23,8 @@ pub fn reordered(scene: &Scene) -> Option<Scene> {
     if !(0..=root).any(|node| is_candidate(scene, node)) {
         return None;
     }
-    let mut aspects = Aspects::of(scene);
-    let facts = facts(scene, &mut aspects, root);
+    let mut tables = Tables::of(scene);
+    let facts = materials(scene, &mut tables, root);
     let mut out = Order {
         boxes: node_bounds(scene).iter().map(|b| b.all).collect(),
         out: Rewrite::of(scene),
@@ -70,13 +70,13 @@ fn is_candidate(scene: &Scene, node: NodeId) -> bool {
 }
 
 /// Whether all of a solid has one look and one index.
-fn is_uniform(facts: &[Facts], node: NodeId) -> bool {
+fn is_uniform(facts: &[Material], node: NodeId) -> bool {
     let f = &facts[node as usize];
     f.texture.uniform && f.optics.uniform && f.index.uniform
 }
 
 /// Whether two solids have the same one look and index.
-fn has_one_look(facts: &[Facts], a: NodeId, b: NodeId) -> bool {
+fn has_one_look(facts: &[Material], a: NodeId, b: NodeId) -> bool {
     let [f, g] = [a, b].map(|node| &facts[node as usize]);
     let alike = f.texture == g.texture && f.optics == g.optics && f.index == g.index;
     is_uniform(facts, a) && alike

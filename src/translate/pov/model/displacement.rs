@@ -2,10 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::coplanar::Plane;
 use super::matrices::Matrices;
-use super::offset::stretched;
-use super::planes_moved::with_planes_moved;
+use super::plane::{Plane, with_planes_moved};
+use super::stretch::stretched;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Geometry;
 use crate::solids::shapes::facts::Facts as _;

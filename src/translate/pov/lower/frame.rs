@@ -2,12 +2,13 @@
 //! scaled.
 
 use super::camera::Eye;
-use super::reach::Reach;
-use super::tree::Frame;
+use super::sight_range::SightRange;
 use crate::diagnostics::{Complaint, Value};
 use crate::geometry::Aabb;
 use crate::scene::Vec3;
 use crate::translate::fidelity::{Fidelity, Report};
+use crate::translate::pov::model::stretch::power_of_two_about;
+use crate::translate::pov::tree::Frame;
 
 /// The size that the scene is scaled to: POV-Ray's tolerances, 1e-6 to 1e-3, are small beside that, and its
 /// limits, 1e7, far away.
@@ -30,7 +31,7 @@ const OFF: f64 = 16.0;
 
 /// Brings the scene to about [`SIZE`], or nearer if the camera is far away; and farther apart where what is seen would
 /// be too near for the tolerances. `seen` is a box around what the cameras see.
-pub fn frame(seen: Aabb, eyes: &[Eye], reach: Option<Reach>, report: &mut Report) -> Frame {
+pub fn frame(seen: Aabb, eyes: &[Eye], range: Option<SightRange>, report: &mut Report) -> Frame {
     let locations = || eyes.iter().map(|eye| eye.lens.location);
     let middle = match seen.is_empty() {
         true => [0.0; 3],
@@ -43,24 +44,24 @@ pub fn frame(seen: Aabb, eyes: &[Eye], reach: Option<Reach>, report: &mut Report
         false => seen.radius(),
     };
     let mut unit = power_of_two_about((SIZE / size).min(FAR / distance));
-    if let Some(reach) = reach {
-        let wanted = (SIZE / reach.near).max(SIZE * OVERLOOKED / reach.gap);
+    if let Some(range) = range {
+        let wanted = (SIZE / range.near).max(SIZE * OVERLOOKED / range.gap);
         if wanted > unit {
-            unit = unit.max(power_of_two_about(wanted.min(FAR_FOR_NEAR / reach.far)));
+            unit = unit.max(power_of_two_about(wanted.min(FAR_FOR_NEAR / range.far)));
         }
         let overlooked = OVERLOOKED / unit;
         let nearer = |message| {
             let length = Value::Decimal(format!("{overlooked:.1e}"));
             Fidelity::Approximate(Complaint::new(message).with("length", length))
         };
-        if reach.near * unit < SIZE * OVERLOOKED {
+        if range.near * unit < SIZE * OVERLOOKED {
             report.state(
                 "things that are small beside what is far away",
                 nearer("fidelity-overlooked"),
                 "",
             );
         }
-        if reach.gap < overlooked {
+        if range.gap < overlooked {
             report.state(
                 "narrow gaps behind transparent surfaces",
                 nearer("fidelity-overlooked-behind"),
@@ -81,15 +82,4 @@ pub fn frame(seen: Aabb, eyes: &[Eye], reach: Option<Reach>, report: &mut Report
 /// tolerances.
 pub fn hair(frame: &Frame) -> f64 {
     HAIR / frame.unit
-}
-
-/// The largest power of two that is not above `x`; 1 for a number without one.
-pub fn power_of_two_about(x: f64) -> f64 {
-    let exponent = x.log2().floor();
-    // Far within the exponents of numbers, so that neither products with it nor its inverse leave them.
-    if exponent.abs() <= 900.0 {
-        2f64.powi(exponent as i32)
-    } else {
-        1.0
-    }
 }

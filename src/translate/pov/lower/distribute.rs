@@ -4,12 +4,13 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::aspects::Aspects;
-use super::facts::{Facts, facts};
 use super::rewrite::{Rewrite, Way, below};
 use crate::geometry::Aabb;
 use crate::scene::{Node, NodeId, Scene};
-use crate::solids::bounds::{NodeBounds, node_bounds};
+use crate::solids::bounds::node_bounds;
+use crate::translate::pov::model::Model;
+use crate::translate::pov::model::materials::{Material, materials};
+use crate::translate::pov::model::tables::Tables;
 
 /// Unions of more parts are left as they are.
 const MANY: usize = 512;
@@ -17,15 +18,15 @@ const MANY: usize = 512;
 const FEW: usize = 32;
 
 /// The same scene with such groups spread, if there are any.
-pub fn spread(scene: &Scene) -> Option<Scene> {
+pub fn distributed(scene: &Scene) -> Option<Scene> {
     let root = scene.render?.root;
     let mut unions: Vec<_> = wholes(scene, root).into_iter().map(|w| w.parts).collect();
     unions.retain(|parts| parts.iter().any(|part| union(scene, *part).is_some()));
     if unions.is_empty() {
         return None;
     }
-    let mut aspects = Aspects::of(scene);
-    let facts = facts(scene, &mut aspects, root);
+    let mut tables = Tables::of(scene);
+    let facts = materials(scene, &mut tables, root);
     let bounds = node_bounds(scene);
     let is_clear = |node: NodeId| facts[node as usize].transparent;
     let box_of = |node: NodeId| bounds[node as usize].all;
@@ -58,16 +59,11 @@ pub fn spread(scene: &Scene) -> Option<Scene> {
 }
 
 /// Opaque unions that touch something that light goes through in the union around them.
-pub fn beside_clear(
-    scene: &Scene,
-    facts: &[Facts],
-    bounds: &[NodeBounds],
-    root: NodeId,
-) -> HashSet<NodeId> {
-    let is_clear = |node: &NodeId| facts[*node as usize].transparent;
-    let box_of = |node: NodeId| bounds[node as usize].all;
+pub fn beside_clear(model: &Model, root: NodeId) -> HashSet<NodeId> {
+    let is_clear = |node: &NodeId| model.materials[*node as usize].transparent;
+    let box_of = |node: NodeId| model.box_of(node);
     let mut beside = HashSet::new();
-    for whole in wholes(scene, root) {
+    for whole in wholes(model.scene, root) {
         let clear: Vec<Aabb> = (whole.parts.iter().copied())
             .filter(is_clear)
             .map(box_of)
@@ -131,7 +127,7 @@ fn union(scene: &Scene, node: NodeId) -> Option<(Way, NodeId, NodeId)> {
 }
 
 /// Whether a node is a union of several media, or an opaque one.
-fn is_group(scene: &Scene, facts: &[Facts], node: NodeId) -> bool {
+fn is_group(scene: &Scene, facts: &[Material], node: NodeId) -> bool {
     let of = &facts[node as usize];
     let is_one = of.transparent && of.optics.uniform && of.index.uniform;
     !is_one && union(scene, node).is_some()

@@ -6,18 +6,18 @@
 //! faces that it meets first. That one shows what there is to see, and the other nothing: from outside
 //! the face of the earlier part, from inside the skin. Rays then take as many steps as they should.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
-use super::aspects::DEFAULT;
-use super::build::Builder;
-use super::changes::Change;
-use super::grouping;
-use super::neighbours::Neighbours;
-use super::tree::{Modifier, Object, Operation};
-use super::union::{Members, Reaching, non_empty};
+use super::settle::{Operands, Reaching};
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
 use crate::translate::fidelity::Fidelity;
+use crate::translate::pov::model::Model;
+use crate::translate::pov::model::displacement::Change;
+use crate::translate::pov::model::grouping::{self, meet_each_other};
+use crate::translate::pov::model::state::State;
+use crate::translate::pov::model::tables::DEFAULT;
+use crate::translate::pov::tree::{Modifier, Object, Operation};
 
 /// A group of a union may have so many parts of its skin that look different.
 const LOOKS: usize = 16;
@@ -25,6 +25,28 @@ const LOOKS: usize = 16;
 /// Groups that touch are written again for each other. With more parts than this in all of these together,
 /// nobody could read or render them: groups are then written as they are.
 const MANY: usize = 1 << 18;
+
+/// Operands of a union that are one medium.
+pub struct Members {
+    /// Optics and index; `None` where the one operand is of several media by itself.
+    pub medium: Option<(u32, u32)>,
+    pub nodes: Operands,
+    pub boxes: Vec<Aabb>,
+    pub seen_into: bool,
+    pub transparent: bool,
+    /// A later medium begins where it ends: POV-Ray has to know its index, even if that is 1.
+    pub bounds_media: bool,
+}
+
+impl Members {
+    /// The operation that joins them.
+    pub fn kind(&self) -> Operation {
+        match self.seen_into && self.nodes.len() > 1 && meet_each_other(&self.boxes) {
+            true => Operation::Merge,
+            false => Operation::Union,
+        }
+    }
+}
 
 /// What is seen at the faces between two groups.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +61,7 @@ enum Seen {
 
 /// Two groups of a union that touch, by position.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Meeting {
+pub struct Meeting {
     pub earlier: usize,
     later: usize,
     /// The later one ends a hair within the earlier one.
@@ -48,7 +70,7 @@ pub(super) struct Meeting {
 }
 
 /// All meetings.
-pub(super) struct Meetings {
+pub struct Meetings {
     /// Ordered by the later of the two.
     all: Vec<Meeting>,
     /// By the earlier one those whose faces have two sides.
@@ -93,9 +115,9 @@ impl Seen {
     }
 }
 
-impl<'a> Builder<'a> {
+impl<'a> Model<'a> {
     /// Which groups of a union touch, and how the faces between them are seen.
-    pub(super) fn meetings(&mut self, groups: &mut [Members], reaching: &Reaching) -> Meetings {
+    pub fn meetings(&mut self, groups: &mut [Members], reaching: &Reaching) -> Meetings {
         let mut meetings = Vec::new();
         let mut smaller = vec![None; groups.len()];
         let mut looks = vec![None; groups.len()];
@@ -104,7 +126,7 @@ impl<'a> Builder<'a> {
         let neighbours = Neighbours::of(groups, &pairs, reaching);
         for (earlier, later) in pairs {
             let [a, b] = [earlier, later].map(|i| &groups[i]);
-            if !(a.seen_into || (b.seen_into && reaching.any_of(a))) {
+            if !(a.seen_into || (b.seen_into && reaching.any_of(&a.nodes))) {
                 continue;
             }
             let has_offset = || {
@@ -158,7 +180,7 @@ impl<'a> Builder<'a> {
             let mut nodes = later.nodes.iter();
             nodes.all(|(node, _)| self.has_offset(*node, self.hair / 2.0))
         };
-        has_media && counts && (!reaching.has(earlier, later) || can_grow())
+        has_media && counts && (!reaching.has(&earlier.nodes, &later.nodes) || can_grow())
     }
 
     /// The number of the look that all of a group has, if it can be said from outside.
@@ -176,7 +198,7 @@ impl<'a> Builder<'a> {
     }
 
     /// The face that a group has within earlier ones, a hair behind theirs, but not within opaque ones.
-    pub(super) fn skin(
+    pub fn skin(
         &mut self,
         groups: &[Members],
         meetings: &Meetings,
@@ -208,8 +230,12 @@ impl<'a> Builder<'a> {
             }
             self.unseen_twice |= alike[0].seen == Seen::Face;
             let mut modifiers = alike[0].seen.one_side();
-            modifiers.extend(non_empty(Operation::Union, around.clone()).map(Modifier::inside));
-            modifiers.extend(non_empty(Operation::Union, before.clone()).map(Modifier::outside));
+            modifiers.extend(
+                Object::unless_empty(Operation::Union, around.clone()).map(Modifier::inside),
+            );
+            modifiers.extend(
+                Object::unless_empty(Operation::Union, before.clone()).map(Modifier::outside),
+            );
             before.extend(around);
             let all = std::iter::once(own.clone()).chain(taken.clone()).collect();
             pieces.push(Object::of(Operation::Difference, all).with(modifiers));
@@ -219,7 +245,7 @@ impl<'a> Builder<'a> {
 
     /// The outer sides of the faces that a group has within later ones, whose skins are its inner sides there;
     /// and what to keep of the rest of it.
-    pub(super) fn outer_sides(
+    pub fn outer_sides(
         &mut self,
         groups: &[Members],
         meetings: &Meetings,
@@ -231,7 +257,7 @@ impl<'a> Builder<'a> {
         };
         let group = &groups[earlier];
         let own = self.bare(group, |_, state| state.flush);
-        let Some(own) = non_empty(group.kind(), own) else {
+        let Some(own) = Object::unless_empty(group.kind(), own) else {
             return (Vec::new(), None);
         };
         let parts: Vec<NodeId> = group.nodes.iter().map(|n| n.0).collect();
@@ -256,12 +282,16 @@ impl<'a> Builder<'a> {
                 around.push(Object::of(Operation::Difference, all));
             }
             let mut modifiers = alike[0].seen.one_side();
-            modifiers.extend(non_empty(Operation::Union, around.clone()).map(Modifier::inside));
-            modifiers.extend(non_empty(Operation::Union, before.clone()).map(Modifier::outside));
+            modifiers.extend(
+                Object::unless_empty(Operation::Union, around.clone()).map(Modifier::inside),
+            );
+            modifiers.extend(
+                Object::unless_empty(Operation::Union, before.clone()).map(Modifier::outside),
+            );
             before.extend(around);
             pieces.push(own.clone().with(modifiers));
         }
-        let rest = non_empty(Operation::Union, before).map(Modifier::outside);
+        let rest = Object::unless_empty(Operation::Union, before).map(Modifier::outside);
         (pieces, rest)
     }
 
@@ -285,7 +315,7 @@ impl<'a> Builder<'a> {
     ) -> Option<Object<'a>> {
         let clear = || meetings.around(later).map(|earlier| &groups[earlier]);
         let group = &groups[later];
-        let grows = clear().any(|earlier| reaching.has(earlier, group));
+        let grows = clear().any(|earlier| reaching.has(&earlier.nodes, &group.nodes));
         let mut changes = HashMap::new();
         for &(node, _) in &group.nodes {
             let around = self.ends_within(node, clear());
@@ -297,7 +327,7 @@ impl<'a> Builder<'a> {
         let own = self.bare(group, |node, state| {
             changes.get(&node).copied().or(state.flush)
         });
-        let mut all = vec![non_empty(group.kind(), own)?];
+        let mut all = vec![Object::unless_empty(group.kind(), own)?];
         for meeting in meetings.of_later(later) {
             let earlier = &groups[meeting.earlier];
             if !earlier.transparent && !meeting.apart {
@@ -327,5 +357,170 @@ impl<'a> Builder<'a> {
             }
         }
         around
+    }
+
+    /// Keeps of an object what no operand of a group holds.
+    pub fn outside_of(&mut self, group: &Members, reaching: &Reaching) -> Option<Modifier<'a>> {
+        let by = Object::unless_empty(Operation::Union, self.longer(group, reaching))?;
+        Some(Modifier::outside(by))
+    }
+
+    /// The solids of a group, longer as they are where later ones are clipped by them.
+    pub fn longer(&mut self, group: &Members, reaching: &Reaching) -> Vec<Object<'a>> {
+        // What is within something opaque is not seen anyway, but for faces that are in one place with its.
+        let members: Vec<_> = (group.nodes.iter())
+            .map(|(node, _)| (*node, State::GEOMETRY.flush(reaching.of(*node))))
+            .filter(|(_, state)| group.seen_into || state.flush.is_some())
+            .collect();
+        self.refer_all(&members)
+    }
+
+    /// The bare solids of a group, changed.
+    pub fn bare(
+        &mut self,
+        group: &Members,
+        change: impl Fn(NodeId, State) -> Option<u32>,
+    ) -> Vec<Object<'a>> {
+        let members: Vec<_> = (group.nodes.iter())
+            .map(|&(node, state)| (node, State::GEOMETRY.flush(change(node, state))))
+            .collect();
+        self.refer_all(&members)
+    }
+
+    /// Says what two overlapping media cost.
+    pub fn overlap(&mut self, earlier: &Members, later: &Members) {
+        let index = |g: &Members| g.medium.map(|(_, index)| index);
+        // What is opaque, or bends no light by itself, is no medium to POV-Ray.
+        if index(later) != Some(DEFAULT) && later.transparent {
+            self.media_are_approximate();
+        }
+        if earlier.medium.is_some() && earlier.medium == later.medium {
+            self.report.count(
+                "parts of one medium that overlap, with another medium between them",
+                Fidelity::approximate("what is seen through the overlap may be another picture"),
+                "",
+            );
+        }
+    }
+}
+
+/// Neighbours of parts of a union, which are groups by position.
+pub struct Neighbours {
+    /// By two groups, the earlier one first, those of their solids that lie against each other.
+    contacts: BTreeMap<(usize, usize), Vec<(NodeId, NodeId)>>,
+    /// For each group the opaque ones before it that it touches.
+    walls: HashMap<usize, Vec<usize>>,
+    /// The pairs of groups that touch, with the earlier one first, of which the later one is a wall.
+    walled: HashSet<(usize, usize)>,
+}
+
+impl Neighbours {
+    /// Of groups, given the pairs of those that touch.
+    pub fn of(groups: &[Members], pairs: &[(usize, usize)], reaching: &Reaching) -> Neighbours {
+        let owners: HashMap<NodeId, usize> = (groups.iter().enumerate())
+            .flat_map(|(i, group)| group.nodes.iter().map(move |(node, _)| (*node, i)))
+            .collect();
+        let mut contacts: BTreeMap<_, Vec<_>> = BTreeMap::new();
+        for &(a, b) in &reaching.contacts {
+            if let (Some(&i), Some(&j)) = (owners.get(&a), owners.get(&b)) {
+                contacts.entry((i, j)).or_default().push((a, b));
+            }
+        }
+        for pairs in contacts.values_mut() {
+            pairs.sort_unstable();
+            pairs.dedup();
+        }
+        let mut walls: HashMap<_, Vec<_>> = HashMap::new();
+        let mut walled = HashSet::new();
+        for &(earlier, later) in pairs {
+            if !groups[earlier].transparent {
+                walls.entry(later).or_default().push(earlier);
+            }
+            if !groups[later].transparent {
+                walled.insert((earlier, later));
+            }
+        }
+        Neighbours {
+            contacts,
+            walls,
+            walled,
+        }
+    }
+}
+
+impl<'a> Model<'a> {
+    /// What is not a group's although it would be behind the faces of those within which it ends: opaque
+    /// groups there, and the places where those lie against each other, or against what is opaque.
+    pub fn owned_by_neighbours(
+        &mut self,
+        groups: &[Members],
+        meetings: &Meetings,
+        later: usize,
+        reaching: &Reaching,
+    ) -> Vec<Object<'a>> {
+        let around: Vec<usize> = meetings.around(later).collect();
+        let neighbours = &meetings.neighbours;
+        let walls = neighbours.walls.get(&later).map_or(&[][..], |w| &w[..]);
+        let hull = |group: &Members| group.boxes.iter().fold(Aabb::EMPTY, |h, b| h.hull(b));
+        let own = hull(&groups[later]);
+        let mut pieces = Vec::new();
+        // Those that are seen into were taken away as a whole.
+        let is_taken = |wall: usize| {
+            let mut met = meetings.of_later(later).iter();
+            groups[wall].seen_into && met.any(|m| m.earlier == wall && !m.apart)
+        };
+        for &wall in walls.iter().filter(|w| !is_taken(**w)) {
+            let touched = around
+                .iter()
+                .filter(|e| neighbours.walled.contains(&(**e, wall)));
+            let place = touched
+                .fold(Aabb::EMPTY, |h, e| h.hull(&hull(&groups[*e])))
+                .intersection(&own);
+            let group = &groups[wall];
+            let near = group
+                .nodes
+                .iter()
+                .zip(&group.boxes)
+                .filter(|(_, b)| b.overlaps(&place));
+            let members: Vec<_> = near
+                .map(|((node, _), _)| (*node, State::GEOMETRY.flush(reaching.of(*node))))
+                .collect();
+            pieces.extend(self.refer_all(&members));
+        }
+        for &i in &around {
+            for &j in around.iter().chain(walls) {
+                let contacts = neighbours.contacts.get(&(i.min(j), i.max(j)));
+                for &(a, b) in contacts
+                    .filter(|_| i < j || walls.contains(&j))
+                    .into_iter()
+                    .flatten()
+                {
+                    if self.box_of(a).touches(&own) && self.box_of(b).touches(&own) {
+                        pieces.extend(self.contact(a, b));
+                    }
+                }
+            }
+        }
+        pieces
+    }
+
+    /// The layers along the faces where solids of one group lie against each other: what is a hair smaller than
+    /// each of them leaves these out.
+    pub fn joints(&mut self, neighbours: &Neighbours, group: usize) -> Vec<Object<'a>> {
+        let contacts = neighbours.contacts.get(&(group, group));
+        let pairs = contacts.into_iter().flatten();
+        pairs.filter_map(|(a, b)| self.contact(*a, *b)).collect()
+    }
+
+    /// The layer along the faces that two solids have in one place: farther to both sides than the faces that
+    /// are a hair behind theirs.
+    fn contact(&mut self, a: NodeId, b: NodeId) -> Option<Object<'a>> {
+        let by = 2.0 * self.hair;
+        if !(self.has_offset(a, by) && self.has_offset(b, by)) {
+            return None;
+        }
+        let larger = self.changes.number(Change::Offset(by));
+        let both = [a, b].map(|node| (node, State::GEOMETRY.flush(Some(larger))));
+        Some(Object::of(Operation::Intersection, self.refer_all(&both)))
     }
 }

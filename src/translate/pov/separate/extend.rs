@@ -2,14 +2,13 @@
 //! rounding, and where light goes through one of them that can be seen. One of the two is made longer
 //! into the other, so that its face is where nobody sees it.
 
-use super::build::Builder;
-use super::changes::Change;
-use super::flush::is_along;
-use super::offset::stretched;
+use super::tools::is_along;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Node, NodeId, Vec3};
 use crate::solids::shapes::facts::Facts as _;
 use crate::solids::shapes::lengthen::{Cut, HAIR};
+use crate::translate::pov::model::Model;
+use crate::translate::pov::model::stretch::stretched;
 
 /// Solids are made longer by this part of their length, or of what there is room for: far more than
 /// POV-Ray's tolerances.
@@ -56,7 +55,7 @@ struct Standing {
 
 /// What was found out about a solid that may stand on others.
 #[derive(Default)]
-pub(super) struct Stand {
+pub struct Stand {
     /// The number of the cut that makes it longer, if it stands on any that have room for it.
     pub flush: Option<u32>,
     /// The others it is made longer into.
@@ -65,34 +64,15 @@ pub(super) struct Stand {
     pub loose: Vec<NodeId>,
 }
 
-impl Builder<'_> {
+impl Model<'_> {
     /// Whether a solid stands on others with a flat face, and on which of them.
-    pub(super) fn standing(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
+    pub fn standing(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
         self.stand(node, others, 0.0)
-    }
-
-    /// The change of a solid that others are clipped by, so that they lose the faces that they have in one
-    /// place with it: where it stands on them, fills them, or ends as they do.
-    pub(super) fn reach(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
-        let mut stand = self.stand(node, others, 2.0 * self.hair);
-        let filling = self.filling(node, others);
-        stand.held.extend(filling.held);
-        stand.flush = match (filling.flush, stand.flush) {
-            (Some(a), Some(b)) => Some(self.changes.number(Change::Both(a, b))),
-            (a, b) => a.or(b),
-        };
-        let twin = self.twin(node, others);
-        stand.held.extend(twin.held);
-        stand.flush = match twin.flush {
-            Some(twin) => Some(self.changes.both(stand.flush, twin)),
-            None => stand.flush,
-        };
-        stand
     }
 
     /// Made longer by so much, too, where it ends as others do, if that is not 0. What was turned as others
     /// were is looked at beside them as before that.
-    fn stand(&mut self, node: NodeId, others: &[NodeId], by: f64) -> Stand {
+    pub fn stand(&mut self, node: NodeId, others: &[NodeId], by: f64) -> Stand {
         let mut stand = Stand::default();
         let (mut node, mut by) = (node, by);
         // Each with what it was before the moves that all of them have in common.
@@ -208,7 +188,7 @@ impl Builder<'_> {
     }
 
     /// Whether something with that box stands on a solid with its end along an axis.
-    pub(super) fn stands_on(&self, own: &Aabb, on: NodeId, axis: usize, below: bool) -> bool {
+    pub fn stands_on(&self, own: &Aabb, on: NodeId, axis: usize, below: bool) -> bool {
         (self.rooms(on).iter()).any(|room| room.under(own, axis, below).is_some())
     }
 
@@ -239,13 +219,7 @@ impl Builder<'_> {
     }
 
     /// Where a solid ends along an axis, given its box, if another one that it overlaps ends there, too.
-    pub(super) fn ends_alike(
-        &self,
-        own: &Aabb,
-        other: NodeId,
-        axis: usize,
-        below: bool,
-    ) -> Option<f64> {
+    pub fn ends_alike(&self, own: &Aabb, other: NodeId, axis: usize, below: bool) -> Option<f64> {
         let end = ends_alike(own, &self.box_of(other), axis, below)?;
         // What is round is there in a point, or along a line.
         let is_round = match self.scene.nodes[self.core(other).0 as usize] {

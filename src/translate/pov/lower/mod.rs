@@ -1,0 +1,116 @@
+//! From the scene to the objects that POV-Ray is to draw.
+
+mod camera;
+mod descend;
+mod difference;
+mod distribute;
+mod frame;
+mod lights;
+mod nodes;
+mod operands;
+mod operations;
+mod reorder;
+mod rewrite;
+mod sight_range;
+mod triangle;
+mod union;
+mod volumes;
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use super::model::Model;
+use super::separate::{backward_normals, plates};
+use super::tree::{Document, Lens, Tree, Uses};
+use super::{MAX_TRACE_LEVEL, Options};
+use crate::diagnostics::Error;
+use crate::geometry::Aabb;
+use crate::scene::Scene;
+use crate::solids::bounds::node_bounds;
+use crate::solids::staging::seen_box;
+use crate::translate::fidelity::Report;
+use nodes::Lower;
+
+/// The same scene, said in another way where that is needed.
+pub fn rewritten(scene: &Scene) -> Cow<'_, Scene> {
+    let reordered = reorder::reordered(scene).map_or(Cow::Borrowed(scene), Cow::Owned);
+    match distribute::distributed(&reordered) {
+        Some(distributed) => Cow::Owned(distributed),
+        None => reordered,
+    }
+}
+
+/// All that is to be printed, and the cameras that take the pictures.
+///
+/// # Errors
+/// Something in the scene has no translation.
+pub fn lower<'a>(
+    scene: &'a Scene,
+    options: &'a Options,
+    mut report: Report,
+) -> Result<(Document<'a>, Vec<Lens>, Report), Error> {
+    let render = scene.render.ok_or_else(Error::nothing_to_draw)?;
+    let bounds = node_bounds(scene);
+    let whole = match render.clip {
+        Some((min, max)) => Aabb::new(min, max),
+        None => bounds[render.root as usize].all,
+    };
+    let seen = seen_box(scene, &bounds);
+    let eyes = camera::eyes(scene, whole, options, &mut report)?;
+    let frame = frame::frame(
+        seen,
+        &eyes,
+        sight_range::sight_range(scene, &eyes, whole),
+        &mut report,
+    );
+    let hair = frame::hair(&frame);
+    let lights_in_group = lights::is_any_on_surface(scene, &bounds, render.root);
+
+    let mut model = Model::new(scene, bounds, render.root, report);
+    model.hair_of_scene = hair;
+    if model.is_clear() {
+        model.beside_clear = distribute::beside_clear(&model, render.root);
+        model.holds_sheets = plates::holders(scene);
+    }
+    let mut backward = HashMap::new();
+    if let Some(eye) = eyes.first() {
+        backward = backward_normals::backward(scene, &model.materials, eye.camera.position);
+        model.holds_backward_normals =
+            backward_normals::holders(scene, &model.materials, &backward);
+    }
+    let mut lower = Lower::new(model, &options.captions, backward);
+    let objects = lower.objects(render.root);
+    lower.report_what_is_left();
+    let Model {
+        textures,
+        tables,
+        cut_open,
+        report,
+        ..
+    } = lower.model;
+    let (textures, images) = textures.values(&tables, scene, &options.pictures);
+    let document = Document {
+        title: options.captions.title(),
+        size: options.size,
+        levels: options.depth.saturating_add(1).min(MAX_TRACE_LEVEL),
+        light_scale: 1.0,
+        frame,
+        background: render.background,
+        ambient: lights::ambient(scene),
+        lights: lights::point_lights(scene, &options.captions),
+        lights_in_group,
+        tree: Tree {
+            images,
+            textures,
+            root: objects.len().checked_sub(1),
+            objects,
+            uses: Uses::default(),
+        },
+        caption: options.captions.entity(render.root_id),
+        // A face in a face of the box is drawn, too.
+        clip: (render.clip).map(|(min, max)| (min.map(|x| x - hair), max.map(|x| x + hair))),
+        cut_open,
+    };
+    let lenses = eyes.into_iter().map(|eye| eye.lens).collect();
+    Ok((document, lenses, report))
+}

@@ -1,0 +1,299 @@
+//! Objects that nodes become: which are declared, and what each consists of.
+
+use std::borrow::Cow;
+use std::collections::{HashMap, HashSet};
+
+use super::descend::{End, Stop};
+use super::triangle;
+use super::volumes::{self, Volumes};
+use crate::diagnostics::Complaint;
+use crate::scene::{Geometry, NodeId, TriangleNormals};
+use crate::solids::contacts;
+use crate::solids::shapes::facts::Facts as _;
+use crate::syntax::Captions;
+use crate::translate::fidelity::Fidelity;
+use crate::translate::names;
+use crate::translate::pov::model::Model;
+use crate::translate::pov::model::displacement::Change;
+use crate::translate::pov::model::state::{Key, Look, State};
+use crate::translate::pov::model::tables::{DEFAULT, PROFILE, TextureUse};
+use crate::translate::pov::separate::backward_normals::with_normals_turned;
+use crate::translate::pov::separate::plates;
+use crate::translate::pov::tree::{Body, Declaration, Modifier, Object};
+
+/// Makes the objects of a model.
+pub struct Lower<'a> {
+    pub model: Model<'a>,
+    captions: &'a Captions,
+    /// Bounding volumes that help.
+    volumes: Volumes,
+    /// Triangles whose normals turn away from the eye somewhere, and whether they are on the far side.
+    backward: HashMap<u32, bool>,
+    /// Shapes that were made longer.
+    longer: HashSet<u32>,
+}
+
+impl<'a> Lower<'a> {
+    pub fn new(
+        model: Model<'a>,
+        captions: &'a Captions,
+        backward: HashMap<u32, bool>,
+    ) -> Lower<'a> {
+        Lower {
+            volumes: volumes::proved(model.scene, &model.bounds),
+            model,
+            captions,
+            backward,
+            longer: HashSet::new(),
+        }
+    }
+
+    /// All objects that the scene consists of: each behind those it is made of, the root's last.
+    pub fn objects(&mut self, root: NodeId) -> Vec<Declaration<'a>> {
+        enum Step<'a> {
+            Visit(usize),
+            Write(usize, Declaration<'a>),
+        }
+        self.model.refer(root, State::ROOT);
+        let mut todo = vec![Step::Visit(0)];
+        let mut visited = HashSet::new();
+        let mut places: HashMap<usize, usize> = HashMap::new();
+        let mut objects = Vec::new();
+        while let Some(step) = todo.pop() {
+            match step {
+                Step::Visit(number) => {
+                    if !visited.insert(number) {
+                        continue;
+                    }
+                    let declaration = self.declaration(self.model.key(number));
+                    let mut needs = Vec::new();
+                    declaration.object.each(&mut |part| {
+                        if let Body::Declared(number) = part.body {
+                            needs.push(Step::Visit(number));
+                        }
+                    });
+                    todo.push(Step::Write(number, declaration));
+                    todo.extend(needs.into_iter().rev());
+                }
+                Step::Write(number, mut declaration) => {
+                    (declaration.object).each_declared(&mut |number| *number = places[number]);
+                    places.insert(number, objects.len());
+                    objects.push(declaration);
+                }
+            }
+        }
+        objects
+    }
+
+    fn declaration(&mut self, key: Key) -> Declaration<'a> {
+        let id = self.model.ids[key.node as usize];
+        let mut object = self.definition(key);
+        self.resolve(&mut object);
+        if key.state.flush.is_none()
+            && let Some((volume, written)) = self.volumes.get_mut(&key.node)
+        {
+            *written = true;
+            object.modifiers.push(Modifier::Bound(*volume));
+        }
+        object.comment = names::comment(self.model.scene, self.captions, key.node, id);
+        Declaration {
+            id,
+            name: String::new(),
+            object,
+        }
+    }
+
+    /// The object that a key is declared as.
+    fn definition(&mut self, key: Key) -> Object<'a> {
+        let descent = self.model.descend(key.node, key.state, Stop::BelowStart);
+        match descent.end {
+            End::Shape(shape, state) => {
+                let id = self.model.ids[key.node as usize];
+                self.shape(shape, state, descent.modifiers, id)
+            }
+            end => {
+                let body = self.model.body(&end).unwrap_or(Object::nothing());
+                body.with(descent.modifiers)
+            }
+        }
+    }
+
+    /// Puts in the place of what stands for nodes their objects: a shape is written out, an operation is declared
+    /// before.
+    fn resolve(&mut self, object: &mut Object<'a>) {
+        if let Body::Declared(number) = object.body {
+            let resolved = self.inline(number);
+            object.body = resolved.body;
+            object.modifiers.splice(..0, resolved.modifiers);
+            object.comment = resolved.comment;
+        } else if let Body::Operation(_, operands) = &mut object.body {
+            operands.iter_mut().for_each(|o| self.resolve(o));
+        }
+        for modifier in &mut object.modifiers {
+            if let Modifier::Clip(by) = modifier {
+                self.resolve(by);
+            }
+        }
+    }
+
+    fn inline(&mut self, number: usize) -> Object<'a> {
+        let Key { node, state } = self.model.key(number);
+        let descent = self.model.descend(node, state, Stop::AtShared);
+        let id = self.model.ids[node as usize];
+        let mut object = match descent.end {
+            End::Nothing => return Object::nothing(),
+            End::Everything => Object::new(Body::Everything),
+            End::Shape(shape, state) => return self.shape(shape, state, descent.modifiers, id),
+            End::Shared(key) => self.model.refer(key.node, key.state),
+            _ => return Object::new(Body::Declared(number)),
+        };
+        if let End::Shared(key) = descent.end
+            && id != 0
+            && id != self.model.ids[key.node as usize]
+        {
+            object.comment = Some(self.caption(id));
+        }
+        object.with(descent.modifiers)
+    }
+
+    /// What the scene calls an entity.
+    fn caption(&self, id: u32) -> String {
+        match self.captions.own(id) {
+            Some(words) => format!("{id}, {words}"),
+            None => id.to_string(),
+        }
+    }
+
+    /// A shape with what is said about it; `id` is that of the entity that it belongs to.
+    fn shape(
+        &mut self,
+        shape: u32,
+        state: State,
+        modifiers: Vec<Modifier<'a>>,
+        id: u32,
+    ) -> Object<'a> {
+        let scene = self.model.scene;
+        let record = &scene.shapes[shape as usize];
+        let geometry = &record.geometry;
+        let change = state
+            .flush
+            .filter(|f| self.applies(*f, state.look, geometry));
+        if let Some(Change::Longer(_) | Change::Sides(..) | Change::Both(..)) =
+            change.map(|f| self.model.changes.get(f))
+        {
+            self.longer.insert(shape);
+        }
+        let own = match state.look {
+            // A texture that lies on shapes was handed down to here.
+            Look::Own { texture, optics } => {
+                let own = match geometry.character().has_colours {
+                    true => TextureUse::here(PROFILE),
+                    false => TextureUse::DEFAULT,
+                };
+                let (texture, optics) = (texture.unwrap_or(own), optics.unwrap_or(DEFAULT));
+                self.model.textures.number(texture, optics, Some(shape))
+            }
+            Look::Above { .. } => None,
+        };
+        let mut all: Vec<_> = own.map(Modifier::Texture).into_iter().collect();
+        all.extend(modifiers);
+        let texture = all.iter().find_map(|m| match m {
+            Modifier::Texture(texture) => Some(*texture),
+            _ => None,
+        });
+        let clear = match texture {
+            Some(texture) => self
+                .model
+                .textures
+                .is_transparent(&self.model.tables, texture),
+            None => state.look == Look::Above { transparent: true },
+        };
+        let mut body = self.changed(shape, change);
+        if let Some((by, index)) = change.and_then(|c| self.model.changes.plate(c)) {
+            // Where something around it gives it its look, both sides would have that.
+            if !clear || texture.is_some() {
+                body = plates::plate(geometry, by).unwrap_or(body);
+            }
+            if clear && texture.is_some() {
+                all.push(Modifier::UnseenWithin);
+                all.extend((index != DEFAULT).then(|| self.model.index(index)));
+            }
+        }
+        if self.backward.contains_key(&shape) {
+            let behind = texture.and_then(|t| self.model.textures.behind(&self.model.tables, t));
+            all.extend(behind.map(Modifier::InnerTexture));
+        }
+        let id = if id == 0 { record.id } else { id };
+        let note = change.map_or("", |c| self.model.changes.note(c));
+        Object {
+            body,
+            modifiers: all,
+            comment: (id != 0).then(|| self.caption(id) + note),
+        }
+    }
+
+    /// Whether a change is made to a shape of some look.
+    fn applies(&self, change: u32, look: Look, geometry: &Geometry) -> bool {
+        // Textures that are laid on shapes would be seen to move with them.
+        let may = !self.model.is_laid_out(look) || self.model.changes.is_small(change);
+        may && match geometry.is_solid() {
+            true => self.model.changes.changed(change, geometry).is_some(),
+            false => self.model.changes.plate(change).is_some() && geometry.character().is_flat,
+        }
+    }
+
+    /// A shape, changed, as POV-Ray can have it.
+    fn changed(&mut self, shape: u32, change: Option<u32>) -> Body<'a> {
+        let geometry = &self.model.scene.shapes[shape as usize].geometry;
+        let other = match self.backward.get(&shape) {
+            Some(true) => with_normals_turned(geometry),
+            _ => change.and_then(|c| self.model.changes.changed(c, geometry)),
+        };
+        let geometry = other.map_or(Cow::Borrowed(geometry), Cow::Owned);
+        if let Geometry::Triangle { vertices, normals } = &*geometry
+            && let TriangleNormals::PerVertex(normals) = normals
+            && !triangle::are_equally_long(normals)
+        {
+            let fidelity = Fidelity::approximate(triangle::BOUND);
+            self.model
+                .report
+                .count("vertex normals of different length", fidelity, "a mesh");
+            return Body::Mesh(triangle::cut(vertices, normals));
+        }
+        Body::Shape(geometry)
+    }
+
+    /// States what the scene has that the objects have not.
+    pub fn report_what_is_left(&mut self) {
+        if self.model.unseen_twice {
+            self.model.report.state(
+                "depth of rays in parts that others surround",
+                Fidelity::approximate("light that is mirrored there takes two steps more"),
+                "",
+            );
+        }
+        let is_left = |pair: &[u32; 2]| !pair.iter().any(|shape| self.longer.contains(shape));
+        let mut flush = contacts::pairs(self.model.scene, &self.model.bounds).into_iter();
+        if let Some([shape, _]) = flush.find(is_left) {
+            self.model
+                .faces_in_one_place(self.model.scene.shapes[shape as usize].id);
+        }
+        if !self.longer.is_empty() {
+            let note = "made longer, where nobody sees them";
+            let tools = "solids that end flush with others";
+            self.model.report.state(tools, Fidelity::Exact, note);
+        }
+        let drawn = |node| (self.model.materials.get(node as usize)).is_some_and(|f| f.uses > 0);
+        let left_out = volumes::left_out(self.model.scene, &self.volumes, drawn);
+        if !left_out.is_empty() {
+            let ids: Vec<String> = left_out.iter().take(8).map(u32::to_string).collect();
+            let more = match left_out.len() > ids.len() {
+                true => ", …",
+                false => "",
+            };
+            let ids = Complaint::new("fidelity-volumes").with("ids", ids.join(", ") + more);
+            let volumes = "bounding volumes left out";
+            self.model.report.state(volumes, Fidelity::Exact, ids);
+        }
+    }
+}

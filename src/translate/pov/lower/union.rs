@@ -1,0 +1,134 @@
+//! Unions. Opaque ones are plain: what lies inside is never seen. In transparent ones the faces
+//! inside have to go, except where two media meet; there the first medium owns the overlap.
+
+use crate::scene::NodeId;
+use crate::translate::pov::model::Model;
+use crate::translate::pov::model::grouping::{self};
+use crate::translate::pov::model::state::{Layer, Medium, State};
+use crate::translate::pov::model::tables::DEFAULT;
+use crate::translate::pov::separate::media::Members;
+use crate::translate::pov::separate::settle::{Kind, Operands};
+use crate::translate::pov::tree::{Modifier, Object, Operation};
+
+impl<'a> Model<'a> {
+    /// The union of operands that are no unions themselves.
+    pub fn union(&mut self, members: Vec<(NodeId, State)>) -> Option<Object<'a>> {
+        let seen_into = |&(node, state): &(NodeId, State)| {
+            self.materials[node as usize].has_solid
+                && state.layer != Layer::Surface
+                && self.is_seen_into(node, state)
+        };
+        if !members.iter().any(seen_into) {
+            let mut members = members;
+            let kinds = vec![(None, false); members.len()];
+            self.level(&mut members, &kinds);
+            let pieces = self.refer_all(&members);
+            return Object::unless_empty(Operation::Union, pieces);
+        }
+        let (mut solids, mut surfaces) = self.by_part(&members);
+        let (kinds, mut reaching) = self.settled(&mut solids);
+        let level = self.level_all(&mut solids, &mut surfaces, &kinds);
+        reaching.contacts.extend(level);
+        let mut groups = self.by_medium(&solids, &kinds);
+        let meetings = self.meetings(&mut groups, &reaching);
+        let mut pieces = Vec::new();
+        for i in 0..groups.len() {
+            let mut clips = Vec::new();
+            for meeting in meetings.of_later(i) {
+                let earlier = &groups[meeting.earlier];
+                clips.extend(self.outside_of(earlier, &reaching));
+                if !meeting.apart && earlier.transparent {
+                    self.overlap(earlier, &groups[i]);
+                }
+            }
+            let mut hidden = self.skin(&groups, &meetings, i, &reaching);
+            let (outer, rest) = self.outer_sides(&groups, &meetings, i, &reaching);
+            hidden.extend(outer.into_iter().map(|p| p.with(clips.clone())));
+            clips.extend(rest);
+            pieces.extend(self.one_medium_union(&mut groups[i], clips, hidden));
+        }
+        for surface in &mut surfaces {
+            let plate = self.plate(*surface, &groups);
+            surface.1.flush = plate.or(surface.1.flush);
+        }
+        pieces.extend(self.refer_all(&surfaces));
+        Object::unless_empty(Operation::Union, pieces)
+    }
+
+    fn level_all(
+        &mut self,
+        solids: &mut Operands,
+        surfaces: &mut Operands,
+        kinds: &[Kind],
+    ) -> Vec<(NodeId, NodeId)> {
+        let mut parts = solids.clone();
+        parts.extend(surfaces.iter().copied());
+        let mut kinds = kinds.to_vec();
+        kinds.resize(parts.len(), (None, false));
+        let contacts = self.level(&mut parts, &kinds);
+        surfaces.copy_from_slice(&parts[solids.len()..]);
+        parts.truncate(solids.len());
+        *solids = parts;
+        contacts
+    }
+
+    /// Solids and surfaces apart: a merge has no place for surfaces.
+    fn by_part(&self, members: &[(NodeId, State)]) -> (Operands, Operands) {
+        let (mut solids, mut surfaces) = (Vec::new(), Vec::new());
+        for &(node, state) in members {
+            let f = self.materials[node as usize];
+            if f.has_solid && state.layer != Layer::Surface {
+                solids.push((node, state.layer(Layer::Solid)));
+            }
+            if f.has_surface && state.layer != Layer::Solid {
+                surfaces.push((node, state.layer(Layer::Surface)));
+            }
+        }
+        (solids, surfaces)
+    }
+
+    fn by_medium(&self, solids: &[(NodeId, State)], kinds: &[Kind]) -> Vec<Members> {
+        let operands: Vec<_> = solids
+            .iter()
+            .zip(kinds)
+            .map(|(&(node, _), kind)| (kind.0, self.box_of(node)))
+            .collect();
+        let members = |group: &Vec<usize>| Members {
+            medium: group.first().and_then(|i| operands[*i].0),
+            nodes: group.iter().map(|i| solids[*i]).collect(),
+            boxes: group.iter().map(|i| operands[*i].1).collect(),
+            transparent: group.iter().any(|i| {
+                let (node, state) = solids[*i];
+                self.is_transparent(node, state.look)
+            }),
+            bounds_media: false,
+            seen_into: group.iter().any(|i| kinds[*i].1),
+        };
+        grouping::in_order(&operands).iter().map(members).collect()
+    }
+
+    /// Operands of one medium as one object; its inside is one, too. `clips` are what is kept of what
+    /// is seen from both sides, `others` the rest of its surface.
+    fn one_medium_union(
+        &mut self,
+        group: &mut Members,
+        clips: Vec<Modifier<'a>>,
+        others: Vec<Object<'a>>,
+    ) -> Option<Object<'a>> {
+        let kind = group.kind();
+        if kind == Operation::Union && others.is_empty() && !group.bounds_media {
+            let pieces = self.refer_all(&group.nodes);
+            return Some(Object::unless_empty(Operation::Union, pieces)?.with(clips));
+        }
+        let index = group.medium.map_or(DEFAULT, |(_, index)| index);
+        for (_, state) in &mut group.nodes {
+            *state = state.medium(Medium::Above);
+        }
+        let pieces = self.refer_all(&group.nodes);
+        let seen = Object::unless_empty(kind, pieces)?.with(clips);
+        let all = std::iter::once(seen).chain(others).collect();
+        let piece = Object::of(Operation::Union, all);
+        let says = index != DEFAULT || group.bounds_media;
+        Some(piece.with(says.then(|| self.index(index))))
+    }
+}

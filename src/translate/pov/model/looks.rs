@@ -1,0 +1,128 @@
+//! What nodes look like and are made of, with what was decided above them.
+
+use super::Model;
+use super::state::{Look, Medium, State};
+use super::tables::{DEFAULT, TextureUse};
+use crate::scene::{Node, NodeId};
+use crate::translate::pov::tree::Modifier;
+
+/// A look that is fully known, and the index behind it.
+pub type Substance = (Look, u32);
+
+impl<'a> Model<'a> {
+    /// Whether any of a node lets light through.
+    pub fn is_transparent(&self, node: NodeId, look: Look) -> bool {
+        match look {
+            Look::Above { transparent } => transparent,
+            Look::Own {
+                optics: Some(o), ..
+            } => self.tables.is_transparent(o),
+            Look::Own { optics: None, .. } => self.materials[node as usize].transparent,
+        }
+    }
+
+    /// Whether some of a node may look so.
+    pub fn may_be_laid_out(&self, node: NodeId, look: Look) -> bool {
+        let own = self.materials[node as usize].texture;
+        match look {
+            Look::Own { texture: None, .. } => {
+                !own.uniform || self.tables.is_laid_on_shapes(own.first.texture)
+            }
+            look => self.is_laid_out(look),
+        }
+    }
+
+    /// Whether a look follows the surface, so that the shape has to be what it is.
+    pub fn is_laid_out(&self, look: Look) -> bool {
+        match look {
+            Look::Own { texture, .. } => {
+                texture.is_some_and(|t| self.tables.is_laid_on_shapes(t.texture))
+            }
+            Look::Above { .. } => false,
+        }
+    }
+
+    /// Whether faces inside a node can be seen.
+    pub fn is_seen_into(&self, node: NodeId, state: State) -> bool {
+        self.cut_open || self.is_transparent(node, state.look)
+    }
+
+    /// The optics and index of a node that is one medium. What an object around the node gives is
+    /// the same for all operands and counts as the default.
+    pub fn medium(&self, node: NodeId, state: State) -> Option<(u32, u32)> {
+        let f = &self.materials[node as usize];
+        let optics = match state.look {
+            Look::Above { .. } => Some(DEFAULT),
+            Look::Own {
+                optics: Some(o), ..
+            } => Some(o),
+            Look::Own { optics: None, .. } => f.optics.uniform.then_some(f.optics.first),
+        };
+        let index = match state.medium {
+            Medium::Above => Some(DEFAULT),
+            Medium::Own => f.index.uniform.then_some(f.index.first),
+        };
+        optics.zip(index)
+    }
+
+    /// What all of a node consists of, if it is the same everywhere.
+    pub fn substance(&self, node: NodeId, state: State) -> Option<Substance> {
+        let f = &self.materials[node as usize];
+        let look = match state.look {
+            Look::Above { .. } => state.look,
+            Look::Own { texture, optics } => Look::Own {
+                texture: Some(texture.or(f.texture.uniform.then_some(f.texture.first))?),
+                optics: Some(optics.or(f.optics.uniform.then_some(f.optics.first))?),
+            },
+        };
+        let index = match state.medium {
+            Medium::Above => DEFAULT,
+            Medium::Own => f.index.uniform.then_some(f.index.first)?,
+        };
+        Some((look, index))
+    }
+
+    /// The modifier that gives a node its look, where that is the same for all of it and can be
+    /// said from outside; and the look that is left to say below.
+    pub fn settle_look(&mut self, node: NodeId, look: Look) -> (Look, Option<Modifier<'a>>) {
+        let Look::Own { texture, optics } = look else {
+            return (look, None);
+        };
+        let f = self.materials[node as usize];
+        let texture = texture.or((!f.has_texture).then_some(TextureUse::DEFAULT));
+        let optics = optics.or((!f.has_optics).then_some(DEFAULT));
+        // Triangles with normals that turn away have a look for each side, and so have sheets in glass.
+        let holds = |holders: &[bool]| holders.get(node as usize) == Some(&true);
+        let sides = |o: u32| {
+            let sheets = holds(&self.holds_sheets) && self.tables.is_transparent(o);
+            (sheets || holds(&self.holds_backward_normals))
+                && !matches!(self.scene.nodes[node as usize], Node::Shape(_))
+        };
+        match (texture.or(f.face_texture), optics.or(f.face_optics)) {
+            (Some(t), Some(o)) if !sides(o) && !self.tables.is_laid_on_shapes(t.texture) => (
+                Look::Above {
+                    transparent: self.tables.is_transparent(o),
+                },
+                self.textures.number(t, o, None).map(Modifier::Texture),
+            ),
+            _ => (Look::Own { texture, optics }, None),
+        }
+    }
+
+    /// A look seen from inside a transformation.
+    pub fn look_below(&mut self, look: Look, matrix: u32) -> Look {
+        match look {
+            Look::Own {
+                texture: Some(texture),
+                optics,
+            } => Look::Own {
+                texture: Some(
+                    self.tables
+                        .moved_back(texture, &self.scene.matrices[matrix as usize]),
+                ),
+                optics,
+            },
+            _ => look,
+        }
+    }
+}

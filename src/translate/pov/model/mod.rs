@@ -1,0 +1,211 @@
+//! What is known of the scene before and while its objects are made: a [`Model`]. Nothing in here knows how objects are
+//! made, or what is done about faces in one place.
+
+pub mod displacement;
+pub mod grouping;
+mod interner;
+pub mod looks;
+pub mod materials;
+mod matrices;
+pub mod plane;
+pub mod state;
+pub mod stretch;
+pub mod tables;
+pub mod textures;
+mod visibility;
+
+use std::collections::{HashMap, HashSet};
+
+use crate::diagnostics::Complaint;
+use crate::geometry::Aabb;
+use crate::scene::{Node, NodeId, Scene};
+use crate::solids::bounds::NodeBounds;
+use crate::solids::shapes::facts::Facts as _;
+use crate::translate::fidelity::{Fidelity, Report};
+use crate::translate::names;
+use crate::translate::pov::tree::{Body, Modifier, Object};
+use displacement::Changes;
+pub use interner::{Interner, Occurrence};
+use materials::{Material, materials};
+use state::{Key, State};
+use stretch::{stretched, stretches};
+use tables::{DEFAULT, Tables};
+use textures::Textures;
+use visibility::camera_is_walled_in;
+
+/// What the report calls faces that POV-Ray cannot tell apart.
+const FACES: &str = "faces in one place";
+
+/// So many nodes are looked at to find out whether a solid can be made smaller.
+const PATIENCE: usize = 4096;
+
+/// The scene, what is known of its nodes, and what its objects have in common, by number.
+pub struct Model<'a> {
+    pub scene: &'a Scene,
+    pub bounds: Vec<NodeBounds>,
+    pub tables: Tables,
+    pub materials: Vec<Material>,
+    pub solids: Interner,
+    /// The entity each node belongs to, 0 where none does.
+    pub ids: Vec<u32>,
+    pub textures: Textures,
+    /// How shapes are changed where nobody sees it.
+    pub changes: Changes,
+    /// What is declared, by number.
+    keys: Vec<Key>,
+    numbers: HashMap<Key, usize>,
+    /// How far apart faces are put that are one, in the coordinates of the operation at hand.
+    pub hair: f64,
+    /// The same in the scene's coordinates.
+    pub hair_of_scene: f64,
+    /// For each node how many times as long the scene is in the coordinates that it is placed in.
+    stretches: Vec<f64>,
+    /// The render box cuts through the scene, or a camera is in it: what lies inside of opaque objects can be seen.
+    pub cut_open: bool,
+    /// The number of an index as large as that of any solid.
+    pub densest: u32,
+    /// Opaque unions that touch what light goes through.
+    pub beside_clear: HashSet<NodeId>,
+    /// For each node whether a flat surface is in it; nothing where no light goes through anything.
+    pub holds_sheets: Vec<bool>,
+    /// For each node whether triangles are in it with normals that turn away; nothing where there are none at all.
+    pub holds_backward_normals: Vec<bool>,
+    /// Faces that nobody sees stand between other faces and those who look at them from inside.
+    pub unseen_twice: bool,
+    pub report: Report,
+}
+
+impl<'a> Model<'a> {
+    pub fn new(
+        scene: &'a Scene,
+        bounds: Vec<NodeBounds>,
+        root: NodeId,
+        report: Report,
+    ) -> Model<'a> {
+        let mut tables = Tables::of(scene);
+        let materials = materials(scene, &mut tables, root);
+        let all = bounds[root as usize].all;
+        let clip = scene.render.and_then(|render| render.clip);
+        let cut_open = clip.is_some_and(|(min, max)| !Aabb::new(min, max).holds(&all))
+            || camera_is_walled_in(scene, &materials, &tables);
+        let mut densest = DEFAULT;
+        for solid in materials.iter().filter(|f| f.uses > 0 && f.has_solid) {
+            densest = tables.denser(densest, solid.index.first);
+        }
+        Model {
+            scene,
+            bounds,
+            tables,
+            materials,
+            solids: Interner::of(scene, root),
+            ids: names::node_ids(scene),
+            textures: Textures::default(),
+            changes: Changes::default(),
+            keys: Vec::new(),
+            numbers: HashMap::new(),
+            hair: 0.0,
+            hair_of_scene: 0.0,
+            stretches: stretches(scene, root),
+            cut_open,
+            densest,
+            beside_clear: HashSet::new(),
+            holds_sheets: Vec::new(),
+            holds_backward_normals: Vec::new(),
+            unseen_twice: false,
+            report,
+        }
+    }
+
+    /// Whether light goes through anything.
+    pub fn is_clear(&self) -> bool {
+        self.materials.iter().any(|f| f.uses > 0 && f.transparent)
+    }
+
+    /// An object that stands for a node in a state.
+    pub fn refer(&mut self, node: NodeId, state: State) -> Object<'a> {
+        let key = Key { node, state };
+        let next = self.keys.len();
+        let number = *self.numbers.entry(key).or_insert(next);
+        if number == next {
+            self.keys.push(key);
+        }
+        Object::new(Body::Declared(number))
+    }
+
+    /// Objects that stand for operands.
+    pub fn refer_all(&mut self, operands: &[(NodeId, State)]) -> Vec<Object<'a>> {
+        let refer = |&(node, state): &(NodeId, State)| self.refer(node, state);
+        operands.iter().map(refer).collect()
+    }
+
+    /// What the object with a number stands for.
+    pub fn key(&self, number: usize) -> Key {
+        self.keys[number]
+    }
+
+    /// Turns to the coordinates that a node is placed in.
+    pub fn turn_to(&mut self, node: NodeId) {
+        self.hair = self.hair_of_scene * self.stretches[node as usize];
+    }
+
+    pub fn box_of(&self, node: NodeId) -> Aabb {
+        self.bounds[node as usize].all
+    }
+
+    /// The modifier of an index by its number.
+    pub fn index(&self, number: u32) -> Modifier<'a> {
+        Modifier::Index(self.tables.index(number))
+    }
+
+    /// Whether all shapes that a solid is made of can be moved by so much, outwards or inwards where
+    /// it is negative.
+    pub fn has_offset(&self, node: NodeId, by: f64) -> bool {
+        let mut todo = vec![(node, by)];
+        for _ in 0..PATIENCE {
+            let Some((node, by)) = todo.pop() else {
+                return true;
+            };
+            match self.scene.nodes[node as usize] {
+                Node::Shape(shape) => {
+                    let geometry = &self.scene.shapes[shape as usize].geometry;
+                    if geometry.is_solid() && geometry.offset(by).is_none() {
+                        return false;
+                    }
+                }
+                Node::Transform { child, matrix } => {
+                    match stretched(&self.scene.matrices[matrix as usize]) {
+                        Some(factor) => todo.push((child, by * factor)),
+                        None => return false,
+                    }
+                }
+                Node::Complement(child) => todo.push((child, -by)),
+                Node::Difference(a, b) => todo.extend([(a, by), (b, -by)]),
+                Node::Union(a, b) | Node::Intersection(a, b) => todo.extend([(a, by), (b, by)]),
+                Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push((child, by)),
+            }
+        }
+        false
+    }
+
+    /// Says that faces of an object lie in those of another; 0 is nobody's object.
+    pub fn faces_in_one_place(&mut self, id: u32) {
+        let doubt = match id {
+            0 => Complaint::term("which is seen is up to rounding"),
+            id => Complaint::new("fidelity-rounding").with("id", id.to_string()),
+        };
+        let known = |e: &crate::translate::fidelity::Entry| e.feature == FACES;
+        if !self.report.entries().any(known) {
+            self.report.state(FACES, Fidelity::Approximate(doubt), "");
+        }
+    }
+
+    pub fn media_are_approximate(&mut self) {
+        self.report.count(
+            "operations on media of different index",
+            Fidelity::approximate(
+                "light that goes through faces between the media may take another way, and show another picture",
+            ),
+            "an object has one index there",
+        );
+    }
+}

@@ -1,0 +1,67 @@
+//! By how much matrices change lengths.
+
+use crate::geometry::Matrix;
+use crate::scene::{Node, NodeId, Scene};
+
+/// For each node by how much all lengths grow from the scene's coordinates to those that the node is placed
+/// in, as a power of two; where it is in several places, the most.
+pub fn stretches(scene: &Scene, root: NodeId) -> Vec<f64> {
+    let mut out = vec![0.0; root as usize + 1];
+    out[root as usize] = 1.0;
+    for id in (0..=root as usize).rev() {
+        let own: f64 = out[id];
+        let below = match scene.nodes[id] {
+            Node::Transform { matrix, .. } => {
+                let factor = stretched(&scene.matrices[matrix as usize]).unwrap_or(1.0);
+                Some(own * factor).filter(|f| f.is_finite()).unwrap_or(own)
+            }
+            _ => own,
+        };
+        for child in scene.nodes[id].children().into_iter().flatten() {
+            out[child as usize] = below.max(out[child as usize]);
+        }
+    }
+    // What is a power of two but for rounding stays that.
+    let about = |factor: f64| match factor > 0.0 {
+        true => power_of_two_about(1.9 * factor),
+        false => 0.0,
+    };
+    out.into_iter().map(about).collect()
+}
+
+/// A length in the scene as one in the coordinates that a matrix leads away from: where the matrix
+/// stretches by several factors their mean, where these are far apart none.
+pub fn stretched(m: &Matrix) -> Option<f64> {
+    let squares = |m: &Matrix| {
+        let rows = m.0.iter().take(3).flat_map(|row| &row[..3]);
+        rows.map(|x| x * x).sum::<f64>() / 3.0
+    };
+    let (there, back) = (squares(m), squares(&m.inverse()?));
+    // 1 for one factor in all directions.
+    let uneven = there * back;
+    (uneven < 16.0).then(|| back.sqrt())
+}
+
+/// The largest power of two that is not above `x`; 1 for a number without one.
+pub fn power_of_two_about(x: f64) -> f64 {
+    let exponent = x.log2().floor();
+    // Far within the exponents of numbers, so that neither products with it nor its inverse leave them.
+    if exponent.abs() <= 900.0 {
+        2f64.powi(exponent as i32)
+    } else {
+        1.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_are_those_of_the_shape() {
+        let m = Matrix::scaling(4.0, 4.0, 4.0).after(&Matrix::rotation(30.0, 1));
+        let factor = stretched(&m).unwrap();
+        assert!((factor - 0.25).abs() < 1e-12);
+        assert_eq!(stretched(&Matrix::scaling(1.0, 1.0, 100.0)), None);
+    }
+}

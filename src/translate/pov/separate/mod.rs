@@ -1,0 +1,11 @@
+//! What is done about faces in one place: each remedy is a file. POV-Ray takes now one of such faces for the nearer one,
+//! now the other, so one of them is put where nobody sees it, or a part of a hair away.
+
+pub mod backward_normals;
+pub mod coplanar;
+mod extend;
+pub mod media;
+mod nested;
+pub mod plates;
+pub mod settle;
+pub mod tools;
