@@ -713,24 +713,21 @@ fn flush_tools() {
             assert!(wrong <= 3 || !exact, "{name}: {wrong}");
         }
     }
-    // Two holes that end in one plane: the narrower one goes on into the other.
+    // Two holes that end in one plane: one goes on into the other, and a hair beside it where it is wider.
     let holes = |small: &str| {
         of(&format!(
             "3 12 {small}\n4 12 -0.6 -0.6 0 0.6 0.6 2\n5 -101 3 4\n"
         ))
         .replace("9 -103 2 3", "9 -103 2 5")
     };
-    for (small, exact) in [
-        ("-0.5 -0.5 -2 0.5 0.5 0", true),
-        ("-0.5 -0.7 -2 0.5 0.5 0", false),
-    ] {
+    for small in ["-0.5 -0.5 -2 0.5 0.5 0", "-0.5 -0.7 -2 0.5 0.5 0"] {
         let loaded = Analysis::new("scene.zpg", holes(small).into());
         assert!(loaded.is_sound(), "{:?}", loaded.findings());
         let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
         let report = translation.report.to_string();
-        assert_eq!(!report.contains("faces in one place"), exact, "{report}");
+        assert!(!report.contains("faces in one place"), "{report}");
         for outcome in compare("flush_holes", &loaded.scene, Path::new("."), (96, 72)) {
-            assert!(!exact || outcome.differing.off_silhouettes <= 3);
+            assert!(outcome.differing.off_silhouettes <= 3);
         }
     }
 }

@@ -139,13 +139,10 @@ impl<'a> Model<'a> {
     /// A − (A′ ∩ X) is A − X where A is in A′, and A − (B − A) is A: their common faces would be
     /// speckled.
     fn cutter(&mut self, base: NodeId, node: NodeId, state: State) -> Option<Object<'a>> {
-        let longer = self.flush(node, self.box_of(base));
+        let longer = self.longer_tool(node, base);
         let change = match state.flush {
-            // Where it ends flush with the base it is longer even if it is a hair smaller.
-            Some(change) if self.changes.offset(change).is_some() => {
-                Some(self.changes.both(longer, change))
-            }
-            change => change.or(longer),
+            Some(change) => Some(self.changes.both(longer, change)),
+            None => longer,
         };
         let state = state.flush(change);
         let (whole, tool) = (self.solids.place(base), self.solids.place(node));

@@ -175,10 +175,8 @@ impl<'a> Lower<'a> {
         let scene = self.model.scene;
         let record = &scene.shapes[shape as usize];
         let geometry = &record.geometry;
-        let change = state
-            .flush
-            .filter(|f| self.applies(*f, state.look, geometry));
-        if let Some(Change::Longer(_) | Change::Sides(..) | Change::Both(..)) =
+        let change = state.flush.filter(|f| self.applies(*f, geometry));
+        if let Some(Change::Planes(_) | Change::Both(..)) =
             change.map(|f| self.model.changes.get(f))
         {
             self.longer.insert(shape);
@@ -232,11 +230,9 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// Whether a change is made to a shape of some look.
-    fn applies(&self, change: u32, look: Look, geometry: &Geometry) -> bool {
-        // Textures that are laid on shapes would be seen to move with them.
-        let may = !self.model.is_laid_out(look) || self.model.changes.is_small(change);
-        may && match geometry.is_solid() {
+    /// Whether a change is made to a shape.
+    fn applies(&self, change: u32, geometry: &Geometry) -> bool {
+        match geometry.is_solid() {
             true => self.model.changes.changed(change, geometry).is_some(),
             false => self.model.changes.plate(change).is_some() && geometry.character().is_flat,
         }

@@ -4,7 +4,6 @@ use std::collections::{HashMap, HashSet};
 
 use super::descend::End;
 use super::descend::Stop;
-use crate::geometry::Aabb;
 use crate::scene::NodeId;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::looks::Substance;
@@ -69,11 +68,8 @@ impl<'a> Model<'a> {
                 .filter(|known| known.0.is_none() || known.0 != substance)
                 .map(|&(_, owner, clear)| (owner, clear))
                 .collect();
-            // Those that fill a hole are made larger than that.
-            let is_plug = |&(owner, clear): &(NodeId, bool)| {
-                clear && !self.plug(node, &[owner]).held.is_empty()
-            };
-            if !differing.iter().all(is_plug) {
+            // What light goes through is put a hair apart.
+            if differing.iter().any(|(_, clear)| !clear) {
                 self.faces_in_one_place(self.ids[node as usize]);
             }
             let clear = self.cut_open || self.is_transparent(node, state.look);
@@ -148,18 +144,6 @@ impl<'a> Model<'a> {
         }
         let place = self.solids.place(node);
         self.solids.is_within(place, &set)
-    }
-
-    /// Gives the tools among the operands of an intersection, the complements, room outside of what
-    /// all others hold.
-    pub fn with_room(&mut self, mut members: Vec<(NodeId, State)>) -> Vec<(NodeId, State)> {
-        let cut = (members.iter()).fold(Aabb::ALL, |cut, m| cut.intersection(&self.box_of(m.0)));
-        for (node, state) in &mut members {
-            if self.box_of(*node) == Aabb::ALL {
-                state.flush = state.flush.or(self.flush(*node, cut));
-            }
-        }
-        members
     }
 
     pub fn flat_intersection(

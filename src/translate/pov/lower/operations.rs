@@ -31,8 +31,8 @@ impl<'a> Model<'a> {
                 if self.solids.is_empty(&nodes) {
                     return None;
                 }
-                let members = self.without_wider(members);
-                let members = self.with_room(members);
+                let mut members = self.without_wider(members);
+                self.longer_holes(&mut members);
                 Object::of(Operation::Intersection, self.refer_all(&members))
             }
             End::Difference(a, b, state) => self.difference(a, b, state)?,

@@ -17,13 +17,6 @@ pub struct Occurrence {
     matrix: u32,
 }
 
-impl Occurrence {
-    /// Whether two solids lie in the same coordinates.
-    pub fn is_placed_as(self, other: Occurrence) -> bool {
-        self.matrix == other.matrix
-    }
-}
-
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Core {
     /// The first shape record with this geometry.
@@ -128,14 +121,6 @@ impl Interner {
         self.places[node as usize]
     }
 
-    /// The first shape that is the same as a solid, if it is one.
-    pub fn shape(&self, place: Occurrence) -> Option<u32> {
-        match self.cores[place.core as usize] {
-            Core::Shape(shape) => Some(shape),
-            _ => None,
-        }
-    }
-
     /// What a solid is made of.
     fn core(&mut self, place: Occurrence) -> Core {
         let core = self.cores[place.core as usize];
@@ -183,24 +168,6 @@ impl Interner {
             at += 1;
         }
         out
-    }
-
-    /// The solid of a node, moved.
-    pub fn placed(&mut self, node: NodeId, m: &Matrix) -> Occurrence {
-        self.moved(self.place(node), m)
-    }
-
-    /// What is taken from a solid, one thing after the other.
-    pub fn taken(&mut self, mut place: Occurrence) -> HashSet<Occurrence> {
-        let mut taken = HashSet::new();
-        for _ in 0..PATIENCE {
-            let Core::Difference(a, by) = self.core(place) else {
-                break;
-            };
-            self.add(by, &mut taken);
-            place = a;
-        }
-        taken
     }
 
     /// Whether a solid is certainly part of one of others; those were [added](Self::add).

@@ -21,27 +21,6 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// Whether some of a node may look so.
-    pub fn may_be_laid_out(&self, node: NodeId, look: Look) -> bool {
-        let own = self.materials[node as usize].texture;
-        match look {
-            Look::Own { texture: None, .. } => {
-                !own.uniform || self.tables.is_laid_on_shapes(own.first.texture)
-            }
-            look => self.is_laid_out(look),
-        }
-    }
-
-    /// Whether a look follows the surface, so that the shape has to be what it is.
-    pub fn is_laid_out(&self, look: Look) -> bool {
-        match look {
-            Look::Own { texture, .. } => {
-                texture.is_some_and(|t| self.tables.is_laid_on_shapes(t.texture))
-            }
-            Look::Above { .. } => false,
-        }
-    }
-
     /// Whether faces inside a node can be seen.
     pub fn is_seen_into(&self, node: NodeId, state: State) -> bool {
         self.cut_open || self.is_transparent(node, state.look)

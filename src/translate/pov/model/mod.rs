@@ -25,7 +25,7 @@ use crate::translate::fidelity::{Fidelity, Report};
 use crate::translate::names;
 use crate::translate::pov::tree::{Body, Modifier, Object};
 use displacement::Changes;
-pub use interner::{Interner, Occurrence};
+use interner::Interner;
 use materials::{Material, materials};
 use state::{Key, State};
 use stretch::{stretched, stretches};

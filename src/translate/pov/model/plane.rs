@@ -64,7 +64,7 @@ pub fn with_planes_moved(geometry: &Geometry, planes: &[(Plane, f64)]) -> Option
     let mut out: Option<Geometry> = None;
     for (plane, by) in planes {
         let now = out.as_ref().unwrap_or(geometry);
-        let near = |a: f64, b: f64| (a - b).abs() <= NEAR * by;
+        let near = |a: f64, b: f64| (a - b).abs() <= NEAR * by.abs();
         if let (Some([a, b, c, d]), true) = (now.plane(), now.is_solid()) {
             let n = [a, b, c];
             let here = Plane::of(n, d)?;
@@ -88,11 +88,10 @@ pub fn with_planes_moved(geometry: &Geometry, planes: &[(Plane, f64)]) -> Option
             true => around.max[axis] = end,
             false => around.min[axis] = end,
         }
-        let most = *by;
         let cut = Cut {
             around,
-            by: HALF,
-            most,
+            by: HALF.copysign(*by),
+            most: by.abs(),
         };
         out = now.lengthened(&cut).or(out);
     }

@@ -8,6 +8,7 @@
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
+use super::contacts::{Contact, contacts};
 use super::settle::{Operands, Reaching};
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
@@ -15,6 +16,7 @@ use crate::translate::fidelity::Fidelity;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::displacement::Change;
 use crate::translate::pov::model::grouping::{self, meet_each_other};
+use crate::translate::pov::model::plane::Plane;
 use crate::translate::pov::model::state::State;
 use crate::translate::pov::model::tables::DEFAULT;
 use crate::translate::pov::tree::{Modifier, Object, Operation};
@@ -299,7 +301,7 @@ impl<'a> Model<'a> {
     fn longer_into(&mut self, group: &Members, others: &[NodeId]) -> Vec<Object<'a>> {
         let mut changes = HashMap::new();
         for &(node, _) in &group.nodes {
-            changes.insert(node, self.reach(node, others).flush);
+            changes.insert(node, self.reach(node, others));
         }
         self.bare(group, |node, _| changes[&node])
     }
@@ -318,10 +320,9 @@ impl<'a> Model<'a> {
         let grows = clear().any(|earlier| reaching.has(&earlier.nodes, &group.nodes));
         let mut changes = HashMap::new();
         for &(node, _) in &group.nodes {
-            let around = self.ends_within(node, clear());
-            if (grows || around != Aabb::ALL) && self.has_offset(node, self.hair / 2.0) {
-                let change = Change::Skin(around, self.hair);
-                changes.insert(node, self.changes.number(change));
+            let around = meetings.around(later).map(|earlier| &groups[earlier]);
+            if let Some(change) = self.skin_of(node, around, grows) {
+                changes.insert(node, change);
             }
         }
         let own = self.bare(group, |node, state| {
@@ -338,25 +339,35 @@ impl<'a> Model<'a> {
         Some(Object::of(Operation::Difference, all))
     }
 
-    /// A box with the ends that a solid has where others end, but not where it stands on one of them.
-    fn ends_within<'m>(&self, node: NodeId, others: impl Iterator<Item = &'m Members>) -> Aabb {
-        let own = self.box_of(node);
-        let others: Vec<NodeId> = others.flat_map(|g| g.nodes.iter().map(|n| n.0)).collect();
-        let mut around = Aabb::ALL;
-        for axis in 0..3 {
-            for below in [true, false] {
-                let end = (others.iter()).find_map(|o| self.ends_alike(&own, *o, axis, below));
-                let Some(end) = end else { continue };
-                if (others.iter()).any(|o| self.stands_on(&own, *o, axis, below)) {
-                    continue;
-                }
-                match below {
-                    true => around.min[axis] = end,
-                    false => around.max[axis] = end,
-                }
+    /// The change of a solid that ends within others: half a hair larger, but well inside where it ends as they do.
+    fn skin_of<'m>(
+        &mut self,
+        node: NodeId,
+        others: impl Iterator<Item = &'m Members>,
+        grows: bool,
+    ) -> Option<u32> {
+        let own = self.faces_of(node);
+        let others: Vec<_> = others
+            .flat_map(|group| &group.nodes)
+            .flat_map(|(other, _)| self.faces_of(*other))
+            .collect();
+        let ends = |wanted: Contact| {
+            let found = contacts(&own, &others).filter(move |c| c.0 == wanted);
+            found.filter_map(|(_, [face, _])| face.plane())
+        };
+        let mut within: Vec<(Plane, f64)> = Vec::new();
+        for plane in ends(Contact::Alike) {
+            // Not where it stands on one of them.
+            if !ends(Contact::Opposed).any(|p| p == plane) && within.iter().all(|w| w.0 != plane) {
+                within.push((plane, -4.0 * self.hair));
             }
         }
-        around
+        if !(grows || !within.is_empty()) || !self.has_offset(node, self.hair / 2.0) {
+            return None;
+        }
+        let larger = self.changes.number(Change::Offset(self.hair / 2.0));
+        let within = (!within.is_empty()).then(|| self.changes.of_planes(within));
+        Some(self.changes.both(within, larger))
     }
 
     /// Keeps of an object what no operand of a group holds.

@@ -2,10 +2,9 @@
 //! now the other, so one of them is put where nobody sees it, or a part of a hair away.
 
 pub mod backward_normals;
+mod contacts;
 pub mod coplanar;
-mod extend;
 pub mod media;
-mod nested;
 pub mod plates;
 pub mod settle;
 pub mod tools;

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-use super::extend::Stand;
+use super::contacts::{Contact, contacts};
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
 use crate::translate::pov::model::Model;
@@ -85,115 +85,58 @@ impl<'a> Model<'a> {
         opened
     }
 
-    /// Makes solids longer that stand on earlier ones and would show the face between, and gives by
-    /// which boxes solids are to be longer where later ones are clipped by them.
+    /// Finds which solids have faces in one place. Later ones are clipped by an earlier one that is made a hair larger,
+    /// and solids of one medium that lie against each other are made to overlap.
     fn settle(&mut self, solids: &mut Operands, kinds: &[Kind]) -> Reaching {
         let mut reaching = Reaching::default();
-        let (mut held, mut loose) = (HashSet::new(), Vec::new());
-        // What is changed about all of them comes after what is changed among them.
-        let whole: Vec<_> = solids.iter_mut().map(|s| s.1.flush.take()).collect();
-        for i in 0..solids.len() {
-            let node = solids[i].0;
-            let (medium, seen) = kinds[i];
-            // Between what is opaque nobody sees.
-            let counts = |j: &usize| seen || kinds[*j].1;
-            let differs = |j: &usize| medium.is_none() || medium != kinds[*j].0;
-            // What comes between parts of one medium may keep them from being joined.
-            let is_beyond = |j: &usize| differs(j) || (i + 1..*j).any(|k| differs(&k));
-            let nodes = |which: &mut dyn Iterator<Item = usize>| -> Vec<NodeId> {
-                which.map(|j| solids[j].0).collect()
-            };
-            let clear = nodes(&mut (0..i).filter(|j| kinds[*j].1));
-            let before = nodes(&mut (0..i).filter(counts));
-            let after = nodes(&mut (i + 1..solids.len()).filter(counts).filter(is_beyond));
-            let alike = nodes(&mut (i + 1..solids.len()).filter(counts).filter(|j| !differs(j)));
-            let reach = self.reach(node, &after);
-            let contacts = &mut reaching.contacts;
-            contacts.extend(reach.held.iter().map(|other| (node, *other)));
-            let mut note = |stand: Stand| {
-                let pair = |other: NodeId| (node.min(other), node.max(other));
-                held.extend(stand.held.into_iter().map(pair));
-                loose.extend(stand.loose.into_iter().map(pair));
-                stand.flush
-            };
-            reaching
-                .into
-                .extend(reach.held.iter().map(|other| (node, *other)));
-            if let Some(flush) = note(reach) {
-                reaching.by.insert(node, flush);
+        let faces: Vec<_> = solids.iter().map(|s| self.faces_of(s.0)).collect();
+        let boxes: Vec<Aabb> = solids.iter().map(|s| self.box_of(s.0)).collect();
+        for j in 0..solids.len() {
+            let mut grows = false;
+            for i in 0..j {
+                // Between what is opaque nobody sees.
+                if !(kinds[i].1 || kinds[j].1) || !boxes[i].touches(&boxes[j]) {
+                    continue;
+                }
+                let found: Vec<_> = contacts(&faces[i], &faces[j]).map(|c| c.0).collect();
+                if found.is_empty() {
+                    continue;
+                }
+                let [a, b] = [i, j].map(|k| solids[k].0);
+                let opposed = found.contains(&Contact::Opposed);
+                if opposed {
+                    reaching.contacts.push((a, b));
+                }
+                let differs = |k: usize| kinds[i].0.is_none() || kinds[i].0 != kinds[k].0;
+                // What comes between parts of one medium may keep them from being joined.
+                if differs(j) || (i + 1..j).any(differs) {
+                    match self.has_offset(a, 2.0 * self.hair) {
+                        true => {
+                            let larger = Change::Offset(2.0 * self.hair);
+                            reaching.by.insert(a, self.changes.number(larger));
+                            reaching.into.insert((a, b));
+                        }
+                        false => self.faces_in_one_place(self.ids[b as usize]),
+                    }
+                }
+                grows |= opposed && !differs(j);
             }
-            let plug = self.plug(node, &clear);
-            contacts.extend(plug.held.iter().map(|other| (*other, node)));
-            if plug.flush.is_some() {
-                solids[i].1.flush = note(plug);
+            if grows && self.has_offset(solids[j].0, self.hair) {
+                let larger = self.changes.number(Change::Offset(self.hair));
+                let state = &mut solids[j].1;
+                state.flush = Some(self.changes.both(state.flush, larger));
             }
-            if solids[i].1.flush.is_none() {
-                let around = [&before[..], &alike].concat();
-                let filling = note(self.filling(node, &around));
-                let standing = self.standing(node, &before);
-                contacts.extend(standing.held.iter().map(|other| (*other, node)));
-                solids[i].1.flush = match note(standing) {
-                    Some(standing) => Some(self.changes.both(filling, standing)),
-                    None => filling,
-                };
-            }
-        }
-        for ((node, state), whole) in solids.iter_mut().zip(whole) {
-            if let Some(whole) = whole {
-                state.flush = Some(self.changes.both(state.flush, whole));
-            }
-            if self.may_be_laid_out(*node, state.look) {
-                let by = 2.0 * self.hair;
-                state.flush = state.flush.map(|f| self.changes.small(f, by));
-            }
-        }
-        let joined = self.join_neighbours(solids, kinds);
-        reaching.contacts.extend(joined.iter().copied());
-        held.extend(joined);
-        // One of the two is enough.
-        if let Some((_, above)) = loose.iter().find(|pair| !held.contains(pair)) {
-            self.faces_in_one_place(self.ids[*above as usize]);
         }
         reaching
     }
 
-    /// Makes of solids of one medium that lie on the two sides of one face one larger; gives the pairs. What each
-    /// is made of stands beside it.
-    fn join_neighbours(&mut self, solids: &mut Operands, kinds: &[Kind]) -> Vec<(NodeId, NodeId)> {
-        let mut joined = Vec::new();
-        for i in 0..solids.len() {
-            for j in 0..i {
-                let (medium, seen) = kinds[i];
-                if !seen || medium.is_none() || medium != kinds[j].0 {
-                    continue;
-                }
-                let (a, b) = (solids[j].0, solids[i].0);
-                if let Some((inside, change)) = self.neighbours(a, b) {
-                    let state = &mut solids[if inside == b { i } else { j }].1;
-                    state.flush = state.flush.or(Some(change));
-                    joined.push((a.min(b), a.max(b)));
-                }
-            }
-        }
-        joined
-    }
-
     /// The change of a solid that others are clipped by, so that they lose the faces that they have in one
-    /// place with it: where it stands on them, fills them, or ends as they do.
-    pub fn reach(&mut self, node: NodeId, others: &[NodeId]) -> Stand {
-        let mut stand = self.stand(node, others, 2.0 * self.hair);
-        let filling = self.filling(node, others);
-        stand.held.extend(filling.held);
-        stand.flush = match (filling.flush, stand.flush) {
-            (Some(a), Some(b)) => Some(self.changes.number(Change::Both(a, b))),
-            (a, b) => a.or(b),
-        };
-        let twin = self.twin(node, others);
-        stand.held.extend(twin.held);
-        stand.flush = match twin.flush {
-            Some(twin) => Some(self.changes.both(stand.flush, twin)),
-            None => stand.flush,
-        };
-        stand
+    /// place with it.
+    pub fn reach(&mut self, node: NodeId, others: &[NodeId]) -> Option<u32> {
+        let own = self.faces_of(node);
+        let by = 2.0 * self.hair;
+        let touches = (others.iter()).any(|o| contacts(&own, &self.faces_of(*o)).next().is_some());
+        let larger = (touches && self.has_offset(node, by)).then_some(Change::Offset(by));
+        larger.map(|larger| self.changes.number(larger))
     }
 }

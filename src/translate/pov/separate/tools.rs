@@ -1,150 +1,91 @@
-//! Tools that end flush with what they cut: which of the two faces in one place POV-Ray takes for the
-//! nearer one is up to rounding. Such a tool is written longer than it is. That changes nothing: what
-//! is added lies outside of the thing that is cut.
+//! Holes that end flush with what they are in: which of the two faces in one place POV-Ray takes for the nearer one is up
+//! to rounding. The tool of such a hole is written longer than it is. That changes nothing: what is added lies outside
+//! of the thing that is cut.
 
-use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Geometry, Node, NodeId};
-use crate::solids::shapes::facts::Facts as _;
-use crate::solids::shapes::lengthen::{Cut, HAIR, HALF};
+use super::contacts::{Contact, Face, contacts};
+use crate::geometry::Aabb;
+use crate::scene::NodeId;
 use crate::translate::pov::model::Model;
-use crate::translate::pov::model::displacement::{Change, moved_back};
+use crate::translate::pov::model::plane::Plane;
 use crate::translate::pov::model::state::State;
 
-/// So many nodes of a tool are looked at.
-const PATIENCE: u32 = 4096;
+/// Hairs that tools are made longer by: more than faces are moved by for other reasons.
+const LONGER: f64 = 32.0;
+/// Hairs that tools are made longer by into each other, which may be seen beside the other one.
+const LONGER_INTO_EACH_OTHER: f64 = 2.0;
+/// Operands of larger operations are not compared with each other.
+const MAX_OPERANDS: usize = 256;
 
 impl Model<'_> {
-    /// The number of the box around what is cut, for a tool that has a shape which ends flush with it.
-    pub fn flush(&mut self, tool: NodeId, around: Aabb) -> Option<u32> {
-        self.flush_by(tool, Cut::of(around, HALF))
+    /// The number of the change of a tool that makes it longer where it ends flush with what is cut.
+    pub fn longer_tool(&mut self, tool: NodeId, base: NodeId) -> Option<u32> {
+        let (tool, base) = (self.faces_of(tool), self.faces_of(base));
+        let by = LONGER * self.hair;
+        let planes = contacts(&tool, &base).filter_map(|(contact, [face, _])| {
+            let is_flush = face.is_outer && contact == Contact::Alike;
+            Some((face.plane().filter(|_| is_flush)?, by))
+        });
+        let planes = planes.collect();
+        self.moved_out(planes)
     }
 
-    pub fn flush_by(&mut self, tool: NodeId, all: Cut) -> Option<u32> {
-        let Cut { around, by, most } = all;
-        if around.is_empty()
-            || around
-                .min
-                .iter()
-                .chain(&around.max)
-                .all(|x| x.is_infinite())
-        {
-            return None;
-        }
-        let mut todo = vec![(tool, around)];
-        for _ in 0..PATIENCE {
-            let (node, cut) = todo.pop()?;
-            match self.scene.nodes[node as usize] {
-                Node::Shape(shape) => {
-                    let geometry = &self.scene.shapes[shape as usize].geometry;
-                    let around = cut;
-                    if geometry.lengthened(&Cut { around, by, most }).is_some() {
-                        return Some(self.changes.number(Change::Longer(all)));
-                    }
-                }
-                Node::Transform { child, matrix } => {
-                    let matrix = &self.scene.matrices[matrix as usize];
-                    todo.extend(moved_back(cut, matrix).map(|cut| (child, cut)));
-                }
-                other => {
-                    let children = other.children();
-                    todo.extend(children.into_iter().flatten().map(|child| (child, cut)));
-                }
-            }
-        }
-        None
-    }
-}
-
-/// Of more tools none are compared with each other.
-const MANY: usize = 256;
-
-impl Model<'_> {
-    /// Tools that end in one plane, from its two sides, would leave a skin there: one of them is made
-    /// longer where it stays within the other. Where it does not, the report says so. `cut` is a box
-    /// around what they are taken from.
+    /// Makes tools longer that end where others begin: they would leave a skin there.
     pub fn overlap_tools(&mut self, tools: &mut [(NodeId, State)], cut: Aabb) {
-        if tools.len() > MANY {
+        if tools.len() > MAX_OPERANDS {
             return;
         }
-        for i in 0..tools.len() {
-            for j in 0..tools.len() {
-                for axis in 0..3 {
-                    let (a, b) = (self.box_of(tools[i].0), self.box_of(tools[j].0));
-                    if i != j && touch(&a, &b, axis) {
-                        self.overlap_pair(tools, (i, j), axis, cut);
-                    }
-                }
-            }
-        }
-    }
-
-    /// The first of the pair ends where the second begins.
-    fn overlap_pair(
-        &mut self,
-        tools: &mut [(NodeId, State)],
-        (i, j): (usize, usize),
-        axis: usize,
-        cut: Aabb,
-    ) {
-        let [a, b] = [i, j].map(|k| self.box_of(tools[k].0));
-        // They may end flush with that, too.
-        let (mut below, mut above) = (cut, cut);
-        below.max[axis] = a.max[axis];
-        above.min[axis] = b.min[axis];
-        let [Some(first), Some(second)] =
-            [(i, below), (j, above)].map(|(k, half)| self.flush(tools[k].0, half))
-        else {
-            return;
-        };
-        for (k, other, flush) in [(i, j, first), (j, i, second)] {
-            let (own, room) = (self.box_of(tools[k].0), self.box_of(tools[other].0));
-            let fits = (0..3).all(|x| match x == axis {
-                true => (own.max[x] - own.min[x]) / 2.0 < room.max[x] - room.min[x],
-                false => own.min[x] >= room.min[x] && own.max[x] <= room.max[x],
+        let faces: Vec<_> = tools.iter().map(|t| self.faces_of(t.0)).collect();
+        for (i, j) in self.touching(tools, &cut) {
+            let by = LONGER_INTO_EACH_OTHER * self.hair;
+            let planes = contacts(&faces[i], &faces[j]).filter_map(|(contact, [face, _])| {
+                let is_end = face.is_outer && contact == Contact::Opposed;
+                Some((face.plane().filter(|_| is_end)?, by))
             });
-            let state = &mut tools[k].1;
-            if fits && state.flush.is_none() && self.is_box(tools[other].0) {
-                state.flush = Some(flush);
-                return;
+            let planes = planes.collect();
+            if let Some(change) = self.moved_out(planes) {
+                let state = &mut tools[i].1;
+                state.flush = Some(self.changes.both(state.flush, change));
             }
         }
-        self.faces_in_one_place(self.ids[tools[i].0 as usize]);
     }
 
-    /// Whether a node is a box along the axes.
-    fn is_box(&self, node: NodeId) -> bool {
-        (self.along_the_axes(node)).is_some_and(|g| g.character().is_its_bounds)
-    }
-
-    /// The shape that a node is, if its axes are along those of the node.
-    pub fn along_the_axes(&self, mut node: NodeId) -> Option<&Geometry> {
-        loop {
-            node = match self.scene.nodes[node as usize] {
-                Node::Shape(shape) => return Some(&self.scene.shapes[shape as usize].geometry),
-                Node::Paint { child, .. } | Node::Copy { child, .. } => child,
-                Node::Transform { child, matrix } => {
-                    if !is_along(&self.scene.matrices[matrix as usize]) {
-                        return None;
-                    }
-                    child
+    /// Makes the holes in operands of an intersection longer where they end flush with other operands.
+    pub fn longer_holes(&mut self, operands: &mut [(NodeId, State)]) {
+        if operands.len() > MAX_OPERANDS {
+            return;
+        }
+        let faces: Vec<_> = operands.iter().map(|o| self.faces_of(o.0)).collect();
+        for (i, j) in self.touching(operands, &Aabb::ALL) {
+            for (k, other) in [(i, j), (j, i)] {
+                let planes = self.ends_of_holes(&faces[k], &faces[other]);
+                if let Some(change) = self.moved_out(planes) {
+                    let state = &mut operands[k].1;
+                    state.flush = Some(self.changes.both(state.flush, change));
                 }
-                _ => return None,
             }
         }
     }
-}
 
-/// Whether a matrix leaves the axes along the axes.
-pub fn is_along(m: &Matrix) -> bool {
-    let along = |row: &[f64; 4]| row[..3].iter().filter(|x| **x != 0.0).count() == 1;
-    m.0.iter().take(3).all(along)
-}
+    fn ends_of_holes(&self, own: &[Face], other: &[Face]) -> Vec<(Plane, f64)> {
+        let by = LONGER * self.hair;
+        let planes = contacts(own, other).filter_map(|(contact, [face, _])| {
+            let is_hole = !face.is_outer && contact == Contact::Opposed;
+            Some((face.plane().filter(|_| is_hole)?, by))
+        });
+        planes.collect()
+    }
 
-/// Whether one box ends along an axis where the other begins, with more than an edge in common.
-fn touch(a: &Aabb, b: &Aabb, axis: usize) -> bool {
-    let (end, start) = (a.max[axis], b.min[axis]);
-    let size = end.abs().max(start.abs()).max(a.max[axis] - a.min[axis]);
-    size.is_finite()
-        && (end - start).abs() <= HAIR * size
-        && (0..3).all(|i| i == axis || a.min[i].max(b.min[i]) < a.max[i].min(b.max[i]))
+    /// The pairs of operands whose boxes touch, where that can be seen.
+    fn touching(&self, operands: &[(NodeId, State)], seen: &Aabb) -> Vec<(usize, usize)> {
+        let boxes: Vec<_> = operands.iter().map(|o| self.box_of(o.0)).collect();
+        let pairs = (0..boxes.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let touch = |(i, j): &(usize, usize)| {
+            boxes[*i].touches(&boxes[*j]) && boxes[*i].touches(seen) && boxes[*j].touches(seen)
+        };
+        pairs.filter(touch).collect()
+    }
+
+    fn moved_out(&mut self, planes: Vec<(Plane, f64)>) -> Option<u32> {
+        (!planes.is_empty()).then(|| self.changes.of_planes(planes))
+    }
 }

@@ -1,0 +1,212 @@
+//! Which operands of an operation have faces in one place.
+
+use crate::geometry::array::{dot, length, sub};
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::{Node, NodeId, Vec3};
+use crate::solids::contacts::face::{Faces, Form};
+use crate::solids::contacts::quadric;
+use crate::solids::shapes::facts::Facts as _;
+use crate::translate::pov::model::Model;
+use crate::translate::pov::model::plane::Plane;
+
+/// Nodes of an operand that are looked at.
+const MAX_NODES: usize = 256;
+/// Faces that are this near, as a part of the coordinates, are in one place: what a few hundred roundings may do. Thicker
+/// walls are walls.
+const FACE_GAP: f64 = 1e-13;
+/// Faces that have no more than this in common, as a part of the coordinates, have an edge in common.
+const EDGE: f64 = 1e-9;
+/// Normals, sizes and quadrics that are this near, as a part of them, are one: what turning may do.
+const SAME: f64 = 1e-12;
+
+/// A face of an operand, in the coordinates of the operation.
+pub struct Face {
+    surface: Surface,
+    /// The solid lies inside of the shape that has the face; it is no hole.
+    pub is_outer: bool,
+    around: Aabb,
+}
+
+enum Surface {
+    /// The normal points out of the shape that has the face.
+    Flat(Plane),
+    /// A quadric, by a number that only equal ones have.
+    Quadric(f64),
+    Other {
+        anchor: Vec3,
+        scale: f64,
+        class: u8,
+    },
+}
+
+/// How two faces in one place lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Contact {
+    /// Both solids are on one side of it.
+    Alike,
+    /// One ends where the other begins.
+    Opposed,
+}
+
+impl Face {
+    pub fn plane(&self) -> Option<Plane> {
+        match self.surface {
+            Surface::Flat(plane) => Some(plane),
+            _ => None,
+        }
+    }
+
+    /// How another face lies in this one, if it does.
+    fn contact(&self, other: &Face) -> Option<Contact> {
+        let ends = [&self.around, &other.around];
+        let ends = ends.into_iter().flat_map(|b| [b.min, b.max]).flatten();
+        let size = (ends.filter(|x| x.is_finite())).fold(0.0f64, |m, x| m.max(x.abs()));
+        let (gap, edge) = (FACE_GAP * size, EDGE * size);
+        // Along an axis that they lie across they are as thick as nothing; along others more than an edge has to be in
+        // common.
+        let over = |i: usize| {
+            let [a, b] = [&self.around, &other.around];
+            let common = a.max[i].min(b.max[i]) - a.min[i].max(b.min[i]);
+            let flat = |b: &Aabb| b.max[i] - b.min[i] <= edge;
+            common > if flat(a) && flat(b) { -edge } else { edge }
+        };
+        if !(0..3).all(over) {
+            return None;
+        }
+        let same_side = match (&self.surface, &other.surface) {
+            (Surface::Flat(a), Surface::Flat(b)) => {
+                let along = dot(a.n, b.n).signum();
+                let same = length(sub(a.n, b.n.map(|x| x * along))) <= SAME
+                    && (a.d - b.d * along).abs() <= gap;
+                same.then_some(along > 0.0)?
+            }
+            (Surface::Quadric(a), Surface::Quadric(b)) => {
+                ((a - b).abs() <= SAME * a.abs()).then_some(true)?
+            }
+            (
+                Surface::Other {
+                    anchor,
+                    scale,
+                    class,
+                },
+                Surface::Other {
+                    anchor: p,
+                    scale: s,
+                    class: c,
+                },
+            ) => {
+                let same = class == c && (scale - s).abs() <= SAME * scale;
+                (same && length(sub(*anchor, *p)) <= SAME * size).then_some(true)?
+            }
+            _ => return None,
+        };
+        Some(match same_side == (self.is_outer == other.is_outer) {
+            true => Contact::Alike,
+            false => Contact::Opposed,
+        })
+    }
+}
+
+/// The faces of two solids that are in one place.
+pub fn contacts<'f>(
+    a: &'f [Face],
+    b: &'f [Face],
+) -> impl Iterator<Item = (Contact, [&'f Face; 2])> {
+    a.iter()
+        .flat_map(move |f| b.iter().filter_map(move |g| Some((f.contact(g)?, [f, g]))))
+}
+
+impl Model<'_> {
+    /// The faces of the solids that a node is made of, as far as these are looked at.
+    pub fn faces_of(&self, node: NodeId) -> Vec<Face> {
+        let own = self.box_of(node);
+        let mut faces = Vec::new();
+        let mut todo = vec![(node, Matrix::IDENTITY, true)];
+        for _ in 0..MAX_NODES {
+            let Some((node, m, is_outer)) = todo.pop() else {
+                break;
+            };
+            match self.scene.nodes[node as usize] {
+                Node::Shape(shape) => self.faces_of_shape(shape, &m, is_outer, &mut faces),
+                Node::Transform { child, matrix } => {
+                    let m = m.after(&self.scene.matrices[matrix as usize]);
+                    todo.push((child, m, is_outer));
+                }
+                Node::Paint { child, .. } | Node::Copy { child, .. } => {
+                    todo.push((child, m, is_outer));
+                }
+                Node::Complement(a) => todo.push((a, m, !is_outer)),
+                Node::Union(a, b) | Node::Intersection(a, b) => {
+                    todo.extend([(b, m, is_outer), (a, m, is_outer)]);
+                }
+                Node::Difference(a, b) => todo.extend([(b, m, !is_outer), (a, m, is_outer)]),
+            }
+        }
+        for face in &mut faces {
+            face.around = face.around.intersection(&own);
+            // Endless ones are thin, too.
+            if let Surface::Flat(Plane { n, d }) = &face.surface
+                && let Some(axis) = (0..3).find(|i| n[*i].abs() == 1.0)
+            {
+                let at = -d * n[axis];
+                (face.around.min[axis], face.around.max[axis]) = (at, at);
+            }
+        }
+        // Where a hole ends flush with what it is in, it has no end.
+        let (outer, mut holes): (Vec<_>, Vec<_>) = faces.into_iter().partition(|f| f.is_outer);
+        let is_end = |hole: &Face| {
+            let mut found = outer.iter().map(|face| face.contact(hole));
+            hole.plane().is_some() && found.any(|c| c == Some(Contact::Opposed))
+        };
+        holes.retain(|hole| !is_end(hole));
+        outer.into_iter().chain(holes).collect()
+    }
+
+    fn faces_of_shape(&self, shape: u32, m: &Matrix, is_outer: bool, out: &mut Vec<Face>) {
+        let geometry = &self.scene.shapes[shape as usize].geometry;
+        if !geometry.is_solid() {
+            return;
+        }
+        let mut all = Vec::new();
+        geometry.faces(&mut Faces {
+            leaf: 0,
+            m,
+            out: &mut all,
+        });
+        let bounds = geometry.bounds(m);
+        for face in all {
+            let quadric = geometry.quadric(face.part);
+            let corners = face.form.corners();
+            let surface = match face.form {
+                Form::Flat { normal, point, .. } => Surface::Flat(Plane {
+                    n: normal,
+                    d: -dot(normal, point),
+                }),
+                Form::Round {
+                    anchor,
+                    scale,
+                    class,
+                } => match quadric.and_then(|q| quadric::fingerprint(&q, m)) {
+                    Some(number) => Surface::Quadric(number),
+                    None => Surface::Other {
+                        anchor,
+                        scale,
+                        class,
+                    },
+                },
+            };
+            let around = match corners {
+                Some(corners) => {
+                    let grown = |hull: Aabb, p: &Vec3| hull.hull(&Aabb::new(*p, *p));
+                    corners.iter().fold(Aabb::EMPTY, grown)
+                }
+                None => bounds,
+            };
+            out.push(Face {
+                surface,
+                is_outer,
+                around,
+            });
+        }
+    }
+}
