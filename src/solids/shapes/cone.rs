@@ -55,8 +55,6 @@ impl Facts for Cone {
             is_smooth: false,
             has_colours: false,
             may_cover_itself: false,
-            ends_round: false,
-            is_its_bounds: false,
         }
     }
 
@@ -192,10 +190,6 @@ impl Facts for Cone {
         }
     }
 
-    fn frustum(&self) -> Option<([f64; 2], [f64; 2])> {
-        (!self.double).then_some(([0.0, self.height], [0.0, self.radius]))
-    }
-
     fn degenerate(&self) -> Option<Degenerate> {
         (self.height == 0.0 && !self.double).then(|| Degenerate {
             case: "cone",
@@ -231,21 +225,6 @@ impl Facts for Cone {
             height: by * height,
             radius: by * radius,
         })
-    }
-
-    fn with_ends_moved(&self, around: Aabb, by: f64) -> Option<Geometry> {
-        match self.double {
-            true => None,
-            false => self.lengthened(&Cut::of(around, by / self.height.abs())),
-        }
-    }
-
-    /// It goes on straight.
-    fn widened(&self, by: f64) -> f64 {
-        match self.double {
-            true => 0.0,
-            false => by,
-        }
     }
 
     fn written(&self, part: Part) -> Written {

@@ -37,8 +37,6 @@ impl Facts for Cuboid {
             is_smooth: false,
             has_colours: false,
             may_cover_itself: false,
-            ends_round: false,
-            is_its_bounds: true,
         }
     }
 
@@ -162,10 +160,6 @@ impl Facts for Cuboid {
         vec![self.min[axis], self.max[axis]]
     }
 
-    fn frustum(&self) -> Option<([f64; 2], [f64; 2])> {
-        None
-    }
-
     fn degenerate(&self) -> Option<Degenerate> {
         let equal: Vec<usize> = (0..3).filter(|&i| self.min[i] == self.max[i]).collect();
         Some(Degenerate {
@@ -208,25 +202,6 @@ impl Facts for Cuboid {
             min: low,
             max: high,
         })
-    }
-
-    fn with_ends_moved(&self, around: Aabb, by: f64) -> Option<Geometry> {
-        // One axis at a time: a change is a part of a length.
-        let mut moved = (self.min, self.max);
-        for i in 0..3 {
-            let mut one = Aabb::ALL;
-            (one.min[i], one.max[i]) = (around.min[i], around.max[i]);
-            let by = by / (self.max[i] - self.min[i]);
-            if let Some(Geometry::Box { min, max }) = self.lengthened(&Cut::of(one, by)) {
-                (moved.0[i], moved.1[i]) = (min[i], max[i]);
-            }
-        }
-        let (min, max) = moved;
-        Some(Geometry::Box { min, max })
-    }
-
-    fn widened(&self, _: f64) -> f64 {
-        0.0
     }
 
     fn written(&self, part: Part) -> Written {

@@ -36,8 +36,6 @@ impl Facts for Ellipsoid {
             is_smooth: false,
             has_colours: false,
             may_cover_itself: false,
-            ends_round: true,
-            is_its_bounds: false,
         }
     }
 
@@ -137,10 +135,6 @@ impl Facts for Ellipsoid {
         Vec::new()
     }
 
-    fn frustum(&self) -> Option<([f64; 2], [f64; 2])> {
-        None
-    }
-
     fn degenerate(&self) -> Option<Degenerate> {
         None
     }
@@ -158,14 +152,6 @@ impl Facts for Ellipsoid {
 
     fn lengthened(&self, _: &Cut) -> Option<Geometry> {
         None
-    }
-
-    fn with_ends_moved(&self, _: Aabb, _: f64) -> Option<Geometry> {
-        None
-    }
-
-    fn widened(&self, _: f64) -> f64 {
-        0.0
     }
 
     fn written(&self, _: Part) -> Written {

@@ -81,9 +81,6 @@ pub trait Facts {
     /// Where it has flat faces across an axis that [`lengthened`](Self::lengthened) can move.
     fn ends(&self, axis: usize) -> Vec<f64>;
 
-    /// Heights and radii of the two ends, of a cone, a frustum of one, or a cylinder about the y axis.
-    fn frustum(&self) -> Option<([f64; 2], [f64; 2])>;
-
     // What is wrong with it.
 
     /// How it fails to have an inside, or of a surface an area.
@@ -101,12 +98,6 @@ pub trait Facts {
 
     /// The shape with its flush faces farther out, if it has any that can be moved.
     fn lengthened(&self, longer: &Cut) -> Option<Geometry>;
-
-    /// The shape with the flat faces that are flush with a box moved outwards by so much.
-    fn with_ends_moved(&self, around: Aabb, by: f64) -> Option<Geometry>;
-
-    /// By which part of itself it becomes wider where it is made longer by a part of its length.
-    fn widened(&self, by: f64) -> f64;
 
     // Its record.
 
@@ -133,10 +124,6 @@ pub struct Character {
     pub has_colours: bool,
     /// Whether parts of its surface can lie in each other, where there is then nothing.
     pub may_cover_itself: bool,
-    /// Whether it reaches furthest in single points or along lines, whatever the direction.
-    pub ends_round: bool,
-    /// Whether it is all that is in its bounds.
-    pub is_its_bounds: bool,
 }
 
 /// An ellipsoid whose axes are along the coordinate axes.

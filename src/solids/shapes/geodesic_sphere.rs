@@ -45,8 +45,6 @@ impl Facts for GeodesicSphere {
             is_smooth: false,
             has_colours: false,
             may_cover_itself: false,
-            ends_round: false,
-            is_its_bounds: false,
         }
     }
 
@@ -153,10 +151,6 @@ impl Facts for GeodesicSphere {
         Vec::new()
     }
 
-    fn frustum(&self) -> Option<([f64; 2], [f64; 2])> {
-        None
-    }
-
     fn degenerate(&self) -> Option<Degenerate> {
         None
     }
@@ -174,14 +168,6 @@ impl Facts for GeodesicSphere {
 
     fn lengthened(&self, _: &Cut) -> Option<Geometry> {
         None
-    }
-
-    fn with_ends_moved(&self, _: Aabb, _: f64) -> Option<Geometry> {
-        None
-    }
-
-    fn widened(&self, _: f64) -> f64 {
-        0.0
     }
 
     fn written(&self, _: Part) -> Written {

@@ -60,8 +60,6 @@ impl Facts for HalfSpace {
             is_smooth: false,
             has_colours: false,
             may_cover_itself: false,
-            ends_round: false,
-            is_its_bounds: false,
         }
     }
 
@@ -163,10 +161,6 @@ impl Facts for HalfSpace {
         Vec::new()
     }
 
-    fn frustum(&self) -> Option<([f64; 2], [f64; 2])> {
-        None
-    }
-
     fn degenerate(&self) -> Option<Degenerate> {
         None
     }
@@ -195,14 +189,6 @@ impl Facts for HalfSpace {
         let step = (size.max(1.0) / 2.0).min(longer.most);
         let at = at + outward(at, (cut.min[i], cut.max[i]), hair, step)?;
         Some(Geometry::HalfSpace([a, b, c, -at * n[i]]))
-    }
-
-    fn with_ends_moved(&self, _: Aabb, _: f64) -> Option<Geometry> {
-        None
-    }
-
-    fn widened(&self, _: f64) -> f64 {
-        0.0
     }
 
     fn written(&self, _: Part) -> Written {

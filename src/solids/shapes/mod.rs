@@ -202,10 +202,6 @@ impl Facts for Geometry {
         each!(self, s => s.ends(axis))
     }
 
-    fn frustum(&self) -> Option<([f64; 2], [f64; 2])> {
-        each!(self, s => s.frustum())
-    }
-
     fn degenerate(&self) -> Option<Degenerate> {
         each!(self, s => s.degenerate())
     }
@@ -220,14 +216,6 @@ impl Facts for Geometry {
 
     fn lengthened(&self, longer: &Cut) -> Option<Geometry> {
         each!(self, s => s.lengthened(longer))
-    }
-
-    fn with_ends_moved(&self, around: Aabb, by: f64) -> Option<Geometry> {
-        each!(self, s => s.with_ends_moved(around, by))
-    }
-
-    fn widened(&self, by: f64) -> f64 {
-        each!(self, s => s.widened(by))
     }
 
     fn written(&self, part: Part) -> Written {

@@ -89,8 +89,6 @@ impl Facts for Quadric<'_> {
             is_smooth: false,
             has_colours: false,
             may_cover_itself: false,
-            ends_round: false,
-            is_its_bounds: false,
         }
     }
 
@@ -239,10 +237,6 @@ impl Facts for Quadric<'_> {
         Vec::new()
     }
 
-    fn frustum(&self) -> Option<([f64; 2], [f64; 2])> {
-        None
-    }
-
     fn degenerate(&self) -> Option<Degenerate> {
         let Quadric::General(q) = self else {
             return None;
@@ -271,14 +265,6 @@ impl Facts for Quadric<'_> {
 
     fn lengthened(&self, _: &Cut) -> Option<Geometry> {
         None
-    }
-
-    fn with_ends_moved(&self, _: Aabb, _: f64) -> Option<Geometry> {
-        None
-    }
-
-    fn widened(&self, _: f64) -> f64 {
-        0.0
     }
 
     fn written(&self, _: Part) -> Written {

@@ -24,8 +24,6 @@ impl Facts for Rectangle {
             is_smooth: false,
             has_colours: false,
             may_cover_itself: false,
-            ends_round: false,
-            is_its_bounds: false,
         }
     }
 
@@ -120,10 +118,6 @@ impl Facts for Rectangle {
         Vec::new()
     }
 
-    fn frustum(&self) -> Option<([f64; 2], [f64; 2])> {
-        None
-    }
-
     fn degenerate(&self) -> Option<Degenerate> {
         let equal: Vec<usize> = (0..2).filter(|&i| self.min[i] == self.max[i]).collect();
         Some(Degenerate {
@@ -143,14 +137,6 @@ impl Facts for Rectangle {
 
     fn lengthened(&self, _: &Cut) -> Option<Geometry> {
         None
-    }
-
-    fn with_ends_moved(&self, _: Aabb, _: f64) -> Option<Geometry> {
-        None
-    }
-
-    fn widened(&self, _: f64) -> f64 {
-        0.0
     }
 
     fn written(&self, _: Part) -> Written {

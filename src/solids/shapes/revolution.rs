@@ -33,8 +33,6 @@ impl Facts for Revolution<'_> {
             is_smooth: false,
             has_colours: !self.colours.is_empty(),
             may_cover_itself: true,
-            ends_round: false,
-            is_its_bounds: false,
         }
     }
 
@@ -172,13 +170,6 @@ impl Facts for Revolution<'_> {
         }
     }
 
-    fn frustum(&self) -> Option<([f64; 2], [f64; 2])> {
-        match *self.profile {
-            [[r, y], [q, z]] => Some(([y, z], [r, q])),
-            _ => None,
-        }
-    }
-
     fn degenerate(&self) -> Option<Degenerate> {
         let line = in_line(&profile::closed(self.profile))?;
         let on_axis = self.profile.iter().all(|q| q[0] == 0.0);
@@ -212,26 +203,6 @@ impl Facts for Revolution<'_> {
             profile: longer.profile(self.profile)?,
             colours: Vec::new(),
         })
-    }
-
-    fn with_ends_moved(&self, around: Aabb, by: f64) -> Option<Geometry> {
-        let ys = || self.profile.iter().map(|p| p[1]);
-        let height = ys().fold(f64::NEG_INFINITY, f64::max) - ys().fold(f64::INFINITY, f64::min);
-        self.lengthened(&Cut::of(around, by / height))
-    }
-
-    fn widened(&self, by: f64) -> f64 {
-        let mut around = Aabb::ALL;
-        let heights = || self.profile.iter().map(|p| p[1]);
-        around.min[1] = heights().fold(f64::INFINITY, f64::min);
-        around.max[1] = heights().fold(f64::NEG_INFINITY, f64::max);
-        let widest = |profile: &[[f64; 2]]| profile.iter().fold(0.0f64, |m, p| m.max(p[0]));
-        match self.lengthened(&Cut::of(around, by)) {
-            Some(Geometry::Revolution { profile, .. }) => {
-                (widest(&profile) / widest(self.profile) - 1.0).max(0.0)
-            }
-            _ => 0.0,
-        }
     }
 
     fn written(&self, part: Part) -> Written {

@@ -40,8 +40,6 @@ impl Facts for Sphere {
             is_smooth: false,
             has_colours: false,
             may_cover_itself: false,
-            ends_round: true,
-            is_its_bounds: false,
         }
     }
 
@@ -145,10 +143,6 @@ impl Facts for Sphere {
         Vec::new()
     }
 
-    fn frustum(&self) -> Option<([f64; 2], [f64; 2])> {
-        None
-    }
-
     fn degenerate(&self) -> Option<Degenerate> {
         None
     }
@@ -166,14 +160,6 @@ impl Facts for Sphere {
 
     fn lengthened(&self, _: &Cut) -> Option<Geometry> {
         None
-    }
-
-    fn with_ends_moved(&self, _: Aabb, _: f64) -> Option<Geometry> {
-        None
-    }
-
-    fn widened(&self, _: f64) -> f64 {
-        0.0
     }
 
     fn written(&self, _: Part) -> Written {

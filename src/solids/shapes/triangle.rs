@@ -28,8 +28,6 @@ impl Facts for Triangle<'_> {
             is_smooth: *self.normals != TriangleNormals::Flat,
             has_colours: false,
             may_cover_itself: false,
-            ends_round: false,
-            is_its_bounds: false,
         }
     }
 
@@ -126,10 +124,6 @@ impl Facts for Triangle<'_> {
         Vec::new()
     }
 
-    fn frustum(&self) -> Option<([f64; 2], [f64; 2])> {
-        None
-    }
-
     fn degenerate(&self) -> Option<Degenerate> {
         let case = match in_line(&self.vertices)? {
             InLine::Exactly => "triangle",
@@ -152,14 +146,6 @@ impl Facts for Triangle<'_> {
 
     fn lengthened(&self, _: &Cut) -> Option<Geometry> {
         None
-    }
-
-    fn with_ends_moved(&self, _: Aabb, _: f64) -> Option<Geometry> {
-        None
-    }
-
-    fn widened(&self, _: f64) -> f64 {
-        0.0
     }
 
     fn written(&self, _: Part) -> Written {
