@@ -6,7 +6,7 @@
 //!
 //! From the scene to text in passes, which share a [`tree`] of values: [`lower`] makes objects of the scene, of which
 //! [`model`] knows what they ask, and asks [`separate`] what to do about faces in one place; [`simplify`] leaves out what
-//! is empty or there twice, and names the rest; [`print`] writes the text. It decides nothing, and never sees the scene.
+//! is empty or there twice, and names the rest; [`mod@print`] writes the text. It decides nothing, and never sees the scene.
 
 pub mod brightness;
 mod lower;

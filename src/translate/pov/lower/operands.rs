@@ -10,10 +10,10 @@ use crate::translate::pov::model::looks::Substance;
 use crate::translate::pov::model::state::{Layer, State};
 
 /// Unions of more members are not searched for faces in one place.
-const MANY: usize = 4096;
+const MAX_MEMBERS: usize = 4096;
 
 /// Operands of larger intersections are not compared with each other.
-const FEW: usize = 64;
+const MAX_COMPARED: usize = 64;
 
 impl<'a> Model<'a> {
     /// The operands of a union and of the unions among them, in order. What is within one that came
@@ -52,8 +52,8 @@ impl<'a> Model<'a> {
 
     /// Says so where members that look different are made of one and the same solid.
     fn look_for_shared_faces(&mut self, members: &[(NodeId, State)]) {
-        if members.len() > MANY {
-            return;
+        if members.len() > MAX_MEMBERS {
+            return self.budget_is_spent();
         }
         let mut seen: HashMap<_, (Option<Substance>, NodeId, bool)> = HashMap::new();
         for &(node, state) in members {
@@ -104,7 +104,7 @@ impl<'a> Model<'a> {
     /// Leaves out operands of an intersection that hold another one: they take nothing away, and have
     /// faces where that one has. Those are the first one's, unless both are of one look and medium.
     pub fn without_wider(&mut self, mut members: Vec<(NodeId, State)>) -> Vec<(NodeId, State)> {
-        if members.len() > FEW
+        if members.len() > MAX_COMPARED
             || members
                 .iter()
                 .any(|m| self.materials[m.0 as usize].has_surface)

@@ -26,9 +26,8 @@ impl<'a> Model<'a> {
             return Object::unless_empty(Operation::Union, pieces);
         }
         let (mut solids, mut surfaces) = self.by_part(&members);
-        let (kinds, mut reaching) = self.settled(&mut solids);
-        let level = self.level_all(&mut solids, &mut surfaces, &kinds);
-        reaching.contacts.extend(level);
+        let (kinds, reaching) = self.settled(&mut solids);
+        self.level_all(&mut solids, &mut surfaces, &kinds);
         let mut groups = self.by_medium(&solids, &kinds);
         let meetings = self.meetings(&mut groups, &reaching);
         let mut pieces = Vec::new();
@@ -55,21 +54,15 @@ impl<'a> Model<'a> {
         Object::unless_empty(Operation::Union, pieces)
     }
 
-    fn level_all(
-        &mut self,
-        solids: &mut Operands,
-        surfaces: &mut Operands,
-        kinds: &[Kind],
-    ) -> Vec<(NodeId, NodeId)> {
+    fn level_all(&mut self, solids: &mut Operands, surfaces: &mut Operands, kinds: &[Kind]) {
         let mut parts = solids.clone();
         parts.extend(surfaces.iter().copied());
         let mut kinds = kinds.to_vec();
         kinds.resize(parts.len(), (None, false));
-        let contacts = self.level(&mut parts, &kinds);
+        self.level(&mut parts, &kinds);
         surfaces.copy_from_slice(&parts[solids.len()..]);
         parts.truncate(solids.len());
         *solids = parts;
-        contacts
     }
 
     /// Solids and surfaces apart: a merge has no place for surfaces.

@@ -199,6 +199,13 @@ impl<'a> Model<'a> {
         }
     }
 
+    /// Says that something was too large to look for faces in one place.
+    pub fn budget_is_spent(&mut self) {
+        let large = "operations of very many parts";
+        let doubt = Fidelity::approximate("faces in one place are not looked for in all of them");
+        self.report.state(large, doubt, "");
+    }
+
     pub fn media_are_approximate(&mut self) {
         self.report.count(
             "operations on media of different index",

@@ -6,8 +6,6 @@ use crate::scene::{Geometry, Vec3};
 use crate::solids::shapes::facts::Facts;
 use crate::solids::shapes::lengthen::{Cut, HALF};
 
-/// Planes that are this near, as a part of the numbers, are one: what a few roundings may do.
-const SAME: f64 = 1e-12;
 /// Normals that are this near are one: what rotations may do.
 const FLAT: f64 = 1e-9;
 /// Planes that are nearer than this part of what they are moved by are one.
@@ -37,24 +35,11 @@ impl Plane {
         Some((Plane::of(n, d)?, 1.0 / length(n)))
     }
 
-    /// Whether it is another one, the normal to the same side. Numbers are as large as `size`.
-    pub fn is(&self, other: &Plane, size: f64) -> bool {
-        let size = size.max(self.d.abs());
-        length(sub(self.n, other.n)) <= SAME && (self.d - other.d).abs() <= SAME * size
-    }
-
     /// So far out.
     pub fn moved(&self, by: f64) -> Plane {
         Plane {
             d: self.d - by,
             ..*self
-        }
-    }
-
-    pub fn turned(&self) -> Plane {
-        Plane {
-            n: self.n.map(|x| -x),
-            d: -self.d,
         }
     }
 }

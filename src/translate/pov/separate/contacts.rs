@@ -8,6 +8,7 @@ use crate::solids::contacts::quadric;
 use crate::solids::shapes::facts::Facts as _;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::plane::Plane;
+use crate::translate::pov::model::state::Layer;
 
 /// Nodes of an operand that are looked at.
 const MAX_NODES: usize = 256;
@@ -24,6 +25,8 @@ pub struct Face {
     surface: Surface,
     /// The solid lies inside of the shape that has the face; it is no hole.
     pub is_outer: bool,
+    /// It is a surface, and not that of a solid.
+    pub is_sheet: bool,
     around: Aabb,
 }
 
@@ -57,7 +60,7 @@ impl Face {
     }
 
     /// How another face lies in this one, if it does.
-    fn contact(&self, other: &Face) -> Option<Contact> {
+    pub fn contact(&self, other: &Face) -> Option<Contact> {
         let ends = [&self.around, &other.around];
         let ends = ends.into_iter().flat_map(|b| [b.min, b.max]).flatten();
         let size = (ends.filter(|x| x.is_finite())).fold(0.0f64, |m, x| m.max(x.abs()));
@@ -118,16 +121,24 @@ pub fn contacts<'f>(
 
 impl Model<'_> {
     /// The faces of the solids that a node is made of, as far as these are looked at.
-    pub fn faces_of(&self, node: NodeId) -> Vec<Face> {
+    pub fn faces_of(&mut self, node: NodeId) -> Vec<Face> {
+        self.faces_of_layer(node, Layer::Solid)
+    }
+
+    /// The faces of the solids, of the surfaces, or of both.
+    pub fn faces_of_layer(&mut self, node: NodeId, layer: Layer) -> Vec<Face> {
         let own = self.box_of(node);
         let mut faces = Vec::new();
         let mut todo = vec![(node, Matrix::IDENTITY, true)];
-        for _ in 0..MAX_NODES {
-            let Some((node, m, is_outer)) = todo.pop() else {
+        let mut looked_at = 0;
+        while let Some((node, m, is_outer)) = todo.pop() {
+            looked_at += 1;
+            if looked_at > MAX_NODES {
+                self.budget_is_spent();
                 break;
-            };
+            }
             match self.scene.nodes[node as usize] {
-                Node::Shape(shape) => self.faces_of_shape(shape, &m, is_outer, &mut faces),
+                Node::Shape(shape) => self.faces_of_shape(shape, layer, (&m, is_outer), &mut faces),
                 Node::Transform { child, matrix } => {
                     let m = m.after(&self.scene.matrices[matrix as usize]);
                     todo.push((child, m, is_outer));
@@ -162,9 +173,27 @@ impl Model<'_> {
         outer.into_iter().chain(holes).collect()
     }
 
-    fn faces_of_shape(&self, shape: u32, m: &Matrix, is_outer: bool, out: &mut Vec<Face>) {
+    fn faces_of_shape(
+        &self,
+        shape: u32,
+        layer: Layer,
+        (m, is_outer): (&Matrix, bool),
+        out: &mut Vec<Face>,
+    ) {
         let geometry = &self.scene.shapes[shape as usize].geometry;
+        if layer != Layer::All && geometry.is_solid() != (layer == Layer::Solid) {
+            return;
+        }
         if !geometry.is_solid() {
+            out.extend(geometry.flat_faces(m).into_iter().filter_map(|face| {
+                let plane = Plane::of(face.n, face.d)?.moved_back(&m.inverse()?)?.0;
+                Some(Face {
+                    surface: Surface::Flat(plane),
+                    is_outer,
+                    is_sheet: true,
+                    around: face.around,
+                })
+            }));
             return;
         }
         let mut all = Vec::new();
@@ -205,6 +234,7 @@ impl Model<'_> {
             out.push(Face {
                 surface,
                 is_outer,
+                is_sheet: false,
                 around,
             });
         }

@@ -362,7 +362,8 @@ impl<'a> Model<'a> {
                 within.push((plane, -4.0 * self.hair));
             }
         }
-        if !(grows || !within.is_empty()) || !self.has_offset(node, self.hair / 2.0) {
+        let changes = grows || !within.is_empty();
+        if !changes || !self.has_offset(node, self.hair / 2.0) {
             return None;
         }
         let larger = self.changes.number(Change::Offset(self.hair / 2.0));

@@ -2,15 +2,16 @@
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-use super::contacts::{Contact, contacts};
+use super::contacts::{Contact, Face, contacts};
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::displacement::Change;
+use crate::translate::pov::model::plane::Plane;
 use crate::translate::pov::model::state::State;
 
 /// Unions of more solids are not searched for those that stand on each other.
-const MANY: usize = 512;
+const MAX_SOLIDS: usize = 512;
 
 /// Operands of an operation.
 pub type Operands = Vec<(NodeId, State)>;
@@ -54,7 +55,8 @@ impl<'a> Model<'a> {
         let mut kinds: Vec<Kind> = (solids.iter())
             .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
             .collect();
-        if solids.len() > MANY {
+        if solids.len() > MAX_SOLIDS {
+            self.budget_is_spent();
             return (kinds, Reaching::default());
         }
         for i in self.opened(solids, &kinds) {
@@ -91,40 +93,48 @@ impl<'a> Model<'a> {
         let mut reaching = Reaching::default();
         let faces: Vec<_> = solids.iter().map(|s| self.faces_of(s.0)).collect();
         let boxes: Vec<Aabb> = solids.iter().map(|s| self.box_of(s.0)).collect();
+        let by = 2.0 * self.hair;
         for j in 0..solids.len() {
             let mut grows = false;
+            let mut into: Vec<(Plane, f64)> = Vec::new();
             for i in 0..j {
                 // Between what is opaque nobody sees.
                 if !(kinds[i].1 || kinds[j].1) || !boxes[i].touches(&boxes[j]) {
                     continue;
                 }
-                let found: Vec<_> = contacts(&faces[i], &faces[j]).map(|c| c.0).collect();
+                let found: Vec<_> = contacts(&faces[i], &faces[j]).collect();
                 if found.is_empty() {
                     continue;
                 }
                 let [a, b] = [i, j].map(|k| solids[k].0);
-                let opposed = found.contains(&Contact::Opposed);
+                let opposed = found
+                    .iter()
+                    .any(|(contact, _)| *contact == Contact::Opposed);
                 if opposed {
                     reaching.contacts.push((a, b));
                 }
                 let differs = |k: usize| kinds[i].0.is_none() || kinds[i].0 != kinds[k].0;
                 // What comes between parts of one medium may keep them from being joined.
-                if differs(j) || (i + 1..j).any(differs) {
-                    match self.has_offset(a, 2.0 * self.hair) {
-                        true => {
-                            let larger = Change::Offset(2.0 * self.hair);
-                            reaching.by.insert(a, self.changes.number(larger));
-                            reaching.into.insert((a, b));
-                        }
-                        false => self.faces_in_one_place(self.ids[b as usize]),
-                    }
+                if !differs(j) && !(i + 1..j).any(differs) {
+                    grows |= opposed;
+                } else if let (false, Some(planes)) = (kinds[i].1, standing(&found)) {
+                    into.extend(planes.into_iter().map(|plane| (plane, by)));
+                } else if self.has_offset(a, by) {
+                    let larger = self.changes.number(Change::Offset(by));
+                    reaching.by.insert(a, larger);
+                    reaching.into.insert((a, b));
+                    grows |= opposed && !differs(j);
+                } else {
+                    self.faces_in_one_place(self.ids[b as usize]);
                 }
-                grows |= opposed && !differs(j);
             }
-            if grows && self.has_offset(solids[j].0, self.hair) {
-                let larger = self.changes.number(Change::Offset(self.hair));
-                let state = &mut solids[j].1;
-                state.flush = Some(self.changes.both(state.flush, larger));
+            let larger = Change::Offset(self.hair);
+            let larger = (grows && self.has_offset(solids[j].0, self.hair))
+                .then(|| self.changes.number(larger));
+            let into = (!into.is_empty()).then(|| self.changes.of_planes(into));
+            let state = &mut solids[j].1;
+            for change in [into, larger].into_iter().flatten() {
+                state.flush = Some(self.changes.both(state.flush, change));
             }
         }
         reaching
@@ -139,4 +149,14 @@ impl<'a> Model<'a> {
         let larger = (touches && self.has_offset(node, by)).then_some(Change::Offset(by));
         larger.map(|larger| self.changes.number(larger))
     }
+}
+
+/// The faces with which a later solid stands on an earlier one, if they touch with no others: these may go on into what
+/// nobody sees into.
+fn standing(found: &[(Contact, [&Face; 2])]) -> Option<Vec<Plane>> {
+    let plane = |(contact, [_, face]): &(Contact, [&Face; 2])| {
+        let stands = *contact == Contact::Opposed && face.is_outer;
+        face.plane().filter(|_| stands)
+    };
+    found.iter().map(plane).collect()
 }

@@ -32,7 +32,7 @@ impl Model<'_> {
     /// Makes tools longer that end where others begin: they would leave a skin there.
     pub fn overlap_tools(&mut self, tools: &mut [(NodeId, State)], cut: Aabb) {
         if tools.len() > MAX_OPERANDS {
-            return;
+            return self.budget_is_spent();
         }
         let faces: Vec<_> = tools.iter().map(|t| self.faces_of(t.0)).collect();
         for (i, j) in self.touching(tools, &cut) {
@@ -52,7 +52,7 @@ impl Model<'_> {
     /// Makes the holes in operands of an intersection longer where they end flush with other operands.
     pub fn longer_holes(&mut self, operands: &mut [(NodeId, State)]) {
         if operands.len() > MAX_OPERANDS {
-            return;
+            return self.budget_is_spent();
         }
         let faces: Vec<_> = operands.iter().map(|o| self.faces_of(o.0)).collect();
         for (i, j) in self.touching(operands, &Aabb::ALL) {
