@@ -145,7 +145,8 @@ pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec
     if is_wrong {
         let found = out[first..].iter_mut();
         let fixes = found
-            .filter(|d| takes_records_out(d.code))
+            // A bound is held against what changes the object, which may be what cannot be read.
+            .filter(|d| takes_records_out(d.code) || d.code == Code::W311)
             .map(|d| &mut d.fixes);
         fixes.for_each(Vec::clear);
     }

@@ -74,6 +74,16 @@ const BEHIND: &[(&str, &str)] = &[
         "6 -201 0.8 0.2 0\n2 -299 0 6\n",
     ),
     ("2 pigment 1 0 0\n", "2 -701 1 0 0\n"),
+    // The colours of a checkerboard before the numbers of its fields.
+    (
+        "12 -701 1 0 0\n13 -701 0 1 0\n2 -399 12 13 2 2\n",
+        "12 -701 1 0 0\n13 -701 0 1 0\n2 -399 2 2 12 13\n",
+    ),
+    // The only thing that nothing names has another ID by a typing error.
+    (
+        "21 -701 1 0 0\n13 -701 0 1 0\n3 -399 1 1 12 13\n2 -299 3 0\n",
+        "12 -701 1 0 0\n13 -701 0 1 0\n3 -399 1 1 12 13\n2 -299 3 0\n",
+    ),
     // A grey, and a second record on the line.
     ("2 -701 rgb 0.8\n", "2 -701 0.8 0.8 0.8\n"),
     (
@@ -119,6 +129,19 @@ const INSTEAD: &[(&str, &str, &str)] = &[
         "9 -501 location 0 0 6 direction 0 0 -1 sky 0 1 0 angle 45",
         "9 -501 0 0 6 0 0 -1 0 1 0 45",
     ),
+    // A number of the up vector is lost, or all of it where the direction looks like one.
+    (
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+        "9 -501 0 0 6 0 0 -1 0 1 45",
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+    ),
+    (
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+        "9 -501 0 0 6 0.1 0 -1 45",
+        "9 -501 0 0 6 0.1 0 -1 0 1 0 45",
+    ),
+    // What is moved is a lamp.
+    ("50 -402 1\n", "50 -401 1\n", "50 -402 1\n"),
     // A line of the camera is left out.
     (
         "9 -501 0 0 6 0 0 -1 0 1 0 45",
@@ -145,6 +168,10 @@ const JOINED: &[(&str, &str)] = &[
     ("koule 4 0 1.6 0 0.6", "4 11 0 1.6 0 0.6"),
     ("sphere { <0,1.6,0>, 0.6 }", "4 11  0 1.6 0  0.6 "),
     ("14 4 1 0.3", "4 14 1 0.3"),
+    (
+        "4 11 0 1.6 0 0.6\n-101 6 2 4",
+        "4 11 0 1.6 0 0.6\n6 -101 2 4",
+    ),
     // The ID is a type, too.
     (
         "4 11 0 1.6 0 0.6\n4 -710 0.9 0.1 0.1",
@@ -245,6 +272,32 @@ fn swapped_where_something_else_has_the_id() {
     assert_eq!(fixed(&scene("11 2 0 0 0 1")), scene("2 11 0 0 0 1"));
     let row = "11 10 1 2 0.5\n12 10 2 0.5 1\n13 10 0.5 1\n14 -101 11 12\n2 -101 14 13\n";
     assert_eq!(fixed(&format!("{row}{REST}")), format!("{row}{REST}"));
+}
+
+/// Where a definition is missing, no record is bent to name something else.
+#[test]
+fn a_lost_definition_is_not_replaced() {
+    let rest = REST.replace("9999 2", "9999 5");
+    // 4 is named twice, or is the one between 3 and 5.
+    for tool in ["4 -1 1 0 0\n", ""] {
+        let text = format!("2 9 1\n3 12 0 0 0 2 2 2\n{tool}5 -103 3 4\n{rest}");
+        assert_eq!(fixed(&text), text);
+        let all = repair::proposals(&read(&text));
+        let undefined = all.iter().find(|d| d.code == Code::E101).unwrap();
+        assert!(undefined.notes.contains(&"lost"), "{undefined:?}");
+    }
+    // A typing error names nothing of the kind.
+    let text = |id: u32| format!("2 9 1\n3 12 0 0 0 2 2 2\n5 -103 2 {id}\n{rest}");
+    assert_eq!(fixed(&text(33)), text(3));
+}
+
+/// A safe fix waits while a change of its object cannot be read.
+#[test]
+fn a_bound_waits_for_what_moves_its_object() {
+    let text = "2 9 1\n2 1 5 0 0\n2 -602 5 0 0 1.1\n1 9999 2 0\n";
+    let safe = fixing::to_fixed_point(read(text), false, Analysis::of);
+    assert_eq!(safe.analysis.source.text, text);
+    assert_eq!(fixed(text), text.replace("2 1 5", "2 -1 5"));
 }
 
 /// A record with too many numbers does not take the next one as well.

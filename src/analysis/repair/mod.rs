@@ -17,6 +17,8 @@ use rustc_hash::FxHashSet;
 
 use super::Analysis;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span, Value, fixes};
+use crate::scene::names;
+use crate::syntax::Item;
 use candidates::{Candidate, Habit, Place};
 use judge::Left;
 
@@ -361,6 +363,13 @@ impl Engine<'_> {
         let least = judged[0].0.in_vain;
         // While there are other errors, nobody can tell which object is left over.
         let names_another = |j: &&(Left, Trial)| j.1.candidate.habit.names_another();
+        let is_lost = finding.code == Code::E101
+            && matches!(
+                judged[0].1.candidate.habit,
+                Habit::Shifted | Habit::Reference | Habit::Id
+            )
+            && named(&finding).is_some_and(|id| is_lost(self.analysis, id))
+            && !defines(&judged[0].1.scene, named(&finding));
         let is_open = place.is_operation()
             && judge::errors(&judged[0].1.scene) > 0
             && judged.first().is_some_and(|j| names_another(&j))
@@ -380,7 +389,10 @@ impl Engine<'_> {
         }
         // There would be more errors than before.
         let is_hidden = finding.is_error() && judge::errors(&judged[0].1.scene) >= errors_before;
-        if is_open || is_hidden {
+        if is_lost {
+            finding.notes.push("lost");
+        }
+        if is_open || is_hidden || is_lost {
             (finding.fixes.iter_mut()).for_each(|f| f.applicability = Applicability::Choice);
         }
         true
@@ -433,6 +445,27 @@ fn named(d: &Diagnostic) -> Option<u32> {
         Some((_, Value::Text(text))) => text.parse().ok(),
         _ => None,
     }
+}
+
+/// Whether the definition of an ID is rather missing than that a record names another: several records name the ID, or
+/// the IDs before and behind it are defined.
+fn is_lost(analysis: &Analysis, id: u32) -> bool {
+    let document = &analysis.document;
+    let records = || document.items.iter().filter_map(Item::record);
+    let changed = records().filter(|r| r.id == id).count();
+    let named = records().flat_map(|r| names::references(document, r));
+    let is_defined = |id: Option<u32>| analysis.scene.entities.iter().any(|e| Some(e.id) == id);
+    changed + named.filter(|&named| named == id).take(2).count() > 1
+        || is_defined(id.checked_sub(1)) && is_defined(id.checked_add(1))
+}
+
+/// Whether a scene defines an ID.
+fn defines(analysis: &Analysis, id: Option<u32>) -> bool {
+    analysis
+        .scene
+        .entities
+        .iter()
+        .any(|e| Some(e.id) == id && e.kind.is_some())
 }
 
 /// The IDs that are used and defined nowhere, the first ones.

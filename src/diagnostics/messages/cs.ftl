@@ -105,6 +105,7 @@ fix-lost-type = za ID napsat typ `{ $number }` ({ $type })
 fix-comment = dát to do komentáře
 fix-doubled = vynechat čísla, která jsou tu dvakrát
 lack = zapsaná čísla jsou možná { $have }; pak chybí { $missing }
+lost = možná chybí jeho definice; `--unsafe-fixes` žádný z odhadů nepoužije
 choose = několik odhadů je stejně dobrých: vyberte z nich, `--unsafe-fixes` nepoužije žádný
 comment-ends = komentář končí druhým znakem `#`; co stojí za ním, se čte jako čísla
 fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam

@@ -98,6 +98,7 @@ fix-lost-type = put the type `{ $number }` ({ $type }) after the ID
 fix-comment = turn this into a comment
 fix-doubled = drop the numbers that stand there twice
 lack = the numbers here may be { $have }, with { $missing } left out
+lost = its definition may be missing; `--unsafe-fixes` takes none of these guesses
 choose = several guesses are as good: choose one, since `--unsafe-fixes` takes none of them
 comment-ends = a comment ends at its second `#`; whatever comes after it is read as numbers
 fix-lamp = write the intensity 1, and the colour as a record of its own

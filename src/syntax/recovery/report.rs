@@ -114,13 +114,19 @@ impl Reporter<'_, '_> {
             }
             Verdict::WrongArity { ty, got, expected } => {
                 self.real_type(start, out);
+                let before = out.len();
                 self.bad_tokens(ty, start + 2, end, out);
                 // A word for all numbers, as in `2 -701 red`, is one mistake, and so is one between numbers.
                 let is_word = |i: &usize| self.stretch.sigs[*i].kind == TokenKind::Word;
-                let words = (start + 2..end).filter(is_word).count();
+                let words = match ty.kind {
+                    // A file's name is no number, but the record has a place for it.
+                    RecordKind::ImageTexture => 0,
+                    _ => (start + 2..end).filter(is_word).count(),
+                };
                 let numbers = got - words.min(got);
                 let is_all = got == 1 && expected > 1 && words == 1;
-                if !is_all && numbers != expected {
+                let is_said = out.len() > before && (is_all || numbers == expected);
+                if !is_said {
                     // Of too many, one may stand in the place of a number.
                     let got = if got < expected { numbers } else { got };
                     out.push(self.count(piece, ty, got, expected));

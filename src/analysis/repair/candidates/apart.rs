@@ -126,12 +126,8 @@ impl Place<'_> {
 
     /// How many of the parameters here are those of the record, and these as numbers.
     fn own_numbers(&self, ty: &RecordType) -> Option<(usize, String)> {
-        let named = |count: usize| {
-            let name = self.params().get(..count)?;
-            Some((count, self.colour_name(name)?))
-        };
-        let is_colour = ty.kind == RecordKind::Colour;
-        if let Some(colour) = [2, 1].into_iter().filter(|_| is_colour).find_map(named) {
+        let colour = (ty.kind == RecordKind::Colour).then(|| self.named_colour(self.params()));
+        if let Some(colour) = colour.flatten() {
             return Some(colour);
         }
         let count = self.wanted(ty);

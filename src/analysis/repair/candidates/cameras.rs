@@ -4,14 +4,12 @@ use super::{Candidate, Habit, Place};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 use crate::geometry::array::{length, sub};
 use crate::lint::spelling::decimal;
-use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::lexer::Token;
 use crate::syntax::quote;
 use crate::syntax::table::RecordKind;
 
 /// A direction of length 1 is written with so many digits at least.
 const ROUNDED: f64 = 1e-3;
-/// Words before the point that a camera of other programs looks at.
-const LOOK_AT: [&str; 4] = ["look_at", "lookat", "target", "at"];
 /// The angle of a camera that lacks it.
 const ANGLE: &str = "45";
 
@@ -74,76 +72,38 @@ impl Place<'_> {
         );
         out.push(to_point);
         let up = upright([dx, dy, dz]);
-        let is_unit = (length([dx, dy, dz]) - 1.0).abs() < ROUNDED;
+        let largest = [dx, dy, dz].map(f64::abs).into_iter().fold(0.0, f64::max);
+        let is_unit = largest == 1.0 || (length([dx, dy, dz]) - 1.0).abs() < ROUNDED;
         let habit = if is_unit { Habit::Direction } else { Habit::Up };
         out.push(candidate("fix-up", habit, text.clone(), up));
     }
 
-    /// Words between the numbers of a record, as in `look_at 0 0 0`: they go, and the point that a camera looks at becomes
-    /// a direction.
-    pub(super) fn labelled(&self) -> Option<Candidate> {
-        let ty = self.ty().filter(|ty| !ty.is_counted())?;
-        // `rgb(255,0,0)` and `2*pi` are something else.
-        let is_word = |t: &Token| {
-            let behind = self.text[t.end() as usize..].chars().next();
-            t.kind() == TokenKind::Word && behind.is_none_or(char::is_whitespace)
-        };
-        let is_number = |t: &Token| t.kind().is_number();
-        let params = self.params();
-        let (words, numbers): (Vec<Token>, Vec<Token>) = params.iter().partition(|t| is_word(t));
-        let is_whole = !words.is_empty()
-            && numbers.iter().all(is_number)
-            && self.fit(ty, &numbers)
-            // Behind all numbers they are rather a comment.
-            && params.last().is_some_and(is_number);
-        let (first, last) = (words.first()?, words.last()?);
-        if !is_whole {
-            return None;
-        }
-        let mut edits: Vec<Edit> = (params.windows(2))
-            .filter(|two| is_word(&two[0]))
-            .map(|two| Edit {
-                span: Span::new(two[0].start, two[1].start),
-                text: String::new(),
-            })
-            .collect();
-        let written = quote(&self.text[first.span().to(last.span()).range()]);
-        let point = params.windows(2).find(|two| {
-            let word = two[0].text(self.text).to_lowercase();
-            LOOK_AT.contains(&&*word) && Some(two[1].start) == numbers.get(3).map(|t| t.start)
-        });
-        let is_camera = ty.kind == RecordKind::Camera && point.is_some();
-        let number = |i: usize| numbers[i].number(self.text);
-        let title = match is_camera {
-            true => {
-                for (i, of) in (3..6).zip(0..) {
-                    edits.push(Edit {
-                        span: numbers[i].span(),
-                        text: decimal(number(i)? - number(of)?),
-                    });
-                }
-                "fix-labelled-point"
-            }
-            false => "fix-labelled",
-        };
-        edits.sort_by_key(|e| e.span.start);
-        Some(Candidate {
-            habit: Habit::Characters,
-            fix: Fix {
-                title,
-                values: vec![("text", written.into())],
-                applicability: Applicability::Unsafe,
-                edits,
-            },
-            ty: None,
-        })
+    /// Two tokens and what is between them as one.
+    fn joined(&self, first: &Token, last: &Token) -> Token {
+        Token::new(first.kind(), first.start as usize, last.end() as usize)
     }
 
-    /// A camera without its angle, which is the last number: 45 degrees are what most have.
+    /// A camera with one number too few: without its angle, which is the last one and 45 degrees in most scenes, or
+    /// without a 0 of its up vector.
     pub(super) fn without_angle(&self, finding: &Diagnostic) -> Option<Candidate> {
         let ty = self.ty().filter(|ty| ty.kind == RecordKind::Camera)?;
         let is_one = finding.code == Code::E008 && self.params().len() + 1 == ty.params.len();
-        let last = self.params().last().filter(|_| is_one)?;
+        let [.., before, middle, last] = self.params() else {
+            return None;
+        };
+        if !is_one {
+            return None;
+        }
+        let [a, b, end] = [before, middle, last].map(|t| t.number(self.text));
+        if end?.abs() > 1.0 {
+            // That is the angle; of the up vector a 0 is lost.
+            let is_up = matches!((a?, b?), (0.0, 1.0) | (1.0, 0.0));
+            let up = self.write(
+                Habit::Up,
+                &[(self.joined(before, middle), "0 1 0".to_owned())],
+            )?;
+            return is_up.then_some(up);
+        }
         let at = Span::new(last.end(), last.end());
         Some(Candidate {
             habit: Habit::Up,

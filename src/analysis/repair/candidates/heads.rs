@@ -181,6 +181,12 @@ impl Place<'_> {
         colours::numbers(&self.text[first.span().to(last.span()).range()])
     }
 
+    /// How many of some tokens are the name of a colour, which they begin with, and its numbers.
+    pub(super) fn named_colour(&self, tokens: &[Token]) -> Option<(usize, String)> {
+        let named = |of: usize| Some((of, self.colour_name(tokens.get(..of)?)?));
+        named(2).or_else(|| named(1))
+    }
+
     /// The name of a type in its place, where its numbers have a slip of their own: a place that stands first, a camera
     /// without its up vector.
     pub(super) fn named(

@@ -92,8 +92,7 @@ impl Place<'_> {
     fn colour(&self, tokens: &[Token]) -> Option<(usize, Inline)> {
         let first = tokens.first()?;
         if first.kind() == TokenKind::Word {
-            let named = |of: usize| Some((of, self.colour_name(tokens.get(..of)?)?));
-            let (of, numbers) = named(2).or_else(|| named(1))?;
+            let (of, numbers) = self.named_colour(tokens)?;
             let span = first.span().to(tokens[of - 1].span());
             return Some((of, Inline { span, numbers }));
         }

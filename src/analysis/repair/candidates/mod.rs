@@ -249,6 +249,13 @@ impl<'a> Place<'a> {
         let mut out = Vec::new();
         if finding.is_error() {
             self.characters(&mut out);
+            // A type is no ID.
+            let is_negative = self.int(0).is_some_and(|id| id < 0) && finding.code == Code::E005;
+            out.extend(
+                self.exchange()
+                    .filter(|_| is_negative)
+                    .map(|(_, candidate)| candidate),
+            );
             out.extend(self.torn_type());
             out.extend(self.own_name());
             out.extend(self.labelled());

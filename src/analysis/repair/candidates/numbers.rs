@@ -2,13 +2,76 @@
 
 use super::{Candidate, Habit, Place};
 use crate::analysis::repair::characters;
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::lint::spelling::decimal;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
 
+/// Words before the point that a camera of other programs looks at.
+const LOOK_AT: [&str; 4] = ["look_at", "lookat", "target", "at"];
+
 impl Place<'_> {
+    /// Words between the numbers of a record, as in `look_at 0 0 0`: they go, and the point that a camera looks at becomes
+    /// a direction.
+    pub(super) fn labelled(&self) -> Option<Candidate> {
+        let ty = self.ty().filter(|ty| !ty.is_counted())?;
+        // `rgb(255,0,0)` and `2*pi` are something else.
+        let is_word = |t: &Token| {
+            let behind = self.text[t.end() as usize..].chars().next();
+            t.kind() == TokenKind::Word && behind.is_none_or(char::is_whitespace)
+        };
+        let is_number = |t: &Token| t.kind().is_number();
+        let params = self.params();
+        let (words, numbers): (Vec<Token>, Vec<Token>) = params.iter().partition(|t| is_word(t));
+        let is_whole = !words.is_empty()
+            && numbers.iter().all(is_number)
+            && self.fit(ty, &numbers)
+            // Behind all numbers they are rather a comment.
+            && params.last().is_some_and(is_number);
+        let (first, last) = (words.first()?, words.last()?);
+        if !is_whole {
+            return None;
+        }
+        let mut edits: Vec<Edit> = (params.windows(2))
+            .filter(|two| is_word(&two[0]))
+            .map(|two| Edit {
+                span: Span::new(two[0].start, two[1].start),
+                text: String::new(),
+            })
+            .collect();
+        let written = quote(&self.text[first.span().to(last.span()).range()]);
+        let point = params.windows(2).find(|two| {
+            let word = two[0].text(self.text).to_lowercase();
+            LOOK_AT.contains(&&*word) && Some(two[1].start) == numbers.get(3).map(|t| t.start)
+        });
+        let is_camera = ty.kind == RecordKind::Camera && point.is_some();
+        let number = |i: usize| numbers[i].number(self.text);
+        let title = match is_camera {
+            true => {
+                for (i, of) in (3..6).zip(0..) {
+                    edits.push(Edit {
+                        span: numbers[i].span(),
+                        text: decimal(number(i)? - number(of)?),
+                    });
+                }
+                "fix-labelled-point"
+            }
+            false => "fix-labelled",
+        };
+        edits.sort_by_key(|e| e.span.start);
+        Some(Candidate {
+            habit: Habit::Characters,
+            fix: Fix {
+                title,
+                values: vec![("text", written.into())],
+                applicability: Applicability::Unsafe,
+                edits,
+            },
+            ty: None,
+        })
+    }
+
     /// A rotation with an angle for each axis, as other programs have it: one about each axis whose angle is not 0, about
     /// x first.
     pub(super) fn angles(&self) -> Option<Candidate> {

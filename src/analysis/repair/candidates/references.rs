@@ -5,7 +5,7 @@ use crate::diagnostics::{Code, Diagnostic, Edit};
 use crate::scene::{Entity, names};
 use crate::syntax::Item;
 use crate::syntax::lexer::Token;
-use crate::syntax::table::{Effect, Family, Kind, Param, ParamKind, RecordKind};
+use crate::syntax::table::{Effect, Family, Kind, Param, ParamKind, RecordKind, RecordType};
 
 impl Place<'_> {
     /// The parameters that are references, and what they may refer to.
@@ -48,7 +48,13 @@ impl Place<'_> {
             return;
         }
         self.swapped(out);
+        self.colours_first(out);
         self.other_place(finding, &all, out);
+        out.extend(
+            all.iter()
+                .filter(|(t, _)| finding.span == t.span())
+                .find_map(|(t, kinds)| self.renamed(t, kinds)),
+        );
         let id = |t: &Token| t.integer(self.text).unwrap_or(0);
         // A single one is no more than one off, and 0 is none.
         let several = all.iter().filter(|(t, _)| id(t) != 0).count() > 1;
@@ -90,6 +96,13 @@ impl Place<'_> {
         }
     }
 
+    /// Whether any record refers to an ID.
+    fn is_named(&self, id: u32) -> bool {
+        let document = &self.analysis.document;
+        let mut records = document.items.iter().filter_map(Item::record);
+        records.any(|r| names::references(document, r).any(|named| named == id))
+    }
+
     /// A reference that nothing fits may have been meant for another place, which has none: that of the only thing there
     /// that no record names.
     fn other_place(
@@ -102,18 +115,48 @@ impl Place<'_> {
         let Some((own, _)) = own.filter(|(_, kinds)| self.entities(kinds).next().is_none()) else {
             return;
         };
-        let document = &self.analysis.document;
-        let is_named = |id: u32| {
-            let mut records = document.items.iter().filter_map(Item::record);
-            records.any(|r| names::references(document, r).any(|named| named == id))
-        };
         for (place, kinds) in all.iter().filter(|(t, _)| t.integer(self.text) == Some(0)) {
-            let mut unused = self.entities(kinds).filter(|e| !is_named(e.id));
+            let mut unused = self.entities(kinds).filter(|e| !self.is_named(e.id));
             if let (Some(one), None) = (unused.next(), unused.next()) {
                 let new = [(*own, "0".to_owned()), (*place, one.id.to_string())];
                 out.extend(self.write(Habit::Reference, &new));
             }
         }
+    }
+
+    /// The colours of a checkerboard before the numbers of its fields.
+    fn colours_first(&self, out: &mut Vec<Candidate>) {
+        let is_one = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Checkerboard);
+        if let ([a, b, c, d], true) = (self.params(), is_one) {
+            let new = [(a, c), (b, d), (c, a), (d, b)];
+            let new = new.map(|(t, new)| (*t, new.text(self.text).to_owned()));
+            out.extend(self.write(Habit::Swapped, &new));
+        }
+    }
+
+    /// The only thing of the right kind that no record names gets the ID that is named here.
+    fn renamed(&self, named: &Token, kinds: &'static [Kind]) -> Option<Candidate> {
+        let document = &self.analysis.document;
+        let mut unused =
+            (self.entities(kinds)).filter(|e| Some(e.id) != self.id() && !self.is_named(e.id));
+        let (Some(one), None) = (unused.next(), unused.next()) else {
+            return None;
+        };
+        let id = named.text(self.text).to_owned();
+        let head = Token::new(named.kind(), one.span.start as usize, one.span.end as usize);
+        let mut candidate = self.write(Habit::Id, &[(head, id.clone())])?;
+        let records = document.items.iter().filter_map(Item::record);
+        let own = records
+            .filter(|r| r.id == one.id)
+            .map(|r| document.id_token(r).span());
+        let changes = own.filter(|span| *span != one.span);
+        let changes = changes.map(|span| Edit {
+            span,
+            text: id.clone(),
+        });
+        candidate.fix.edits.extend(changes);
+        candidate.fix.edits.sort_by_key(|e| e.span.start);
+        Some(candidate)
     }
 
     /// The object that a record changes and the IDs that it refers to in each other's places, in the only order in which
@@ -194,6 +237,7 @@ impl Place<'_> {
             return;
         }
         let Some(id) = self.id() else { return };
+        out.extend(self.as_lamp(finding, id, kinds));
         let text = id.to_string();
         let mut others: Vec<(usize, u32, u32)> = (self.entities(kinds))
             .filter(|e| e.id != id)
@@ -207,5 +251,17 @@ impl Place<'_> {
             (others.iter().take(MOST / 2))
                 .filter_map(|o| self.write(Habit::Id, &[(head, o.2.to_string())])),
         );
+    }
+
+    /// A light from everywhere that is moved as a lamp is: it may be one.
+    fn as_lamp(&self, finding: &Diagnostic, id: u32, kinds: &'static [Kind]) -> Option<Candidate> {
+        let is_one = finding.code == Code::E103 && kinds.contains(&Kind::PointLight);
+        let document = &self.analysis.document;
+        let mut records = document.items.iter().filter_map(Item::record);
+        let light = records.find(|r| r.id == id && r.kind == RecordKind::AmbientLight)?;
+        let ty = document.significant(light.first, light.last).nth(1)?;
+        let code = RecordType::of(RecordKind::PointLight).code.to_string();
+        let lamp = is_one.then_some((*ty, code))?;
+        self.write(Habit::Sibling, &[lamp])
     }
 }

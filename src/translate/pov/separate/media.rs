@@ -108,12 +108,16 @@ impl Meetings {
 }
 
 impl Seen {
-    /// What is said of the side of a face from which that is seen.
-    fn one_side<'a>(self) -> Vec<Modifier<'a>> {
-        match self {
+    /// One side of a face, as it is seen, inside of what is `around` and outside of what came `before`.
+    fn kept<'a>(self, around: &[Object<'a>], before: &[Object<'a>]) -> Vec<Modifier<'a>> {
+        let mut modifiers = match self {
             Seen::Look(look) => vec![Modifier::Texture(look), Modifier::UnseenWithin],
             Seen::Nothing | Seen::Face => vec![Modifier::Unseen],
-        }
+        };
+        let union = |of: &[Object<'a>]| Object::unless_empty(Operation::Union, of.to_vec());
+        modifiers.extend(union(around).map(Modifier::inside));
+        modifiers.extend(union(before).map(Modifier::outside));
+        modifiers
     }
 }
 
@@ -231,13 +235,7 @@ impl<'a> Model<'a> {
                 around.extend(self.bare(&groups[meeting.earlier], |_, _| None));
             }
             self.unseen_twice |= alike[0].seen == Seen::Face;
-            let mut modifiers = alike[0].seen.one_side();
-            modifiers.extend(
-                Object::unless_empty(Operation::Union, around.clone()).map(Modifier::inside),
-            );
-            modifiers.extend(
-                Object::unless_empty(Operation::Union, before.clone()).map(Modifier::outside),
-            );
+            let modifiers = alike[0].seen.kept(&around, &before);
             before.extend(around);
             let all = std::iter::once(own.clone()).chain(taken.clone()).collect();
             pieces.push(Object::of(Operation::Difference, all).with(modifiers));
@@ -283,13 +281,7 @@ impl<'a> Model<'a> {
                 }
                 around.push(Object::of(Operation::Difference, all));
             }
-            let mut modifiers = alike[0].seen.one_side();
-            modifiers.extend(
-                Object::unless_empty(Operation::Union, around.clone()).map(Modifier::inside),
-            );
-            modifiers.extend(
-                Object::unless_empty(Operation::Union, before.clone()).map(Modifier::outside),
-            );
+            let modifiers = alike[0].seen.kept(&around, &before);
             before.extend(around);
             pieces.push(own.clone().with(modifiers));
         }
