@@ -81,8 +81,8 @@ const BEHIND: &[(&str, &str)] = &[
     ),
     // The only thing that nothing names has another ID by a typing error.
     (
-        "21 -701 1 0 0\n13 -701 0 1 0\n3 -399 1 1 12 13\n2 -299 3 0\n",
-        "12 -701 1 0 0\n13 -701 0 1 0\n3 -399 1 1 12 13\n2 -299 3 0\n",
+        "21 -701 1 0 0\n3 -399 1 1 12 12\n2 -299 3 0\n",
+        "12 -701 1 0 0\n3 -399 1 1 12 12\n2 -299 3 0\n",
     ),
     // A grey, and a second record on the line.
     ("2 -701 rgb 0.8\n", "2 -701 0.8 0.8 0.8\n"),
