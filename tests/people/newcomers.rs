@@ -84,6 +84,18 @@ const BEHIND: &[(&str, &str)] = &[
         "21 -701 1 0 0\n3 -399 1 1 12 12\n2 -299 3 0\n",
         "12 -701 1 0 0\n3 -399 1 1 12 12\n2 -299 3 0\n",
     ),
+    // Decimal points that are lost, per cent, parts by kind, digits of a Czech keyboard.
+    ("2 -701 09 06 01\n", "2 -701 0.9 0.6 0.1\n"),
+    ("2 -701 90 60 10\n", "2 -701 0.9 0.6 0.1\n"),
+    ("2 -201 0.05 01 0.85\n", "2 -201 0.05 0.1 0.85\n"),
+    ("2 -201 0.2 08 0\n", "2 -201 0.2 0.8 0\n"),
+    (
+        "2 -202 0.2 0.3 0.1 0.8 0.7 0.9 0 0 0\n",
+        "2 -202 0.2 0.8 0 0.3 0.7 0 0.1 0.9 0\n",
+    ),
+    ("2 -701 é + +\n", "2 -701 0 1 1\n"),
+    // A digit of the type.
+    ("2 -71 0.9 0.6 0.1\n", "2 -701 0.9 0.6 0.1\n"),
     // A grey, and a second record on the line.
     ("2 -701 rgb 0.8\n", "2 -701 0.8 0.8 0.8\n"),
     (
@@ -157,6 +169,11 @@ const INSTEAD: &[(&str, &str, &str)] = &[
     ),
     (
         "50 -402 1\n50 -1 3 5 5",
+        "50 light_source { <5,8,6> rgb 0.8 }",
+        "50 -402  0.8\n50 -1 5 8 6 ",
+    ),
+    (
+        "50 -402 1\n50 -1 3 5 5",
         "50 light_source <5,8,6> 0.8",
         "50 -402 0.8\n50 -1 5 8 6",
     ),
@@ -168,6 +185,10 @@ const JOINED: &[(&str, &str)] = &[
     ("koule 4 0 1.6 0 0.6", "4 11 0 1.6 0 0.6"),
     ("sphere { <0,1.6,0>, 0.6 }", "4 11  0 1.6 0  0.6 "),
     ("14 4 1 0.3", "4 14 1 0.3"),
+    // A digit of the type is lost, doubled, or exchanged with another; the space before it is lost.
+    ("4 41 1 0.3", "4 14 1 0.3"),
+    ("4 114 1 0.3", "4 14 1 0.3"),
+    ("411 0 1.6 0 0.6", "4 11 0 1.6 0 0.6"),
     (
         "4 11 0 1.6 0 0.6\n-101 6 2 4",
         "4 11 0 1.6 0 0.6\n6 -101 2 4",
@@ -289,6 +310,19 @@ fn a_lost_definition_is_not_replaced() {
     // A typing error names nothing of the kind.
     let text = |id: u32| format!("2 9 1\n3 12 0 0 0 2 2 2\n5 -103 2 {id}\n{rest}");
     assert_eq!(fixed(&text(33)), text(3));
+}
+
+/// What an operation makes of an object under the same ID has another one, which later lines name.
+#[test]
+fn an_operation_with_the_id_of_its_operand() {
+    let text = |new: u32| {
+        format!("2 9 1\n3 12 0 0 0 2 2 2\n{new} -103 3 2\n5 14 2 0.2\n6 -101 5 {new}\n{REST}")
+            .replace("9999 2", "9999 6")
+    };
+    assert_eq!(fixed(&text(3)), text(51));
+    // A digit of the type is lost; a geodesic sphere would leave the operands unused.
+    let whole = text(4);
+    assert_eq!(fixed(&whole.replace("-103", "-13")), whole);
 }
 
 /// A safe fix waits while a change of its object cannot be read.

@@ -16,7 +16,20 @@ pub fn number(text: &str) -> Option<String> {
         let value = plain(above)?.parse::<f64>().ok()? / plain(below)?.parse::<f64>().ok()?;
         return value.is_finite().then(|| value.to_string());
     }
-    plain(text)
+    plain(text).or_else(|| plain(&without_shift(text)?))
+}
+
+/// The digits that were meant by the letters that a Czech keyboard has in their place without the shift key.
+fn without_shift(text: &str) -> Option<String> {
+    const KEYS: &str = "é+ěščřžýáí";
+    let digits = text.strip_prefix('-').unwrap_or(text);
+    let digit = |c: char| match KEYS.chars().position(|key| key == c) {
+        Some(i) => char::from_digit(i as u32, 10),
+        None => matches!(c, '.' | ',').then_some(c),
+    };
+    let new: Option<String> = digits.chars().map(digit).collect();
+    let sign = if digits == text { "" } else { "-" };
+    new.map(|new| format!("{sign}{new}"))
 }
 
 /// The degrees that an angle in parts of π is, as `pi/2`, `2*PI/3` or `-π`.
@@ -125,6 +138,11 @@ mod tests {
             ("O", "0"),
             ("O5", "5"),
             ("l", "1"),
+            ("é", "0"),
+            ("č+", "41"),
+            ("++", "11"),
+            ("-ýé+", "-701"),
+            ("é,č", "0.4"),
         ] {
             assert_eq!(number(text).as_deref(), Some(meant), "{text}");
         }

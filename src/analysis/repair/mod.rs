@@ -322,9 +322,10 @@ impl Engine<'_> {
                 errors,
             });
         }
-        // A mere change of sign wins over another type.
-        if trials.iter().any(|t| t.candidate.habit == Habit::Sign) {
-            trials.retain(|t| t.candidate.habit == Habit::Sign);
+        // A mere change of sign or of a digit wins over another type.
+        let is_slight = |t: &Trial| matches!(t.candidate.habit, Habit::Sign | Habit::Digit);
+        if trials.iter().any(is_slight) {
+            trials.retain(is_slight);
         }
         let is_choice = trials.len() > 1 || !finding.is_error();
         let mut judged: Vec<(Left, Trial)> = (trials.into_iter())

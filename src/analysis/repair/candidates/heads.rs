@@ -6,7 +6,7 @@ use rustc_hash::FxHashSet;
 use super::{Candidate, Habit, Place};
 use crate::analysis::colours;
 use crate::analysis::repair::whole::{records, references};
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::LEAST_HEAD;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
@@ -84,6 +84,44 @@ impl Place<'_> {
             .with("text", quote(&code.to_string()))
             .with("number", quote(&number.to_string()));
         Some((finding, self.beginning(Habit::Exchanged, edits)))
+    }
+
+    /// ID and type without a space between them: `4111 0 1 0 1.2`. The IDs that are used and defined nowhere come first,
+    /// and none has the ID of something else.
+    pub(super) fn glued(&self, undefined: &[u32]) -> Vec<Candidate> {
+        let is_right = self.ty().is_some_and(|ty| self.fits(ty));
+        let Some((head, params)) = self.tokens.split_first().filter(|_| !is_right) else {
+            return Vec::new();
+        };
+        let digits = head.text(self.text);
+        if !digits.bytes().all(|c| c.is_ascii_digit()) {
+            return Vec::new();
+        }
+        let is_defined = |id: u32| self.analysis.scene.entities.iter().any(|e| e.id == id);
+        let split = |at: usize| -> Option<(u32, &'static RecordType)> {
+            let (id, code) = digits.split_at(at);
+            let id: u32 = id.parse().ok()?;
+            let ty = RecordType::by_code(code.parse().ok().filter(|_| !code.starts_with('0'))?)?;
+            (id > RENDER && !is_defined(id) && self.fit(ty, params)).then_some((id, ty))
+        };
+        let mut all: Vec<(u32, &RecordType)> = (1..digits.len()).filter_map(split).collect();
+        all.sort_by_key(|(id, _)| !undefined.contains(id));
+        let candidates = all.into_iter().map(|(id, ty)| {
+            let text = format!("{id} {}", ty.code);
+            Candidate {
+                habit: Habit::NoType,
+                fix: Fix::replace(
+                    "fix-write",
+                    Applicability::Unsafe,
+                    head.span(),
+                    text.clone(),
+                )
+                .with("number", quote(&text))
+                .with("type", Value::Term(ty.title)),
+                ty: Some(ty),
+            }
+        });
+        candidates.collect()
     }
 
     /// A type with a space in it: `-7 01`. Two positive numbers are rather a type and what follows it.
@@ -206,8 +244,15 @@ impl Place<'_> {
             return vec![self.beginning(Habit::Word, vec![code, Edit { span, text }])];
         }
         let word = Token::new(TokenKind::Word, word.start as usize, word.end as usize);
+        // As in `light_source <5, 8, 6> rgb 0.7`.
+        let is_colour = |t: &Token| {
+            let mut named = words::types(t.text(self.text)).into_iter();
+            t.kind() == TokenKind::Word && named.any(|ty| ty.kind == RecordKind::Colour)
+        };
+        let numbers = params.iter().filter(|t| !is_colour(t)).copied();
+        let numbers: Vec<Token> = numbers.collect();
         let place = Place {
-            tokens: [&[self.tokens[0], word], params].concat(),
+            tokens: [&[self.tokens[0], word], numbers.as_slice()].concat(),
             named: Some(ty),
             ..*self
         };

@@ -25,6 +25,8 @@ pub use inline::new_ids;
 pub enum Habit {
     /// The minus of a type is lost, or there is one too many.
     Sign,
+    /// A digit of a type is lost, doubled or wrong, or two are exchanged.
+    Digit,
     /// A number has letters, signs or units in it; a file name has spaces.
     Characters,
     /// A word stands in the place of a type's number.
@@ -96,7 +98,12 @@ impl Habit {
             }
             Habit::NoType | Habit::Axis => false,
             // They are made for such findings only.
-            Habit::Shifted | Habit::Reference | Habit::Id | Habit::Type | Habit::Proposed => true,
+            Habit::Digit
+            | Habit::Shifted
+            | Habit::Reference
+            | Habit::Id
+            | Habit::Type
+            | Habit::Proposed => true,
         }
     }
 }
@@ -257,6 +264,7 @@ impl<'a> Place<'a> {
                     .map(|(_, candidate)| candidate),
             );
             out.extend(self.torn_type());
+            out.extend(self.glued(&[undefined, taken].concat()));
             out.extend(self.own_name());
             out.extend(self.labelled());
             self.keyword(&mut out);
@@ -352,7 +360,12 @@ impl<'a> Place<'a> {
                 let d = Diagnostic::new(Code::E101, edit.span).case("no-id");
                 Some(d.with("number", written))
             }
-            Habit::Shifted | Habit::Reference | Habit::Id | Habit::Type | Habit::Proposed => None,
+            Habit::Digit
+            | Habit::Shifted
+            | Habit::Reference
+            | Habit::Id
+            | Habit::Type
+            | Habit::Proposed => None,
             Habit::Direction | Habit::Point | Habit::Up => None,
         }
     }

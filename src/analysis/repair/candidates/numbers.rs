@@ -3,7 +3,7 @@
 use super::{Candidate, Habit, Place};
 use crate::analysis::repair::characters;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
-use crate::lint::spelling::decimal;
+use crate::lint::spelling::{decimal, with_point};
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
@@ -103,12 +103,18 @@ impl Place<'_> {
         })
     }
 
-    /// Parts of light in per cent.
+    /// Parts of light in per cent, or without their decimal point.
     pub(super) fn per_cent(&self, finding: &Diagnostic) -> Option<Candidate> {
         let ty = self.ty().filter(|ty| self.fits(ty))?;
         let is_parts = matches!(ty.kind, RecordKind::Optics | RecordKind::OpticsRgb);
         if finding.code != Code::E206 || !is_parts {
             return None;
+        }
+        let pointed: Vec<(Token, String)> = (self.params().iter())
+            .filter_map(|t| Some((*t, with_point(t.text(self.text))?)))
+            .collect();
+        if !pointed.is_empty() {
+            return self.write(Habit::Proposed, &pointed);
         }
         let mut new = Vec::new();
         for &t in self.params() {

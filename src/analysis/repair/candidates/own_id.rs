@@ -2,9 +2,11 @@
 
 use super::inline::{FREE_TITLE, OWN_TITLE};
 use super::{Candidate, Habit, Place};
+use crate::analysis::repair::whole::{records, references};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::Item;
 use crate::syntax::ast::Record;
+use crate::syntax::lexer::Token;
 use crate::syntax::table::{Effect, Kind, ParamKind, RecordKind, RecordType};
 
 impl Place<'_> {
@@ -35,6 +37,7 @@ impl Place<'_> {
         let mut edits = vec![edit(head, new)];
         if is_twice {
             edits.extend(self.changes(id).map(|place| edit(place, new)));
+            edits.extend(self.later_uses(id).map(|place| edit(place, new)));
         }
         let mut objects: Vec<String> = Vec::new();
         if let Some(kinds) = property {
@@ -76,6 +79,21 @@ impl Place<'_> {
             move |r: &&Record| r.id == id && !matches!(r.ty().effect, Effect::Defines(_));
         let own = records.map_while(move |item| item.record().filter(is_change));
         own.map(|r| document.id_token(r).span())
+    }
+
+    /// The places that name what this record makes of the object that had its ID before, as in `3 -103 3 4`: from then
+    /// on the ID means the new one.
+    fn later_uses(&self, id: u32) -> impl Iterator<Item = Span> {
+        let named = |t: &&Token| t.integer(self.text) == Some(id.into());
+        let is_of_itself = self.is_operation() && self.params().iter().any(|t| named(&t));
+        let end = self.tokens.last().map_or(self.line.end, |t| t.end());
+        let document = &self.analysis.document;
+        let behind = records(self.analysis)
+            .filter(move |r| is_of_itself && document.id_token(r).start >= end);
+        let named = behind.flat_map(|r| references(self.analysis, r));
+        named
+            .filter(move |(_, named)| *named == i64::from(id))
+            .map(|(t, _)| t.span())
     }
 
     /// The objects that an ID is assigned to, and the places there for a property of the first kind, which are empty or

@@ -1,5 +1,7 @@
 //! Another type, or the numbers that go with another.
 
+use std::cmp::Ordering;
+
 use rustc_hash::FxHashSet;
 
 use super::{Candidate, Habit, MOST, Place};
@@ -295,13 +297,16 @@ impl Place<'_> {
             // What changes something, and fits, was not meant as a shape.
             .filter(|ty| finding.code == Code::E007 || ty.family != Family::Shape)
             .collect();
-        fitting.sort_by_key(|ty| i64::from(ty.code).abs_diff(code));
-        out.extend(
-            fitting
-                .into_iter()
-                .take(MOST / 2)
-                .map(|ty| self.write_type(Habit::Type, ty)),
-        );
+        let written = self.tokens[1].text(self.text);
+        let is_slip = |ty: &RecordType| is_slip(written, &ty.code.to_string());
+        fitting.sort_by_key(|ty| (!is_slip(ty), i64::from(ty.code).abs_diff(code)));
+        out.extend(fitting.into_iter().take(MOST / 2).map(|ty| {
+            let habit = match is_slip(ty) {
+                true => Habit::Digit,
+                false => Habit::Type,
+            };
+            self.write_type(habit, ty)
+        }));
     }
 
     /// A record without its type: what stands in its place is none, or would change what is defined nowhere else. One
@@ -359,5 +364,59 @@ impl Place<'_> {
                 .with("fewer", fewer)
                 .with("header", format!("`ID {} {}`", ty.code, ty.signature())),
         )
+    }
+}
+
+/// Whether one number is written for another by a slip: a digit is lost or stands there twice, or two are exchanged. In a
+/// number of three digits one may be another, too; of two most are.
+fn is_slip(written: &str, meant: &str) -> bool {
+    let digits = |text: &'_ str| text.bytes().filter(u8::is_ascii_digit).count();
+    let sorted = |text: &str| {
+        let mut all = text.as_bytes().to_vec();
+        all.sort_unstable();
+        all
+    };
+    let is_doubled = || {
+        let mut pairs = written.as_bytes().windows(2).enumerate();
+        pairs.any(|(i, two)| {
+            two[0] == two[1] && [&written[..i], &written[i + 1..]].concat() == meant
+        })
+    };
+    written.starts_with('-') == meant.starts_with('-')
+        && strsim::osa_distance(written, meant) == 1
+        && match digits(written).cmp(&digits(meant)) {
+            Ordering::Less => true,
+            Ordering::Equal => digits(meant) > 2 || sorted(written) == sorted(meant),
+            Ordering::Greater => digits(meant) > 2 || is_doubled(),
+        }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_slip;
+
+    #[test]
+    fn slips_of_types() {
+        for (written, meant) in [
+            ("-71", "-701"),
+            ("-13", "-103"),
+            ("-013", "-103"),
+            ("41", "14"),
+            ("114", "14"),
+            ("-7011", "-701"),
+            ("-711", "-701"),
+            ("-1011", "-101"),
+        ] {
+            assert!(is_slip(written, meant), "{written} {meant}");
+        }
+        for (written, meant) in [
+            ("41", "17"),
+            ("19", "10"),
+            ("19", "9"),
+            ("-13", "13"),
+            ("-71", "-1"),
+        ] {
+            assert!(!is_slip(written, meant), "{written} {meant}");
+        }
     }
 }

@@ -3,6 +3,8 @@ W301 = složky barvy mají být mezi 0 a 1; zde je { $parts }
     .note = povrch se složkou větší než 1 je jasnější než světlo, které na něj dopadá; záporná složka světlo ubírá. Má-li světlo svítit víc, zvyšte jeho intenzitu
     .bytes = vypadá to na čísla od 0 do 255
     .divide = vydělit číslem 255
+    .hundredths = vydělit číslem 100
+    .point-lost = napsat desetinnou tečku
     .fix = napsat nejbližší přípustnou hodnotu
 W301-point = složky barvy mají být mezi 0 a 1; v bodě profilu { $point } je { $parts }{ $others ->
     [0] {""}
@@ -14,4 +16,6 @@ W301-point = složky barvy mají být mezi 0 a 1; v bodě profilu { $point } je 
     .note = { W301.note }
     .bytes = { W301.bytes }
     .divide = { W301.divide }
+    .hundredths = { W301.hundredths }
+    .point-lost = { W301.point-lost }
     .fix = { W301.fix }

@@ -3,6 +3,8 @@ W301 = the parts of a colour must lie between 0 and 1; here { $parts }
     .note = a part above 1 makes a surface brighter than the light that falls on it, a negative one takes light away; to make a light brighter, raise its intensity
     .bytes = these look like numbers from 0 to 255
     .divide = divide by 255
+    .hundredths = divide by 100
+    .point-lost = write the decimal point
     .fix = write the nearest that is in range
 W301-point = the parts of a colour must lie between 0 and 1; at profile point { $point }, { $parts }{ $others ->
     [0] {""}
@@ -13,4 +15,6 @@ W301-point = the parts of a colour must lie between 0 and 1; at profile point { 
     .note = { W301.note }
     .bytes = { W301.bytes }
     .divide = { W301.divide }
+    .hundredths = { W301.hundredths }
+    .point-lost = { W301.point-lost }
     .fix = { W301.fix }

@@ -2,14 +2,15 @@
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
-use crate::lint::spelling::rough;
+use crate::lint::spelling::{rough, with_point};
 use crate::scene::record::Params;
 use crate::syntax::table::RecordKind;
 
-/// Whole numbers up to 255 are bytes as image programs show them. Up to 100 they may as well be
-/// per cent, and nothing is proposed.
+/// Whole numbers up to 255 are bytes as image programs show them. Up to 100 they are rather per cent, if one is 10 at
+/// least.
 const BYTE_MAX: f64 = 255.0;
 const PER_CENT_MAX: f64 = 100.0;
+const PER_CENT_MIN: f64 = 10.0;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for record in context.records() {
@@ -57,29 +58,52 @@ fn finding(p: &Params, first: usize) -> Diagnostic {
             "others",
             crate::diagnostics::Value::Count(outside.count() as u64),
         );
-    let all = || (first..p.len()).map(|i| p.number(i));
-    let largest = all().fold(0.0, f64::max);
-    let bytes = all().all(|x| x.fract() == 0.0 && (0.0..=BYTE_MAX).contains(&x));
-    if bytes && largest > PER_CENT_MAX {
+    let values: Vec<f64> = (first..p.len()).map(|i| p.number(i)).collect();
+    let divided = |title, by: f64| {
         let edits = (first..p.len()).filter(|&i| p.number(i) != 0.0);
-        d.note("bytes").fix(Fix {
-            title: "divide",
-            values: Vec::new(),
-            applicability: Applicability::Unsafe,
-            edits: edits
-                .map(|i| edit(p, i, rough(p.number(i) / BYTE_MAX)))
-                .collect(),
-        })
-    } else {
-        let edits = (first..p.len()).filter(|&i| is_outside(p, i));
-        d.fix(Fix {
-            title: "fix",
-            values: Vec::new(),
-            applicability: Applicability::Unsafe,
-            edits: edits
-                .map(|i| edit(p, i, rough(p.number(i).clamp(0.0, 1.0))))
-                .collect(),
-        })
+        let edits = edits.map(|i| edit(p, i, rough(p.number(i) / by)));
+        fix(title, edits.collect())
+    };
+    let pointed = (first..p.len()).filter_map(|i| Some(edit(p, i, with_point(p.text_of(i))?)));
+    let pointed: Vec<Edit> = pointed.collect();
+    if !pointed.is_empty() {
+        return d.fix(fix("point-lost", pointed));
+    }
+    match scale(&values) {
+        Some(Scale::Bytes) => d.note("bytes").fix(divided("divide", BYTE_MAX)),
+        Some(Scale::PerCent) => {
+            (d.fix(divided("hundredths", PER_CENT_MAX))).fix(divided("divide", BYTE_MAX))
+        }
+        None => {
+            let edits = (first..p.len()).filter(|&i| is_outside(p, i));
+            let edits = edits.map(|i| edit(p, i, rough(p.number(i).clamp(0.0, 1.0))));
+            d.fix(fix("fix", edits.collect()))
+        }
+    }
+}
+
+/// What whole numbers of colours are written in, rather than in parts of 1.
+enum Scale {
+    Bytes,
+    PerCent,
+}
+
+fn scale(values: &[f64]) -> Option<Scale> {
+    let is_whole = |x: &f64| x.fract() == 0.0 && (0.0..=BYTE_MAX).contains(x);
+    let largest = values.iter().copied().fold(0.0, f64::max);
+    match values.iter().all(is_whole) {
+        true if largest > PER_CENT_MAX => Some(Scale::Bytes),
+        true if largest >= PER_CENT_MIN => Some(Scale::PerCent),
+        _ => None,
+    }
+}
+
+fn fix(title: &'static str, edits: Vec<Edit>) -> Fix {
+    Fix {
+        title,
+        values: Vec::new(),
+        applicability: Applicability::Unsafe,
+        edits,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
-use crate::lint::spelling::spelled;
+use crate::lint::spelling::{spelled, with_point};
 use crate::syntax::table::RecordKind;
 use crate::syntax::{Item, Record};
 
@@ -33,6 +33,7 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
             ("blue", "sum-in-blue"),
         ],
     };
+    let texts: Vec<&str> = tokens.iter().map(|t| t.text(context.text)).collect();
     let mut gains = Vec::new();
     let mut edits = Vec::new();
     for ((k, t), &(channel, phrase)) in values.chunks(3).zip(tokens.chunks(3)).zip(channels) {
@@ -55,13 +56,18 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
     };
     let worst = Diagnostic::new(Code::W302, *span)
         .case(channel)
-        .with("sum", short(*sum))
-        .fix(Fix {
-            title: "fix",
-            values: Vec::new(),
-            applicability: Applicability::Unsafe,
-            edits,
+        .with("sum", short(*sum));
+    let written = |(title, new): (&'static str, Vec<String>)| {
+        let changed = (tokens.iter().zip(new)).filter(|(t, new)| t.text(context.text) != new);
+        let edits = changed.map(|(t, text)| Edit {
+            span: t.span(),
+            text,
         });
+        fix(title, edits.collect())
+    };
+    let slip = with_points(&texts).or_else(|| by_channel(&texts));
+    let fixes = slip.map(written).into_iter().chain([fix("fix", edits)]);
+    let worst = fixes.fold(worst, Diagnostic::fix);
     out.push(
         others
             .iter()
@@ -69,6 +75,42 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
                 d.label(span, phrase).with(channel, short(sum))
             }),
     );
+}
+
+fn fix(title: &'static str, edits: Vec<Edit>) -> Fix {
+    Fix {
+        title,
+        values: Vec::new(),
+        applicability: Applicability::Unsafe,
+        edits,
+    }
+}
+
+/// The parts with the decimal points that some have lost, if no sum is above 1 then.
+fn with_points(texts: &[&str]) -> Option<(&'static str, Vec<String>)> {
+    let new = texts
+        .iter()
+        .map(|t| with_point(t).unwrap_or((*t).to_owned()));
+    let new: Vec<String> = new.collect();
+    is_within(&new).then_some(("point-lost", new))
+}
+
+/// Nine parts that are given kind by kind, each for red, green and blue, if no sum is above 1 once they are given
+/// channel by channel.
+fn by_channel(texts: &[&str]) -> Option<(&'static str, Vec<String>)> {
+    let nine: &[&str; 9] = texts.try_into().ok()?;
+    let new: Vec<String> = (0..9).map(|i| nine[i % 3 * 3 + i / 3].to_owned()).collect();
+    is_within(&new).then_some(("kinds", new))
+}
+
+/// Whether a surface with these parts gives no more light than it gets.
+fn is_within(texts: &[String]) -> bool {
+    let values: Option<Vec<f64>> = texts.iter().map(|t| t.parse().ok()).collect();
+    values.is_some_and(|values| {
+        let is_part = |x: &f64| (0.0..=1.0).contains(x);
+        let sums = values.chunks(3).map(|k| k.iter().sum::<f64>());
+        values.iter().all(is_part) && sums.into_iter().all(|sum| sum <= 1.0 + ROUNDING)
+    })
 }
 
 /// Three parts divided by their sum, in as many digits as show each to a thousandth of the whole. Their decimals are 1
