@@ -78,7 +78,7 @@ fn holds(scene: &Scene, node: NodeId, p: Vec3) -> bool {
 /// The nodes of unions, intersections and differences.
 fn operations(scene: &Scene) -> impl Iterator<Item = NodeId> {
     let nodes = (0..).zip(&scene.nodes);
-    nodes.filter_map(|(i, node)| node.children()[1].map(|_| i))
+    nodes.filter_map(|(i, node)| node.operands().map(|_| i))
 }
 
 /// What is wrong with a finding.
@@ -154,7 +154,7 @@ fn refuted(source: &str, loaded: &Analysis, d: &Diagnostic, rng: &mut Rng) -> Op
             let node = operations(scene).find(|&n| scene.origins[n as usize].id == operation)?;
             let bounds = node_bounds(scene);
             let operands = scene.nodes[node as usize].children();
-            for child in operands.into_iter().flatten() {
+            for child in operands {
                 let b = &bounds[child as usize].all;
                 if (0..200).any(|_| holds(scene, node, around(rng, b))) {
                     return wrong("there is something in it");

@@ -91,18 +91,12 @@ pub fn colour(analysis: &Analysis, id: u32) -> Option<Rgb> {
 }
 
 /// The texture that an object itself has been given.
-fn painted(analysis: &Analysis, mut node: NodeId) -> Option<&Texture> {
+fn painted(analysis: &Analysis, node: NodeId) -> Option<&Texture> {
     let scene = &analysis.scene;
-    loop {
-        node = match scene.nodes[node as usize] {
-            Node::Transform { child, .. } | Node::Copy { child, .. } => child,
-            Node::Paint { child, paint } => match &scene.paints[paint as usize].texture {
-                Some(texture) => return Some(texture),
-                None => child,
-            },
-            _ => return None,
-        };
-    }
+    scene.states(node).find_map(|(_, node)| match node {
+        Node::Paint { paint, .. } => scene.paints[paint as usize].texture.as_ref(),
+        _ => None,
+    })
 }
 
 /// The largest ID of the language.

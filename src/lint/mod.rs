@@ -92,7 +92,7 @@ fn live_nodes(scene: &Scene) -> Vec<bool> {
         );
         live[i] |= operation;
         if live[i] {
-            for child in node.children().into_iter().flatten() {
+            for child in node.children() {
                 live[child as usize] = true;
             }
         }
@@ -107,7 +107,7 @@ pub fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
     }
     let mut part = vec![false; scene.nodes.len()];
     for (node, _) in scene.nodes.iter().zip(live).filter(|n| *n.1) {
-        for child in node.children().into_iter().flatten() {
+        for child in node.children() {
             part[child as usize] = true;
         }
     }

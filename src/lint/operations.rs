@@ -6,7 +6,7 @@
 //! few of their list only.
 
 use super::Context;
-use crate::scene::{Node, NodeId};
+use crate::scene::{Node, NodeId, fold_up};
 use crate::solids::proofs::{Literals, Proofs, Reason};
 
 /// An intersection or a difference of which something is known.
@@ -28,29 +28,26 @@ pub fn proven(context: &Context) -> Vec<Proven> {
     let bounds = context.bounds();
     let mut proofs = Proofs::new(scene, bounds);
     let mut out = Vec::new();
-    // What is empty has been spoken of, here or by the rules about shapes.
-    let mut empty: Vec<bool> = Vec::with_capacity(scene.nodes.len());
-    let mut lists: Vec<Literals> = Vec::with_capacity(scene.nodes.len());
-    for (i, node) in scene.nodes.iter().enumerate() {
-        let is_empty = |n: NodeId| empty[n as usize];
-        let own = Literals::new((i as NodeId, false));
-        let (nothing, list) = match *node {
-            Node::Shape(_) => (bounds[i].all.is_empty(), own),
+    // Whether a node is empty: that has been spoken of, here or by the rules about shapes. And its list.
+    fold_up(&scene.nodes, |node, made, done: &[(bool, Literals)]| {
+        let is_empty = |n: NodeId| done[n as usize].0;
+        let list = |n: NodeId| done[n as usize].1;
+        let own = Literals::new((node, false));
+        match made {
+            Node::Shape(_) => (bounds[node as usize].all.is_empty(), own),
             Node::Transform { child, .. } => (is_empty(child), own),
-            Node::Paint { child, .. } | Node::Copy { child, .. } => {
-                (is_empty(child), lists[child as usize])
-            }
+            Node::Paint { child, .. } | Node::Copy { child, .. } => done[child as usize],
             Node::Union(a, b) => (is_empty(a) && is_empty(b), own),
-            Node::Complement(child) => match lists[child as usize][..] {
+            Node::Complement(child) => match list(child)[..] {
                 [(n, turned)] => (false, Literals::new((n, !turned))),
                 _ => (false, own),
             },
             Node::Intersection(a, b) | Node::Difference(a, b) => {
-                let cut = matches!(node, Node::Difference(..));
-                let first = lists[a as usize];
+                let cut = matches!(made, Node::Difference(..));
+                let first = list(a);
                 let second = match cut {
-                    true => proofs.complement(b, &lists),
-                    false => lists[b as usize].to_vec(),
+                    true => proofs.complement(b, &list(b)),
+                    false => list(b).to_vec(),
                 };
                 let mut nothing = is_empty(a) || (!cut && is_empty(b));
                 if !(nothing || cut && is_empty(b)) {
@@ -59,22 +56,18 @@ pub fn proven(context: &Context) -> Vec<Proven> {
                     let what = match proof {
                         Some((x, y, reason)) => Some(Proof::Empty(x, y, reason)),
                         None if cut => {
-                            let tool = &lists[b as usize];
-                            let common = proofs.nothing(&first, tool, Some((a, b)));
+                            let common = proofs.nothing(&first, &list(b), Some((a, b)));
                             common.map(|(_, _, reason)| Proof::Idle(reason))
                         }
                         None => None,
                     };
-                    let node = i as NodeId;
                     out.extend(what.map(|what| Proven { node, what }));
                 }
                 let mut all = first;
                 all.extend(&second);
                 (nothing, all)
             }
-        };
-        empty.push(nothing);
-        lists.push(list);
-    }
+        }
+    });
     out
 }

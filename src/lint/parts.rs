@@ -1,6 +1,6 @@
 //! Whether objects have surfaces and solids in them.
 
-use crate::scene::{Node, NodeId, Scene};
+use crate::scene::{Node, NodeId, Scene, fold_up};
 
 /// What an object is made of.
 #[derive(Debug, Clone, Copy, Default)]
@@ -14,10 +14,9 @@ pub struct Parts {
 /// What each node is made of. What came out of an operation with a surface is not asked about
 /// again: the finding there says what it is.
 pub fn parts(scene: &Scene) -> Vec<Parts> {
-    let mut parts: Vec<Parts> = Vec::with_capacity(scene.nodes.len());
-    for (i, node) in (0..).zip(&scene.nodes) {
+    fold_up(&scene.nodes, |i, node, parts: &[Parts]| {
         let of = |n: NodeId| parts[n as usize];
-        parts.push(match *node {
+        match node {
             Node::Shape(s) => match scene.shapes[s as usize].geometry.is_solid() {
                 true => Parts {
                     surface: None,
@@ -39,7 +38,6 @@ pub fn parts(scene: &Scene) -> Vec<Parts> {
                 surface: None,
                 solid: true,
             },
-        });
-    }
-    parts
+        }
+    })
 }

@@ -55,11 +55,10 @@ impl<'a> Properties<'a> {
         differ: [bool; ASPECTS],
     ) -> Option<Vec<String>> {
         let scene = context.scene;
-        let mut node = node;
-        while let Node::Transform { child, .. } = scene.nodes[node as usize] {
-            node = child;
-        }
-        let Node::Paint { paint, .. } = scene.nodes[node as usize] else {
+        let mut states = scene.states(node);
+        let (node, Node::Paint { paint, .. }) =
+            states.find(|(_, n)| !matches!(n, Node::Transform { .. }))?
+        else {
             return None;
         };
         let paint = &scene.paints[paint as usize];

@@ -44,7 +44,7 @@ impl<'a> Bare<'a> {
             // Any number: it is known.
             if std::mem::replace(&mut self.numbers[node as usize], 0) == NONE {
                 nodes.push(node);
-                todo.extend(scene.nodes[node as usize].children().into_iter().flatten());
+                todo.extend(scene.nodes[node as usize].children());
             }
             if nodes.len() > *left {
                 break;
@@ -80,14 +80,7 @@ impl<'a> Bare<'a> {
                 Node::Transform { child, matrix }
             }
             Node::Paint { child, .. } => return at(child),
-            Node::Copy { child, id } => Node::Copy {
-                child: at(child),
-                id,
-            },
-            Node::Union(a, b) => Node::Union(at(a), at(b)),
-            Node::Intersection(a, b) => Node::Intersection(at(a), at(b)),
-            Node::Difference(a, b) => Node::Difference(at(a), at(b)),
-            Node::Complement(child) => Node::Complement(at(child)),
+            node => node.with_children(at),
         };
         out.nodes.push(node);
         out.origins.push(origin);

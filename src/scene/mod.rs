@@ -21,7 +21,9 @@ pub(crate) mod record;
 mod references;
 mod resolve;
 pub mod sight;
+pub mod walk;
 
 pub use geometry::{Geometry, TriangleNormals};
 pub use model::*;
 pub use resolve::{resolve, resolve_with};
+pub use walk::fold_up;

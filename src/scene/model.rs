@@ -76,8 +76,8 @@ pub enum Node {
 
 impl Node {
     /// What the node is made of; two for an operation with two operands.
-    pub fn children(self) -> [Option<NodeId>; 2] {
-        match self {
+    pub fn children(self) -> impl DoubleEndedIterator<Item = NodeId> + Clone {
+        let [first, second] = match self {
             Node::Shape(_) => [None; 2],
             Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => {
                 [Some(a), Some(b)]
@@ -86,7 +86,8 @@ impl Node {
             | Node::Transform { child, .. }
             | Node::Paint { child, .. }
             | Node::Copy { child, .. } => [Some(child), None],
-        }
+        };
+        first.into_iter().chain(second)
     }
 }
 

@@ -402,8 +402,8 @@ impl<'a> Resolver<'a> {
 
     pub(super) fn node(&mut self, node: Node) -> NodeId {
         // What changes an object goes on from it; everything else needs it as it is.
-        if !matches!(node, Node::Transform { .. } | Node::Paint { .. }) {
-            for child in node.children().into_iter().flatten() {
+        if !node.is_change() {
+            for child in node.children() {
                 self.taken[child as usize] = true;
             }
         }

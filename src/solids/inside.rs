@@ -68,7 +68,7 @@ impl<'a> Inside<'a> {
                         | (Node::Difference(..), Some(true)) => self.answers.push(Some(false)),
                         (operation, _) => {
                             self.tasks.push(Task::Join(node, second));
-                            self.tasks.push(Task::Ask(operation.children()[0]?, p));
+                            self.tasks.push(Task::Ask(operation.children().next()?, p));
                         }
                     }
                 }

@@ -48,37 +48,26 @@ pub struct Named {
 }
 
 /// The shape or operation that a node is a state of; `None` for complements.
-pub fn named(scene: &Scene, mut node: NodeId) -> Option<Named> {
-    let mut copy = None;
-    loop {
-        node = match scene.nodes[node as usize] {
-            Node::Transform { child, .. } | Node::Paint { child, .. } => child,
-            Node::Copy { child, id } => {
-                copy = copy.or(Some(id));
-                child
-            }
-            Node::Shape(s) => {
-                let shape = &scene.shapes[s as usize];
-                return Some(Named {
-                    title: shape.ty().title,
-                    id: copy.unwrap_or(shape.id),
-                    span: scene.origins[node as usize].span,
-                });
-            }
-            Node::Complement(_) => return None,
-            operation => {
-                let title = match operation {
-                    Node::Union(..) => "union",
-                    Node::Intersection(..) => "intersection",
-                    _ => "difference",
-                };
-                let record = scene.origins[node as usize];
-                return Some(Named {
-                    title,
-                    id: copy.unwrap_or(record.id),
-                    span: record.span,
-                });
-            }
+pub fn named(scene: &Scene, node: NodeId) -> Option<Named> {
+    let mut copies = scene.states(node).filter_map(|(_, node)| match node {
+        Node::Copy { id, .. } => Some(id),
+        _ => None,
+    });
+    let (core, last) = scene.states(node).last()?;
+    let record = scene.origins[core as usize];
+    let (title, id) = match last {
+        Node::Shape(s) => {
+            let shape = &scene.shapes[s as usize];
+            (shape.ty().title, shape.id)
         }
-    }
+        Node::Union(..) => ("union", record.id),
+        Node::Intersection(..) => ("intersection", record.id),
+        Node::Difference(..) => ("difference", record.id),
+        _ => return None,
+    };
+    Some(Named {
+        title,
+        id: copies.next().unwrap_or(id),
+        span: record.span,
+    })
 }

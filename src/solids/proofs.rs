@@ -6,7 +6,7 @@ use super::extent::ball;
 use super::support::extent;
 use crate::geometry::array::{cross, length, unit};
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
+use crate::scene::{Geometry, Node, NodeId, Scene, Vec3, fold_up};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::within::{CLEAR, Standing, far};
 
@@ -94,14 +94,10 @@ pub struct Proofs<'a> {
 
 impl<'a> Proofs<'a> {
     pub fn new(scene: &'a Scene, bounds: &'a [NodeBounds]) -> Proofs<'a> {
-        let mut sheets: Vec<bool> = Vec::with_capacity(scene.nodes.len());
-        for node in &scene.nodes {
-            let sheet = match *node {
-                Node::Shape(s) => !scene.shapes[s as usize].geometry.is_solid(),
-                _ => (node.children().into_iter().flatten()).any(|c| sheets[c as usize]),
-            };
-            sheets.push(sheet);
-        }
+        let sheets = fold_up(&scene.nodes, |_, node, sheets| match node {
+            Node::Shape(s) => !scene.shapes[s as usize].geometry.is_solid(),
+            _ => node.children().any(|c| sheets[c as usize]),
+        });
         Proofs {
             scene,
             bounds,
@@ -111,11 +107,11 @@ impl<'a> Proofs<'a> {
     }
 
     /// What is left of all of space without an object, as far as that is a list.
-    pub fn complement(&mut self, node: NodeId, lists: &[Literals]) -> Vec<Literal> {
-        match lists[node as usize][..] {
-            [(n, true)] => vec![(n, false)],
+    pub fn complement(&mut self, node: NodeId, list: &[Literal]) -> Vec<Literal> {
+        match list {
+            &[(n, true)] => vec![(n, false)],
             // Without any part of a union.
-            [(n, false)] => self.parts(n).into_iter().map(|p| (p, true)).collect(),
+            &[(n, false)] => self.parts(n).into_iter().map(|p| (p, true)).collect(),
             _ => vec![(node, true)],
         }
     }
@@ -378,26 +374,14 @@ struct Placed {
 }
 
 fn placed(scene: &Scene, whole: NodeId) -> Placed {
-    let mut node = whole;
-    let mut matrix = Matrix::IDENTITY;
-    loop {
-        node = match scene.nodes[node as usize] {
-            Node::Transform { child, matrix: m } => {
-                matrix = matrix.after(&scene.matrices[m as usize]);
-                child
-            }
-            Node::Paint { child, .. } | Node::Copy { child, .. } => child,
-            core => {
-                return Placed {
-                    node: whole,
-                    core: node,
-                    shape: match core {
-                        Node::Shape(s) => Some(s),
-                        _ => None,
-                    },
-                    matrix,
-                };
-            }
-        }
+    let (core, matrix) = scene.core(whole, Matrix::IDENTITY);
+    Placed {
+        node: whole,
+        core,
+        shape: match scene.nodes[core as usize] {
+            Node::Shape(s) => Some(s),
+            _ => None,
+        },
+        matrix,
     }
 }

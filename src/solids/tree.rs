@@ -7,7 +7,7 @@
 use super::ancestry::{Ancestry, NONE};
 use super::leaf::Leaf;
 use crate::geometry::Matrix;
-use crate::scene::{Node, NodeId, Scene};
+use crate::scene::{Node, NodeId, Scene, fold_up};
 use crate::solids::bounds::NodeBounds;
 
 /// Nodes gone through for the second time or more. Scenes that share parts without end would take
@@ -157,10 +157,7 @@ impl Tree {
             };
         };
         let node = scene.nodes[task.node as usize];
-        let operands = match node.children() {
-            [Some(a), Some(b)] if known => Some([a, b]),
-            _ => None,
-        };
+        let operands = node.operands().filter(|_| known);
         if operands.is_some() {
             task.copy = direct.take().map(|id| (id, depth)).or(task.copy);
         }
@@ -360,12 +357,10 @@ impl Tree {
 
 /// How many nodes each node is made of, shared ones counted as often as they occur.
 fn weights(scene: &Scene) -> Vec<u32> {
-    let mut out: Vec<u32> = Vec::with_capacity(scene.nodes.len());
-    for node in &scene.nodes {
-        let children = node.children().into_iter().flatten();
-        out.push(children.fold(1u32, |w, c| w.saturating_add(out[c as usize])));
-    }
-    out
+    fold_up(&scene.nodes, |_, node, out| {
+        let children = node.children();
+        children.fold(1u32, |w, c| w.saturating_add(out[c as usize]))
+    })
 }
 
 /// Kleene's "or": true if one is.

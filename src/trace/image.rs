@@ -80,34 +80,11 @@ fn used(scene: &Scene) -> Vec<(&str, Span)> {
     let Some(render) = &scene.render else {
         return found;
     };
-    // Children have smaller indices than their parents.
-    let mut reached = vec![false; scene.nodes.len()];
-    if let Some(root) = reached.get_mut(render.root as usize) {
-        *root = true;
-    }
-    for i in (0..scene.nodes.len())
-        .rev()
-        .filter(|&i| i <= render.root as usize)
-    {
-        if !reached[i] {
-            continue;
-        }
-        match scene.nodes[i] {
-            Node::Shape(_) => {}
-            Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => {
-                reached[a as usize] = true;
-                reached[b as usize] = true;
-            }
-            Node::Complement(child) | Node::Transform { child, .. } | Node::Copy { child, .. } => {
-                reached[child as usize] = true;
-            }
-            Node::Paint { child, paint } => {
-                reached[child as usize] = true;
-                let texture = &scene.paints[paint as usize].texture;
-                if let Some(Texture::Image { file, span }) = texture {
-                    found.push((file.as_str(), *span));
-                }
-            }
+    for (_, node) in scene.below(render.root) {
+        if let Node::Paint { paint, .. } = node
+            && let Some(Texture::Image { file, span }) = &scene.paints[paint as usize].texture
+        {
+            found.push((file.as_str(), *span));
         }
     }
     found.sort_by_key(|(_, span)| span.start);

@@ -10,7 +10,7 @@ use crate::geometry::array::each;
 use crate::geometry::sign::{Exact, Scalar};
 use crate::geometry::vec::Vec3;
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Node, NodeId, Scene};
+use crate::scene::{Node, NodeId, Scene, fold_up};
 use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::solids::containment::in_shape;
 use dashu_float::Context;
@@ -64,13 +64,12 @@ pub fn members(scene: &Scene, root: NodeId, point: Vec3) -> Result<Membership, E
 /// For each node up to `root`: a box that holds every solid at and below it.
 fn reaches(scene: &Scene, root: NodeId) -> Vec<Aabb> {
     let own: Vec<NodeBounds> = node_bounds(scene);
-    let mut reach: Vec<Aabb> = Vec::with_capacity(root as usize + 1);
     // Below some nodes everything counts as it is; their own bounds are the tighter ones.
-    let mut plain: Vec<bool> = Vec::with_capacity(root as usize + 1);
-    for (node, own) in scene.nodes.iter().zip(&own).take(root as usize + 1) {
-        let of = |n: NodeId| reach[n as usize];
-        let simple = |n: NodeId| plain[n as usize];
-        let (all, is_plain) = match *node {
+    let reach = fold_up(scene.up_to(root), |id, node, reach: &[(Aabb, bool)]| {
+        let own = &own[id as usize];
+        let of = |n: NodeId| reach[n as usize].0;
+        let simple = |n: NodeId| reach[n as usize].1;
+        match node {
             Node::Shape(_) => (own.all, true),
             Node::Union(a, b) => (of(a).hull(&of(b)), simple(a) && simple(b)),
             Node::Intersection(a, b) | Node::Difference(a, b) => (of(a).hull(&of(b)), false),
@@ -80,12 +79,10 @@ fn reaches(scene: &Scene, root: NodeId) -> Vec<Aabb> {
                 of(child).transformed(&scene.matrices[matrix as usize]),
                 false,
             ),
-            Node::Paint { child, .. } | Node::Copy { child, .. } => (of(child), simple(child)),
-        };
-        reach.push(all);
-        plain.push(is_plain);
-    }
-    reach
+            Node::Paint { child, .. } | Node::Copy { child, .. } => reach[child as usize],
+        }
+    });
+    reach.into_iter().map(|(all, _)| all).collect()
 }
 
 /// The IDs of operations, by their nodes: below what was done to an entity later is the node its
@@ -93,17 +90,15 @@ fn reaches(scene: &Scene, root: NodeId) -> Vec<Aabb> {
 fn operation_ids(scene: &Scene) -> HashMap<NodeId, u32> {
     let mut ids = HashMap::new();
     for entity in &scene.entities {
-        let mut at = entity.node();
-        while let Some(node) = at {
-            at = match scene.nodes[node as usize] {
-                Node::Transform { child, .. } | Node::Paint { child, .. } => Some(child),
-                // Both say themselves whose they are.
-                Node::Copy { .. } | Node::Shape(_) => None,
-                _ => {
-                    ids.insert(node, entity.id);
-                    None
-                }
-            };
+        let Some(node) = entity.node().map(|n| scene.defined(n)) else {
+            continue;
+        };
+        // Copies and shapes say themselves whose they are.
+        if !matches!(
+            scene.nodes[node as usize],
+            Node::Copy { .. } | Node::Shape(_)
+        ) {
+            ids.insert(node, entity.id);
         }
     }
     ids

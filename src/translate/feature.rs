@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use crate::geometry::Matrix;
-use crate::scene::{Node, NodeId, Scene, Texture, View, Volume};
+use crate::scene::{Node, Scene, Texture, View, Volume};
 use crate::solids::staging::is_dark;
 use crate::syntax::table::{RECORD_TYPES, RecordKind, RecordType};
 use crate::trace::plan::{self, Plan};
@@ -101,19 +101,8 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
         return out;
     };
     let mut count = |kind: RecordKind| *out.entry(Feature::Record(kind)).or_insert(0) += 1;
-    let mut reached = vec![false; scene.nodes.len()];
-    if let Some(root) = reached.get_mut(render.root as usize) {
-        *root = true;
-    }
-    // Children come before their parents.
-    for (i, node) in scene.nodes.iter().enumerate().rev() {
-        if !reached[i] {
-            continue;
-        }
-        for child in node.children().into_iter().flatten() {
-            reached[child as usize] = true;
-        }
-        match *node {
+    for (_, node) in scene.below(render.root) {
+        match node {
             Node::Shape(shape) => count(scene.shapes[shape as usize].ty().kind),
             Node::Union(..) => count(RecordKind::Union),
             Node::Intersection(..) => count(RecordKind::Intersection),
@@ -148,8 +137,10 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
             }
         }
     }
+    let uses = scene.uses(render.root);
     for promise in &scene.promises {
-        if reached.get(base(scene, promise.node) as usize) == Some(&true) {
+        let uses = uses.get(scene.defined(promise.node) as usize);
+        if uses.is_some_and(|&n| n > 0) {
             count(match promise.volume {
                 Volume::Box { .. } => RecordKind::BoundingBox,
                 Volume::Sphere { .. } => RecordKind::BoundingSphere,
@@ -183,16 +174,6 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
         }
     }
     out
-}
-
-/// What was defined, without the changes since.
-fn base(scene: &Scene, mut node: NodeId) -> NodeId {
-    while let Some(Node::Transform { child, .. } | Node::Paint { child, .. }) =
-        scene.nodes.get(node as usize)
-    {
-        node = *child;
-    }
-    node
 }
 
 fn texture(texture: &Texture) -> RecordKind {

@@ -37,32 +37,25 @@ impl<'a> Names<'a> {
 
 /// The type of record that defined an entity, one of whose nodes is given, and what a comment says of it.
 pub fn comment(scene: &Scene, captions: &Captions, node: NodeId, id: u32) -> Option<String> {
-    let mut at = node;
     // Only the state that the entity is in matters here, not the ones it went through: a few
     // steps tell.
-    for _ in 0..64 {
-        let kind = match scene.nodes[at as usize] {
-            Node::Transform { child, .. } | Node::Paint { child, .. } => {
-                at = child;
-                continue;
-            }
-            Node::Shape(shape) => scene.shapes[shape as usize].ty().kind,
-            Node::Union(..) => RecordKind::Union,
-            Node::Intersection(..) => RecordKind::Intersection,
-            Node::Difference(..) => RecordKind::Difference,
-            Node::Complement(_) => RecordKind::Complement,
-            Node::Copy { .. } => RecordKind::Copy,
-        };
-        if id == 0 {
-            return None;
-        }
-        let title = RecordType::of(kind).title;
-        return Some(match captions.get(id) {
-            Some(words) => format!("{title}, {words}"),
-            None => title.to_owned(),
-        });
-    }
-    None
+    let kind = scene
+        .states(node)
+        .take(64)
+        .find_map(|(_, node)| match node {
+            Node::Transform { .. } | Node::Paint { .. } => None,
+            Node::Shape(shape) => Some(scene.shapes[shape as usize].ty().kind),
+            Node::Union(..) => Some(RecordKind::Union),
+            Node::Intersection(..) => Some(RecordKind::Intersection),
+            Node::Difference(..) => Some(RecordKind::Difference),
+            Node::Complement(_) => Some(RecordKind::Complement),
+            Node::Copy { .. } => Some(RecordKind::Copy),
+        })?;
+    let title = RecordType::of(kind).title;
+    (id != 0).then(|| match captions.get(id) {
+        Some(words) => format!("{title}, {words}"),
+        None => title.to_owned(),
+    })
 }
 
 /// For every node the ID of its entity, 0 where none can be told. An entity's node stands on top of
@@ -71,13 +64,14 @@ pub fn comment(scene: &Scene, captions: &Captions, node: NodeId, id: u32) -> Opt
 pub fn node_ids(scene: &Scene) -> Vec<u32> {
     let mut ids = vec![0; scene.nodes.len()];
     for entity in &scene.entities {
-        let mut next = entity.node();
-        while let Some(node) = next.filter(|n| ids[*n as usize] == 0) {
-            ids[node as usize] = entity.id;
-            next = match scene.nodes[node as usize] {
-                Node::Transform { child, .. } | Node::Paint { child, .. } => Some(child),
-                _ => None,
-            };
+        for (id, node) in entity.node().into_iter().flat_map(|n| scene.states(n)) {
+            if ids[id as usize] != 0 {
+                break;
+            }
+            ids[id as usize] = entity.id;
+            if !node.is_change() {
+                break;
+            }
         }
     }
     for (i, node) in scene.nodes.iter().enumerate() {

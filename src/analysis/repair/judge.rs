@@ -2,7 +2,7 @@
 
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Severity};
-use crate::scene::{Node, NodeId, Scene, View};
+use crate::scene::{Node, NodeId, Scene, View, fold_up};
 use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::solids::proofs::{Literals, Proofs};
 use crate::trace::plan::unseen::view::{Parts, out_of_view};
@@ -51,12 +51,10 @@ pub fn left(analysis: &Analysis) -> Left {
 
 /// How often shapes occur in what is made of most of them.
 fn occurrences(scene: &Scene) -> u64 {
-    let mut counts: Vec<u64> = Vec::with_capacity(scene.nodes.len());
-    for node in &scene.nodes {
-        let below = node.children().into_iter().flatten();
-        let sum = below.fold(0u64, |sum, n| sum.saturating_add(counts[n as usize]));
-        counts.push(sum.max(1));
-    }
+    let counts = fold_up(&scene.nodes, |_, node, counts: &[u64]| {
+        let below = node.children().map(|n| counts[n as usize]);
+        below.fold(0, u64::saturating_add).max(1)
+    });
     counts.into_iter().max().unwrap_or(0)
 }
 
@@ -64,28 +62,22 @@ fn occurrences(scene: &Scene) -> u64 {
 /// taken away from what it does not meet, an intersection with all around.
 fn useless(scene: &Scene, bounds: &[NodeBounds]) -> usize {
     let mut proofs = Proofs::new(scene, bounds);
-    let mut lists: Vec<Literals> = Vec::with_capacity(scene.nodes.len());
     let mut count = 0;
-    for (i, node) in scene.nodes.iter().enumerate() {
-        let own = Literals::new((i as NodeId, false));
-        let mut within = |a: NodeId, b: NodeId, lists: &[Literals]| {
-            let outside = proofs.complement(b, lists);
-            a == b || proofs.nothing(&lists[a as usize], &outside, None).is_some()
+    fold_up(&scene.nodes, |id, node, lists: &[Literals]| {
+        let list = |n: NodeId| lists[n as usize];
+        let mut within = |a: NodeId, b: NodeId| {
+            let outside = proofs.complement(b, &list(b));
+            a == b || proofs.nothing(&list(a), &outside, None).is_some()
         };
-        let (vain, list) = match *node {
-            Node::Paint { child, .. } | Node::Copy { child, .. } => (false, lists[child as usize]),
-            Node::Union(a, b) | Node::Intersection(a, b) => {
-                (within(a, b, &lists) || within(b, a, &lists), own)
-            }
-            Node::Difference(a, b) => {
-                let apart = proofs.nothing(&lists[a as usize], &lists[b as usize], Some((a, b)));
-                (apart.is_some(), own)
-            }
-            _ => (false, own),
+        let in_vain = match node {
+            Node::Paint { child, .. } | Node::Copy { child, .. } => return list(child),
+            Node::Union(a, b) | Node::Intersection(a, b) => within(a, b) || within(b, a),
+            Node::Difference(a, b) => proofs.nothing(&list(a), &list(b), Some((a, b))).is_some(),
+            _ => false,
         };
-        count += usize::from(vain);
-        lists.push(list);
-    }
+        count += usize::from(in_vain);
+        Literals::new((id, false))
+    });
     count
 }
 

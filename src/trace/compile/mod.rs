@@ -38,7 +38,7 @@ pub fn compile(
         scene,
         images,
         left_out,
-        uses: count_uses(scene, root),
+        uses: scene.uses(root),
         interner: Interner::new(&mut graph),
         graph,
         shared: FxHashMap::default(),
@@ -48,31 +48,6 @@ pub fn compile(
     };
     compiler.draft_all(root)?;
     compiler.finish_all()
-}
-
-/// How often each node is an operand of reachable ones, counted from the last node down: children
-/// have smaller indices than their parents.
-fn count_uses(scene: &Scene, root: NodeId) -> Vec<u32> {
-    let mut uses = vec![0u32; root as usize + 1];
-    uses[root as usize] = 1;
-    for i in (0..=root as usize).rev().filter(|&i| i < scene.nodes.len()) {
-        if uses[i] == 0 {
-            continue;
-        }
-        let mut operand = |n: NodeId| uses[n as usize] = uses[n as usize].saturating_add(1);
-        match scene.nodes[i] {
-            Node::Shape(_) => {}
-            Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => {
-                operand(a);
-                operand(b);
-            }
-            Node::Complement(child)
-            | Node::Transform { child, .. }
-            | Node::Paint { child, .. }
-            | Node::Copy { child, .. } => operand(child),
-        }
-    }
-    uses
 }
 
 /// What a record asks for cannot be drawn. `what` is a message of the catalogues, `id` the entity of the

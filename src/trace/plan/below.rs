@@ -1,7 +1,7 @@
 //! What is at and below the nodes of a scene, whatever stands above them.
 
 use super::unseen::LeftOut;
-use crate::scene::{Node, NodeId, Optics, Scene};
+use crate::scene::{Node, NodeId, Optics, Scene, fold_up};
 
 /// What is at and below a node. Of pairs the second is that of its complement.
 #[derive(Clone, Copy)]
@@ -16,10 +16,9 @@ pub struct Below {
 
 /// What is below each node up to `root`.
 pub fn below(scene: &Scene, root: NodeId, left_out: &LeftOut) -> Vec<Below> {
-    let mut all: Vec<Below> = Vec::with_capacity(root as usize + 1);
-    for (i, node) in (0..=root).zip(&scene.nodes) {
+    fold_up(scene.up_to(root), |i, node, all: &[Below]| {
         let of = |n: NodeId| all[n as usize];
-        all.push(match *node {
+        match node {
             Node::Shape(shape) => Below {
                 solid: scene.shapes[shape as usize].geometry.is_solid(),
                 shows: [true; 2],
@@ -55,7 +54,6 @@ pub fn below(scene: &Scene, root: NodeId, left_out: &LeftOut) -> Vec<Below> {
                 },
                 None => of(child),
             },
-        });
-    }
-    all
+        }
+    })
 }

@@ -2,7 +2,7 @@
 
 use super::unseen::LeftOut;
 use crate::geometry::Aabb;
-use crate::scene::{Node, NodeId, Scene};
+use crate::scene::{Node, NodeId, Scene, fold_up};
 use crate::solids::bounds;
 
 /// An upper bound on the number of transparent solids that hold one point.
@@ -22,14 +22,13 @@ pub fn depth(scene: &Scene, root: NodeId, complements: bool, left_out: &LeftOut)
         !of(a).overlaps(&of(b))
     };
     // Own optics, all transparent.
-    let mut depths: Vec<[u32; 2]> = Vec::with_capacity(root as usize + 1);
-    for (here, node) in (0..).zip(&scene.nodes[..=root as usize]) {
+    let depths = fold_up(scene.up_to(root), |here, node, depths: &[[u32; 2]]| {
         let of = |n: NodeId| depths[n as usize];
         let both = |a: NodeId, b: NodeId, f: fn(u32, u32) -> u32| {
             let (a, b) = (of(a), of(b));
             [f(a[0], b[0]), f(a[1], b[1])]
         };
-        depths.push(match *node {
+        match node {
             Node::Shape(s) => [0, u32::from(scene.shapes[s as usize].geometry.is_solid())],
             Node::Union(a, b) => {
                 let kept: Vec<NodeId> = left_out.kept(here, [a, b]).collect();
@@ -55,7 +54,7 @@ pub fn depth(scene: &Scene, root: NodeId, complements: bool, left_out: &LeftOut)
                     Some(_) => [0, all],
                 }
             }
-        });
-    }
+        }
+    });
     depths[root as usize][0]
 }

@@ -345,16 +345,14 @@ impl Plan {
 }
 
 /// The node that the record defining an entity made: what is left without the changes since.
-fn base(scene: &Scene, id: u32, mut node: NodeId) -> NodeId {
-    loop {
-        match scene.nodes[node as usize] {
-            Node::Transform { child, .. } => node = child,
-            Node::Paint { child, paint } if scene.paints[paint as usize].owner == id => {
-                node = child;
-            }
-            _ => return node,
-        }
-    }
+fn base(scene: &Scene, id: u32, node: NodeId) -> NodeId {
+    let is_own = |n: Node| match n {
+        Node::Transform { .. } => true,
+        Node::Paint { paint, .. } => scene.paints[paint as usize].owner == id,
+        _ => false,
+    };
+    let mut states = scene.states(node).filter(|(_, n)| !is_own(*n));
+    states.next().map_or(node, |(node, _)| node)
 }
 
 struct Decisions {

@@ -77,12 +77,9 @@ fn numbers(scene: &Scene) -> Vec<Option<u32>> {
     // Children stand before their parents.
     for i in (0..used.len()).rev() {
         if used[i] {
-            let from = scene
-                .steps
-                .get(&(i as NodeId))
-                .map(|s| [Some(s.from), None]);
-            let children = from.unwrap_or_else(|| scene.nodes[i].children());
-            for child in children.into_iter().flatten() {
+            let from = scene.steps.get(&(i as NodeId)).map(|s| s.from);
+            let children = scene.nodes[i].children().filter(|_| from.is_none());
+            for child in from.into_iter().chain(children) {
                 used[child as usize] = true;
             }
         }

@@ -3,7 +3,7 @@
 use super::options::{DEFAULT_TOLERANCE, Options};
 use crate::diagnostics::Complaint;
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Geometry, Node, Scene, Texture, Vec3};
+use crate::scene::{Geometry, Node, Scene, Texture, Vec3, fold_up};
 use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::solids::shapes::facts::Facts;
 use crate::solids::staging::seen_box;
@@ -122,13 +122,13 @@ fn around(seen: &Aabb) -> Aabb {
 /// A box around the faces of what has no end itself: walls of rooms, skies, the nearest points of planes. What is
 /// farther away than [`FAR`] sizes of what is seen is not looked for.
 fn faces(scene: &Scene, bounds: &[NodeBounds], seen: &Aabb) -> Aabb {
-    let Some(root) = scene.render.map(|r| r.root as usize) else {
+    let Some(root) = scene.render.map(|r| r.root) else {
         return Aabb::EMPTY;
     };
-    let mut boxes: Vec<Aabb> = Vec::with_capacity(root + 1);
-    for (node, bounds) in scene.nodes.iter().zip(bounds).take(root + 1) {
+    let mut boxes = fold_up(scene.up_to(root), |id, node, boxes: &[Aabb]| {
+        let bounds = &bounds[id as usize];
         let of = |id: u32| boxes[id as usize];
-        let all = match *node {
+        let all = match node {
             Node::Shape(shape) => match plane_foot(&scene.shapes[shape as usize].geometry) {
                 Some(foot) => Aabb::new(foot, foot),
                 None => bounds.bounded(),
@@ -142,8 +142,8 @@ fn faces(scene: &Scene, bounds: &[NodeBounds], seen: &Aabb) -> Aabb {
             }
             Node::Paint { child, .. } | Node::Copy { child, .. } => of(child),
         };
-        boxes.push(all.intersection(&bounds.all));
-    }
+        all.intersection(&bounds.all)
+    });
     let far = FAR * seen.radius();
     let c = seen.centre();
     let near = Aabb::new(c.map(|x| x - far), c.map(|x| x + far));

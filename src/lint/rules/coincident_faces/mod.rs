@@ -167,7 +167,7 @@ impl Parents {
         // How many live nodes have this one as a child, and one of them.
         let mut of = vec![(0, 0); scene.nodes.len()];
         for (i, node) in scene.nodes.iter().enumerate().filter(|(i, _)| live[*i]) {
-            for child in node.children().into_iter().flatten() {
+            for child in node.children() {
                 of[child as usize].0 += 1;
                 of[child as usize].1 = i;
             }

@@ -7,7 +7,7 @@ use crate::lint::Context;
 use crate::lint::parts::parts;
 use crate::lint::properties::{ASPECTS, Properties, sets};
 use crate::parallel;
-use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Node, NodeId, Scene, Texture};
+use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Node, NodeId, Scene, Texture, fold_up};
 use crate::solids::proofs::{Proofs, Reason};
 use crate::solids::shapes::facts::Facts;
 
@@ -53,14 +53,9 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-fn is_complement(scene: &Scene, mut node: NodeId) -> bool {
-    loop {
-        node = match scene.nodes[node as usize] {
-            Node::Complement(_) => return true,
-            Node::Transform { child, .. } | Node::Copy { child, .. } => child,
-            _ => return false,
-        };
-    }
+fn is_complement(scene: &Scene, node: NodeId) -> bool {
+    let mut unpainted = (scene.states(node)).take_while(|(_, n)| !matches!(n, Node::Paint { .. }));
+    unpainted.any(|(_, n)| matches!(n, Node::Complement(_)))
 }
 
 /// Where all of an object has an aspect from, if it is the same everywhere.
@@ -76,10 +71,9 @@ enum Source {
 
 /// What each node looks like, aspect by aspect.
 fn looks(scene: &Scene) -> Vec<[Source; ASPECTS]> {
-    let mut looks: Vec<[Source; ASPECTS]> = Vec::with_capacity(scene.nodes.len());
-    for node in &scene.nodes {
+    fold_up(&scene.nodes, |_, node, looks: &[[Source; ASPECTS]]| {
         let of = |n: NodeId| looks[n as usize];
-        looks.push(match *node {
+        match node {
             Node::Shape(s) => {
                 let coloured = scene.shapes[s as usize].geometry.character().has_colours;
                 let texture = match coloured {
@@ -104,9 +98,8 @@ fn looks(scene: &Scene) -> Vec<[Source; ASPECTS]> {
                     false => of(child)[aspect],
                 })
             }
-        });
-    }
-    looks
+        }
+    })
 }
 
 fn same(scene: &Scene, aspect: usize, a: Source, b: Source) -> bool {
@@ -160,7 +153,7 @@ fn seen(scene: &Scene) -> Vec<u8> {
                 seen[child as usize] |= here & mask;
             }
             _ => {
-                for child in node.children().into_iter().flatten() {
+                for child in node.children() {
                     seen[child as usize] |= here;
                 }
             }
@@ -195,7 +188,7 @@ fn report(context: &Context, mixed: &[(NodeId, [bool; 3])], out: &mut Vec<Diagno
             .with("second-id", operands[1].to_string())
             .with("aspects", aspects);
         let children = context.scene.nodes[node as usize].children();
-        for (id, child) in operands.into_iter().zip(children.into_iter().flatten()) {
+        for (id, child) in operands.into_iter().zip(children) {
             if let Some(lines) = properties.again(context, id, child, origin.id, differ) {
                 let fix: Fix = context.add_behind(p.span(), "fix", Applicability::Unsafe, &lines);
                 d = d.with("source", id.to_string()).fix(fix);

@@ -361,17 +361,10 @@ impl<'a> Search<'a> {
             return bounded.transformed(&part.matrix);
         }
         let scene = self.scene;
-        let (mut node, mut matrix) = (part.node, part.matrix);
-        let geometry = loop {
-            match scene.nodes[node as usize] {
-                Node::Shape(s) => break Some(&scene.shapes[s as usize].geometry),
-                Node::Transform { child, matrix: m } => {
-                    matrix = matrix.after(&scene.matrices[m as usize]);
-                    node = child;
-                }
-                Node::Paint { child, .. } | Node::Copy { child, .. } => node = child,
-                _ => break None,
-            }
+        let (core, matrix) = scene.core(part.node, part.matrix);
+        let geometry = match scene.nodes[core as usize] {
+            Node::Shape(s) => Some(&scene.shapes[s as usize].geometry),
+            _ => None,
         };
         let (middle, size) = geometry.map_or(([0.0; 3], 1.0), Facts::home);
         let reach = TIMES * size;

@@ -89,24 +89,18 @@ impl Unions {
             match scene.nodes[task.node as usize] {
                 Node::Transform { child, matrix } => {
                     task.matrix = task.matrix.after(&scene.matrices[matrix as usize]);
-                    todo.push(Task {
-                        node: child,
-                        ..task
-                    });
+                    task.node = child;
+                    todo.push(task);
                 }
                 Node::Paint { child, paint } => {
                     task.coat = task.coat.over(scene, paint);
-                    todo.push(Task {
-                        node: child,
-                        ..task
-                    });
+                    task.node = child;
+                    todo.push(task);
                 }
                 Node::Copy { child, id } => {
                     task.copy = task.copy.or(Some(id));
-                    todo.push(Task {
-                        node: child,
-                        ..task
-                    });
+                    task.node = child;
+                    todo.push(task);
                 }
                 Node::Union(a, b) => {
                     let union = all.places.len() as u32;

@@ -108,9 +108,10 @@ fn leaves(scene: &Scene, sources: &[Option<Span>], roots: &[NodeId]) -> Option<V
     };
     let mut todo: Vec<Task> = roots.iter().map(start).collect();
     let mut left = NODES;
-    while let Some(task) = todo.pop() {
+    while let Some(mut task) = todo.pop() {
         left = left.checked_sub(1)?;
-        match scene.nodes[task.node as usize] {
+        let node = scene.nodes[task.node as usize];
+        match node {
             Node::Shape(s) => {
                 let geometry = &scene.shapes[s as usize].geometry;
                 let optics = task.optics.unwrap_or_default();
@@ -127,39 +128,27 @@ fn leaves(scene: &Scene, sources: &[Option<Span>], roots: &[NodeId]) -> Option<V
                     clear: any(optics.kt) || turned,
                 });
             }
-            Node::Transform { child, matrix } => todo.push(Task {
-                node: child,
-                matrix: task.matrix.after(&scene.matrices[matrix as usize]),
-                ..task
-            }),
-            Node::Copy { child, .. } => todo.push(Task {
-                node: child,
-                ..task
-            }),
-            Node::Paint { child, paint } => {
+            Node::Transform { matrix, .. } => {
+                task.matrix = task.matrix.after(&scene.matrices[matrix as usize]);
+            }
+            Node::Paint { paint, .. } => {
                 let paint = &scene.paints[paint as usize];
                 let own = paint.index.map(|_| sources[task.node as usize]);
+                task.optics = task.optics.or(paint.optics);
+                task.source = task.source.or(own);
+            }
+            Node::Complement(_) => task.complement = true,
+            // Of a tool nothing is seen.
+            Node::Difference(first, _) => {
                 todo.push(Task {
-                    node: child,
-                    optics: task.optics.or(paint.optics),
-                    source: task.source.or(own),
+                    node: first,
                     ..task
                 });
+                continue;
             }
-            // Of a tool nothing is seen.
-            Node::Difference(child, _) => todo.push(Task {
-                node: child,
-                ..task
-            }),
-            Node::Complement(child) => todo.push(Task {
-                node: child,
-                complement: true,
-                ..task
-            }),
-            Node::Union(a, b) | Node::Intersection(a, b) => {
-                todo.extend([a, b].map(|node| Task { node, ..task }));
-            }
+            Node::Copy { .. } | Node::Union(..) | Node::Intersection(..) => {}
         }
+        todo.extend(node.children().map(|node| Task { node, ..task }));
     }
     Some(out)
 }

@@ -8,7 +8,7 @@ use rustc_hash::FxHashMap;
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::{Context, live_nodes, roots};
 use crate::scene::record::Params;
-use crate::scene::{DEFAULT_INDEX, Node, NodeId, Paint, Scene};
+use crate::scene::{DEFAULT_INDEX, Node, NodeId, Paint, Scene, fold_up};
 use crate::syntax::table::{Kind, RecordKind};
 use apart::Apart;
 
@@ -151,17 +151,15 @@ fn sources(context: &Context) -> Vec<Option<Span>> {
 
 /// Whether light goes through any part of each node, as it is by itself.
 fn transmits(scene: &Scene) -> Vec<bool> {
-    let mut transmits: Vec<bool> = Vec::with_capacity(scene.nodes.len());
-    for &node in &scene.nodes {
+    fold_up(&scene.nodes, |_, node, transmits: &[bool]| {
         let of = |n: NodeId| transmits[n as usize];
         let optics = paint_of(scene, node).and_then(|p| p.optics);
-        transmits.push(match (node, optics) {
+        match (node, optics) {
             (_, Some(optics)) => lets_through(optics.kt),
             (Node::Difference(a, _), _) => of(a),
-            _ => node.children().into_iter().flatten().any(of),
-        });
-    }
-    transmits
+            _ => node.children().any(of),
+        }
+    })
 }
 
 /// In what company the index of a node is seen: it is covered by none that holds it, and the optical
@@ -201,12 +199,12 @@ fn reach(scene: &Scene) -> Vec<Reach> {
                 down.opaque |= !through;
             }
         }
-        let children = match node {
-            // Of a tool nothing is seen.
-            Node::Difference(a, _) => [Some(a), None],
-            _ => node.children(),
+        // Of a tool nothing is seen.
+        let seen = match node {
+            Node::Difference(..) => 1,
+            _ => 2,
         };
-        for child in children.into_iter().flatten() {
+        for child in node.children().take(seen) {
             let child = &mut reach[child as usize];
             child.bare |= down.bare;
             child.transmits |= down.transmits;

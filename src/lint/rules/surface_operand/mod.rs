@@ -37,7 +37,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let Some(p) = context.params(origin.span) else {
             continue;
         };
-        let child = scene.nodes[node as usize].children()[operand];
+        let child = scene.nodes[node as usize].children().nth(operand);
         let Some(part) = child.map(|c| parts[c as usize]) else {
             continue;
         };

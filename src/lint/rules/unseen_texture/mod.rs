@@ -200,7 +200,7 @@ fn covers(scene: &Scene, root: NodeId, reach: &Reach) -> Vec<Option<NodeId>> {
         } else {
             covers[node as usize]
         };
-        for child in scene.nodes[node as usize].children().into_iter().flatten() {
+        for child in scene.nodes[node as usize].children() {
             let below = &mut covers[child as usize];
             *below = below.or(cover);
         }

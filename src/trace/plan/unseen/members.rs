@@ -1,7 +1,7 @@
 //! The parts of the outermost union, where they are.
 
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Geometry, Node, NodeId, Scene};
+use crate::scene::{Geometry, Node, NodeId, Scene, fold_up};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::named;
 use crate::solids::shapes::facts::Facts;
@@ -70,7 +70,7 @@ struct Way {
 
 /// All of them, in the order of the operands.
 pub fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member> {
-    let uses = uses(scene, root);
+    let uses = scene.uses(root);
     let clear = clear(scene, root);
     let mut out = Vec::new();
     let mut todo = vec![Way {
@@ -140,29 +140,12 @@ pub fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member
     out
 }
 
-/// How often each node is an operand of what is reached.
-fn uses(scene: &Scene, root: NodeId) -> Vec<u8> {
-    let mut uses = vec![0u8; root as usize + 1];
-    uses[root as usize] = 1;
-    // Children stand before their parents.
-    for i in (0..=root as usize).rev() {
-        if uses[i] > 0 {
-            for child in scene.nodes[i].children().into_iter().flatten() {
-                let uses = &mut uses[child as usize];
-                *uses = uses.saturating_add(1);
-            }
-        }
-    }
-    uses
-}
-
 /// Of each node whether anything of it may let light through if no paint above says otherwise; the
 /// second is that of its complement.
 fn clear(scene: &Scene, root: NodeId) -> Vec<[bool; 2]> {
-    let mut out: Vec<[bool; 2]> = Vec::with_capacity(root as usize + 1);
-    for node in scene.nodes.iter().take(root as usize + 1) {
+    fold_up(scene.up_to(root), |_, node, out: &[[bool; 2]]| {
         let of = |n: NodeId| out[n as usize];
-        out.push(match *node {
+        match node {
             Node::Shape(_) => [false; 2],
             Node::Union(a, b) | Node::Intersection(a, b) => {
                 [0, 1].map(|turned| of(a)[turned] || of(b)[turned])
@@ -175,7 +158,6 @@ fn clear(scene: &Scene, root: NodeId) -> Vec<[bool; 2]> {
                 Some(optics) => [optics.kt != [0.0; 3]; 2],
                 None => of(child),
             },
-        });
-    }
-    out
+        }
+    })
 }

@@ -357,7 +357,7 @@ impl Asked<'_> {
             return true;
         };
         self.left = left;
-        let node = below(self.scene, part.node);
+        let (node, _) = self.scene.core(part.node, Matrix::IDENTITY);
         !part.sheet && self.inside.node(node, back.point(*point)) != Some(false)
     }
 
@@ -373,7 +373,7 @@ impl Asked<'_> {
             let shape = Primitive::new(part.geometry(scene)?);
             return is_on_sheet(&shape, &back, *point, around).then_some(Met { solid, holds });
         }
-        let node = below(scene, part.node);
+        let (node, _) = scene.core(part.node, Matrix::IDENTITY);
         for (holds, place) in holds.iter_mut().zip(places_around(*point, around)) {
             *holds = self.inside.node(node, back.point(place))?;
         }
@@ -382,7 +382,8 @@ impl Asked<'_> {
 
     /// Whether a point is on a shape without inside that is somewhere in a part.
     fn is_on_sheet_within(&mut self, point: &Vec3, part: &Member) -> bool {
-        let mut todo = vec![(below(self.scene, part.node), *part.matrix())];
+        let (core, _) = self.scene.core(part.node, Matrix::IDENTITY);
+        let mut todo = vec![(core, *part.matrix())];
         while let Some((node, matrix)) = todo.pop() {
             let Some(left) = self.left.checked_sub(1) else {
                 return false;
@@ -403,12 +404,7 @@ impl Asked<'_> {
                     return true;
                 }
             }
-            todo.extend(
-                node.children()
-                    .into_iter()
-                    .flatten()
-                    .map(|child| (child, inner)),
-            );
+            todo.extend(node.children().map(|child| (child, inner)));
         }
         false
     }
@@ -445,16 +441,6 @@ fn is_on_sheet(shape: &Primitive, back: &Matrix, point: Vec3, around: f64) -> bo
         shape.intersect().crossings(&line, &mut roots);
         roots.list.iter().any(|r| (r.t - away).abs() <= around)
     })
-}
-
-/// The node below what moves, paints and copies one.
-fn below(scene: &Scene, mut node: NodeId) -> NodeId {
-    while let Node::Transform { child, .. } | Node::Paint { child, .. } | Node::Copy { child, .. } =
-        scene.nodes[node as usize]
-    {
-        node = child;
-    }
-    node
 }
 
 /// How many places are asked about around a point.

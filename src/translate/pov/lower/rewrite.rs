@@ -11,20 +11,15 @@ const PATIENCE: usize = 64;
 pub type Way = Vec<NodeId>;
 
 /// What is done to a node, and what it is done to: a shape or operation as far as patience goes.
-pub fn below(scene: &Scene, mut node: NodeId) -> (Way, NodeId) {
-    let mut way = Vec::new();
-    for _ in 0..PATIENCE {
-        match scene.nodes[node as usize] {
-            Node::Transform { child, .. } | Node::Paint { child, .. } => {
-                way.push(node);
-                node = child;
-            }
-            // Only the names of its parts are the copy's.
-            Node::Copy { child, .. } => node = child,
-            _ => break,
-        }
-    }
-    (way, node)
+pub fn below(scene: &Scene, node: NodeId) -> (Way, NodeId) {
+    let states = || scene.states(node);
+    // Only the names of its parts are a copy's.
+    let done = states().take(PATIENCE).filter(|(_, n)| n.is_change());
+    let last = states().take(PATIENCE + 1).last();
+    (
+        done.map(|(id, _)| id).collect(),
+        last.map_or(node, |(id, _)| id),
+    )
 }
 
 /// A scene in which some nodes stand for others.
@@ -51,14 +46,7 @@ impl Rewrite {
     /// What was done to a node, done to another one.
     pub fn done(&mut self, way: &[NodeId], mut node: NodeId) -> NodeId {
         for &step in way.iter().rev() {
-            let next = match self.scene.nodes[step as usize] {
-                Node::Transform { matrix, .. } => Node::Transform {
-                    child: node,
-                    matrix,
-                },
-                Node::Paint { paint, .. } => Node::Paint { child: node, paint },
-                _ => continue,
-            };
+            let next = self.scene.nodes[step as usize].with_children(|_| node);
             node = self.push(next, step);
         }
         node
@@ -75,26 +63,7 @@ impl Rewrite {
 
     /// The same node, made of what stands for its operands now.
     pub fn renew(&mut self, node: NodeId) -> Node {
-        let of = |child: NodeId| self.now(child);
-        match self.scene.nodes[node as usize] {
-            shape @ Node::Shape(_) => shape,
-            Node::Union(a, b) => Node::Union(of(a), of(b)),
-            Node::Intersection(a, b) => Node::Intersection(of(a), of(b)),
-            Node::Difference(a, b) => Node::Difference(of(a), of(b)),
-            Node::Complement(a) => Node::Complement(of(a)),
-            Node::Transform { child, matrix } => Node::Transform {
-                child: of(child),
-                matrix,
-            },
-            Node::Paint { child, paint } => Node::Paint {
-                child: of(child),
-                paint,
-            },
-            Node::Copy { child, id } => Node::Copy {
-                child: of(child),
-                id,
-            },
-        }
+        self.scene.nodes[node as usize].with_children(|child| self.now(child))
     }
 
     /// Puts a node that was renewed in its place, if anything about it has changed.

@@ -77,12 +77,14 @@ const BARE: Material = Material {
 pub fn materials(scene: &Scene, tables: &mut Tables, root: NodeId) -> Vec<Material> {
     let mut out = vec![BARE; root as usize + 1];
     out[root as usize].uses = 1;
-    for id in (0..=root as usize).rev() {
-        if out[id].uses > 0 {
-            let (a, b) = children(&scene.nodes[id]);
-            for child in [a, b.filter(|_| a != b)].into_iter().flatten() {
-                out[child as usize].uses += 1;
-            }
+    for (_, node) in scene.below(root) {
+        let mut children = node.children();
+        let first = children.next();
+        for child in first
+            .into_iter()
+            .chain(children.filter(|c| Some(*c) != first))
+        {
+            out[child as usize].uses += 1;
         }
     }
     for id in 0..=root as usize {
@@ -95,17 +97,6 @@ pub fn materials(scene: &Scene, tables: &mut Tables, root: NodeId) -> Vec<Materi
         }
     }
     out
-}
-
-fn children(node: &Node) -> (Option<NodeId>, Option<NodeId>) {
-    match *node {
-        Node::Shape(_) => (None, None),
-        Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => (Some(a), Some(b)),
-        Node::Complement(child)
-        | Node::Transform { child, .. }
-        | Node::Paint { child, .. }
-        | Node::Copy { child, .. } => (Some(child), None),
-    }
 }
 
 fn one(scene: &Scene, tables: &mut Tables, done: &[Material], node: &Node) -> Material {

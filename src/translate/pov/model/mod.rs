@@ -180,8 +180,7 @@ impl<'a> Model<'a> {
                 }
                 Node::Complement(child) => todo.push((child, -by)),
                 Node::Difference(a, b) => todo.extend([(a, by), (b, -by)]),
-                Node::Union(a, b) | Node::Intersection(a, b) => todo.extend([(a, by), (b, by)]),
-                Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push((child, by)),
+                node => todo.extend(node.children().map(|child| (child, by))),
             }
         }
         false

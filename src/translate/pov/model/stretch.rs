@@ -17,7 +17,7 @@ pub fn stretches(scene: &Scene, root: NodeId) -> Vec<f64> {
             }
             _ => own,
         };
-        for child in scene.nodes[id].children().into_iter().flatten() {
+        for child in scene.nodes[id].children() {
             out[child as usize] = below.max(out[child as usize]);
         }
     }

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 
 use crate::geometry::Matrix;
 use crate::geometry::vec::Vec3 as V;
-use crate::scene::{Geometry, Node, Scene, TriangleNormals, Vec3};
+use crate::scene::{Geometry, Node, Scene, TriangleNormals, Vec3, fold_up};
 use crate::solids::shapes::facts::Facts as _;
 use crate::translate::pov::model::materials::Material;
 
@@ -33,7 +33,7 @@ pub fn backward(scene: &Scene, facts: &[Material], eye: Vec3) -> HashMap<u32, bo
             Node::Transform { matrix, .. } => place.after(&scene.matrices[matrix as usize]),
             _ => place,
         };
-        for child in node.children().into_iter().flatten() {
+        for child in node.children() {
             if facts[child as usize].uses == 1 {
                 places[child as usize] = Some(below);
             }
@@ -53,15 +53,10 @@ pub fn holders(scene: &Scene, facts: &[Material], turned: &HashMap<u32, bool>) -
     if turned.is_empty() {
         return Vec::new();
     }
-    let mut holds = Vec::with_capacity(facts.len());
-    for node in scene.nodes.iter().take(facts.len()) {
-        let holds_any = match node {
-            Node::Shape(shape) => turned.contains_key(shape),
-            other => (other.children().into_iter().flatten()).any(|c| holds[c as usize]),
-        };
-        holds.push(holds_any);
-    }
-    holds
+    fold_up(&scene.nodes[..facts.len()], |_, node, holds| match node {
+        Node::Shape(shape) => turned.contains_key(&shape),
+        other => other.children().any(|c| holds[c as usize]),
+    })
 }
 
 /// The eye, and where it seems to be in the mirrors that planes may be.

@@ -143,14 +143,9 @@ impl Model<'_> {
                     let m = m.after(&self.scene.matrices[matrix as usize]);
                     todo.push((child, m, is_outer));
                 }
-                Node::Paint { child, .. } | Node::Copy { child, .. } => {
-                    todo.push((child, m, is_outer));
-                }
                 Node::Complement(a) => todo.push((a, m, !is_outer)),
-                Node::Union(a, b) | Node::Intersection(a, b) => {
-                    todo.extend([(b, m, is_outer), (a, m, is_outer)]);
-                }
                 Node::Difference(a, b) => todo.extend([(b, m, !is_outer), (a, m, is_outer)]),
+                node => todo.extend(node.children().rev().map(|child| (child, m, is_outer))),
             }
         }
         for face in &mut faces {

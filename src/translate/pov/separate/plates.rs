@@ -10,7 +10,7 @@ use std::borrow::Cow;
 
 use super::media::Members;
 use crate::geometry::array::{add, cross, length, sub};
-use crate::scene::{Geometry, NodeId, Scene, TriangleNormals, Vec3};
+use crate::scene::{Geometry, Node, NodeId, Scene, TriangleNormals, Vec3, fold_up};
 use crate::solids::shapes::facts::Facts as _;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::displacement::Change;
@@ -20,19 +20,10 @@ use crate::translate::pov::tree::{Body, Object, Operation};
 
 /// For each node whether any flat surface is in it.
 pub fn holders(scene: &Scene) -> Vec<bool> {
-    let mut holds = vec![false; scene.nodes.len()];
-    for id in 0..holds.len() {
-        holds[id] = match scene.nodes[id] {
-            crate::scene::Node::Shape(shape) => {
-                scene.shapes[shape as usize].geometry.character().is_flat
-            }
-            node => {
-                let mut children = node.children().into_iter().flatten();
-                children.any(|child| holds[child as usize])
-            }
-        };
-    }
-    holds
+    fold_up(&scene.nodes, |_, node, holds| match node {
+        Node::Shape(shape) => scene.shapes[shape as usize].geometry.character().is_flat,
+        node => node.children().any(|child| holds[child as usize]),
+    })
 }
 
 impl Model<'_> {

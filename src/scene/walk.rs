@@ -1,0 +1,136 @@
+//! Ways through a scene: down the states of one object, up from the shapes, and down from a root. None of them calls
+//! itself, however deep the scene is.
+
+use super::model::{Node, NodeId, Scene};
+use crate::geometry::Matrix;
+
+impl Node {
+    /// Whether the node is a later state of the object that its child is: one that is moved or painted.
+    pub fn is_change(self) -> bool {
+        matches!(self, Node::Transform { .. } | Node::Paint { .. })
+    }
+
+    /// The child of a node that is the same object, or a copy of it: moved, painted or named anew.
+    pub fn earlier(self) -> Option<NodeId> {
+        match self {
+            Node::Transform { child, .. }
+            | Node::Paint { child, .. }
+            | Node::Copy { child, .. } => Some(child),
+            _ => None,
+        }
+    }
+
+    /// The operands of an operation with two.
+    pub fn operands(self) -> Option<[NodeId; 2]> {
+        match self {
+            Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => Some([a, b]),
+            _ => None,
+        }
+    }
+
+    /// The same node, made of other ones.
+    pub fn with_children(self, of: impl Fn(NodeId) -> NodeId) -> Node {
+        match self {
+            Node::Shape(_) => self,
+            Node::Union(a, b) => Node::Union(of(a), of(b)),
+            Node::Intersection(a, b) => Node::Intersection(of(a), of(b)),
+            Node::Difference(a, b) => Node::Difference(of(a), of(b)),
+            Node::Complement(child) => Node::Complement(of(child)),
+            Node::Transform { child, matrix } => Node::Transform {
+                child: of(child),
+                matrix,
+            },
+            Node::Paint { child, paint } => Node::Paint {
+                child: of(child),
+                paint,
+            },
+            Node::Copy { child, id } => Node::Copy {
+                child: of(child),
+                id,
+            },
+        }
+    }
+}
+
+/// A value for each of the first nodes of a scene, from the number of the node, the node, and the values of all nodes
+/// before it: children stand before their parents.
+pub fn fold_up<T>(nodes: &[Node], mut value: impl FnMut(NodeId, Node, &[T]) -> T) -> Vec<T> {
+    let mut done = Vec::with_capacity(nodes.len());
+    for (id, &node) in (0..).zip(nodes) {
+        done.push(value(id, node, &done));
+    }
+    done
+}
+
+impl Scene {
+    /// The nodes that a root is made of stand among these, and the root is the last of them.
+    pub fn up_to(&self, root: NodeId) -> &[Node] {
+        &self.nodes[..=root as usize]
+    }
+
+    /// A node with all earlier states of the same object and of those that it is a copy of. The last one is a shape, an
+    /// operation or a complement.
+    pub fn states(&self, node: NodeId) -> impl Iterator<Item = (NodeId, Node)> {
+        let mut next = Some(node);
+        std::iter::from_fn(move || {
+            let id = next?;
+            let node = self.nodes[id as usize];
+            next = node.earlier();
+            Some((id, node))
+        })
+    }
+
+    /// The node that the record defining an object made: the object without the changes since.
+    pub fn defined(&self, node: NodeId) -> NodeId {
+        let mut states = self.states(node).filter(|(_, n)| !n.is_change());
+        states.next().map_or(node, |(id, _)| id)
+    }
+
+    /// The shape, operation or complement that a node is a state or a copy of, and the matrix from its coordinates to
+    /// those that `matrix` leads to from the node's.
+    pub fn core(&self, node: NodeId, matrix: Matrix) -> (NodeId, Matrix) {
+        self.states(node)
+            .fold((node, matrix), |(_, m), (id, node)| match node {
+                Node::Transform { matrix, .. } => (id, m.after(&self.matrices[matrix as usize])),
+                _ => (id, m),
+            })
+    }
+
+    /// How often each node up to the root is a child of what the root is made of; the root itself counts once.
+    pub fn uses(&self, root: NodeId) -> Vec<u32> {
+        let mut uses = vec![0u32; root as usize + 1];
+        uses[root as usize] = 1;
+        for (id, node) in self.up_to(root).iter().enumerate().rev() {
+            if uses[id] > 0 {
+                for child in node.children() {
+                    let uses = &mut uses[child as usize];
+                    *uses = uses.saturating_add(1);
+                }
+            }
+        }
+        uses
+    }
+
+    /// The nodes that a root is made of, parents before their children.
+    pub fn below(&self, root: NodeId) -> impl Iterator<Item = (NodeId, Node)> {
+        let uses = self.uses(root);
+        let nodes = (0..=root).rev().zip(self.up_to(root).iter().rev());
+        nodes.filter_map(move |(id, &node)| (uses[id as usize] > 0).then_some((id, node)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::scene;
+
+    #[test]
+    fn a_core_is_below_all_changes_and_copies() {
+        let scene = scene("2 11 0 0 0 1\n2 -200 1 2 3\n3 -205 2\n3 -200 0 0 4\n1 9999 3 0");
+        let root = scene.render.unwrap().root;
+        let (core, m) = scene.core(root, Matrix::IDENTITY);
+        assert!(matches!(scene.nodes[core as usize], Node::Shape(0)));
+        assert_eq!(m.point([0.0; 3]), [1.0, 2.0, 7.0]);
+        assert_eq!(scene.below(root).count(), scene.nodes.len());
+    }
+}
