@@ -2,8 +2,8 @@
 
 use super::distance;
 use super::leaf::Leaf;
-use super::shapes::ball::even_scale;
-use super::shapes::facts::Facts;
+use super::shapes::AnyShape;
+use super::shapes::ball::{self, even_scale};
 use super::tree::Tree;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Scene, Vec3, Volume};
@@ -67,4 +67,47 @@ pub fn farthest_leaf(scene: &Scene, tree: &Tree, whole: &Aabb, p: Vec3) -> f64 {
     };
     let leaves = tree.leaves.iter().map(of).fold(0.0, f64::max);
     leaves.min(farthest(whole, p))
+}
+
+impl Geometry {
+    /// A distance from a point that nothing of the moved shape exceeds by more than rounding, where that is
+    /// known more closely than by a box.
+    fn farthest(&self, m: &Matrix, p: Vec3) -> Option<f64> {
+        match AnyShape::of(self) {
+            AnyShape::Cuboid(s) => {
+                let each = (0..8).map(|k| distance(m.point(s.corner(k)), p));
+                Some(each.fold(0.0, f64::max))
+            }
+            AnyShape::GeodesicSphere(s) => {
+                Some(distance(m.point([0.0; 3]), p) + s.radius * ball::even_scale(m)?)
+            }
+            AnyShape::Rectangle(s) => {
+                let (min, max) = (s.min, s.max);
+                let corner = |k: usize| {
+                    let x = if k & 1 == 0 { min[0] } else { max[0] };
+                    [x, if k & 2 == 0 { min[1] } else { max[1] }, 0.0]
+                };
+                let each = (0..4).map(|k| distance(m.point(corner(k)), p));
+                Some(each.fold(0.0, f64::max))
+            }
+            AnyShape::Sphere(s) => {
+                Some(distance(m.point(s.centre), p) + s.radius * ball::even_scale(m)?)
+            }
+            AnyShape::Torus(s) => {
+                let scale = ball::even_scale(m)?;
+                // The point of the tube's core that is furthest away, and from there as much further.
+                let [x, y, z] = m.inverse()?.point(p);
+                Some(scale * ((x.hypot(z) + s.major).hypot(y) + s.minor))
+            }
+            AnyShape::Triangle(s) => {
+                let each = s.vertices.iter().map(|&q| distance(m.point(q), p));
+                Some(each.fold(0.0, f64::max))
+            }
+            AnyShape::Cone(_)
+            | AnyShape::Ellipsoid(_)
+            | AnyShape::HalfSpace(_)
+            | AnyShape::Quadric(_)
+            | AnyShape::Revolution(_) => None,
+        }
+    }
 }

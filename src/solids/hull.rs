@@ -1,7 +1,8 @@
 //! Convex hulls of shapes, from outside: a few points whose hull holds all of a shape.
 
-use super::shapes::circle;
-use crate::scene::Vec3;
+use super::shapes::revolution::LONG;
+use super::shapes::{AnyShape, circle};
+use crate::scene::{Geometry, Vec3};
 
 /// Points between which all of the ball of radius 1 at the origin lies.
 pub fn ball_hull() -> Vec<Vec3> {
@@ -14,6 +15,43 @@ pub fn ball_hull() -> Vec<Vec3> {
         circle::around(reach * x, reach * y)
     });
     rims.collect()
+}
+
+impl Geometry {
+    /// Points between which all of it lies: the corners of shapes that have some, polygons around circles.
+    /// `None` where balls and boxes serve as well.
+    pub fn hull(&self) -> Option<Vec<Vec3>> {
+        match AnyShape::of(self) {
+            AnyShape::Cone(s) => {
+                let mut out: Vec<Vec3> = circle::around(s.radius, s.height).collect();
+                match s.double {
+                    true => out.extend(circle::around(s.radius, -s.height)),
+                    false => out.push([0.0; 3]),
+                }
+                Some(out)
+            }
+            AnyShape::Cuboid(s) => Some((0..8).map(|k| s.corner(k)).collect()),
+            AnyShape::Revolution(s) => {
+                if s.profile.len() > LONG {
+                    return None;
+                }
+                let rims = s.profile.iter();
+                Some(rims.flat_map(|p| circle::around(p[0], p[1])).collect())
+            }
+            AnyShape::Torus(s) => {
+                let out = s.major + s.minor;
+                let rims = [s.minor, -s.minor].into_iter();
+                Some(rims.flat_map(|y| circle::around(out, y)).collect())
+            }
+            AnyShape::Ellipsoid(_)
+            | AnyShape::GeodesicSphere(_)
+            | AnyShape::HalfSpace(_)
+            | AnyShape::Quadric(_)
+            | AnyShape::Rectangle(_)
+            | AnyShape::Sphere(_)
+            | AnyShape::Triangle(_) => None,
+        }
+    }
 }
 
 #[cfg(test)]

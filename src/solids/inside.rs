@@ -6,7 +6,6 @@ use crate::geometry::Matrix;
 use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::containment::in_shape;
-use crate::solids::shapes::facts::Facts;
 
 /// Steps of all tests together: nodes visited and profile points compared. A second has room for
 /// many times that.

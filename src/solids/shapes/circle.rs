@@ -1,7 +1,5 @@
 //! Circles about the y axis.
 
-use super::facts::FlatFace;
-use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
 use crate::solids::contacts::quadric::Form;
 
@@ -21,15 +19,6 @@ pub fn around(radius: f64, y: f64) -> impl Iterator<Item = Vec3> {
 pub fn towards(d: Vec3, radius: f64, y: f64) -> Vec3 {
     let [x, z] = unit([d[0], d[2]]);
     [radius * x, y, radius * z]
-}
-
-/// A disc as a face.
-pub fn disc(y: f64, radius: f64, up: f64, m: &Matrix) -> FlatFace {
-    FlatFace {
-        n: [0.0, up, 0.0],
-        d: -up * y,
-        around: Aabb::new([-radius, y, -radius], [radius, y, radius]).transformed(m),
-    }
 }
 
 /// The matrix of x² + z² = (slope·y + start)².

@@ -1,21 +1,14 @@
 //! The geodesic sphere.
 
 use super::around::Around;
-use super::ball;
 use super::facts::*;
-use super::lengthen::Cut;
-use super::sizes::RADIUS;
-use super::sizes::Sizes;
 use crate::geometry::array::{cross, dot, sub, unit};
 use crate::geometry::dd::Dd;
 use crate::geometry::number::Real;
 use crate::geometry::vec;
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Geometry, Vec3};
-use crate::solids::contacts::directions::Sample;
-use crate::solids::contacts::face::{Faces, Part};
-use crate::solids::contacts::quadric::Form;
-use crate::solids::distance;
+use crate::scene::Vec3;
+use crate::solids::contacts::face::Faces;
 use crate::solids::facet::{corner, facet};
 
 pub struct GeodesicSphere {
@@ -31,21 +24,14 @@ const HELD: [f64; 4] = [0.79, 0.93, 0.98, 0.99];
 const ROUNDED: f64 = 1e-13;
 
 impl GeodesicSphere {
-    fn held(&self) -> f64 {
+    pub fn held(&self) -> f64 {
         HELD[HELD.len().min(self.splits as usize + 1) - 1]
     }
 }
 
 impl Facts for GeodesicSphere {
     fn character(&self) -> Character {
-        Character {
-            is_round: false,
-            is_flat: false,
-            is_quadric: false,
-            is_smooth: false,
-            has_colours: false,
-            may_cover_itself: false,
-        }
+        Character::PLAIN
     }
 
     fn is_convex(&self) -> bool {
@@ -56,37 +42,9 @@ impl Facts for GeodesicSphere {
         Around::new(m).ellipsoid([0.0; 3], [self.radius; 3]).boxed()
     }
 
-    fn hull(&self) -> Option<Vec<Vec3>> {
-        None
-    }
-
-    fn ball(&self) -> Option<Ball> {
-        Some(Ball {
-            centre: [0.0; 3],
-            semi_axes: [self.radius; 3],
-            held: self.held(),
-        })
-    }
-
-    fn farthest(&self, m: &Matrix, p: Vec3) -> Option<f64> {
-        Some(distance(m.point([0.0; 3]), p) + self.radius * ball::even_scale(m)?)
-    }
-
     fn support(&self, d: Vec3) -> Option<Support> {
         let point = corner(d, self.splits).map(|x| self.radius * x);
         Some(Support::towards(point, [0.0; 3]))
-    }
-
-    fn home(&self) -> (Vec3, f64) {
-        ([0.0; 3], 1.0)
-    }
-
-    fn place(&self) -> Option<Vec3> {
-        Some([0.0; 3])
-    }
-
-    fn sizes(&self, sizes: &mut Sizes) {
-        sizes.axes([self.radius; 3], [RADIUS; 3]);
     }
 
     /// In double-double: the corners are no numbers of the record.
@@ -121,60 +79,5 @@ impl Facts for GeodesicSphere {
         Taylor::flat(dot(n, p) - self.radius * dot(n, a), n)
     }
 
-    fn pieces(&self) -> usize {
-        0
-    }
-
     fn faces(&self, _: &mut Faces) {}
-
-    fn quadric(&self, _: Part) -> Option<Form> {
-        None
-    }
-
-    fn mantle(&self, _: Part) -> Option<Mantle> {
-        None
-    }
-
-    fn samples(&self) -> Vec<Sample> {
-        Vec::new()
-    }
-
-    fn plane(&self) -> Option<[f64; 4]> {
-        None
-    }
-
-    fn flat_faces(&self, _: &Matrix) -> Vec<FlatFace> {
-        Vec::new()
-    }
-
-    fn ends(&self, _: usize) -> Vec<f64> {
-        Vec::new()
-    }
-
-    fn degenerate(&self) -> Option<Degenerate> {
-        None
-    }
-
-    fn crossing(&self) -> Option<Crossing> {
-        None
-    }
-
-    fn offset(&self, by: f64) -> Option<Geometry> {
-        Some(Geometry::GeodesicSphere {
-            radius: ball::grown(self.radius, by)?,
-            splits: self.splits,
-        })
-    }
-
-    fn lengthened(&self, _: &Cut) -> Option<Geometry> {
-        None
-    }
-
-    fn written(&self, _: Part) -> Written {
-        Written::ALL
-    }
-
-    fn moved_out(&self, _: Part, _: f64, _: f64) -> Option<Vec<Moved>> {
-        None
-    }
 }

@@ -4,225 +4,120 @@ mod around;
 pub mod ball;
 pub mod circle;
 pub mod cone;
-mod crossing;
 pub mod cuboid;
 pub mod ellipsoid;
 pub mod facts;
 pub mod geodesic_sphere;
 pub mod half_space;
-mod in_line;
-pub mod lengthen;
-pub mod offset;
 pub mod profile;
-mod quadric;
-mod rectangle;
-mod revolution;
-pub mod sizes;
+pub mod quadric;
+pub mod rectangle;
+pub mod revolution;
 pub mod sphere;
 #[cfg(test)]
 mod tests;
 pub mod torus;
-mod triangle;
+pub mod triangle;
 
-use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Geometry, Vec3};
-use crate::solids::contacts::directions::Sample;
-use crate::solids::contacts::face::{Faces, Part};
-use crate::solids::contacts::quadric::Form;
-use facts::*;
-use lengthen::Cut;
+use crate::scene::Geometry;
+use cone::Cone;
+use cuboid::Cuboid;
+use ellipsoid::Ellipsoid;
+use geodesic_sphere::GeodesicSphere;
+use half_space::HalfSpace;
 use quadric::Quadric;
-use sizes::Sizes;
+use rectangle::Rectangle;
+use revolution::Revolution;
+use sphere::Sphere;
+use torus::Torus;
+use triangle::Triangle;
 
-/// The same expression for every shape.
-macro_rules! each {
-    ($geometry:expr, $s:ident => $e:expr) => {
-        match $geometry {
-            Geometry::Revolution { profile, colours } => {
-                let $s = revolution::Revolution { profile, colours };
-                $e
-            }
-            &Geometry::Plane(abcd) => {
-                let $s = half_space::HalfSpace { abcd, solid: false };
-                $e
-            }
-            &Geometry::HalfSpace(abcd) => {
-                let $s = half_space::HalfSpace { abcd, solid: true };
-                $e
-            }
-            &Geometry::Rectangle { min, max } => {
-                let $s = rectangle::Rectangle { min, max };
-                $e
-            }
-            Geometry::Triangle { vertices, normals } => {
-                let $s = triangle::Triangle {
-                    vertices: **vertices,
-                    normals,
-                };
-                $e
-            }
-            &Geometry::Sphere { centre, radius } => {
-                let $s = sphere::Sphere { centre, radius };
-                $e
-            }
-            &Geometry::Ellipsoid { semi_axes } => {
-                let $s = ellipsoid::Ellipsoid { semi_axes };
-                $e
-            }
-            &Geometry::Box { min, max } => {
-                let $s = cuboid::Cuboid { min, max };
-                $e
-            }
-            &Geometry::GeodesicSphere { radius, splits } => {
-                let $s = geodesic_sphere::GeodesicSphere { radius, splits };
-                $e
-            }
-            &Geometry::Torus { major, minor } => {
-                let $s = torus::Torus { major, minor };
-                $e
-            }
-            Geometry::Quadric(q) => {
-                let $s = Quadric::General(q);
-                $e
-            }
-            &Geometry::Cone { height, radius } => {
-                let $s = cone::Cone {
-                    height,
-                    radius,
-                    double: false,
-                };
-                $e
-            }
-            &Geometry::DoubleCone { height, radius } => {
-                let $s = cone::Cone {
-                    height,
-                    radius,
-                    double: true,
-                };
-                $e
-            }
-            &Geometry::ParabolicCylinder { a } => {
-                let $s = Quadric::ParabolicCylinder { a };
-                $e
-            }
-            &Geometry::HyperbolicCylinder { a, b } => {
-                let $s = Quadric::HyperbolicCylinder { a, b };
-                $e
-            }
-            &Geometry::Hyperboloid { a, b, c, sheets } => {
-                let $s = Quadric::Hyperboloid { a, b, c, sheets };
-                $e
-            }
-            &Geometry::HyperbolicParaboloid { a, b } => {
-                let $s = Quadric::HyperbolicParaboloid { a, b };
-                $e
-            }
-        }
-    };
+/// A shape with the numbers of its record, as one of the shapes that have a file here. A question that few shapes
+/// answer is a match over them where it is asked, and not a part of [`Facts`](facts::Facts).
+pub enum AnyShape<'a> {
+    Cone(Cone),
+    Cuboid(Cuboid),
+    Ellipsoid(Ellipsoid),
+    GeodesicSphere(GeodesicSphere),
+    HalfSpace(HalfSpace),
+    Quadric(Quadric<'a>),
+    Rectangle(Rectangle),
+    Revolution(Revolution<'a>),
+    Sphere(Sphere),
+    Torus(Torus),
+    Triangle(Triangle<'a>),
 }
 
-impl Facts for Geometry {
-    fn character(&self) -> Character {
-        each!(self, s => s.character())
+impl AnyShape<'_> {
+    pub fn of(geometry: &Geometry) -> AnyShape<'_> {
+        match geometry {
+            Geometry::Revolution { profile, colours } => {
+                AnyShape::Revolution(Revolution { profile, colours })
+            }
+            &Geometry::Plane(abcd) => AnyShape::HalfSpace(HalfSpace { abcd, solid: false }),
+            &Geometry::HalfSpace(abcd) => AnyShape::HalfSpace(HalfSpace { abcd, solid: true }),
+            &Geometry::Rectangle { min, max } => AnyShape::Rectangle(Rectangle { min, max }),
+            Geometry::Triangle { vertices, normals } => AnyShape::Triangle(Triangle {
+                vertices: **vertices,
+                normals,
+            }),
+            &Geometry::Sphere { centre, radius } => AnyShape::Sphere(Sphere { centre, radius }),
+            &Geometry::Ellipsoid { semi_axes } => AnyShape::Ellipsoid(Ellipsoid { semi_axes }),
+            &Geometry::Box { min, max } => AnyShape::Cuboid(Cuboid { min, max }),
+            &Geometry::GeodesicSphere { radius, splits } => {
+                AnyShape::GeodesicSphere(GeodesicSphere { radius, splits })
+            }
+            &Geometry::Torus { major, minor } => AnyShape::Torus(Torus { major, minor }),
+            Geometry::Quadric(q) => AnyShape::Quadric(Quadric::General(q)),
+            &Geometry::Cone { height, radius } => AnyShape::Cone(Cone {
+                height,
+                radius,
+                double: false,
+            }),
+            &Geometry::DoubleCone { height, radius } => AnyShape::Cone(Cone {
+                height,
+                radius,
+                double: true,
+            }),
+            &Geometry::ParabolicCylinder { a } => {
+                AnyShape::Quadric(Quadric::ParabolicCylinder { a })
+            }
+            &Geometry::HyperbolicCylinder { a, b } => {
+                AnyShape::Quadric(Quadric::HyperbolicCylinder { a, b })
+            }
+            &Geometry::Hyperboloid { a, b, c, sheets } => {
+                AnyShape::Quadric(Quadric::Hyperboloid { a, b, c, sheets })
+            }
+            &Geometry::HyperbolicParaboloid { a, b } => {
+                AnyShape::Quadric(Quadric::HyperbolicParaboloid { a, b })
+            }
+        }
+    }
+}
+
+impl Geometry {
+    /// How many pieces a test of a point goes through, of shapes that have any number of them; else none.
+    pub fn pieces(&self) -> usize {
+        match AnyShape::of(self) {
+            AnyShape::Revolution(s) => s.profile.len(),
+            AnyShape::Cone(_)
+            | AnyShape::Cuboid(_)
+            | AnyShape::Ellipsoid(_)
+            | AnyShape::GeodesicSphere(_)
+            | AnyShape::HalfSpace(_)
+            | AnyShape::Quadric(_)
+            | AnyShape::Rectangle(_)
+            | AnyShape::Sphere(_)
+            | AnyShape::Torus(_)
+            | AnyShape::Triangle(_) => 0,
+        }
     }
 
-    fn is_convex(&self) -> bool {
-        each!(self, s => s.is_convex())
-    }
-
-    fn bounds(&self, m: &Matrix) -> Aabb {
-        each!(self, s => s.bounds(m))
-    }
-
-    fn hull(&self) -> Option<Vec<Vec3>> {
-        each!(self, s => s.hull())
-    }
-
-    fn ball(&self) -> Option<Ball> {
-        each!(self, s => s.ball())
-    }
-
-    fn farthest(&self, m: &Matrix, p: Vec3) -> Option<f64> {
-        each!(self, s => s.farthest(m, p))
-    }
-
-    fn support(&self, d: Vec3) -> Option<Support> {
-        each!(self, s => s.support(d))
-    }
-
-    fn home(&self) -> (Vec3, f64) {
-        each!(self, s => s.home())
-    }
-
-    fn place(&self) -> Option<Vec3> {
-        each!(self, s => s.place())
-    }
-
-    fn sizes(&self, sizes: &mut Sizes) {
-        each!(self, s => s.sizes(sizes))
-    }
-
-    fn holds(&self, p: Vec3) -> bool {
-        each!(self, s => s.holds(p))
-    }
-
-    fn taylor(&self, p: Vec3) -> Taylor {
-        each!(self, s => s.taylor(p))
-    }
-
-    fn pieces(&self) -> usize {
-        each!(self, s => s.pieces())
-    }
-
-    fn faces(&self, out: &mut Faces) {
-        each!(self, s => s.faces(out))
-    }
-
-    fn quadric(&self, part: Part) -> Option<Form> {
-        each!(self, s => s.quadric(part))
-    }
-
-    fn mantle(&self, part: Part) -> Option<Mantle> {
-        each!(self, s => s.mantle(part))
-    }
-
-    fn samples(&self) -> Vec<Sample> {
-        each!(self, s => s.samples())
-    }
-
-    fn plane(&self) -> Option<[f64; 4]> {
-        each!(self, s => s.plane())
-    }
-
-    fn flat_faces(&self, m: &Matrix) -> Vec<FlatFace> {
-        each!(self, s => s.flat_faces(m))
-    }
-
-    fn ends(&self, axis: usize) -> Vec<f64> {
-        each!(self, s => s.ends(axis))
-    }
-
-    fn degenerate(&self) -> Option<Degenerate> {
-        each!(self, s => s.degenerate())
-    }
-
-    fn crossing(&self) -> Option<Crossing> {
-        each!(self, s => s.crossing())
-    }
-
-    fn offset(&self, by: f64) -> Option<Geometry> {
-        each!(self, s => s.offset(by))
-    }
-
-    fn lengthened(&self, longer: &Cut) -> Option<Geometry> {
-        each!(self, s => s.lengthened(longer))
-    }
-
-    fn written(&self, part: Part) -> Written {
-        each!(self, s => s.written(part))
-    }
-
-    fn moved_out(&self, part: Part, share: f64, room: f64) -> Option<Vec<Moved>> {
-        each!(self, s => s.moved_out(part, share, room))
+    /// a, b, c, d of the plane that it is or that bounds it, and nothing else.
+    pub fn plane(&self) -> Option<[f64; 4]> {
+        match *self {
+            Geometry::Plane(abcd) | Geometry::HalfSpace(abcd) => Some(abcd),
+            _ => None,
+        }
     }
 }

@@ -2,7 +2,6 @@
 
 use crate::geometry::sign::{Exact, Rounded, Scalar, at_most_zero};
 use crate::scene::Vec3;
-use crate::solids::contacts::face::Part;
 
 /// Whether a profile that ends at the axis, or is closed by discs, goes one way along it and turns to
 /// one side only.
@@ -184,46 +183,6 @@ pub fn closed(profile: &[[f64; 2]]) -> Vec<[f64; 2]> {
     profile.iter().copied().chain(ends).collect()
 }
 
-/// The points of a level piece of a profile or a disc that closes it: index, new height, and by how
-/// much it has changed.
-pub fn level_points(
-    profile: &[[f64; 2]],
-    part: Part,
-    share: f64,
-) -> Option<Vec<(usize, f64, f64)>> {
-    let last = profile.len() - 1;
-    let (from, to, radii) = match part {
-        Part::Cap(i) => (i, i, (0.0, profile[i][0])),
-        Part::Piece(i) => (i, i + 1, (profile[i][0], profile[i + 1][0])),
-        _ => return None,
-    };
-    let y = profile[from][1];
-    if profile[to][1] != y {
-        return None;
-    }
-    // Neighbours at the same height lie in the same plane.
-    let level = |i: &usize| profile[*i][1] == y;
-    let start = (0..=from).rev().take_while(level).last()?;
-    let end = (to..=last).take_while(level).last()?;
-    let mut points: Vec<usize> = (start..=end).collect();
-    if profile[0] == profile[last] && (start == 0 || end == last) {
-        points.extend([0, last]);
-    }
-    let heights = || profile.iter().map(|p| p[1]);
-    let all = heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
-    let hair = share * all;
-    let middle = radii.0 / 2.0 + radii.1 / 2.0;
-    let up = holds(profile, [middle, y - hair, 0.0]);
-    // Not where something else of the profile is that near.
-    if up == holds(profile, [middle, y + hair, 0.0]) {
-        return None;
-    }
-    let to = if up { y + hair } else { y - hair };
-    points.sort_unstable();
-    points.dedup();
-    Some(points.into_iter().map(|i| (i, to, hair)).collect())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -257,18 +216,6 @@ mod tests {
         assert!(holds(&ring, [1.5, 0.5, 0.0]) && !holds(&ring, [0.5, 0.5, 0.0]));
         let cone = [[0.0, 1.0], [1.0, 0.0]];
         assert!(holds(&cone, [0.4, 0.5, 0.0]) && !holds(&cone, [0.6, 0.5, 0.0]));
-    }
-
-    #[test]
-    fn the_end_of_a_profile_moves_as_a_whole() {
-        // A tube's upper end is a ring; a ring's first point is its last.
-        let ring = [[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 0.0]];
-        let up = level_points(&ring, Part::Piece(2), 1e-3).unwrap();
-        assert_eq!(up, [(2, 1.001, 0.001), (3, 1.001, 0.001)]);
-        let down = level_points(&ring, Part::Piece(0), 1e-3).unwrap();
-        assert_eq!(down.iter().map(|p| p.0).collect::<Vec<_>>(), [0, 1, 4]);
-        assert!(down.iter().all(|p| p.1 == -0.001));
-        assert!(level_points(&ring, Part::Piece(1), 1e-3).is_none());
     }
 
     /// On every face, and on none that is gone over twice.

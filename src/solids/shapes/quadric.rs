@@ -2,16 +2,12 @@
 
 use super::around::quadric_bounds;
 use super::facts::*;
-use super::lengthen::Cut;
-use super::sizes::Sizes;
 use crate::geometry::sign::{Scalar, at_most_zero};
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Geometry, Vec3};
-use crate::solids::contacts::directions::Sample;
-use crate::solids::contacts::face::{Faces, Part};
+use crate::scene::Vec3;
+use crate::solids::contacts::face::Faces;
 use crate::solids::contacts::quadric::Form;
-use crate::solids::contacts::quadric::samples;
-use crate::solids::definite::{Verdict, is_ellipsoid, judge};
+use crate::solids::definite::is_ellipsoid;
 
 pub enum Quadric<'a> {
     /// xᵀQx ≤ 0.
@@ -83,12 +79,8 @@ impl Quadric<'_> {
 impl Facts for Quadric<'_> {
     fn character(&self) -> Character {
         Character {
-            is_round: false,
-            is_flat: false,
             is_quadric: true,
-            is_smooth: false,
-            has_colours: false,
-            may_cover_itself: false,
+            ..Character::PLAIN
         }
     }
 
@@ -116,60 +108,8 @@ impl Facts for Quadric<'_> {
         }
     }
 
-    fn hull(&self) -> Option<Vec<Vec3>> {
-        None
-    }
-
-    fn ball(&self) -> Option<Ball> {
-        None
-    }
-
-    fn farthest(&self, _: &Matrix, _: Vec3) -> Option<f64> {
-        None
-    }
-
     fn support(&self, _: Vec3) -> Option<Support> {
         None
-    }
-
-    fn home(&self) -> (Vec3, f64) {
-        let size = match *self {
-            Quadric::General(q) => {
-                let largest = |of: &[usize]| of.iter().fold(0.0f64, |m, &k| m.max(q[k].abs()));
-                let square = largest(&[0, 1, 2, 4, 5, 6, 8, 9, 10]).max(f64::MIN_POSITIVE);
-                let linear = largest(&[3, 7, 11, 12, 13, 14]) / square;
-                linear + (largest(&[15]) / square).sqrt() + 1.0
-            }
-            Quadric::ParabolicCylinder { a } => a.max(1.0),
-            Quadric::HyperbolicCylinder { a, b } | Quadric::HyperbolicParaboloid { a, b } => {
-                a.max(b)
-            }
-            Quadric::Hyperboloid { a, b, c, .. } => a.max(b).max(c),
-        };
-        ([0.0; 3], size)
-    }
-
-    fn place(&self) -> Option<Vec3> {
-        match self {
-            Quadric::General(_) => None,
-            _ => Some([0.0; 3]),
-        }
-    }
-
-    fn sizes(&self, sizes: &mut Sizes) {
-        const SEMI_AXES: [&str; 3] = ["its semi-axis a", "its semi-axis b", "its semi-axis c"];
-        let [a_axis, b_axis, _] = SEMI_AXES;
-        match *self {
-            Quadric::General(_) => {}
-            Quadric::ParabolicCylinder { a } => {
-                sizes.named([a, 0.0, 0.0], ["its half width a"; 3]);
-            }
-            Quadric::HyperbolicCylinder { a, b } => sizes.named([a, b, 0.0], [a_axis, b_axis, ""]),
-            Quadric::Hyperboloid { a, b, c, .. } => sizes.named([a, b, c], SEMI_AXES),
-            Quadric::HyperbolicParaboloid { a, b } => {
-                sizes.named([a, 0.0, b], ["its half width a", "", "its half width b"]);
-            }
-        }
     }
 
     fn holds(&self, p: Vec3) -> bool {
@@ -205,73 +145,7 @@ impl Facts for Quadric<'_> {
         }
     }
 
-    fn pieces(&self) -> usize {
-        0
-    }
-
     fn faces(&self, out: &mut Faces) {
         out.quadric(&self.matrix());
-    }
-
-    fn quadric(&self, part: Part) -> Option<Form> {
-        (part == Part::All).then(|| self.matrix())
-    }
-
-    fn mantle(&self, _: Part) -> Option<Mantle> {
-        None
-    }
-
-    fn samples(&self) -> Vec<Sample> {
-        samples(&self.matrix())
-    }
-
-    fn plane(&self) -> Option<[f64; 4]> {
-        None
-    }
-
-    fn flat_faces(&self, _: &Matrix) -> Vec<FlatFace> {
-        Vec::new()
-    }
-
-    fn ends(&self, _: usize) -> Vec<f64> {
-        Vec::new()
-    }
-
-    fn degenerate(&self) -> Option<Degenerate> {
-        let Quadric::General(q) = self else {
-            return None;
-        };
-        let Verdict::Flat(dimensions) = judge(q) else {
-            return None;
-        };
-        Some(Degenerate {
-            case: match dimensions {
-                0 => "point",
-                1 => "line",
-                _ => "plane",
-            },
-            params: (0, 16),
-            equal: Vec::new(),
-        })
-    }
-
-    fn crossing(&self) -> Option<Crossing> {
-        None
-    }
-
-    fn offset(&self, _: f64) -> Option<Geometry> {
-        None
-    }
-
-    fn lengthened(&self, _: &Cut) -> Option<Geometry> {
-        None
-    }
-
-    fn written(&self, _: Part) -> Written {
-        Written::ALL
-    }
-
-    fn moved_out(&self, _: Part, _: f64, _: f64) -> Option<Vec<Moved>> {
-        None
     }
 }

@@ -4,16 +4,11 @@ use super::around::Around;
 use super::ball;
 use super::circle;
 use super::facts::*;
-use super::lengthen::Cut;
-use super::sizes::Sizes;
 use crate::geometry::sign::{Scalar, at_most_zero};
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Geometry, Vec3};
-use crate::solids::contacts::directions::Sample;
-use crate::solids::contacts::directions::turn;
+use crate::scene::Vec3;
 use crate::solids::contacts::face::TORUS;
 use crate::solids::contacts::face::{Faces, Part};
-use crate::solids::contacts::quadric::Form;
 
 pub struct Torus {
     pub major: f64,
@@ -36,11 +31,7 @@ impl Facts for Torus {
     fn character(&self) -> Character {
         Character {
             is_round: true,
-            is_flat: false,
-            is_quadric: false,
-            is_smooth: false,
-            has_colours: false,
-            may_cover_itself: false,
+            ..Character::PLAIN
         }
     }
 
@@ -52,40 +43,10 @@ impl Facts for Torus {
         Around::new(m).torus(self.major, self.minor).boxed()
     }
 
-    fn hull(&self) -> Option<Vec<Vec3>> {
-        let out = self.major + self.minor;
-        let rims = [self.minor, -self.minor].into_iter();
-        Some(rims.flat_map(|y| circle::around(out, y)).collect())
-    }
-
-    fn ball(&self) -> Option<Ball> {
-        None
-    }
-
-    fn farthest(&self, m: &Matrix, p: Vec3) -> Option<f64> {
-        let scale = ball::even_scale(m)?;
-        // The point of the tube's core that is furthest away, and from there as much further.
-        let [x, y, z] = m.inverse()?.point(p);
-        Some(scale * ((x.hypot(z) + self.major).hypot(y) + self.minor))
-    }
-
     fn support(&self, d: Vec3) -> Option<Support> {
         let (core, n) = (circle::towards(d, self.major, 0.0), ball::direction(d));
         let point = std::array::from_fn(|i| core[i] + self.minor * n[i]);
         Some(Support::towards(point, core))
-    }
-
-    fn home(&self) -> (Vec3, f64) {
-        ([0.0; 3], 1.0)
-    }
-
-    fn place(&self) -> Option<Vec3> {
-        Some([0.0; 3])
-    }
-
-    fn sizes(&self, sizes: &mut Sizes) {
-        sizes.axes([self.major, 0.0, self.major], ["its ring's radius R"; 3]);
-        sizes.axes([self.minor; 3], ["its tube's radius r"; 3]);
     }
 
     fn holds(&self, p: Vec3) -> bool {
@@ -107,73 +68,7 @@ impl Facts for Torus {
         ring(self.major).both(Taylor::flat(-far.f, far.g.map(|x| -x)))
     }
 
-    fn pieces(&self) -> usize {
-        0
-    }
-
     fn faces(&self, out: &mut Faces) {
         out.round(Part::All, [0.0; 3], self.major + self.minor, TORUS);
-    }
-
-    fn quadric(&self, _: Part) -> Option<Form> {
-        None
-    }
-
-    fn mantle(&self, _: Part) -> Option<Mantle> {
-        None
-    }
-
-    fn samples(&self) -> Vec<Sample> {
-        let (major, minor) = (self.major, self.minor);
-        (0..24)
-            .map(|i| {
-                let (su, cu) = turn(i);
-                let (sv, cv) = (f64::from(i) * 1.137 + 0.2).sin_cos();
-                let ring = major + minor * cv;
-                ([ring * cu, minor * sv, ring * su], [cv * cu, sv, cv * su])
-            })
-            .collect()
-    }
-
-    fn plane(&self) -> Option<[f64; 4]> {
-        None
-    }
-
-    fn flat_faces(&self, _: &Matrix) -> Vec<FlatFace> {
-        Vec::new()
-    }
-
-    fn ends(&self, _: usize) -> Vec<f64> {
-        Vec::new()
-    }
-
-    fn degenerate(&self) -> Option<Degenerate> {
-        None
-    }
-
-    fn crossing(&self) -> Option<Crossing> {
-        (self.major < self.minor).then_some(Crossing::Tube)
-    }
-
-    fn offset(&self, by: f64) -> Option<Geometry> {
-        if self.major <= self.minor {
-            return None;
-        }
-        Some(Geometry::Torus {
-            major: self.major,
-            minor: ball::grown(self.minor, by).filter(|r| *r < self.major)?,
-        })
-    }
-
-    fn lengthened(&self, _: &Cut) -> Option<Geometry> {
-        None
-    }
-
-    fn written(&self, _: Part) -> Written {
-        Written::ALL
-    }
-
-    fn moved_out(&self, _: Part, _: f64, _: f64) -> Option<Vec<Moved>> {
-        None
     }
 }

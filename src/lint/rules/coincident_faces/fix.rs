@@ -1,11 +1,13 @@
 //! A tool that reaches a hair further.
 
 use crate::diagnostics::{Applicability, Edit, Fix};
+use crate::geometry::array::length;
 use crate::lint::spelling::spelled;
 use crate::scene::Geometry;
 use crate::scene::record::Params;
+use crate::solids::contacts::face::Part;
 use crate::solids::contacts::search::Side;
-use crate::solids::shapes::facts::{Facts, Moved};
+use crate::solids::shapes::{AnyShape, profile};
 
 /// How much longer a tool becomes: too little to be seen, and a million times what counts as flush.
 const HAIR: f64 = 1e-3;
@@ -44,6 +46,91 @@ fn short(x: f64, hair: f64) -> Option<String> {
     format!("{x:.decimals$}").parse().ok().map(spelled)
 }
 
+/// A parameter, its new value, and by how much that differs.
+pub type Moved = (usize, f64, f64);
+
+impl Geometry {
+    /// The record with a face farther out: by a part of the shape's own length, or where it has none by
+    /// `room`. `None` where the face is not one that a parameter moves.
+    fn moved_out(&self, part: Part, share: f64, room: f64) -> Option<Vec<Moved>> {
+        match AnyShape::of(self) {
+            AnyShape::Cone(s) => {
+                if !matches!(part, Part::Base { .. }) {
+                    return None;
+                }
+                // Both numbers together keep the mantle where it is.
+                let numbers = [s.height, s.radius].into_iter().enumerate();
+                let moved = numbers.map(|(i, x)| (i, x + share * x, (share * x).abs()));
+                Some(moved.collect())
+            }
+            AnyShape::Cuboid(s) => {
+                let Part::Side { axis, upper } = part else {
+                    return None;
+                };
+                let hair = share * (s.max[axis] - s.min[axis]);
+                let moved = match upper {
+                    true => (axis + 3, s.max[axis] + hair, hair),
+                    false => (axis, s.min[axis] - hair, hair),
+                };
+                Some(vec![moved])
+            }
+            AnyShape::HalfSpace(s) => {
+                let hair = room * length(s.normal());
+                let moves = s.solid && part == Part::All;
+                moves.then(|| vec![(3, s.abcd[3] - hair, hair)])
+            }
+            AnyShape::Revolution(s) => {
+                let points = level_points(s.profile, part, share)?;
+                let moved = points.into_iter().map(|(i, y, hair)| (2 + 2 * i, y, hair));
+                Some(moved.collect())
+            }
+            AnyShape::Ellipsoid(_)
+            | AnyShape::GeodesicSphere(_)
+            | AnyShape::Quadric(_)
+            | AnyShape::Rectangle(_)
+            | AnyShape::Sphere(_)
+            | AnyShape::Torus(_)
+            | AnyShape::Triangle(_) => None,
+        }
+    }
+}
+
+/// The points of a level piece of a profile or a disc that closes it: index, new height, and by how
+/// much it has changed.
+fn level_points(points: &[[f64; 2]], part: Part, share: f64) -> Option<Vec<(usize, f64, f64)>> {
+    let last = points.len() - 1;
+    let (from, to, radii) = match part {
+        Part::Cap(i) => (i, i, (0.0, points[i][0])),
+        Part::Piece(i) => (i, i + 1, (points[i][0], points[i + 1][0])),
+        _ => return None,
+    };
+    let y = points[from][1];
+    if points[to][1] != y {
+        return None;
+    }
+    // Neighbours at the same height lie in the same plane.
+    let level = |i: &usize| points[*i][1] == y;
+    let start = (0..=from).rev().take_while(level).last()?;
+    let end = (to..=last).take_while(level).last()?;
+    let mut moved: Vec<usize> = (start..=end).collect();
+    if points[0] == points[last] && (start == 0 || end == last) {
+        moved.extend([0, last]);
+    }
+    let heights = || points.iter().map(|p| p[1]);
+    let all = heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
+    let hair = share * all;
+    let middle = radii.0 / 2.0 + radii.1 / 2.0;
+    let up = profile::holds(points, [middle, y - hair, 0.0]);
+    // Not where something else of the points is that near.
+    if up == profile::holds(points, [middle, y + hair, 0.0]) {
+        return None;
+    }
+    let to = if up { y + hair } else { y - hair };
+    moved.sort_unstable();
+    moved.dedup();
+    Some(moved.into_iter().map(|i| (i, to, hair)).collect())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -54,5 +141,17 @@ mod tests {
         assert_eq!(short(-1.0015, 0.0015).unwrap(), "-1.0015");
         assert_eq!(short(2.002e-7, 2e-10).unwrap(), "2.002e-7");
         assert_eq!(short(123_456_789.4, 123.0).unwrap(), "123456789");
+    }
+
+    #[test]
+    fn the_end_of_a_profile_moves_as_a_whole() {
+        // A tube's upper end is a ring; a ring's first point is its last.
+        let ring = [[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 0.0]];
+        let up = level_points(&ring, Part::Piece(2), 1e-3).unwrap();
+        assert_eq!(up, [(2, 1.001, 0.001), (3, 1.001, 0.001)]);
+        let down = level_points(&ring, Part::Piece(0), 1e-3).unwrap();
+        assert_eq!(down.iter().map(|p| p.0).collect::<Vec<_>>(), [0, 1, 4]);
+        assert!(down.iter().all(|p| p.1 == -0.001));
+        assert!(level_points(&ring, Part::Piece(1), 1e-3).is_none());
     }
 }

@@ -22,7 +22,7 @@ use crate::scene::{Geometry, Node, NodeId, Scene};
 use crate::solids::contacts::face::Part;
 use crate::solids::contacts::search::{Found, Side, search};
 use crate::solids::named;
-use crate::solids::shapes::facts::Facts;
+use crate::solids::shapes::AnyShape;
 
 /// What the two shapes are to each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -191,6 +191,68 @@ impl Parents {
     /// whatever is made of the highest one comes after it.
     fn only_in(&self, node: NodeId, operation: NodeId) -> bool {
         operation <= self.sole[node as usize]
+    }
+}
+
+/// Where a face is written in a record.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Written {
+    /// The first parameter and how many; `None` for the whole record.
+    params: Option<(usize, usize)>,
+    /// What it is, as messages say it.
+    what: &'static str,
+    /// Whether the name of the parameter names it, too.
+    is_named: bool,
+}
+
+impl Written {
+    fn at(first: usize, count: usize, what: &'static str) -> Written {
+        Written {
+            params: Some((first, count)),
+            what,
+            is_named: false,
+        }
+    }
+
+    const ALL: Written = Written {
+        params: None,
+        what: "all",
+        is_named: false,
+    };
+}
+
+impl Geometry {
+    /// Where a face is written, and what it is called.
+    fn written(&self, part: Part) -> Written {
+        match AnyShape::of(self) {
+            AnyShape::Cone(_) => match part {
+                Part::Mantle => Written::at(0, 2, "mantle"),
+                _ => Written::at(0, 1, "base"),
+            },
+            AnyShape::Cuboid(_) => match part {
+                Part::Side { axis, upper } => Written {
+                    is_named: true,
+                    ..Written::at(if upper { axis + 3 } else { axis }, 1, "side")
+                },
+                _ => Written::ALL,
+            },
+            AnyShape::HalfSpace(s) => match s.solid {
+                true => Written::at(0, 4, "boundary"),
+                false => Written::ALL,
+            },
+            AnyShape::Revolution(_) => match part {
+                Part::Cap(i) => Written::at(1 + 2 * i, 2, "disc"),
+                Part::Piece(i) => Written::at(1 + 2 * i, 4, "piece"),
+                _ => Written::ALL,
+            },
+            AnyShape::Ellipsoid(_)
+            | AnyShape::GeodesicSphere(_)
+            | AnyShape::Quadric(_)
+            | AnyShape::Rectangle(_)
+            | AnyShape::Sphere(_)
+            | AnyShape::Torus(_)
+            | AnyShape::Triangle(_) => Written::ALL,
+        }
     }
 }
 

@@ -1,11 +1,16 @@
 //! W305: a shape without volume, or a surface without area.
 
+mod in_line;
+
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
-use crate::scene::Shape;
 use crate::scene::record::Params;
-use crate::solids::shapes::facts::{Degenerate, Facts};
+use crate::scene::{Geometry, Shape};
+use crate::solids::definite::{Verdict, judge};
+use crate::solids::shapes::quadric::Quadric;
+use crate::solids::shapes::{AnyShape, profile};
 use crate::syntax::quote;
+use in_line::{InLine, in_line};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (shape, span) in context.scene.written_shapes() {
@@ -64,4 +69,89 @@ fn lost_minus(p: &Params, why: &Degenerate, half: usize) -> Option<Fix> {
         new.clone(),
     );
     Some(fix.with("number", quote(&new)))
+}
+
+/// How a shape is degenerate, as its message says it.
+#[derive(Debug, Clone, PartialEq)]
+struct Degenerate {
+    case: &'static str,
+    /// The first of the parameters that make it so, and their number.
+    params: (usize, usize),
+    /// Parameters that are equal to the one half a record further on, where that is why.
+    equal: Vec<usize>,
+}
+
+impl Geometry {
+    /// How it fails to have an inside, or of a surface an area.
+    fn degenerate(&self) -> Option<Degenerate> {
+        match AnyShape::of(self) {
+            AnyShape::Cone(s) => (s.height == 0.0 && !s.double).then(|| Degenerate {
+                case: "cone",
+                params: (0, 1),
+                equal: Vec::new(),
+            }),
+            AnyShape::Cuboid(s) => {
+                let equal: Vec<usize> = (0..3).filter(|&i| s.min[i] == s.max[i]).collect();
+                Some(Degenerate {
+                    case: "box",
+                    params: (*equal.first()?, 1),
+                    equal,
+                })
+            }
+            AnyShape::Quadric(s) => {
+                let Quadric::General(q) = s else {
+                    return None;
+                };
+                let Verdict::Flat(dimensions) = judge(q) else {
+                    return None;
+                };
+                Some(Degenerate {
+                    case: match dimensions {
+                        0 => "point",
+                        1 => "line",
+                        _ => "plane",
+                    },
+                    params: (0, 16),
+                    equal: Vec::new(),
+                })
+            }
+            AnyShape::Rectangle(s) => {
+                let equal: Vec<usize> = (0..2).filter(|&i| s.min[i] == s.max[i]).collect();
+                Some(Degenerate {
+                    case: "rectangle",
+                    params: (*equal.first()?, 1),
+                    equal,
+                })
+            }
+            AnyShape::Revolution(s) => {
+                let line = in_line(&profile::closed(s.profile))?;
+                let on_axis = s.profile.iter().all(|q| q[0] == 0.0);
+                Some(Degenerate {
+                    case: match line {
+                        _ if on_axis => "axis",
+                        InLine::Exactly => "profile",
+                        InLine::Rounded => "profile-nearly",
+                    },
+                    params: (1, 2 * s.profile.len()),
+                    equal: Vec::new(),
+                })
+            }
+            AnyShape::Triangle(s) => {
+                let case = match in_line(&s.vertices)? {
+                    InLine::Exactly => "triangle",
+                    InLine::Rounded => "triangle-nearly",
+                };
+                Some(Degenerate {
+                    case,
+                    params: (0, 9),
+                    equal: Vec::new(),
+                })
+            }
+            AnyShape::Ellipsoid(_)
+            | AnyShape::GeodesicSphere(_)
+            | AnyShape::HalfSpace(_)
+            | AnyShape::Sphere(_)
+            | AnyShape::Torus(_) => None,
+        }
+    }
 }

@@ -1,12 +1,13 @@
 //! W322: lengths in one object that differ too much for its numbers.
 
+mod sizes;
+
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::geometry::Matrix;
 use crate::lint::spelling::rough;
 use crate::lint::{Context, live_nodes};
 use crate::scene::{Geometry, Node, Shape};
-use crate::solids::shapes::facts::Facts;
-use crate::solids::shapes::sizes::{Length, Sizes};
+use sizes::{Length, Sizes};
 
 /// The largest ratio of two lengths: of the sixteen digits of a double, half are then left for the
 /// smaller one, and squares of such numbers, which every curved surface asks for, have none left.

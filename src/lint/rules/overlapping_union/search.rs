@@ -4,15 +4,17 @@ use rustc_hash::FxHashSet;
 
 use super::medium::texture;
 use super::unions::{Part, Unions};
+use crate::geometry::array::length;
 use crate::geometry::boxes::Boxes;
 use crate::geometry::{Aabb, Matrix};
 use crate::lint::spelling::near;
-use crate::scene::{Node, NodeId, Scene, Vec3};
+use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::distance_field::Field;
 use crate::solids::inside::Inside;
 use crate::solids::lowest::lowest;
-use crate::solids::shapes::facts::Facts;
+use crate::solids::shapes::AnyShape;
+use crate::solids::shapes::quadric::Quadric;
 
 /// Boxes looked at and points tried, for all parts together: some tenths of a second.
 const STEPS: usize = 10_000_000;
@@ -366,7 +368,7 @@ impl<'a> Search<'a> {
             Node::Shape(s) => Some(&scene.shapes[s as usize].geometry),
             _ => None,
         };
-        let (middle, size) = geometry.map_or(([0.0; 3], 1.0), Facts::home);
+        let (middle, size) = geometry.map_or(([0.0; 3], 1.0), Geometry::home);
         let reach = TIMES * size;
         let around = Aabb::new(middle.map(|x| x - reach), middle.map(|x| x + reach));
         around.transformed(&matrix)
@@ -454,5 +456,48 @@ impl<'a> Search<'a> {
             }
         }
         true
+    }
+}
+
+impl Geometry {
+    /// Where something without end is at home, and of what size its features are there. Nobody asks shapes
+    /// that end.
+    fn home(&self) -> (Vec3, f64) {
+        match AnyShape::of(self) {
+            AnyShape::HalfSpace(s) => {
+                let [a, b, c, d] = s.abcd;
+                if !s.solid {
+                    return ([0.0; 3], 1.0);
+                }
+                let square = a * a + b * b + c * c;
+                let foot = [a, b, c].map(|x| -d * x / square);
+                (foot, 1.0f64.max(length(foot)))
+            }
+            AnyShape::Quadric(s) => {
+                let size = match s {
+                    Quadric::General(q) => {
+                        let largest =
+                            |of: &[usize]| of.iter().fold(0.0f64, |m, &k| m.max(q[k].abs()));
+                        let square = largest(&[0, 1, 2, 4, 5, 6, 8, 9, 10]).max(f64::MIN_POSITIVE);
+                        let linear = largest(&[3, 7, 11, 12, 13, 14]) / square;
+                        linear + (largest(&[15]) / square).sqrt() + 1.0
+                    }
+                    Quadric::ParabolicCylinder { a } => a.max(1.0),
+                    Quadric::HyperbolicCylinder { a, b }
+                    | Quadric::HyperbolicParaboloid { a, b } => a.max(b),
+                    Quadric::Hyperboloid { a, b, c, .. } => a.max(b).max(c),
+                };
+                ([0.0; 3], size)
+            }
+            AnyShape::Cone(_)
+            | AnyShape::Cuboid(_)
+            | AnyShape::Ellipsoid(_)
+            | AnyShape::GeodesicSphere(_)
+            | AnyShape::Rectangle(_)
+            | AnyShape::Revolution(_)
+            | AnyShape::Sphere(_)
+            | AnyShape::Torus(_)
+            | AnyShape::Triangle(_) => ([0.0; 3], 1.0),
+        }
     }
 }

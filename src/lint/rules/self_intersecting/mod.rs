@@ -1,11 +1,14 @@
 //! W320: a torus or a profile that runs through itself.
 
+mod crossing;
+
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::lint::Context;
 use crate::lint::spelling::rough;
-use crate::scene::Shape;
 use crate::scene::record::Params;
-use crate::solids::shapes::facts::{Crossing, Facts};
+use crate::scene::{Geometry, Shape};
+use crate::solids::shapes::AnyShape;
+use crossing::{Crossing, first_crossing};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (shape, span) in context.scene.written_shapes() {
@@ -63,4 +66,23 @@ fn profile(p: &Params, shape: &Shape, (a, b): (usize, usize), at: [f64; 2]) -> D
         .with("two-from", (b + 1).to_string())
         .with("two-to", (b + 2).to_string())
         .label(piece(b).1, "other")
+}
+
+impl Geometry {
+    /// Where its surface runs through itself.
+    fn crossing(&self) -> Option<Crossing> {
+        match AnyShape::of(self) {
+            AnyShape::Torus(s) => (s.major < s.minor).then_some(Crossing::Tube),
+            AnyShape::Revolution(s) => first_crossing(s.profile),
+            AnyShape::Cone(_)
+            | AnyShape::Cuboid(_)
+            | AnyShape::Ellipsoid(_)
+            | AnyShape::GeodesicSphere(_)
+            | AnyShape::HalfSpace(_)
+            | AnyShape::Quadric(_)
+            | AnyShape::Rectangle(_)
+            | AnyShape::Sphere(_)
+            | AnyShape::Triangle(_) => None,
+        }
+    }
 }

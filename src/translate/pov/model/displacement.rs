@@ -6,7 +6,6 @@ use super::plane::{Plane, with_planes_moved};
 use super::stretch::stretched;
 use crate::geometry::Matrix;
 use crate::scene::Geometry;
-use crate::solids::shapes::facts::Facts as _;
 
 /// How shapes are changed where nobody sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]

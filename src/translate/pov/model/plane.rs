@@ -1,10 +1,9 @@
 //! Planes, and shapes with their faces in some of them farther out.
 
+use super::lengthen::{Cut, HALF};
 use crate::geometry::array::{length, sub};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Vec3};
-use crate::solids::shapes::facts::Facts;
-use crate::solids::shapes::lengthen::{Cut, HALF};
 
 /// Normals that are this near are one: what rotations may do.
 const FLAT: f64 = 1e-9;

@@ -6,7 +6,7 @@
 use super::shape::{Primitive, size_unit};
 use super::text::{number, vector};
 use crate::scene::Rgb;
-use crate::solids::shapes::offset::twice_area;
+use crate::translate::pov::model::offset::twice_area;
 
 /// So many entries fit into one of POV-Ray's maps.
 const MAP: usize = 256;

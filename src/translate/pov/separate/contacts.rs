@@ -1,8 +1,8 @@
 //! Which operands of an operation have faces in one place.
 
-use crate::geometry::array::{dot, length, sub};
+use crate::geometry::array::{cross, dot, length, sub};
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Node, NodeId, Vec3};
+use crate::scene::{Geometry, Node, NodeId, TriangleNormals, Vec3};
 use crate::solids::contacts::face::{Faces, Form};
 use crate::solids::contacts::quadric;
 use crate::solids::shapes::facts::Facts as _;
@@ -180,13 +180,24 @@ impl Model<'_> {
             return;
         }
         if !geometry.is_solid() {
-            out.extend(geometry.flat_faces(m).into_iter().filter_map(|face| {
-                let plane = Plane::of(face.n, face.d)?.moved_back(&m.inverse()?)?.0;
+            let normal = match geometry {
+                &Geometry::Plane([a, b, c, d]) => Some(([a, b, c], d)),
+                Geometry::Rectangle { .. } => Some(([0.0, 0.0, 1.0], 0.0)),
+                // Only where its normals are those of its plane.
+                Geometry::Triangle { vertices, normals } if *normals == TriangleNormals::Flat => {
+                    let [p, q, r] = **vertices;
+                    let n = cross(sub(q, p), sub(r, p));
+                    Some((n, -dot(n, p)))
+                }
+                _ => None,
+            };
+            out.extend(normal.and_then(|(n, d)| {
+                let plane = Plane::of(n, d)?.moved_back(&m.inverse()?)?.0;
                 Some(Face {
                     surface: Surface::Flat(plane),
                     is_outer,
                     is_sheet: true,
-                    around: face.around,
+                    around: geometry.bounds(m),
                 })
             }));
             return;

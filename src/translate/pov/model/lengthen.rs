@@ -1,6 +1,8 @@
 //! How far faces are moved outwards that are flush with something.
 
 use crate::geometry::Aabb;
+use crate::scene::Geometry;
+use crate::solids::shapes::AnyShape;
 
 /// Faces that are this near, as a part of the numbers, are in one place: what a few hundred roundings may do.
 pub const HAIR: f64 = 1e-13;
@@ -19,21 +21,9 @@ pub struct Cut {
 }
 
 impl Cut {
-    /// As long as it may be.
-    pub fn of(around: Aabb, by: f64) -> Cut {
-        let most = f64::INFINITY;
-        Cut { around, by, most }
-    }
-
     /// How far the end of something of that length is moved out.
     pub fn step(&self, length: f64) -> f64 {
         (self.by * length).clamp(-self.most, self.most)
-    }
-
-    /// How long it is along an axis; nothing where it has no end.
-    pub fn size(&self, axis: usize) -> f64 {
-        let size = self.around.max[axis] - self.around.min[axis];
-        if size.is_finite() { size.abs() } else { 0.0 }
     }
 
     /// A profile whose flat ends are moved out where they are flush with the box.
@@ -109,11 +99,94 @@ pub fn outward(at: f64, (low, high): (f64, f64), hair: f64, step: f64) -> Option
     }
 }
 
+impl Geometry {
+    /// Where it has flat faces across an axis that [`lengthened`](Self::lengthened) can move.
+    pub(super) fn ends(&self, axis: usize) -> Vec<f64> {
+        match AnyShape::of(self) {
+            AnyShape::Cone(s) => match axis == 1 && !s.double {
+                true => vec![s.height],
+                false => Vec::new(),
+            },
+            AnyShape::Cuboid(s) => {
+                vec![s.min[axis], s.max[axis]]
+            }
+            AnyShape::Revolution(s) => match axis == 1 {
+                true => s.profile.iter().map(|p| p[1]).collect(),
+                false => Vec::new(),
+            },
+            AnyShape::Ellipsoid(_)
+            | AnyShape::GeodesicSphere(_)
+            | AnyShape::HalfSpace(_)
+            | AnyShape::Quadric(_)
+            | AnyShape::Rectangle(_)
+            | AnyShape::Sphere(_)
+            | AnyShape::Torus(_)
+            | AnyShape::Triangle(_) => Vec::new(),
+        }
+    }
+
+    /// The shape with its flush faces farther out, if it has any that can be moved.
+    pub(super) fn lengthened(&self, longer: &Cut) -> Option<Geometry> {
+        match AnyShape::of(self) {
+            AnyShape::Cone(s) => {
+                if s.double {
+                    return None;
+                }
+                let (cut, height, radius) = (&longer.around, s.height, s.radius);
+                let size = height.abs();
+                let near = |y: f64| (height - y).abs() <= HAIR * size;
+                let flush =
+                    (height > 0.0 && near(cut.max[1])) || (height < 0.0 && near(cut.min[1]));
+                let by = 1.0 + longer.step(height.abs()) / height.abs();
+                flush.then_some(Geometry::Cone {
+                    height: by * height,
+                    radius: by * radius,
+                })
+            }
+            AnyShape::Cuboid(s) => {
+                let cut = &longer.around;
+                let (mut low, mut high) = (s.min, s.max);
+                let mut any = false;
+                for i in 0..3 {
+                    let size = s.max[i] - s.min[i];
+                    let hair = HAIR * size;
+                    let step = longer.step(size);
+                    for end in [&mut low[i], &mut high[i]] {
+                        if let Some(by) = outward(*end, (cut.min[i], cut.max[i]), hair, step) {
+                            *end += by;
+                            any = true;
+                        }
+                    }
+                }
+                any.then_some(Geometry::Box {
+                    min: low,
+                    max: high,
+                })
+            }
+            AnyShape::Revolution(s) => {
+                if !s.colours.is_empty() {
+                    return None;
+                }
+                Some(Geometry::Revolution {
+                    profile: longer.profile(s.profile)?,
+                    colours: Vec::new(),
+                })
+            }
+            AnyShape::Ellipsoid(_)
+            | AnyShape::GeodesicSphere(_)
+            | AnyShape::HalfSpace(_)
+            | AnyShape::Quadric(_)
+            | AnyShape::Rectangle(_)
+            | AnyShape::Sphere(_)
+            | AnyShape::Torus(_)
+            | AnyShape::Triangle(_) => None,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Geometry;
-    use crate::solids::shapes::facts::Facts;
 
     const CUT: Aabb = Aabb {
         min: [-1.0, 0.0, -1.0],
@@ -121,7 +194,11 @@ mod tests {
     };
 
     fn made_longer(geometry: &Geometry) -> Option<Geometry> {
-        geometry.lengthened(&Cut::of(CUT, HALF))
+        geometry.lengthened(&Cut {
+            around: CUT,
+            by: HALF,
+            most: f64::INFINITY,
+        })
     }
 
     #[test]

@@ -1,8 +1,19 @@
 //! Where a profile crosses itself.
 
-use super::facts::Crossing;
-
 type Point = [f64; 2];
+
+/// Where a surface runs through itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Crossing {
+    /// A tube, around the axis of its ring.
+    Tube,
+    /// Two pieces of a profile, at (x, y). Piece i runs from point i to the next; the piece after the last
+    /// runs from the axis to the first point, the one after that from the last point to the axis.
+    Pieces {
+        pieces: (usize, usize),
+        at: [f64; 2],
+    },
+}
 
 /// Comparisons of pieces per point of the profile before the search is given up: of a profile whose
 /// pieces all overlap in height there are as many pairs as the square of their number.

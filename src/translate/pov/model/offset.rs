@@ -1,11 +1,12 @@
-//! Profiles with their sides moved outwards.
+//! Shapes and profiles with their sides moved outwards.
+
+use crate::scene::Geometry;
+use crate::solids::shapes::AnyShape;
+use crate::solids::shapes::ball;
 
 /// A profile may be sharper than a right angle, but not so sharp that its tip would move so many times
 /// as far as its sides.
 const SHARP: f64 = 16.0;
-
-/// What is nearer, as a part of their length, is in one line: what a few roundings may do.
-const SAME: f64 = 1e-12;
 
 /// Of profiles with more points nobody finds out whether they cross themselves.
 const LONG: usize = 512;
@@ -36,44 +37,8 @@ fn closed(profile: &[[f64; 2]]) -> Vec<[f64; 2]> {
     closed
 }
 
-/// Which sides of a profile lie in sides of others; nothing where none does.
-pub fn sides_within(profile: &[[f64; 2]], others: &[&[[f64; 2]]]) -> Option<Vec<bool>> {
-    let own = closed(profile);
-    let walls: Vec<[[f64; 2]; 2]> = (others.iter())
-        .flat_map(|p| {
-            let p = closed(p);
-            let n = p.len();
-            (0..n)
-                .map(move |i| [p[i], p[(i + 1) % n]])
-                .collect::<Vec<_>>()
-        })
-        .filter(|[a, b]| a[0] != 0.0 || b[0] != 0.0)
-        .collect();
-    if own.len() > LONG || walls.len() > LONG {
-        return None;
-    }
-    let lies_in = |[p, q]: [[f64; 2]; 2]| {
-        walls.iter().any(|[a, b]| {
-            let d = [b[0] - a[0], b[1] - a[1]];
-            let square = d[0] * d[0] + d[1] * d[1];
-            [p, q].iter().all(|p| {
-                let e = [p[0] - a[0], p[1] - a[1]];
-                let along = (d[0] * e[0] + d[1] * e[1]) / square;
-                let across = (d[0] * e[1] - d[1] * e[0]) / square;
-                across.abs() < SAME && (-SAME..=1.0 + SAME).contains(&along)
-            })
-        })
-    };
-    let n = own.len();
-    let sides: Vec<bool> = (0..n)
-        .map(|i| [own[i], own[(i + 1) % n]])
-        .map(|side| (side[0][0] != 0.0 || side[1][0] != 0.0) && lies_in(side))
-        .collect();
-    sides.contains(&true).then_some(sides)
-}
-
-/// A profile of a surface of revolution with its sides moved outwards: each by its own length.
-pub fn offset_profile(profile: &[[f64; 2]], by: impl Fn(usize) -> f64) -> Option<Vec<[f64; 2]>> {
+/// A profile of a surface of revolution with its sides moved outwards.
+fn offset_profile(profile: &[[f64; 2]], by: f64) -> Option<Vec<[f64; 2]>> {
     let ring = profile.first()? == profile.last()?;
     let closed = closed(profile);
     let n = closed.len();
@@ -98,35 +63,20 @@ pub fn offset_profile(profile: &[[f64; 2]], by: impl Fn(usize) -> f64) -> Option
     let mut out = Vec::with_capacity(n);
     for i in 0..n {
         let [before, here, after] = [closed[(i + n - 1) % n], closed[i], closed[(i + 1) % n]];
-        let (first, second) = (by((i + n - 1) % n), by(i));
         let step = match (normal(before, here), normal(here, after)) {
             (Some(a), Some(b)) => {
                 let sum = [0, 1].map(|k| a[k] + b[k]);
                 let square = (sum[0] * sum[0] + sum[1] * sum[1]) / 4.0;
-                let cross = a[0] * b[1] - a[1] * b[0];
                 if square * SHARP * SHARP < 1.0 {
                     return None;
-                } else if first == second {
-                    sum.map(|x| first * x / 2.0 / square)
-                } else if cross.abs() * SHARP < 1.0 {
-                    return None;
-                } else {
-                    // Where the two moved sides meet.
-                    let x = (first * b[1] - second * a[1]) / cross;
-                    let y = (second * a[0] - first * b[0]) / cross;
-                    [x, y]
                 }
+                sum.map(|x| by * x / 2.0 / square)
             }
             // Along the axis, as far as the side goes.
             (Some(a), None) | (None, Some(a)) => {
                 if a[1].abs() * SHARP < 1.0 {
                     return None;
                 }
-                let by = if normal(here, after).is_some() {
-                    second
-                } else {
-                    first
-                };
                 [0.0, by / a[1]]
             }
             (None, None) => [0.0; 2],
@@ -164,15 +114,74 @@ fn crosses_itself(polygon: &[[f64; 2]]) -> bool {
     (0..n).any(|i| (i + 2..n).any(|j| (j + 1) % n != i && !apart(side(i), side(j))))
 }
 
+impl Geometry {
+    /// The shape whose surface lies so far outside of its own, or inside if the number is negative, and
+    /// nowhere on the other side of it. `None` where none of the language's shapes is that, or nothing would
+    /// be left.
+    pub fn offset(&self, by: f64) -> Option<Geometry> {
+        match AnyShape::of(self) {
+            AnyShape::Cone(s) => {
+                if s.double {
+                    return None;
+                }
+                Some(Geometry::Revolution {
+                    profile: offset_profile(&[[0.0, 0.0], [s.radius, s.height]], by)?,
+                    colours: Vec::new(),
+                })
+            }
+            AnyShape::Cuboid(s) => {
+                let (min, max) = (s.min, s.max);
+                let grown = |x: f64| x + by > x / 2.0;
+                let thick = (0..3).all(|i| grown((max[i] - min[i]) / 2.0));
+                thick.then(|| Geometry::Box {
+                    min: min.map(|x| x - by),
+                    max: max.map(|x| x + by),
+                })
+            }
+            AnyShape::Ellipsoid(s) => {
+                let [a, b, c] = s.semi_axes.map(|x| ball::grown(x, by));
+                Some(Geometry::Ellipsoid {
+                    semi_axes: [a?, b?, c?],
+                })
+            }
+            AnyShape::GeodesicSphere(s) => Some(Geometry::GeodesicSphere {
+                radius: ball::grown(s.radius, by)?,
+                splits: s.splits,
+            }),
+            AnyShape::HalfSpace(s) => {
+                let [a, b, c, d] = s.abcd;
+                let moved = [a, b, c, d - by * a.hypot(b).hypot(c)];
+                s.solid.then_some(Geometry::HalfSpace(moved))
+            }
+            AnyShape::Revolution(s) => Some(Geometry::Revolution {
+                profile: offset_profile(s.profile, by)?,
+                colours: Vec::new(),
+            }),
+            AnyShape::Sphere(s) => Some(Geometry::Sphere {
+                centre: s.centre,
+                radius: ball::grown(s.radius, by)?,
+            }),
+            AnyShape::Torus(s) => {
+                if s.major <= s.minor {
+                    return None;
+                }
+                Some(Geometry::Torus {
+                    major: s.major,
+                    minor: ball::grown(s.minor, by).filter(|r| *r < s.major)?,
+                })
+            }
+            AnyShape::Quadric(_) | AnyShape::Rectangle(_) | AnyShape::Triangle(_) => None,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Geometry;
-    use crate::solids::shapes::facts::Facts;
 
     fn profile(points: &[[f64; 2]], by: f64) -> Option<Vec<[f64; 2]>> {
         let round = |x: f64| (x * 1e9).round() / 1e9;
-        let moved = offset_profile(points, |_| by)?;
+        let moved = offset_profile(points, by)?;
         Some(moved.into_iter().map(|p| p.map(round)).collect())
     }
 
@@ -203,30 +212,6 @@ mod tests {
         assert!(moved.contains(&[3.5, -0.5]) && moved.contains(&[1.5, 1.5]));
         let eight = [[1.0, 0.0], [2.0, 1.0], [1.0, 1.0], [2.0, 0.0], [1.0, 0.0]];
         assert_eq!(profile(&eight, 0.01), None);
-    }
-
-    #[test]
-    fn wine_reaches_into_the_glass() {
-        let cup = [[2.0, 0.0], [2.0, 3.0], [1.5, 3.0], [1.0, 0.5], [0.0, 0.5]];
-        // Up to half of its height, where its wall is at 1.25.
-        let wine = [[0.0, 0.5], [1.0, 0.5], [1.25, 1.75]];
-        let sides = sides_within(&wine, &[&cup]).unwrap();
-        // Bottom, wall, level; then back along the axis.
-        assert_eq!(sides, [true, true, false, false]);
-        let by = |i: usize| if sides[i] { 0.01 } else { 0.0 };
-        let larger = offset_profile(&wine, by).unwrap();
-        // The wall rises five times as steeply as it opens: it is moved by 0.01·√26/5 at one height.
-        let out = 0.01 * 26f64.sqrt() / 5.0;
-        let expected = [
-            [0.0, 0.49],
-            [1.0 + out - 0.002, 0.49],
-            [1.25 + out, 1.75],
-            [0.0, 1.75],
-        ];
-        for (p, q) in larger.iter().zip(expected) {
-            assert!((p[0] - q[0]).hypot(p[1] - q[1]) < 1e-12, "{p:?} {q:?}");
-        }
-        assert_eq!(sides_within(&[[0.5, 1.0], [0.5, 2.0]], &[&cup]), None);
     }
 
     #[test]
