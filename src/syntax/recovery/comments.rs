@@ -9,19 +9,10 @@
 use super::super::hex;
 use super::super::table::{RecordKind, RecordType};
 use super::super::words;
+use super::prices::{GARBAGE_LINE, HIDDEN, INSIDE_OUT, UNCLOSED};
 
-/// The price of giving a comment up at the end of its line: an error.
-const UNCLOSED: u32 = 110;
-/// The price of a line with words where code should be: an error too, and the likelier one.
-const GARBAGE: u32 = 100;
-/// The price of a record inside a comment, for the first [`HIDDEN_MAX`] of a comment; people do
-/// put whole blocks into comments.
-const HIDDEN: u32 = 45;
+/// So many records of a comment have a price.
 const HIDDEN_MAX: usize = 2;
-/// The price of words behind a comment's closing sign, if the comment hides a record or the sign is the
-/// first thing on its line: comments turned inside out, as where a `#` on each line is meant to comment
-/// the rest of the line. More than two signs that are given up.
-const INSIDE_OUT: u32 = 2 * UNCLOSED + 5;
 
 /// States: 0 is code, 1 + h a comment that has hidden h records so far.
 const STATES: usize = 2 + HIDDEN_MAX;
@@ -160,7 +151,7 @@ fn garbage(part: &str) -> u32 {
     if begins_a_record(part) || part.split_whitespace().all(is_code) {
         0
     } else {
-        GARBAGE
+        GARBAGE_LINE
     }
 }
 

@@ -6,9 +6,12 @@ use super::super::signature::{allows, fits};
 use super::super::table::{Effect, Param, ParamKind, RecordKind, RecordType};
 use super::heads::{end_of, expected_ends, integral, point_count, type_at, type_behind_stray};
 use super::known::Known;
+use super::prices::{
+    CUT_OFF, FAULT, FEW_OFF, IN_ORDER, LEAST, NOTHING_WRONG, ONE_OFF, REALS, TYPE_AS_COORDINATE,
+};
 use super::slips::LEAST_HEAD;
 use super::stretch::{LONG, Stretch};
-use super::verdict::{CUT_OFF, FAULT, Verdict};
+use super::verdict::Verdict;
 
 /// Finds what is wrong with tokens `start..end`, and its price, which is at least [`LEAST`].
 pub fn judge(stretch: &Stretch, start: usize, end: usize, known: &impl Known) -> (Verdict, u32) {
@@ -272,9 +275,6 @@ fn sign_of_known_type(
     })
 }
 
-/// What it costs more to take the next number after the ID of the line before for a type.
-const IN_ORDER: u32 = 40;
-
 /// Whether a line begins with the next number after that which the line before begins with. Where that line changes
 /// something, it must be what is defined last.
 fn follows(stretch: &Stretch, start: usize, known: &impl Known) -> bool {
@@ -301,21 +301,6 @@ fn is_between(stretch: &Stretch, start: usize) -> bool {
     let next = (line + 1 < stretch.line_count()).then(|| first(line + 1));
     rises && next.is_none_or(|next| next == Some(1) || next > id)
 }
-
-/// The price of a record with two numbers more or less than it takes.
-const FEW_OFF: u32 = FAULT + 2 * ONE_OFF;
-/// The price of each number more or less.
-const ONE_OFF: u32 = 20;
-
-/// What it costs more to take the type of an operation, a light, a camera or a property for a coordinate. The record that
-/// it may be the type of has up to two numbers more or less than it takes.
-const TYPE_AS_COORDINATE: u32 = 3 * ONE_OFF;
-
-/// The price of a line that is a record but for integers that are spelled as reals. A program may have
-/// written all lines like that: it is less than what three numbers too many cost.
-const REALS: u32 = 50;
-/// No fault costs less.
-pub const LEAST: u32 = REALS;
 
 /// The price of the bad tokens among `from..to`: the same in every reading, lest one that swallows them
 /// is the cheaper for it.
@@ -438,9 +423,6 @@ fn untyped(stretch: &Stretch, start: usize, end: usize) -> (Verdict, u32) {
         None => (Verdict::BadType, FAULT + 30 + length / 10 + penalty + bad),
     }
 }
-
-/// The price of a record as a fault that has none: it is to be read as it stands.
-const NOTHING_WRONG: u32 = 1_000 * FAULT;
 
 /// The parameters `first..end` of a record whose type is known.
 fn judge_params(

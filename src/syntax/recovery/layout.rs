@@ -11,25 +11,16 @@ use super::super::table::{Effect, RecordKind};
 use super::faults;
 use super::heads;
 use super::known::Known;
+use super::prices::{DOUBTFUL, FAULT, IMPLAUSIBLE, LEAST, OWN_LINE, TWO_SLIPS};
 use super::stretch::Stretch;
 use super::sums::Sums;
-use super::verdict::{FAULT, Piece, Verdict};
+use super::verdict::{Piece, Verdict};
 use super::witness::Witnesses;
 
-/// The price of what is likelier a mistake than meant: more than one error, less than two.
-const IMPLAUSIBLE: u32 = 1200;
-/// The price of a reading that only a second look would doubt: a little less than an error.
-const DOUBTFUL: u32 = 900;
-/// The price of a line that says it is a record of its own and is swallowed by another: more than an
-/// error, as it would be one by itself at most.
-const OWN_LINE: u32 = FAULT + FAULT / 2;
 /// So many lines of a broken stretch are asked whether they begin as records do.
 const HEADS: usize = 12;
 /// How many own lines are counted at most, so that prices do not overflow.
 const OWN_LINES_MAX: u32 = 1_000_000;
-/// The price of a record that ends within a line that is one of its own but for a slip: more than
-/// what the two are worth as errors.
-const TWO_SLIPS: u32 = 2 * FAULT + FAULT / 10;
 /// Prices are added up above this many bits, which count what tells equal readings apart.
 const HINT_BITS: u32 = 24;
 /// No record without a count has more tokens.
@@ -125,7 +116,7 @@ impl Search<'_, '_> {
                 Verdict::Whole(r) => self.record_price(piece.start, r),
                 _ => self.void_price(piece.start),
             };
-            total < faults::LEAST
+            total < LEAST
         })
     }
 

@@ -35,6 +35,7 @@ mod heads;
 mod known;
 mod layout;
 mod order;
+mod prices;
 pub mod report;
 pub mod respell;
 mod rows;

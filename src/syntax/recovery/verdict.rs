@@ -7,11 +7,6 @@ use super::heads::{integral, spoiled};
 use super::slips::is_slip;
 use super::stretch::Stretch;
 
-/// The price of one error. All other prices are in relation to this one.
-pub const FAULT: u32 = 1000;
-/// The price of a record that was cut off by a comment which nobody closed: that comment is an error already.
-pub const CUT_OFF: u32 = FAULT / 10;
-
 /// One piece of a stretch: tokens `start..end`.
 #[derive(Debug, Clone, Copy)]
 pub struct Piece {

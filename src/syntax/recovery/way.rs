@@ -5,28 +5,14 @@ use rustc_hash::FxHashMap;
 
 use super::super::signature::{allows, fits};
 use super::super::table::{Effect, Kind, Param, ParamKind, RecordKind, RecordType};
+use super::prices::{
+    CHANGES_NOTHING, DEFINED_TWICE, LIKE_A_TYPE, LIKE_AN_ID, MAY_BE_LOST, NOT_ALLOWED,
+    OUT_OF_ORDER, REFERS_TO_NOTHING, RENDER_ID, WRONG_KIND,
+};
 use super::slips::LEAST_HEAD;
 use super::stretch::Stretch;
 use super::surroundings::Surroundings;
 use super::verdict::{Piece, Verdict};
-
-/// What an ID costs that is defined a second time, or that is changed and defined nowhere.
-const DEFINED_TWICE: u32 = 1000;
-const CHANGES_NOTHING: u32 = 1000;
-/// ID 1 is the render record's, and only that.
-const RENDER_ID: u32 = 1000;
-/// What an ID costs that is new and lower than another one: files have their IDs in order, mostly.
-pub const OUT_OF_ORDER: u32 = 150;
-/// What a parameter costs that is no number of its kind, that leads nowhere, or that no such record may have.
-const WRONG_KIND: u32 = 600;
-const REFERS_TO_NOTHING: u32 = 900;
-const NOT_ALLOWED: u32 = 900;
-/// What an ID that is changed or referred to costs where a record before lost its ID, which may be that one.
-const MAY_BE_LOST: u32 = 150;
-/// The price of a number that reads like the type of an operation or a property, perhaps without its sign, and is none.
-const LIKE_A_TYPE: u32 = 200;
-/// The price of a number that reads like the next ID and is none.
-const LIKE_AN_ID: u32 = 50;
 
 /// The last piece of the cheapest way to a place.
 #[derive(Debug, Clone, Copy, Default)]

@@ -4,47 +4,17 @@ use super::super::super::lexer::TokenKind;
 use super::super::super::table::{RecordKind, RecordType};
 use super::super::faults::{self, BAD_MAX};
 use super::super::heads::type_at;
-use super::super::verdict::{CUT_OFF, FAULT, Verdict};
-use super::super::way::{Id, OUT_OF_ORDER};
+use super::super::prices::{
+    A_TYPE_AFTER_ALL, ALONE, BAD_ID, COULD_BE_ID, CUT_OFF, DOUBTS_OF_FAULT_MAX, FAULT,
+    FITS_NO_TYPE, GARBAGE, LIKE_A_NUMBER, MORE_OR_FEWER, NO_RECORD, ONE_IS_LIKELY, OUT_OF_ORDER,
+    PARTS_OF_POINTS, SIGN_IS_LIKELY, STRAY, STRAY_TYPE, UNTYPED, WHOLE_POINTS, WRONG_TYPE,
+};
+use super::super::verdict::Verdict;
+use super::super::way::Id;
 use super::{FEW, Head, LONGEST, Search};
 
-/// So much speaks at most against a record that is not right in form.
-const DOUBTS_OF_FAULT_MAX: u32 = 3000;
-/// The price of an ID that is lost where a number could be it.
-const COULD_BE_ID: u32 = 150;
-/// The price of each token of a record of no known type.
-const UNTYPED: u32 = 10;
-/// The price of each token of what does not end with its line: a record's are together about as dear as an error.
-const GARBAGE: u32 = 150;
 /// So many tokens of what is no record are counted.
 const COUNTED_MAX: usize = 10_000;
-/// What it costs more that a token which can be nothing stands for itself.
-const ALONE: u32 = 10;
-/// What it costs more to take tokens for no record at all.
-const NO_RECORD: u32 = 300;
-/// What a lost ID costs more before a type that reads like any other number.
-const LIKE_A_NUMBER: u32 = 60;
-/// What a number too many before the type costs more than an ID or a type with a space in it.
-const STRAY: u32 = 40;
-/// The same for a number that could be the type itself.
-const STRAY_TYPE: u32 = 100;
-/// What a token that can be no ID costs more in its place.
-const BAD_ID: u32 = 20;
-/// The price of each parameter that is missing or too many, beside that of the error.
-const MORE_OR_FEWER: u32 = 40;
-/// How much less it costs together: one more or fewer is what people mistake most.
-const ONE_IS_LIKELY: u32 = 20;
-/// The price of a wrong number of points where the numbers behind make up whole ones, and where they do not.
-const WHOLE_POINTS: u32 = 60;
-const PARTS_OF_POINTS: u32 = 200;
-/// How much less a lost sign costs than another error.
-const SIGN_IS_LIKELY: u32 = 20;
-/// What a wrong type costs more than another error.
-const WRONG_TYPE: u32 = 20;
-/// What it costs more where the number is the type of other records.
-const A_TYPE_AFTER_ALL: u32 = 30;
-/// So much speaks at most against parameters that are those of no type.
-const FITS_NO_TYPE: u32 = 200;
 /// How far the end of a record is looked for that has lost its type or its number of points.
 const REACH: usize = 64;
 

@@ -10,25 +10,16 @@ use super::super::signature::Reading;
 use super::super::table::{RECORD_TYPES, RecordKind, RecordType};
 use super::faults;
 use super::heads;
+use super::prices::{DOUBTS_MAX, HEAD_WITHIN, HOPELESS, LONE_VOID, OTHER_WAY};
 use super::stretch::Stretch;
 use super::surroundings::Surroundings;
 use super::verdict::{Piece, Verdict};
 use super::way::{Id, STATES, Ways};
 
-/// The price of a `0` that introduces no comment.
-const LONE_VOID: u32 = 300;
-/// The price of an optional group that is there or not against what the following records say.
-const OTHER_WAY: u32 = 60;
-/// So much speaks at most against a record that is right in form: less than for garbage.
-const DOUBTS_MAX: u32 = 1250;
-/// The price of a place within a piece at which a record could begin.
-const HEAD_WITHIN: u32 = 60;
 /// How many numbers more or less are a slip.
 const FEW: usize = 2;
 /// No record without a count has more parameters.
 const LONGEST: usize = 18;
-/// Faults are looked for where no way ahead is cheaper by this.
-const HOPELESS: u64 = 1500;
 /// How many places ahead are looked at for that.
 const AHEAD: usize = 20;
 /// How many parameters are looked at to judge whether a record is plausible.
