@@ -10,6 +10,7 @@ use crate::scene::Vec3;
 use crate::solids::contacts::face::CONE;
 use crate::solids::contacts::face::{Faces, Part};
 
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cone {
     pub height: f64,
     pub radius: f64,

@@ -9,6 +9,7 @@ use crate::scene::Vec3;
 use crate::solids::contacts::face::BALL;
 use crate::solids::contacts::face::{Faces, Part};
 
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ellipsoid {
     pub semi_axes: Vec3,
 }

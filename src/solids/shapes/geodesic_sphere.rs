@@ -11,6 +11,7 @@ use crate::scene::Vec3;
 use crate::solids::contacts::face::Faces;
 use crate::solids::facet::{corner, facet};
 
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GeodesicSphere {
     pub radius: f64,
     pub splits: u32,

@@ -10,6 +10,7 @@ use crate::scene::Vec3;
 use crate::solids::contacts::face::TORUS;
 use crate::solids::contacts::face::{Faces, Part};
 
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Torus {
     pub major: f64,
     pub minor: f64,

@@ -312,7 +312,7 @@ impl Compiler<'_> {
 
     fn is_solid_shape(&self, part: &Part) -> bool {
         match part.target {
-            Target::Shape(p) => self.graph.primitives[p as usize].shape().is_solid(),
+            Target::Shape(p) => self.graph.primitives[p as usize].is_solid(),
             Target::Object(_) => false,
         }
     }

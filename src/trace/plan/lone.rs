@@ -17,7 +17,7 @@ pub fn lone_convex(scene: &Scene, root: NodeId, left_out: &LeftOut) -> bool {
     if !primitive.shape().is_convex() {
         return false;
     }
-    if !primitive.shape().is_solid() {
+    if !primitive.is_solid() {
         return true;
     }
     let automatic = matches!(scene.view, View::Automatic);

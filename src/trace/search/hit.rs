@@ -186,7 +186,7 @@ impl<R: Precision> Walker<'_, R> {
             // A hit is large, and changed where it is.
             let mut found = self.resolve(ray, leaf, root, first.owner);
             if let Some(hit) = &mut found {
-                hit.inside = [false, self.primitive(leaf).shape().is_solid()];
+                hit.inside = [false, self.primitive(leaf).is_solid()];
                 return found;
             }
         } else if alone && let Some(sides) = self.sides(ray, &first) {
@@ -408,8 +408,8 @@ impl<R: Precision> Walker<'_, R> {
             Operation::Intersection { first, .. } if first.contains(&leaf.part) => {}
             _ => return 0,
         }
-        let shape = self.primitive(leaf).shape();
-        if self.part(leaf.part).inverted || !(shape.is_solid() && shape.is_convex()) {
+        let shape = self.primitive(leaf);
+        if self.part(leaf.part).inverted || !(shape.is_solid() && shape.shape().is_convex()) {
             return 0;
         }
         self.surface(Leaf {

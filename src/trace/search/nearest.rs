@@ -335,9 +335,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     /// Whether a crossing with a shape is one of its boundary.
     pub(super) fn is_solid(&self, leaf: Leaf) -> bool {
         match self.part(leaf.part).target {
-            Target::Shape(primitive) => {
-                self.graph.primitives[primitive as usize].shape().is_solid()
-            }
+            Target::Shape(primitive) => self.graph.primitives[primitive as usize].is_solid(),
             Target::Object(_) => true,
         }
     }

@@ -178,7 +178,7 @@ impl<R: Precision> Walker<'_, R> {
             return self.behind_place(leaf, line, &roots.list, passed, &exact);
         };
         if self.surface(leaf) == left.surface {
-            let solid = self.primitive(leaf).shape().is_solid();
+            let solid = self.primitive(leaf).is_solid();
             let Some(behind) = behind_left(roots, &left, solid) else {
                 return passed;
             };

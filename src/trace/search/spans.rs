@@ -257,7 +257,7 @@ impl<R: Precision> Walker<'_, R> {
             }
             Target::Shape(primitive) => primitive,
         };
-        let solid = self.graph.primitives[primitive as usize].shape().is_solid();
+        let solid = self.graph.primitives[primitive as usize].is_solid();
         let behind = (self.cross(ray, leaf, primitive, from, None)).unwrap_or_default();
         let owner = self.owner(leaf);
         let begin = self.spans.events.len();

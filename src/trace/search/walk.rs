@@ -319,7 +319,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         let goes_out = R::DOUBT == Doubt::GoesOn
             && ray.left.as_ref().is_some_and(|left| {
                 left.primitive == primitive
-                    && !(left.entering && shape.shape().is_solid())
+                    && !(left.entering && shape.is_solid())
                     && left.surface == self.surface(leaf)
             });
         if goes_out && shape.shape().is_convex() {

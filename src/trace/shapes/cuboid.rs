@@ -57,10 +57,6 @@ impl Shape for Cuboid {
         Some(Support::Level { axis, at })
     }
 
-    fn is_solid(&self) -> bool {
-        true
-    }
-
     fn holds(&self, point: Vec3) -> bool {
         solids::cuboid::Cuboid {
             min: self.min.0,

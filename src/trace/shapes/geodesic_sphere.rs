@@ -29,8 +29,7 @@ pub const MAX_SPLITS: u32 = 9;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct GeodesicSphere {
-    radius: f64,
-    splits: u32,
+    record: solids::geodesic_sphere::GeodesicSphere,
     /// 1 / √(1 + φ²) and φ / √(1 + φ²): the icosahedron's coordinates other than 0.
     coordinates: [Dd; 2],
     /// √5 − 2; see [`GeodesicSphere::facets`].
@@ -127,8 +126,7 @@ impl GeodesicSphere {
         let short = Dd::ONE / (Dd::ONE + phi * phi).sqrt();
         let splits = splits.min(MAX_SPLITS);
         GeodesicSphere {
-            radius,
-            splits,
+            record: solids::geodesic_sphere::GeodesicSphere { radius, splits },
             coordinates: [short, phi * short],
             share: Dd::of(5.0).sqrt() - Dd::of(2.0),
             inner: inner_radius(2.0 * short.to_f64(), splits),
@@ -183,9 +181,9 @@ impl GeodesicSphere {
     /// followed by the quarter taken at each split, in base 4.
     pub(super) fn corners<R: Traced>(&self, face: u32) -> [Vec3<R>; 3] {
         let vertices = self.icosahedron();
-        let base = (face >> (2 * self.splits)) as usize % FACES.len();
+        let base = (face >> (2 * self.record.splits)) as usize % FACES.len();
         let mut corners = each(FACES[base], |i| vertices[i]);
-        for split in (0..self.splits).rev() {
+        for split in (0..self.record.splits).rev() {
             corners = quarter(corners, middles(corners), (face >> (2 * split)) & 3);
         }
         corners
@@ -225,7 +223,7 @@ impl GeodesicSphere {
             let face = facets.trailing_zeros();
             facets &= facets - 1;
             let corners = each(FACES[face as usize], |i| vertices[i]);
-            if self.splits == 0 {
+            if self.record.splits == 0 {
                 leaf(corners, face);
                 continue;
             }
@@ -241,7 +239,7 @@ impl GeodesicSphere {
                 frame.near &= frame.near - 1;
                 let corners = quarter(frame.corners, frame.middles, index);
                 let face = frame.face * 4 + index;
-                if depth == self.splits {
+                if depth == self.record.splits {
                     leaf(corners, face);
                 } else {
                     stack[depth as usize] = split(corners, face);
@@ -360,12 +358,12 @@ impl<R: Traced> View<R> {
 
 impl Shape for GeodesicSphere {
     fn bounds(&self) -> Aabb {
-        let r = Vec3::ONE * self.radius;
+        let r = Vec3::ONE * self.record.radius;
         Aabb::new(-r, r).padded()
     }
 
     fn hull_points(&self) -> Vec<[f64; 3]> {
-        hull::of_ellipsoid(Vec3::ZERO, Vec3::ONE * self.radius)
+        hull::of_ellipsoid(Vec3::ZERO, Vec3::ONE * self.record.radius)
     }
 
     /// Those of the sphere in the point's direction.
@@ -375,16 +373,8 @@ impl Shape for GeodesicSphere {
         [libm::atan2(-p[2], p[0]).rem_euclid(TAU) / TAU, v]
     }
 
-    fn is_solid(&self) -> bool {
-        true
-    }
-
     fn holds(&self, point: Vec3) -> bool {
-        solids::geodesic_sphere::GeodesicSphere {
-            radius: self.radius,
-            splits: self.splits,
-        }
-        .holds(point.0)
+        self.record.holds(point.0)
     }
 
     fn is_convex(&self) -> bool {
@@ -396,8 +386,8 @@ impl Shape for GeodesicSphere {
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {
-        sink(self.radius);
-        sink(f64::from(self.splits));
+        sink(self.record.radius);
+        sink(f64::from(self.record.splits));
     }
 }
 
@@ -407,7 +397,7 @@ impl<R: Traced> Intersect<R> for GeodesicSphere {
     /// each point of the plane as often one way as the other, whatever the rounding of their common
     /// corners, so a way in never lacks its way out.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
-        let view = match View::of(line, R::of(self.radius)) {
+        let view = match View::of(line, R::of(self.record.radius)) {
             Sight::Passes => return,
             Sight::Lost => {
                 roots.uncertain = true;
@@ -417,7 +407,7 @@ impl<R: Traced> Intersect<R> for GeodesicSphere {
         };
         // Facets are about 2^−splits across. Noise of that order says nothing about a line, and
         // must not make it look at all of them.
-        let finest = R::of(1.0 / 16.0 / f64::from(1 << self.splits));
+        let finest = R::of(1.0 / 16.0 / f64::from(1 << self.record.splits));
         // False for NaN.
         let is_known = view.noise <= finest;
         let lost = !is_known;
@@ -449,7 +439,7 @@ impl<R: Traced> Intersect<R> for GeodesicSphere {
         let (Some(near), Some(far)) = (near, far) else {
             return;
         };
-        let radius = R::of(self.radius);
+        let radius = R::of(self.record.radius);
         let t = |(z, face)| ((view.depth + z) * radius / view.shear.pace, face);
         let (near, far) = (t(near), t(far));
         if view.shear.pace > R::ZERO {
@@ -464,7 +454,7 @@ impl<R: Traced> Intersect<R> for GeodesicSphere {
     /// The weighted mean of the facet's corners: off by γ₇ Σ|wᵢ vᵢ| (pbrt-v4, section 6.8.5) and
     /// one rounding of the radius; and the corners by 1.26 · 6 roundings a level (see [`SLACK`]).
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
-        let radius = R::of(self.radius);
+        let radius = R::of(self.record.radius);
         let corners = self.corners::<R>(root.face);
         let passage = match View::of(line, radius) {
             Sight::Near(view) => Facet::new(each(corners, |at| view.project(at))).passage(),
@@ -480,7 +470,7 @@ impl<R: Traced> Intersect<R> for GeodesicSphere {
             size = size + v.abs() * w;
         }
         let [a, b, c] = corners;
-        let of_corners = Vec3::ONE * R::gamma(8 * (self.splits + 1));
+        let of_corners = Vec3::ONE * R::gamma(8 * (self.record.splits + 1));
         Located {
             point: point * radius,
             error: (size * R::gamma(8) + of_corners) * radius,

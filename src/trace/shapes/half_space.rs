@@ -51,10 +51,6 @@ impl Shape for HalfSpace {
         self.face.support(face)
     }
 
-    fn is_solid(&self) -> bool {
-        true
-    }
-
     fn holds(&self, point: Vec3) -> bool {
         solids::half_space::HalfSpace {
             abcd: self.face.abcd(),

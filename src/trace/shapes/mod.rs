@@ -196,9 +196,6 @@ pub trait Shape {
         None
     }
 
-    /// Whether it has an inside.
-    fn is_solid(&self) -> bool;
-
     /// Whether a point of finite coordinates is in the solid or on its boundary, decided exactly on the
     /// shape's numbers: see [`Facts::holds`](crate::solids::shapes::facts::Facts::holds).
     fn holds(&self, point: Vec3) -> bool;
@@ -308,6 +305,22 @@ impl Primitive {
     /// Where it meets lines of one kind of number.
     pub fn intersect<R: Traced>(&self) -> &dyn Intersect<R> {
         each!(self)
+    }
+
+    /// Whether it has an inside.
+    pub fn is_solid(&self) -> bool {
+        match self {
+            Primitive::Plane(_) | Primitive::Rectangle(_) | Primitive::Triangle(_) => false,
+            Primitive::Revolution(_)
+            | Primitive::HalfSpace(_)
+            | Primitive::Sphere(_)
+            | Primitive::Ellipsoid(_)
+            | Primitive::Cuboid(_)
+            | Primitive::GeodesicSphere(_)
+            | Primitive::Torus(_)
+            | Primitive::Quadric(_)
+            | Primitive::Cone(_) => true,
+        }
     }
 
     pub fn shape(&self) -> &dyn Shape {

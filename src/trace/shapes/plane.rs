@@ -72,10 +72,6 @@ impl Shape for Plane {
         [point.dot(u), point.dot(v)]
     }
 
-    fn is_solid(&self) -> bool {
-        false
-    }
-
     fn support(&self, _: u32) -> Option<Support> {
         let [a, b, c] = self.normal.0;
         Some(Support::plane([a, b, c, self.d]))

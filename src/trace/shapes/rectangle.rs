@@ -40,10 +40,6 @@ impl Shape for Rectangle {
         each([0, 1], |i| share(point[i], self.min[i], self.max[i]))
     }
 
-    fn is_solid(&self) -> bool {
-        false
-    }
-
     fn support(&self, _: u32) -> Option<Support> {
         Some(Support::Level { axis: 2, at: 0.0 })
     }

@@ -53,10 +53,6 @@ impl Shape for Sphere {
         })
     }
 
-    fn is_solid(&self) -> bool {
-        true
-    }
-
     fn holds(&self, point: Vec3) -> bool {
         solids::sphere::Sphere {
             centre: self.centre.0,

@@ -39,10 +39,7 @@ const LEMON: u32 = 1;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Torus {
-    /// R.
-    major: f64,
-    /// r.
-    minor: f64,
+    record: solids::torus::Torus,
     /// The exponent of the greater of the two: rays are scaled by two to minus this.
     size: i32,
 }
@@ -77,15 +74,16 @@ struct Scaled<R> {
 impl Torus {
     pub fn new(major: f64, minor: f64) -> Torus {
         Torus {
-            major,
-            minor,
+            record: solids::torus::Torus { major, minor },
             size: exponent(major.max(minor)),
         }
     }
 
     /// R and r in the units of [`Scaled`].
     fn radii<R: Traced>(&self) -> [R; 2] {
-        each([self.major, self.minor], |r| R::of(shifted(r, -self.size)))
+        each([self.record.major, self.record.minor], |r| {
+            R::of(shifted(r, -self.size))
+        })
     }
 
     /// The polynomial of a line's points that is negative in the tube, beside or in the lemon positive:
@@ -94,8 +92,9 @@ impl Torus {
         let (p, d) = (approach.point, approach.direction);
         let flat = |v: Vec3, w: Vec3| v[0] * w[0] + v[2] * w[2];
         let (a, b) = (d.dot(d), p.dot(d));
-        let k = p.dot(p) + (self.major - self.minor) * (self.major + self.minor);
-        let four = 4.0 * self.major * self.major;
+        let k = p.dot(p)
+            + (self.record.major - self.record.minor) * (self.record.major + self.record.minor);
+        let four = 4.0 * self.record.major * self.record.major;
         [
             a * a,
             4.0 * a * b,
@@ -139,7 +138,7 @@ impl Torus {
         } else {
             moved
         };
-        let drift = line.drift(R::of(self.major + self.minor));
+        let drift = line.drift(R::of(self.record.major + self.record.minor));
         let [major, minor] = self.radii();
         let scaled = Scaled {
             major,
@@ -175,29 +174,34 @@ impl Torus {
 
 impl Shape for Torus {
     fn bounds(&self) -> Aabb {
-        let reach = self.major + self.minor;
-        let corner = Vec3::new(reach, self.minor, reach);
+        let reach = self.record.major + self.record.minor;
+        let corner = Vec3::new(reach, self.record.minor, reach);
         Aabb::new(-corner, corner).padded()
     }
 
     fn hull_points(&self) -> Vec<[f64; 3]> {
         // The regular octagon around the circle that is turned.
-        let (out, side) = (self.minor, self.minor * SIDE);
-        let (inner, outer) = (self.major + side, self.major + out);
+        let (out, side) = (self.record.minor, self.record.minor * SIDE);
+        let (inner, outer) = (self.record.major + side, self.record.major + out);
         hull::of_circles([[inner, -out], [outer, -side], [outer, side], [inner, out]])
     }
 
     /// The quartic is positive where the line is in the slab and the ball around the torus.
     fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
-        let approach = match Ball::meets(line, stretch, Vec3::ZERO, self.major + self.minor) {
+        let approach = match Ball::meets(
+            line,
+            stretch,
+            Vec3::ZERO,
+            self.record.major + self.record.minor,
+        ) {
             Ball::Misses => return Pass::Beside,
             Ball::Unknown => return Pass::Perhaps,
             Ball::Meets(approach) => approach,
         };
-        let Some(stretch) = approach.between(1, -self.minor, self.minor) else {
+        let Some(stretch) = approach.between(1, -self.record.minor, self.record.minor) else {
             return Pass::Beside;
         };
-        let margin = MARGIN * (self.major + self.minor).powi(4);
+        let margin = MARGIN * (self.record.major + self.record.minor).powi(4);
         let quartic = self.quartic(&approach);
         if is_quartic_above(quartic, stretch, margin) {
             return Pass::Beside;
@@ -209,10 +213,10 @@ impl Shape for Torus {
     /// A plane that touches the outer half has all of the torus on one side, so a ray that goes out there does not come
     /// back. Elsewhere what is left of the quartic is positive, without the root at the origin.
     fn is_met_again(&self, line: &Line) -> bool {
-        let size = self.major + self.minor;
+        let size = self.record.major + self.record.minor;
         let [x, _, z] = line.origin.0;
-        let is_outer = x * x + z * z > self.major * self.major + MARGIN * size * size;
-        if is_outer && self.minor <= self.major && line.slack.origin <= KNOWN * size {
+        let is_outer = x * x + z * z > self.record.major * self.record.major + MARGIN * size * size;
+        if is_outer && self.record.minor <= self.record.major && line.slack.origin <= KNOWN * size {
             return false;
         }
         let ahead = [0.0, f64::INFINITY];
@@ -236,7 +240,7 @@ impl Shape for Torus {
         let turn = |angle: f64| angle.rem_euclid(TAU) / TAU;
         [
             turn(libm::atan2(-z, x)),
-            turn(libm::atan2(y, across - self.major)),
+            turn(libm::atan2(y, across - self.record.major)),
         ]
     }
 
@@ -244,16 +248,8 @@ impl Shape for Torus {
         false
     }
 
-    fn is_solid(&self) -> bool {
-        true
-    }
-
     fn holds(&self, point: Vec3) -> bool {
-        solids::torus::Torus {
-            major: self.major,
-            minor: self.minor,
-        }
-        .holds(point.0)
+        self.record.holds(point.0)
     }
 
     fn support(&self, _: u32) -> Option<Support> {
@@ -261,8 +257,8 @@ impl Shape for Torus {
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {
-        sink(self.major);
-        sink(self.minor);
+        sink(self.record.major);
+        sink(self.record.minor);
     }
 }
 
@@ -275,7 +271,8 @@ impl<R: Traced> Intersect<R> for Torus {
     }
 
     fn first_crossings(&self, line: &Line<R>, near: R, roots: &mut Roots<R>) {
-        let reach = line.origin.abs().max_component() + R::of(self.major + self.minor);
+        let reach =
+            line.origin.abs().max_component() + R::of(self.record.major + self.record.minor);
         let size = reach / line.direction.abs().max_component();
         let slack = line.slack.origin + line.slack.direction * size;
         // Written so that NaN is no bound. Single precision does not know so well where a line is.

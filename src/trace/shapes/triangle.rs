@@ -164,10 +164,6 @@ impl Shape for Triangle {
         }
     }
 
-    fn is_solid(&self) -> bool {
-        false
-    }
-
     fn holds(&self, _: Vec3) -> bool {
         false
     }

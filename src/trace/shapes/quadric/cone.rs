@@ -1,12 +1,12 @@
 //! The cone and the double cone about the y axis, apex at the origin.
 
 use super::line::{Bounded, Chord, Inside, push_all};
-use super::{Form, bounds_of, turn};
+use super::{Form, turn};
+use crate::geometry::Matrix;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
-use crate::scene::Geometry;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::closer::decide_closer;
@@ -21,9 +21,7 @@ use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cone {
     form: Form,
-    height: f64,
-    radius: f64,
-    double: bool,
+    record: solids::cone::Cone,
     bounds: Aabb,
 }
 
@@ -42,28 +40,30 @@ impl Cone {
     }
 
     fn new(height: f64, radius: f64, double: bool) -> Cone {
-        let geometry = if double {
-            Geometry::DoubleCone { height, radius }
-        } else {
-            Geometry::Cone { height, radius }
-        };
-        Cone {
-            form: Form::canonical([1.0, -1.0, 1.0], 0.0, 0.0, [radius, height, radius]),
+        let record = solids::cone::Cone {
             height,
             radius,
             double,
-            bounds: bounds_of(&geometry),
+        };
+        Cone {
+            form: Form::canonical([1.0, -1.0, 1.0], 0.0, 0.0, [radius, height, radius]),
+            bounds: record.bounds(&Matrix::IDENTITY).padded(),
+            record,
         }
     }
 
     pub fn name(&self) -> &'static str {
-        if self.double { "double cone" } else { "cone" }
+        if self.record.double {
+            "double cone"
+        } else {
+            "cone"
+        }
     }
 
     /// How a line passes what of the cone is between two heights. The form is positive where the line is in that slab
     /// and the ball around the cone.
     fn pass_between(&self, line: &Line, stretch: [f64; 2], [low, high]: [f64; 2]) -> Pass {
-        let (height, radius) = (self.height.abs(), self.radius);
+        let (height, radius) = (self.record.height.abs(), self.record.radius);
         let size = (height * height + radius * radius).sqrt();
         let approach = match Ball::meets(line, stretch, Vec3::ZERO, size) {
             Ball::Misses => return Pass::Beside,
@@ -105,9 +105,9 @@ impl Shape for Cone {
     }
 
     fn hull_points(&self) -> Vec<[f64; 3]> {
-        let base = [self.radius, self.height];
-        let other = match self.double {
-            true => [self.radius, -self.height],
+        let base = [self.record.radius, self.record.height];
+        let other = match self.record.double {
+            true => [self.record.radius, -self.record.height],
             false => [0.0, 0.0],
         };
         hull::of_circles([base, other])
@@ -124,51 +124,42 @@ impl Shape for Cone {
             false => [0.0, self.bounds.max[1]],
         };
         let ahead = [0.0, f64::INFINITY];
-        self.double && self.pass_between(line, ahead, other) != Pass::Beside
+        self.record.double && self.pass_between(line, ahead, other) != Pass::Beside
     }
 
     fn uv(&self, p: Vec3, face: u32) -> [f64; 2] {
         let v = if face != SIDE {
-            libm::hypot(p[0], p[2]) / self.radius
-        } else if self.double {
-            0.5 * (p[1] / self.height) + 0.5
+            libm::hypot(p[0], p[2]) / self.record.radius
+        } else if self.record.double {
+            0.5 * (p[1] / self.record.height) + 0.5
         } else {
-            p[1] / self.height
+            p[1] / self.record.height
         };
         [turn(p), v]
     }
 
     fn is_convex(&self) -> bool {
-        !self.double
+        !self.record.double
     }
 
     fn support(&self, face: u32) -> Option<Support> {
-        let base = [self.radius, self.height];
+        let base = [self.record.radius, self.record.height];
         Some(Support::turned(match face {
-            SIDE if self.double => return None,
+            SIDE if self.record.double => return None,
             SIDE => [[0.0; 2], base],
             BASE => [[0.0, base[1]], base],
             _ => [[0.0, -base[1]], [base[0], -base[1]]],
         }))
     }
 
-    fn is_solid(&self) -> bool {
-        true
-    }
-
     fn holds(&self, point: Vec3) -> bool {
-        solids::cone::Cone {
-            height: self.height,
-            radius: self.radius,
-            double: self.double,
-        }
-        .holds(point.0)
+        self.record.holds(point.0)
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {
-        sink(self.height);
-        sink(self.radius);
-        sink(f64::from(u8::from(self.double)));
+        sink(self.record.height);
+        sink(self.record.radius);
+        sink(f64::from(u8::from(self.record.double)));
     }
 }
 
@@ -189,7 +180,7 @@ impl Cone {
     /// infinite end is above it: a line that has one is no less steep than the cone.
     fn cut<R: Traced>(&self, chord: &Chord<R>, stretch: Stretch<R>, roots: &mut Roots<R>) {
         let Stretch { from, to, half } = stretch;
-        if half < R::ZERO && !self.double {
+        if half < R::ZERO && !self.record.double {
             return;
         }
         let rising = half * chord.direction[1];
@@ -322,11 +313,11 @@ impl<R: Traced> Intersect<R> for Cone {
     }
 
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
-        let height = R::of(self.height);
+        let height = R::of(self.record.height);
         if root.face == SIDE {
             let mut located: Located<R> = self.form.locate(line, root.t);
             // At the apex of a cone the axis is as good a normal as any.
-            if !self.double && !located.point.any() {
+            if !self.record.double && !located.point.any() {
                 located.normal = Vec3::new(R::ZERO, -height, R::ZERO);
             }
             return located;

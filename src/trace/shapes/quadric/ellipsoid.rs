@@ -22,7 +22,7 @@ use std::f64::consts::PI;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ellipsoid {
     form: Form,
-    semi_axes: [f64; 3],
+    record: solids::ellipsoid::Ellipsoid,
     bounds: Aabb,
 }
 
@@ -30,7 +30,7 @@ impl Ellipsoid {
     pub fn new(semi_axes: [f64; 3]) -> Ellipsoid {
         Ellipsoid {
             form: Form::canonical([1.0; 3], 0.0, -1.0, semi_axes),
-            semi_axes,
+            record: solids::ellipsoid::Ellipsoid { semi_axes },
             bounds: bounds_of(&Geometry::Ellipsoid { semi_axes }),
         }
     }
@@ -42,19 +42,19 @@ impl Shape for Ellipsoid {
     }
 
     fn hull_points(&self) -> Vec<[f64; 3]> {
-        hull::of_ellipsoid(Vec3::ZERO, Vec3(self.semi_axes))
+        hull::of_ellipsoid(Vec3::ZERO, Vec3(self.record.semi_axes))
     }
 
     /// The least of the form on the line is positive.
     fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
-        let [least, .., most] = sorted(self.semi_axes);
+        let [least, .., most] = sorted(self.record.semi_axes);
         let approach = match Ball::meets(line, stretch, Vec3::ZERO, most) {
             Ball::Misses => return Pass::Beside,
             Ball::Unknown => return Pass::Perhaps,
             Ball::Meets(approach) => approach,
         };
         let [p, d] = each([approach.point, approach.direction], |v| {
-            Vec3(each([0, 1, 2], |i| v[i] / self.semi_axes[i]))
+            Vec3(each([0, 1, 2], |i| v[i] / self.record.semi_axes[i]))
         });
         let (a, b) = (d.dot(d), p.dot(d));
         let form = p.dot(p) - 1.0 - b * b / a;
@@ -72,19 +72,12 @@ impl Shape for Ellipsoid {
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
         // The sphere's, at the same place: y over its own semi-axis, the angle as it is.
-        let v = libm::acos((-point[1] / self.semi_axes[1]).clamp(-1.0, 1.0)) / PI;
+        let v = libm::acos((-point[1] / self.record.semi_axes[1]).clamp(-1.0, 1.0)) / PI;
         [turn(point), v]
     }
 
-    fn is_solid(&self) -> bool {
-        true
-    }
-
     fn holds(&self, point: Vec3) -> bool {
-        solids::ellipsoid::Ellipsoid {
-            semi_axes: self.semi_axes,
-        }
-        .holds(point.0)
+        self.record.holds(point.0)
     }
 
     fn is_convex(&self) -> bool {
@@ -96,7 +89,7 @@ impl Shape for Ellipsoid {
     }
 
     fn feed(&self, sink: &mut dyn FnMut(f64)) {
-        self.semi_axes.into_iter().for_each(sink);
+        self.record.semi_axes.into_iter().for_each(sink);
     }
 }
 

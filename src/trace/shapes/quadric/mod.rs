@@ -186,10 +186,6 @@ impl Shape for Quadric {
         self.convex
     }
 
-    fn is_solid(&self) -> bool {
-        true
-    }
-
     fn holds(&self, point: Vec3) -> bool {
         self.geometry.holds(point.0)
     }

@@ -218,10 +218,6 @@ impl Shape for Revolution {
         Some(Support::turned(ends))
     }
 
-    fn is_solid(&self) -> bool {
-        true
-    }
-
     fn holds(&self, point: Vec3) -> bool {
         solids::profile::holds(&self.points, (point * self.scale).0)
     }
