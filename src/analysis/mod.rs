@@ -298,8 +298,7 @@ impl Analysis {
         if !self.is_scene || !levels.is_on(choice, Code::W310) {
             return 0;
         }
-        let context = lint::Context::new(&self.source.text, &self.document, &self.scene);
-        lint::undrawn(&context)
+        lint::undrawn(&self.context())
     }
 
     /// Numbers that are read as two each, and may be one with a decimal comma.
@@ -321,6 +320,11 @@ impl Analysis {
         known.unwrap_or_else(|| self.find(read, &self.settings))
     }
 
+    /// What rules look at.
+    fn context(&self) -> lint::Context<'_> {
+        lint::Context::new(&self.source.text, &self.document, &self.scene, &self.bounds)
+    }
+
     fn find(&self, read: Vec<Diagnostic>, settings: &Settings) -> Vec<Diagnostic> {
         if let Some(foreign) = &self.foreign {
             return foreign.findings(&self.source, settings);
@@ -328,8 +332,7 @@ impl Analysis {
         let Settings { levels, choice } = settings;
         let mut all = read;
         if self.is_scene {
-            let context = lint::Context::new(&self.source.text, &self.document, &self.scene);
-            lint::run(&context, |code| levels.is_on(choice, code), &mut all);
+            lint::run(&self.context(), |code| levels.is_on(choice, code), &mut all);
             diagnostics::sort(&mut all);
         }
         levels.apply(choice, &mut all);

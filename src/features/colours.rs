@@ -5,10 +5,8 @@
 use crate::analysis::Analysis;
 use crate::analysis::colours::shortest;
 use crate::diagnostics::{Edit, Span};
-use crate::scene::Rgb;
 use crate::syntax::table::RecordKind;
 use crate::syntax::{Item, Record};
-use crate::trace::bitmap::linear;
 use crate::trace::film::srgb8;
 
 use super::place;
@@ -84,9 +82,4 @@ pub fn repaint(analysis: &Analysis, span: Span, picked: [f64; 3]) -> Option<Edit
         at = place.end;
     }
     Some(Edit { span, text: out })
-}
-
-/// A picked colour as linear numbers, for its name in the picker.
-pub fn scene_colour(picked: [f64; 3]) -> Rgb {
-    picked.map(|x| linear(x.clamp(0.0, 1.0)))
 }

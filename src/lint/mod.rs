@@ -29,18 +29,24 @@ pub struct Context<'a> {
     pub text: &'a str,
     pub document: &'a Document,
     pub scene: &'a Scene,
-    bounds: OnceLock<Vec<NodeBounds>>,
+    bounds: &'a OnceLock<Vec<NodeBounds>>,
     names: OnceLock<Option<Names>>,
     proven: OnceLock<Vec<Proven>>,
 }
 
 impl<'a> Context<'a> {
-    pub fn new(text: &'a str, document: &'a Document, scene: &'a Scene) -> Context<'a> {
+    /// A context; `bounds` are those of the scene, which are found when a rule first asks for them.
+    pub fn new(
+        text: &'a str,
+        document: &'a Document,
+        scene: &'a Scene,
+        bounds: &'a OnceLock<Vec<NodeBounds>>,
+    ) -> Context<'a> {
         Context {
             text,
             document,
             scene,
-            bounds: OnceLock::new(),
+            bounds,
             names: OnceLock::new(),
             proven: OnceLock::new(),
         }

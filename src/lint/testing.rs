@@ -8,7 +8,8 @@ fn findings(text: &str) -> (SourceFile, Vec<Diagnostic>) {
     let source = SourceFile::new("t.zpg", text.into());
     let (document, mut all) = syntax::parse(&source.text);
     let scene = scene::resolve(&document, &source, &mut all);
-    let context = super::Context::new(&source.text, &document, &scene);
+    let bounds = Default::default();
+    let context = super::Context::new(&source.text, &document, &scene, &bounds);
     super::run(&context, |_| true, &mut all);
     diagnostics::sort(&mut all);
     let aside = [Code::E106, Code::N602, Code::N603];

@@ -126,7 +126,7 @@ mod tests {
 
     #[test]
     fn a_core_is_below_all_changes_and_copies() {
-        let scene = scene("2 11 0 0 0 1\n2 -200 1 2 3\n3 -205 2\n3 -200 0 0 4\n1 9999 3 0");
+        let scene = scene("2 11 0 0 0 1\n2 -1 1 2 3\n3 -105 2\n3 -1 0 0 4\n1 9999 3 0");
         let root = scene.render.unwrap().root;
         let (core, m) = scene.core(root, Matrix::IDENTITY);
         assert!(matches!(scene.nodes[core as usize], Node::Shape(0)));

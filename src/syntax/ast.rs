@@ -197,13 +197,6 @@ impl Document {
         &self.tokens[record.first as usize]
     }
 
-    /// The record's type token.
-    pub fn type_token(&self, record: &Record) -> &Token {
-        self.significant(record.first, record.last)
-            .nth(1)
-            .unwrap_or(&self.tokens[record.last as usize])
-    }
-
     /// The record's parameter tokens, in order.
     pub fn params(&self, record: &Record) -> impl Iterator<Item = &Token> {
         self.significant(record.first, record.last).skip(2)

@@ -3,7 +3,7 @@
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Severity};
 use crate::scene::{Node, NodeId, Scene, View, fold_up};
-use crate::solids::bounds::{NodeBounds, node_bounds};
+use crate::solids::bounds::NodeBounds;
 use crate::solids::proofs::{Literals, Proofs};
 use crate::trace::plan::unseen::view::{Parts, out_of_view};
 
@@ -43,9 +43,9 @@ pub fn left(analysis: &Analysis) -> Left {
             (Severity::Style, _) => {}
         }
     }
-    let bounds = node_bounds(&analysis.scene);
-    left.in_vain += useless(&analysis.scene, &bounds);
-    left.in_vain += usize::from(is_unseen(&analysis.scene, &bounds));
+    let bounds = analysis.bounds();
+    left.in_vain += useless(&analysis.scene, bounds);
+    left.in_vain += usize::from(is_unseen(&analysis.scene, bounds));
     left
 }
 

@@ -44,7 +44,8 @@ mod tests {
         let (document, mut all) = syntax::parse(text);
         let scene = scene::resolve(&document, &source, &mut all);
         let mut out = Vec::new();
-        super::check(&Context::new(text, &document, &scene), &mut out);
+        let bounds = Default::default();
+        super::check(&Context::new(text, &document, &scene, &bounds), &mut out);
         !out.is_empty()
     }
 
