@@ -239,7 +239,8 @@ fn looked(text: String) -> (f64, bool) {
     for _ in 0..3 {
         found.clear();
         let start = ProcessTime::now();
-        let context = lint::Context::new(&source.text, &document, &scene);
+        let bounds = Default::default();
+        let context = lint::Context::new(&source.text, &document, &scene, &bounds);
         lint::run(&context, |code| code == Code::W330, &mut found);
         time = time.min(1e3 * start.elapsed().as_secs_f64());
     }
@@ -294,7 +295,8 @@ fn main() {
         let scene = scene::resolve(&document, &source, &mut found);
         let read = start.elapsed().as_secs_f64();
         let start = Instant::now();
-        let context = lint::Context::new(&source.text, &document, &scene);
+        let bounds = Default::default();
+        let context = lint::Context::new(&source.text, &document, &scene, &bounds);
         lint::run(&context, |_| true, &mut found);
         let rules = start.elapsed().as_secs_f64();
         assert!(!found.iter().any(|d| d.is_error()), "{name}");

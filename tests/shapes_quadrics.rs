@@ -10,8 +10,7 @@ use zpg::geometry::number::Real;
 use zpg::geometry::vec::Vec3;
 use zpg::scene::Geometry;
 use zpg::trace::Ray;
-use zpg::trace::shapes::quadric::{cone::Cone, ellipsoid::Ellipsoid};
-use zpg::trace::shapes::{Intersect, Primitive, Roots};
+use zpg::trace::shapes::{Primitive, Roots};
 
 /// Negative inside, positive outside: the definition of each shape as the language gives it.
 fn value(geometry: &Geometry, p: Vec3<Dd>) -> Dd {
@@ -55,18 +54,8 @@ fn value(geometry: &Geometry, p: Vec3<Dd>) -> Dd {
 
 fn crossings<R: Traced>(geometry: &Geometry, line: &Line<R>) -> Roots<R> {
     let mut roots = Roots::default();
-    match *geometry {
-        Geometry::Ellipsoid { semi_axes } => Ellipsoid::new(semi_axes).crossings(line, &mut roots),
-        Geometry::Cone { height, radius } => {
-            Cone::single(height, radius).crossings(line, &mut roots);
-        }
-        Geometry::DoubleCone { height, radius } => {
-            Cone::double(height, radius).crossings(line, &mut roots);
-        }
-        _ => Primitive::new(geometry)
-            .intersect()
-            .crossings(line, &mut roots),
-    }
+    let shape = Primitive::new(geometry);
+    shape.intersect().crossings(line, &mut roots);
     roots
 }
 

@@ -108,10 +108,10 @@ impl<'a> Proofs<'a> {
 
     /// What is left of all of space without an object, as far as that is a list.
     pub fn complement(&mut self, node: NodeId, list: &[Literal]) -> Vec<Literal> {
-        match list {
-            &[(n, true)] => vec![(n, false)],
+        match *list {
+            [(n, true)] => vec![(n, false)],
             // Without any part of a union.
-            &[(n, false)] => self.parts(n).into_iter().map(|p| (p, true)).collect(),
+            [(n, false)] => self.parts(n).into_iter().map(|p| (p, true)).collect(),
             _ => vec![(node, true)],
         }
     }

@@ -5,6 +5,7 @@ pub mod directions;
 pub mod face;
 mod planes;
 pub mod quadric;
+mod round;
 mod sample;
 pub mod search;
 

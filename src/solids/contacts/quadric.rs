@@ -1,11 +1,9 @@
 //! Quadrics as faces: the matrix that tells them from others, and points to try them at.
 
 use super::directions::{Sample, direction};
-use super::face::Part;
 use crate::geometry::Matrix;
 use crate::geometry::array::{add, dot, length};
-use crate::scene::{Geometry, Vec3};
-use crate::solids::shapes::{AnyShape, circle};
+use crate::scene::Vec3;
 
 /// A symmetric matrix Q of xᵀQx = 0.
 pub type Form = [[f64; 4]; 4];
@@ -73,57 +71,11 @@ pub fn samples(form: &Form) -> Vec<Sample> {
     out
 }
 
-impl Geometry {
-    /// The symmetric matrix of the quadric that a round face lies in.
-    pub fn quadric(&self, part: Part) -> Option<Form> {
-        match AnyShape::of(self) {
-            AnyShape::Cone(s) => {
-                (part == Part::Mantle).then(|| circle::cone(s.radius / s.height, 0.0))
-            }
-            AnyShape::Ellipsoid(s) => {
-                if part != Part::All {
-                    return None;
-                }
-                let mut out = [[0.0; 4]; 4];
-                (0..3).for_each(|i| out[i][i] = 1.0 / (s.semi_axes[i] * s.semi_axes[i]));
-                out[3][3] = -1.0;
-                Some(out)
-            }
-            AnyShape::Quadric(s) => (part == Part::All).then(|| s.matrix()),
-            AnyShape::Revolution(s) => {
-                let Part::Piece(i) = part else {
-                    return None;
-                };
-                let ([x0, y0], [x1, y1]) = (*s.profile.get(i)?, *s.profile.get(i + 1)?);
-                let slope = (x1 - x0) / (y1 - y0);
-                Some(circle::cone(slope, x0 - slope * y0))
-            }
-            AnyShape::Sphere(s) => {
-                if part != Part::All {
-                    return None;
-                }
-                let mut out = [[0.0; 4]; 4];
-                let square: f64 = s.centre.iter().map(|c| c * c).sum();
-                (0..3).for_each(|i| {
-                    out[i][i] = 1.0;
-                    (out[i][3], out[3][i]) = (-s.centre[i], -s.centre[i]);
-                });
-                out[3][3] = square - s.radius * s.radius;
-                Some(out)
-            }
-            AnyShape::Cuboid(_)
-            | AnyShape::GeodesicSphere(_)
-            | AnyShape::HalfSpace(_)
-            | AnyShape::Rectangle(_)
-            | AnyShape::Torus(_)
-            | AnyShape::Triangle(_) => None,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Geometry;
+    use crate::solids::contacts::face::Part;
 
     fn form(geometry: &Geometry) -> Option<Form> {
         geometry.quadric(Part::All)

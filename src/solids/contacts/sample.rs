@@ -1,12 +1,11 @@
 //! Points at which two faces are tried: where both can be, and nowhere special.
 
 use super::directions::{Sample, turn};
-use super::face::{Face, Form, Part};
-use super::quadric;
+use super::face::{Face, Form};
+use super::round::Mantle;
 use crate::geometry::array::{across, add, cross, dot, length, middle, sub, unit};
 use crate::scene::{Geometry, Vec3};
 use crate::solids::leaf::Leaf;
-use crate::solids::shapes::{AnyShape, ball};
 
 /// Overlaps narrower than this share of the smaller shape may be rounding: silence.
 pub const SLIVER: f64 = 1e-6;
@@ -138,61 +137,4 @@ fn mantle_samples(((r0, y0), (r1, y1)): Mantle, within: (f64, f64)) -> Vec<Sampl
         }
     }
     out
-}
-
-/// (radius, height) of the two ends of a piece of a cone or cylinder about the y axis.
-pub type Mantle = ((f64, f64), (f64, f64));
-
-impl Geometry {
-    /// A round face about the y axis as a piece of a profile.
-    fn mantle(&self, part: Part) -> Option<Mantle> {
-        match AnyShape::of(self) {
-            AnyShape::Cone(s) => {
-                (part == Part::Mantle).then_some(((0.0, 0.0), (s.radius, s.height)))
-            }
-            AnyShape::Revolution(s) => {
-                let Part::Piece(i) = part else {
-                    return None;
-                };
-                let ([a, b], [c, d]) = (*s.profile.get(i)?, *s.profile.get(i + 1)?);
-                Some(((a, b), (c, d)))
-            }
-            AnyShape::Cuboid(_)
-            | AnyShape::Ellipsoid(_)
-            | AnyShape::GeodesicSphere(_)
-            | AnyShape::HalfSpace(_)
-            | AnyShape::Quadric(_)
-            | AnyShape::Rectangle(_)
-            | AnyShape::Sphere(_)
-            | AnyShape::Torus(_)
-            | AnyShape::Triangle(_) => None,
-        }
-    }
-
-    /// Points of its surface with normals, where it is one round face that is no mantle.
-    fn samples(&self) -> Vec<Sample> {
-        match AnyShape::of(self) {
-            AnyShape::Ellipsoid(s) => ball::samples([0.0; 3], s.semi_axes),
-            AnyShape::Quadric(s) => quadric::samples(&s.matrix()),
-            AnyShape::Sphere(s) => ball::samples(s.centre, [s.radius; 3]),
-            AnyShape::Torus(s) => {
-                let (major, minor) = (s.major, s.minor);
-                (0..24)
-                    .map(|i| {
-                        let (su, cu) = turn(i);
-                        let (sv, cv) = (f64::from(i) * 1.137 + 0.2).sin_cos();
-                        let ring = major + minor * cv;
-                        ([ring * cu, minor * sv, ring * su], [cv * cu, sv, cv * su])
-                    })
-                    .collect()
-            }
-            AnyShape::Cone(_)
-            | AnyShape::Cuboid(_)
-            | AnyShape::GeodesicSphere(_)
-            | AnyShape::HalfSpace(_)
-            | AnyShape::Rectangle(_)
-            | AnyShape::Revolution(_)
-            | AnyShape::Triangle(_) => Vec::new(),
-        }
-    }
 }

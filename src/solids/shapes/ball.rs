@@ -1,9 +1,7 @@
 //! What balls and ellipsoids share.
 
-use super::AnyShape;
-use super::facts::Ball;
 use crate::geometry::Matrix;
-use crate::scene::{Geometry, Vec3};
+use crate::scene::Vec3;
 use crate::solids::contacts::directions::{Sample, direction as spread};
 
 /// The direction of a vector; any for one that has none.
@@ -43,35 +41,4 @@ pub fn samples(centre: Vec3, axes: Vec3) -> Vec<Sample> {
             )
         })
         .collect()
-}
-
-impl Geometry {
-    /// The ellipsoid that it is or has for its hull; `None` for all that is not round like that.
-    pub fn ball(&self) -> Option<Ball> {
-        match AnyShape::of(self) {
-            AnyShape::Ellipsoid(s) => Some(Ball {
-                centre: [0.0; 3],
-                semi_axes: s.semi_axes,
-                held: 1.0,
-            }),
-            AnyShape::GeodesicSphere(s) => Some(Ball {
-                centre: [0.0; 3],
-                semi_axes: [s.radius; 3],
-                held: s.held(),
-            }),
-            AnyShape::Sphere(s) => Some(Ball {
-                centre: s.centre,
-                semi_axes: [s.radius; 3],
-                held: 1.0,
-            }),
-            AnyShape::Cone(_)
-            | AnyShape::Cuboid(_)
-            | AnyShape::HalfSpace(_)
-            | AnyShape::Quadric(_)
-            | AnyShape::Rectangle(_)
-            | AnyShape::Revolution(_)
-            | AnyShape::Torus(_)
-            | AnyShape::Triangle(_) => None,
-        }
-    }
 }

@@ -1,66 +1,33 @@
 //! What every shape says of itself.
 
-use super::AnyShape;
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Geometry, Vec3};
+use crate::scene::Vec3;
 use crate::solids::contacts::face::Faces;
 
-/// Defines a trait, and asks its questions of whichever shape a [`Geometry`] is.
-macro_rules! asked_of_all {
-    ($(#[$about:meta])* trait $trait:ident {
-        $($(#[$doc:meta])* fn $name:ident(&self $(, $arg:ident: $ty:ty)*) $(-> $out:ty)?;)*
-    }) => {
-        $(#[$about])*
-        pub trait $trait {
-            $($(#[$doc])* fn $name(&self $(, $arg: $ty)*) $(-> $out)?;)*
-        }
+/// What every shape is asked, in its own coordinates. No method has a default: whoever adds a shape gives an answer
+/// to each question, and nobody else has to ask which shape it is.
+pub trait Facts {
+    fn character(&self) -> Character;
 
-        impl $trait for Geometry {
-            $(fn $name(&self $(, $arg: $ty)*) $(-> $out)? {
-                match AnyShape::of(self) {
-                    AnyShape::Cone(s) => s.$name($($arg),*),
-                    AnyShape::Cuboid(s) => s.$name($($arg),*),
-                    AnyShape::Ellipsoid(s) => s.$name($($arg),*),
-                    AnyShape::GeodesicSphere(s) => s.$name($($arg),*),
-                    AnyShape::HalfSpace(s) => s.$name($($arg),*),
-                    AnyShape::Quadric(s) => s.$name($($arg),*),
-                    AnyShape::Rectangle(s) => s.$name($($arg),*),
-                    AnyShape::Revolution(s) => s.$name($($arg),*),
-                    AnyShape::Sphere(s) => s.$name($($arg),*),
-                    AnyShape::Torus(s) => s.$name($($arg),*),
-                    AnyShape::Triangle(s) => s.$name($($arg),*),
-                }
-            })*
-        }
-    };
-}
+    /// Whether it is a solid that holds every point between two of its points.
+    fn is_convex(&self) -> bool;
 
-asked_of_all! {
-    /// What every shape is asked, in its own coordinates. No method has a default: whoever adds a shape gives an answer
-    /// to each question, and nobody else has to ask which shape it is.
-    trait Facts {
-        fn character(&self) -> Character;
+    /// A box around it, moved by an affine matrix, that is never too small.
+    fn bounds(&self, m: &Matrix) -> Aabb;
 
-        /// Whether it is a solid that holds every point between two of its points.
-        fn is_convex(&self) -> bool;
+    /// Its point that is furthest in a direction; of a geodesic sphere the corner that lies next to it.
+    /// `None` for shapes without end.
+    fn support(&self, d: Vec3) -> Option<Support>;
 
-        /// A box around it, moved by an affine matrix, that is never too small.
-        fn bounds(&self, m: &Matrix) -> Aabb;
+    /// Whether a point of finite coordinates is in the solid or on its boundary, decided exactly on the numbers
+    /// of the record; surfaces hold nothing.
+    fn holds(&self, p: Vec3) -> bool;
 
-        /// Its point that is furthest in a direction; of a geodesic sphere the corner that lies next to it.
-        /// `None` for shapes without end.
-        fn support(&self, d: Vec3) -> Option<Support>;
+    /// A function that is below zero inside, near a point. Nobody asks surfaces.
+    fn taylor(&self, p: Vec3) -> Taylor;
 
-        /// Whether a point of finite coordinates is in the solid or on its boundary, decided exactly on the numbers
-        /// of the record; surfaces hold nothing.
-        fn holds(&self, p: Vec3) -> bool;
-
-        /// A function that is below zero inside, near a point. Nobody asks surfaces.
-        fn taylor(&self, p: Vec3) -> Taylor;
-
-        /// Adds those that can lie in a face of another shape.
-        fn faces(&self, out: &mut Faces);
-    }
+    /// Adds those that can lie in a face of another shape.
+    fn faces(&self, out: &mut Faces);
 }
 
 /// What a shape is like.

@@ -19,10 +19,13 @@ mod tests;
 pub mod torus;
 pub mod triangle;
 
-use crate::scene::Geometry;
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::{Geometry, Vec3};
+use crate::solids::contacts::face::Faces;
 use cone::Cone;
 use cuboid::Cuboid;
 use ellipsoid::Ellipsoid;
+use facts::{Ball, Character, Facts, Support, Taylor};
 use geodesic_sphere::GeodesicSphere;
 use half_space::HalfSpace;
 use quadric::Quadric;
@@ -95,7 +98,85 @@ impl AnyShape<'_> {
     }
 }
 
+/// The same expression for every shape.
+macro_rules! each {
+    ($geometry:expr, $s:ident => $e:expr) => {
+        match AnyShape::of($geometry) {
+            AnyShape::Cone($s) => $e,
+            AnyShape::Cuboid($s) => $e,
+            AnyShape::Ellipsoid($s) => $e,
+            AnyShape::GeodesicSphere($s) => $e,
+            AnyShape::HalfSpace($s) => $e,
+            AnyShape::Quadric($s) => $e,
+            AnyShape::Rectangle($s) => $e,
+            AnyShape::Revolution($s) => $e,
+            AnyShape::Sphere($s) => $e,
+            AnyShape::Torus($s) => $e,
+            AnyShape::Triangle($s) => $e,
+        }
+    };
+}
+
+impl Facts for Geometry {
+    fn character(&self) -> Character {
+        each!(self, s => s.character())
+    }
+
+    fn is_convex(&self) -> bool {
+        each!(self, s => s.is_convex())
+    }
+
+    fn bounds(&self, m: &Matrix) -> Aabb {
+        each!(self, s => s.bounds(m))
+    }
+
+    fn support(&self, d: Vec3) -> Option<Support> {
+        each!(self, s => s.support(d))
+    }
+
+    fn holds(&self, p: Vec3) -> bool {
+        each!(self, s => s.holds(p))
+    }
+
+    fn taylor(&self, p: Vec3) -> Taylor {
+        each!(self, s => s.taylor(p))
+    }
+
+    fn faces(&self, out: &mut Faces) {
+        each!(self, s => s.faces(out))
+    }
+}
+
 impl Geometry {
+    /// The ellipsoid that it is or has for its hull; `None` for all that is not round like that.
+    pub fn ball(&self) -> Option<Ball> {
+        match AnyShape::of(self) {
+            AnyShape::Ellipsoid(s) => Some(Ball {
+                centre: [0.0; 3],
+                semi_axes: s.semi_axes,
+                held: 1.0,
+            }),
+            AnyShape::GeodesicSphere(s) => Some(Ball {
+                centre: [0.0; 3],
+                semi_axes: [s.radius; 3],
+                held: s.held(),
+            }),
+            AnyShape::Sphere(s) => Some(Ball {
+                centre: s.centre,
+                semi_axes: [s.radius; 3],
+                held: 1.0,
+            }),
+            AnyShape::Cone(_)
+            | AnyShape::Cuboid(_)
+            | AnyShape::HalfSpace(_)
+            | AnyShape::Quadric(_)
+            | AnyShape::Rectangle(_)
+            | AnyShape::Revolution(_)
+            | AnyShape::Torus(_)
+            | AnyShape::Triangle(_) => None,
+        }
+    }
+
     /// How many pieces a test of a point goes through, of shapes that have any number of them; else none.
     pub fn pieces(&self) -> usize {
         match AnyShape::of(self) {

@@ -30,6 +30,7 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::{Geometry, Rgb};
+use crate::solids::shapes::AnyShape;
 use doubt::is_final;
 use near::Pass;
 use support::Support;
@@ -250,55 +251,38 @@ macro_rules! each {
 
 impl Primitive {
     pub fn new(geometry: &Geometry) -> Primitive {
-        match *geometry {
-            Geometry::Revolution {
-                ref profile,
-                ref colours,
-            } => Primitive::Revolution(Box::new(revolution::Revolution::new(profile, colours))),
-            Geometry::Sphere { centre, radius } => {
-                Primitive::Sphere(sphere::Sphere::new(centre.into(), radius))
+        match AnyShape::of(geometry) {
+            AnyShape::Revolution(s) => {
+                let shape = revolution::Revolution::new(s.profile, s.colours);
+                Primitive::Revolution(Box::new(shape))
             }
-            Geometry::Box { min, max } => {
-                Primitive::Cuboid(cuboid::Cuboid::new(min.into(), max.into()))
+            AnyShape::HalfSpace(s) if s.solid => {
+                Primitive::HalfSpace(half_space::HalfSpace::new(s.abcd))
             }
-            Geometry::Torus { major, minor } => Primitive::Torus(torus::Torus::new(major, minor)),
-            Geometry::HalfSpace(abcd) => Primitive::HalfSpace(half_space::HalfSpace::new(abcd)),
-            Geometry::Plane(abcd) => Primitive::Plane(plane::Plane::new(abcd)),
-            Geometry::Rectangle { min, max } => {
-                Primitive::Rectangle(rectangle::Rectangle::new(min, max))
+            AnyShape::HalfSpace(s) => Primitive::Plane(plane::Plane::new(s.abcd)),
+            AnyShape::Rectangle(s) => Primitive::Rectangle(rectangle::Rectangle::new(s.min, s.max)),
+            AnyShape::Triangle(s) => {
+                let shape = triangle::Triangle::new(s.vertices, s.normals.clone());
+                Primitive::Triangle(Box::new(shape))
             }
-            Geometry::Ellipsoid { semi_axes } => {
-                Primitive::Ellipsoid(Box::new(quadric::ellipsoid::Ellipsoid::new(semi_axes)))
+            AnyShape::Sphere(s) => {
+                Primitive::Sphere(sphere::Sphere::new(s.centre.into(), s.radius))
             }
-            Geometry::Cone { height, radius } => {
-                Primitive::Cone(Box::new(quadric::cone::Cone::single(height, radius)))
+            AnyShape::Ellipsoid(s) => {
+                Primitive::Ellipsoid(Box::new(quadric::ellipsoid::Ellipsoid::new(s)))
             }
-            Geometry::DoubleCone { height, radius } => {
-                Primitive::Cone(Box::new(quadric::cone::Cone::double(height, radius)))
+            AnyShape::Cuboid(s) => {
+                Primitive::Cuboid(cuboid::Cuboid::new(s.min.into(), s.max.into()))
             }
-            Geometry::Quadric(ref q) => Primitive::Quadric(Box::new(quadric::Quadric::general(q))),
-            Geometry::ParabolicCylinder { a } => {
-                Primitive::Quadric(Box::new(quadric::Quadric::parabolic_cylinder(a)))
+            AnyShape::GeodesicSphere(s) => {
+                let shape = geodesic_sphere::GeodesicSphere::new(s.radius, s.splits);
+                Primitive::GeodesicSphere(Box::new(shape))
             }
-            Geometry::HyperbolicCylinder { a, b } => {
-                Primitive::Quadric(Box::new(quadric::Quadric::hyperbolic_cylinder(a, b)))
+            AnyShape::Torus(s) => Primitive::Torus(torus::Torus::new(s.major, s.minor)),
+            AnyShape::Quadric(s) => {
+                Primitive::Quadric(Box::new(quadric::Quadric::new(geometry, &s)))
             }
-            Geometry::Hyperboloid { a, b, c, sheets } => {
-                Primitive::Quadric(Box::new(quadric::Quadric::hyperboloid(a, b, c, sheets)))
-            }
-            Geometry::HyperbolicParaboloid { a, b } => {
-                Primitive::Quadric(Box::new(quadric::Quadric::hyperbolic_paraboloid(a, b)))
-            }
-            Geometry::Triangle {
-                ref vertices,
-                ref normals,
-            } => Primitive::Triangle(Box::new(triangle::Triangle::new(
-                **vertices,
-                normals.clone(),
-            ))),
-            Geometry::GeodesicSphere { radius, splits } => Primitive::GeodesicSphere(Box::new(
-                geodesic_sphere::GeodesicSphere::new(radius, splits),
-            )),
+            AnyShape::Cone(s) => Primitive::Cone(Box::new(quadric::cone::Cone::new(s))),
         }
     }
 

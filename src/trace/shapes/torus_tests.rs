@@ -234,8 +234,9 @@ fn random_line(s: &mut u64, torus: &Torus) -> ([f64; 3], [f64; 3]) {
     } else {
         1.0 - 10f64.powf(within(-12.0, -1.0))
     };
-    let target: [f64; 3] =
-        std::array::from_fn(|i| torus.major * ring[i] + depth * torus.minor * normal[i]);
+    let target: [f64; 3] = std::array::from_fn(|i| {
+        torus.record.major * ring[i] + depth * torus.record.minor * normal[i]
+    });
     let mut d: [f64; 3] = std::array::from_fn(|_| within(-1.0, 1.0));
     if depth > 0.9 {
         let along: f64 = (0..3).map(|i| d[i] * normal[i]).sum();
@@ -243,7 +244,7 @@ fn random_line(s: &mut u64, torus: &Torus) -> ([f64; 3], [f64; 3]) {
     } else if within(0.0, 1.0) < 0.2 {
         d[(within(0.0, 3.0)) as usize] = 0.0;
     }
-    let size = torus.major + torus.minor;
+    let size = torus.record.major + torus.record.minor;
     let away = size * 10f64.powf(within(-1.0, 6.0));
     let stretch = 10f64.powf(within(-6.0, 6.0));
     (
@@ -279,7 +280,7 @@ fn agrees_with_double_double() {
             assert_eq!(a.face, b.face);
             let normal = torus.locate(&line, *b).normal.unit();
             let steep = normal.dot(line.direction.unit()).abs().to_f64();
-            let size = torus.major + torus.minor;
+            let size = torus.record.major + torus.record.minor;
             let error = (Dd::of(a.t) - b.t).abs().to_f64() * length;
             // Near the extremum a root moves as the square root of what moves the surface.
             let ulp = 16.0 * f64::EPSILON * size;
@@ -395,12 +396,12 @@ fn points_are_on_the_surface() {
             let at = torus.locate(&line, root);
             let [x, y, z] = at.point.0.map(Dd::of);
             let centre = Dd::of(if root.face == LEMON {
-                -torus.major
+                -torus.record.major
             } else {
-                torus.major
+                torus.record.major
             });
             let h = (x * x + z * z).sqrt() - centre;
-            let off = ((h * h + y * y).sqrt() - Dd::of(torus.minor))
+            let off = ((h * h + y * y).sqrt() - Dd::of(torus.record.minor))
                 .abs()
                 .to_f64();
             assert!(off <= at.error.length(), "{off:e} {at:?}");

@@ -31,20 +31,8 @@ const BASE: u32 = 1;
 const OPPOSITE: u32 = 2;
 
 impl Cone {
-    pub fn single(height: f64, radius: f64) -> Cone {
-        Cone::new(height, radius, false)
-    }
-
-    pub fn double(height: f64, radius: f64) -> Cone {
-        Cone::new(height, radius, true)
-    }
-
-    fn new(height: f64, radius: f64, double: bool) -> Cone {
-        let record = solids::cone::Cone {
-            height,
-            radius,
-            double,
-        };
+    pub fn new(record: solids::cone::Cone) -> Cone {
+        let [height, radius] = [record.height, record.radius];
         Cone {
             form: Form::canonical([1.0, -1.0, 1.0], 0.0, 0.0, [radius, height, radius]),
             bounds: record.bounds(&Matrix::IDENTITY).padded(),

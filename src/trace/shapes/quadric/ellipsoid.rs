@@ -1,12 +1,12 @@
 //! The ellipsoid about the origin.
 
 use super::line::Chord;
-use super::{Form, bounds_of, turn};
+use super::{Form, turn};
+use crate::geometry::Matrix;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
-use crate::scene::Geometry;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::hull;
@@ -27,11 +27,11 @@ pub struct Ellipsoid {
 }
 
 impl Ellipsoid {
-    pub fn new(semi_axes: [f64; 3]) -> Ellipsoid {
+    pub fn new(record: solids::ellipsoid::Ellipsoid) -> Ellipsoid {
         Ellipsoid {
-            form: Form::canonical([1.0; 3], 0.0, -1.0, semi_axes),
-            record: solids::ellipsoid::Ellipsoid { semi_axes },
-            bounds: bounds_of(&Geometry::Ellipsoid { semi_axes }),
+            form: Form::canonical([1.0; 3], 0.0, -1.0, record.semi_axes),
+            bounds: record.bounds(&Matrix::IDENTITY).padded(),
+            record,
         }
     }
 }

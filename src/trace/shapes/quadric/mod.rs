@@ -17,6 +17,7 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::solids::shapes::facts::Facts;
+use crate::solids::shapes::quadric::Quadric as Record;
 use crate::trace::shapes::closer::decide_closer;
 use crate::trace::shapes::near::{Ball, KNOWN, MARGIN, Pass};
 use crate::trace::shapes::support::Support;
@@ -39,46 +40,29 @@ pub struct Quadric {
 }
 
 impl Quadric {
-    /// xᵀQx ≤ 0 with x = (x, y, z, 1); the matrix row by row.
-    pub fn general(q: &[f64; 16]) -> Quadric {
-        let geometry = Geometry::Quadric(Box::new(*q));
-        Quadric::with(&geometry, Form::symmetric_part(q), "quadric")
-    }
-
-    /// x²/a² ≤ y.
-    pub fn parabolic_cylinder(a: f64) -> Quadric {
-        let form = Form::canonical([1.0, 0.0, 0.0], -1.0, 0.0, [a, 1.0, 1.0]);
-        let geometry = Geometry::ParabolicCylinder { a };
-        Quadric {
-            convex: true,
-            ..Quadric::with(&geometry, form, "parabolic cylinder")
-        }
-    }
-
-    /// x²/a² − y²/b² ≤ 1.
-    pub fn hyperbolic_cylinder(a: f64, b: f64) -> Quadric {
-        let form = Form::canonical([1.0, -1.0, 0.0], 0.0, -1.0, [a, b, 1.0]);
-        let geometry = Geometry::HyperbolicCylinder { a, b };
-        Quadric::with(&geometry, form, "hyperbolic cylinder")
-    }
-
-    /// x²/a² − y²/b² + z²/c² ≤ ±1, with + for one sheet and − for two.
-    pub fn hyperboloid(a: f64, b: f64, c: f64, sheets: u32) -> Quadric {
-        let constant = if sheets == 2 { 1.0 } else { -1.0 };
-        let form = Form::canonical([1.0, -1.0, 1.0], 0.0, constant, [a, b, c]);
-        let geometry = Geometry::Hyperboloid { a, b, c, sheets };
-        Quadric::with(&geometry, form, "hyperboloid")
-    }
-
-    /// x²/a² − z²/b² ≤ y.
-    pub fn hyperbolic_paraboloid(a: f64, b: f64) -> Quadric {
-        let form = Form::canonical([1.0, 0.0, -1.0], -1.0, 0.0, [a, 1.0, b]);
-        let geometry = Geometry::HyperbolicParaboloid { a, b };
-        Quadric::with(&geometry, form, "hyperbolic paraboloid")
-    }
-
-    fn with(geometry: &Geometry, form: Form, name: &'static str) -> Quadric {
-        let bounds = bounds_of(geometry);
+    /// The quadric of a record, which the shape is as well.
+    pub fn new(geometry: &Geometry, record: &Record) -> Quadric {
+        let (form, name) = match *record {
+            Record::General(q) => (Form::symmetric_part(q), "quadric"),
+            Record::ParabolicCylinder { a } => (
+                Form::canonical([1.0, 0.0, 0.0], -1.0, 0.0, [a, 1.0, 1.0]),
+                "parabolic cylinder",
+            ),
+            Record::HyperbolicCylinder { a, b } => (
+                Form::canonical([1.0, -1.0, 0.0], 0.0, -1.0, [a, b, 1.0]),
+                "hyperbolic cylinder",
+            ),
+            Record::Hyperboloid { a, b, c, sheets } => {
+                let constant = if sheets == 2 { 1.0 } else { -1.0 };
+                let form = Form::canonical([1.0, -1.0, 1.0], 0.0, constant, [a, b, c]);
+                (form, "hyperboloid")
+            }
+            Record::HyperbolicParaboloid { a, b } => (
+                Form::canonical([1.0, 0.0, -1.0], -1.0, 0.0, [a, 1.0, b]),
+                "hyperbolic paraboloid",
+            ),
+        };
+        let bounds = record.bounds(&Matrix::IDENTITY).padded();
         let sizes = form.sizes();
         let ball = bounds.is_bounded().then(|| {
             let radius = bounds.radius();
@@ -90,7 +74,7 @@ impl Quadric {
             form,
             bounds,
             // Ellipsoids alone are bounded.
-            convex: ball.is_some(),
+            convex: ball.is_some() || matches!(record, Record::ParabolicCylinder { .. }),
             sizes,
             ball,
             name,
@@ -123,11 +107,6 @@ impl Quadric {
         let least = MARGIN * (sizes[1] * sizes[1] + 4.0 * sizes[0] * sizes[2]);
         least.is_normal() && a > MARGIN * sizes[0] && 4.0 * a * c - b * b > least
     }
-}
-
-/// The bounds that the scene knows for a shape where it is defined.
-fn bounds_of(geometry: &Geometry) -> Aabb {
-    geometry.bounds(&Matrix::IDENTITY).padded()
 }
 
 /// From the sizes of terms for coordinates up to 1, that of all together for coordinates up to `reach`.

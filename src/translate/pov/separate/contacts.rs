@@ -2,9 +2,10 @@
 
 use crate::geometry::array::{cross, dot, length, sub};
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Geometry, Node, NodeId, TriangleNormals, Vec3};
+use crate::scene::{Node, NodeId, TriangleNormals, Vec3};
 use crate::solids::contacts::face::{Faces, Form};
 use crate::solids::contacts::quadric;
+use crate::solids::shapes::AnyShape;
 use crate::solids::shapes::facts::Facts as _;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::plane::Plane;
@@ -180,16 +181,24 @@ impl Model<'_> {
             return;
         }
         if !geometry.is_solid() {
-            let normal = match geometry {
-                &Geometry::Plane([a, b, c, d]) => Some(([a, b, c], d)),
-                Geometry::Rectangle { .. } => Some(([0.0, 0.0, 1.0], 0.0)),
+            let normal = match AnyShape::of(geometry) {
+                AnyShape::HalfSpace(s) => Some((s.normal(), s.abcd[3])),
+                AnyShape::Rectangle(_) => Some(([0.0, 0.0, 1.0], 0.0)),
                 // Only where its normals are those of its plane.
-                Geometry::Triangle { vertices, normals } if *normals == TriangleNormals::Flat => {
-                    let [p, q, r] = **vertices;
+                AnyShape::Triangle(s) if *s.normals == TriangleNormals::Flat => {
+                    let [p, q, r] = s.vertices;
                     let n = cross(sub(q, p), sub(r, p));
                     Some((n, -dot(n, p)))
                 }
-                _ => None,
+                AnyShape::Cone(_)
+                | AnyShape::Cuboid(_)
+                | AnyShape::Ellipsoid(_)
+                | AnyShape::GeodesicSphere(_)
+                | AnyShape::Quadric(_)
+                | AnyShape::Revolution(_)
+                | AnyShape::Sphere(_)
+                | AnyShape::Torus(_)
+                | AnyShape::Triangle(_) => None,
             };
             out.extend(normal.and_then(|(n, d)| {
                 let plane = Plane::of(n, d)?.moved_back(&m.inverse()?)?.0;
