@@ -5,10 +5,10 @@
 use std::fmt::Write;
 use std::time::Instant;
 
-use zpg::analysis::Analysis;
-use zpg::study::accuracy::axes;
-use zpg::trace::stats::Work;
-use zpg::trace::{Settings, Tracer, selected_camera};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::study::accuracy::axes;
+use zpg::internals::trace::stats::Work;
+use zpg::internals::trace::{Settings, Tracer, selected_camera};
 
 const SIZE: [u32; 2] = [240, 180];
 const RUNS: usize = 21;
@@ -72,7 +72,7 @@ const CASES: [Case; 5] = [
 ];
 
 /// A scene made ready, with the effect taken out if it has it.
-fn prepared(case: &Case, thing: fn(u32) -> String) -> (Tracer, zpg::scene::Camera) {
+fn prepared(case: &Case, thing: fn(u32) -> String) -> (Tracer, zpg::internals::scene::Camera) {
     let mut text = "3 -701 0.9 0.9 0.9\n4 -701 0.2 0.3 0.4\n5 -399 8 4 3 4\n".to_owned();
     for id in 100..200 {
         text += &thing(id);

@@ -4,8 +4,8 @@
 use std::fmt::Write;
 use std::time::Instant;
 
-use zpg::format::{Options, format};
-use zpg::syntax::parse;
+use zpg::internals::format::{Options, format};
+use zpg::internals::syntax::parse;
 
 /// The size of each scene in bytes, about.
 const SIZE: usize = 20_000_000;

@@ -11,7 +11,7 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
 use hard::{Outcome, beside, draw};
-use zpg::trace::film::{Film, Packing};
+use zpg::internals::trace::film::{Film, Packing};
 
 #[path = "../tests/pictures/hard.rs"]
 mod hard;
@@ -69,7 +69,7 @@ fn main() -> Outcome<()> {
 
 /// How many pixels are not the same.
 fn differing(a: &Film, b: &Film) -> usize {
-    use zpg::trace::film::srgb8;
+    use zpg::internals::trace::film::srgb8;
     let same =
         |(p, q): (&[f32; 3], &[f32; 3])| (0..3).all(|c| srgb8(p[c]).abs_diff(srgb8(q[c])) <= SAME);
     let pairs = a.pixels.iter().zip(&b.pixels);

@@ -19,8 +19,8 @@ use std::path::Path;
 use std::time::Instant;
 
 use cpu_time::ProcessTime;
-use zpg::diagnostics::{Code, SourceFile};
-use zpg::{lint, scene, syntax};
+use zpg::internals::diagnostics::{Code, SourceFile};
+use zpg::internals::{lint, scene, syntax};
 
 /// Shapes in each scene.
 const OBJECTS: usize = 100_000;

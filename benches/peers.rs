@@ -8,19 +8,21 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use zpg::analysis::Analysis;
-use zpg::scene::{Camera, Scene};
-use zpg::solids::staging::Viewpoint;
-use zpg::study::accuracy::rungs::{Kernel, Settings};
-use zpg::study::accuracy::stage::Stage;
-use zpg::study::accuracy::tiles::{TILE, Tile};
-use zpg::study::naive::{Naive, Wide};
-use zpg::study::program::Program;
-use zpg::study::{mitsuba, povray};
-use zpg::syntax::Captions;
-use zpg::trace::{Images, Numbers, Tracer, selected_camera};
-use zpg::translate::mitsuba::{Integrator, Options as MitsubaOptions, write as to_mitsuba};
-use zpg::translate::pov::{Options as PovOptions, write as to_pov};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::scene::{Camera, Scene};
+use zpg::internals::solids::staging::Viewpoint;
+use zpg::internals::study::accuracy::rungs::{Kernel, Settings};
+use zpg::internals::study::accuracy::stage::Stage;
+use zpg::internals::study::accuracy::tiles::{TILE, Tile};
+use zpg::internals::study::naive::{Naive, Wide};
+use zpg::internals::study::program::Program;
+use zpg::internals::study::{mitsuba, povray};
+use zpg::internals::syntax::Captions;
+use zpg::internals::trace::{Images, Numbers, Tracer, selected_camera};
+use zpg::internals::translate::mitsuba::{
+    Integrator, Options as MitsubaOptions, write as to_mitsuba,
+};
+use zpg::internals::translate::pov::{Options as PovOptions, write as to_pov};
 
 const SIZE: [u32; 2] = [160, 120];
 /// So far the shapes are from the middle of the picture, lest rays meet them in what is special.

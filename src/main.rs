@@ -4,7 +4,7 @@ mod machine;
 
 use std::process::ExitCode;
 
-use zpg::commands::{Status, cli};
+use zpg::internals::commands::{Status, cli};
 
 fn main() -> ExitCode {
     match machine::suffices() {

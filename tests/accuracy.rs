@@ -6,18 +6,18 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use serde_json::Value;
-use zpg::analysis::Analysis;
-use zpg::scene::Scene;
-use zpg::study::accuracy::check;
-use zpg::study::accuracy::measure::compare;
-use zpg::study::accuracy::rungs::{Kernel, Settings};
-use zpg::study::accuracy::stage::Stage;
-use zpg::study::accuracy::tiles::{Tile, chosen};
-use zpg::study::naive::{Naive, Wide};
-use zpg::trace::camera::View;
-use zpg::trace::film::developed;
-use zpg::trace::switches::Without;
-use zpg::trace::{self, Images, Numbers, Tracer, selected_camera};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::scene::Scene;
+use zpg::internals::study::accuracy::check;
+use zpg::internals::study::accuracy::measure::compare;
+use zpg::internals::study::accuracy::rungs::{Kernel, Settings};
+use zpg::internals::study::accuracy::stage::Stage;
+use zpg::internals::study::accuracy::tiles::{Tile, chosen};
+use zpg::internals::study::naive::{Naive, Wide};
+use zpg::internals::trace::camera::View;
+use zpg::internals::trace::film::developed;
+use zpg::internals::trace::switches::Without;
+use zpg::internals::trace::{self, Images, Numbers, Tracer, selected_camera};
 
 /// A glass ball that disperses and a mirroring one on a checkered floor, and a torus; two lamps.
 const SCENE: &str = "\

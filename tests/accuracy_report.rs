@@ -1,13 +1,13 @@
 //! What the report of `zpg accuracy` says, of rows that are made up.
 
 use unicode_width::UnicodeWidthStr as _;
-use zpg::diagnostics::{Complaint, Language};
-use zpg::study::accuracy::advice::{advise, in_language};
-use zpg::study::accuracy::print::{html, terminal};
-use zpg::study::accuracy::report::{
+use zpg::internals::diagnostics::{Complaint, Language};
+use zpg::internals::study::accuracy::advice::{advise, in_language};
+use zpg::internals::study::accuracy::print::{html, terminal};
+use zpg::internals::study::accuracy::report::{
     Budget, Checked, Goal, Machine, Noise, Reference, Report, Row, RowError, Skipped, mark_front,
 };
-use zpg::study::accuracy::rungs::Axis;
+use zpg::internals::study::accuracy::rungs::Axis;
 
 /// A report of these rows: option, times the default, steps, pixels off; the first of each kind is the
 /// default.

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use zpg::analysis::{Analysis, allowing};
-use zpg::diagnostics::{Code, Language, SourceFile, Span, fixes};
-use zpg::features::actions::{self, What};
+use zpg::internals::analysis::{Analysis, allowing};
+use zpg::internals::diagnostics::{Code, Language, SourceFile, Span, fixes};
+use zpg::internals::features::actions::{self, What};
 
 use crate::rng::Rng;
 use crate::support::program::{folder, text, zpg};

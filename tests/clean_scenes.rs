@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use zpg::analysis::Analysis;
+use zpg::internals::analysis::Analysis;
 
 /// Folders of good scenes. The other scenes of `tests` and `src` are there for their findings.
 const FOLDERS: [&str; 5] = [

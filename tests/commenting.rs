@@ -5,12 +5,12 @@ use std::path::Path;
 
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
-use zpg::analysis::{Analysis, Settings};
-use zpg::diagnostics::{Code, SourceFile, Span, fixes};
-use zpg::features::actions;
-use zpg::features::commenting::{Mode, edits};
-use zpg::format::Options;
-use zpg::syntax::{Item, commented_out, preserved};
+use zpg::internals::analysis::{Analysis, Settings};
+use zpg::internals::diagnostics::{Code, SourceFile, Span, fixes};
+use zpg::internals::features::actions;
+use zpg::internals::features::commenting::{Mode, edits};
+use zpg::internals::format::Options;
+use zpg::internals::syntax::{Item, commented_out, preserved};
 
 use crate::formatting::generate;
 use crate::rng::Rng;
@@ -339,7 +339,8 @@ fn what_is_out_stays_as_it_is() {
     let mut tried = 0;
     for scene in scenes.iter().filter(|s| s.len() < 5000) {
         let style = Options::default();
-        let formatted = |text: &str| zpg::format::format(text, &read(text).document, &style);
+        let formatted =
+            |text: &str| zpg::internals::format::format(text, &read(text).document, &style);
         for _ in 0..3 {
             let out = commented(scene, &[any_selection(scene, &mut rng)], Mode::Out);
             let analysis = read(&out);
@@ -388,7 +389,8 @@ fn lines_out(text: &str) -> Vec<&str> {
 fn formatted_scenes_come_back_as_they_were() {
     for scene in scenes() {
         let style = Options::default();
-        let formatted = |text: &str| zpg::format::format(text, &read(text).document, &style);
+        let formatted =
+            |text: &str| zpg::internals::format::format(text, &read(text).document, &style);
         let text = formatted(&scene);
         // A text without records stays as it is, a last line without an end as well.
         if !text.ends_with('\n') {
@@ -447,7 +449,7 @@ fn a_record_that_lacks_numbers_ends_before_what_is_out() {
                     .collect();
                 let text = format!("{head}\n{out}1 9999 2 0\n");
                 let analysis = read(&text);
-                let in_first = |d: &zpg::diagnostics::Diagnostic| {
+                let in_first = |d: &zpg::internals::diagnostics::Diagnostic| {
                     analysis.source.line_index(d.span.start) == 0
                 };
                 let errors = analysis.findings();
@@ -458,7 +460,8 @@ fn a_record_that_lacks_numbers_ends_before_what_is_out() {
                     errors.clone().count() == 1 && errors.clone().all(in_first),
                     "{text}"
                 );
-                let formatted = zpg::format::format(&text, &analysis.document, &Options::default());
+                let formatted =
+                    zpg::internals::format::format(&text, &analysis.document, &Options::default());
                 assert!(
                     formatted.ends_with(&format!("{out}1 9999 2 0\n")),
                     "{formatted}"

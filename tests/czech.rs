@@ -5,10 +5,10 @@ use std::fs;
 use std::path::Path;
 use std::process::Output;
 
-use zpg::analysis::Analysis;
-use zpg::diagnostics::{Code, Language, Span};
-use zpg::features::{completion, hints, hover, signature};
-use zpg::syntax::table::RECORD_TYPES;
+use zpg::internals::analysis::Analysis;
+use zpg::internals::diagnostics::{Code, Language, Span};
+use zpg::internals::features::{completion, hints, hover, signature};
+use zpg::internals::syntax::table::RECORD_TYPES;
 
 use crate::support::program::{self, folder, text};
 

@@ -8,10 +8,10 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use zpg::analysis::file::load;
-use zpg::solids::staging::Viewpoint;
-use zpg::translate::registry::named;
-use zpg::translate::target::{Options, Prepared};
+use zpg::internals::analysis::file::load;
+use zpg::internals::solids::staging::Viewpoint;
+use zpg::internals::translate::registry::named;
+use zpg::internals::translate::target::{Options, Prepared};
 
 /// Lines of one form in a row that are written out at both ends of a run.
 const SHOWN_OF_A_RUN: usize = 3;
@@ -132,7 +132,9 @@ fn written(path: &Path, target: &str) -> String {
         Ok(made) => made,
         Err(error) => return format!("{error}\n"),
     };
-    let mut text = made.report.text(zpg::diagnostics::Language::English);
+    let mut text = made
+        .report
+        .text(zpg::internals::diagnostics::Language::English);
     for (path, bytes) in &made.files {
         let name = path.as_ref().and_then(|path| path.file_name()).unwrap();
         write!(text, "\n==== {}\n{}", name.display(), shown(bytes)).unwrap();

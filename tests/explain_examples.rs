@@ -3,9 +3,9 @@
 
 use std::path::Path;
 
-use zpg::analysis::Analysis;
-use zpg::diagnostics::{Code, Language, SourceFile};
-use zpg::translate::json;
+use zpg::internals::analysis::Analysis;
+use zpg::internals::diagnostics::{Code, Language, SourceFile};
+use zpg::internals::translate::json;
 
 /// The ```` ```zpg ```` fences of a page, or those of JSON.
 fn examples(code: Code) -> Vec<&'static str> {

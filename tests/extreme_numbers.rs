@@ -6,12 +6,12 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestError, TestRunner};
 use std::sync::atomic::{AtomicU32, Ordering};
-use zpg::analysis::Analysis;
-use zpg::geometry::dd::Dd;
-use zpg::geometry::vec::Vec3;
-use zpg::solids::staging::{Viewpoint, staged};
-use zpg::trace::precision::Precision;
-use zpg::trace::{Numbers, Ray, Settings, Tracer, selected_camera};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::geometry::dd::Dd;
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::solids::staging::{Viewpoint, staged};
+use zpg::internals::trace::precision::Precision;
+use zpg::internals::trace::{Numbers, Ray, Settings, Tracer, selected_camera};
 
 /// From 5e-324 to the largest double, small numbers and zero among them.
 fn size() -> BoxedStrategy<f64> {
@@ -316,7 +316,7 @@ fn met<R: Precision>(text: &str, o: [f64; 3], d: [f64; 3]) -> Met {
         &mut tracer.walker::<R>(),
         &Ray::new(Vec3(o), Vec3(d)).cast(),
     );
-    let crossing = |c: &zpg::trace::Crossing<R>| {
+    let crossing = |c: &zpg::internals::trace::Crossing<R>| {
         let point = c.hit.point.0.map(|x| x.to_f64());
         (c.hit.t.to_f64(), point, c.entering)
     };

@@ -4,11 +4,11 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use zpg::analysis::{Analysis, Settings};
-use zpg::diagnostics::{Edit, Language, SourceFile, Span, fixes};
-use zpg::features::actions::What;
-use zpg::features::*;
-use zpg::format::Options;
+use zpg::internals::analysis::{Analysis, Settings};
+use zpg::internals::diagnostics::{Edit, Language, SourceFile, Span, fixes};
+use zpg::internals::features::actions::What;
+use zpg::internals::features::*;
+use zpg::internals::format::Options;
 
 const CURSOR: &str = "$0";
 

@@ -7,9 +7,11 @@ use std::path::{Path, PathBuf};
 
 use crate::rng::Rng;
 use crate::trace_support;
-use zpg::analysis::{Analysis, fixing};
-use zpg::diagnostics::{Applicability, Code, Diagnostic, Language, Severity, Span, fixes};
-use zpg::features::actions::{self, Action, What};
+use zpg::internals::analysis::{Analysis, fixing};
+use zpg::internals::diagnostics::{
+    Applicability, Code, Diagnostic, Language, Severity, Span, fixes,
+};
+use zpg::internals::features::actions::{self, Action, What};
 
 /// What the examples leave out: other cases of a code, and comments between any two tokens.
 const TRIGGERS: &[&str] = &[

@@ -8,10 +8,10 @@ pub mod generate;
 use std::path::{Path, PathBuf};
 
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use zpg::analysis::Analysis;
-use zpg::diagnostics::{Code, Diagnostic, Span};
-use zpg::format::{Options, format, format_range};
-use zpg::syntax::{Document, Item, parse};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::diagnostics::{Code, Diagnostic, Span};
+use zpg::internals::format::{Options, format, format_range};
+use zpg::internals::syntax::{Document, Item, parse};
 
 /// Findings about the layout, which another layout can mend.
 const OF_LAYOUT: [Code; 3] = [Code::S501, Code::S503, Code::W314];

@@ -8,8 +8,8 @@ use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
-use zpg::syntax::ast::Item;
-use zpg::syntax::table::RECORD_TYPES;
+use zpg::internals::syntax::ast::Item;
+use zpg::internals::syntax::table::RECORD_TYPES;
 
 const SIZE: &str = "96x72";
 
@@ -30,7 +30,7 @@ fn every_record_type_is_in_the_gallery() {
     let mut found = BTreeSet::new();
     for path in scenes() {
         let text = fs::read_to_string(&path).unwrap();
-        let (document, diagnostics) = zpg::syntax::parse(&text);
+        let (document, diagnostics) = zpg::internals::syntax::parse(&text);
         assert!(
             diagnostics.is_empty(),
             "{}: {diagnostics:?}",
@@ -53,7 +53,7 @@ fn every_record_type_is_in_the_gallery() {
 #[test]
 fn no_scene_is_warned_of() {
     for scene in scenes() {
-        let loaded = zpg::analysis::file::load(&scene).unwrap();
+        let loaded = zpg::internals::analysis::file::load(&scene).unwrap();
         assert!(
             loaded.findings().is_empty(),
             "{}: {:#?}",

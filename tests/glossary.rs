@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use crate::support::program::{text, zpg};
 use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
-use zpg::diagnostics::Language;
-use zpg::syntax::table::RECORD_TYPES;
-use zpg::syntax::words;
+use zpg::internals::diagnostics::Language;
+use zpg::internals::syntax::table::RECORD_TYPES;
+use zpg::internals::syntax::words;
 
 const GLOSSARY: &str = include_str!("../docs/glossary.cs.md");
 

@@ -5,12 +5,12 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use zpg::analysis::Analysis;
-use zpg::diagnostics::{Code, Language};
-use zpg::features::tokens::{self, Role};
-use zpg::syntax::grammar;
-use zpg::syntax::lexer::SEPARATORS;
-use zpg::syntax::table::{Family, Param, ParamKind, RECORD_TYPES, RecordType};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::diagnostics::{Code, Language};
+use zpg::internals::features::tokens::{self, Role};
+use zpg::internals::syntax::grammar;
+use zpg::internals::syntax::lexer::SEPARATORS;
+use zpg::internals::syntax::table::{Family, Param, ParamKind, RECORD_TYPES, RecordType};
 
 fn path(name: &str) -> PathBuf {
     [env!("CARGO_MANIFEST_DIR"), "grammar", name]

@@ -4,7 +4,7 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use zpg::analysis::file::load;
+use zpg::internals::analysis::file::load;
 
 fn scenes(folder: &str) -> Vec<PathBuf> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(folder);
@@ -129,7 +129,8 @@ fn what_the_pages_show_is_true() {
                 true => format!("{before}\n{part}"),
                 false => format!("{before}\n{part}{last}\n"),
             };
-            let loaded = zpg::analysis::Analysis::new("scene.zpg", whole.clone().into_bytes());
+            let loaded =
+                zpg::internals::analysis::Analysis::new("scene.zpg", whole.clone().into_bytes());
             assert!(
                 loaded.is_sound(),
                 "{page}: {:#?}\n{whole}",

@@ -3,10 +3,10 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use zpg::analysis::Analysis;
-use zpg::study::naive::Naive;
-use zpg::trace::film::srgb8;
-use zpg::trace::{Film, Images, Settings, Tracer, selected_camera};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::study::naive::Naive;
+use zpg::internals::trace::film::srgb8;
+use zpg::internals::trace::{Film, Images, Settings, Tracer, selected_camera};
 
 /// The size that the scenes in parallel projection are made for.
 const SIZE: [u32; 2] = [160, 128];

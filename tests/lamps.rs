@@ -5,11 +5,11 @@ use crate::support::povray;
 use crate::trace_support::*;
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
-use zpg::analysis::Analysis;
-use zpg::scene::Scene;
-use zpg::study::naive::{Naive, Wide};
-use zpg::trace::{Images, Numbers, Picture, Settings, members, selected_camera};
-use zpg::translate::pov::{self, Options};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::scene::Scene;
+use zpg::internals::study::naive::{Naive, Wide};
+use zpg::internals::trace::{Images, Numbers, Picture, Settings, members, selected_camera};
+use zpg::internals::translate::pov::{self, Options};
 
 const SIZE: [u32; 2] = [32, 24];
 /// Linear values may differ by so much.

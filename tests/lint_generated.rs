@@ -5,13 +5,13 @@ pub mod scenes;
 
 use crate::campaign::rng::Rng;
 use crate::support::cases;
-use zpg::analysis::Analysis;
-use zpg::diagnostics::{Applicability, Code, Diagnostic, Value, fixes};
-use zpg::geometry::Aabb;
-use zpg::geometry::vec::Vec3;
-use zpg::scene::{Node, NodeId, Scene, Volume};
-use zpg::solids::bounds::node_bounds;
-use zpg::trace::{Images, Ray, Settings, Tracer, members, selected_camera};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, Value, fixes};
+use zpg::internals::geometry::Aabb;
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::scene::{Node, NodeId, Scene, Volume};
+use zpg::internals::solids::bounds::node_bounds;
+use zpg::internals::trace::{Images, Ray, Settings, Tracer, members, selected_camera};
 
 const SCENES: u64 = 500;
 
@@ -227,7 +227,9 @@ fn what_is_said_of_random_scenes_is_true() {
         let mut rng = Rng::new(!seed);
         for d in loaded.findings() {
             *seen.entry(d.code.as_str()).or_insert(0) += 1;
-            let message = d.wording(zpg::diagnostics::Language::English).message;
+            let message = d
+                .wording(zpg::internals::diagnostics::Language::English)
+                .message;
             let mut complain = |what: String| {
                 wrong.push(format!(
                     "seed {seed}, {}: {message}\n{what}\n{source}",

@@ -3,8 +3,8 @@
 
 use std::fmt::Write;
 
-use zpg::analysis::Analysis;
-use zpg::diagnostics::render::human::{self, Look};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::diagnostics::render::human::{self, Look};
 
 const N: u32 = 20_000;
 

@@ -6,9 +6,9 @@ use std::fmt::Write as _;
 use super::support::{cases, seeds};
 use super::trace_support::small;
 use crate::rng::Rng;
-use zpg::analysis::Analysis;
-use zpg::diagnostics::{Code, Diagnostic};
-use zpg::trace::{Tracer, selected_camera};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::diagnostics::{Code, Diagnostic};
+use zpg::internals::trace::{Tracer, selected_camera};
 
 const WIDTH: u32 = 25;
 const HEIGHT: u32 = 19;

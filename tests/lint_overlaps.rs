@@ -2,13 +2,13 @@
 //! seen is found, and what only comes near is not. That something does so is known from where the two were
 //! put, and made sure of by tests of points; not by the rules' own search.
 
-use zpg::analysis::Analysis;
-use zpg::diagnostics::{Code, Diagnostic, Value};
-use zpg::geometry::vec::Vec3;
-use zpg::geometry::{Aabb, Matrix};
-use zpg::scene::{NodeId, Scene};
-use zpg::solids::bounds::node_bounds;
-use zpg::trace::{Images, Ray, Tracer, members};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::diagnostics::{Code, Diagnostic, Value};
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::geometry::{Aabb, Matrix};
+use zpg::internals::scene::{NodeId, Scene};
+use zpg::internals::solids::bounds::node_bounds;
+use zpg::internals::trace::{Images, Ray, Tracer, members};
 
 use crate::campaign::rng::Rng;
 use crate::support::seeds;

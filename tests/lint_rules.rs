@@ -6,9 +6,9 @@
 
 use std::path::Path;
 
-use zpg::analysis::{Analysis, fixing};
-use zpg::diagnostics::render::human::{self, Look};
-use zpg::diagnostics::{Code, Language, SourceFile};
+use zpg::internals::analysis::{Analysis, fixing};
+use zpg::internals::diagnostics::render::human::{self, Look};
+use zpg::internals::diagnostics::{Code, Language, SourceFile};
 
 /// What is said of scenes that draw nothing or from nowhere.
 const ASIDE: [Code; 3] = [Code::E106, Code::N602, Code::N603];

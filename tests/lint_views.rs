@@ -8,12 +8,12 @@ use crate::campaign::rng::Rng;
 use crate::lint_generated::scenes;
 use crate::people::{self, DRAFTS};
 use crate::support::{cases, seeds};
-use zpg::analysis::Analysis;
-use zpg::diagnostics::{Code, Diagnostic, Span};
-use zpg::scene::{Camera, Scene};
-use zpg::solids::staging::selected_cameras;
-use zpg::trace::plan::Plan;
-use zpg::trace::{Images, Settings, Tracer, members};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::diagnostics::{Code, Diagnostic, Span};
+use zpg::internals::scene::{Camera, Scene};
+use zpg::internals::solids::staging::selected_cameras;
+use zpg::internals::trace::plan::Plan;
+use zpg::internals::trace::{Images, Settings, Tracer, members};
 
 /// What speaks of things that no picture shows.
 const CODES: RangeInclusive<Code> = Code::W323..=Code::W331;

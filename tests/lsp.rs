@@ -357,10 +357,10 @@ fn edits_keep_the_texts_alike() {
     }
     let style = json!({ "tabSize": 2, "insertSpaces": true });
     let edits = s.ask("textDocument/formatting", with(file(), "options", style));
-    let source = zpg::diagnostics::SourceFile::new("a", text.clone().into_bytes());
-    let analysis = zpg::analysis::Analysis::of(source);
-    let formatted = zpg::format::format(&text, &analysis.document, &Default::default());
-    match zpg::syntax::recognise::is_scene(&text) {
+    let source = zpg::internals::diagnostics::SourceFile::new("a", text.clone().into_bytes());
+    let analysis = zpg::internals::analysis::Analysis::of(source);
+    let formatted = zpg::internals::format::format(&text, &analysis.document, &Default::default());
+    match zpg::internals::syntax::recognise::is_scene(&text) {
         true => assert_eq!(edited(&text, &edits), formatted),
         // `zpg fmt` does not write to it.
         false => assert!(edits.is_null(), "{text}"),

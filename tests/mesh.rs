@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use crate::campaign::rng::Rng;
 use crate::lint_generated::scenes;
 use crate::support::{cases, seeds, takes_part};
-use zpg::analysis::Analysis;
-use zpg::geometry::vec::Vec3;
-use zpg::scene::Scene;
-use zpg::trace::{Images, Tracer, members};
-use zpg::translate::mesh::{Mesh, Model, Options, model, report};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::scene::Scene;
+use zpg::internals::trace::{Images, Tracer, members};
+use zpg::internals::translate::mesh::{Mesh, Model, Options, model, report};
 
 fn loaded(path: &Path) -> Analysis {
     Analysis::new(path.to_string_lossy(), std::fs::read(path).unwrap())

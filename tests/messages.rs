@@ -6,9 +6,9 @@ use std::path::Path;
 use fluent_syntax::ast::{
     Attribute, CallArguments, Entry, Expression, InlineExpression, Pattern, PatternElement,
 };
-use zpg::diagnostics::{Code, Language, Value};
-use zpg::syntax::table::{Effect, Family, Kind, ParamKind, RECORD_TYPES};
-use zpg::translate::Feature;
+use zpg::internals::diagnostics::{Code, Language, Value};
+use zpg::internals::syntax::table::{Effect, Family, Kind, ParamKind, RECORD_TYPES};
+use zpg::internals::translate::Feature;
 
 /// All messages of a language: those of the diagnostics and those in the folders of rules.
 fn messages_of(own: &str) -> String {
@@ -245,7 +245,7 @@ fn first_arguments(source: &'static str, opening: &str) -> Vec<&'static str> {
 fn every_summary_is_translated() {
     let text = include_str!("../src/diagnostics/messages/summaries.cs.ftl");
     let there: BTreeSet<String> = catalogue(text).into_keys().collect();
-    let keyword = |t: &zpg::syntax::table::RecordType| format!("summary-{}", t.keyword);
+    let keyword = |t: &zpg::internals::syntax::table::RecordType| format!("summary-{}", t.keyword);
     assert_eq!(there, RECORD_TYPES.iter().map(keyword).collect());
 }
 

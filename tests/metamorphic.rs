@@ -1,9 +1,9 @@
 //! A record that is transformed and the same shape written out draw the same picture.
 
 use crate::campaign::rng::Rng;
-use zpg::analysis::Analysis;
-use zpg::geometry::Matrix;
-use zpg::trace::{Settings, Tracer, selected_camera};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::geometry::Matrix;
+use zpg::internals::trace::{Settings, Tracer, selected_camera};
 
 fn text(numbers: &[f64]) -> String {
     let all: Vec<String> = numbers.iter().map(|x| format!("{x:?}")).collect();

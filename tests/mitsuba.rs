@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use crate::lint_generated::scenes;
 use crate::support::{cases, mitsuba, seeds, takes_part};
-use zpg::analysis::Analysis;
-use zpg::solids::staging::Viewpoint;
-use zpg::study::geometry::{self, Comparison};
-use zpg::syntax::Captions;
-use zpg::trace::{Images, Tracer, selected_camera};
-use zpg::translate::mitsuba::{Integrator, Options, Output, write};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::solids::staging::Viewpoint;
+use zpg::internals::study::geometry::{self, Comparison};
+use zpg::internals::syntax::Captions;
+use zpg::internals::trace::{Images, Tracer, selected_camera};
+use zpg::internals::translate::mitsuba::{Integrator, Options, Output, write};
 
 const SIZE: (u32, u32) = (96, 72);
 

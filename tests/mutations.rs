@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use rayon::prelude::*;
-use zpg::analysis::Analysis;
-use zpg::syntax::table::ParamKind;
-use zpg::syntax::{Document, Item};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::syntax::table::ParamKind;
+use zpg::internals::syntax::{Document, Item};
 
 mod drawn;
 mod located;
@@ -65,7 +65,7 @@ fn mutants(text: &str, document: &Document) -> Vec<Mutant> {
         let Item::Record(record) = item else { continue };
         let tokens: Vec<_> = document.significant(record.first, record.last).collect();
         let (id, ty, params) = (tokens[0], tokens[1], &tokens[2..]);
-        let end = |t: &zpg::syntax::lexer::Token| t.end() as usize;
+        let end = |t: &zpg::internals::syntax::lexer::Token| t.end() as usize;
         // With its one optional parameter more or less the record is right again.
         let free = record.ty().optional.len() == 1;
         for (i, p) in params.iter().enumerate() {
@@ -151,7 +151,9 @@ fn outcome(name: &str, text: &str) -> (BTreeMap<&'static str, Tally>, String) {
         let line = text[..m.at].matches('\n').count() as u32 + 1;
         let loaded = Analysis::new(name, mutated.into_bytes());
         let errors: Vec<_> = loaded.findings().iter().filter(|d| d.is_error()).collect();
-        let found = |d: &&zpg::diagnostics::Diagnostic| loaded.source.position(d.span.start).line;
+        let found = |d: &&zpg::internals::diagnostics::Diagnostic| {
+            loaded.source.position(d.span.start).line
+        };
         let on_line = errors.first().map(found) == Some(line);
         let tally = tallies.entry(m.kind).or_default();
         tally.all += 1;

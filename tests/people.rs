@@ -19,9 +19,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::ops::Range;
 
-use zpg::analysis::{Analysis, repair};
-use zpg::diagnostics::{Diagnostic, Language, Severity, fixes};
-use zpg::syntax::lexer;
+use zpg::internals::analysis::{Analysis, repair};
+use zpg::internals::diagnostics::{Diagnostic, Language, Severity, fixes};
+use zpg::internals::syntax::lexer;
 
 use crate::rng::Rng;
 use crate::support::{cases, seeds};

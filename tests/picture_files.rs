@@ -10,10 +10,10 @@ use jpeg_encoder::{ColorType, Encoder, SamplingFactor};
 use self::forms::{File, files};
 use crate::support::picture_file::SIZE;
 use crate::support::{mitsuba, program};
-use zpg::analysis::Analysis;
-use zpg::solids::staging::Viewpoint;
-use zpg::trace::{Images, Settings, Tracer, selected_camera};
-use zpg::translate::mitsuba::{Integrator, Options, write};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::solids::staging::Viewpoint;
+use zpg::internals::trace::{Images, Settings, Tracer, selected_camera};
+use zpg::internals::translate::mitsuba::{Integrator, Options, write};
 
 /// The scene shows so many pictures side by side.
 const COLUMNS: usize = 12;
@@ -282,7 +282,7 @@ fn mitsuba_draws_the_same() {
         memory: None,
         integrator: Integrator::Path,
         stem: "files".to_owned(),
-        captions: zpg::syntax::Captions::default(),
+        captions: zpg::internals::syntax::Captions::default(),
     };
     let mut output = write(&loaded.scene, &tracer, &options).unwrap();
     // One ray through the middle of each pixel, and all light by its colour alone: no noise.

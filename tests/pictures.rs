@@ -124,7 +124,7 @@ fn hard_scenes_are_as_textbooks_draw_them() {
         let sheet = hard::beside(&hard::draw(&scene).unwrap());
         let mut png = Vec::new();
         sheet
-            .write_png(&mut png, zpg::trace::film::Packing::Quick)
+            .write_png(&mut png, zpg::internals::trace::film::Packing::Quick)
             .unwrap();
         let drawn = image::load_from_memory(&png).unwrap().into_rgb8();
         assert!(drawn == decoded(path), "{name}");

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 use std::fs;
-use zpg::syntax::table::ShapeKind;
+use zpg::internals::syntax::table::ShapeKind;
 
 struct Folder(tempfile::TempDir);
 
@@ -250,7 +250,7 @@ fn textures_that_are_painted_over_are_off() {
 
 #[test]
 fn images_count_where_they_show() {
-    use zpg::scene::*;
+    use zpg::internals::scene::*;
     let image = Texture::Image {
         file: "a.png".into(),
         span: Default::default(),
@@ -261,26 +261,32 @@ fn images_count_where_they_show() {
         for texture in textures {
             paint(&mut scene, texture);
         }
-        assert_eq!(is_on(&scene, zpg::trace::plan::Effect::ImageTexture), on);
+        assert_eq!(
+            is_on(&scene, zpg::internals::trace::plan::Effect::ImageTexture),
+            on
+        );
     }
 }
 
 /// A scene that is one sphere, as objects.
-fn sphere_scene() -> zpg::scene::Scene {
-    let geometry = zpg::scene::Geometry::Sphere {
+fn sphere_scene() -> zpg::internals::scene::Scene {
+    let geometry = zpg::internals::scene::Geometry::Sphere {
         centre: [0.0; 3],
         radius: 1.0,
     };
     shape_scene(ShapeKind::SphereAtOrigin, geometry)
 }
 
-const ORIGIN: zpg::scene::Origin = zpg::scene::Origin {
+const ORIGIN: zpg::internals::scene::Origin = zpg::internals::scene::Origin {
     id: 2,
-    span: zpg::diagnostics::Span { start: 0, end: 0 },
+    span: zpg::internals::diagnostics::Span { start: 0, end: 0 },
 };
 
-fn shape_scene(kind: ShapeKind, geometry: zpg::scene::Geometry) -> zpg::scene::Scene {
-    use zpg::scene::*;
+fn shape_scene(
+    kind: ShapeKind,
+    geometry: zpg::internals::scene::Geometry,
+) -> zpg::internals::scene::Scene {
+    use zpg::internals::scene::*;
     Scene {
         nodes: vec![Node::Shape(0)],
         origins: vec![ORIGIN],
@@ -300,8 +306,8 @@ fn shape_scene(kind: ShapeKind, geometry: zpg::scene::Geometry) -> zpg::scene::S
     }
 }
 
-fn paint(scene: &mut zpg::scene::Scene, texture: zpg::scene::Texture) {
-    use zpg::scene::*;
+fn paint(scene: &mut zpg::internals::scene::Scene, texture: zpg::internals::scene::Texture) {
+    use zpg::internals::scene::*;
     let child = scene.nodes.len() as u32 - 1;
     scene.paints.push(Paint {
         owner: 2,
@@ -314,8 +320,13 @@ fn paint(scene: &mut zpg::scene::Scene, texture: zpg::scene::Texture) {
     scene.render.as_mut().unwrap().root = child + 1;
 }
 
-fn is_on(scene: &zpg::scene::Scene, effect: zpg::trace::plan::Effect) -> bool {
-    zpg::trace::plan::Plan::new(scene).unwrap().on(effect)
+fn is_on(
+    scene: &zpg::internals::scene::Scene,
+    effect: zpg::internals::trace::plan::Effect,
+) -> bool {
+    zpg::internals::trace::plan::Plan::new(scene)
+        .unwrap()
+        .on(effect)
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use crate::support::compare::{agrees, compare};
 use crate::support::{cases, povray, seeds};
-use zpg::analysis::Analysis;
+use zpg::internals::analysis::Analysis;
 
 /// Glass of three kinds, two opaque materials, one that light goes through straight on.
 const LOOKS: &str = "11 -701 0.3 0.6 0.58\n12 -701 0.85 0.5 0.8\n13 -701 0.9 0.7 0.2\n14 -701 0.4 0.5 0.62\n\

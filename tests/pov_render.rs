@@ -5,12 +5,12 @@ use crate::support;
 use std::path::Path;
 use support::make::Make;
 use support::povray;
-use zpg::geometry::Matrix;
-use zpg::scene::{Camera, Scene, Texture, View};
-use zpg::solids::staging::{Viewpoint, staged};
-use zpg::study::naive::Naive;
-use zpg::trace::{Images, Settings, Tracer};
-use zpg::translate::pov::{self, Options, Stereo, Translation};
+use zpg::internals::geometry::Matrix;
+use zpg::internals::scene::{Camera, Scene, Texture, View};
+use zpg::internals::solids::staging::{Viewpoint, staged};
+use zpg::internals::study::naive::Naive;
+use zpg::internals::trace::{Images, Settings, Tracer};
+use zpg::internals::translate::pov::{self, Options, Stereo, Translation};
 
 const SIZE: (u32, u32) = (96, 72);
 /// Pixels may differ by so much.
@@ -610,7 +610,7 @@ fn the_scenes_of_the_handout() {
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|e| e == "zpg") {
-            let loaded = zpg::analysis::file::load(&path).unwrap();
+            let loaded = zpg::internals::analysis::file::load(&path).unwrap();
             assert!(loaded.is_sound(), "{}", path.display());
             let name = path.file_stem().unwrap().to_string_lossy().into_owned();
             compare(&name, &loaded.scene);

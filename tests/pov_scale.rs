@@ -1,10 +1,12 @@
 //! Translations of scenes that are shared or deep beyond all measure.
 
-use zpg::diagnostics::Span;
-use zpg::geometry::Matrix;
-use zpg::scene::{Geometry, Node, NodeId, Optics, Origin, Paint, Render, Scene, Shape, Texture};
-use zpg::syntax::table::ShapeKind;
-use zpg::translate::pov::{self, Options};
+use zpg::internals::diagnostics::Span;
+use zpg::internals::geometry::Matrix;
+use zpg::internals::scene::{
+    Geometry, Node, NodeId, Optics, Origin, Paint, Render, Scene, Shape, Texture,
+};
+use zpg::internals::syntax::table::ShapeKind;
+use zpg::internals::translate::pov::{self, Options};
 
 /// Some spheres in a row; the node of each has its number.
 fn spheres(n: u32) -> Scene {
@@ -252,7 +254,7 @@ fn shared_nodes_are_never_expanded() {
 
 #[test]
 fn every_record_has_a_line_in_the_report() {
-    use zpg::syntax::table::RECORD_TYPES;
+    use zpg::internals::syntax::table::RECORD_TYPES;
     let text = include_str!("corpus/all-types.zpg");
     // All objects at once, each feature in use.
     let mut all = text.replace("1 9999 55", "999 -301 moon.png\n55 -299 999 12\n1 9999 ALL");
@@ -270,7 +272,7 @@ fn every_record_has_a_line_in_the_report() {
     let mut seen = std::collections::BTreeSet::new();
     for view in ["", "3001 -502 72\n", "3001 -502 70\n"] {
         let text = all.replace("1 9999", &format!("{view}1 9999"));
-        let loaded = zpg::analysis::Analysis::new("scene.zpg", text.clone().into());
+        let loaded = zpg::internals::analysis::Analysis::new("scene.zpg", text.clone().into());
         assert!(loaded.is_sound(), "{:?}\n{text}", loaded.findings());
         let translation = pov::write(&loaded.scene, &Options::default()).unwrap();
         seen.extend(translation.report.entries().map(|e| e.feature));

@@ -6,8 +6,8 @@ use crate::lint_generated::scenes;
 use crate::support;
 use support::compare::{agrees, compare, nearly_agrees};
 use support::seeds;
-use zpg::analysis::Analysis;
-use zpg::translate::{Fidelity, pov};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::translate::{Fidelity, pov};
 
 /// Scenes in a folder, in order.
 fn files(folder: &Path) -> Vec<PathBuf> {
@@ -28,7 +28,7 @@ fn check(folder: &Path, size: (u32, u32), skip: &[&str]) {
         if skip.contains(&name.as_str()) {
             continue;
         }
-        let loaded = zpg::analysis::file::load(&path).unwrap();
+        let loaded = zpg::internals::analysis::file::load(&path).unwrap();
         assert!(loaded.is_sound(), "{}", path.display());
         for outcome in compare(&name, &loaded.scene, folder, size) {
             println!(
@@ -643,7 +643,7 @@ fn comments_and_bounding_volumes() {
     let loaded = Analysis::new("scene.zpg", text.as_bytes().to_vec());
     assert!(loaded.is_sound(), "{:?}", loaded.findings());
     let options = pov::Options {
-        captions: zpg::syntax::Captions::of(&loaded.document, text),
+        captions: zpg::internals::syntax::Captions::of(&loaded.document, text),
         ..pov::Options::default()
     };
     let translation = pov::write(&loaded.scene, &options).unwrap();

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use crate::support;
 use support::compare::compare;
-use zpg::analysis::Analysis;
-use zpg::study::compare::Comparison;
+use zpg::internals::analysis::Analysis;
+use zpg::internals::study::compare::Comparison;
 
 const SIZE: (u32, u32) = (96, 72);
 

@@ -6,10 +6,10 @@ use std::path::Path;
 use crate::campaign::rng::Rng;
 use crate::support::compare::compare;
 use crate::support::seeds;
-use zpg::analysis::Analysis;
-use zpg::geometry::vec::Vec3;
-use zpg::trace::members;
-use zpg::translate::{Fidelity, pov};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::trace::members;
+use zpg::internals::translate::{Fidelity, pov};
 
 fn load(text: &str) -> Analysis {
     let loaded = Analysis::new("scene.zpg", text.as_bytes().to_vec());

@@ -4,14 +4,14 @@
 
 use crate::campaign::rng::Rng;
 use crate::exact::algebra::{Q, q, to_f64};
-use zpg::analysis::Analysis;
-use zpg::diagnostics::Code;
-use zpg::geometry::Matrix;
-use zpg::scene::sight::{Blind, Sight};
-use zpg::scene::{Camera, Rgb};
-use zpg::solids::staging::{Viewpoint, staged};
-use zpg::trace::camera::View;
-use zpg::trace::{Settings, Tracer};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::diagnostics::Code;
+use zpg::internals::geometry::Matrix;
+use zpg::internals::scene::sight::{Blind, Sight};
+use zpg::internals::scene::{Camera, Rgb};
+use zpg::internals::solids::staging::{Viewpoint, staged};
+use zpg::internals::trace::camera::View;
+use zpg::internals::trace::{Settings, Tracer};
 
 type Rows = [[f64; 4]; 4];
 
@@ -279,7 +279,7 @@ fn cameras_with_matrices_stand_where_others_do() {
 fn picture(text: &str) -> Vec<Rgb> {
     let loaded = Analysis::new("scene.zpg", text.into());
     let scene = &*staged(&loaded.scene, Viewpoint::Scene, 4.0 / 3.0);
-    let camera = zpg::trace::selected_camera(scene, 4.0 / 3.0);
+    let camera = zpg::internals::trace::selected_camera(scene, 4.0 / 3.0);
     let settings = Settings {
         width: 20,
         height: 15,

@@ -5,7 +5,7 @@ use crate::campaign::Spread;
 use crate::campaign::exact::{Exact, point};
 use crate::campaign::roots::{Root, between, sign_changes, sorted};
 use crate::campaign::truth::Truth;
-use zpg::scene::Geometry;
+use zpg::internals::scene::Geometry;
 
 /// Lines a kind of shape.
 const RAYS: usize = 2000;

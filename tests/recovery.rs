@@ -1,7 +1,7 @@
 //! Recovery as data: scenes in `tests/recovery`, and beside each what is said of it and what fixes make of it.
 //! One mistake, one error, in its own record. What holds for any number of lines is tried out here.
 
-use zpg::diagnostics::SourceFile;
+use zpg::internals::diagnostics::SourceFile;
 
 #[test]
 fn scenes_of_recovery() {
@@ -11,7 +11,7 @@ fn scenes_of_recovery() {
 /// The findings of the parser as `CODE@line`.
 fn findings(text: &str) -> Vec<String> {
     let source = SourceFile::new("t.zpg", text.into());
-    let (document, diagnostics) = zpg::syntax::parse(&source.text);
+    let (document, diagnostics) = zpg::internals::syntax::parse(&source.text);
     assert_eq!(document.print(text), text, "the tree must print its source");
     diagnostics
         .iter()

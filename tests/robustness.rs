@@ -4,7 +4,7 @@ use std::io::Write;
 use std::process::{Command, Stdio};
 
 use proptest::prelude::*;
-use zpg::analysis::Analysis;
+use zpg::internals::analysis::Analysis;
 
 use crate::support::cases;
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use jsonschema::Validator;
 use serde_json::Value;
-use zpg::diagnostics::{Code, Language};
+use zpg::internals::diagnostics::{Code, Language};
 
 fn validator() -> Validator {
     let schema = include_str!("sarif/sarif-schema-2.1.0.json");

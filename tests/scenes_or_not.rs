@@ -1,7 +1,7 @@
 //! Which texts are scenes with mistakes, and which are something else: in whole, and cut anywhere.
 
-use zpg::analysis::{Analysis, repair};
-use zpg::diagnostics::Code;
+use zpg::internals::analysis::{Analysis, repair};
+use zpg::internals::diagnostics::Code;
 
 use crate::rng::Rng;
 use crate::support::seeds;
@@ -134,7 +134,8 @@ fn cuts_of_other_files_are_none() {
 #[test]
 fn what_is_proposed_makes_scenes_of_them() {
     for text in SCENES {
-        let mended = zpg::analysis::fixing::to_fixed_point(read(text), true, Analysis::of);
+        let mended =
+            zpg::internals::analysis::fixing::to_fixed_point(read(text), true, Analysis::of);
         let left = repair::proposals(&mended.analysis);
         let errors: Vec<_> = left.iter().filter(|d| d.is_error()).collect();
         assert!(

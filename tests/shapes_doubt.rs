@@ -3,15 +3,15 @@
 
 use crate::trace_support;
 use trace_support::Random;
-use zpg::geometry::Matrix;
-use zpg::geometry::affine::Affine;
-use zpg::geometry::affine::Slack;
-use zpg::geometry::dd::Dd;
-use zpg::geometry::line::{Line, Traced};
-use zpg::geometry::number::Real;
-use zpg::geometry::vec::Vec3;
-use zpg::scene::Geometry;
-use zpg::trace::shapes::{Primitive, Root, Roots};
+use zpg::internals::geometry::Matrix;
+use zpg::internals::geometry::affine::Affine;
+use zpg::internals::geometry::affine::Slack;
+use zpg::internals::geometry::dd::Dd;
+use zpg::internals::geometry::line::{Line, Traced};
+use zpg::internals::geometry::number::Real;
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::scene::Geometry;
+use zpg::internals::trace::shapes::{Primitive, Root, Roots};
 
 /// Hard lines a kind of shape and a test; as many as the variable says for a longer look.
 fn lines() -> usize {

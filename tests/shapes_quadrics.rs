@@ -3,14 +3,14 @@
 
 use crate::trace_support;
 use trace_support::*;
-use zpg::geometry::Matrix;
-use zpg::geometry::dd::Dd;
-use zpg::geometry::line::{Line, Traced};
-use zpg::geometry::number::Real;
-use zpg::geometry::vec::Vec3;
-use zpg::scene::Geometry;
-use zpg::trace::Ray;
-use zpg::trace::shapes::{Primitive, Roots};
+use zpg::internals::geometry::Matrix;
+use zpg::internals::geometry::dd::Dd;
+use zpg::internals::geometry::line::{Line, Traced};
+use zpg::internals::geometry::number::Real;
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::scene::Geometry;
+use zpg::internals::trace::Ray;
+use zpg::internals::trace::shapes::{Primitive, Roots};
 
 /// Negative inside, positive outside: the definition of each shape as the language gives it.
 fn value(geometry: &Geometry, p: Vec3<Dd>) -> Dd {
@@ -537,9 +537,9 @@ fn an_unbounded_quadric_holds_what_it_should() {
 /// inverse: they cross nothing, and are inside or not by where they start.
 #[test]
 fn generators_of_turned_cylinders() {
-    use zpg::geometry::Matrix;
-    use zpg::geometry::affine::Affine;
-    use zpg::geometry::dd::Dd;
+    use zpg::internals::geometry::Matrix;
+    use zpg::internals::geometry::affine::Affine;
+    use zpg::internals::geometry::dd::Dd;
     let shape = Primitive::new(&Geometry::HyperbolicCylinder {
         a: 0.9630584716796875,
         b: 0.15234375,

@@ -4,13 +4,13 @@
 use crate::support::program::{folder, text, zpg};
 use crate::trace_support::Random;
 use serde_json::Value;
-use zpg::geometry::affine::Affine;
-use zpg::geometry::dd::Dd;
-use zpg::geometry::line::{Line, Traced};
-use zpg::geometry::number::Real;
-use zpg::geometry::vec::Vec3;
-use zpg::scene::Geometry;
-use zpg::trace::shapes::{Primitive, Roots};
+use zpg::internals::geometry::affine::Affine;
+use zpg::internals::geometry::dd::Dd;
+use zpg::internals::geometry::line::{Line, Traced};
+use zpg::internals::geometry::number::Real;
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::scene::Geometry;
+use zpg::internals::trace::shapes::{Primitive, Roots};
 
 const NEEDLE: [f64; 16] = [
     1e8, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1e8, 0.0, 0.0, 0.0, 0.0, -1.0,

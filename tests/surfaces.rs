@@ -3,12 +3,12 @@
 
 use crate::campaign::rng::Rng;
 use crate::exact::algebra::{Q, q};
-use zpg::analysis::Analysis;
-use zpg::geometry::dd::Dd;
-use zpg::geometry::vec::Vec3;
-use zpg::scene::Scene;
-use zpg::trace::precision::Precision;
-use zpg::trace::{Ray, Tracer, members};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::geometry::dd::Dd;
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::scene::Scene;
+use zpg::internals::trace::precision::Precision;
+use zpg::internals::trace::{Ray, Tracer, members};
 
 fn scene(text: &str) -> Scene {
     let loaded = Analysis::new("scene.zpg", text.into());
@@ -624,7 +624,7 @@ fn places_are_those_of_the_ray() {
             "2 {record}\n2 -3 {x:?} {y:?} {z:?}\n2 -2 {a:?} 1\n2 -2 {b:?} 3\n2 -1 {u:?} {v:?} {w:?}\n1 9999 2 0\n"
         ));
         let matrix = scene.matrices[match scene.nodes[scene.render.unwrap().root as usize] {
-            zpg::scene::Node::Transform { matrix, .. } => matrix as usize,
+            zpg::internals::scene::Node::Transform { matrix, .. } => matrix as usize,
             other => panic!("{other:?}"),
         }];
         let tracer = Tracer::new(&scene).unwrap();

@@ -2,11 +2,11 @@
 
 use crate::trace_support;
 use trace_support::*;
-use zpg::geometry::Matrix;
-use zpg::scene::*;
-use zpg::trace::film::Packing;
+use zpg::internals::geometry::Matrix;
+use zpg::internals::scene::*;
+use zpg::internals::trace::film::Packing;
 
-fn save(name: &str, scene: &Scene, settings: &zpg::trace::Settings) {
+fn save(name: &str, scene: &Scene, settings: &zpg::internals::trace::Settings) {
     if let Ok(dir) = std::env::var("ZPG_TEST_PICTURES") {
         let picture = picture(scene, settings);
         let file = std::fs::File::create(format!("{dir}/{name}.png")).unwrap();
@@ -57,7 +57,7 @@ fn still_life() -> Scene {
 fn threads_change_nothing() {
     let scene = still_life();
     save("still", &scene, &small(640, 480));
-    let settings = zpg::trace::Settings {
+    let settings = zpg::internals::trace::Settings {
         samples: 3,
         ..small(80, 60)
     };
@@ -68,7 +68,7 @@ fn threads_change_nothing() {
     let (one, four) = (with(1), with(4));
     assert_eq!(one.film, four.film);
     assert_eq!(one.counts, four.counts);
-    let crop = zpg::trace::Crop {
+    let crop = zpg::internals::trace::Crop {
         x: 20,
         y: 30,
         width: 7,
@@ -76,7 +76,7 @@ fn threads_change_nothing() {
     };
     let part = picture(
         &scene,
-        &zpg::trace::Settings {
+        &zpg::internals::trace::Settings {
             crop: Some(crop),
             ..settings.clone()
         },
@@ -108,7 +108,7 @@ fn many_spheres() {
     b.light([100.0, 200.0, 300.0], 0.9);
     b.ambient(0.1);
     let scene = b.render(root, [0.3, 0.5, 0.8]);
-    let t = zpg::trace::Tracer::new(&scene).unwrap();
+    let t = zpg::internals::trace::Tracer::new(&scene).unwrap();
     drop(t);
     save("million", &scene, &small(640, 480));
 }
@@ -124,7 +124,7 @@ fn look(b: &mut Builder, distance: f64) {
 }
 
 /// The direction of the ray through a pixel's centre for that camera.
-fn direction(settings: &zpg::trace::Settings, x: u32, y: u32) -> [f64; 3] {
+fn direction(settings: &zpg::internals::trace::Settings, x: u32, y: u32) -> [f64; 3] {
     let (w, h) = (f64::from(settings.width), f64::from(settings.height));
     let half = 20f64.to_radians().tan();
     let u = (2.0 * (f64::from(x) + 0.5) / w - 1.0) * half * w / h;
@@ -150,7 +150,7 @@ fn a_mirror_room_shows_the_background() {
     let root = b.all(&parts);
     look(&mut b, 10.0);
     let background = [0.25, 0.5, 0.75];
-    let settings = zpg::trace::Settings {
+    let settings = zpg::internals::trace::Settings {
         // Branches double at every step: deep enough to show, without taking for ever.
         depth: 12,
         cutoff: 1e-3,
@@ -185,7 +185,7 @@ fn closed_rooms() {
     let room = b.made_of(room, optics(0.0, 1.0, 0.0), 1.0);
     look(&mut b, 1.0);
     let scene = b.render(room, [1.0; 3]);
-    let settings = zpg::trace::Settings {
+    let settings = zpg::internals::trace::Settings {
         depth: 200,
         ..small(20, 15)
     };
@@ -243,9 +243,9 @@ fn a_checkerboard_by_arithmetic() {
 #[test]
 fn refraction_through_a_sphere_by_snell() {
     // A glass ball before a background of planes: follow the same ray by trigonometry.
-    use zpg::geometry::vec::Vec3;
-    use zpg::trace::within::Within;
-    use zpg::trace::{Hit, Ray, Tracer};
+    use zpg::internals::geometry::vec::Vec3;
+    use zpg::internals::trace::within::Within;
+    use zpg::internals::trace::{Hit, Ray, Tracer};
     let mut b = Builder::default();
     let ball = b.sphere(0.0, 0.0, 0.0, 1.0);
     let ball = b.made_of(ball, CLEAR, 1.5);
@@ -262,14 +262,14 @@ fn refraction_through_a_sphere_by_snell() {
             (indices(&first), first.inside),
             ([[1.0; 3], [1.5; 3]], [false, true])
         );
-        let into = zpg::trace::shade::refract(d, first.facing(), 1.0 / 1.5).unwrap();
+        let into = zpg::internals::trace::shade::refract(d, first.facing(), 1.0 / 1.5).unwrap();
         let ray = first.leave(into, true);
         let second = tracer.hit(&mut walker, &ray).unwrap();
         assert_eq!(
             (indices(&second), second.inside),
             ([[1.5; 3], [1.0; 3]], [true, false])
         );
-        let out = zpg::trace::shade::refract(into, second.facing(), 1.5).unwrap();
+        let out = zpg::internals::trace::shade::refract(into, second.facing(), 1.5).unwrap();
         assert!(tracer.hit(&mut walker, &second.leave(out, true)).is_none());
         // Deviation of a ray through a sphere: 2(α − β), sin α = offset, sin β = offset / 1.5.
         let deviation = 2.0 * (offset.asin() - (offset / 1.5).asin());
@@ -330,8 +330,8 @@ fn touching_glass_is_one_block() {
         let root = b.union(left, right);
         let tracer = b.tracer(root);
         let mut walker = tracer.walker();
-        use zpg::geometry::vec::Vec3;
-        use zpg::trace::Ray;
+        use zpg::internals::geometry::vec::Vec3;
+        use zpg::internals::trace::Ray;
         let start = turn.point([-3.0, 0.2, 0.1]);
         let d = turn.vector([1.0, r.within(-0.4, 0.4), r.within(-0.4, 0.4)]);
         let mut ray = Ray::new(start.into(), Vec3::from(d).unit());
@@ -344,7 +344,8 @@ fn touching_glass_is_one_block() {
             assert_eq!(before, *indices.last().unwrap());
             indices.push(behind);
             let ratio = before / behind;
-            let bent = zpg::trace::shade::refract(ray.line.direction, hit.facing(), ratio);
+            let bent =
+                zpg::internals::trace::shade::refract(ray.line.direction, hit.facing(), ratio);
             ray = hit.leave(bent.unwrap(), true);
         }
         let expected: &[f64] = match gap {
@@ -367,7 +368,7 @@ fn straight_steps_do_not_count() {
     }
     let root = b.all(&parts);
     look(&mut b, 5.0);
-    let settings = zpg::trace::Settings {
+    let settings = zpg::internals::trace::Settings {
         depth: 0,
         cutoff: 0.0,
         ..small(1, 1)
@@ -386,10 +387,10 @@ fn the_region_that_is_drawn_cuts() {
     look(&mut b, 5.0);
     let mut scene = b.render(root, [0.0, 1.0, 0.0]);
     scene.render.as_mut().unwrap().clip = Some(([-2.0, -2.0, -2.0], [2.0, 2.0, 0.0]));
-    let tracer = zpg::trace::Tracer::new(&scene).unwrap();
+    let tracer = zpg::internals::trace::Tracer::new(&scene).unwrap();
     let mut walker = tracer.walker();
-    use zpg::geometry::vec::Vec3;
-    use zpg::trace::Ray;
+    use zpg::internals::geometry::vec::Vec3;
+    use zpg::internals::trace::Ray;
     let ray = Ray::new(Vec3::new(0.1, 0.0, 5.0), Vec3::new(0.0, 0.0, -1.0));
     let hit = tracer.hit(&mut walker, &ray).unwrap();
     // The front half is cut away: the ray meets the back of the large ball from inside, and what

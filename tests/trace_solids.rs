@@ -2,11 +2,11 @@
 
 use crate::trace_support;
 use trace_support::*;
-use zpg::geometry::Matrix;
-use zpg::geometry::vec::Vec3;
-use zpg::scene::*;
-use zpg::trace::within::Within;
-use zpg::trace::{Ray, Tracer};
+use zpg::internals::geometry::Matrix;
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::scene::*;
+use zpg::internals::trace::within::Within;
+use zpg::internals::trace::{Ray, Tracer};
 
 /// Whether a point is in a node, from the definition of each shape and operation.
 fn inside(scene: &Scene, node: NodeId, p: [f64; 3]) -> bool {
@@ -243,9 +243,9 @@ fn common_faces_of_an_intersection_are_the_first_operands() {
     let text = "2 9 1.14\n2 -1 1.86 1.4 0.88\n5 12 3 -3 -3 4 4 4\n6 -103 2 5\n6 -701 1 0 0\n\
         4 -102 2 6\n4 -3 1.15 1.15 1.15\n7 11 9 9 9 1\n8 -101 6 7\n8 -1 20 0 0\n9 -101 4 8\n\
         1 9999 9 0\n";
-    let loaded = zpg::analysis::Analysis::new("scene", text.as_bytes().to_vec());
+    let loaded = zpg::internals::analysis::Analysis::new("scene", text.as_bytes().to_vec());
     let tracer = Tracer::new(&loaded.scene).unwrap();
-    let mut walkers: zpg::trace::Walkers<f64> = tracer.walker();
+    let mut walkers: zpg::internals::trace::Walkers<f64> = tracer.walker();
     let mut r = Random(5);
     let mut seen = 0;
     for _ in 0..300 {

@@ -3,14 +3,14 @@
 use super::support::{cases, seeds};
 use super::trace_support::{Builder, Random, optics, small};
 use rayon::prelude::*;
-use zpg::analysis::Analysis;
-use zpg::geometry::Matrix;
-use zpg::scene::{Camera, Geometry, NodeId, Paint, Scene, Texture};
-use zpg::solids::bounds::node_bounds;
-use zpg::solids::staging::selected_cameras;
-use zpg::trace::plan::unseen::view;
-use zpg::trace::plan::{Effect, Plan};
-use zpg::trace::{Images, Numbers, Settings, Tracer, members};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::geometry::Matrix;
+use zpg::internals::scene::{Camera, Geometry, NodeId, Paint, Scene, Texture};
+use zpg::internals::solids::bounds::node_bounds;
+use zpg::internals::solids::staging::selected_cameras;
+use zpg::internals::trace::plan::unseen::view;
+use zpg::internals::trace::plan::{Effect, Plan};
+use zpg::internals::trace::{Images, Numbers, Settings, Tracer, members};
 
 /// The pictures of all cameras, without what is unseen or with it, as bits; and what they have cost.
 fn pictures(scene: &Scene, plan: Plan, numbers: Numbers) -> (Vec<[u32; 3]>, u64) {

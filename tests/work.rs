@@ -7,13 +7,13 @@ use rayon::prelude::*;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use zpg::analysis::Analysis;
-use zpg::geometry::Matrix;
-use zpg::scene::{Geometry, NodeId, Paint, Scene, Texture, TriangleNormals};
-use zpg::solids::staging::selected_cameras;
-use zpg::trace::plan::Plan;
-use zpg::trace::stats::Counts;
-use zpg::trace::{Images, Numbers, Settings, Tracer};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::geometry::Matrix;
+use zpg::internals::scene::{Geometry, NodeId, Paint, Scene, Texture, TriangleNormals};
+use zpg::internals::solids::staging::selected_cameras;
+use zpg::internals::trace::plan::Plan;
+use zpg::internals::trace::stats::Counts;
+use zpg::internals::trace::{Images, Numbers, Settings, Tracer};
 
 /// Counters, and the effects that they are work of: where all of these are off the counter is zero.
 const COUNTERS: [(&str, &[&str]); 14] = [

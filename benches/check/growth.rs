@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::scenes::RECORDS;
 use super::{Table, least, plot};
-use zpg::analysis::Analysis;
+use zpg::internals::analysis::Analysis;
 
 const COUNTS: [usize; 4] = [1_000, 10_000, 100_000, 1_000_000];
 

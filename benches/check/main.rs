@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 
 use program::{Outcome, Run, median};
 use scenes::Scene;
-use zpg::analysis::{Analysis, repair};
+use zpg::internals::analysis::{Analysis, repair};
 
 /// A line of the table.
 struct Line {
@@ -305,7 +305,7 @@ fn mistakes(folder: &Path, table: &mut Table) {
 
 /// As the language server calls it, which keeps freed memory.
 fn in_process(table: &mut Table) {
-    zpg::allocator::keep(zpg::lsp::KEPT_BYTES);
+    zpg::internals::allocator::keep(zpg::internals::lsp::KEPT_BYTES);
     for (lines, bar) in [(20_000, 5.0), (200_000, 45.0)] {
         for mistakes in [0, 10] {
             let text = scenes::lines(lines, mistakes);

@@ -1,10 +1,10 @@
 //! The tracer beside the plain kernel: what certainty costs.
 
 use cpu_time::ThreadTime;
-use zpg::analysis::Analysis;
-use zpg::study::plain::{self, Plain};
-use zpg::trace::pixels::Pixels;
-use zpg::trace::{Numbers, Settings, Tracer, selected_camera};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::study::plain::{self, Plain};
+use zpg::internals::trace::pixels::Pixels;
+use zpg::internals::trace::{Numbers, Settings, Tracer, selected_camera};
 
 use super::scenes::Scene;
 use super::{Bars, SIZE};

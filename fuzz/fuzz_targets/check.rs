@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use zpg::analysis::Analysis;
+use zpg::internals::analysis::Analysis;
 
 fuzz_target!(|bytes: &[u8]| {
     let loaded = Analysis::new("fuzz.zpg", bytes.to_vec());

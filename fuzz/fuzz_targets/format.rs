@@ -3,8 +3,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use zpg::format::{Options, format, format_range, same_content};
-use zpg::syntax::{Item, parse};
+use zpg::internals::format::{Options, format, format_range, same_content};
+use zpg::internals::syntax::{Item, parse};
 
 fuzz_target!(|input: (u8, u8, &str)| {
     let (first, more, text) = input;

@@ -13,7 +13,7 @@ use crate::diagnostics::{Complaint, Error};
 use crate::scene::Scene;
 use crate::solids::staging::Viewpoint;
 use crate::syntax::Captions;
-use crate::trace::{Images, Tracer};
+use crate::trace::{Images, Settings, Tracer};
 
 /// A program, or a kind of file, that scenes are translated for.
 pub trait Target: fmt::Debug + Sync {
@@ -126,6 +126,24 @@ pub struct Options<'a> {
     pub file: &'a Path,
     /// Where to write, if that was said.
     pub output: Option<&'a Path>,
+}
+
+impl Default for Options<'_> {
+    /// A picture of 640 × 480 pixels by the scene's camera, as deep as `zpg render` goes, with no limit of memory and
+    /// without a file.
+    fn default() -> Self {
+        let settings = Settings::default();
+        Options {
+            size: (settings.width, settings.height),
+            viewpoint: Viewpoint::default(),
+            depth: settings.depth,
+            tolerance: None,
+            memory: None,
+            confine: &|_| Ok(()),
+            file: Path::new(""),
+            output: None,
+        }
+    }
 }
 
 impl Options<'_> {

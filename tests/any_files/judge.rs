@@ -1,12 +1,12 @@
 //! What must come of a file. The rules are written out here a second time, and tokens are cut in a
 //! simpler way: words between white space.
 
-use zpg::analysis::Analysis;
-use zpg::analysis::fixing::to_fixed_point;
-use zpg::diagnostics::SourceFile;
-use zpg::format::{Options, format};
-use zpg::syntax::lexer::SEPARATORS;
-use zpg::syntax::{in_records, parse, preserved, recognise};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::analysis::fixing::to_fixed_point;
+use zpg::internals::diagnostics::SourceFile;
+use zpg::internals::format::{Options, format};
+use zpg::internals::syntax::lexer::SEPARATORS;
+use zpg::internals::syntax::{in_records, parse, preserved, recognise};
 
 /// What the tools make of a file, and what is wrong with that.
 pub struct Verdict {

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use zpg::translate::json;
+use zpg::internals::translate::json;
 
 use crate::rng::Rng;
 
@@ -48,7 +48,7 @@ impl Pool {
             }
         }
         let model = |text: &String| {
-            let loaded = zpg::analysis::Analysis::new("a.zpg", text.clone().into());
+            let loaded = zpg::internals::analysis::Analysis::new("a.zpg", text.clone().into());
             serde_json::to_string_pretty(&json::write(&loaded.scene)).expect("numbers are finite")
         };
         let mut texts = Vec::new();

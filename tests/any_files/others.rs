@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use rayon::prelude::*;
-use zpg::format::{Options, format};
-use zpg::syntax::recognise;
+use zpg::internals::format::{Options, format};
+use zpg::internals::syntax::recognise;
 
 use crate::rng::Rng;
 

@@ -7,9 +7,9 @@ use super::lines::Case;
 use super::shapes::Target;
 use super::truth::{Answer, Truth, alternates, length, norm};
 use std::time::Instant;
-use zpg::geometry::dd::Dd;
-use zpg::scene::Geometry;
-use zpg::trace::shapes::{Primitive, Roots};
+use zpg::internals::geometry::dd::Dd;
+use zpg::internals::scene::Geometry;
+use zpg::internals::trace::shapes::{Primitive, Roots};
 
 /// Where sides are looked for between crossings, these are taken to be no farther from the surface than
 /// this, in the unit of [`Row::worst`].

@@ -2,12 +2,12 @@
 
 use super::exact::Exact;
 use super::lines::Case;
-use zpg::geometry::dd::Dd;
-use zpg::geometry::line::{Line, Traced};
-use zpg::geometry::number::Real;
-use zpg::geometry::vec::Vec3;
-use zpg::scene::Geometry;
-use zpg::trace::shapes::{Primitive, Roots};
+use zpg::internals::geometry::dd::Dd;
+use zpg::internals::geometry::line::{Line, Traced};
+use zpg::internals::geometry::number::Real;
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::scene::Geometry;
+use zpg::internals::trace::shapes::{Primitive, Roots};
 
 /// The kinds of numbers that lines are traced with.
 pub trait Number: Traced {

@@ -3,8 +3,8 @@
 use super::rng::Rng;
 use super::shapes::{Spread, Target, cross};
 use super::truth::length;
-use zpg::geometry::Matrix;
-use zpg::geometry::affine::Affine;
+use zpg::internals::geometry::Matrix;
+use zpg::internals::geometry::affine::Affine;
 
 /// A line in the space it is traced in, and how that is mapped into the shape's space.
 #[derive(Debug, Clone)]
@@ -28,7 +28,7 @@ impl Case {
     }
 
     /// The map with the numbers of a kind.
-    pub fn affine<R: zpg::geometry::number::Real>(&self) -> Option<Affine<R>> {
+    pub fn affine<R: zpg::internals::geometry::number::Real>(&self) -> Option<Affine<R>> {
         self.map
             .map(|[x, y, z]| Affine::new(&Matrix([x, y, z, [0.0, 0.0, 0.0, 1.0]])))
     }

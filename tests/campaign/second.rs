@@ -2,7 +2,7 @@
 
 use super::exact::{Exact, Point, dot, minus, point};
 use super::truth::{Answer, norm};
-use zpg::scene::Geometry;
+use zpg::internals::scene::Geometry;
 
 /// The pairs of axes of mixed terms.
 const PAIRS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];

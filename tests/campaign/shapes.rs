@@ -3,7 +3,7 @@
 use super::rng::Rng;
 use super::truth::length;
 use std::f64::consts::TAU;
-use zpg::scene::{Geometry, TriangleNormals};
+use zpg::internals::scene::{Geometry, TriangleNormals};
 
 /// The kinds of shapes, in the order of the language.
 pub const KINDS: [&str; 23] = [

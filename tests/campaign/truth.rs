@@ -10,7 +10,7 @@ use super::facets::Facets;
 use super::roots::sign_changes;
 use super::second::Second;
 use super::turned::Turned;
-use zpg::scene::Geometry;
+use zpg::internals::scene::Geometry;
 
 /// What a line does at a shape. A touch has no inside and is not counted, and neither is a line
 /// that lies in the surface.

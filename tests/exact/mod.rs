@@ -9,7 +9,7 @@ pub mod algebra;
 
 use algebra::{Poly, Q, Root, Whole, q, to_f64};
 use std::cmp::Ordering;
-use zpg::scene::{Geometry, Node, NodeId, Scene};
+use zpg::internals::scene::{Geometry, Node, NodeId, Scene};
 
 type Map = [[Q; 4]; 3];
 

@@ -4,7 +4,7 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 
-use zpg::syntax::table::{Effect, Kind, Param, ParamKind, RECORD_TYPES, RecordType};
+use zpg::internals::syntax::table::{Effect, Kind, Param, ParamKind, RECORD_TYPES, RecordType};
 
 /// What stands between two tokens.
 const GAPS: &[&str] = &[

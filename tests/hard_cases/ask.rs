@@ -286,7 +286,7 @@ impl Written {
 
 /// The exact form of a scene file.
 pub fn exact(path: &Path) -> Exact {
-    Exact::new(&zpg::analysis::file::load(path).unwrap().scene)
+    Exact::new(&zpg::internals::analysis::file::load(path).unwrap().scene)
 }
 
 /// Asks about all rays and holds every answer to the exact one.

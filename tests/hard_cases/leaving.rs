@@ -3,13 +3,13 @@
 use super::ask::Precision;
 use super::cases;
 use super::trace_support::{Builder, Random};
-use zpg::geometry::Matrix;
-use zpg::geometry::dd::Dd;
-use zpg::geometry::vec::Vec3;
-use zpg::scene::{Geometry, NodeId};
-use zpg::trace::precision;
-use zpg::trace::within::Within;
-use zpg::trace::{Ray, Tracer};
+use zpg::internals::geometry::Matrix;
+use zpg::internals::geometry::dd::Dd;
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::scene::{Geometry, NodeId};
+use zpg::internals::trace::precision;
+use zpg::internals::trace::within::Within;
+use zpg::internals::trace::{Ray, Tracer};
 
 /// What became of the rays.
 #[derive(Debug, Default)]

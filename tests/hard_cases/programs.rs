@@ -4,7 +4,7 @@ use super::ask::{Precision, Ray, Said, Written, all_held, ask, data, exact, held
 use super::cases;
 use super::exact::algebra::to_f64;
 use super::trace_support::Random;
-use zpg::geometry::vec::Vec3;
+use zpg::internals::geometry::vec::Vec3;
 
 /// A random ray from `away` to near the origin.
 fn towards(r: &mut Random, away: f64, aim: f64) -> Ray {
@@ -124,12 +124,12 @@ pub fn row_31_sliver(precision: Precision) {
         assert_eq!(answer.changes.len(), 2);
     }
     if precision == Precision::F64 {
-        let scene = zpg::analysis::file::load(&path).unwrap().scene;
-        let tracer = zpg::trace::Tracer::new(&scene).unwrap();
+        let scene = zpg::internals::analysis::file::load(&path).unwrap().scene;
+        let tracer = zpg::internals::trace::Tracer::new(&scene).unwrap();
         let mut walker = tracer.walker();
         for ray in &rays {
-            let mut ray = zpg::trace::Ray::new(Vec3(ray.origin), Vec3(ray.direction));
-            ray.within = zpg::trace::within::Within::Outside;
+            let mut ray = zpg::internals::trace::Ray::new(Vec3(ray.origin), Vec3(ray.direction));
+            ray.within = zpg::internals::trace::within::Within::Outside;
             let hit = tracer.hit(&mut walker, &ray).expect("the sliver");
             assert!((hit.point[1] - 1.0).abs() < 1e-14, "{hit:?}");
         }

@@ -2,10 +2,10 @@
 //! still meets the scene as often.
 
 use super::trace_support::{Builder, Random};
-use zpg::geometry::Matrix;
-use zpg::geometry::vec::Vec3;
-use zpg::scene::{Geometry, NodeId};
-use zpg::trace::{Ray, Tracer};
+use zpg::internals::geometry::Matrix;
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::scene::{Geometry, NodeId};
+use zpg::internals::trace::{Ray, Tracer};
 
 /// How trials have ended.
 #[derive(Debug, Default)]

@@ -2,7 +2,7 @@
 
 use crate::campaign::rng::Rng;
 use std::fmt::Write;
-use zpg::syntax::table::{Effect, Kind, RECORD_TYPES};
+use zpg::internals::syntax::table::{Effect, Kind, RECORD_TYPES};
 
 struct Maker {
     rng: Rng,

@@ -9,7 +9,7 @@ use std::time::Duration;
 use crossbeam_channel::{Receiver, Sender, unbounded};
 use lsp_server::{Message, Notification, Request, Response};
 use serde_json::{Value, json};
-use zpg::diagnostics::Language;
+use zpg::internals::diagnostics::Language;
 
 use super::model::Model;
 
@@ -56,7 +56,7 @@ impl Session {
     pub fn start(capabilities: Value, options: Value) -> Session {
         let (to, incoming) = unbounded();
         let (sender, said) = unbounded::<String>();
-        thread::spawn(move || zpg::lsp::serve(&incoming, sender, Language::English));
+        thread::spawn(move || zpg::internals::lsp::serve(&incoming, sender, Language::English));
         let (received, from) = unbounded();
         thread::spawn(move || {
             for text in said {

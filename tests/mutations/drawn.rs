@@ -3,9 +3,9 @@
 use std::sync::atomic::Ordering::Relaxed;
 
 use rayon::prelude::*;
-use zpg::analysis::fixing::{self, Mended};
-use zpg::analysis::{Analysis, repair};
-use zpg::diagnostics::Edit;
+use zpg::internals::analysis::fixing::{self, Mended};
+use zpg::internals::analysis::{Analysis, repair};
+use zpg::internals::diagnostics::Edit;
 
 use super::{corpus, mutants};
 use crate::support::{cases, seeds};

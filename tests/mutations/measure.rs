@@ -6,8 +6,8 @@
 use std::ops::Range;
 
 use rayon::prelude::*;
-use zpg::analysis::{Analysis, repair};
-use zpg::diagnostics::{Diagnostic, SourceFile};
+use zpg::internals::analysis::{Analysis, repair};
+use zpg::internals::diagnostics::{Diagnostic, SourceFile};
 
 use super::rng::Rng;
 use super::scenes;
@@ -78,8 +78,12 @@ fn has_errors(text: &str) -> bool {
 
 /// Whether tokens are a record by their number and form: then nothing has to be recovered, whatever it means.
 fn is_record(tokens: &[String]) -> bool {
-    let (document, findings) = zpg::syntax::parse(&tokens.join(" "));
-    findings.is_empty() && matches!(document.items[..], [zpg::syntax::Item::Record(_)])
+    let (document, findings) = zpg::internals::syntax::parse(&tokens.join(" "));
+    findings.is_empty()
+        && matches!(
+            document.items[..],
+            [zpg::internals::syntax::Item::Record(_)]
+        )
 }
 
 /// A scene with so many mistakes; `None` if one of them leaves a record that can be read.

@@ -3,11 +3,11 @@
 
 use std::collections::BTreeMap;
 
-use zpg::analysis::Analysis;
-use zpg::diagnostics::SourceFile;
-use zpg::syntax::lexer::{Token, TokenKind};
-use zpg::syntax::table::{ParamKind, RecordType};
-use zpg::syntax::{Document, Item};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::diagnostics::SourceFile;
+use zpg::internals::syntax::lexer::{Token, TokenKind};
+use zpg::internals::syntax::table::{ParamKind, RecordType};
+use zpg::internals::syntax::{Document, Item};
 
 /// The share of texts with exactly the errors that were made, of all texts and of each kind.
 const EXACT: f64 = 0.985;

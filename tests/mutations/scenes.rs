@@ -1,7 +1,7 @@
 //! Scenes for mutants: records of all types, in lines, made from the table.
 
 use super::rng::Rng;
-use zpg::syntax::table::{
+use zpg::internals::syntax::table::{
     Constraint, Effect, Kind, Param, ParamKind, RECORD_TYPES, RecordKind, RecordType,
 };
 

@@ -1,8 +1,8 @@
 //! A finding and its first proposal speak of one thing: the proposal writes where the finding points.
 
-use zpg::analysis::repair;
-use zpg::diagnostics::{Code, Diagnostic};
-use zpg::syntax::table::{Family, ParamKind, RECORD_TYPES, RecordKind, RecordType};
+use zpg::internals::analysis::repair;
+use zpg::internals::diagnostics::{Code, Diagnostic};
+use zpg::internals::syntax::table::{Family, ParamKind, RECORD_TYPES, RecordKind, RecordType};
 
 use super::messages::SLIPS;
 use super::rules::with;
@@ -15,7 +15,7 @@ fn disagreement(d: &Diagnostic, text: &str) -> Option<String> {
     let first = d.fixes.first()?;
     let mut places = vec![d.span];
     places.extend(d.labels.iter().map(|l| l.span));
-    let points = |at: zpg::diagnostics::Span| places.iter().any(|p| p.touches(at));
+    let points = |at: zpg::internals::diagnostics::Span| places.iter().any(|p| p.touches(at));
     let agrees = match d.code {
         // Something is missing, or too much, anywhere in the record; or the whole record moves.
         Code::E008 | Code::E009 | Code::E107 => true,

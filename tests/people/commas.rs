@@ -1,8 +1,8 @@
 //! A comma between two digits, which may be a decimal comma or a separator.
 
-use zpg::analysis::{Analysis, fixing};
-use zpg::diagnostics::{Applicability, Code, Language};
-use zpg::format::{self, Options};
+use zpg::internals::analysis::{Analysis, fixing};
+use zpg::internals::diagnostics::{Applicability, Code, Language};
+use zpg::internals::format::{self, Options};
 
 use super::read;
 use super::rules::with;

@@ -1,8 +1,8 @@
 //! Guesses and fixes of layout that newcomers found to be wrong, in short scenes.
 
-use zpg::analysis::{Analysis, fixing, repair};
-use zpg::diagnostics::{Applicability, Code, Diagnostic, Fix, Language, fixes};
-use zpg::format::{Options, format};
+use zpg::internals::analysis::{Analysis, fixing, repair};
+use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, Fix, Language, fixes};
+use zpg::internals::format::{Options, format};
 
 use super::read;
 

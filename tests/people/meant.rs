@@ -2,8 +2,8 @@
 
 use std::fs;
 
-use zpg::analysis::{Analysis, fixing, repair};
-use zpg::diagnostics::{Code, Diagnostic, fixes};
+use zpg::internals::analysis::{Analysis, fixing, repair};
+use zpg::internals::diagnostics::{Code, Diagnostic, fixes};
 
 use super::read;
 use super::rules::{SCENE, with};

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use zpg::analysis::repair;
-use zpg::diagnostics::{Diagnostic, Language};
+use zpg::internals::analysis::repair;
+use zpg::internals::diagnostics::{Diagnostic, Language};
 
 use super::read;
 use super::rules::{SCENE, with};

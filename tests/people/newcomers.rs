@@ -1,8 +1,8 @@
 //! What somebody writes who knows POV-Ray, or has lost a number or the order of two: all guesses together make the
 //! scene that was meant.
 
-use zpg::analysis::{Analysis, fixing, repair};
-use zpg::diagnostics::{Code, Language, fixes};
+use zpg::internals::analysis::{Analysis, fixing, repair};
+use zpg::internals::diagnostics::{Code, Language, fixes};
 
 use super::read;
 

@@ -1,7 +1,7 @@
 //! Definitions below what uses them, and IDs of one record in each other's places.
 
-use zpg::analysis::{Analysis, fixing, repair};
-use zpg::diagnostics::{Applicability, Code, Diagnostic};
+use zpg::internals::analysis::{Analysis, fixing, repair};
+use zpg::internals::diagnostics::{Applicability, Code, Diagnostic};
 
 use super::rules::{SCENE, with};
 use super::scenes::{Record, text};
@@ -174,7 +174,7 @@ fn an_assignment_in_any_order() {
                 all.iter().map(super::said).collect::<Vec<_>>()
             );
             let (fixed, _) =
-                zpg::diagnostics::fixes::apply(&text, all[0].fixes.first().into_iter());
+                zpg::internals::diagnostics::fixes::apply(&text, all[0].fixes.first().into_iter());
             assert_eq!(
                 values(&fixed),
                 values(&right),
@@ -227,7 +227,8 @@ fn of_several_guesses_none_is_taken() {
         let text = scene.replace("2 -701 1 0.5 0.2", "2 -701 1 0.5");
         let finding = errors(&text).into_iter().find(|d| d.code == Code::E101);
         let finding = finding.unwrap_or_else(|| panic!("{written}"));
-        let is_choice = |f: &zpg::diagnostics::Fix| f.applicability == Applicability::Choice;
+        let is_choice =
+            |f: &zpg::internals::diagnostics::Fix| f.applicability == Applicability::Choice;
         assert!(
             finding.fixes.len() > 1 && finding.fixes.iter().all(is_choice),
             "{written}"

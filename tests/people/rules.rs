@@ -1,8 +1,8 @@
 //! Slips with a rule of their own.
 
-use zpg::analysis::{Analysis, fixing, repair};
-use zpg::diagnostics::render::human::{self, Look};
-use zpg::diagnostics::{Applicability, Code, Diagnostic, Language, fixes};
+use zpg::internals::analysis::{Analysis, fixing, repair};
+use zpg::internals::diagnostics::render::human::{self, Look};
+use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, Language, fixes};
 
 use super::{read, scenes, slips, values};
 use crate::rng::Rng;

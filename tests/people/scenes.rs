@@ -1,6 +1,6 @@
 //! Scenes as students write them, a record a line, with nothing to be said of them.
 
-use zpg::analysis::Analysis;
+use zpg::internals::analysis::Analysis;
 
 use crate::rng::Rng;
 

@@ -1,8 +1,8 @@
 //! Comments as shells have them: a `#` for the rest of the line, and another mistake in the scene.
 
-use zpg::analysis::{Analysis, fixing};
-use zpg::diagnostics::Code;
-use zpg::syntax::lexer;
+use zpg::internals::analysis::{Analysis, fixing};
+use zpg::internals::diagnostics::Code;
+use zpg::internals::syntax::lexer;
 
 use super::{WRITERS, read, scenes, slips};
 use crate::rng::Rng;

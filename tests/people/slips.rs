@@ -1,7 +1,7 @@
 //! What people get wrong in a record.
 
-use zpg::analysis::Analysis;
-use zpg::solids::inside::Inside;
+use zpg::internals::analysis::Analysis;
+use zpg::internals::solids::inside::Inside;
 
 use super::scenes::{Record, text};
 use crate::rng::Rng;

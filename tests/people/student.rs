@@ -1,7 +1,7 @@
 //! Scenes as students write them for a course: groups under headings, IDs in hundreds or in no order, a comment behind
 //! each line, round numbers, all kinds of shapes, unions within unions.
 
-use zpg::analysis::Analysis;
+use zpg::internals::analysis::Analysis;
 
 use super::scenes::{Record, text};
 use crate::rng::Rng;

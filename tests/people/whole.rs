@@ -1,8 +1,8 @@
 //! Slips that show on many lines, in random scenes.
 
-use zpg::analysis::repair;
-use zpg::diagnostics::render::human::{self, Look};
-use zpg::diagnostics::{Code, Diagnostic, fixes};
+use zpg::internals::analysis::repair;
+use zpg::internals::diagnostics::render::human::{self, Look};
+use zpg::internals::diagnostics::{Code, Diagnostic, fixes};
 
 use super::scenes::{Record, text};
 use super::{WRITERS, read, values};

@@ -3,11 +3,11 @@
 
 use std::fs;
 use std::path::Path;
-use zpg::analysis::Analysis;
-use zpg::scene::{Camera, Scene};
-use zpg::study::naive::{Naive, Number};
-use zpg::trace::film::Film;
-use zpg::trace::{Images, Settings, Tracer, selected_camera};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::scene::{Camera, Scene};
+use zpg::internals::study::naive::{Naive, Number};
+use zpg::internals::trace::film::Film;
+use zpg::internals::trace::{Images, Settings, Tracer, selected_camera};
 
 pub const SIZE: [u32; 2] = [160, 128];
 /// Pixels between the pictures of one scene.

@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use super::{povray, takes_part};
-use zpg::analysis::Analysis;
-use zpg::scene::{Camera, Scene};
-use zpg::solids::staging::{Viewpoint, staged};
-use zpg::study::compare::Comparison;
-use zpg::trace::{Images, Settings, Tracer};
-use zpg::translate::pov::{self, Options, pictures::Pictures};
+use zpg::internals::analysis::Analysis;
+use zpg::internals::scene::{Camera, Scene};
+use zpg::internals::solids::staging::{Viewpoint, staged};
+use zpg::internals::study::compare::Comparison;
+use zpg::internals::trace::{Images, Settings, Tracer};
+use zpg::internals::translate::pov::{self, Options, pictures::Pictures};
 
 /// Pixels may differ by so much.
 pub const BAR: f64 = 2.0 / 255.0;

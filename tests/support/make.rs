@@ -1,12 +1,12 @@
 //! Scenes as values.
 
-use zpg::diagnostics::Span;
-use zpg::geometry::Matrix;
-use zpg::scene::{
+use zpg::internals::diagnostics::Span;
+use zpg::internals::geometry::Matrix;
+use zpg::internals::scene::{
     AmbientLight, Camera, Entity, Geometry, Node, NodeId, Optics, Origin, Paint, PointLight,
     Render, Rgb, Scene, Shape, Texture, Vec3, View,
 };
-use zpg::syntax::table::{Kind, ShapeKind};
+use zpg::internals::syntax::table::{Kind, ShapeKind};
 
 /// A scene in the making; IDs count up from 2.
 #[derive(Default)]

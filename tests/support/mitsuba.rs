@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use zpg::study::program::Program;
-use zpg::translate::mitsuba::Output;
+use zpg::internals::study::program::Program;
+use zpg::internals::translate::mitsuba::Output;
 
 /// The version that `tests/run` installs.
 pub const VERSION: &str = "3.9.1";
@@ -31,6 +31,6 @@ pub fn render(name: &str, made: &Output, samples: u32) -> Vec<f32> {
         .join("mitsuba")
         .join(name);
     fs::create_dir_all(&folder).expect("a folder for the files");
-    zpg::study::mitsuba::render(&Program::new(python()), made, 0, &folder, name, samples)
+    zpg::internals::study::mitsuba::render(&Program::new(python()), made, 0, &folder, name, samples)
         .unwrap_or_else(|e| panic!("{name}: {e:?}"))
 }

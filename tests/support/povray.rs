@@ -3,11 +3,11 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use zpg::scene::Rgb;
-use zpg::study::povray::{PROGRAM, render as take};
-use zpg::study::program::Program;
-use zpg::trace::Film;
-use zpg::translate::pov::Translation;
+use zpg::internals::scene::Rgb;
+use zpg::internals::study::povray::{PROGRAM, render as take};
+use zpg::internals::study::program::Program;
+use zpg::internals::trace::Film;
+use zpg::internals::translate::pov::Translation;
 
 /// Linear values, row by row.
 pub struct Picture {

@@ -1,12 +1,12 @@
 //! Scenes built without a parser, and random numbers for tests.
 
-use zpg::diagnostics::Span;
-use zpg::geometry::Matrix;
-use zpg::geometry::vec::Vec3;
-use zpg::scene::*;
-use zpg::solids::staging::{Viewpoint, staged};
-use zpg::syntax::table::ShapeKind;
-use zpg::trace::{Picture, Ray, Settings, Tracer, selected_camera};
+use zpg::internals::diagnostics::Span;
+use zpg::internals::geometry::Matrix;
+use zpg::internals::geometry::vec::Vec3;
+use zpg::internals::scene::*;
+use zpg::internals::solids::staging::{Viewpoint, staged};
+use zpg::internals::syntax::table::ShapeKind;
+use zpg::internals::trace::{Picture, Ray, Settings, Tracer, selected_camera};
 
 #[derive(Default)]
 pub struct Builder {
@@ -205,7 +205,7 @@ pub struct Random(pub u64);
 impl Random {
     pub fn bits(&mut self) -> u64 {
         self.0 += 1;
-        zpg::trace::sampling::hash(self.0)
+        zpg::internals::trace::sampling::hash(self.0)
     }
 
     /// In [0, 1).
