@@ -128,11 +128,6 @@ impl Frame {
         }
     }
 
-    /// The largest coordinate of a box, in size.
-    pub fn reach(&self) -> f64 {
-        self.reach
-    }
-
     fn scaled(&self, b: &Aabb) -> Aabb {
         let scaled = |p: [f64; 3]| each([0, 1, 2], |i| (p[i] - self.centre[i]) * self.per_unit);
         Aabb::new(scaled(b.min), scaled(b.max))

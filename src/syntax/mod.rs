@@ -1,6 +1,6 @@
 //! Text to records: the record [`table`], the [`lexer`], the [`parser`] with its [recovery], and the
 //! typed syntax tree ([`ast`]) that still holds every character of the source; and what is
-//! made of the table: words ([`describe`]), the reference and the EBNF ([`grammar`]).
+//! made of the table: words ([`describe`]). The reference and the EBNF are made of it by `tests/grammar`.
 //!
 //! ```text
 //!   text ──lexer──► lexed: columns of tokens, significant tokens, values   logos; each number is read once
@@ -28,7 +28,6 @@ pub mod commented_out;
 pub mod contents;
 pub mod describe;
 pub mod directive;
-pub mod grammar;
 pub mod hex;
 pub mod hidden;
 pub mod ids;

@@ -310,22 +310,4 @@ impl Primitive {
     pub fn shape(&self) -> &dyn Shape {
         each!(self)
     }
-
-    /// The name of the shape in counts and plans.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Primitive::Revolution(_) => "surface of revolution",
-            Primitive::Plane(_) => "plane",
-            Primitive::HalfSpace(_) => "half-space",
-            Primitive::Rectangle(_) => "rectangle",
-            Primitive::Triangle(_) => "triangle",
-            Primitive::Sphere(_) => "sphere",
-            Primitive::Ellipsoid(_) => "ellipsoid",
-            Primitive::Cuboid(_) => "box",
-            Primitive::GeodesicSphere(_) => "geodesic sphere",
-            Primitive::Torus(_) => "torus",
-            Primitive::Quadric(s) => s.name(),
-            Primitive::Cone(s) => s.name(),
-        }
-    }
 }

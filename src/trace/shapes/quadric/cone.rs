@@ -40,14 +40,6 @@ impl Cone {
         }
     }
 
-    pub fn name(&self) -> &'static str {
-        if self.record.double {
-            "double cone"
-        } else {
-            "cone"
-        }
-    }
-
     /// How a line passes what of the cone is between two heights. The form is positive where the line is in that slab
     /// and the ball around the cone.
     fn pass_between(&self, line: &Line, stretch: [f64; 2], [low, high]: [f64; 2]) -> Pass {

@@ -36,31 +36,26 @@ pub struct Quadric {
     sizes: [f64; 3],
     /// Of what is bounded: the centre and radius of a ball around it, and a bound on the sizes of all terms in there.
     ball: Option<(Vec3, f64, f64)>,
-    name: &'static str,
 }
 
 impl Quadric {
     /// The quadric of a record, which the shape is as well.
     pub fn new(geometry: &Geometry, record: &Record) -> Quadric {
-        let (form, name) = match *record {
-            Record::General(q) => (Form::symmetric_part(q), "quadric"),
-            Record::ParabolicCylinder { a } => (
-                Form::canonical([1.0, 0.0, 0.0], -1.0, 0.0, [a, 1.0, 1.0]),
-                "parabolic cylinder",
-            ),
-            Record::HyperbolicCylinder { a, b } => (
-                Form::canonical([1.0, -1.0, 0.0], 0.0, -1.0, [a, b, 1.0]),
-                "hyperbolic cylinder",
-            ),
+        let form = match *record {
+            Record::General(q) => Form::symmetric_part(q),
+            Record::ParabolicCylinder { a } => {
+                Form::canonical([1.0, 0.0, 0.0], -1.0, 0.0, [a, 1.0, 1.0])
+            }
+            Record::HyperbolicCylinder { a, b } => {
+                Form::canonical([1.0, -1.0, 0.0], 0.0, -1.0, [a, b, 1.0])
+            }
             Record::Hyperboloid { a, b, c, sheets } => {
                 let constant = if sheets == 2 { 1.0 } else { -1.0 };
-                let form = Form::canonical([1.0, -1.0, 1.0], 0.0, constant, [a, b, c]);
-                (form, "hyperboloid")
+                Form::canonical([1.0, -1.0, 1.0], 0.0, constant, [a, b, c])
             }
-            Record::HyperbolicParaboloid { a, b } => (
-                Form::canonical([1.0, 0.0, -1.0], -1.0, 0.0, [a, 1.0, b]),
-                "hyperbolic paraboloid",
-            ),
+            Record::HyperbolicParaboloid { a, b } => {
+                Form::canonical([1.0, 0.0, -1.0], -1.0, 0.0, [a, 1.0, b])
+            }
         };
         let bounds = record.bounds(&Matrix::IDENTITY).padded();
         let sizes = form.sizes();
@@ -77,12 +72,7 @@ impl Quadric {
             convex: ball.is_some() || matches!(record, Record::ParabolicCylinder { .. }),
             sizes,
             ball,
-            name,
         }
-    }
-
-    pub fn name(&self) -> &'static str {
-        self.name
     }
 
     /// Whether F is positive on the whole line, by more than rounding and the line's slack can change.

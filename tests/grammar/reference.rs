@@ -1,10 +1,10 @@
 //! What is generated from the record table: the tables of the language reference and the EBNF.
-//! `tests/grammar.rs` keeps the files in `grammar/` up to date.
+//! The tests beside it keep the files in `grammar/` up to date.
 
 use std::fmt::Write as _;
 
-use super::table::{Family, Kind, Param, ParamKind, RECORD_TYPES, RecordType};
-use crate::diagnostics::{Code, Language};
+use zpg::diagnostics::{Code, Language};
+use zpg::syntax::table::{Family, Kind, Param, ParamKind, RECORD_TYPES, RecordType};
 
 /// Starts a generated part, with a name and ` -->`.
 const START: &str = "<!-- table:";
@@ -240,38 +240,33 @@ fn value(param: &Param) -> String {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+#[test]
+fn productions() {
+    let of = |keyword| production(RecordType::by_keyword(keyword).unwrap());
+    assert_eq!(of("sphere"), "id, \"11\", 4 * real");
+    assert_eq!(
+        of("checkerboard"),
+        "id, \"-399\", 2 * integer, 2 * colour_id"
+    );
+    assert_eq!(of("hyperboloid"), "id, \"20\", [ 3 * real, integer ]");
+    assert_eq!(
+        of("assign"),
+        "id, \"-299\", ( texture_id | colour_id | none ), ( optics_id | none )"
+    );
+}
 
-    #[test]
-    fn productions() {
-        let of = |keyword| production(RecordType::by_keyword(keyword).unwrap());
-        assert_eq!(of("sphere"), "id, \"11\", 4 * real");
-        assert_eq!(
-            of("checkerboard"),
-            "id, \"-399\", 2 * integer, 2 * colour_id"
-        );
-        assert_eq!(of("hyperboloid"), "id, \"20\", [ 3 * real, integer ]");
-        assert_eq!(
-            of("assign"),
-            "id, \"-299\", ( texture_id | colour_id | none ), ( optics_id | none )"
-        );
-    }
-
-    #[test]
-    fn wrong_markers_are_named() {
-        assert_eq!(
-            fill("<!-- table:nonsense --><!-- end -->", Language::English).unwrap_err(),
-            "there is no table `nonsense`"
-        );
-        assert_eq!(
-            fill("<!-- table:lights -->", Language::English).unwrap_err(),
-            "table `lights` does not end"
-        );
-        let filled = fill("a <!-- table:lights -->x<!-- end --> b", Language::English).unwrap();
-        assert!(filled.starts_with("a <!-- table:lights -->\n| type |"));
-        assert!(filled.ends_with("<!-- end --> b"));
-        assert_eq!(fill(&filled, Language::English).unwrap(), filled);
-    }
+#[test]
+fn wrong_markers_are_named() {
+    assert_eq!(
+        fill("<!-- table:nonsense --><!-- end -->", Language::English).unwrap_err(),
+        "there is no table `nonsense`"
+    );
+    assert_eq!(
+        fill("<!-- table:lights -->", Language::English).unwrap_err(),
+        "table `lights` does not end"
+    );
+    let filled = fill("a <!-- table:lights -->x<!-- end --> b", Language::English).unwrap();
+    assert!(filled.starts_with("a <!-- table:lights -->\n| type |"));
+    assert!(filled.ends_with("<!-- end --> b"));
+    assert_eq!(fill(&filled, Language::English).unwrap(), filled);
 }
