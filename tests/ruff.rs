@@ -121,6 +121,13 @@ fn other_words_of_ruff_have_an_answer() {
             "`zpg check --show-settings` shows all settings",
         ),
         (&["server"], "zpg calls it `zpg lsp`"),
+        (&["init"], "zpg calls it `zpg new`"),
+        (&["check", "--no-fix"], "writes nothing without `--fix`"),
+        (&["render", "--width", "320"], "`--size 640x480`"),
+        (
+            &["render", "--antialias", "0.3"],
+            "zpg calls it `--samples`",
+        ),
         (&["version"], "zpg calls it `zpg --version`"),
         (
             &["check", "--per-file-ignores", "*:W310"],

@@ -2,8 +2,8 @@
 
 use crate::syntax::words::plain;
 
-/// A word of ruff, and the message that says what there is instead.
-const HABITS: [(&str, &str); 29] = [
+/// A word of ruff or of a renderer, and the message that says what there is instead.
+const HABITS: [(&str, &str); 55] = [
     ("--add-noqa", "habit-add-allow"),
     ("--cache-dir", "habit-cache"),
     ("--no-cache", "habit-cache"),
@@ -32,6 +32,32 @@ const HABITS: [(&str, &str); 29] = [
     ("analyze", "habit-analyze"),
     ("--verbose", "habit-verbose"),
     ("-v", "habit-verbose"),
+    ("--log-level", "habit-verbose"),
+    ("--all", "habit-linter"),
+    ("--no-fix", "habit-no-fix"),
+    ("--no-preview", "habit-preview"),
+    ("--no-respect-gitignore", "habit-gitignore"),
+    ("-n", "habit-cache"),
+    ("-s", "habit-silent"),
+    ("-e", "habit-exit-zero"),
+    ("--show-source", "habit-show-source"),
+    ("init", "habit-new"),
+    ("create", "habit-new"),
+    ("lint", "habit-check"),
+    ("validate", "habit-check"),
+    ("fix", "habit-fix"),
+    ("draw", "habit-render"),
+    ("trace", "habit-render"),
+    ("export", "habit-convert"),
+    ("translate", "habit-convert"),
+    ("--width", "habit-size"),
+    ("--height", "habit-size"),
+    ("--resolution", "habit-size"),
+    ("--antialias", "habit-samples"),
+    ("--antialiasing", "habit-samples"),
+    ("--aa", "habit-samples"),
+    ("--spp", "habit-samples"),
+    ("--gamma", "habit-gamma"),
     ("version", "habit-version"),
 ];
 

@@ -158,6 +158,19 @@ impl Document {
         let line_breaks = findings.iter().filter(|d| d.code == Code::W314);
         let doubted = line_breaks.filter_map(|d| self.item_at(d.span.start));
         self.doubted = doubted.map(|i| self.items[i].ends().0).collect();
+        if self.contents.has(&[RecordKind::Rotation]) {
+            let turned = self.items.iter().filter(|item| self.is_about_nothing(item));
+            let turned: Vec<u32> = turned.map(|item| item.ends().0).collect();
+            self.doubted.extend(turned);
+            self.doubted.sort_unstable();
+        }
+    }
+
+    /// Whether a record turns about axis 0, which is none: what follows may be numbers of it, as the angles about y and z
+    /// in `2 -2 90 0 0`.
+    fn is_about_nothing(&self, item: &Item) -> bool {
+        let turn = item.record().filter(|r| r.kind == RecordKind::Rotation);
+        turn.is_some_and(|r| self.values(r).last() == Some(&0.0))
     }
 
     /// Whether the record that begins with a token is among the doubted ones.

@@ -3,8 +3,8 @@
 
 use std::fmt::Write as _;
 
-use zpg::diagnostics::{Code, Language};
-use zpg::syntax::table::{Family, Kind, Param, ParamKind, RECORD_TYPES, RecordType};
+use zpg::internals::diagnostics::{Code, Language};
+use zpg::internals::syntax::table::{Family, Kind, Param, ParamKind, RECORD_TYPES, RecordType};
 
 /// Starts a generated part, with a name and ` -->`.
 const START: &str = "<!-- table:";

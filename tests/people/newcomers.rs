@@ -3,6 +3,7 @@
 
 use zpg::internals::analysis::{Analysis, fixing, repair};
 use zpg::internals::diagnostics::{Code, Language, fixes};
+use zpg::internals::format::{Options, format};
 
 use super::read;
 
@@ -86,6 +87,7 @@ const BEHIND: &[(&str, &str)] = &[
     ),
     // Decimal points that are lost, per cent, parts by kind, digits of a Czech keyboard.
     ("2 -701 09 06 01\n", "2 -701 0.9 0.6 0.1\n"),
+    ("2 -701 .1 .3 7\n", "2 -701 .1 .3 0.7\n"),
     ("2 -701 90 60 10\n", "2 -701 0.9 0.6 0.1\n"),
     ("2 -201 0.05 01 0.85\n", "2 -201 0.05 0.1 0.85\n"),
     ("2 -201 0.2 08 0\n", "2 -201 0.2 0.8 0\n"),
@@ -185,6 +187,10 @@ const JOINED: &[(&str, &str)] = &[
     ("koule 4 0 1.6 0 0.6", "4 11 0 1.6 0 0.6"),
     ("sphere { <0,1.6,0>, 0.6 }", "4 11  0 1.6 0  0.6 "),
     ("14 4 1 0.3", "4 14 1 0.3"),
+    // A profile without the number of its points; a length with a unit.
+    ("4 1 0 0  1 0  1 2  0 2", "4 1 4 0 0  1 0  1 2  0 2"),
+    ("4 1 1.2 0  1.2 2.5", "4 1 2 1.2 0  1.2 2.5"),
+    ("4 14 0.7 0.15m", "4 14 0.7 0.15"),
     // A digit of the type is lost, doubled, or exchanged with another; the space before it is lost.
     ("4 41 1 0.3", "4 14 1 0.3"),
     ("4 114 1 0.3", "4 14 1 0.3"),
@@ -323,6 +329,18 @@ fn an_operation_with_the_id_of_its_operand() {
     // A digit of the type is lost; a geodesic sphere would leave the operands unused.
     let whole = text(4);
     assert_eq!(fixed(&whole.replace("-103", "-13")), whole);
+}
+
+/// The last 0 of three angles is not the one before a comment.
+#[test]
+fn angles_before_a_comment() {
+    let text = "2 12 0 0 0 1 1 1\n2 -2 90 0 0 # turned #\n1 9999 2 0\n";
+    let analysis = read(text);
+    let printed = format(text, &analysis.document, &Options::default());
+    assert!(printed.contains("2 -2 90 0 0 # turned #"), "{printed}");
+    let safe = fixing::to_fixed_point(read(text), false, Analysis::of);
+    assert_eq!(safe.analysis.source.text, text);
+    assert!(fixed(text).contains("2 -2 90 1"));
 }
 
 /// A safe fix waits while a change of its object cannot be read.

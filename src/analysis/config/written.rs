@@ -114,11 +114,11 @@ impl Reader<'_> {
             let codes = name.parse().map_err(|e: UnknownCode| {
                 // What belongs elsewhere is no code that is misspelt.
                 match misplaced(name).or_else(|| near(name, &[PER_FILE_IGNORES])) {
-                    Some(near) => {
+                    near if near.is_some() || OF_RUFF.contains(&name) => {
                         let codes = Complaint::new("setting-codes-known");
-                        (key.span().start, no_setting(&full, codes, Some(near)))
+                        (key.span().start, no_setting(&full, codes, near))
                     }
-                    None => (key.span().start, e.complaint()),
+                    _ => (key.span().start, e.complaint()),
                 }
             });
             let Some(codes) = self.keep(codes) else {
@@ -292,11 +292,16 @@ fn no_setting(key: &str, known: Complaint, near: Option<String>) -> Complaint {
     why.or_meant(near)
 }
 
+/// Lists of codes in ruff's settings. Here each code has a level.
+const OF_RUFF: [&str; 4] = ["ignore", "select", "extend-ignore", "extend-select"];
+
 /// The whole name of a setting that belongs into another table.
 fn misplaced(name: &str) -> Option<String> {
     let is_code = || Code::parse(name).is_some();
     match name {
         EXCLUDE => Some(EXCLUDE.to_owned()),
+        // As ruff calls it.
+        "line-length" => Some(format!("{FORMAT}.width")),
         _ if OF_FORMAT.contains(&name) => Some(format!("{FORMAT}.{name}")),
         _ if is_code() => Some(format!("{LINT}.{name}")),
         _ => None,

@@ -9,6 +9,11 @@ pub fn number(text: &str) -> Option<String> {
     // Square brackets belong to no number; other ones are no words.
     let text = text.trim_start_matches('[').trim_end_matches(']');
     let text = text.strip_suffix(['°', 'º', '˚']).unwrap_or(text);
+    // Lengths have no unit.
+    let text = match text.strip_suffix('m') {
+        Some(metres) if plain(metres).is_some() => metres,
+        _ => text,
+    };
     if let Some(share) = text.strip_suffix('%') {
         return hundredth(&plain(share)?);
     }
@@ -138,6 +143,7 @@ mod tests {
             ("O", "0"),
             ("O5", "5"),
             ("l", "1"),
+            ("0.15m", "0.15"),
             ("é", "0"),
             ("č+", "41"),
             ("++", "11"),

@@ -170,10 +170,23 @@ impl Place<'_> {
         (is_one && points.len() % each == 0 && count > 1).then_some(count)
     }
 
+    /// The number of points in front of the points of a profile that has none.
+    fn lost_count(&self) -> Option<Candidate> {
+        let ty = self.ty().filter(|ty| ty.is_counted() && !self.fits(ty))?;
+        let (base, point) = (ty.arity(0), ty.arity(1) - ty.arity(0));
+        let numbers = self.params().len() as u64;
+        let points = (numbers + 1).checked_sub(base)? / point;
+        let is_whole = points >= 2 && ty.arity(points) == numbers + 1;
+        let first = self.params().first().filter(|_| is_whole)?;
+        let text = format!("{points} {}", first.text(self.text));
+        self.write(Habit::Count, &[(*first, text)])
+    }
+
     /// The number of points that a profile has, in the place of the one that it says.
     pub(super) fn count(&self, out: &mut Vec<Candidate>) {
         let count = self.whole_points().map(|count| count.to_string());
         out.extend(count.and_then(|count| self.write(Habit::Count, &[(self.params()[0], count)])));
+        out.extend(self.lost_count());
     }
 
     /// That a profile says another number of points than it has.

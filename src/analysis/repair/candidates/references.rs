@@ -47,6 +47,19 @@ impl Place<'_> {
         if finding.code == Code::E107 && finding.case != "cycle" {
             return;
         }
+        let named = all.iter().find(|(t, _)| finding.span == t.span());
+        let named = named.and_then(|(t, _)| Some((*t, self.kind_of(t.integer(self.text)?)?)));
+        match named {
+            // Lamps shine by themselves, and no other object is meant.
+            Some((_, Kind::PointLight | Kind::AmbientLight)) if self.is_operation() => return,
+            // Cameras, too, are found by themselves.
+            Some((t, Kind::Camera))
+                if self.ty().is_some_and(|ty| ty.kind == RecordKind::Render) =>
+            {
+                out.extend(self.write(Habit::Reference, &[(t, String::from("0"))]));
+            }
+            _ => {}
+        }
         self.swapped(out);
         self.colours_first(out);
         self.other_place(finding, &all, out);
@@ -94,6 +107,12 @@ impl Place<'_> {
                     .filter_map(|o| self.write(Habit::Reference, &[(*t, o.3.to_string())])),
             );
         }
+    }
+
+    /// What has an ID.
+    fn kind_of(&self, id: i64) -> Option<Kind> {
+        let mut entities = self.analysis.scene.entities.iter();
+        entities.find(|e| i64::from(e.id) == id)?.kind
     }
 
     /// Whether any record refers to an ID.

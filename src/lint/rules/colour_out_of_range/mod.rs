@@ -69,16 +69,24 @@ fn finding(p: &Params, first: usize) -> Diagnostic {
     if !pointed.is_empty() {
         return d.fix(fix("point-lost", pointed));
     }
+    let limited = || {
+        let edits = (first..p.len()).filter(|&i| is_outside(p, i));
+        let edits = edits.map(|i| edit(p, i, rough(p.number(i).clamp(0.0, 1.0))));
+        fix("fix", edits.collect())
+    };
+    // A single digit beside decimals: `.1 .3 7`.
+    let is_digit = |i: usize| !is_outside(p, i) || p.text_of(i).len() == 1;
+    if (first..p.len()).all(is_digit) && values.iter().any(|x| x.fract() != 0.0) {
+        let edits = (first..p.len()).filter(|&i| is_outside(p, i));
+        let edits = edits.map(|i| edit(p, i, format!("0.{}", p.text_of(i))));
+        return d.fix(fix("point-lost", edits.collect())).fix(limited());
+    }
     match scale(&values) {
         Some(Scale::Bytes) => d.note("bytes").fix(divided("divide", BYTE_MAX)),
         Some(Scale::PerCent) => {
             (d.fix(divided("hundredths", PER_CENT_MAX))).fix(divided("divide", BYTE_MAX))
         }
-        None => {
-            let edits = (first..p.len()).filter(|&i| is_outside(p, i));
-            let edits = edits.map(|i| edit(p, i, rough(p.number(i).clamp(0.0, 1.0))));
-            d.fix(fix("fix", edits.collect()))
-        }
+        None => d.fix(limited()),
     }
 }
 

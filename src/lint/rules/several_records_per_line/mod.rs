@@ -9,6 +9,8 @@ use crate::syntax::lexer::TokenKind;
 /// The records of a line.
 #[derive(Default)]
 struct Line<'a> {
+    /// The first of its records.
+    first: Option<&'a Item>,
     /// The one before the others, if it began on an earlier line.
     torn: Option<&'a Item>,
     /// Those that begin behind another one.
@@ -36,10 +38,12 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         if is_torn(context, before) {
             report(context, &line, false, out);
             line = Line {
+                first: Some(before),
                 torn: Some(before),
                 ..Line::default()
             };
         }
+        line.first.get_or_insert(before);
         line.more.push(item);
     }
     report(context, &line, true, out);
@@ -88,7 +92,7 @@ fn report(context: &Context, line: &Line, ends: bool, out: &mut Vec<Diagnostic>)
     // cut that is whole records. And a record that may have taken another one's numbers must not look as if all were
     // well.
     let is_doubted = |item: &Item| context.document.is_doubted(item.ends().0);
-    let mut items = line.torn.into_iter().chain(line.more.iter().copied());
+    let mut items = line.first.into_iter().chain(line.more.iter().copied());
     let is_whole = line.torn.is_none() && !line.more.last().is_some_and(|l| is_torn(context, l));
     let is_sure = !context.document.contents.broken || is_whole && !line.broken;
     out.push(match is_sure && !items.any(is_doubted) {
