@@ -43,7 +43,11 @@ fn table(name: &str, language: Language) -> Option<String> {
 }
 
 fn family(family: Family, language: Language) -> String {
-    let mut out = language.say("record-table", &[]) + "\n|---:|---|---|---|---|\n";
+    let mut out = match language {
+        Language::English => "| type | keyword | parameters | meaning | values |".to_owned(),
+        Language::Czech => "| typ | jméno | parametry | význam | hodnoty |".to_owned(),
+    };
+    out += "\n|---:|---|---|---|---|\n";
     for ty in RECORD_TYPES.iter().filter(|t| t.family == family) {
         // Writing to a string cannot fail.
         let _ = writeln!(
@@ -96,7 +100,11 @@ fn values(ty: &RecordType, language: Language) -> String {
 }
 
 fn diagnostics(language: Language) -> String {
-    let mut out = language.say("codes-table", &[]) + "\n|---|---|---|\n";
+    let mut out = match language {
+        Language::English => "| code | name | what it does |".to_owned(),
+        Language::Czech => "| kód | název | co hlásí |".to_owned(),
+    };
+    out += "\n|---|---|---|\n";
     for code in Code::ALL {
         let what = code
             .explanation(language)

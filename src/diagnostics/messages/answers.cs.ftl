@@ -115,8 +115,6 @@ record-example = Příklad
 record-repeated = pak N-krát:
 record-repeated-again = pak znovu N-krát:
 record-optional = pak buď všechny tyto, nebo žádný, na posledním řádku záznamu:
-record-table = | typ | jméno | parametry | význam | hodnoty |
-codes-table = | kód | název | co hlásí |
 
 ## Editory
 

@@ -136,8 +136,6 @@ record-example = Example
 record-repeated = then N times:
 record-repeated-again = then N times again:
 record-optional = then all of these or none, on the record's last line:
-record-table = | type | keyword | parameters | meaning | values |
-codes-table = | code | name | what it does |
 
 ## Editors
 
