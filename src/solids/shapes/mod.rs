@@ -36,7 +36,7 @@ use torus::Torus;
 use triangle::Triangle;
 
 /// A shape with the numbers of its record, as one of the shapes that have a file here. A question that few shapes
-/// answer is a match over them where it is asked, and not a part of [`Facts`](facts::Facts).
+/// answer is a match over them where it is asked, and not a part of [`Facts`].
 pub enum AnyShape<'a> {
     Cone(Cone),
     Cuboid(Cuboid),
