@@ -1,62 +1,81 @@
 //! Showing how a file would change, as a unified diff, or has changed, line by line.
 
-use std::fmt;
+use std::fmt::Write;
+use std::ops::Range;
 
 use clap::builder::styling::AnsiColor;
-use imara_diff::{InternedInput, Interner, Token, UnifiedDiffConfig, UnifiedDiffPrinter};
+use imara_diff::{Diff, Hunk, InternedInput, Token};
 use rustc_hash::FxHashMap;
 
 use crate::format::difference;
 
-/// Lines of a unified diff as `patch` and git read them.
-struct Lines<'a>(&'a Interner<&'a str>);
+/// So many lines stand around what changes.
+const AROUND: u32 = 3;
 
-impl Lines<'_> {
-    fn write(&self, mut f: impl fmt::Write, mark: char, token: Token) -> fmt::Result {
-        let line = self.0[token];
-        let end = match line.ends_with('\n') {
-            true => "",
-            false => "\n\\ No newline at end of file\n",
-        };
-        write!(f, "{mark}{line}{end}")
+/// The hunks of a unified diff, as `patch` and git read them.
+fn hunks(input: &InternedInput<&str>, diff: &Diff) -> String {
+    let mut all: Vec<Vec<Hunk>> = Vec::new();
+    for hunk in diff.hunks() {
+        match all
+            .last_mut()
+            .and_then(|group| Some((group.last()?.before.end, group)))
+        {
+            // What is around both would overlap.
+            Some((end, group)) if hunk.before.start - end <= 2 * AROUND => group.push(hunk),
+            _ => all.push(vec![hunk]),
+        }
     }
+    let mut out = String::new();
+    let write = |out: &mut String, mark: char, tokens: &[Token]| {
+        for &token in tokens {
+            let line = input.interner[token];
+            let end = match line.ends_with('\n') {
+                true => "",
+                false => "\n\\ No newline at end of file\n",
+            };
+            out.extend([mark.encode_utf8(&mut [0; 4]), line, end]);
+        }
+    };
+    let kept = |range: Range<u32>| &input.before[range.start as usize..range.end as usize];
+    for group in &all {
+        let [Some(first), Some(last)] = [group.first(), group.last()] else {
+            continue;
+        };
+        let above = first.before.start.min(AROUND);
+        let below = (input.before.len() as u32 - last.before.end).min(AROUND);
+        let around = |of: fn(&Hunk) -> &Range<u32>| of(first).start - above..of(last).end + below;
+        let (old, new) = (around(|h| &h.before), around(|h| &h.after));
+        // A text takes all.
+        let _ = writeln!(out, "@@ -{} +{} @@", place(&old), place(&new));
+        let mut at = old.start;
+        for hunk in group {
+            write(&mut out, ' ', kept(at..hunk.before.start));
+            write(&mut out, '-', kept(hunk.before.clone()));
+            write(
+                &mut out,
+                '+',
+                &input.after[hunk.after.start as usize..hunk.after.end as usize],
+            );
+            at = hunk.before.end;
+        }
+        write(&mut out, ' ', kept(at..old.end));
+    }
+    out
 }
 
-impl UnifiedDiffPrinter for Lines<'_> {
-    fn display_header(
-        &self,
-        mut f: impl fmt::Write,
-        old_start: u32,
-        new_start: u32,
-        old_len: u32,
-        new_len: u32,
-    ) -> fmt::Result {
-        // The line before a range without lines is named.
-        let range = |start: u32, len: u32| match len {
-            0 => format!("{start},0"),
-            1 => format!("{}", start + 1),
-            _ => format!("{},{len}", start + 1),
-        };
-        let (old, new) = (range(old_start, old_len), range(new_start, new_len));
-        writeln!(f, "@@ -{old} +{new} @@")
-    }
-
-    fn display_context_token(&self, f: impl fmt::Write, token: Token) -> fmt::Result {
-        self.write(f, ' ', token)
-    }
-
-    fn display_hunk(&self, mut f: impl fmt::Write, old: &[Token], new: &[Token]) -> fmt::Result {
-        old.iter().try_for_each(|&t| self.write(&mut f, '-', t))?;
-        new.iter().try_for_each(|&t| self.write(&mut f, '+', t))
+/// The lines of a range as the head of a hunk names them: that before a range without lines.
+fn place(lines: &Range<u32>) -> String {
+    match lines.len() {
+        0 => format!("{},0", lines.start),
+        1 => format!("{}", lines.start + 1),
+        n => format!("{},{n}", lines.start + 1),
     }
 }
 
 /// Writes a unified diff.
 pub fn diff(out: &mut Vec<u8>, path: &str, old: &str, new: &str, colour: bool) {
     let input = InternedInput::new(old, new);
-    let diff = difference::of(&input);
-    let lines = Lines(&input.interner);
-    let hunks = diff.unified_diff(&lines, UnifiedDiffConfig::default(), &input);
+    let hunks = hunks(&input, &difference::of(&input));
     // A name with spaces ends with a tab for `patch`, as git writes it.
     let end = match path.contains(char::is_whitespace) {
         true => "\t",
@@ -183,6 +202,36 @@ mod tests {
     fn told(old: &str, new: &str) -> Vec<String> {
         let tell = |c: &Change| format!("{}: {} → {}", c.line, c.old, c.new);
         changes(old, new).iter().map(tell).collect()
+    }
+
+    #[test]
+    fn heads_of_hunks_are_where_their_lines_are() {
+        let lines = |changed: &[usize]| {
+            let line = |i| match changed.contains(&i) {
+                true => format!("{i} new\n"),
+                false => format!("{i}\n"),
+            };
+            (1..=20).map(line).collect::<String>()
+        };
+        for changed in (1..=20).flat_map(|i| (i..=20).map(move |j| [i, j])) {
+            let (old, new) = (lines(&[]), lines(&changed));
+            let mut out = Vec::new();
+            diff(&mut out, "a.zpg", &old, &new, false);
+            let text = String::from_utf8(out).unwrap();
+            for hunk in text.split("@@ -").skip(1) {
+                let (head, body) = hunk.split_once('\n').unwrap();
+                let [start, count] = head.split([',', ' ']).collect::<Vec<_>>()[..2] else {
+                    panic!("{head}");
+                };
+                let kept: Vec<&str> = (body.lines())
+                    .filter_map(|l| l.strip_prefix([' ', '-']))
+                    .collect();
+                let at: usize = start.parse().unwrap();
+                assert_eq!(kept.len().to_string(), count, "{text}");
+                let all: Vec<&str> = old.lines().collect();
+                assert_eq!(&all[at - 1..at - 1 + kept.len()], kept, "{text}");
+            }
+        }
     }
 
     #[test]

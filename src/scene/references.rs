@@ -9,7 +9,7 @@ use super::model::{Entity, NodeId, Rgb};
 use super::record::Params;
 use super::resolve::Resolver;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Label, Span, Value};
-use crate::syntax::table::{Effect, Kind, ParamKind, RecordType};
+use crate::syntax::table::{Effect, Family, Kind, ParamKind, RecordType};
 use crate::syntax::{self, Document, Item};
 
 /// How many defined IDs are compared, in all, to find the ones that may have been meant: proposals
@@ -211,7 +211,13 @@ impl Resolver<'_> {
             },
         };
         let finding = self.showing(finding.with("id", id.to_string()), id);
-        let finding = self.with_proposal(finding, id, span, kinds, &used(p));
+        let kind = self.state(id).and_then(State::kind);
+        let is_lamp = matches!(kind, Some(Kind::PointLight | Kind::AmbientLight));
+        let finding = match is_lamp && p.ty.family == Family::Operation {
+            // Lamps shine by themselves: no other object is meant.
+            true => finding.note("no-part"),
+            false => self.with_proposal(finding, id, span, kinds, &used(p)),
+        };
         match self.state(id) {
             Some(state) => self.say_unless_lost(state, finding, id, kinds),
             None => self.say_unless_any_lost(finding, id, kinds),

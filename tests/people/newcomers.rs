@@ -98,6 +98,8 @@ const BEHIND: &[(&str, &str)] = &[
     ("2 -701 é + +\n", "2 -701 0 1 1\n"),
     // A digit of the type.
     ("2 -71 0.9 0.6 0.1\n", "2 -701 0.9 0.6 0.1\n"),
+    // A comma that begins a number.
+    ("2 -701 0,2 ,4 1\n", "2 -701 0.2 .4 1\n"),
     // A grey, and a second record on the line.
     ("2 -701 rgb 0.8\n", "2 -701 0.8 0.8 0.8\n"),
     (
@@ -198,6 +200,11 @@ const JOINED: &[(&str, &str)] = &[
     (
         "4 11 0 1.6 0 0.6\n-101 6 2 4",
         "4 11 0 1.6 0 0.6\n6 -101 2 4",
+    ),
+    // An assignment without its type.
+    (
+        "4 11 0 1.6 0 0.6\n41 -201 0.5 0.5 0\n4 41",
+        "4 11 0 1.6 0 0.6\n41 -201 0.5 0.5 0\n4 -299 0 41",
     ),
     // The ID is a type, too.
     (
@@ -341,6 +348,26 @@ fn angles_before_a_comment() {
     let safe = fixing::to_fixed_point(read(text), false, Analysis::of);
     assert_eq!(safe.analysis.source.text, text);
     assert!(fixed(text).contains("2 -2 90 1"));
+}
+
+/// A sphere that has lost a number is no ellipsoid, and a comma that may begin a number is not removed for certain.
+#[test]
+fn what_is_not_certain() {
+    let text = format!("2 11 0.2 0.4 1.5\n2 -701 1 0 0\n{REST}");
+    assert_eq!(fixed(&text), text);
+    let text = format!("2 11 0 0 ,5 1\n{REST}");
+    let safe = fixing::to_fixed_point(read(&text), false, Analysis::of);
+    assert_eq!(safe.analysis.source.text, text);
+    assert_eq!(fixed(&text), text.replace(',', "."));
+}
+
+/// What an error leaves out of a scene may be what a warning would miss.
+#[test]
+fn warnings_wait_for_errors() {
+    let text = format!("2 11 0 0 0 1\n2 -201 0.8 0.1 0.1.\n2 -203 1.5 1.5 1.5\n{REST}");
+    let analysis = read(&text);
+    let mut warned = analysis.findings().iter().filter(|d| d.code == Code::W318);
+    assert!(warned.next().is_none());
 }
 
 /// A safe fix waits while a change of its object cannot be read.

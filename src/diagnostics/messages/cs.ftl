@@ -106,6 +106,7 @@ fix-comment = dát to do komentáře
 fix-doubled = vynechat čísla, která jsou tu dvakrát
 lack = zapsaná čísla jsou možná { $have }; pak chybí { $missing }
 lost = možná chybí jeho definice; `--unsafe-fixes` odhady nepoužije
+no-part = lampa svítí sama od sebe; není částí tělesa
 choose = několik odhadů je stejně dobrých: vyberte z nich, `--unsafe-fixes` nepoužije žádný
 comment-ends = komentář končí druhým znakem `#`; co stojí za ním, se čte jako čísla
 fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam

@@ -99,6 +99,7 @@ fix-comment = turn this into a comment
 fix-doubled = drop the numbers that stand there twice
 lack = the numbers here may be { $have }, with { $missing } left out
 lost = its definition may be missing; `--unsafe-fixes` takes none of these guesses
+no-part = a lamp shines by itself; it is no part of an object
 choose = several guesses are as good: choose one, since `--unsafe-fixes` takes none of them
 comment-ends = a comment ends at its second `#`; whatever comes after it is read as numbers
 fix-lamp = write the intensity 1, and the colour as a record of its own

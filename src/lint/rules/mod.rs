@@ -299,8 +299,11 @@ pub const RULES: &[Rule] = &[
     },
 ];
 
-/// Rules about the picture as a whole. What an error leaves out of a scene may be what would be seen: they do not run then.
+/// Rules about the picture as a whole, and about what several records make of an object. What an error leaves out of a
+/// scene may be what would be seen, or a property: they do not run then.
 pub const OF_PICTURES: &[Code] = &[
+    Code::W307,
+    Code::W318,
     Code::W324,
     Code::W325,
     Code::W326,

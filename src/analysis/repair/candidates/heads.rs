@@ -105,6 +105,9 @@ impl Place<'_> {
             (id > RENDER && !is_defined(id) && self.fit(ty, params)).then_some((id, ty))
         };
         let mut all: Vec<(u32, &RecordType)> = (1..digits.len()).filter_map(split).collect();
+        // Where a type follows, the ID must be one that is missing.
+        let has_type = self.ty().is_some_and(|ty| ty.kind != RecordKind::Undefined);
+        all.retain(|(id, _)| !has_type || undefined.contains(id));
         all.sort_by_key(|(id, _)| !undefined.contains(id));
         let candidates = all.into_iter().map(|(id, ty)| {
             let text = format!("{id} {}", ty.code);

@@ -47,18 +47,17 @@ impl Place<'_> {
         if finding.code == Code::E107 && finding.case != "cycle" {
             return;
         }
+        if self.joins_lamp(finding) {
+            return;
+        }
+        // Cameras are found by themselves.
+        let is_camera =
+            |t: &Token| t.integer(self.text).and_then(|id| self.kind_of(id)) == Some(Kind::Camera);
         let named = all.iter().find(|(t, _)| finding.span == t.span());
-        let named = named.and_then(|(t, _)| Some((*t, self.kind_of(t.integer(self.text)?)?)));
-        match named {
-            // Lamps shine by themselves, and no other object is meant.
-            Some((_, Kind::PointLight | Kind::AmbientLight)) if self.is_operation() => return,
-            // Cameras, too, are found by themselves.
-            Some((t, Kind::Camera))
-                if self.ty().is_some_and(|ty| ty.kind == RecordKind::Render) =>
-            {
-                out.extend(self.write(Habit::Reference, &[(t, String::from("0"))]));
-            }
-            _ => {}
+        if let (Some((t, _)), Some(RecordKind::Render)) = (named, self.ty().map(|ty| ty.kind))
+            && is_camera(t)
+        {
+            out.extend(self.write(Habit::Reference, &[(*t, String::from("0"))]));
         }
         self.swapped(out);
         self.colours_first(out);
@@ -109,8 +108,15 @@ impl Place<'_> {
         }
     }
 
+    /// Whether a finding is about a lamp that an operation names. Lamps shine by themselves: no other object is meant.
+    pub fn joins_lamp(&self, finding: &Diagnostic) -> bool {
+        let named = self.params().iter().find(|t| finding.span == t.span());
+        let kind = named.and_then(|t| self.kind_of(t.integer(self.text)?));
+        self.is_operation() && matches!(kind, Some(Kind::PointLight | Kind::AmbientLight))
+    }
+
     /// What has an ID.
-    fn kind_of(&self, id: i64) -> Option<Kind> {
+    pub(super) fn kind_of(&self, id: i64) -> Option<Kind> {
         let mut entities = self.analysis.scene.entities.iter();
         entities.find(|e| i64::from(e.id) == id)?.kind
     }

@@ -25,7 +25,7 @@ const OFTEN: &[i32] = &[
 const SIBLINGS: &[(i32, &[i32])] = &[
     (9, &[11, 10, 13]),
     (10, &[9, 11]),
-    (11, &[9, 10]),
+    (11, &[9]),
     (13, &[9]),
     (3, &[4]),
     (5, &[12]),
@@ -290,6 +290,7 @@ impl Place<'_> {
         let Some(code) = self.int(1).filter(|_| unknown) else {
             return;
         };
+        out.extend(self.lost_assignment(code));
         let mut fitting: Vec<&'static RecordType> = crate::syntax::table::RECORD_TYPES
             .iter()
             .filter(|ty| self.fits(ty) && i64::from(ty.code) != code)
@@ -307,6 +308,29 @@ impl Place<'_> {
             };
             self.write_type(habit, ty)
         }));
+    }
+
+    /// An assignment that has lost its type and its 0, as in `20 45` where 45 is a property.
+    fn lost_assignment(&self, property: i64) -> Option<Candidate> {
+        let is_one = self.params().is_empty();
+        let text = match self.kind_of(property).filter(|_| is_one)? {
+            Kind::Optics => format!("0 {property}"),
+            Kind::Texture | Kind::Colour => format!("{property} 0"),
+            _ => return None,
+        };
+        let ty = RecordType::of(RecordKind::Assignment);
+        let text = format!("{} {text}", ty.code);
+        let fix = Fix::replace(
+            "fix-write",
+            Applicability::Unsafe,
+            self.tokens[1].span(),
+            text.clone(),
+        );
+        Some(Candidate {
+            habit: Habit::Digit,
+            fix: (fix.with("number", quote(&text))).with("type", Value::Term(ty.title)),
+            ty: Some(ty),
+        })
     }
 
     /// A record without its type: what stands in its place is none, or would change what is defined nowhere else. One

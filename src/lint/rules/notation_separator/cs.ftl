@@ -1,5 +1,6 @@
 S501 = `{ $text }` do scény nepatří; čísla se oddělují mezerami
     .label = čteno jako mezera
+    .points = napsat desetinnou tečku
     .fix = { $count ->
         [one] odstranit
        *[other] odstranit všechny na tomto řádku ({ $count })

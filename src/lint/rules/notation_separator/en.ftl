@@ -1,5 +1,6 @@
 S501 = `{ $text }` does not belong in a scene; numbers are separated by spaces
     .label = read as white space
+    .points = write a decimal point
     .fix = { $count ->
         [one] remove it
        *[other] remove all { $count } on this line

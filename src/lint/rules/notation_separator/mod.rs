@@ -16,6 +16,15 @@ fn is_between_digits(text: &str, separator: &Token) -> bool {
         && digit(Some(separator.end()))
 }
 
+/// Whether a separator is a comma that a number may begin with: `,5` for 0.5.
+fn begins_number(text: &str, separator: &Token) -> bool {
+    let at = |i: usize| text.as_bytes().get(i);
+    let before = (separator.start as usize).checked_sub(1).and_then(at);
+    separator.text(text) == ","
+        && before.is_none_or(u8::is_ascii_whitespace)
+        && at(separator.end() as usize).is_some_and(u8::is_ascii_digit)
+}
+
 /// Whether a record that cannot be read has a part in the line of a separator.
 fn is_broken(context: &Context, separator: Span) -> bool {
     let (text, document) = (context.text, context.document);
@@ -74,6 +83,24 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 applicability: Applicability::Unsafe,
                 edits,
             }));
+            continue;
+        }
+        let leading: Vec<Span> = (separators.iter())
+            .filter(|t| begins_number(context.text, t))
+            .map(|t| t.span())
+            .collect();
+        if !leading.is_empty() {
+            let mut points = edits.clone();
+            for edit in points.iter_mut().filter(|e| leading.contains(&e.span)) {
+                edit.text = String::from(".");
+            }
+            let fix = |title, edits| Fix {
+                title,
+                values: Vec::new(),
+                applicability: Applicability::Unsafe,
+                edits,
+            };
+            out.push((finding.fix(fix("points", points))).fix(fix("fix", edits)));
             continue;
         }
         // What is wrong there may be what the separators say: a decimal comma, a comment.

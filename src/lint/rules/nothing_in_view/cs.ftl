@@ -10,6 +10,7 @@ W324 = nic nebude vidět: vše, co se vykresluje, leží { $where ->
     .note = v obrázku o velikosti { $width } × { $height } pixelů
     .help = přesuňte kameru, nebo ji otočte k tomu, co se vykresluje
     .fix = otočit kameru do středu toho, co se vykresluje
+    .fix-sign = napsat { $number }, s opačným znaménkem
 W324-unbounded = kamera { $id } neuvidí nic kromě toho, co nemá konec (například podlahy)
     .label = { W324.label }
     .note = { W324.note }

@@ -10,6 +10,7 @@ W324 = nothing will be seen: all that is drawn lies { $where ->
     .note = in a picture of { $width } by { $height } pixels
     .help = move the camera, or turn it to what is drawn
     .fix = look at the middle of what is drawn
+    .fix-sign = write { $number }, with the other sign
 W324-unbounded = the camera { $id } will see nothing but what has no end, such as a floor
     .label = { W324.label }
     .note = { W324.note }

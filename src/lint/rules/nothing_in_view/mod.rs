@@ -72,6 +72,7 @@ fn turned(context: &Context, root: NodeId, camera: &Camera, p: &Params) -> Vec<F
         return Vec::new();
     }
     let mut fixes = Vec::from_iter(turned_to_point(context, root, camera, p, Parts::All));
+    fixes.extend(with_sign(context, root, camera, p));
     let all = context.bounds()[root as usize].bounded();
     let way = sub(all.centre(), camera.position);
     if all.is_bounded() && sees(context, root, camera, way, Parts::All) {
@@ -80,6 +81,22 @@ fn turned(context: &Context, root: NodeId, camera: &Camera, p: &Params) -> Vec<F
         fixes.extend((fixes.iter().all(|f| f.edits != other.edits)).then_some(other));
     }
     fixes
+}
+
+/// The fix that gives the longest part of the direction the other sign, if the camera sees something then.
+fn with_sign(context: &Context, root: NodeId, camera: &Camera, p: &Params) -> Option<Fix> {
+    let way = camera.direction;
+    let longest = (0..3).max_by(|&i, &j| way[i].abs().total_cmp(&way[j].abs()))?;
+    let other = std::array::from_fn(|i| if i == longest { -way[i] } else { way[i] });
+    let text = |i: usize| match (i == longest, p.text_of(3 + i).strip_prefix('-')) {
+        (true, Some(rest)) => rest.to_owned(),
+        (true, None) => format!("-{}", p.text_of(3 + i).trim_start_matches('+')),
+        (false, _) => p.text_of(3 + i).to_owned(),
+    };
+    let numbers = [0, 1, 2].map(text);
+    let values = vec![("number", quote(&numbers.join(" ")).into())];
+    let sees = sees(context, root, camera, other, Parts::All);
+    sees.then(|| fix("fix-sign", values, numbers, p))
 }
 
 /// The fix that turns the camera to the point that the direction is meant as, if it sees some of these parts then.
