@@ -24,6 +24,7 @@ pub mod decode;
 pub mod film;
 pub mod graph;
 pub mod image;
+mod kernel;
 pub mod membership;
 mod orientation;
 mod picture;

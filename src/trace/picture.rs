@@ -5,12 +5,15 @@ use super::camera::View;
 use super::compile::cannot_draw;
 use super::costs::CostMap;
 use super::film::{Film, developed};
+use super::kernel;
 use super::plan::Effect;
 use super::precision::Precision;
+use super::ray::Ray;
 use super::sampling::sample;
 use super::search::vista::{self, Vista, Vistas};
 use super::shade::{Features, Limits, Shader};
 use super::stats::Counts;
+use super::switches::Without;
 use super::tracer::{Light, Tracer};
 use super::within::Within;
 use crate::diagnostics::{Error, Span};
@@ -301,8 +304,13 @@ impl<'t> Drawing<'t> {
             height,
         });
         let Some(tolerance) = settings.tolerance else {
-            return self.drawn(crop, progress, &|pen: &mut Pen<R>, x, y| {
-                pen.fixed(x, y, settings.samples.max(1))
+            let samples = settings.samples.max(1);
+            let stage = (samples == 1)
+                .then(|| self.stage(settings.numbers))
+                .flatten();
+            let quick = stage.as_ref().map(|stage| self.scene(stage));
+            return self.drawn(crop, progress, quick.as_ref(), &|pen: &mut Pen<R>, x, y| {
+                pen.fixed(x, y, samples)
             });
         };
         // What is around the part that is drawn matters as much as within it.
@@ -314,7 +322,7 @@ impl<'t> Drawing<'t> {
             height: (crop.y + crop.height).saturating_add(1).min(height) - top,
         };
         let (first, counts) = self.first_samples::<R>(around);
-        let mut picture = self.drawn(crop, progress, &|pen: &mut Pen<R>, x, y| {
+        let mut picture = self.drawn(crop, progress, None, &|pen: &mut Pen<R>, x, y| {
             let (x0, y0) = (x - left, y - top);
             let at = |x: u32, y: u32| &first[y as usize][x as usize];
             let columns = x0.saturating_sub(1)..(x0 + 2).min(around.width);
@@ -325,6 +333,29 @@ impl<'t> Drawing<'t> {
         });
         picture.counts += counts;
         picture
+    }
+
+    /// The scene for the quick kernel, if that can draw it.
+    fn stage(&self, numbers: Numbers) -> Option<kernel::Stage> {
+        let graph = &self.tracer.graph;
+        let is_plain = numbers == Numbers::F64
+            && self.within == Within::Outside
+            && !self.features.dispersion
+            && graph.without == Without::default()
+            && graph.solver.is_none();
+        is_plain.then(|| kernel::Stage::new(graph)).flatten()
+    }
+
+    fn scene<'s>(&'s self, stage: &'s kernel::Stage) -> kernel::Scene<'s> {
+        kernel::Scene {
+            stage,
+            lights: self.lights,
+            ambient: self.tracer.ambient,
+            background: self.tracer.background,
+            limits: self.limits,
+            features: self.features,
+            is_alone: self.tracer.plan.lone_convex,
+        }
     }
 
     /// What draws pixels on one thread.
@@ -339,6 +370,14 @@ impl<'t> Drawing<'t> {
             ),
             drawing: self,
         }
+    }
+
+    /// The ray of sample `i` of `n` of a pixel, where its projection has one.
+    #[inline]
+    fn ray(&self, x: u32, y: u32, i: u32, n: u32) -> Option<Ray> {
+        let [dx, dy] = sample(x, y, i, n);
+        let [dx, dy] = [dx + self.shift[0], dy + self.shift[1]];
+        self.view.ray(f64::from(x) + dx, f64::from(y) + dy)
     }
 
     fn is_wanted(&self, x: u32, y: u32) -> bool {
@@ -358,6 +397,7 @@ impl<'t> Drawing<'t> {
         &self,
         part: Crop,
         progress: &(dyn Fn() + Sync),
+        quick: Option<&kernel::Scene>,
         draw: Draw<R>,
     ) -> Picture {
         let Crop { width, height, .. } = part;
@@ -380,11 +420,21 @@ impl<'t> Drawing<'t> {
                 total_reflection,
             })
             .collect();
-        let drawn = parallel::map_each_with(
-            rows,
-            || self.pen(),
-            |pen, row| self.row(pen, row, part.x, progress, draw),
-        );
+        let drawn = match quick {
+            None => parallel::map_each_with(
+                rows,
+                || self.pen(),
+                |pen, row| self.row(pen, row, part.x, progress, draw),
+            ),
+            Some(scene) => {
+                let drawn = parallel::map_each_with(
+                    in_bands(rows),
+                    || (self.pen(), kernel::Tile::default()),
+                    |(pen, tile), band| self.band(pen, (scene, tile), band, part.x, progress, draw),
+                );
+                drawn.into_iter().flatten().collect()
+            }
+        };
         let mut samples = Samples::NONE;
         let mut counts = Counts::default();
         let mut finished = Vec::with_capacity(drawn.len());
@@ -416,7 +466,7 @@ impl<'t> Drawing<'t> {
     fn row<'d, R: Precision>(
         &'d self,
         pen: &mut Pen<'d, 't, R>,
-        row: Row,
+        mut row: Row,
         left: u32,
         progress: &(dyn Fn() + Sync),
         draw: Draw<R>,
@@ -426,20 +476,81 @@ impl<'t> Drawing<'t> {
             return (Samples::of(0), Counts::default(), false);
         }
         pen.shader.reset();
-        let columns = (row.film.iter_mut()).zip(row.tests.iter_mut().zip(row.total_reflection));
-        for (x, (colour, (tests, total_reflection))) in (left..).zip(columns) {
+        for column in 0..row.film.len() {
+            let x = left + column as u32;
             let pixel = match self.is_wanted(x, row.y) && !self.is_to_stop() {
                 true => draw(pen, x, row.y),
                 false => Pixel::default(),
             };
             samples.add(Samples::of(pixel.samples));
-            *colour = pixel.colour;
-            *tests = pixel.tests;
-            *total_reflection = pixel.total_reflection;
+            row.put(column, pixel);
         }
         progress();
         // What asks to stop goes on asking.
         (samples, pen.shader.counts(), !self.is_to_stop())
+    }
+
+    /// Draws some rows with the quick kernel. What it does not know is drawn as other rows are.
+    fn band<'d, R: Precision>(
+        &'d self,
+        pen: &mut Pen<'d, 't, R>,
+        (scene, tile): (&kernel::Scene, &mut kernel::Tile),
+        mut band: Vec<Row>,
+        left: u32,
+        progress: &(dyn Fn() + Sync),
+        draw: Draw<R>,
+    ) -> Vec<(Samples, Counts, bool)> {
+        if self.is_to_stop() {
+            return vec![(Samples::of(0), Counts::default(), false); band.len()];
+        }
+        pen.shader.reset();
+        let mut samples = vec![Samples::NONE; band.len()];
+        let mut counts = Counts::default();
+        let width = band.first().map_or(0, |row| row.film.len());
+        let (mut places, mut rays) = (Vec::new(), Vec::new());
+        for from in (0..width).step_by(kernel::TILE[0]) {
+            places.clear();
+            rays.clear();
+            let to = width.min(from + kernel::TILE[0]);
+            let all = (0..band.len()).flat_map(|row| (from..to).map(move |column| (row, column)));
+            for (row, column) in all {
+                let (x, y) = (left + column as u32, band[row].y);
+                if !self.is_wanted(x, y) || self.is_to_stop() {
+                    samples[row].add(Samples::of(0));
+                    continue;
+                }
+                places.push((row, column));
+                rays.push(
+                    self.ray(x, y, 0, 1)
+                        .unwrap_or_else(|| Ray::new(Vec3::ZERO, Vec3::ZERO)),
+                );
+            }
+            let drawn = tile.draw(scene, &rays);
+            for (&(row, column), drawn) in places.iter().zip(drawn) {
+                let pixel = match drawn.is_doubtful {
+                    true => draw(pen, left + column as u32, band[row].y),
+                    false => {
+                        counts += drawn.counts();
+                        Pixel {
+                            colour: developed(drawn.light.0),
+                            samples: 1,
+                            tests: drawn.tests(),
+                            total_reflection: drawn.has_total_reflection(),
+                        }
+                    }
+                };
+                samples[row].add(Samples::of(pixel.samples));
+                band[row].put(column, pixel);
+            }
+        }
+        counts += pen.shader.counts();
+        let is_finished = !self.is_to_stop();
+        let rows = samples.into_iter().enumerate().map(|(row, samples)| {
+            progress();
+            let counts = if row == 0 { counts } else { Counts::default() };
+            (samples, counts, is_finished)
+        });
+        rows.collect()
     }
 
     /// The first samples of each pixel, row by row, for those that ask how many more there should be.
@@ -476,6 +587,26 @@ struct Row<'p> {
     total_reflection: &'p mut [bool],
 }
 
+impl Row<'_> {
+    fn put(&mut self, column: usize, pixel: Pixel) {
+        self.film[column] = pixel.colour;
+        self.tests[column] = pixel.tests;
+        self.total_reflection[column] = pixel.total_reflection;
+    }
+}
+
+/// The rows that the quick kernel draws together.
+fn in_bands(rows: Vec<Row>) -> Vec<Vec<Row>> {
+    let mut bands: Vec<Vec<Row>> = Vec::with_capacity(rows.len().div_ceil(kernel::TILE[1]));
+    for row in rows {
+        match bands.last_mut() {
+            Some(band) if band.len() < kernel::TILE[1] => band.push(row),
+            _ => bands.push(vec![row]),
+        }
+    }
+    bands
+}
+
 /// A finished pixel.
 #[derive(Debug, Clone, Copy, Default)]
 struct Pixel {
@@ -510,10 +641,7 @@ impl<R: Precision> Pen<'_, '_, R> {
     /// The light of sample `i` of `n`; where a projection has no ray, or none in
     /// the range of the precision, there is nothing to be seen.
     pub(super) fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
-        let [dx, dy] = sample(x, y, i, n);
-        let [dx, dy] = [dx + self.drawing.shift[0], dy + self.drawing.shift[1]];
-        let ray = self.drawing.view.ray(f64::from(x) + dx, f64::from(y) + dy);
-        match ray.map(|ray| ray.cast::<R>()) {
+        match self.drawing.ray(x, y, i, n).map(|ray| ray.cast::<R>()) {
             Some(mut ray) if ray.line.is_sound() => {
                 ray.within = self.drawing.within;
                 Vec3(self.shader.radiance(&ray))

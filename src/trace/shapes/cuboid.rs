@@ -28,6 +28,11 @@ impl Cuboid {
             flat: (0..3).any(|i| min[i] >= max[i]),
         }
     }
+
+    /// The lower and the upper corner.
+    pub fn corners(&self) -> (Vec3, Vec3) {
+        (self.min, self.max)
+    }
 }
 
 /// Face 2i is the lower one across axis i, face 2i + 1 the upper.

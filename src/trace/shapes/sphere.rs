@@ -28,6 +28,11 @@ impl Sphere {
             reach: centre.abs().max_component() + 2.0 * radius,
         }
     }
+
+    /// The centre and the radius.
+    pub fn numbers(&self) -> (Vec3, f64) {
+        (self.centre, self.radius)
+    }
 }
 
 impl Shape for Sphere {

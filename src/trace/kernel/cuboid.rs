@@ -1,0 +1,169 @@
+//! Axis-aligned boxes: which of several a line meets, and where several lines meet one each, as
+//! [`shapes::cuboid`](crate::trace::shapes) computes it.
+
+use super::lanes::{ALL, Lanes, V3, either, is_greater, is_less, mask};
+use super::probe::{Chords, Probe};
+use super::resolved::Resolved;
+use crate::geometry::vec::gamma;
+
+/// Up to four boxes.
+#[derive(Debug, Clone)]
+pub struct Cuboids {
+    min: [Lanes; 3],
+    max: [Lanes; 3],
+    /// The lanes with a box in them, as bits.
+    present: u32,
+}
+
+/// A chord that is shorter than this share of its parameters is in doubt: far above what rounding does to them.
+const RIM: f64 = 1e-12;
+
+impl Cuboids {
+    /// Of lower and upper corners.
+    pub fn new(boxes: &[[f64; 6]]) -> Cuboids {
+        let column = |i: usize| {
+            let number = |k: usize| boxes.get(k).map_or(0.0, |b| b[i]);
+            Lanes::new([number(0), number(1), number(2), number(3)])
+        };
+        Cuboids {
+            min: [column(0), column(1), column(2)],
+            max: [column(3), column(4), column(5)],
+            present: (1 << boxes.len()) - 1,
+        }
+    }
+
+    /// The boxes that a line may meet after `from` and before `to`.
+    #[inline(always)]
+    pub fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {
+        if probe.inverse.iter().any(|x| x.is_infinite()) {
+            return self.chords_along_an_axis(probe, from, to);
+        }
+        let splat = Lanes::splat;
+        let (mut near, mut far) = (splat(f64::NEG_INFINITY), splat(f64::INFINITY));
+        for i in 0..3 {
+            let (o, inverse) = (splat(probe.origin[i]), splat(probe.inverse[i]));
+            let (a, b) = ((self.min[i] - o) * inverse, (self.max[i] - o) * inverse);
+            near = near.fast_max(a.fast_min(b));
+            far = far.fast_min(a.fast_max(b));
+        }
+        self.within(near, far, from, to)
+    }
+
+    /// The chords with these ends.
+    #[inline(always)]
+    fn within(&self, near: Lanes, far: Lanes, from: f64, to: f64) -> Chords {
+        let splat = Lanes::splat;
+        let rim = splat(RIM) * (near.abs() + far.abs());
+        let met =
+            is_greater(far - near, -rim) & is_greater(far, splat(from)) & is_less(near, splat(to));
+        Chords {
+            maybe: met.to_bitmask() & self.present,
+            sure: is_greater(far - near, rim).to_bitmask(),
+            near: near.to_array(),
+            far: far.to_array(),
+        }
+    }
+
+    /// As [`chords`](Self::chords), of a line some of whose numbers are zero. Boxes in whose faces it may lie are in
+    /// doubt.
+    #[cold]
+    #[inline(never)]
+    fn chords_along_an_axis(&self, probe: &Probe, from: f64, to: f64) -> Chords {
+        let splat = Lanes::splat;
+        let (mut near, mut far) = (splat(f64::NEG_INFINITY), splat(f64::INFINITY));
+        let (mut beside, mut along) = (0, 0);
+        for i in 0..3 {
+            let (o, inverse) = (splat(probe.origin[i]), splat(probe.inverse[i]));
+            let (low, high) = (self.min[i] - o, self.max[i] - o);
+            if probe.inverse[i].is_infinite() {
+                let hair = splat(RIM) * (self.min[i].abs() + self.max[i].abs() + o.abs());
+                let is_beside = is_greater(low, hair) | is_less(high, -hair);
+                let is_within = is_less(low, -hair) & is_greater(high, hair);
+                beside |= is_beside.to_bitmask();
+                along |= !(is_beside | is_within).to_bitmask();
+                continue;
+            }
+            let (a, b) = (low * inverse, high * inverse);
+            near = near.fast_max(a.fast_min(b));
+            far = far.fast_min(a.fast_max(b));
+        }
+        let mut chords = self.within(near, far, from, to);
+        chords.maybe &= !beside;
+        chords.sure &= !along;
+        chords
+    }
+}
+
+/// A bound on the error of where a line meets a box, as the search for crossings sees it: see
+/// [`Walker::rough`](crate::trace::search::walk::Walker::rough).
+#[inline(always)]
+pub fn rough(probe: &Probe, bounds: &[f64; 6], extent: f64, t: f64, is_near: bool) -> f64 {
+    let mut speed = f64::INFINITY;
+    // The least speed of all faces that the line is as near to as this.
+    for i in 0..3 {
+        let inverse = probe.inverse[i];
+        let side = if (inverse < 0.0) == is_near { 3 + i } else { i };
+        let at = (bounds[side] - probe.origin[i]) * inverse;
+        let is_met = (at - t).abs() <= RIM * (t.abs() + at.abs());
+        if probe.direction[i] != 0.0 && is_met {
+            speed = speed.min(probe.direction[i].abs());
+        }
+    }
+    SHARE * (probe.reach + extent + t.abs() * probe.pace) / speed
+}
+
+/// A little more than the share of [`Walker::rough`](crate::trace::search::walk::Walker::rough).
+const SHARE: f64 = 2.9e-14;
+
+/// Where lines meet a box each: at the far end of the chord where `exit` is set.
+#[inline(always)]
+pub fn resolve(origin: V3, d: V3, min: V3, max: V3, exit: Lanes) -> Resolved {
+    let splat = Lanes::splat;
+    let zero = Lanes::ZERO;
+    let (mut near, mut far) = (splat(f64::NEG_INFINITY), splat(f64::INFINITY));
+    // The axis across the face, as a mask for each.
+    let mut entered = [zero; 3];
+    let mut left = [zero; 3];
+    for i in 0..3 {
+        let (o, d) = (origin.0[i], d.0[i]);
+        let falls = is_less(d, zero);
+        let (low, high) = ((min.0[i] - o) / d, (max.0[i] - o) / d);
+        let moves = d.simd_ne(zero);
+        let (a, b) = (either(falls, high, low), either(falls, low, high));
+        let later = is_greater(a, near) & moves;
+        let earlier = is_less(b, far) & moves;
+        near = either(later, a, near);
+        far = either(earlier, b, far);
+        for j in 0..3 {
+            let this = if i == j { mask(ALL) } else { zero };
+            entered[j] = either(later, this, entered[j]);
+            left[j] = either(earlier, this, left[j]);
+        }
+    }
+    let t = either(exit, far, near);
+    let step = d * t;
+    let mut point = origin + step;
+    let mut error = origin.abs() * splat(gamma(4)) + step.abs() * splat(gamma(4));
+    let mut normal = V3([zero; 3]);
+    for i in 0..3 {
+        let across = either(exit, left[i], entered[i]);
+        // The upper face is entered by lines that fall, and left by those that rise.
+        let upper = is_less(d.0[i], zero) ^ exit;
+        let side = either(upper, max.0[i], min.0[i]);
+        let p = point.0[i];
+        let p = either(is_greater(min.0[i], p), min.0[i], p);
+        let p = either(is_less(max.0[i], p), max.0[i], p);
+        point.0[i] = either(across, side, p);
+        error.0[i] = either(across, zero, error.0[i]);
+        let outwards = either(upper, splat(1.0), splat(-1.0));
+        normal.0[i] = either(across, outwards, zero);
+    }
+    let clear = is_greater(far - near, splat(RIM) * (near.abs() + far.abs()));
+    Resolved {
+        clear,
+        t,
+        point,
+        error,
+        normal,
+    }
+}

@@ -1,0 +1,182 @@
+//! Four doubles at once. Each lane has the bits that the same operations give one double at a time.
+
+use crate::geometry::vec::Vec3;
+use std::ops::{Add, Mul, Neg, Sub};
+pub use wide::f64x4 as Lanes;
+
+/// Lanes in one go.
+pub const WIDTH: usize = 4;
+/// All lanes, as bits.
+pub const ALL: u32 = (1 << WIDTH) - 1;
+
+/// A number of each of four things.
+#[inline(always)]
+pub fn gathered<T>(of: [&T; WIDTH], number: impl Fn(&T) -> f64) -> Lanes {
+    let [a, b, c, d] = of;
+    Lanes::new([number(a), number(b), number(c), number(d)])
+}
+
+#[inline(always)]
+pub fn is_less(a: Lanes, b: Lanes) -> Lanes {
+    a.simd_lt(b)
+}
+
+#[inline(always)]
+pub fn is_greater(a: Lanes, b: Lanes) -> Lanes {
+    a.simd_gt(b)
+}
+
+#[inline(always)]
+pub fn is_at_most(a: Lanes, b: Lanes) -> Lanes {
+    a.simd_le(b)
+}
+
+/// Where the bits of a mask are set, all bits of the lane.
+#[inline(always)]
+pub fn mask(bits: u32) -> Lanes {
+    let lane = |i: u32| f64::from_bits(0u64.wrapping_sub(u64::from(bits >> i & 1)));
+    Lanes::new([lane(0), lane(1), lane(2), lane(3)])
+}
+
+/// The lanes of `a` where the mask is set, and else those of `b`.
+#[inline(always)]
+pub fn either(mask: Lanes, a: Lanes, b: Lanes) -> Lanes {
+    mask.select(a, b)
+}
+
+/// a · b + c, rounded once on every machine.
+#[inline(always)]
+pub fn fused(a: Lanes, b: Lanes, c: Lanes) -> Lanes {
+    if cfg!(target_feature = "fma") {
+        return a.mul_add(b, c);
+    }
+    let (a, b, c) = (a.to_array(), b.to_array(), c.to_array());
+    let lane = |i: usize| a[i].mul_add(b[i], c[i]);
+    Lanes::new([lane(0), lane(1), lane(2), lane(3)])
+}
+
+/// Four vectors.
+#[derive(Debug, Clone, Copy)]
+pub struct V3(pub [Lanes; 3]);
+
+impl V3 {
+    #[inline(always)]
+    pub fn splat(v: Vec3) -> V3 {
+        V3([Lanes::splat(v[0]), Lanes::splat(v[1]), Lanes::splat(v[2])])
+    }
+
+    /// A vector of each of four things.
+    #[inline(always)]
+    pub fn gathered<T>(of: [&T; WIDTH], vector: impl Fn(&T) -> &[f64; 3]) -> V3 {
+        let [a, b, c, d] = [vector(of[0]), vector(of[1]), vector(of[2]), vector(of[3])];
+        V3([
+            Lanes::new([a[0], b[0], c[0], d[0]]),
+            Lanes::new([a[1], b[1], c[1], d[1]]),
+            Lanes::new([a[2], b[2], c[2], d[2]]),
+        ])
+    }
+
+    /// One array for each component.
+    #[inline(always)]
+    pub fn columns(self) -> [[f64; WIDTH]; 3] {
+        [
+            self.0[0].to_array(),
+            self.0[1].to_array(),
+            self.0[2].to_array(),
+        ]
+    }
+
+    #[inline(always)]
+    pub fn either(mask: Lanes, a: V3, b: V3) -> V3 {
+        V3([
+            either(mask, a.0[0], b.0[0]),
+            either(mask, a.0[1], b.0[1]),
+            either(mask, a.0[2], b.0[2]),
+        ])
+    }
+
+    #[inline(always)]
+    pub fn dot(self, other: V3) -> Lanes {
+        self.0[0] * other.0[0] + self.0[1] * other.0[1] + self.0[2] * other.0[2]
+    }
+
+    /// The product, component by component.
+    #[inline(always)]
+    pub fn times(self, other: V3) -> V3 {
+        V3([
+            self.0[0] * other.0[0],
+            self.0[1] * other.0[1],
+            self.0[2] * other.0[2],
+        ])
+    }
+
+    #[inline(always)]
+    pub fn over(self, by: Lanes) -> V3 {
+        V3([self.0[0] / by, self.0[1] / by, self.0[2] / by])
+    }
+
+    #[inline(always)]
+    pub fn abs(self) -> V3 {
+        V3([self.0[0].abs(), self.0[1].abs(), self.0[2].abs()])
+    }
+
+    /// The greatest component, of vectors that are numbers.
+    #[inline(always)]
+    pub fn max_component(self) -> Lanes {
+        self.0[0].fast_max(self.0[1]).fast_max(self.0[2])
+    }
+
+    /// The vectors of length 1; no numbers for those without direction.
+    #[inline(always)]
+    pub fn unit(self) -> V3 {
+        let v = self.over(self.abs().max_component());
+        v.over(v.dot(v).sqrt())
+    }
+
+    /// In which lanes some component differs from zero, as bits.
+    #[inline(always)]
+    pub fn any(self) -> u32 {
+        let is_zero = |x: Lanes| is_at_most(x.abs(), Lanes::ZERO);
+        !(is_zero(self.0[0]) & is_zero(self.0[1]) & is_zero(self.0[2])).to_bitmask() & ALL
+    }
+}
+
+impl Add for V3 {
+    type Output = V3;
+    #[inline(always)]
+    fn add(self, other: V3) -> V3 {
+        V3([
+            self.0[0] + other.0[0],
+            self.0[1] + other.0[1],
+            self.0[2] + other.0[2],
+        ])
+    }
+}
+
+impl Sub for V3 {
+    type Output = V3;
+    #[inline(always)]
+    fn sub(self, other: V3) -> V3 {
+        V3([
+            self.0[0] - other.0[0],
+            self.0[1] - other.0[1],
+            self.0[2] - other.0[2],
+        ])
+    }
+}
+
+impl Mul<Lanes> for V3 {
+    type Output = V3;
+    #[inline(always)]
+    fn mul(self, by: Lanes) -> V3 {
+        V3([self.0[0] * by, self.0[1] * by, self.0[2] * by])
+    }
+}
+
+impl Neg for V3 {
+    type Output = V3;
+    #[inline(always)]
+    fn neg(self) -> V3 {
+        V3([-self.0[0], -self.0[1], -self.0[2]])
+    }
+}

@@ -1,0 +1,129 @@
+//! Spheres: which of several a line meets, and where several lines meet one each, as
+//! [`shapes::sphere`](crate::trace::shapes) computes it.
+
+use super::lanes::{Lanes, V3, either, fused, is_at_most, is_greater, is_less};
+use super::probe::{Chords, Probe};
+use super::resolved::Resolved;
+use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
+
+/// Up to four spheres.
+#[derive(Debug, Clone)]
+pub struct Spheres {
+    centre: [Lanes; 3],
+    /// Squares of the radii; a large negative number where there is no sphere.
+    square: Lanes,
+}
+
+/// A line that is closer to a sphere's rim than this share of the squares compared is in doubt: far above what rounding
+/// does to them, which is below 2⁻⁴⁶.
+const RIM: f64 = 4e-12;
+
+impl Spheres {
+    /// Of centres and radii.
+    pub fn new(spheres: &[[f64; 4]]) -> Spheres {
+        let column = |i: usize| {
+            let number = |k: usize| spheres.get(k).map_or(0.0, |s| s[i]);
+            Lanes::new([number(0), number(1), number(2), number(3)])
+        };
+        let square = |k: usize| spheres.get(k).map_or(-1e200, |s| s[3] * s[3]);
+        Spheres {
+            centre: [column(0), column(1), column(2)],
+            square: Lanes::new([square(0), square(1), square(2), square(3)]),
+        }
+    }
+
+    /// The spheres that a line may meet after `from` and before `to`.
+    #[inline(always)]
+    pub fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {
+        let splat = Lanes::splat;
+        let offset = |i: usize| splat(probe.origin[i]) - self.centre[i];
+        let f = [offset(0), offset(1), offset(2)];
+        let [dx, dy, dz] = probe.direction;
+        let b = -(f[0] * splat(dx) + f[1] * splat(dy) + f[2] * splat(dz));
+        let f2 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
+        let a = splat(probe.square);
+        let discriminant = b * b - a * (f2 - self.square);
+        let rim = splat(RIM * probe.square) * (f2 + self.square.abs());
+        let met = is_greater(discriminant, -rim);
+        if !met.any() {
+            return Chords::NONE;
+        }
+        let root = discriminant.fast_max(Lanes::ZERO).sqrt();
+        let per_square = splat(probe.per_square);
+        let (near, far) = ((b - root) * per_square, (b + root) * per_square);
+        let ahead = is_greater(far, splat(from)) & is_less(near, splat(to));
+        Chords {
+            maybe: (met & ahead).to_bitmask(),
+            sure: is_greater(discriminant, rim).to_bitmask(),
+            near: near.to_array(),
+            far: far.to_array(),
+        }
+    }
+}
+
+/// Where lines meet a sphere each: at the far end of the chord where `exit` is set.
+#[inline(always)]
+pub fn resolve(origin: V3, d: V3, centre: V3, radius: Lanes, exit: Lanes) -> Resolved {
+    let splat = Lanes::splat;
+    let f = origin - centre;
+    let a = d.dot(d);
+    let b = -f.dot(d);
+    let p = f + d * (b / a);
+    let (p2, r2, f2) = (p.dot(p), radius * radius, f.dot(f));
+    let discriminant = r2 - p2;
+    // What leaves this much is decided by no rounding.
+    let clear = is_greater(discriminant, splat(RIM) * (f2 + r2));
+
+    let s = (a * discriminant).sqrt();
+    let q = either(is_less(b, Lanes::ZERO), b - s, b + s);
+    let plain = f2 - r2;
+    let far = q / a;
+    // Close to the surface the sum is done in twice the precision.
+    let close = is_at_most(plain.abs(), splat(1.0 / 1024.0) * r2);
+    let near = if close.any() {
+        let c = either(close, closer(origin, centre, f, radius, r2), plain);
+        let near = c / q;
+        let two = splat(2.0);
+        let step = (c - near * (two * b - a * near)) / (two * (a * near - b));
+        let counts = close & is_less(step.abs(), splat(f64::INFINITY));
+        either(counts, near - step, near)
+    } else {
+        plain / q
+    };
+    let (t0, t1) = (near.fast_min(far), near.fast_max(far));
+    let t = either(exit, t1, t0);
+
+    let from = f + d * t;
+    let normal = from.over(from.abs().max_component());
+    let length = normal.dot(normal).sqrt();
+    let p = normal * (radius / length);
+    let point = centre + p;
+    Resolved {
+        clear: clear & is_less(t0, t1),
+        t,
+        point,
+        error: p.abs() * splat(gamma(5)) + point.abs() * splat(UNIT_ROUNDOFF),
+        normal: normal.over(length),
+    }
+}
+
+/// |o − c|² − r² with the digits that f = o − c and the products lose.
+#[inline(always)]
+fn closer(origin: V3, centre: V3, f: V3, radius: Lanes, r2: Lanes) -> Lanes {
+    let (mut sum, mut lost) = (-r2, -fused(radius, radius, -r2));
+    for i in 0..3 {
+        let square = f.0[i] * f.0[i];
+        let square_error = fused(f.0[i], f.0[i], -square);
+        let c = -centre.0[i];
+        let back = f.0[i] - origin.0[i];
+        let e = (origin.0[i] - (f.0[i] - back)) + (c - back);
+        let next = sum + square;
+        let carried = next - sum;
+        lost += (sum - (next - carried))
+            + (square - carried)
+            + square_error
+            + Lanes::splat(2.0) * f.0[i] * e;
+        sum = next;
+    }
+    sum + lost
+}
