@@ -305,10 +305,13 @@ impl<'t> Drawing<'t> {
         });
         let Some(tolerance) = settings.tolerance else {
             let samples = settings.samples.max(1);
+            // To set up the kernel takes about as long for a shape as to draw a few pixels.
+            let most = crop.width as usize * crop.height as usize / 8;
             let stage = (samples == 1)
-                .then(|| self.stage(settings.numbers))
+                .then(|| self.stage(settings.numbers, most))
                 .flatten();
-            let quick = stage.as_ref().map(|stage| self.scene(stage));
+            let scene = stage.as_ref().map(|stage| self.scene(stage));
+            let quick = scene.filter(|scene| self.is_mostly_sure(scene, crop));
             return self.drawn(crop, progress, quick.as_ref(), &|pen: &mut Pen<R>, x, y| {
                 pen.fixed(x, y, samples)
             });
@@ -336,17 +339,46 @@ impl<'t> Drawing<'t> {
     }
 
     /// The scene for the quick kernel, if that can draw it.
-    fn stage(&self, numbers: Numbers) -> Option<kernel::Stage> {
+    fn stage(&self, numbers: Numbers, most: usize) -> Option<kernel::Stage<'_>> {
         let graph = &self.tracer.graph;
         let is_plain = numbers == Numbers::F64
             && self.within == Within::Outside
             && !self.features.dispersion
             && graph.without == Without::default()
             && graph.solver.is_none();
-        is_plain.then(|| kernel::Stage::new(graph)).flatten()
+        is_plain.then(|| kernel::Stage::new(graph, most)).flatten()
     }
 
-    fn scene<'s>(&'s self, stage: &'s kernel::Stage) -> kernel::Scene<'s> {
+    /// Whether the kernel knows most pixels of a few places in the picture.
+    fn is_mostly_sure(&self, scene: &kernel::Scene, part: Crop) -> bool {
+        let [columns, rows] = [part.width, part.height].map(|n| n as usize);
+        let [across, down] = [columns / kernel::TILE[0], rows / kernel::TILE[1]];
+        // They take a hundredth of the time.
+        let tiles = (across * down / 128).min(64);
+        let mut tile = kernel::Tile::default();
+        let (mut all, mut sure) = (0, 0);
+        for i in 0..tiles {
+            let number = (2 * i + 1) * across * down / (2 * tiles);
+            let [left, top] = [
+                number % across * kernel::TILE[0],
+                number / across * kernel::TILE[1],
+            ];
+            let places =
+                (0..kernel::TILE[1]).flat_map(|y| (0..kernel::TILE[0]).map(move |x| (x, y)));
+            let rays: Vec<Ray> = places
+                .filter_map(|(x, y)| {
+                    let (x, y) = ((left + x) as u32, (top + y) as u32);
+                    self.ray(part.x + x, part.y + y, 0, 1)
+                })
+                .collect();
+            let drawn = tile.draw(scene, &rays);
+            all += drawn.len();
+            sure += drawn.iter().filter(|pixel| !pixel.is_doubtful).count();
+        }
+        all - sure <= all / 8
+    }
+
+    fn scene<'s>(&'s self, stage: &'s kernel::Stage<'s>) -> kernel::Scene<'s> {
         kernel::Scene {
             stage,
             lights: self.lights,

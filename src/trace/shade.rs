@@ -110,6 +110,7 @@ impl<'t, R: Precision> Shader<'t, R> {
                 ..self.walkers.work()
             },
             uncertain: self.walkers.uncertain(),
+            quick: 0,
         }
     }
 

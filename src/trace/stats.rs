@@ -81,6 +81,8 @@ pub struct Counts {
     /// Rays about which something was closer than rounding errors: in doubles, those that were
     /// traced again in double-double.
     pub uncertain: u64,
+    /// Pixels that the quick kernel has drawn.
+    pub quick: u64,
 }
 
 impl AddAssign for Intersections {
@@ -100,5 +102,6 @@ impl AddAssign for Counts {
         self.intersections += other.intersections;
         self.work += other.work;
         self.uncertain += other.uncertain;
+        self.quick += other.quick;
     }
 }

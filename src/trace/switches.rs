@@ -22,6 +22,8 @@ pub struct Without {
     pub textures: bool,
     /// Light is reckoned with the geometric normal.
     pub smooth_normals: bool,
+    /// The quick kernel: see [`kernel`](super::kernel).
+    pub kernel: bool,
 }
 
 /// Finds crossings in place of shapes, in doubles alone.

@@ -46,14 +46,16 @@ impl Cuboids {
             near = near.fast_max(a.fast_min(b));
             far = far.fast_min(a.fast_max(b));
         }
-        self.within(near, far, from, to)
+        let [x, y, z] = probe.inverse;
+        let slack = 4.0 * probe.slack * x.abs().max(y.abs()).max(z.abs());
+        self.within(near, far, slack, [from, to])
     }
 
     /// The chords with these ends.
     #[inline(always)]
-    fn within(&self, near: Lanes, far: Lanes, from: f64, to: f64) -> Chords {
+    fn within(&self, near: Lanes, far: Lanes, slack: f64, [from, to]: [f64; 2]) -> Chords {
         let splat = Lanes::splat;
-        let rim = splat(RIM) * (near.abs() + far.abs());
+        let rim = splat(RIM) * (near.abs() + far.abs()) + splat(slack);
         let met =
             is_greater(far - near, -rim) & is_greater(far, splat(from)) & is_less(near, splat(to));
         Chords {
@@ -71,23 +73,25 @@ impl Cuboids {
     fn chords_along_an_axis(&self, probe: &Probe, from: f64, to: f64) -> Chords {
         let splat = Lanes::splat;
         let (mut near, mut far) = (splat(f64::NEG_INFINITY), splat(f64::INFINITY));
-        let (mut beside, mut along) = (0, 0);
+        let (mut beside, mut along, mut slack) = (0, 0, 0.0f64);
         for i in 0..3 {
             let (o, inverse) = (splat(probe.origin[i]), splat(probe.inverse[i]));
             let (low, high) = (self.min[i] - o, self.max[i] - o);
             if probe.inverse[i].is_infinite() {
-                let hair = splat(RIM) * (self.min[i].abs() + self.max[i].abs() + o.abs());
+                let hair = splat(RIM) * (self.min[i].abs() + self.max[i].abs() + o.abs())
+                    + splat(probe.slack);
                 let is_beside = is_greater(low, hair) | is_less(high, -hair);
                 let is_within = is_less(low, -hair) & is_greater(high, hair);
                 beside |= is_beside.to_bitmask();
                 along |= !(is_beside | is_within).to_bitmask();
                 continue;
             }
+            slack = slack.max(4.0 * probe.slack * probe.inverse[i].abs());
             let (a, b) = (low * inverse, high * inverse);
             near = near.fast_max(a.fast_min(b));
             far = far.fast_min(a.fast_max(b));
         }
-        let mut chords = self.within(near, far, from, to);
+        let mut chords = self.within(near, far, slack, [from, to]);
         chords.maybe &= !beside;
         chords.sure &= !along;
         chords
@@ -97,7 +101,7 @@ impl Cuboids {
 /// A bound on the error of where a line meets a box, as the search for crossings sees it: see
 /// [`Walker::rough`](crate::trace::search::walk::Walker::rough).
 #[inline(always)]
-pub fn rough(probe: &Probe, bounds: &[f64; 6], extent: f64, t: f64, is_near: bool) -> f64 {
+pub fn rough(probe: &Probe, bounds: &[f64; 8], extent: f64, t: f64, is_near: bool) -> f64 {
     let mut speed = f64::INFINITY;
     // The least speed of all faces that the line is as near to as this.
     for i in 0..3 {
@@ -113,7 +117,7 @@ pub fn rough(probe: &Probe, bounds: &[f64; 6], extent: f64, t: f64, is_near: boo
 }
 
 /// A little more than the share of [`Walker::rough`](crate::trace::search::walk::Walker::rough).
-const SHARE: f64 = 2.9e-14;
+pub const SHARE: f64 = 4e-14;
 
 /// Where lines meet a box each: at the far end of the chord where `exit` is set.
 #[inline(always)]

@@ -10,7 +10,10 @@
 
 mod cuboid;
 mod lanes;
+mod place;
+mod plane;
 mod probe;
+mod rectangle;
 mod resolved;
 mod search;
 mod sphere;

@@ -1,6 +1,8 @@
 //! A ray as blocks of shapes see it.
 
+use crate::geometry::affine::Affine;
 use crate::geometry::array::dot;
+use crate::geometry::vec::Vec3;
 
 /// A line from t = 0 on, with what several tests ask of it.
 #[derive(Debug, Clone, Copy)]
@@ -17,16 +19,38 @@ pub struct Probe {
     /// That of the direction, and its reciprocal.
     pub pace: f64,
     pub per_pace: f64,
+    /// More than how far its points may be off along each axis, in units of the numbers behind them, because it was
+    /// moved into another space; 0 where it was not.
+    pub slack: f64,
+}
+
+/// More than a map rounds, as a share of the numbers behind a point.
+const ROUNDED: f64 = 1e-13;
+
+/// The largest component, in size.
+#[inline(always)]
+fn largest(v: [f64; 3]) -> f64 {
+    let greater = |a: f64, b: f64| if a > b { a } else { b };
+    greater(greater(v[0].abs(), v[1].abs()), v[2].abs())
 }
 
 impl Probe {
+    /// Of no ray.
+    pub const NONE: Probe = Probe {
+        origin: [0.0; 3],
+        direction: [0.0; 3],
+        inverse: [0.0; 3],
+        square: 0.0,
+        per_square: 0.0,
+        reach: 0.0,
+        pace: 0.0,
+        per_pace: 0.0,
+        slack: 0.0,
+    };
+
     #[inline(always)]
     pub fn new(origin: [f64; 3], direction: [f64; 3]) -> Probe {
         let square = dot(direction, direction);
-        let largest = |v: [f64; 3]| {
-            let greater = |a: f64, b: f64| if a > b { a } else { b };
-            greater(greater(v[0].abs(), v[1].abs()), v[2].abs())
-        };
         let pace = largest(direction);
         let [x, y, z] = direction;
         Probe {
@@ -38,11 +62,23 @@ impl Probe {
             reach: largest(origin),
             pace,
             per_pace: 1.0 / pace,
+            slack: 0.0,
+        }
+    }
+
+    /// The same ray in another space.
+    #[inline(never)]
+    pub fn through(&self, map: &Affine) -> Probe {
+        let origin = Vec3(self.origin);
+        let sizes = map.sizes(origin) + map.offset.abs();
+        Probe {
+            slack: ROUNDED * largest(sizes.0),
+            ..Probe::new(map.point(origin).0, map.vector(Vec3(self.direction)).0)
         }
     }
 }
 
-/// Where a line goes into convex solids and out of them, lane by lane.
+/// Where a line goes into convex solids and out of them, lane by lane. A surface without inside is met at one place.
 #[derive(Debug, Clone, Copy)]
 pub struct Chords {
     /// The solids that the line may meet in the stretch that was asked for, as bits.

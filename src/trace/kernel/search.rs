@@ -1,8 +1,8 @@
 //! What a ray meets first, and how much light gets by.
 
-use super::cuboid;
 use super::probe::{Chords, Probe};
-use super::stage::{Block, Kind, Leaf, Shapes, Stage, corners};
+use super::stage::{Block, Kind, Leaf, Shapes, Stage};
+use super::{cuboid, plane};
 use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
@@ -56,7 +56,7 @@ pub struct Scratch {
 /// little.
 const SKINS: f64 = 1.2e8;
 /// A little more than what [`Walker::rough`](crate::trace::search::walk::Walker::rough) says of surfaces that bend away.
-const BENT: f64 = 6.8e-7;
+const BENT: f64 = 9e-7;
 /// The end of rays to lamps: see [`AT_LAMP`](crate::trace::precision::Precision::AT_LAMP).
 const TO: f64 = 1.0 - 1.0 / (1u64 << 27) as f64;
 /// Transparent solids on the way to a lamp at most.
@@ -69,12 +69,28 @@ struct End {
     error: f64,
 }
 
-impl Stage {
+impl Stage<'_> {
+    /// A ray in the space of a placement, kept in `moved` where that is another one.
+    #[inline(always)]
+    fn placed<'p>(&self, probe: &'p Probe, placement: u32, moved: &'p mut Probe) -> &'p Probe {
+        if placement == 0 {
+            return probe;
+        }
+        *moved = probe.through(&self.placements[placement as usize].back);
+        moved
+    }
+
+    /// With a bound on the error.
     #[inline(always)]
     fn rough(&self, probe: &Probe, leaf: &Leaf, t: f64, is_near: bool) -> End {
         let error = match leaf.kind {
             Kind::Sphere => BENT * ((probe.reach + leaf.extent) * probe.per_pace + t.abs()),
-            Kind::Cuboid => cuboid::rough(probe, &corners(leaf), leaf.extent, t, is_near),
+            Kind::Cuboid => cuboid::rough(probe, &leaf.numbers, leaf.extent, t, is_near),
+            Kind::Plane | Kind::HalfSpace => plane::rough(probe, *leaf.first(), leaf.extent, t),
+            Kind::Rectangle => {
+                let size = probe.reach + leaf.extent + t.abs() * probe.pace;
+                cuboid::SHARE * size / probe.direction[2].abs()
+            }
         };
         End { t, error }
     }
@@ -98,8 +114,8 @@ impl Stage {
         // The least t of all that is not the nearest, and as far as what may be as near goes.
         let (mut second, mut limit) = (f64::INFINITY, f64::INFINITY);
         let beam = self.beam(start);
-        scratch.pending.clear();
-        let mut next = (!self.tree.nodes.is_empty()).then_some((0.0, Child::ROOT));
+        self.begin(scratch);
+        let mut next = None;
         while let Some((near, child)) = next.take().or_else(|| scratch.pending.pop()) {
             let most = beam.pace(limit);
             if near > most {
@@ -128,8 +144,10 @@ impl Stage {
                 Is::Item(block) => &self.blocks[block as usize],
             };
             tests.shapes += 1;
-            let from = -(skin + BENT * 2.0 * (probe.reach + block.extent));
-            let chords = block.chords(&probe, from, limit);
+            let mut moved = Probe::NONE;
+            let probe = self.placed(&probe, block.placement, &mut moved);
+            let from = -(skin + BENT * ((probe.reach + block.extent) * probe.per_pace + 1.0));
+            let chords = block.chords(probe, from, limit);
             let mut maybe = chords.maybe;
             while maybe != 0 {
                 let lane = maybe.trailing_zeros() as usize % 4;
@@ -142,11 +160,11 @@ impl Stage {
                 if chords.sure >> lane & 1 == 0 {
                     return DOUBT;
                 }
-                let out = self.rough(&probe, leaf, chords.far[lane], false);
+                let out = self.rough(probe, leaf, chords.far[lane], false);
                 if out.t < -(skin + out.error) {
                     continue;
                 }
-                let end = self.rough(&probe, leaf, chords.near[lane], true);
+                let end = self.rough(probe, leaf, chords.near[lane], true);
                 if !(end.t > skin + end.error) {
                     return DOUBT;
                 }
@@ -169,6 +187,17 @@ impl Stage {
         found
     }
 
+    /// Puts all that there is on the stack.
+    #[inline(always)]
+    fn begin(&self, scratch: &mut Scratch) {
+        scratch.pending.clear();
+        if !self.tree.nodes.is_empty() {
+            scratch.pending.push((0.0, Child::ROOT));
+        }
+        let loose = self.loose.iter().map(|&block| (0.0, Child::item(block)));
+        scratch.pending.extend(loose);
+    }
+
     #[inline(always)]
     fn beam(&self, start: &Start) -> Beam {
         Beam::new(
@@ -177,7 +206,8 @@ impl Stage {
         )
     }
 
-    /// The share of light that gets along a ray to a lamp at t = 1. `last` is what was in the way of the light before.
+    /// The share of light that gets along a ray to a lamp at t = 1. `last` is the block that was in the way of the light
+    /// before.
     #[inline(always)]
     pub fn light(
         &self,
@@ -192,7 +222,9 @@ impl Stage {
         scratch.passed.clear();
         if start.within != NONE {
             let leaf = &self.leaves[start.within as usize];
-            match self.way_out(&probe, leaf, skin) {
+            let mut moved = Probe::NONE;
+            let probe = self.placed(&probe, leaf.placement, &mut moved);
+            match self.way_out(probe, leaf, skin) {
                 Some(out) if out.t + out.error < TO => scratch.passed.push((-1.0, 1, start.within)),
                 Some(out) if out.t - out.error > TO => {}
                 _ => return Light::Doubtful,
@@ -200,10 +232,13 @@ impl Stage {
         }
         let beam = self.beam(start);
         let ends = [0.0, beam.pace(1.0)];
-        scratch.pending.clear();
-        let mut next = (!self.tree.nodes.is_empty()).then_some((0.0, Child::ROOT));
+        self.begin(scratch);
+        if !self.has_glass && *last != NONE {
+            scratch.pending.push((0.0, Child::item(*last)));
+        }
+        let mut next = None;
         while let Some((_, child)) = next.take().or_else(|| scratch.pending.pop()) {
-            let block = match child.is() {
+            let number = match child.is() {
                 Is::Node(node) => {
                     tests.boxes += WIDTH as u32;
                     next = beam.first(&self.tree.nodes[node as usize], ends, |near, child| {
@@ -211,28 +246,31 @@ impl Stage {
                     });
                     continue;
                 }
-                Is::Item(block) => &self.blocks[block as usize],
+                Is::Item(number) => number,
             };
+            let block = &self.blocks[number as usize];
             tests.shapes += 1;
+            let mut moved = Probe::NONE;
+            let probe = self.placed(&probe, block.placement, &mut moved);
             let hair = BENT * 2.0 * ((probe.reach + block.extent) * probe.per_pace + 1.0);
-            let chords = block.chords(&probe, -(skin + hair), 1.0 + hair);
+            let chords = block.chords(probe, -(skin + hair), 1.0 + hair);
             let mut maybe = chords.maybe;
             while maybe != 0 {
                 let lane = maybe.trailing_zeros() as usize % 4;
                 maybe &= maybe - 1;
-                let number = block.leaves[lane];
-                if number == start.left || number == start.within {
+                let leaf = block.leaves[lane];
+                if leaf == start.left || leaf == start.within {
                     continue;
                 }
-                let leaf = &self.leaves[number as usize];
+                let (own, leaf) = (leaf, &self.leaves[leaf as usize]);
                 if chords.sure >> lane & 1 == 0 {
                     return Light::Doubtful;
                 }
-                let out = self.rough(&probe, leaf, chords.far[lane], false);
+                let out = self.rough(probe, leaf, chords.far[lane], false);
                 if out.t < -(skin + out.error) {
                     continue;
                 }
-                let end = self.rough(&probe, leaf, chords.near[lane], true);
+                let end = self.rough(probe, leaf, chords.near[lane], true);
                 if end.t - end.error > TO {
                     continue;
                 }
@@ -251,7 +289,7 @@ impl Stage {
                 if !leaf.is_lone || scratch.passed.len() == PASSED {
                     return Light::Doubtful;
                 }
-                scratch.passed.push((end.t, faces, number));
+                scratch.passed.push((end.t, faces, own));
             }
         }
         Light::Seen(self.share(&mut scratch.passed))
@@ -262,18 +300,20 @@ impl Stage {
     fn way_out(&self, probe: &Probe, leaf: &Leaf, skin: f64) -> Option<End> {
         let t = match leaf.kind {
             Kind::Sphere => {
-                let term = |i: usize| (leaf.low[i] - probe.origin[i]) * probe.direction[i];
+                let term = |i: usize| (leaf.numbers[i] - probe.origin[i]) * probe.direction[i];
                 2.0 * (term(0) + term(1) + term(2)) * probe.per_square
             }
             Kind::Cuboid => {
                 let far = |i: usize| {
-                    let [low, high] = each([leaf.low, leaf.high], |side: [f64; 3]| {
-                        (side[i] - probe.origin[i]) * probe.inverse[i]
+                    let [low, high] = each([i, 3 + i], |side: usize| {
+                        (leaf.numbers[side] - probe.origin[i]) * probe.inverse[i]
                     });
                     low.max(high)
                 };
                 far(0).min(far(1)).min(far(2))
             }
+            // Nothing goes through these.
+            Kind::Plane | Kind::HalfSpace | Kind::Rectangle => return None,
         };
         let out = self.rough(probe, leaf, t, false);
         (out.t > 2.0 * (skin + out.error)).then_some(out)
@@ -302,6 +342,8 @@ impl Block {
         match &self.shapes {
             Shapes::Spheres(spheres) => spheres.chords(probe, from, to),
             Shapes::Cuboids(cuboids) => cuboids.chords(probe, from, to),
+            Shapes::Planes(planes) => planes.chords(probe, from, to),
+            Shapes::Rectangles(rectangles) => rectangles.chords(probe, from, to),
         }
     }
 }

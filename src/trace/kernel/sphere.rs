@@ -12,6 +12,7 @@ pub struct Spheres {
     centre: [Lanes; 3],
     /// Squares of the radii; a large negative number where there is no sphere.
     square: Lanes,
+    radius: Lanes,
 }
 
 /// A line that is closer to a sphere's rim than this share of the squares compared is in doubt: far above what rounding
@@ -25,10 +26,12 @@ impl Spheres {
             let number = |k: usize| spheres.get(k).map_or(0.0, |s| s[i]);
             Lanes::new([number(0), number(1), number(2), number(3)])
         };
+        let radius = column(3);
         let square = |k: usize| spheres.get(k).map_or(-1e200, |s| s[3] * s[3]);
         Spheres {
             centre: [column(0), column(1), column(2)],
             square: Lanes::new([square(0), square(1), square(2), square(3)]),
+            radius,
         }
     }
 
@@ -43,7 +46,8 @@ impl Spheres {
         let f2 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
         let a = splat(probe.square);
         let discriminant = b * b - a * (f2 - self.square);
-        let rim = splat(RIM * probe.square) * (f2 + self.square.abs());
+        let rim = splat(RIM * probe.square) * (f2 + self.square.abs())
+            + splat(4.0 * probe.slack * probe.square) * self.radius;
         let met = is_greater(discriminant, -rim);
         if !met.any() {
             return Chords::NONE;
@@ -103,7 +107,7 @@ pub fn resolve(origin: V3, d: V3, centre: V3, radius: Lanes, exit: Lanes) -> Res
         t,
         point,
         error: p.abs() * splat(gamma(5)) + point.abs() * splat(UNIT_ROUNDOFF),
-        normal: normal.over(length),
+        normal,
     }
 }
 

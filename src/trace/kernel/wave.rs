@@ -6,8 +6,8 @@
 use super::lanes::{ALL, Lanes, V3, WIDTH, either, gathered, is_greater, is_less, mask};
 use super::resolved::Resolved;
 use super::search::{DOUBT, Light, NONE, Scratch, Start, Tests};
-use super::stage::{Kind, Leaf, Stage};
-use super::{cuboid, sphere};
+use super::stage::{KINDS, Kind, Leaf, Stage};
+use super::{cuboid, place, plane, rectangle, sphere};
 use crate::geometry::vec::{UNIT_ROUNDOFF, Vec3, gamma};
 use crate::trace::ray::Ray as CameraRay;
 use crate::trace::shade::{Features, Limits};
@@ -16,7 +16,7 @@ use crate::trace::tracer;
 
 /// What all rays of a picture have in common.
 pub struct Scene<'t> {
-    pub stage: &'t Stage,
+    pub stage: &'t Stage<'t>,
     pub lights: &'t [tracer::Light],
     pub ambient: Vec3,
     pub background: Vec3,
@@ -102,6 +102,7 @@ impl Drawn {
                 ..Work::default()
             },
             uncertain: 0,
+            quick: 1,
         }
     }
 }
@@ -113,12 +114,18 @@ pub struct Tile {
     wave: Vec<Ray>,
     next: Vec<Ray>,
     nodes: Vec<Node>,
-    /// Rays of the wave that have met a shape of each kind.
-    met: [Vec<u32>; 2],
+    /// Rays of the wave that have met a shape of each kind: see [`slot`].
+    met: [Vec<u32>; 2 * KINDS.len()],
     /// For each light, what was in its way last.
     last: Vec<u32>,
     search: Scratch,
     pending: Vec<u32>,
+}
+
+/// Where rays are kept that have met a shape of a kind, where it was defined or elsewhere.
+#[inline(always)]
+fn slot(kind: Kind, is_placed: bool) -> usize {
+    2 * kind as usize + usize::from(is_placed)
 }
 
 /// More rays than this of one tile are too many to remember.
@@ -201,50 +208,51 @@ impl Tile {
                     self.nodes[ray.node as usize].light = light;
                 }
                 leaf => {
-                    let kind = scene.stage.leaves[leaf as usize].kind;
-                    self.met[kind as usize].push(i);
+                    let leaf = &scene.stage.leaves[leaf as usize];
+                    self.met[slot(leaf.kind, leaf.placement != 0)].push(i);
                 }
             }
         }
         let wave = std::mem::take(&mut self.wave);
-        for kind in [Kind::Sphere, Kind::Cuboid] {
-            let met = std::mem::take(&mut self.met[kind as usize]);
-            for some in met.chunks(WIDTH) {
-                let mut all = [some[0]; WIDTH];
-                all[..some.len()].copy_from_slice(some);
-                let live = ALL >> (WIDTH - some.len());
-                let four = Four::new(&wave, &scene.stage.leaves, all);
-                match kind {
-                    Kind::Sphere => self.sphere_hits(scene, &four, live),
-                    Kind::Cuboid => self.cuboid_hits(scene, &four, live),
+        for kind in KINDS {
+            for is_placed in [false, true] {
+                let slot = slot(kind, is_placed);
+                let met = std::mem::take(&mut self.met[slot]);
+                for some in met.chunks(WIDTH) {
+                    let mut all = [some[0]; WIDTH];
+                    all[..some.len()].copy_from_slice(some);
+                    let four = Four::new(&wave, &scene.stage.leaves, all);
+                    let live = ALL >> (WIDTH - some.len());
+                    match kind {
+                        Kind::Sphere => self.hits::<Ball>(scene, (&four, live), is_placed),
+                        Kind::Cuboid => self.hits::<Brick>(scene, (&four, live), is_placed),
+                        Kind::Plane | Kind::HalfSpace => {
+                            self.hits::<Flat>(scene, (&four, live), is_placed);
+                        }
+                        Kind::Rectangle => self.hits::<Sheet>(scene, (&four, live), is_placed),
+                    }
                 }
+                self.met[slot] = met;
             }
-            self.met[kind as usize] = met;
         }
         self.wave = wave;
     }
 
-    #[inline(never)]
-    fn sphere_hits(&mut self, scene: &Scene, four: &Four, live: u32) {
-        let centre = V3::gathered(four.leaves, |leaf| &leaf.low);
-        let radius = gathered(four.leaves, |leaf| leaf.radius);
-        let exit = mask(four.exit);
-        let resolved = sphere::resolve(four.origin, four.direction, centre, radius, exit);
-        self.hits(scene, (four, live), resolved);
-    }
-
-    #[inline(never)]
-    fn cuboid_hits(&mut self, scene: &Scene, four: &Four, live: u32) {
-        let min = V3::gathered(four.leaves, |leaf| &leaf.low);
-        let max = V3::gathered(four.leaves, |leaf| &leaf.high);
-        let exit = mask(four.exit);
-        let resolved = cuboid::resolve(four.origin, four.direction, min, max, exit);
-        self.hits(scene, (four, live), resolved);
-    }
-
     /// What happens where four rays have met something.
-    #[inline(always)]
-    fn hits(&mut self, scene: &Scene, (four, live): (&Four, u32), resolved: Resolved) {
+    #[inline(never)]
+    fn hits<S: Meet>(&mut self, scene: &Scene, (four, live): (&Four, u32), is_placed: bool) {
+        let (origin, direction, exit) = (four.origin, four.direction, mask(four.exit));
+        let resolved = match is_placed {
+            false => S::meet(four.leaves, origin, direction, exit),
+            true => {
+                let place = |leaf: &Leaf| &scene.stage.placements[leaf.placement as usize];
+                let [a, b, c, d] = four.leaves;
+                let places = [place(a), place(b), place(c), place(d)];
+                place::placed(places, origin, direction, |origin, direction| {
+                    S::meet(four.leaves, origin, direction, exit)
+                })
+            }
+        };
         let doubtful = live & !resolved.clear.to_bitmask();
         if doubtful != 0 {
             for lane in (0..WIDTH).filter(|lane| doubtful >> lane & 1 != 0) {
@@ -475,6 +483,55 @@ impl Tile {
     }
 }
 
+/// A kind of shape, as four rays meet four of it.
+trait Meet {
+    /// Where rays meet leaves in the space of these: at the far ends of chords where `exit` is set.
+    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, exit: Lanes) -> Resolved;
+}
+
+struct Ball;
+struct Brick;
+struct Flat;
+struct Sheet;
+
+impl Meet for Ball {
+    #[inline(always)]
+    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, exit: Lanes) -> Resolved {
+        let centre = V3::gathered(leaves, Leaf::first);
+        let radius = gathered(leaves, |leaf| leaf.numbers[3]);
+        sphere::resolve(origin, direction, centre, radius, exit)
+    }
+}
+
+impl Meet for Brick {
+    #[inline(always)]
+    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, exit: Lanes) -> Resolved {
+        let min = V3::gathered(leaves, Leaf::first);
+        let max = V3::gathered(leaves, Leaf::upper);
+        cuboid::resolve(origin, direction, min, max, exit)
+    }
+}
+
+impl Meet for Flat {
+    #[inline(always)]
+    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, _: Lanes) -> Resolved {
+        let plane = plane::Plane {
+            normal: V3::gathered(leaves, Leaf::first),
+            d: gathered(leaves, |leaf| leaf.numbers[3]),
+            unit: V3::gathered(leaves, Leaf::unit),
+            c: gathered(leaves, |leaf| leaf.numbers[7]),
+        };
+        plane::resolve(origin, direction, &plane)
+    }
+}
+
+impl Meet for Sheet {
+    #[inline(always)]
+    fn meet(_: [&Leaf; WIDTH], origin: V3, direction: V3, _: Lanes) -> Resolved {
+        rectangle::resolve(origin, direction)
+    }
+}
+
 /// Where a ray goes from a surface.
 #[derive(Clone, Copy)]
 enum Way {
@@ -532,9 +589,8 @@ impl Hits {
     #[inline(always)]
     fn new(four: &Four, live: u32, resolved: &Resolved) -> Hits {
         let splat = Lanes::splat;
-        let Resolved {
-            t, error, normal, ..
-        } = *resolved;
+        let Resolved { t, error, .. } = *resolved;
+        let normal = resolved.normal.unit();
         let on_line = four.origin + four.direction * t;
         let terms = four.origin.abs() + (four.direction * t).abs();
         let off = (resolved.point - on_line).abs();
@@ -547,7 +603,7 @@ impl Hits {
         let on_surface = normal.abs().dot(error);
         let in_line = normal
             .abs()
-            .dot(terms * splat(3.0 * gamma(3)) + (off + error) * splat(2.0));
+            .dot(terms * splat(8.0 * gamma(3)) + (off + error) * splat(4.0));
         let entering = is_less(normal.dot(four.direction), Lanes::ZERO);
         Hits {
             live,

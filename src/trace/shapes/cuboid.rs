@@ -30,8 +30,8 @@ impl Cuboid {
     }
 
     /// The lower and the upper corner.
-    pub fn corners(&self) -> (Vec3, Vec3) {
-        (self.min, self.max)
+    pub fn corners(&self) -> [[f64; 3]; 2] {
+        [self.min.0, self.max.0]
     }
 }
 

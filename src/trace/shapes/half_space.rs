@@ -21,6 +21,11 @@ impl HalfSpace {
             face: Plane::new(abcd),
         }
     }
+
+    /// a, b, c, d as written.
+    pub fn abcd(&self) -> [f64; 4] {
+        self.face.abcd()
+    }
 }
 
 impl Shape for HalfSpace {

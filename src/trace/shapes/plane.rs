@@ -26,7 +26,7 @@ impl Plane {
     }
 
     /// a, b, c, d as written.
-    pub(super) fn abcd(&self) -> [f64; 4] {
+    pub fn abcd(&self) -> [f64; 4] {
         let [a, b, c] = self.normal.0;
         [a, b, c, self.d]
     }

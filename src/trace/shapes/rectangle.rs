@@ -25,6 +25,11 @@ impl Rectangle {
             reach: size(min).max(size(max)),
         }
     }
+
+    /// The least and the greatest x and y.
+    pub fn corners(&self) -> [[f64; 2]; 2] {
+        [self.min, self.max]
+    }
 }
 
 impl Shape for Rectangle {

@@ -30,8 +30,8 @@ impl Sphere {
     }
 
     /// The centre and the radius.
-    pub fn numbers(&self) -> (Vec3, f64) {
-        (self.centre, self.radius)
+    pub fn numbers(&self) -> ([f64; 3], f64) {
+        (self.centre.0, self.radius)
     }
 }
 

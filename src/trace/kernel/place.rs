@@ -1,0 +1,89 @@
+//! Into the spaces of shapes and out of them, four rays at once.
+
+use super::lanes::{Lanes, V3, WIDTH, gathered, is_greater};
+use super::resolved::Resolved;
+use crate::geometry::affine::{Affine, Placement};
+use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
+
+/// A map for each of four things.
+struct Maps {
+    rows: [V3; 3],
+    offset: V3,
+}
+
+impl Maps {
+    #[inline(always)]
+    fn gathered(places: [&Placement; WIDTH], map: impl Fn(&Placement) -> &Affine) -> Maps {
+        let row = |i: usize| V3::gathered(places, |p| &map(p).rows[i].0);
+        Maps {
+            rows: [row(0), row(1), row(2)],
+            offset: V3::gathered(places, |p| &map(p).offset.0),
+        }
+    }
+
+    #[inline(always)]
+    fn vector(&self, v: V3) -> V3 {
+        V3([
+            self.rows[0].dot(v),
+            self.rows[1].dot(v),
+            self.rows[2].dot(v),
+        ])
+    }
+
+    #[inline(always)]
+    fn point(&self, p: V3) -> V3 {
+        self.vector(p) + self.offset
+    }
+
+    /// The sizes of the terms of `vector`, of sizes.
+    #[inline(always)]
+    fn sizes(&self, v: V3) -> V3 {
+        let size = |i: usize| self.rows[i].abs().dot(v);
+        V3([size(0), size(1), size(2)])
+    }
+
+    /// See [`Affine::transposed`].
+    #[inline(always)]
+    fn transposed(&self, n: V3) -> V3 {
+        self.rows[0] * n.0[0] + self.rows[1] * n.0[1] + self.rows[2] * n.0[2]
+    }
+}
+
+/// By how many unit roundoffs a direction may be off: see `Roots::doubt_blurred` of
+/// [`shapes`](crate::trace::shapes).
+const BLURRED: f64 = 31.0;
+
+/// Where rays meet shapes that are placed, in the scene's space; `resolve` says where in theirs.
+#[inline(always)]
+pub fn placed(
+    places: [&Placement; WIDTH],
+    origin: V3,
+    direction: V3,
+    resolve: impl FnOnce(V3, V3) -> Resolved,
+) -> Resolved {
+    let splat = Lanes::splat;
+    let back = Maps::gathered(places, |p| &p.back);
+    let out = Maps::gathered(places, |p| &p.out);
+    let (local, way) = (back.point(origin), back.vector(direction));
+    let Resolved {
+        clear,
+        t,
+        point,
+        error,
+        normal,
+    } = resolve(local, way);
+    let turned = back.sizes(direction.abs()).max_component() * splat(gamma(5));
+    let drift = turned * t.abs();
+    let unit = splat(BLURRED * UNIT_ROUNDOFF);
+    let at = local + way * t;
+    let sharp = is_greater(unit * local.abs().max_component(), drift)
+        | is_greater(unit * at.abs().max_component(), drift);
+    let before = error * splat(1.0 + gamma(3)) + point.abs() * splat(gamma(4));
+    Resolved {
+        clear: clear & sharp,
+        t,
+        point: out.point(point),
+        error: out.sizes(before) + out.offset.abs() * splat(gamma(4)),
+        normal: back.transposed(normal).unit(),
+    }
+}

@@ -1,0 +1,111 @@
+//! Planes and half-spaces: where a line meets several, and where several lines meet one each, as
+//! [`shapes::plane`](crate::trace::shapes) computes it.
+
+use super::lanes::{Lanes, V3, either, is_at_most, is_greater, is_less, mask};
+use super::probe::{Chords, Probe};
+use super::resolved::Resolved;
+use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
+
+/// Up to four planes, or faces of half-spaces.
+#[derive(Debug, Clone)]
+pub struct Planes {
+    normal: [Lanes; 3],
+    d: Lanes,
+    /// The half-spaces among them, and all, as bits.
+    solid: u32,
+    present: u32,
+}
+
+/// A line that is closer to the plane's own direction than this, as a share of the numbers behind that, is in doubt.
+const RIM: f64 = 1e-10;
+
+impl Planes {
+    /// Of a, b, c and d, and whether there is something behind.
+    pub fn new(planes: &[([f64; 4], bool)]) -> Planes {
+        let column = |i: usize| {
+            let number = |k: usize| planes.get(k).map_or(1.0, |p| p.0[i]);
+            Lanes::new([number(0), number(1), number(2), number(3)])
+        };
+        let solid = (0..).zip(planes).map(|(k, p)| u32::from(p.1) << k);
+        Planes {
+            normal: [column(0), column(1), column(2)],
+            d: column(3),
+            solid: solid.sum(),
+            present: (1 << planes.len()) - 1,
+        }
+    }
+
+    /// The planes that a line may meet after `from` and before `to`.
+    #[inline(always)]
+    pub fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {
+        let splat = Lanes::splat;
+        let (zero, infinity) = (Lanes::ZERO, splat(f64::INFINITY));
+        let (mut slope, mut steep) = (zero, zero);
+        let (mut value, mut size) = (self.d, self.d.abs());
+        for i in 0..3 {
+            let step = self.normal[i] * splat(probe.direction[i]);
+            slope += step;
+            steep += step.abs();
+            let term = self.normal[i] * splat(probe.origin[i]);
+            value += term;
+            size += term.abs();
+        }
+        let t = -(value / slope);
+        let solid = mask(self.solid);
+        let rises = is_greater(slope, zero);
+        let near = either(solid & rises, -infinity, t);
+        let far = either(solid & !rises, infinity, t);
+        // A line along the plane, which is no sum of roundings, meets nothing in front of it.
+        let still = is_at_most(steep, zero) & (is_greater(value, splat(RIM) * size) | !solid);
+        let still = still.to_bitmask() & if probe.slack > 0.0 { 0 } else { u32::MAX };
+        let flat = !is_greater(slope.abs(), splat(RIM) * steep);
+        let ahead = is_greater(far, splat(from)) & is_less(near, splat(to));
+        Chords {
+            maybe: (ahead | flat).to_bitmask() & self.present & !still,
+            sure: !flat.to_bitmask(),
+            near: near.to_array(),
+            far: far.to_array(),
+        }
+    }
+}
+
+/// A bound on the error of where a line meets a plane: see
+/// [`Walker::rough`](crate::trace::search::walk::Walker::rough).
+#[inline(always)]
+pub fn rough(probe: &Probe, normal: [f64; 3], extent: f64, t: f64) -> f64 {
+    let [a, b, c] = normal;
+    let [x, y, z] = probe.direction;
+    let across = (a * x + b * y + c * z).abs();
+    let length = 1.75 * a.abs().max(b.abs()).max(c.abs());
+    super::cuboid::SHARE * (probe.reach + extent + t.abs() * probe.pace) * length / across
+}
+
+/// A plane as written, and in units of its normal.
+pub struct Plane {
+    pub normal: V3,
+    pub d: Lanes,
+    pub unit: V3,
+    pub c: Lanes,
+}
+
+/// Where lines meet a plane each.
+#[inline(always)]
+pub fn resolve(origin: V3, direction: V3, plane: &Plane) -> Resolved {
+    let splat = Lanes::splat;
+    let terms = plane.normal.times(direction);
+    let slope = terms.0[0] + terms.0[1] + terms.0[2];
+    let value = plane.normal.dot(origin) + plane.d;
+    let t = -(value / slope);
+    let p = origin + direction * t;
+    let n = plane.unit;
+    let square = n.dot(n);
+    let point = p - n * ((n.dot(p) + plane.c) / square);
+    let noise = splat(gamma(5)) * (n.abs().dot(p.abs()) + plane.c.abs()) / square;
+    Resolved {
+        clear: is_less(t.abs(), splat(f64::INFINITY)),
+        t,
+        point,
+        error: n.abs() * noise + point.abs() * splat(UNIT_ROUNDOFF),
+        normal: n,
+    }
+}
