@@ -71,17 +71,24 @@ impl View {
     /// the first pixel is (½, ½). `None` where its numbers are out of range.
     #[inline]
     pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
+        let [origin, direction] = self.line(x, y)?;
+        Some(Ray::new(origin, direction))
+    }
+
+    /// The origin and the unit direction of the same ray.
+    #[inline]
+    pub fn line(&self, x: f64, y: f64) -> Option<[Vec3; 2]> {
         let ndc = [2.0 * x / self.width - 1.0, 1.0 - 2.0 * y / self.height];
         match &self.lens {
             Lens::Perspective { forward, right, up } => {
                 let direction = *forward + *right * ndc[0] + *up * ndc[1];
-                Some(Ray::new(self.position, direction.unit()))
+                Some([self.position, direction.unit()])
             }
             Lens::Matrix { sight, basis } => {
                 let (start, direction) = sight.ray(ndc[0], ndc[1])?;
                 let start = self.position + basis.turned(start).into();
                 let direction = Vec3(basis.turned(Vec3(direction).unit().0)).unit();
-                (start.is_finite() && direction.any()).then(|| Ray::new(start, direction))
+                (start.is_finite() && direction.any()).then_some([start, direction])
             }
         }
     }

@@ -365,10 +365,10 @@ impl<'t> Drawing<'t> {
             ];
             let places =
                 (0..kernel::TILE[1]).flat_map(|y| (0..kernel::TILE[0]).map(move |x| (x, y)));
-            let rays: Vec<Ray> = places
+            let rays: Vec<[Vec3; 2]> = places
                 .filter_map(|(x, y)| {
                     let (x, y) = ((left + x) as u32, (top + y) as u32);
-                    self.ray(part.x + x, part.y + y, 0, 1)
+                    self.line(part.x + x, part.y + y, 0, 1)
                 })
                 .collect();
             let drawn = tile.draw(scene, &rays);
@@ -404,12 +404,12 @@ impl<'t> Drawing<'t> {
         }
     }
 
-    /// The ray of sample `i` of `n` of a pixel, where its projection has one.
+    /// The ray of sample `i` of `n` of a pixel, where its projection has one: its origin and direction.
     #[inline]
-    fn ray(&self, x: u32, y: u32, i: u32, n: u32) -> Option<Ray> {
+    fn line(&self, x: u32, y: u32, i: u32, n: u32) -> Option<[Vec3; 2]> {
         let [dx, dy] = sample(x, y, i, n);
         let [dx, dy] = [dx + self.shift[0], dy + self.shift[1]];
-        self.view.ray(f64::from(x) + dx, f64::from(y) + dy)
+        self.view.line(f64::from(x) + dx, f64::from(y) + dy)
     }
 
     fn is_wanted(&self, x: u32, y: u32) -> bool {
@@ -544,25 +544,25 @@ impl<'t> Drawing<'t> {
             places.clear();
             rays.clear();
             let to = width.min(from + kernel::TILE[0]);
-            let all = (0..band.len()).flat_map(|row| (from..to).map(move |column| (row, column)));
-            for (row, column) in all {
-                let (x, y) = (left + column as u32, band[row].y);
-                if !self.is_wanted(x, y) || self.is_to_stop() {
-                    samples[row].add(Samples::of(0));
-                    continue;
+            let is_to_stop = self.is_to_stop();
+            for row in 0..band.len() {
+                let y = band[row].y;
+                for column in from..to {
+                    let x = left + column as u32;
+                    let is_drawn = !is_to_stop && self.is_wanted(x, y);
+                    samples[row].add(Samples::of(u32::from(is_drawn)));
+                    if is_drawn {
+                        places.push((row, column));
+                        rays.push(self.line(x, y, 0, 1).unwrap_or_default());
+                    }
                 }
-                places.push((row, column));
-                rays.push(
-                    self.ray(x, y, 0, 1)
-                        .unwrap_or_else(|| Ray::new(Vec3::ZERO, Vec3::ZERO)),
-                );
             }
             let drawn = tile.draw(scene, &rays);
             for (&(row, column), drawn) in places.iter().zip(drawn) {
                 let pixel = match drawn.is_doubtful {
                     true => draw(pen, left + column as u32, band[row].y),
                     false => {
-                        counts += drawn.counts();
+                        drawn.count(&mut counts);
                         Pixel {
                             colour: developed(drawn.light.0),
                             samples: 1,
@@ -571,7 +571,6 @@ impl<'t> Drawing<'t> {
                         }
                     }
                 };
-                samples[row].add(Samples::of(pixel.samples));
                 band[row].put(column, pixel);
             }
         }
@@ -673,7 +672,8 @@ impl<R: Precision> Pen<'_, '_, R> {
     /// The light of sample `i` of `n`; where a projection has no ray, or none in
     /// the range of the precision, there is nothing to be seen.
     pub(super) fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
-        match self.drawing.ray(x, y, i, n).map(|ray| ray.cast::<R>()) {
+        let line = self.drawing.line(x, y, i, n);
+        match line.map(|[origin, direction]| Ray::new(origin, direction).cast::<R>()) {
             Some(mut ray) if ray.line.is_sound() => {
                 ray.within = self.drawing.within;
                 Vec3(self.shader.radiance(&ray))

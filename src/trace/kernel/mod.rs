@@ -18,6 +18,8 @@ mod resolved;
 mod search;
 mod sphere;
 mod stage;
+#[cfg(test)]
+mod tests;
 mod wave;
 
 pub use stage::Stage;

@@ -194,8 +194,9 @@ impl Stage<'_> {
         if !self.tree.nodes.is_empty() {
             scratch.pending.push((0.0, Child::ROOT));
         }
-        let loose = self.loose.iter().map(|&block| (0.0, Child::item(block)));
-        scratch.pending.extend(loose);
+        for &block in &self.loose {
+            scratch.pending.push((0.0, Child::item(block)));
+        }
     }
 
     #[inline(always)]

@@ -9,9 +9,8 @@ use super::search::{DOUBT, Light, NONE, Scratch, Start, Tests};
 use super::stage::{KINDS, Kind, Leaf, Stage};
 use super::{cuboid, place, plane, rectangle, sphere};
 use crate::geometry::vec::{UNIT_ROUNDOFF, Vec3, gamma};
-use crate::trace::ray::Ray as CameraRay;
 use crate::trace::shade::{Features, Limits};
-use crate::trace::stats::{Counts, Intersections, Rays, Work};
+use crate::trace::stats::Counts;
 use crate::trace::tracer;
 
 /// What all rays of a picture have in common.
@@ -78,32 +77,25 @@ impl Drawn {
         self.total > 0
     }
 
-    pub fn counts(&self) -> Counts {
-        let [shadow, reflection, refraction] =
-            [self.shadow, self.reflection, self.refraction].map(u64::from);
-        Counts {
-            rays: Rays {
-                camera: 1,
-                shadow,
-                reflection,
-                refraction,
-                total: u64::from(self.total),
-            },
-            intersections: Intersections {
-                boxes: u64::from(self.tests.boxes),
-                shape: u64::from(self.tests.shapes),
-            },
-            work: Work {
-                shadow,
-                transparent_shadow: u64::from(self.transparent),
-                reflection,
-                refraction,
-                medium_change: u64::from(self.media),
-                ..Work::default()
-            },
-            uncertain: 0,
-            quick: 1,
+    /// Adds what it has cost.
+    #[inline]
+    pub fn count(&self, all: &mut Counts) {
+        all.quick += 1;
+        all.rays.camera += 1;
+        all.intersections.boxes += u64::from(self.tests.boxes);
+        all.intersections.shape += u64::from(self.tests.shapes);
+        if self.shadow + self.reflection + self.refraction + self.total + self.media == 0 {
+            return;
         }
+        all.rays.shadow += u64::from(self.shadow);
+        all.rays.reflection += u64::from(self.reflection);
+        all.rays.refraction += u64::from(self.refraction);
+        all.rays.total += u64::from(self.total);
+        all.work.shadow += u64::from(self.shadow);
+        all.work.transparent_shadow += u64::from(self.transparent);
+        all.work.reflection += u64::from(self.reflection);
+        all.work.refraction += u64::from(self.refraction);
+        all.work.medium_change += u64::from(self.media);
     }
 }
 
@@ -133,19 +125,21 @@ const MOST: usize = 1 << 20;
 
 impl Tile {
     /// Draws pixels with a camera ray each, from outside of everything; the result is in their order.
-    pub fn draw(&mut self, scene: &Scene, cameras: &[CameraRay]) -> &[Drawn] {
+    ///
+    /// Of each the origin and the direction are given, which has the length 1.
+    pub fn draw(&mut self, scene: &Scene, cameras: &[[Vec3; 2]]) -> &[Drawn] {
         self.pixels.clear();
         self.nodes.clear();
         self.wave.clear();
         self.last.clear();
         self.last.resize(scene.lights.len(), NONE);
-        for (i, camera) in (0..).zip(cameras) {
+        for (i, &[origin, direction]) in (0..).zip(cameras) {
             self.pixels.push(Drawn::default());
             self.nodes.push(LEAFLESS);
             self.wave.push(Ray {
                 start: Start {
-                    origin: camera.line.origin.0,
-                    direction: camera.line.direction.0,
+                    origin: origin.0,
+                    direction: direction.0,
                     skin: 0.0,
                     left: NONE,
                     within: NONE,
@@ -156,7 +150,7 @@ impl Tile {
                 depth: 0,
                 met: NONE,
             });
-            if !camera.line.is_sound() {
+            if !(origin.is_finite() && direction.is_finite() && direction.any()) {
                 self.pixels[i as usize].is_doubtful = true;
                 self.wave.pop();
             }
@@ -180,7 +174,12 @@ impl Tile {
             let mut sum = first.light;
             let push = |pending: &mut Vec<u32>, node: Node| {
                 let [mirrored, refracted] = node.children;
-                pending.extend([refracted, mirrored].into_iter().filter(|&n| n != NONE));
+                if refracted != NONE {
+                    pending.push(refracted);
+                }
+                if mirrored != NONE {
+                    pending.push(mirrored);
+                }
             };
             push(&mut self.pending, first);
             while let Some(number) = self.pending.pop() {
@@ -285,7 +284,8 @@ impl Tile {
             for lane in 0..WIDTH {
                 straight |= u32::from(four.leaves[lane].is_straight) << lane;
             }
-            let [inwards, outwards] = [0, 1].map(|i| gathered(four.leaves, |leaf| leaf.ratios[i]));
+            let inwards = gathered(four.leaves, |leaf| leaf.ratios[0]);
+            let outwards = gathered(four.leaves, |leaf| leaf.ratios[1]);
             let ratio = either(hits.entering, inwards, outwards);
             let cosine = -direction.dot(hits.facing);
             let sine2 = (splat(1.0) - cosine * cosine).fast_max(Lanes::ZERO);

@@ -1,0 +1,186 @@
+//! The kernel against the arbiter: lanes have the bits of shapes, and pictures those of pictures.
+
+use super::lanes::{Lanes, V3, mask};
+use super::resolved::Resolved;
+use super::{cuboid, plane, rectangle, sphere};
+use crate::geometry::line::Line;
+use crate::geometry::vec::Vec3;
+use crate::scene::Geometry;
+use crate::testing::{random, scene};
+use crate::trace::shapes::{Primitive, Roots};
+use crate::trace::{Settings, Tracer, selected_camera};
+use std::fmt::Write;
+
+/// Numbers from −1 to 1.
+fn numbers() -> impl FnMut() -> f64 {
+    let mut next = random();
+    move || next(2_000_001) as f64 / 1e6 - 1.0
+}
+
+/// Four times the same.
+fn four(v: Vec3) -> V3 {
+    V3::splat(v)
+}
+
+/// What the kernel finds on a line.
+fn resolved(geometry: &Geometry, line: &Line, exit: bool) -> Resolved {
+    let (o, d) = (four(line.origin), four(line.direction));
+    let exit = mask(if exit { 15 } else { 0 });
+    let splat = Lanes::splat;
+    match *geometry {
+        Geometry::Sphere { centre, radius } => {
+            sphere::resolve(o, d, four(centre.into()), splat(radius), exit)
+        }
+        Geometry::Box { min, max } => {
+            cuboid::resolve(o, d, four(min.into()), four(max.into()), exit)
+        }
+        Geometry::Plane([a, b, c, e]) => {
+            let normal = four(Vec3::new(a, b, c));
+            let power = splat(0.5f64.powi(a.abs().max(b.abs()).max(c.abs()).log2().floor() as i32));
+            let plane = plane::Plane {
+                normal,
+                d: splat(e),
+                unit: normal * power,
+                c: splat(e) * power,
+            };
+            plane::resolve(o, d, &plane)
+        }
+        _ => rectangle::resolve(o, d),
+    }
+}
+
+/// What the kernel is sure of has the bits of what the shape itself finds, on lines from near and far, and from its
+/// own surface.
+#[test]
+fn lanes_have_the_bits_of_shapes() {
+    let mut number = numbers();
+    let mut sure = [0; 4];
+    for i in 0..40_000 {
+        let kind = i % 4;
+        let mut vector = || Vec3::new(number(), number(), number());
+        let (a, b, c) = (vector(), vector(), vector());
+        let geometry = match kind {
+            0 => Geometry::Sphere {
+                centre: a.0,
+                radius: b[0].abs() + 0.01,
+            },
+            1 => Geometry::Box {
+                min: a.0,
+                max: (a + b.abs() + Vec3::ONE * 0.01).0,
+            },
+            2 => Geometry::Plane([a[0], a[1], a[2], b[0]]),
+            _ => Geometry::Rectangle {
+                min: [-1.0, -0.5],
+                max: [0.5 + a[0].abs(), 0.7],
+            },
+        };
+        let far = if i % 3 == 0 { 1.0 } else { 30.0 };
+        let mut line = Line::new(c * far, (a - c * far + b * 0.3).unit());
+        if i % 7 == 0 {
+            line = Line::new(
+                line.origin,
+                Vec3::new(0.0, line.direction[1], line.direction[2]),
+            );
+        }
+        let primitive = Primitive::new(&geometry);
+        let mut roots = Roots::default();
+        for again in [false, true] {
+            roots.clear();
+            primitive.intersect().crossings(&line, &mut roots);
+            let Some(&first) = roots.list.first() else {
+                break;
+            };
+            if again {
+                // From the surface, inwards.
+                let at = primitive.intersect().locate(&line, first).point;
+                line = Line::new(at, line.direction);
+                continue;
+            }
+            for exit in [false, roots.list.len() > 1] {
+                let root = roots.list[usize::from(exit)];
+                let found = resolved(&geometry, &line, exit);
+                if found.clear.to_bitmask() & 1 == 0 || roots.uncertain {
+                    continue;
+                }
+                sure[kind] += 1;
+                let located = primitive.intersect().locate(&line, root);
+                let lane = |v: V3| Vec3(v.columns().map(|column| column[1]));
+                assert_eq!(found.t.to_array()[2], root.t, "{geometry:?} {line:?}");
+                assert_eq!(lane(found.point), located.point, "{geometry:?} {line:?}");
+                assert_eq!(lane(found.error), located.error, "{geometry:?} {line:?}");
+                let normal = lane(found.normal.unit());
+                assert_eq!(normal, located.normal.unit(), "{geometry:?} {line:?}");
+            }
+        }
+    }
+    assert!(sure.iter().all(|&n| n > 1000), "{sure:?}");
+}
+
+/// A scene of some shapes, one of which may be glass and far from the others.
+fn text(number: &mut impl FnMut() -> f64, seed: usize) -> String {
+    let mut text = String::new();
+    let count = [1, 3, 12][seed % 3];
+    let mut union = 0;
+    for i in 0..count {
+        let id = 10 + i;
+        let mut real = |by: f64| (number() * by * 100.0).round() / 100.0;
+        let r = real(1.0).abs() + 0.3;
+        match (i + seed) % 4 {
+            0 => writeln!(text, "{id} 11 0 0 0 {r}"),
+            1 => writeln!(text, "{id} 12 {0} -0.5 {0} {r} 0.5 {r}", -r),
+            2 => writeln!(text, "{id} 5 -1 -1 {r} 1"),
+            _ => writeln!(text, "{id} 11 0 0 0 {r}\n{id} -3 1 {r} 1.2"),
+        }
+        .unwrap();
+        let turn = [90.0, real(180.0)][i % 2];
+        writeln!(text, "{id} -2 {turn} {}", 1 + i % 3).unwrap();
+        let at = [real(5.0), real(4.0), real(3.0)];
+        writeln!(text, "{id} -1 {} {} {}", at[0], at[1], at[2]).unwrap();
+        match (i + seed) % 8 {
+            0 => writeln!(text, "{id} -201 0.1 0.1 0.8\n{id} -203 1.5 1.5 1.5"),
+            2 | 5 => writeln!(text, "{id} -201 0.6 0.4 0"),
+            _ => writeln!(text, "{id} -701 0.9 0.5 0.3"),
+        }
+        .unwrap();
+        union = match i {
+            0 => id,
+            _ => {
+                writeln!(text, "{} -101 {union} {id}", 100 + i).unwrap();
+                100 + i
+            }
+        };
+    }
+    let floor = ["4 0 1 0 6", "3 0.1 1 0.05 7"][seed % 2];
+    writeln!(text, "90 {floor}\n200 -101 {union} 90").unwrap();
+    text + "201 -401 0.2\n202 -402 0.5\n202 -1 5 9 8\n203 -402 0.4\n203 -1 -9 5 9\n\
+            204 -501 0 0 18 0 0 -1 0 1 0 45\n205 -701 0.1 0.2 0.3\n1 9999 200 205\n"
+}
+
+/// Pictures by the kernel have the bits of pictures by the arbiter, and the same rays.
+#[test]
+fn pictures_are_those_of_the_arbiter() {
+    let mut number = numbers();
+    let (mut quick, mut all) = (0, 0);
+    for seed in 0..40 {
+        let scene = scene(&text(&mut number, seed));
+        let mut tracer = Tracer::new(&scene).unwrap();
+        let (width, height) = [(33, 21), (7, 5), (40, 30)][seed % 3];
+        let settings = Settings {
+            width,
+            height,
+            ..Settings::default()
+        };
+        let camera = selected_camera(&scene, f64::from(width) / f64::from(height));
+        let ours = tracer.render(&camera, &settings, || ()).unwrap();
+        tracer.graph.without.kernel = true;
+        let theirs = tracer.render(&camera, &settings, || ()).unwrap();
+        assert_eq!(ours.film, theirs.film, "{seed}");
+        assert_eq!(ours.counts.rays, theirs.counts.rays, "{seed}");
+        assert_eq!(ours.total_reflection, theirs.total_reflection, "{seed}");
+        assert_eq!(ours.samples, theirs.samples, "{seed}");
+        assert_eq!(theirs.counts.quick, 0);
+        quick += ours.counts.quick;
+        all += u64::from(width * height);
+    }
+    assert!(quick > all / 2, "{quick} of {all}");
+}
