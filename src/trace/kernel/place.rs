@@ -1,6 +1,6 @@
 //! Into the spaces of shapes and out of them, four rays at once.
 
-use super::lanes::{Lanes, V3, WIDTH, gathered, is_greater};
+use super::lanes::{Lanes, V3, WIDTH, is_greater};
 use super::resolved::Resolved;
 use crate::geometry::affine::{Affine, Placement};
 use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
