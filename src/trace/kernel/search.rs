@@ -165,7 +165,8 @@ impl Stage<'_> {
                     continue;
                 }
                 let end = self.rough(probe, leaf, chords.near[lane], true);
-                if !(end.t > skin + end.error) {
+                let is_ahead = end.t > skin + end.error;
+                if !is_ahead {
                     return DOUBT;
                 }
                 if end.t < best.t {

@@ -559,8 +559,8 @@ impl<'a> Four<'a> {
         let rays = [ray(a), ray(b), ray(c), ray(d)];
         let leaf = |ray: &Ray| &leaves[ray.met as usize];
         let mut exit = 0;
-        for lane in 0..WIDTH {
-            exit |= u32::from(rays[lane].start.within != NONE) << lane;
+        for (lane, ray) in rays.iter().enumerate() {
+            exit |= u32::from(ray.start.within != NONE) << lane;
         }
         Four {
             rays,
