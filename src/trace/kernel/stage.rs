@@ -274,17 +274,25 @@ fn are_mostly_lone(graph: &Graph, leaves: &mut [Leaf], boxes: &[(u32, Aabb)]) ->
         .iter()
         .map(|leaf| Flat::new(graph, leaf))
         .collect();
+    let balls: Vec<Option<Ball>> = (boxes.iter())
+        .map(|(i, bounds)| Ball::new(graph, &leaves[*i as usize], bounds))
+        .collect();
     let (mut clear, mut lone) = (0, 0);
     for &(i, bounds) in boxes {
         if !leaves[i as usize].is_clear {
             continue;
         }
         // Rays leave it by far more than what makes them doubt.
-        let room = Vec3::ONE * (1e-4 * bounds.reach());
-        let around = Aabb::new(Vec3(bounds.min) - room, Vec3(bounds.max) + room);
+        let room = 1e-4 * bounds.reach();
+        let all = Vec3::ONE * room;
+        let around = Aabb::new(Vec3(bounds.min) - all, Vec3(bounds.max) + all);
         let is_alone = |j: u32| {
-            let other = &boxes[(j - first) as usize].1;
-            match j != i && other.overlaps(&around) {
+            let [own, other] = [i, j].map(|i| (i - first) as usize);
+            let is_apart = match (&balls[own], &balls[other]) {
+                (Some(a), Some(b)) => (a.centre - b.centre).length() > a.radius + b.radius + room,
+                _ => !boxes[other].1.overlaps(&around),
+            };
+            match j != i && !is_apart {
                 true => ControlFlow::Break(()),
                 false => ControlFlow::Continue(()),
             }
@@ -296,6 +304,24 @@ fn are_mostly_lone(graph: &Graph, leaves: &mut [Leaf], boxes: &[(u32, Aabb)]) ->
         lone += u32::from(is_lone);
     }
     f64::from(clear - lone) <= CROWDED * f64::from(clear)
+}
+
+/// A sphere in the scene's space, roughly.
+struct Ball {
+    centre: Vec3,
+    radius: f64,
+}
+
+impl Ball {
+    /// `None` for what is no sphere, or is turned or stretched.
+    fn new(graph: &Graph, leaf: &Leaf, bounds: &Aabb) -> Option<Ball> {
+        let rows = &graph.placements[leaf.placement as usize].out.rows;
+        let is_moved = (0..3).all(|i| (0..3).all(|j| rows[i].0[j] == f64::from(u8::from(i == j))));
+        (leaf.kind == Kind::Sphere && is_moved).then(|| Ball {
+            centre: Vec3(bounds.centre()),
+            radius: bounds.extent()[0] / 2.0,
+        })
+    }
 }
 
 /// A plane in the scene's space, roughly.
