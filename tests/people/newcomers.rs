@@ -98,8 +98,6 @@ const BEHIND: &[(&str, &str)] = &[
     ("2 -701 é + +\n", "2 -701 0 1 1\n"),
     // A digit of the type.
     ("2 -71 0.9 0.6 0.1\n", "2 -701 0.9 0.6 0.1\n"),
-    // A point too many.
-    ("2 -701 0.2. 0..4 1\n", "2 -701 0.2 0.4 1\n"),
     // A comma that begins a number.
     ("2 -701 0,2 ,4 1\n", "2 -701 0.2 .4 1\n"),
     // A grey, and a second record on the line.

@@ -518,11 +518,7 @@ fn repaired(text: &str) -> Option<String> {
         .chars()
         .filter(|c| c.is_alphanumeric() || "+-.".contains(*c))
         .collect();
-    // A point stands there twice, or one more at the end.
-    let one_point = plain.replace("..", ".");
-    let without_end = plain.strip_suffix('.').unwrap_or(&plain).to_owned();
-    let all = [plain, kept, one_point, without_end];
-    all.into_iter().find(|t| {
+    [plain, kept].into_iter().find(|t| {
         t.len() < 40
             && t.parse::<f64>().is_ok_and(f64::is_finite)
             && t.contains(|c: char| c.is_ascii_digit())
