@@ -12,12 +12,13 @@
 //! # Ok::<(), std::io::Error>(())
 //! ```
 //!
-//! A picture of a scene. Without a camera and a lamp, both are chosen for it:
+//! A picture of a scene. Where it has no camera, one is chosen:
 //!
 //! ```
 //! use zpg::{Analysis, Settings, Tracer, selected_camera};
 //!
-//! let analysis = Analysis::new("ball.zpg", b"2 11 0 0 0 1\n1 9999 2 0\n".to_vec());
+//! let scene = b"2 11 0 0 0 1\n50 -402 1\n50 -1 3 5 9\n1 9999 2 0\n";
+//! let analysis = Analysis::new("ball.zpg", scene.to_vec());
 //! let tracer = Tracer::new(&analysis.scene)?;
 //! let settings = Settings { width: 40, height: 30, ..Settings::default() };
 //! let camera = selected_camera(&analysis.scene, 40.0 / 30.0);
