@@ -44,6 +44,16 @@ pub struct Fix {
 }
 
 impl Fix {
+    /// A guess of several edits.
+    pub fn guess(title: &'static str, edits: Vec<Edit>) -> Fix {
+        Fix {
+            title,
+            values: Vec::new(),
+            applicability: Applicability::Unsafe,
+            edits,
+        }
+    }
+
     /// A fix of one edit.
     pub fn replace(
         title: &'static str,

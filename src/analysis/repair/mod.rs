@@ -393,7 +393,7 @@ impl Engine<'_> {
         if is_lost {
             finding.notes.push("lost");
         }
-        if is_open || is_hidden || is_lost || place.joins_lamp(finding) {
+        if is_open || is_hidden || is_lost {
             (finding.fixes.iter_mut()).for_each(|f| f.applicability = Applicability::Choice);
         }
         true

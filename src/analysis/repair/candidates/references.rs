@@ -1,5 +1,7 @@
 //! Other IDs: those that a record refers to, and its own.
 
+use rustc_hash::FxHashSet;
+
 use super::{Candidate, Habit, MOST, Place};
 use crate::diagnostics::{Code, Diagnostic, Edit};
 use crate::scene::{Entity, names};
@@ -47,7 +49,8 @@ impl Place<'_> {
         if finding.code == Code::E107 && finding.case != "cycle" {
             return;
         }
-        if self.joins_lamp(finding) {
+        // A lamp among the operands: no other object is meant.
+        if finding.notes.contains(&"no-part") {
             return;
         }
         // Cameras are found by themselves.
@@ -108,24 +111,19 @@ impl Place<'_> {
         }
     }
 
-    /// Whether a finding is about a lamp that an operation names. Lamps shine by themselves: no other object is meant.
-    pub fn joins_lamp(&self, finding: &Diagnostic) -> bool {
-        let named = self.params().iter().find(|t| finding.span == t.span());
-        let kind = named.and_then(|t| self.kind_of(t.integer(self.text)?));
-        self.is_operation() && matches!(kind, Some(Kind::PointLight | Kind::AmbientLight))
-    }
-
     /// What has an ID.
     pub(super) fn kind_of(&self, id: i64) -> Option<Kind> {
         let mut entities = self.analysis.scene.entities.iter();
         entities.find(|e| i64::from(e.id) == id)?.kind
     }
 
-    /// Whether any record refers to an ID.
-    fn is_named(&self, id: u32) -> bool {
+    /// The IDs that records refer to.
+    pub(super) fn named_ids(&self) -> FxHashSet<u32> {
         let document = &self.analysis.document;
-        let mut records = document.items.iter().filter_map(Item::record);
-        records.any(|r| names::references(document, r).any(|named| named == id))
+        let records = document.items.iter().filter_map(Item::record);
+        records
+            .flat_map(|r| names::references(document, r))
+            .collect()
     }
 
     /// A reference that nothing fits may have been meant for another place, which has none: that of the only thing there
@@ -140,8 +138,9 @@ impl Place<'_> {
         let Some((own, _)) = own.filter(|(_, kinds)| self.entities(kinds).next().is_none()) else {
             return;
         };
+        let named = self.named_ids();
         for (place, kinds) in all.iter().filter(|(t, _)| t.integer(self.text) == Some(0)) {
-            let mut unused = self.entities(kinds).filter(|e| !self.is_named(e.id));
+            let mut unused = self.entities(kinds).filter(|e| !named.contains(&e.id));
             if let (Some(one), None) = (unused.next(), unused.next()) {
                 let new = [(*own, "0".to_owned()), (*place, one.id.to_string())];
                 out.extend(self.write(Habit::Reference, &new));
@@ -162,8 +161,9 @@ impl Place<'_> {
     /// The only thing of the right kind that no record names gets the ID that is named here.
     fn renamed(&self, named: &Token, kinds: &'static [Kind]) -> Option<Candidate> {
         let document = &self.analysis.document;
-        let mut unused =
-            (self.entities(kinds)).filter(|e| Some(e.id) != self.id() && !self.is_named(e.id));
+        let all_named = self.named_ids();
+        let mut unused = (self.entities(kinds))
+            .filter(|e| Some(e.id) != self.id() && !all_named.contains(&e.id));
         let (Some(one), None) = (unused.next(), unused.next()) else {
             return None;
         };

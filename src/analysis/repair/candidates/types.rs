@@ -2,13 +2,9 @@
 
 use std::cmp::Ordering;
 
-use rustc_hash::FxHashSet;
-
 use super::{Candidate, Habit, MOST, Place};
 use crate::analysis::materials;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
-use crate::scene::names::references;
-use crate::syntax::Item;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType, ShapeKind};
 use crate::syntax::words;
@@ -267,9 +263,7 @@ impl Place<'_> {
         if ty.family != Family::Operation || ty.params.len() == 1 {
             return Vec::new();
         }
-        let document = &self.analysis.document;
-        let records = document.items.iter().filter_map(Item::record);
-        let mut used: FxHashSet<u32> = records.flat_map(|r| references(document, r)).collect();
+        let mut used = self.named_ids();
         used.extend(one.integer(self.text).and_then(|id| u32::try_from(id).ok()));
         let objects = self.entities(&[Kind::Object]).map(|e| e.id);
         objects.filter(|id| !used.contains(id)).collect()

@@ -1,6 +1,6 @@
 //! W301: a colour with a part outside of 0 to 1.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::diagnostics::{Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
 use crate::lint::spelling::{rough, with_point};
 use crate::scene::record::Params;
@@ -62,24 +62,26 @@ fn finding(p: &Params, first: usize) -> Diagnostic {
     let divided = |title, by: f64| {
         let edits = (first..p.len()).filter(|&i| p.number(i) != 0.0);
         let edits = edits.map(|i| edit(p, i, rough(p.number(i) / by)));
-        fix(title, edits.collect())
+        Fix::guess(title, edits.collect())
     };
     let pointed = (first..p.len()).filter_map(|i| Some(edit(p, i, with_point(p.text_of(i))?)));
     let pointed: Vec<Edit> = pointed.collect();
     if !pointed.is_empty() {
-        return d.fix(fix("point-lost", pointed));
+        return d.fix(Fix::guess("point-lost", pointed));
     }
     let limited = || {
         let edits = (first..p.len()).filter(|&i| is_outside(p, i));
         let edits = edits.map(|i| edit(p, i, rough(p.number(i).clamp(0.0, 1.0))));
-        fix("fix", edits.collect())
+        Fix::guess("fix", edits.collect())
     };
     // A single digit beside decimals: `.1 .3 7`.
     let is_digit = |i: usize| !is_outside(p, i) || p.text_of(i).len() == 1;
     if (first..p.len()).all(is_digit) && values.iter().any(|x| x.fract() != 0.0) {
         let edits = (first..p.len()).filter(|&i| is_outside(p, i));
         let edits = edits.map(|i| edit(p, i, format!("0.{}", p.text_of(i))));
-        return d.fix(fix("point-lost", edits.collect())).fix(limited());
+        return d
+            .fix(Fix::guess("point-lost", edits.collect()))
+            .fix(limited());
     }
     match scale(&values) {
         Some(Scale::Bytes) => d.note("bytes").fix(divided("divide", BYTE_MAX)),
@@ -103,15 +105,6 @@ fn scale(values: &[f64]) -> Option<Scale> {
         true if largest > PER_CENT_MAX => Some(Scale::Bytes),
         true if largest >= PER_CENT_MIN => Some(Scale::PerCent),
         _ => None,
-    }
-}
-
-fn fix(title: &'static str, edits: Vec<Edit>) -> Fix {
-    Fix {
-        title,
-        values: Vec::new(),
-        applicability: Applicability::Unsafe,
-        edits,
     }
 }
 

@@ -1,6 +1,6 @@
 //! W302: a surface that gives more light than it gets.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::diagnostics::{Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
 use crate::lint::spelling::{spelled, with_point};
 use crate::syntax::table::RecordKind;
@@ -63,10 +63,13 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
             span: t.span(),
             text,
         });
-        fix(title, edits.collect())
+        Fix::guess(title, edits.collect())
     };
     let slip = with_points(&texts).or_else(|| by_channel(&texts));
-    let fixes = slip.map(written).into_iter().chain([fix("fix", edits)]);
+    let fixes = slip
+        .map(written)
+        .into_iter()
+        .chain([Fix::guess("fix", edits)]);
     let worst = fixes.fold(worst, Diagnostic::fix);
     out.push(
         others
@@ -75,15 +78,6 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
                 d.label(span, phrase).with(channel, short(sum))
             }),
     );
-}
-
-fn fix(title: &'static str, edits: Vec<Edit>) -> Fix {
-    Fix {
-        title,
-        values: Vec::new(),
-        applicability: Applicability::Unsafe,
-        edits,
-    }
 }
 
 /// The parts with the decimal points that some have lost, if no sum is above 1 then.

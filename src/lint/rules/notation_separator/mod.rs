@@ -77,12 +77,11 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             let words = &context.text[pair.range()];
             let finding = Diagnostic::new(Code::S501, pair).case("decimal");
             let finding = finding.with("number", quote(&words.replace(',', " ")));
-            out.push(finding.with("text", quote(words)).fix(Fix {
-                title: "fix",
-                values: Vec::new(),
-                applicability: Applicability::Unsafe,
-                edits,
-            }));
+            out.push(
+                finding
+                    .with("text", quote(words))
+                    .fix(Fix::guess("fix", edits)),
+            );
             continue;
         }
         let leading: Vec<Span> = (separators.iter())
@@ -94,13 +93,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             for edit in points.iter_mut().filter(|e| leading.contains(&e.span)) {
                 edit.text = String::from(".");
             }
-            let fix = |title, edits| Fix {
-                title,
-                values: Vec::new(),
-                applicability: Applicability::Unsafe,
-                edits,
-            };
-            out.push((finding.fix(fix("points", points))).fix(fix("fix", edits)));
+            out.push((finding.fix(Fix::guess("points", points))).fix(Fix::guess("fix", edits)));
             continue;
         }
         // What is wrong there may be what the separators say: a decimal comma, a comment.
