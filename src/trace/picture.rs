@@ -1,5 +1,7 @@
 //! A picture, row by row.
 
+mod quick;
+
 use super::adaptive::{Estimate, FIRST, First, MOST, contrast};
 use super::camera::View;
 use super::compile::cannot_draw;
@@ -12,8 +14,7 @@ use super::ray::Ray;
 use super::sampling::sample;
 use super::search::vista::{self, Vista, Vistas};
 use super::shade::{Features, Limits, Shader};
-use super::stats::Counts;
-use super::switches::Without;
+use super::stats::{Counts, Samples};
 use super::tracer::{Light, Tracer};
 use super::within::Within;
 use crate::diagnostics::{Error, Span};
@@ -113,39 +114,6 @@ pub struct Picture {
     /// For each row, whether it was drawn to its end before the picture was stopped.
     pub finished: Vec<bool>,
     pub counts: Counts,
-}
-
-/// Samples per pixel.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Samples {
-    pub min: u32,
-    pub max: u32,
-    /// Of all pixels.
-    pub total: u64,
-}
-
-impl Samples {
-    /// Of no pixel.
-    pub const NONE: Samples = Samples {
-        min: u32::MAX,
-        max: 0,
-        total: 0,
-    };
-
-    /// Of one pixel.
-    fn of(samples: u32) -> Samples {
-        Samples {
-            min: samples,
-            max: samples,
-            total: u64::from(samples),
-        }
-    }
-
-    pub fn add(&mut self, others: Samples) {
-        self.min = self.min.min(others.min);
-        self.max = self.max.max(others.max);
-        self.total += others.total;
-    }
 }
 
 /// The camera a scene is seen by: the selected one, or one that frames the scene. Of a stereo pair
@@ -338,58 +306,6 @@ impl<'t> Drawing<'t> {
         picture
     }
 
-    /// The scene for the quick kernel, if that can draw it.
-    fn stage(&self, numbers: Numbers, most: usize) -> Option<kernel::Stage<'_>> {
-        let graph = &self.tracer.graph;
-        let is_plain = numbers == Numbers::F64
-            && self.within == Within::Outside
-            && !self.features.dispersion
-            && graph.without == Without::default()
-            && graph.solver.is_none();
-        is_plain.then(|| kernel::Stage::new(graph, most)).flatten()
-    }
-
-    /// Whether the kernel knows most pixels of a few places in the picture.
-    fn is_mostly_sure(&self, scene: &kernel::Scene, part: Crop) -> bool {
-        let [columns, rows] = [part.width, part.height].map(|n| n as usize);
-        let [across, down] = [columns / kernel::TILE[0], rows / kernel::TILE[1]];
-        // They take a hundredth of the time.
-        let tiles = (across * down / 128).min(64);
-        let mut tile = kernel::Tile::default();
-        let (mut all, mut sure) = (0, 0);
-        for i in 0..tiles {
-            let number = (2 * i + 1) * across * down / (2 * tiles);
-            let [left, top] = [
-                number % across * kernel::TILE[0],
-                number / across * kernel::TILE[1],
-            ];
-            let places =
-                (0..kernel::TILE[1]).flat_map(|y| (0..kernel::TILE[0]).map(move |x| (x, y)));
-            let rays: Vec<[Vec3; 2]> = places
-                .filter_map(|(x, y)| {
-                    let (x, y) = ((left + x) as u32, (top + y) as u32);
-                    self.line(part.x + x, part.y + y, 0, 1)
-                })
-                .collect();
-            let drawn = tile.draw(scene, &rays);
-            all += drawn.len();
-            sure += drawn.iter().filter(|pixel| !pixel.is_doubtful).count();
-        }
-        all - sure <= all / 8
-    }
-
-    fn scene<'s>(&'s self, stage: &'s kernel::Stage<'s>) -> kernel::Scene<'s> {
-        kernel::Scene {
-            stage,
-            lights: self.lights,
-            ambient: self.tracer.ambient,
-            background: self.tracer.background,
-            limits: self.limits,
-            features: self.features,
-            is_alone: self.tracer.plan.lone_convex,
-        }
-    }
-
     /// What draws pixels on one thread.
     pub(super) fn pen<R: Precision>(&self) -> Pen<'_, 't, R> {
         Pen {
@@ -460,7 +376,7 @@ impl<'t> Drawing<'t> {
             ),
             Some(scene) => {
                 let drawn = parallel::map_each_with(
-                    in_bands(rows),
+                    quick::in_bands(rows),
                     || (self.pen(), kernel::Tile::default()),
                     |(pen, tile), band| self.band(pen, (scene, tile), band, part.x, progress, draw),
                 );
@@ -522,68 +438,6 @@ impl<'t> Drawing<'t> {
         (samples, pen.shader.counts(), !self.is_to_stop())
     }
 
-    /// Draws some rows with the quick kernel. What it does not know is drawn as other rows are.
-    fn band<'d, R: Precision>(
-        &'d self,
-        pen: &mut Pen<'d, 't, R>,
-        (scene, tile): (&kernel::Scene, &mut kernel::Tile),
-        mut band: Vec<Row>,
-        left: u32,
-        progress: &(dyn Fn() + Sync),
-        draw: Draw<R>,
-    ) -> Vec<(Samples, Counts, bool)> {
-        if self.is_to_stop() {
-            return vec![(Samples::of(0), Counts::default(), false); band.len()];
-        }
-        pen.shader.reset();
-        let mut samples = vec![Samples::NONE; band.len()];
-        let mut counts = Counts::default();
-        let width = band.first().map_or(0, |row| row.film.len());
-        let (mut places, mut rays) = (Vec::new(), Vec::new());
-        for from in (0..width).step_by(kernel::TILE[0]) {
-            places.clear();
-            rays.clear();
-            let to = width.min(from + kernel::TILE[0]);
-            let is_to_stop = self.is_to_stop();
-            for row in 0..band.len() {
-                let y = band[row].y;
-                for column in from..to {
-                    let x = left + column as u32;
-                    let is_drawn = !is_to_stop && self.is_wanted(x, y);
-                    samples[row].add(Samples::of(u32::from(is_drawn)));
-                    if is_drawn {
-                        places.push((row, column));
-                        rays.push(self.line(x, y, 0, 1).unwrap_or_default());
-                    }
-                }
-            }
-            let drawn = tile.draw(scene, &rays);
-            for (&(row, column), drawn) in places.iter().zip(drawn) {
-                let pixel = match drawn.is_doubtful {
-                    true => draw(pen, left + column as u32, band[row].y),
-                    false => {
-                        drawn.count(&mut counts);
-                        Pixel {
-                            colour: developed(drawn.light.0),
-                            samples: 1,
-                            tests: drawn.tests(),
-                            total_reflection: drawn.has_total_reflection(),
-                        }
-                    }
-                };
-                band[row].put(column, pixel);
-            }
-        }
-        counts += pen.shader.counts();
-        let is_finished = !self.is_to_stop();
-        let rows = samples.into_iter().enumerate().map(|(row, samples)| {
-            progress();
-            let counts = if row == 0 { counts } else { Counts::default() };
-            (samples, counts, is_finished)
-        });
-        rows.collect()
-    }
-
     /// The first samples of each pixel, row by row, for those that ask how many more there should be.
     fn first_samples<R: Precision>(&self, part: Crop) -> (Vec<Vec<First>>, Counts) {
         let rows = parallel::map_with(
@@ -624,18 +478,6 @@ impl Row<'_> {
         self.tests[column] = pixel.tests;
         self.total_reflection[column] = pixel.total_reflection;
     }
-}
-
-/// The rows that the quick kernel draws together.
-fn in_bands(rows: Vec<Row>) -> Vec<Vec<Row>> {
-    let mut bands: Vec<Vec<Row>> = Vec::with_capacity(rows.len().div_ceil(kernel::TILE[1]));
-    for row in rows {
-        match bands.last_mut() {
-            Some(band) if band.len() < kernel::TILE[1] => band.push(row),
-            _ => bands.push(vec![row]),
-        }
-    }
-    bands
 }
 
 /// A finished pixel.

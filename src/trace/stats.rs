@@ -105,3 +105,36 @@ impl AddAssign for Counts {
         self.quick += other.quick;
     }
 }
+
+/// Samples per pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Samples {
+    pub min: u32,
+    pub max: u32,
+    /// Of all pixels.
+    pub total: u64,
+}
+
+impl Samples {
+    /// Of no pixel.
+    pub const NONE: Samples = Samples {
+        min: u32::MAX,
+        max: 0,
+        total: 0,
+    };
+
+    /// Of one pixel.
+    pub fn of(samples: u32) -> Samples {
+        Samples {
+            min: samples,
+            max: samples,
+            total: u64::from(samples),
+        }
+    }
+
+    pub fn add(&mut self, others: Samples) {
+        self.min = self.min.min(others.min);
+        self.max = self.max.max(others.max);
+        self.total += others.total;
+    }
+}

@@ -1,9 +1,10 @@
 //! Axis-aligned boxes: which of several a line meets, and where several lines meet one each, as
 //! [`shapes::cuboid`](crate::trace::shapes) computes it.
 
-use super::lanes::{ALL, Lanes, V3, either, is_greater, is_less, mask};
+use super::lanes::{ALL, Lanes, V3, WIDTH, either, is_greater, is_less, mask};
+use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
-use super::resolved::Resolved;
+use super::resolved::{Meet, Resolved};
 use crate::geometry::vec::gamma;
 
 /// Up to four boxes.
@@ -169,5 +170,14 @@ pub fn resolve(origin: V3, d: V3, min: V3, max: V3, exit: Lanes) -> Resolved {
         point,
         error,
         normal,
+    }
+}
+
+impl Meet for Cuboids {
+    #[inline(always)]
+    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, exit: Lanes) -> Resolved {
+        let min = V3::gathered(leaves, Leaf::first);
+        let max = V3::gathered(leaves, Leaf::upper);
+        resolve(origin, direction, min, max, exit)
     }
 }

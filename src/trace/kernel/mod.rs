@@ -14,6 +14,7 @@
 
 mod cuboid;
 mod lanes;
+mod leaf;
 mod place;
 mod plane;
 mod probe;

@@ -1,9 +1,10 @@
 //! Planes and half-spaces: where a line meets several, and where several lines meet one each, as
 //! [`shapes::plane`](crate::trace::shapes) computes it.
 
-use super::lanes::{Lanes, V3, either, is_at_most, is_greater, is_less, mask};
+use super::lanes::{Lanes, V3, WIDTH, either, gathered, is_at_most, is_greater, is_less, mask};
+use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
-use super::resolved::Resolved;
+use super::resolved::{Meet, Resolved};
 use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
 
 /// Up to four planes, or faces of half-spaces.
@@ -107,5 +108,18 @@ pub fn resolve(origin: V3, direction: V3, plane: &Plane) -> Resolved {
         point,
         error: n.abs() * noise + point.abs() * splat(UNIT_ROUNDOFF),
         normal: n,
+    }
+}
+
+impl Meet for Planes {
+    #[inline(always)]
+    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, _: Lanes) -> Resolved {
+        let plane = Plane {
+            normal: V3::gathered(leaves, Leaf::first),
+            d: gathered(leaves, |leaf| leaf.numbers[3]),
+            unit: V3::gathered(leaves, Leaf::unit),
+            c: gathered(leaves, |leaf| leaf.numbers[7]),
+        };
+        resolve(origin, direction, &plane)
     }
 }

@@ -1,9 +1,10 @@
 //! Rectangles in the plane z = 0: which of several a line meets, and where several lines meet one each, as
 //! [`shapes::rectangle`](crate::trace::shapes) computes it.
 
-use super::lanes::{Lanes, V3, is_greater, is_less};
+use super::lanes::{Lanes, V3, WIDTH, is_greater, is_less};
+use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
-use super::resolved::Resolved;
+use super::resolved::{Meet, Resolved};
 use crate::geometry::vec::gamma;
 
 /// Up to four rectangles.
@@ -89,5 +90,12 @@ pub fn resolve(origin: V3, direction: V3) -> Resolved {
         point,
         error,
         normal: V3([zero, zero, splat(1.0)]),
+    }
+}
+
+impl Meet for Rectangles {
+    #[inline(always)]
+    fn meet(_: [&Leaf; WIDTH], origin: V3, direction: V3, _: Lanes) -> Resolved {
+        resolve(origin, direction)
     }
 }

@@ -1,6 +1,7 @@
 //! Where four rays have met a shape each.
 
-use super::lanes::{Lanes, V3};
+use super::lanes::{Lanes, V3, WIDTH};
+use super::leaf::Leaf;
 
 /// Points of surfaces, in the scene's space.
 #[derive(Debug, Clone, Copy)]
@@ -13,4 +14,10 @@ pub struct Resolved {
     pub error: V3,
     /// Unit, outwards.
     pub normal: V3,
+}
+
+/// A kind of shape, as four rays meet four of it.
+pub trait Meet {
+    /// Where rays meet leaves in the space of these: at the far ends of chords where `exit` is set.
+    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, exit: Lanes) -> Resolved;
 }

@@ -1,7 +1,8 @@
 //! What a ray meets first, and how much light gets by.
 
+use super::leaf::{Kind, Leaf};
 use super::probe::{Chords, Probe};
-use super::stage::{Block, Kind, Leaf, Shapes, Stage};
+use super::stage::{Block, Shapes, Stage};
 use super::{cuboid, plane};
 use crate::geometry::array::each;
 use crate::geometry::line::Line;

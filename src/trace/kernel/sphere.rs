@@ -1,9 +1,10 @@
 //! Spheres: which of several a line meets, and where several lines meet one each, as
 //! [`shapes::sphere`](crate::trace::shapes) computes it.
 
-use super::lanes::{Lanes, V3, either, fused, is_at_most, is_greater, is_less};
+use super::lanes::{Lanes, V3, WIDTH, either, fused, gathered, is_at_most, is_greater, is_less};
+use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
-use super::resolved::Resolved;
+use super::resolved::{Meet, Resolved};
 use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
 
 /// Up to four spheres.
@@ -130,4 +131,13 @@ fn closer(origin: V3, centre: V3, f: V3, radius: Lanes, r2: Lanes) -> Lanes {
         sum = next;
     }
     sum + lost
+}
+
+impl Meet for Spheres {
+    #[inline(always)]
+    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, exit: Lanes) -> Resolved {
+        let centre = V3::gathered(leaves, Leaf::first);
+        let radius = gathered(leaves, |leaf| leaf.numbers[3]);
+        resolve(origin, direction, centre, radius, exit)
+    }
 }

@@ -3,11 +3,16 @@
 //! All rays that a tile's pixels send, mirror and refract at one time are a wave. Each is traced by itself; what happens
 //! where they have met something is computed four at a time.
 
+use super::cuboid::Cuboids;
 use super::lanes::{ALL, Lanes, V3, WIDTH, either, gathered, is_greater, is_less, mask};
-use super::resolved::Resolved;
+use super::leaf::{KINDS, Kind, Leaf};
+use super::place;
+use super::plane::Planes;
+use super::rectangle::Rectangles;
+use super::resolved::{Meet, Resolved};
 use super::search::{DOUBT, Light, NONE, Scratch, Start, Tests};
-use super::stage::{KINDS, Kind, Leaf, Stage};
-use super::{cuboid, place, plane, rectangle, sphere};
+use super::sphere::Spheres;
+use super::stage::Stage;
 use crate::geometry::vec::{UNIT_ROUNDOFF, Vec3, gamma};
 use crate::trace::shade::{Features, Limits};
 use crate::trace::stats::Counts;
@@ -223,12 +228,12 @@ impl Tile {
                     let four = Four::new(&wave, &scene.stage.leaves, all);
                     let live = ALL >> (WIDTH - some.len());
                     match kind {
-                        Kind::Sphere => self.hits::<Ball>(scene, (&four, live), is_placed),
-                        Kind::Cuboid => self.hits::<Brick>(scene, (&four, live), is_placed),
+                        Kind::Sphere => self.hits::<Spheres>(scene, (&four, live), is_placed),
+                        Kind::Cuboid => self.hits::<Cuboids>(scene, (&four, live), is_placed),
                         Kind::Plane | Kind::HalfSpace => {
-                            self.hits::<Flat>(scene, (&four, live), is_placed);
+                            self.hits::<Planes>(scene, (&four, live), is_placed);
                         }
-                        Kind::Rectangle => self.hits::<Sheet>(scene, (&four, live), is_placed),
+                        Kind::Rectangle => self.hits::<Rectangles>(scene, (&four, live), is_placed),
                     }
                 }
                 self.met[slot] = met;
@@ -480,55 +485,6 @@ impl Tile {
             let node = &mut self.nodes[four.rays[lane].node as usize];
             node.light = Vec3([light[0][lane], light[1][lane], light[2][lane]]);
         }
-    }
-}
-
-/// A kind of shape, as four rays meet four of it.
-trait Meet {
-    /// Where rays meet leaves in the space of these: at the far ends of chords where `exit` is set.
-    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, exit: Lanes) -> Resolved;
-}
-
-struct Ball;
-struct Brick;
-struct Flat;
-struct Sheet;
-
-impl Meet for Ball {
-    #[inline(always)]
-    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, exit: Lanes) -> Resolved {
-        let centre = V3::gathered(leaves, Leaf::first);
-        let radius = gathered(leaves, |leaf| leaf.numbers[3]);
-        sphere::resolve(origin, direction, centre, radius, exit)
-    }
-}
-
-impl Meet for Brick {
-    #[inline(always)]
-    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, exit: Lanes) -> Resolved {
-        let min = V3::gathered(leaves, Leaf::first);
-        let max = V3::gathered(leaves, Leaf::upper);
-        cuboid::resolve(origin, direction, min, max, exit)
-    }
-}
-
-impl Meet for Flat {
-    #[inline(always)]
-    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, _: Lanes) -> Resolved {
-        let plane = plane::Plane {
-            normal: V3::gathered(leaves, Leaf::first),
-            d: gathered(leaves, |leaf| leaf.numbers[3]),
-            unit: V3::gathered(leaves, Leaf::unit),
-            c: gathered(leaves, |leaf| leaf.numbers[7]),
-        };
-        plane::resolve(origin, direction, &plane)
-    }
-}
-
-impl Meet for Sheet {
-    #[inline(always)]
-    fn meet(_: [&Leaf; WIDTH], origin: V3, direction: V3, _: Lanes) -> Resolved {
-        rectangle::resolve(origin, direction)
     }
 }
 

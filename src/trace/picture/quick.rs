@@ -1,0 +1,138 @@
+//! A picture by the quick kernel, in bands of rows.
+
+use super::{Crop, Draw, Drawing, Numbers, Pen, Pixel, Row};
+use crate::geometry::vec::Vec3;
+use crate::trace::film::developed;
+use crate::trace::kernel;
+use crate::trace::precision::Precision;
+use crate::trace::stats::{Counts, Samples};
+use crate::trace::switches::Without;
+use crate::trace::within::Within;
+
+impl<'t> Drawing<'t> {
+    /// The scene for the quick kernel, if that can draw it.
+    pub(super) fn stage(&self, numbers: Numbers, most: usize) -> Option<kernel::Stage<'_>> {
+        let graph = &self.tracer.graph;
+        let is_plain = numbers == Numbers::F64
+            && self.within == Within::Outside
+            && !self.features.dispersion
+            && graph.without == Without::default()
+            && graph.solver.is_none();
+        is_plain.then(|| kernel::Stage::new(graph, most)).flatten()
+    }
+
+    /// Whether the kernel knows most pixels of a few places in the picture.
+    pub(super) fn is_mostly_sure(&self, scene: &kernel::Scene, part: Crop) -> bool {
+        let [columns, rows] = [part.width, part.height].map(|n| n as usize);
+        let [across, down] = [columns / kernel::TILE[0], rows / kernel::TILE[1]];
+        // They take a hundredth of the time.
+        let tiles = (across * down / 128).min(64);
+        let mut tile = kernel::Tile::default();
+        let (mut all, mut sure) = (0, 0);
+        for i in 0..tiles {
+            let number = (2 * i + 1) * across * down / (2 * tiles);
+            let [left, top] = [
+                number % across * kernel::TILE[0],
+                number / across * kernel::TILE[1],
+            ];
+            let places =
+                (0..kernel::TILE[1]).flat_map(|y| (0..kernel::TILE[0]).map(move |x| (x, y)));
+            let rays: Vec<[Vec3; 2]> = places
+                .filter_map(|(x, y)| {
+                    let (x, y) = ((left + x) as u32, (top + y) as u32);
+                    self.line(part.x + x, part.y + y, 0, 1)
+                })
+                .collect();
+            let drawn = tile.draw(scene, &rays);
+            all += drawn.len();
+            sure += drawn.iter().filter(|pixel| !pixel.is_doubtful).count();
+        }
+        all - sure <= all / 8
+    }
+
+    pub(super) fn scene<'s>(&'s self, stage: &'s kernel::Stage<'s>) -> kernel::Scene<'s> {
+        kernel::Scene {
+            stage,
+            lights: self.lights,
+            ambient: self.tracer.ambient,
+            background: self.tracer.background,
+            limits: self.limits,
+            features: self.features,
+            is_alone: self.tracer.plan.lone_convex,
+        }
+    }
+
+    /// Draws some rows with the quick kernel. What it does not know is drawn as other rows are.
+    pub(super) fn band<'d, R: Precision>(
+        &'d self,
+        pen: &mut Pen<'d, 't, R>,
+        (scene, tile): (&kernel::Scene, &mut kernel::Tile),
+        mut band: Vec<Row>,
+        left: u32,
+        progress: &(dyn Fn() + Sync),
+        draw: Draw<R>,
+    ) -> Vec<(Samples, Counts, bool)> {
+        if self.is_to_stop() {
+            return vec![(Samples::of(0), Counts::default(), false); band.len()];
+        }
+        pen.shader.reset();
+        let mut samples = vec![Samples::NONE; band.len()];
+        let mut counts = Counts::default();
+        let width = band.first().map_or(0, |row| row.film.len());
+        let (mut places, mut rays) = (Vec::new(), Vec::new());
+        for from in (0..width).step_by(kernel::TILE[0]) {
+            places.clear();
+            rays.clear();
+            let to = width.min(from + kernel::TILE[0]);
+            let is_to_stop = self.is_to_stop();
+            for row in 0..band.len() {
+                let y = band[row].y;
+                for column in from..to {
+                    let x = left + column as u32;
+                    let is_drawn = !is_to_stop && self.is_wanted(x, y);
+                    samples[row].add(Samples::of(u32::from(is_drawn)));
+                    if is_drawn {
+                        places.push((row, column));
+                        rays.push(self.line(x, y, 0, 1).unwrap_or_default());
+                    }
+                }
+            }
+            let drawn = tile.draw(scene, &rays);
+            for (&(row, column), drawn) in places.iter().zip(drawn) {
+                let pixel = match drawn.is_doubtful {
+                    true => draw(pen, left + column as u32, band[row].y),
+                    false => {
+                        drawn.count(&mut counts);
+                        Pixel {
+                            colour: developed(drawn.light.0),
+                            samples: 1,
+                            tests: drawn.tests(),
+                            total_reflection: drawn.has_total_reflection(),
+                        }
+                    }
+                };
+                band[row].put(column, pixel);
+            }
+        }
+        counts += pen.shader.counts();
+        let is_finished = !self.is_to_stop();
+        let rows = samples.into_iter().enumerate().map(|(row, samples)| {
+            progress();
+            let counts = if row == 0 { counts } else { Counts::default() };
+            (samples, counts, is_finished)
+        });
+        rows.collect()
+    }
+}
+
+/// The rows that the quick kernel draws together.
+pub(super) fn in_bands(rows: Vec<Row>) -> Vec<Vec<Row>> {
+    let mut bands: Vec<Vec<Row>> = Vec::with_capacity(rows.len().div_ceil(kernel::TILE[1]));
+    for row in rows {
+        match bands.last_mut() {
+            Some(band) if band.len() < kernel::TILE[1] => band.push(row),
+            _ => bands.push(vec![row]),
+        }
+    }
+    bands
+}
