@@ -24,6 +24,7 @@ pub mod line;
 pub mod matrix;
 pub mod number;
 pub mod qd;
+pub mod shaft;
 pub mod sign;
 pub mod vec;
 pub mod wide_bvh;

@@ -55,7 +55,7 @@ impl Child {
 /// Some children and their boxes: the lower sides of all along each axis, and the upper ones.
 #[derive(Debug, Clone)]
 pub struct Node {
-    sides: [[f32x8; 3]; 2],
+    pub(super) sides: [[f32x8; 3]; 2],
     pub children: [Child; WIDTH],
 }
 
@@ -93,7 +93,7 @@ pub fn above(x: f64) -> f32 {
 
 /// The least power of two above a number, and its reciprocal; `None` where one of them is no normal number.
 #[inline]
-fn power(above: f64) -> Option<(f64, f64)> {
+pub(super) fn power(above: f64) -> Option<(f64, f64)> {
     const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
     let exponent = above.to_bits() >> MANTISSA;
     let of = |exponent: u64| f64::from_bits(exponent << MANTISSA);
@@ -105,10 +105,10 @@ fn power(above: f64) -> Option<(f64, f64)> {
 pub struct Frame {
     /// The largest coordinate of a box, in size.
     reach: f64,
-    centre: Vec3,
+    pub(super) centre: Vec3,
     /// A power of two, and its reciprocal; both 0 where there is none, and no beam sees the boxes either.
-    unit: f64,
-    per_unit: f64,
+    pub(super) unit: f64,
+    pub(super) per_unit: f64,
 }
 
 impl Frame {
@@ -322,15 +322,15 @@ pub struct Beam {
 
 /// What is rounded between a coordinate and a parameter: the difference and the product, and the direction and its
 /// reciprocal before them, once each, twice over.
-const SLACK: f32 = 8.0 * (f32::EPSILON / 2.0);
+pub(super) const SLACK: f32 = 8.0 * (f32::EPSILON / 2.0);
 
 /// A component of a direction that is smaller, in parts of the largest, is taken for as much.
-const LEAST: f32 = f32::from_bits((127 - 100) << 23);
+pub(super) const LEAST: f32 = f32::from_bits((127 - 100) << 23);
 /// Where that is so, the origin is as uncertain as this: the other components take a line far out of the tree before
 /// this much of the smallest is passed.
-const STILL: f32 = f32::from_bits((127 - 40) << 23);
+pub(super) const STILL: f32 = f32::from_bits((127 - 40) << 23);
 /// An origin that is farther away, in units of the tree, tells nothing in single precision.
-const FAR: f64 = (1u64 << 50) as f64;
+pub(super) const FAR: f64 = (1u64 << 50) as f64;
 
 impl Beam {
     /// Meets everything.

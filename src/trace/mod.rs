@@ -42,6 +42,7 @@ pub mod shapes;
 pub mod stats;
 pub mod surfaces;
 pub mod switches;
+mod texture;
 mod tracer;
 pub mod within;
 

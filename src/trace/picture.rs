@@ -23,8 +23,8 @@ use crate::geometry::vec::Vec3;
 use crate::parallel;
 use crate::scene::{Camera, Scene};
 use crate::solids::staging;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 
 /// A rectangle of pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -136,14 +136,8 @@ impl Tracer {
         }
     }
 
-    /// What is seen from the eye and the lights, where there are enough samples that it pays to look.
-    fn vistas(
-        &self,
-        view: &View,
-        lights: &[Light],
-        features: Features,
-        settings: &Settings,
-    ) -> Vistas {
+    /// How many parts are seen in each vista at most, where there are enough samples that it pays to look.
+    fn seen(&self, settings: &Settings, lights: usize) -> Option<usize> {
         let [width, height] = match settings.crop {
             Some(crop) => [crop.width, crop.height],
             None => [settings.width, settings.height],
@@ -152,22 +146,8 @@ impl Tracer {
         let samples = samples
             .into_iter()
             .fold(width as usize, usize::saturating_mul);
-        let most = SEEN.min(samples / SAMPLES) / (1 + lights.len());
         let is_known = settings.numbers == Numbers::F64 && self.clip.is_none();
-        let bodies = is_known.then(|| vista::bodies(&self.graph, most)).flatten();
-        let Some(bodies) = bodies else {
-            return Vistas::default();
-        };
-        let from = |point| Vista::new(&bodies, point);
-        // Light through glass is looked for in other ways.
-        let lights = match features.shadows && !features.glass {
-            true => lights.iter().map(|light| from(light.position)).collect(),
-            false => Vec::new(),
-        };
-        Vistas {
-            eye: view.is_pinhole().then(|| from(view.position())).flatten(),
-            lights,
-        }
+        is_known.then(|| SEEN.min(samples / SAMPLES) / (1 + lights))
     }
 
     /// Takes a picture. `progress` is told of every finished row, from any thread.
@@ -223,7 +203,8 @@ impl Tracer {
         let features = self.features(outside);
         Ok(draw(&Drawing {
             tracer: self,
-            vistas: self.vistas(&view, lights, features, settings),
+            vistas: OnceLock::new(),
+            seen: self.seen(settings, lights.len()),
             lights,
             limits,
             within: match outside {
@@ -254,7 +235,10 @@ pub(super) struct Drawing<'t> {
     pub(super) within: Within,
     shift: [f64; 2],
     features: Features,
-    vistas: Vistas,
+    /// Set up when the first pixel asks for them.
+    vistas: OnceLock<Vistas>,
+    /// See [`Tracer::seen`].
+    seen: Option<usize>,
     wanted: Option<&'t [bool]>,
     /// Of the whole picture.
     width: u32,
@@ -275,12 +259,12 @@ impl<'t> Drawing<'t> {
             let samples = settings.samples.max(1);
             // To set up the kernel takes about as long for a shape as to draw a few pixels.
             let most = crop.width as usize * crop.height as usize / 8;
-            let stage = (samples == 1)
-                .then(|| self.stage(settings.numbers, most))
-                .flatten();
+            let most = most.saturating_mul(samples as usize);
+            let stage = self.stage(settings.numbers, most);
             let scene = stage.as_ref().map(|stage| self.scene(stage));
             let quick = scene.filter(|scene| self.is_mostly_sure(scene, crop));
-            return self.drawn(crop, progress, quick.as_ref(), &|pen: &mut Pen<R>, x, y| {
+            let quick = quick.as_ref().map(|scene| (scene, samples));
+            return self.drawn(crop, progress, quick, &|pen: &mut Pen<R>, x, y| {
                 pen.fixed(x, y, samples)
             });
         };
@@ -308,15 +292,35 @@ impl<'t> Drawing<'t> {
 
     /// What draws pixels on one thread.
     pub(super) fn pen<R: Precision>(&self) -> Pen<'_, 't, R> {
+        self.pen_with(self.vistas.get_or_init(|| self.vistas()))
+    }
+
+    fn pen_with<'d, R: Precision>(&'d self, vistas: &'d Vistas) -> Pen<'d, 't, R> {
         Pen {
-            shader: Shader::new(
-                self.tracer,
-                self.lights,
-                self.limits,
-                self.features,
-                &self.vistas,
-            ),
+            shader: Shader::new(self.tracer, self.lights, self.limits, self.features, vistas),
             drawing: self,
+        }
+    }
+
+    /// What is seen from the eye and the lights.
+    fn vistas(&self) -> Vistas {
+        let graph = &self.tracer.graph;
+        let bodies = self.seen.and_then(|most| vista::bodies(graph, most));
+        let Some(bodies) = bodies else {
+            return Vistas::default();
+        };
+        let from = |point| Vista::new(&bodies, point);
+        // Light through glass is looked for in other ways.
+        let lights = match self.features.shadows && !self.features.glass {
+            true => (self.lights.iter())
+                .map(|light| from(light.position))
+                .collect(),
+            false => Vec::new(),
+        };
+        let view = &self.view;
+        Vistas {
+            eye: view.is_pinhole().then(|| from(view.position())).flatten(),
+            lights,
         }
     }
 
@@ -345,7 +349,7 @@ impl<'t> Drawing<'t> {
         &self,
         part: Crop,
         progress: &(dyn Fn() + Sync),
-        quick: Option<&kernel::Scene>,
+        quick: Option<(&kernel::Scene, u32)>,
         draw: Draw<R>,
     ) -> Picture {
         let Crop { width, height, .. } = part;
@@ -374,10 +378,13 @@ impl<'t> Drawing<'t> {
                 || self.pen(),
                 |pen, row| self.row(pen, row, part.x, progress, draw),
             ),
-            Some(scene) => {
+            Some((scene, samples)) => {
+                // A few pixels are not worth looking.
+                let no_vistas = Vistas::default();
+                let draw = (samples, draw);
                 let drawn = parallel::map_each_with(
                     quick::in_bands(rows),
-                    || (self.pen(), kernel::Tile::default()),
+                    || (self.pen_with(&no_vistas), kernel::Tile::default()),
                     |(pen, tile), band| self.band(pen, (scene, tile), band, part.x, progress, draw),
                 );
                 drawn.into_iter().flatten().collect()

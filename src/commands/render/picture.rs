@@ -226,6 +226,7 @@ pub fn draw(
             intersections: counts.intersections,
             work: counts.work,
             uncertain: counts.uncertain,
+            quick: counts.quick,
             effects: tracer.plan.names(),
             peak_memory_bytes: peak_memory(),
         };

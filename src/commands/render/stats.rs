@@ -22,6 +22,8 @@ pub struct Stats {
     pub intersections: Intersections,
     pub work: Work,
     pub uncertain: u64,
+    /// Pixels that the quick kernel has drawn.
+    pub quick: u64,
     pub effects: Vec<&'static str>,
     pub peak_memory_bytes: u64,
 }

@@ -13,16 +13,34 @@ pub enum Kind {
     HalfSpace,
     /// The least x and y, and the greatest.
     Rectangle,
+    /// Any shape, as the arbiter sees it: one ray at a time.
+    Other,
+    /// No shape, but an intersection or a difference of some.
+    Csg,
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 5] = [
+pub const KINDS: [Kind; 7] = [
     Kind::Sphere,
     Kind::Cuboid,
     Kind::Plane,
     Kind::HalfSpace,
     Kind::Rectangle,
+    Kind::Other,
+    Kind::Csg,
 ];
+
+/// Where the colour of a shape comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Colour {
+    /// It is the same everywhere.
+    Plain,
+    /// The shape may have colours of its own.
+    Own,
+    /// Index into [`Graph::textures`](crate::trace::graph::Graph::textures), and the chain of the space that the texture is
+    /// painted in: see [`Leaf::chain`].
+    Texture { texture: u32, chain: u32 },
+}
 
 /// A shape of the scene, and what it is made of.
 #[derive(Debug, Clone)]
@@ -30,11 +48,26 @@ pub struct Leaf {
     pub kind: Kind,
     /// What makes it what it is: see [`Kind`].
     pub numbers: [f64; 8],
-    /// Index into [`Graph::placements`](crate::trace::graph::Graph::placements); 0 stays where it is.
+    /// Index into [`Graph::primitives`](crate::trace::graph::Graph::primitives), or into
+    /// [`Stage::csgs`](super::stage::Stage::csgs).
+    pub primitive: u32,
+    /// Index into [`Stage::chains`](super::stage::Stage::chains).
+    pub chain: u32,
+    /// The only placement of the chain, of a leaf with lanes: an index into
+    /// [`Graph::placements`](crate::trace::graph::Graph::placements); 0 stays where it is.
     pub placement: u32,
+    /// The leaf that it bounds: itself, or what it is an operand of.
+    pub solid: u32,
     /// See [`Graph::extents`](crate::trace::graph::Graph::extents).
     pub extent: f64,
-    /// The share of diffuse light in the shape's colour.
+    /// Which operand of the scene's union it is: the earlier of two owns what both are in.
+    pub operand: u32,
+    /// Whether it has an inside.
+    pub is_solid: bool,
+    pub is_convex: bool,
+    pub colour: Colour,
+    pub kd: [f64; 3],
+    /// The share of diffuse light in the shape's colour, if that is plain.
     pub albedo: [f64; 3],
     pub ks: [f64; 3],
     pub kt: [f64; 3],
@@ -44,7 +77,8 @@ pub struct Leaf {
     pub is_straight: bool,
     /// Whether something goes through it.
     pub is_clear: bool,
-    /// Whether no other shape is near, so that the way out of it is what comes next inside.
+    /// Whether nothing is near it such that one of the two is transparent. So the way out of what is transparent is what
+    /// comes next inside, and no light gets to what is opaque but through the open.
     pub is_lone: bool,
 }
 

@@ -1,32 +1,53 @@
-//! A quick way to draw scenes of simple shapes.
+//! A quick way to draw pictures.
 //!
 //! Pictures have the bits of those that [`search`](super::search) and [`shade`](super::shade) draw, who are called the
-//! arbiter here. The kernel takes on scenes of spheres, boxes, planes, half-spaces and rectangles, placed anywhere, in
-//! one union, with plain colours and one sample a pixel, seen from outside. It knows of each ray whether rounding may have
-//! decided anything about it. A pixel with such a ray is drawn by the arbiter. So is a whole picture of which the kernel
-//! does not know enough.
+//! arbiter here. The kernel takes on scenes that are seen from outside, of shapes in unions and of intersections and
+//! differences of shapes, placed anywhere. It knows of each ray whether rounding may have decided anything about it. A
+//! pixel with such a ray is in doubt, and the arbiter draws it. So it does a whole picture of which the kernel does not
+//! know enough.
 //!
-//! [`stage`] is the scene: shapes in blocks of four, blocks in a tree. [`search`] finds which shape a ray meets, with
-//! bounds that are far wider than any rounding. [`sphere`] and the other shapes compute where, with the operations of the
-//! arbiter in the arbiter's order, for four rays at once; [`place`] takes them into the spaces of shapes. [`wave`] sends
-//! rays on and adds up the light. From inside of a transparent solid that is near no other shape, its other side comes
-//! next, and nothing is searched.
+//! The scene: [`expand`] takes the graph apart into leaves, each a shape with its looks ([`leaf`]). [`stage`] puts leaves of
+//! one kind into blocks of four, and blocks into a tree. [`lone`] finds what is near nothing else.
+//!
+//! The rays of some pixels that are traced together are a wave: [`wave`]. Each wave goes through three phases.
+//!
+//! 1. [`search`] finds the leaf that each ray meets first, with bounds that are far wider than any rounding. Spheres, boxes,
+//!    planes and rectangles have lanes ([`sphere`], [`cuboid`], [`plane`], [`rectangle`]): a ray is held against four at
+//!    once. Other shapes are asked one by one by the arbiter's own formulas ([`scalar`]). [`csg`] merges what a ray meets of
+//!    an intersection. Rays that go nearly the same way share one walk through the tree: [`bundle`].
+//! 2. Where a leaf is met is computed with the operations of the arbiter in the arbiter's order, for four rays at once;
+//!    [`place`] takes rays into the spaces of shapes. [`shade`] sends on what is mirrored and refracted: the next wave.
+//! 3. [`light`] adds up the light of the lamps, one lamp after the other for all places of the wave; [`shadow`] says how much
+//!    of it gets through.
+//!
+//! From inside of a transparent solid that is near nothing else its other side comes next, and nothing is searched.
 
+mod bundle;
+mod csg;
 mod cuboid;
+mod drawn;
+mod expand;
 mod lanes;
 mod leaf;
+mod light;
+mod lone;
 mod place;
 mod plane;
 mod probe;
+mod query;
 mod rectangle;
 mod resolved;
+mod scalar;
 mod search;
+mod shade;
+mod shadow;
 mod sphere;
 mod stage;
 #[cfg(test)]
 mod tests;
 mod wave;
 
+pub use drawn::Drawn;
 pub use stage::Stage;
 pub use wave::{Scene, Tile};
 

@@ -2,6 +2,7 @@
 
 use crate::geometry::affine::Affine;
 use crate::geometry::array::dot;
+use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 
 /// A line from t = 0 on, with what several tests ask of it.
@@ -49,14 +50,14 @@ impl Probe {
     };
 
     #[inline(always)]
-    pub fn new(origin: [f64; 3], direction: [f64; 3]) -> Probe {
+    pub fn new(line: &Line) -> Probe {
+        let (origin, direction) = (line.origin.0, line.direction.0);
         let square = dot(direction, direction);
         let pace = largest(direction);
-        let [x, y, z] = direction;
         Probe {
             origin,
             direction,
-            inverse: [1.0 / x, 1.0 / y, 1.0 / z],
+            inverse: line.inverse.0,
             square,
             per_square: 1.0 / square,
             reach: largest(origin),
@@ -73,7 +74,10 @@ impl Probe {
         let sizes = map.sizes(origin) + map.offset.abs();
         Probe {
             slack: ROUNDED * largest(sizes.0),
-            ..Probe::new(map.point(origin).0, map.vector(Vec3(self.direction)).0)
+            ..Probe::new(&Line::new(
+                map.point(origin),
+                map.vector(Vec3(self.direction)),
+            ))
         }
     }
 }

@@ -116,19 +116,34 @@ fn lanes_have_the_bits_of_shapes() {
     assert!(sure.iter().all(|&n| n > 1000), "{sure:?}");
 }
 
-/// A scene of some shapes, one of which may be glass and far from the others.
+/// A scene of some shapes, intersections and differences; some are glass, mirrors or textured.
 fn text(number: &mut impl FnMut() -> f64, seed: usize) -> String {
-    let mut text = String::new();
+    let mut text = String::from(
+        "70 -399 4 3 71 72\n71 -701 1 0.8 0.2\n72 -701 0.1 0.2 0.6\n73 -302 71 72 0.3\n",
+    );
     let count = [1, 3, 12][seed % 3];
     let mut union = 0;
     for i in 0..count {
-        let id = 10 + i;
+        let id = 200 + 5 * i;
+        let [a, b] = [id + 1, id + 2];
         let mut real = |by: f64| (number() * by * 100.0).round() / 100.0;
         let r = real(1.0).abs() + 0.3;
-        match (i + seed) % 4 {
+        match (i + seed) % 10 {
             0 => writeln!(text, "{id} 11 0 0 0 {r}"),
             1 => writeln!(text, "{id} 12 {0} -0.5 {0} {r} 0.5 {r}", -r),
             2 => writeln!(text, "{id} 5 -1 -1 {r} 1"),
+            3 => writeln!(text, "{id} 14 {r} 0.25"),
+            4 => writeln!(text, "{id} 16 1.2 {r}"),
+            5 => writeln!(text, "{id} 1 4 0 -1 {r} -0.5 0.2 0.3 0 1"),
+            6 => writeln!(text, "{id} 13 {r} 1"),
+            7 => writeln!(
+                text,
+                "{a} 11 0 0 0.6 1\n{b} 11 0 0 -0.6 1\n{id} -102 {a} {b}"
+            ),
+            8 => writeln!(
+                text,
+                "{a} 12 -1 -1 -1 1 1 1\n{b} 11 0.5 1 1 {r}\n{id} -103 {a} {b}"
+            ),
             _ => writeln!(text, "{id} 11 0 0 0 {r}\n{id} -3 1 {r} 1.2"),
         }
         .unwrap();
@@ -136,24 +151,25 @@ fn text(number: &mut impl FnMut() -> f64, seed: usize) -> String {
         writeln!(text, "{id} -2 {turn} {}", 1 + i % 3).unwrap();
         let at = [real(5.0), real(4.0), real(3.0)];
         writeln!(text, "{id} -1 {} {} {}", at[0], at[1], at[2]).unwrap();
-        match (i + seed) % 8 {
+        match (i + seed / 3) % 6 {
             0 => writeln!(text, "{id} -201 0.1 0.1 0.8\n{id} -203 1.5 1.5 1.5"),
-            2 | 5 => writeln!(text, "{id} -201 0.6 0.4 0"),
+            1 => writeln!(text, "{id} -201 0.6 0.4 0"),
+            2 => writeln!(text, "{id} -299 {} 0", [70, 73][i % 2]),
             _ => writeln!(text, "{id} -701 0.9 0.5 0.3"),
         }
         .unwrap();
         union = match i {
             0 => id,
             _ => {
-                writeln!(text, "{} -101 {union} {id}", 100 + i).unwrap();
-                100 + i
+                writeln!(text, "{} -101 {union} {id}", id + 3).unwrap();
+                id + 3
             }
         };
     }
-    let floor = ["4 0 1 0 6", "3 0.1 1 0.05 7"][seed % 2];
-    writeln!(text, "90 {floor}\n200 -101 {union} 90").unwrap();
-    text + "201 -401 0.2\n202 -402 0.5\n202 -1 5 9 8\n203 -402 0.4\n203 -1 -9 5 9\n\
-            204 -501 0 0 18 0 0 -1 0 1 0 45\n205 -701 0.1 0.2 0.3\n1 9999 200 205\n"
+    let floor = ["4 0 1 0 6", "3 0.1 1 0.05 7", "4 0 1 0 1"][seed % 4 % 3];
+    writeln!(text, "90 {floor}\n100 -101 {union} 90").unwrap();
+    text + "101 -401 0.2\n102 -402 0.5\n102 -1 5 9 8\n103 -402 0.4\n103 -1 -9 5 9\n\
+            104 -501 0 0 18 0 0 -1 0 1 0 45\n105 -701 0.1 0.2 0.3\n1 9999 100 105\n"
 }
 
 /// Pictures by the kernel have the bits of pictures by the arbiter, and the same rays.
@@ -161,13 +177,14 @@ fn text(number: &mut impl FnMut() -> f64, seed: usize) -> String {
 fn pictures_are_those_of_the_arbiter() {
     let mut number = numbers();
     let (mut quick, mut all) = (0, 0);
-    for seed in 0..40 {
+    for seed in 0..60 {
         let scene = scene(&text(&mut number, seed));
         let mut tracer = Tracer::new(&scene).unwrap();
         let (width, height) = [(33, 21), (7, 5), (40, 30)][seed % 3];
         let settings = Settings {
             width,
             height,
+            samples: [1, 1, 3][seed / 3 % 3],
             ..Settings::default()
         };
         let camera = selected_camera(&scene, f64::from(width) / f64::from(height));

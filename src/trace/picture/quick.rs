@@ -3,9 +3,9 @@
 use super::{Crop, Draw, Drawing, Numbers, Pen, Pixel, Row};
 use crate::geometry::vec::Vec3;
 use crate::trace::film::developed;
-use crate::trace::kernel;
+use crate::trace::kernel::{self, Drawn};
 use crate::trace::precision::Precision;
-use crate::trace::stats::{Counts, Samples};
+use crate::trace::stats::{Counts, Samples, Work};
 use crate::trace::switches::Without;
 use crate::trace::within::Within;
 
@@ -70,53 +70,59 @@ impl<'t> Drawing<'t> {
         mut band: Vec<Row>,
         left: u32,
         progress: &(dyn Fn() + Sync),
-        draw: Draw<R>,
+        (samples, draw): (u32, Draw<R>),
     ) -> Vec<(Samples, Counts, bool)> {
         if self.is_to_stop() {
             return vec![(Samples::of(0), Counts::default(), false); band.len()];
         }
         pen.shader.reset();
-        let mut samples = vec![Samples::NONE; band.len()];
+        tile.work = Work::default();
+        let mut taken = vec![Samples::NONE; band.len()];
         let mut counts = Counts::default();
         let width = band.first().map_or(0, |row| row.film.len());
         let (mut places, mut rays) = (Vec::new(), Vec::new());
-        for from in (0..width).step_by(kernel::TILE[0]) {
+        let across = (kernel::TILE[0] / samples as usize).max(1);
+        for from in (0..width).step_by(across) {
             places.clear();
             rays.clear();
-            let to = width.min(from + kernel::TILE[0]);
+            let to = width.min(from + across);
             let is_to_stop = self.is_to_stop();
             for row in 0..band.len() {
                 let y = band[row].y;
                 for column in from..to {
                     let x = left + column as u32;
                     let is_drawn = !is_to_stop && self.is_wanted(x, y);
-                    samples[row].add(Samples::of(u32::from(is_drawn)));
+                    taken[row].add(Samples::of(if is_drawn { samples } else { 0 }));
                     if is_drawn {
                         places.push((row, column));
-                        rays.push(self.line(x, y, 0, 1).unwrap_or_default());
+                        let line = |i| self.line(x, y, i, samples).unwrap_or_default();
+                        rays.extend((0..samples).map(line));
                     }
                 }
             }
-            let drawn = tile.draw(scene, &rays);
+            let drawn = tile.draw(scene, &rays).chunks(samples as usize);
             for (&(row, column), drawn) in places.iter().zip(drawn) {
-                let pixel = match drawn.is_doubtful {
+                let pixel = match drawn.iter().any(|sample| sample.is_doubtful) {
                     true => draw(pen, left + column as u32, band[row].y),
                     false => {
-                        drawn.count(&mut counts);
+                        counts.quick += 1;
+                        drawn.iter().for_each(|sample| sample.count(&mut counts));
+                        let sum = drawn.iter().fold(Vec3::ZERO, |sum, s| sum + s.light);
                         Pixel {
-                            colour: developed(drawn.light.0),
-                            samples: 1,
-                            tests: drawn.tests(),
-                            total_reflection: drawn.has_total_reflection(),
+                            colour: developed((sum / f64::from(samples)).0),
+                            samples,
+                            tests: drawn.iter().map(Drawn::tests).fold(0, u32::saturating_add),
+                            total_reflection: drawn.iter().any(Drawn::has_total_reflection),
                         }
                     }
                 };
                 band[row].put(column, pixel);
             }
         }
+        counts.work += tile.work;
         counts += pen.shader.counts();
         let is_finished = !self.is_to_stop();
-        let rows = samples.into_iter().enumerate().map(|(row, samples)| {
+        let rows = taken.into_iter().enumerate().map(|(row, samples)| {
             progress();
             let counts = if row == 0 { counts } else { Counts::default() };
             (samples, counts, is_finished)

@@ -1,6 +1,6 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
-use super::context::Leaf;
+use super::context::{Leaf, Painted};
 use super::events::{Crossing, Kind, State};
 use super::query::Search;
 use super::spans::{Seen, first_of_kind};
@@ -9,12 +9,14 @@ use super::walk::Walker;
 use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
-use crate::scene::{DEFAULT_COLOUR, Rgb, Texture};
+use crate::scene::{DEFAULT_COLOUR, Rgb};
 use crate::trace::graph::Operation;
 use crate::trace::precision::{Doubt, Precision};
 use crate::trace::ray::{Left, Ray};
 use crate::trace::shapes::Root;
 use crate::trace::shapes::support::Passage;
+use crate::trace::stats::Work;
+use crate::trace::texture::SurfacePoint;
 use crate::trace::within::{Solid, Within};
 
 /// A point of a visible surface, in the scene's space.
@@ -114,7 +116,7 @@ impl<R: Precision> Hit<R> {
 /// are no numbers for it.
 ///
 /// A stretch may take the two to different sides of each other, so that only the scene's space tells.
-fn beside<R: Precision>(shading: Vec3<R>, normal: Vec3<R>) -> Vec3<R> {
+pub fn beside<R: Precision>(shading: Vec3<R>, normal: Vec3<R>) -> Vec3<R> {
     /// The cosine up to which a normal may lie in the surface and be off because it was transformed.
     const ROUNDED: f64 = 16.0 * f64::EPSILON;
     let shading = shading.unit();
@@ -147,7 +149,7 @@ fn terms<R: Precision>(line: &Line<R>, t: R) -> Vec3<R> {
 /// the surface. A map that stretches turns what is rounded along the one axis there into more than
 /// the line's own point is rounded by.
 #[inline]
-fn strayed<R: Precision>(point: Vec3<R>, line: &Line<R>, t: R) -> Option<Vec3<R>> {
+pub fn strayed<R: Precision>(point: Vec3<R>, line: &Line<R>, t: R) -> Option<Vec3<R>> {
     /// In units of the last place.
     const MOST: f64 = 4.0;
     // A t near the end of the numbers' range is rounded to a multiple of this.
@@ -449,53 +451,38 @@ impl<R: Precision> Walker<'_, R> {
     /// The colour of a point, in the scene's space and in that of the shape whose surface it is on.
     /// A face made by a cut shows no colours of the tool.
     fn colour(&mut self, owner: Leaf, leaf: Leaf, point: Vec3, local: Vec3, face: u32) -> Rgb {
-        let shape = self.primitive(leaf).shape();
-        if self.graph.without.textures {
-            return match self
-                .texture(owner)
-                .map(|p| &self.graph.textures[p.texture as usize])
-            {
-                Some(Texture::Colour(c)) => *c,
-                _ => DEFAULT_COLOUR,
-            };
-        }
-        let Some(painted) = self.texture(owner) else {
-            let own = (owner == leaf).then(|| shape.colour(local, face)).flatten();
-            self.work.vertex_colour += u64::from(own.is_some());
-            return own.unwrap_or(DEFAULT_COLOUR);
+        let painted = self.texture(owner);
+        let place = SurfacePoint {
+            shape: self.primitive(leaf).shape(),
+            point: local,
+            face,
         };
-        match &self.graph.textures[painted.texture as usize] {
-            Texture::Colour(c) => *c,
-            Texture::Checkerboard { n, m, colours } => {
-                self.work.checkerboard += 1;
-                self.work.uv += 1;
-                let uv = shape.uv(local, face);
-                Texture::cell_colour(colours, &[uv[0] * *n as f64, uv[1] * *m as f64])
+        let mut work = Work::default();
+        let colour = match painted {
+            Some(painted) => {
+                let into_space = || self.into_space(point, painted);
+                (self.graph).painted(painted.texture, &place, into_space, &mut work)
             }
-            Texture::Solid { colours, size } => {
-                self.work.solid_texture += 1;
-                let mut down = Vec::new();
-                let mut context = painted.context;
-                while context != 0 {
-                    let c = &self.contexts[context as usize];
-                    down.push(self.part(c.part).placement);
-                    context = c.parent;
-                }
-                let placements = down.into_iter().rev().chain([painted.placement]);
-                let p = placements.fold(point, |p, m| {
-                    self.graph.placements[m as usize].back.point(p)
-                });
-                Texture::cell_colour(colours, &(p / *size).0)
-            }
-            Texture::Image { .. } => match &self.graph.bitmaps[painted.texture as usize] {
-                Some(bitmap) => {
-                    self.work.image_texture += 1;
-                    self.work.uv += 1;
-                    bitmap.colour(shape.uv(local, face))
-                }
-                None => DEFAULT_COLOUR,
-            },
+            None if owner == leaf => self.graph.unpainted(&place, &mut work),
+            None => DEFAULT_COLOUR,
+        };
+        self.work += work;
+        colour
+    }
+
+    /// A point of the scene in the space that a texture is painted in.
+    fn into_space(&self, point: Vec3, painted: Painted) -> Vec3 {
+        let mut down = Vec::new();
+        let mut context = painted.context;
+        while context != 0 {
+            let c = &self.contexts[context as usize];
+            down.push(self.part(c.part).placement);
+            context = c.parent;
         }
+        let placements = down.into_iter().rev().chain([painted.placement]);
+        placements.fold(point, |p, m| {
+            self.graph.placements[m as usize].back.point(p)
+        })
     }
 }
 

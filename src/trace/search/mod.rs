@@ -13,7 +13,7 @@ pub mod hit;
 mod merge;
 mod nearest;
 pub mod query;
-mod root_order;
+pub mod root_order;
 mod spans;
 mod surface_identity;
 pub mod vista;

@@ -11,7 +11,7 @@ use crate::geometry::vec::Vec3;
 use crate::trace::graph::Target;
 use crate::trace::precision::{Doubt, Precision};
 use crate::trace::ray::{Left, Ray};
-use crate::trace::shapes::{Root, Roots};
+use crate::trace::shapes::{Intersect, Root, Roots};
 use std::cmp::Ordering;
 
 /// What is rounded on the way to a crossing's point, across the surface, as a share of the numbers
@@ -29,43 +29,56 @@ fn coarser<R: Precision>() -> R {
     }
 }
 
-impl<R: Precision> Walker<'_, R> {
-    /// The numbers that a leaf's crossings are computed from, besides t: the size of the line's origin
-    /// and that of the shape; and the greatest component of the direction.
-    pub(in crate::trace) fn scale(&self, line: &Line<R>, primitive: u32) -> Scale<R> {
+impl<R: Precision> Scale<R> {
+    /// The size of the line's origin and that of the shape, and the greatest component of the direction.
+    pub fn new(line: &Line<R>, extent: f64) -> Scale<R> {
         let greater = |a: R, b: R| if a > b { a } else { b };
         let largest = |v: Vec3<R>| {
             let [x, y, z] = v.abs().0;
             greater(greater(x, y), z)
         };
         Scale {
-            reach: largest(line.origin) + R::of(self.graph.extents[primitive as usize]),
+            reach: largest(line.origin) + R::of(extent),
             pace: largest(line.direction),
         }
     }
+}
 
-    /// A rough bound on the error of a crossing with the shape that has been met last: what is
-    /// rounded across the surface, over the speed at which the ray passes through it. For shapes that
-    /// bend away from their tangents that speed is at least the root of what is rounded, relative to
-    /// the pace, since they doubt to be met where it is lower.
+/// A rough bound on the error of a crossing: what is rounded across the surface, over the speed at which the ray passes
+/// through it. For shapes that bend away from their tangents that speed is at least the root of what is rounded,
+/// relative to the pace, since they doubt to be met where it is lower.
+pub fn rough<R: Precision>(
+    shape: &dyn Intersect<R>,
+    Scale { reach, pace }: Scale<R>,
+    line: &Line<R>,
+    root: Root<R>,
+) -> R {
+    let t = root.t.abs();
+    let error = match shape.speed(line, root) {
+        Some(speed) => {
+            let slack = line.slack.origin + t * line.slack.direction;
+            (share::<R>() * (reach + t * pace) + R::of(2.0) * slack * coarser()) / speed
+        }
+        None => {
+            // The root of what is rounded, of slack as well.
+            let size = reach / pace + t;
+            let slack = (line.slack.origin / pace + t * line.slack.direction / pace) * coarser();
+            R::of(4.0) * (share::<R>().sqrt() * size + (slack * size).sqrt())
+        }
+    };
+    if error.is_nan() { R::INFINITY } else { error }
+}
+
+impl<R: Precision> Walker<'_, R> {
+    /// The numbers that a leaf's crossings are computed from, besides t.
+    pub(in crate::trace) fn scale(&self, line: &Line<R>, primitive: u32) -> Scale<R> {
+        Scale::new(line, self.graph.extents[primitive as usize])
+    }
+
+    /// A rough bound on the error of a crossing with the shape that has been met last.
     pub(in crate::trace) fn rough(&self, line: &Line<R>, primitive: u32, root: Root<R>) -> R {
-        let Scale { reach, pace } = self.scale;
-        let t = root.t.abs();
         let shape = self.graph.primitives[primitive as usize].intersect();
-        let error = match shape.speed(line, root) {
-            Some(speed) => {
-                let slack = line.slack.origin + t * line.slack.direction;
-                (share::<R>() * (reach + t * pace) + R::of(2.0) * slack * coarser()) / speed
-            }
-            None => {
-                // The root of what is rounded, of slack as well.
-                let size = reach / pace + t;
-                let slack =
-                    (line.slack.origin / pace + t * line.slack.direction / pace) * coarser();
-                R::of(4.0) * (share::<R>().sqrt() * size + (slack * size).sqrt())
-            }
-        };
-        if error.is_nan() { R::INFINITY } else { error }
+        rough(shape, self.scale, line, root)
     }
 
     /// A bound on the error of a crossing's t: what its point may be off across the surface, over
@@ -179,7 +192,7 @@ impl<R: Precision> Walker<'_, R> {
         };
         if self.surface(leaf) == left.surface {
             let solid = self.primitive(leaf).is_solid();
-            let Some(behind) = behind_left(roots, &left, solid) else {
+            let Some(behind) = behind_left(roots, left.entering, solid) else {
                 return passed;
             };
             if R::DOUBT == Doubt::Merges {
@@ -286,8 +299,8 @@ impl<R: Precision> Walker<'_, R> {
 
 /// How many roots lie behind a ray that starts on the surface itself: those up to the one it starts
 /// at, which is the nearest to the origin of those that cross in the right sense.
-fn behind_left<R: Precision>(roots: &Roots<R>, left: &Left<R>, solid: bool) -> Option<usize> {
-    let fits = |i: usize| !solid || (roots.inside == (i % 2 == 1)) == left.entering;
+pub fn behind_left<R: Precision>(roots: &Roots<R>, entering: bool, solid: bool) -> Option<usize> {
+    let fits = |i: usize| !solid || (roots.inside == (i % 2 == 1)) == entering;
     let distance = |i: usize| roots.list[i].t.abs();
     (0..roots.list.len())
         .filter(|&i| fits(i))

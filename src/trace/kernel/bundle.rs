@@ -1,0 +1,120 @@
+//! What many rays that go nearly the same way may meet.
+
+use super::lanes::{Lanes, V3, WIDTH, is_greater};
+use super::stage::Stage;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::shaft::Shaft;
+use crate::geometry::vec::Vec3;
+use crate::geometry::wide_bvh::{Child, Is, WIDTH as CHILDREN};
+
+/// A block that some ray of a bundle may meet.
+#[derive(Debug, Clone, Copy)]
+struct Candidate {
+    /// A bound from below on the t at which a ray meets it.
+    near: f64,
+    block: u32,
+    bounds: Aabb,
+}
+
+/// Blocks that a ray may meet, the nearest first, with bounds from below on the t at which it does.
+pub type Blocks = [(f64, u32)];
+
+/// The blocks on the way of the rays of a bundle.
+#[derive(Debug, Default)]
+pub struct Along {
+    candidates: Vec<Candidate>,
+    /// Box tests that have been made.
+    pub boxes: u32,
+    /// For each of four rays.
+    pub blocks: [Vec<(f64, u32)>; WIDTH],
+    pending: Vec<Child>,
+}
+
+/// With more blocks than this on the way, or more nodes, each ray is quicker by itself.
+const MOST_BLOCKS: usize = 24;
+const MOST_NODES: u32 = 48;
+/// Boxes are wider by this part of all coordinates: far more than what is rounded.
+const ROOM: f64 = 1e-12;
+
+impl Along {
+    /// Finds the blocks that rays of a bundle may meet up to some t; whether that pays. The rays start in a box, whose
+    /// corners move by these steps with t: see [`Shaft::new`].
+    pub fn find(&mut self, stage: &Stage, start: &Aabb, steps: [Vec3; 2], to: f64) -> bool {
+        let forest = &stage.all;
+        let Some(shaft) = Shaft::new(start, steps, &forest.frame) else {
+            return false;
+        };
+        self.candidates.clear();
+        self.boxes = 0;
+        self.pending.clear();
+        let loose = forest.loose.iter().map(|&block| Candidate {
+            near: f64::NEG_INFINITY,
+            block,
+            bounds: Aabb::ALL,
+        });
+        self.candidates.extend(loose);
+        if !forest.tree.nodes.is_empty() {
+            self.pending.push(Child::ROOT);
+        }
+        let ends = [0.0, shaft.pace(to)];
+        let mut nodes = 0;
+        while let Some(child) = self.pending.pop() {
+            let Is::Node(node) = child.is() else { continue };
+            nodes += 1;
+            self.boxes += CHILDREN as u32;
+            let node = &forest.tree.nodes[node as usize];
+            let (mut met, near) = shaft.meets(node, ends);
+            while met != 0 {
+                let slot = met.trailing_zeros() as usize % CHILDREN;
+                met &= met - 1;
+                match node.children[slot].is() {
+                    Is::Node(_) => self.pending.push(node.children[slot]),
+                    Is::Item(block) => {
+                        let bounds = &stage.blocks[block as usize].bounds;
+                        let room = ROOM * bounds.reach().max(start.reach());
+                        let room = Vec3::ONE * room;
+                        self.candidates.push(Candidate {
+                            near: shaft.unpace(near[slot]),
+                            block,
+                            bounds: Aabb::new(Vec3(bounds.min) - room, Vec3(bounds.max) + room),
+                        });
+                    }
+                }
+            }
+            if nodes > MOST_NODES || self.candidates.len() > MOST_BLOCKS {
+                return false;
+            }
+        }
+        (self.candidates).sort_unstable_by(|a, b| a.near.total_cmp(&b.near));
+        true
+    }
+
+    /// Finds those of the blocks that four rays of the bundle may meet up to some t, into [`blocks`](Self::blocks).
+    #[inline(always)]
+    pub fn part(&mut self, live: u32, origin: V3, direction: V3, to: f64) {
+        self.blocks.iter_mut().for_each(Vec::clear);
+        if self.candidates.is_empty() {
+            return;
+        }
+        let splat = Lanes::splat;
+        let inverse = direction.0.map(|d| splat(1.0) / d);
+        for candidate in &self.candidates {
+            let Aabb { min, max } = candidate.bounds;
+            let (mut near, mut far) = (Lanes::ZERO, splat(to));
+            for i in 0..3 {
+                let low = (splat(min[i]) - origin.0[i]) * inverse[i];
+                let high = (splat(max[i]) - origin.0[i]) * inverse[i];
+                near = low.fast_min(high).fast_max(near);
+                far = low.fast_max(high).fast_min(far);
+            }
+            // Written so that what is no number is met.
+            let misses = is_greater(near, far * splat(1.0 + ROOM)).to_bitmask();
+            let mut met = live & !misses;
+            while met != 0 {
+                let lane = met.trailing_zeros() as usize % WIDTH;
+                met &= met - 1;
+                self.blocks[lane].push((candidate.near, candidate.block));
+            }
+        }
+    }
+}

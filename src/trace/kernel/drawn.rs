@@ -1,0 +1,52 @@
+//! What a sample has come to, and what that has cost.
+
+use super::query::Tests;
+use crate::geometry::vec::Vec3;
+use crate::trace::stats::Counts;
+
+/// What a sample has come to.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Drawn {
+    /// Whether some ray was in doubt; then nothing else here means anything.
+    pub is_doubtful: bool,
+    pub light: Vec3,
+    pub(super) tests: Tests,
+    pub(super) shadow: u32,
+    pub(super) transparent: u32,
+    pub(super) reflection: u32,
+    pub(super) refraction: u32,
+    pub(super) total: u32,
+    pub(super) media: u32,
+}
+
+impl Drawn {
+    /// Intersection tests.
+    pub fn tests(&self) -> u32 {
+        self.tests.boxes.saturating_add(self.tests.shapes)
+    }
+
+    /// Whether light was totally reflected.
+    pub fn has_total_reflection(&self) -> bool {
+        self.total > 0
+    }
+
+    /// Adds what it has cost, but for the work on surfaces: see [`Tile::work`](super::Tile::work).
+    #[inline]
+    pub fn count(&self, all: &mut Counts) {
+        all.rays.camera += 1;
+        all.intersections.boxes += u64::from(self.tests.boxes);
+        all.intersections.shape += u64::from(self.tests.shapes);
+        if self.shadow + self.reflection + self.refraction + self.total + self.media == 0 {
+            return;
+        }
+        all.rays.shadow += u64::from(self.shadow);
+        all.rays.reflection += u64::from(self.reflection);
+        all.rays.refraction += u64::from(self.refraction);
+        all.rays.total += u64::from(self.total);
+        all.work.shadow += u64::from(self.shadow);
+        all.work.transparent_shadow += u64::from(self.transparent);
+        all.work.reflection += u64::from(self.reflection);
+        all.work.refraction += u64::from(self.refraction);
+        all.work.medium_change += u64::from(self.media);
+    }
+}

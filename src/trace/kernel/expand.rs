@@ -1,0 +1,347 @@
+//! The graph of the scene, taken apart into leaves.
+
+use super::csg::Operands;
+use super::leaf::{Colour, Kind, Leaf};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::affine::{Affine, Placement};
+use crate::geometry::exponent::{exponent, shifted};
+use crate::geometry::vec::Vec3;
+use crate::scene::{DEFAULT_COLOUR, Texture};
+use crate::trace::graph::{Coat, Graph, Object, Operation, Part, Target};
+use crate::trace::shapes::Primitive;
+use rustc_hash::FxHashMap;
+
+/// The leaves of a scene.
+#[derive(Default)]
+pub struct Leaves {
+    pub all: Vec<Leaf>,
+    /// Those without bounds that are in the scene's union.
+    pub loose: Vec<u32>,
+    /// The others in it, with their boxes.
+    pub boxes: Vec<(u32, Aabb)>,
+    /// Chains of placements, the outermost first; the first one is empty.
+    pub chains: Vec<Vec<u32>>,
+    numbers: FxHashMap<Vec<u32>, u32>,
+    /// The operands of intersections and differences.
+    pub operands: Vec<Operands>,
+    /// Beside `all`: from the scene down, which operand each leaf is in.
+    paths: Vec<Vec<u32>>,
+}
+
+/// What is above the parts of an object.
+#[derive(Clone, Default)]
+struct Above {
+    /// The placements, the outermost first.
+    chain: Vec<u32>,
+    path: Vec<u32>,
+    /// A texture, and the chain of the space that it is painted in.
+    texture: Option<(u32, Vec<u32>)>,
+    optics: Option<u32>,
+    index: Option<u32>,
+}
+
+impl Above {
+    /// What is above the parts of a part.
+    fn and(&self, graph: &Graph, number: u32) -> Above {
+        let part = &graph.parts[number as usize];
+        let coat: &Coat = &graph.paints[part.paint as usize];
+        let placed = |placement: u32| {
+            let own = Some(placement).filter(|&placement| placement != 0);
+            self.chain.iter().copied().chain(own).collect::<Vec<u32>>()
+        };
+        let own = || {
+            let (texture, placement) = coat.texture?;
+            Some((texture, placed(placement)))
+        };
+        Above {
+            chain: placed(part.placement),
+            path: self.path.iter().copied().chain([number]).collect(),
+            texture: self.texture.clone().or_else(own),
+            optics: self.optics.or(coat.optics),
+            index: self.index.or(coat.index),
+        }
+    }
+}
+
+/// Numbers of a shape with lanes are between this and its reciprocal, or zero.
+const LEAST: f64 = 1e-30;
+/// Maps that stretch by more than this along one axis, compared with another, are not for lanes.
+const STRETCH: f64 = 100.0;
+
+impl Leaves {
+    /// `None` where something in the scene is not for the kernel, or where there are more than so many leaves.
+    pub fn new(graph: &Graph, most: usize) -> Option<Leaves> {
+        let mut leaves = Leaves {
+            chains: vec![Vec::new()],
+            numbers: [(Vec::new(), 0)].into_iter().collect(),
+            ..Leaves::default()
+        };
+        let mut pending = vec![(graph.root(), Above::default())];
+        while let Some((object, above)) = pending.pop() {
+            let Operation::Union(group) = &object.operation else {
+                return None;
+            };
+            let loose = group.loose.iter().map(|&part| (part, None));
+            let bounded = group.tree.boxes(&object.frame);
+            for (number, bounds) in loose.chain(bounded.map(|(part, b)| (part, Some(b)))) {
+                if leaves.all.len() > most {
+                    return None;
+                }
+                let bounds = bounds.map(|bounds| in_the_scene(graph, &bounds, &above.chain));
+                let above = above.and(graph, number);
+                match graph.parts[number as usize].target {
+                    Target::Shape(_) => {
+                        let leaf = leaves.leaf(graph, number, &above, None)?;
+                        leaves.put(leaf, bounds);
+                    }
+                    Target::Object(object) => {
+                        let object = &graph.objects[object as usize];
+                        match object.operation {
+                            Operation::Union(_) => pending.push((object, above)),
+                            Operation::Intersection { .. } => {
+                                let leaf = leaves.csg(graph, object, &above)?;
+                                leaves.put(leaf, bounds);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        leaves.number_operands();
+        Some(leaves)
+    }
+
+    /// Takes a leaf into the scene's union.
+    fn put(&mut self, leaf: u32, bounds: Option<Aabb>) {
+        match bounds {
+            Some(bounds) => self.boxes.push((leaf, bounds)),
+            None => self.loose.push(leaf),
+        }
+    }
+
+    /// The earlier operands get the smaller numbers.
+    fn number_operands(&mut self) {
+        let mut order: Vec<u32> = (0..self.all.len() as u32).collect();
+        order.sort_by(|&a, &b| self.paths[a as usize].cmp(&self.paths[b as usize]));
+        for (operand, leaf) in (0..).zip(order) {
+            self.all[leaf as usize].operand = operand;
+        }
+    }
+
+    /// The number of a chain.
+    fn chain(&mut self, chain: &[u32]) -> u32 {
+        if let Some(&number) = self.numbers.get(chain) {
+            return number;
+        }
+        let number = self.chains.len() as u32;
+        self.chains.push(chain.to_vec());
+        self.numbers.insert(chain.to_vec(), number);
+        number
+    }
+
+    /// Adds a part that is a shape, if it is for the kernel; returns its number. It looks like its `owner`, if it is a tool
+    /// that leaves nothing of its own.
+    fn leaf(
+        &mut self,
+        graph: &Graph,
+        part: u32,
+        above: &Above,
+        owner: Option<&Above>,
+    ) -> Option<u32> {
+        let Part {
+            target, inverted, ..
+        } = graph.parts[part as usize];
+        let Target::Shape(primitive) = target else {
+            return None;
+        };
+        if inverted {
+            return None;
+        }
+        let shape = &graph.primitives[primitive as usize];
+        // No other shape has colours of its own.
+        let has_own = matches!(shape, Primitive::Revolution(_)) && owner.is_none();
+        let owner = owner.unwrap_or(above);
+        let (plain, colour) = match &owner.texture {
+            Some((texture, chain)) => match &graph.textures[*texture as usize] {
+                Texture::Colour(colour) => (*colour, Colour::Plain),
+                _ => {
+                    let (texture, chain) = (*texture, self.chain(chain));
+                    (DEFAULT_COLOUR, Colour::Texture { texture, chain })
+                }
+            },
+            None if has_own => (DEFAULT_COLOUR, Colour::Own),
+            None => (DEFAULT_COLOUR, Colour::Plain),
+        };
+        let optics = &graph.optics[owner.optics.unwrap_or(0) as usize];
+        let is_clear = optics.kt != [0.0; 3];
+        let placement = match above.chain[..] {
+            [] => Some(0),
+            [only] => Some(only),
+            _ => None,
+        };
+        let is_usual = |&at: &u32| is_usual(&graph.placements[at as usize]);
+        let lanes = match placement.filter(is_usual) {
+            Some(placement) if colour == Colour::Plain => {
+                with_lanes(shape, is_clear).map(|(kind, numbers)| (kind, numbers, placement))
+            }
+            _ => None,
+        };
+        let (kind, numbers, placement) = lanes.unwrap_or((Kind::Other, [0.0; 8], 0));
+        let albedo = match optics.kd {
+            [0.0, 0.0, 0.0] => [0.0; 3],
+            kd => Vec3(kd).times(Vec3(plain)).0,
+        };
+        // Channels that are refracted in different ways are not for the kernel.
+        let even =
+            |index: [f64; 3]| (index[0] == index[1] && index[1] == index[2]).then_some(index[0]);
+        let is_solid = shape.is_solid();
+        let (around, own) = match is_clear && is_solid {
+            true => (
+                even(graph.indices[0])?,
+                even(graph.indices[owner.index.unwrap_or(0) as usize])?,
+            ),
+            false => (1.0, 1.0),
+        };
+        let number = self.all.len() as u32;
+        let chain = self.chain(&above.chain);
+        self.paths.push(above.path.clone());
+        self.all.push(Leaf {
+            kind,
+            numbers,
+            primitive,
+            chain,
+            placement,
+            solid: number,
+            extent: graph.extents[primitive as usize],
+            operand: 0,
+            is_solid,
+            is_convex: shape.shape().is_convex(),
+            colour,
+            kd: optics.kd,
+            albedo,
+            ks: optics.ks,
+            kt: optics.kt,
+            ratios: [around / own, own / around],
+            is_straight: around == own,
+            is_clear,
+            is_lone: !is_clear,
+        });
+        Some(number)
+    }
+
+    /// Adds an intersection or a difference of solid shapes, if it is for the kernel; returns its number.
+    fn csg(&mut self, graph: &Graph, object: &Object, above: &Above) -> Option<u32> {
+        let Operation::Intersection {
+            first,
+            cuts,
+            inherit,
+        } = &object.operation
+        else {
+            return None;
+        };
+        let owner = match inherit {
+            true if first.len() == 1 => Some(above.and(graph, first.start)),
+            true => return None,
+            false => None,
+        };
+        let mut operand = |part: u32| {
+            let owner = owner.as_ref().filter(|_| !first.contains(&part));
+            self.leaf(graph, part, &above.and(graph, part), owner)
+        };
+        let firsts = first
+            .clone()
+            .map(&mut operand)
+            .collect::<Option<Vec<u32>>>()?;
+        let loose = (cuts.loose.iter().copied())
+            .map(&mut operand)
+            .collect::<Option<Vec<u32>>>()?;
+        let boxes = (cuts.tree.boxes(&object.frame))
+            .map(|(part, bounds)| Some((operand(part)?, bounds)))
+            .collect::<Option<Vec<(u32, Aabb)>>>()?;
+        let number = self.all.len() as u32;
+        let operands = Operands {
+            firsts,
+            loose,
+            boxes,
+        };
+        let &one = operands.all().next().as_ref()?;
+        let whole = self.all[one as usize].clone();
+        for leaf in operands.all() {
+            let leaf = &mut self.all[leaf as usize];
+            // What is in it is one medium.
+            let is_like = leaf.kt == whole.kt && leaf.ratios == whole.ratios;
+            let is_opaque = !leaf.is_clear && !whole.is_clear;
+            if !(leaf.is_solid && (is_opaque || is_like)) {
+                return None;
+            }
+            leaf.solid = number;
+        }
+        let chain = self.chain(&above.chain);
+        self.paths.push(above.path.clone());
+        self.all.push(Leaf {
+            kind: Kind::Csg,
+            primitive: self.operands.len() as u32,
+            chain,
+            placement: 0,
+            solid: number,
+            is_convex: false,
+            ..whole
+        });
+        self.operands.push(operands);
+        Some(number)
+    }
+}
+
+/// A box around what is in a box, in the scene's space, with room for what maps round.
+fn in_the_scene(graph: &Graph, bounds: &Aabb, chain: &[u32]) -> Aabb {
+    let out = |bounds: Aabb, &m: &u32| bounds.image(&graph.placements[m as usize].out).padded();
+    chain.iter().rev().fold(*bounds, out)
+}
+
+/// The kind and the numbers of a shape that has lanes.
+fn with_lanes(primitive: &Primitive, is_clear: bool) -> Option<(Kind, [f64; 8])> {
+    let (kind, numbers, sizes) = match primitive {
+        Primitive::Sphere(sphere) => {
+            let ([x, y, z], r) = sphere.numbers();
+            (Kind::Sphere, [x, y, z, r, 0.0, 0.0, 0.0, 0.0], vec![r])
+        }
+        Primitive::Cuboid(cuboid) => {
+            let [min, max] = cuboid.corners();
+            let sizes = (0..3).map(|i| max[i] - min[i]).collect();
+            let ([a, b, c], [x, y, z]) = (min, max);
+            (Kind::Cuboid, [a, b, c, x, y, z, 0.0, 0.0], sizes)
+        }
+        Primitive::Rectangle(rectangle) => {
+            let [[a, b], [x, y]] = rectangle.corners();
+            let numbers = [a, b, x, y, 0.0, 0.0, 0.0, 0.0];
+            (Kind::Rectangle, numbers, vec![x - a, y - b])
+        }
+        Primitive::Plane(plane) => (Kind::Plane, of_plane(plane.abcd()), Vec::new()),
+        // There may be no way out of it.
+        Primitive::HalfSpace(solid) if !is_clear => {
+            (Kind::HalfSpace, of_plane(solid.abcd()), Vec::new())
+        }
+        _ => return None,
+    };
+    let usual = |x: &f64| (LEAST..LEAST.recip()).contains(x);
+    let are_usual = numbers.iter().all(|&x| x == 0.0 || usual(&x.abs()));
+    (are_usual && sizes.iter().all(usual)).then_some((kind, numbers))
+}
+
+/// a, b, c and d as written, and in units of the normal.
+fn of_plane([a, b, c, d]: [f64; 4]) -> [f64; 8] {
+    let steep = exponent(a.abs().max(b.abs()).max(c.abs()));
+    let [x, y, z, w] = [a, b, c, d].map(|number| shifted(number, -steep));
+    [a, b, c, d, x, y, z, w]
+}
+
+/// Whether a map neither stretches much along one axis, nor takes numbers far.
+fn is_usual(placement: &Placement) -> bool {
+    let spread = |map: &Affine| {
+        let rows = map.rows.map(|row| row.abs().dot(Vec3::ONE));
+        rows[0].max(rows[1]).max(rows[2])
+    };
+    let [out, back] = [&placement.out, &placement.back].map(spread);
+    let sizes = [out, back].into_iter().chain(placement.out.offset.abs().0);
+    out * back <= STRETCH && sizes.into_iter().all(|x| x <= LEAST.recip().sqrt())
+}

@@ -1,0 +1,170 @@
+//! The light of lamps on the places that a wave has met.
+
+use super::lanes::{Lanes, V3, WIDTH, is_greater, is_less, mask};
+use super::query::{NONE, Start};
+use super::shade::{Four, Hits};
+use super::shadow::Light;
+use super::wave::{FEW_RAYS, Scene, Tile};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::vec::{UNIT_ROUNDOFF, Vec3};
+use crate::trace::tracer;
+
+/// Four places that lamps may shine on.
+#[derive(Debug)]
+pub struct Lit {
+    /// Lanes that count, as bits.
+    live: u32,
+    point: V3,
+    /// The normals on the sides where the rays come from.
+    facing: V3,
+    /// What rays to lamps know of where they start.
+    starts: [Start; WIDTH],
+    albedo: V3,
+    weight: V3,
+    /// What has come so far.
+    light: V3,
+    pixels: [u32; WIDTH],
+    nodes: [u32; WIDTH],
+}
+
+impl Tile {
+    /// Notes four places for [`illuminate`](Self::illuminate).
+    #[inline(always)]
+    pub(super) fn note_lit(&mut self, scene: &Scene, four: &Four, hits: &Hits) {
+        let live = hits.live & hits.albedo.any();
+        if live == 0 {
+            return;
+        }
+        let points = hits.point.columns();
+        let skins = hits.skin.to_array();
+        let entering = hits.entering.to_bitmask();
+        let lanes = [0, 1, 2, 3];
+        self.lit.push(Lit {
+            live,
+            point: hits.point,
+            facing: hits.facing(),
+            starts: lanes.map(|lane| Start {
+                origin: [points[0][lane], points[1][lane], points[2][lane]],
+                direction: [0.0; 3],
+                skin: skins[lane],
+                left: four.rays[lane].met.surface,
+                goes_in: entering >> lane & 1 == 0,
+                within: four.rays[lane].start.within,
+            }),
+            albedo: hits.albedo,
+            weight: V3::gathered(four.rays, |ray| &ray.weight),
+            light: V3::splat(scene.ambient),
+            pixels: four.rays.map(|ray| ray.pixel),
+            nodes: four.rays.map(|ray| ray.node),
+        });
+    }
+
+    /// kd·C·(Σ ambient + Σ I·max(0, n·l)·V) for all places of the wave.
+    #[inline(never)]
+    pub(super) fn illuminate(&mut self, scene: &Scene) {
+        let mut lit = std::mem::take(&mut self.lit);
+        let places = || {
+            lit.iter().flat_map(|four| {
+                let lanes = (0..WIDTH).filter(|lane| four.live >> lane & 1 != 0);
+                lanes.map(|lane| four.starts[lane].origin)
+            })
+        };
+        let is_bundle = places().nth(FEW_RAYS - 1).is_some();
+        let around = match is_bundle && scene.features.shadows {
+            true => places().fold(Aabb::EMPTY, |all, p| all.hull(&Aabb::new(p, p))),
+            false => Aabb::EMPTY,
+        };
+        for (number, lamp) in scene.lights.iter().enumerate() {
+            if !lamp.power.any() {
+                continue;
+            }
+            let is_known =
+                is_bundle && scene.features.shadows && self.find_shaft(scene, &around, lamp);
+            for four in &mut lit {
+                self.shine(scene, (number, lamp), four, is_known);
+            }
+        }
+        for four in &lit {
+            let light = four.albedo.times(four.light).times(four.weight).columns();
+            for lane in (0..WIDTH).filter(|lane| four.live >> lane & 1 != 0) {
+                let node = &mut self.nodes[four.nodes[lane] as usize];
+                node.light = Vec3([light[0][lane], light[1][lane], light[2][lane]]);
+            }
+        }
+        self.lit = lit;
+    }
+
+    /// Finds what is between a lamp and all places in a box, if that pays.
+    fn find_shaft(&mut self, scene: &Scene, around: &Aabb, lamp: &tracer::Light) -> bool {
+        let steps = [around.min, around.max].map(|corner| lamp.position - Vec3(corner));
+        self.along.find(scene.stage, around, steps, 1.0)
+    }
+
+    /// Adds the light of a lamp to four places.
+    #[inline(always)]
+    fn shine(
+        &mut self,
+        scene: &Scene,
+        (number, lamp): (usize, &tracer::Light),
+        four: &mut Lit,
+        is_known: bool,
+    ) {
+        let splat = Lanes::splat;
+        let way = V3::splat(lamp.position) - four.point;
+        let lean = four.facing.dot(way);
+        let length = way.abs().max_component();
+        let sure = length * splat(UNIT_ROUNDOFF.sqrt()) + splat(UNIT_ROUNDOFF.powi(4));
+        let cosine = four.facing.dot(way.unit());
+        let faces =
+            is_greater(lean, sure) | (is_greater(cosine, Lanes::ZERO) & !is_less(lean, -sure));
+        let faces = four.live & faces.to_bitmask();
+        if faces == 0 {
+            return;
+        }
+        let ways = way.columns();
+        if is_known {
+            self.along.part(faces, four.point, way, 1.0);
+        }
+        let mut seen = [[0.0; WIDTH]; 3];
+        for lane in 0..WIDTH {
+            if faces >> lane & 1 == 0 {
+                continue;
+            }
+            let start = &mut four.starts[lane];
+            let is_seen = !scene.features.shadows || (scene.is_alone && start.within == NONE);
+            let share = if is_seen {
+                Vec3::ONE
+            } else {
+                start.direction = [ways[0][lane], ways[1][lane], ways[2][lane]];
+                let pixel = &mut self.pixels[four.pixels[lane] as usize];
+                pixel.shadow += 1;
+                let last = &mut self.last[number];
+                let along = is_known.then_some(&self.along.blocks[lane][..]);
+                let scratch = &mut self.search;
+                match (scene.stage).light(start, along, last, scratch, &mut pixel.tests) {
+                    Light::Dark => Vec3::ZERO,
+                    Light::Seen(share) => {
+                        let is_through = share != Vec3::ONE || start.within != NONE;
+                        pixel.transparent += u32::from(is_through);
+                        share
+                    }
+                    Light::Doubtful => {
+                        pixel.is_doubtful = true;
+                        Vec3::ZERO
+                    }
+                }
+            };
+            for i in 0..3 {
+                seen[i][lane] = share[i];
+            }
+        }
+        let seen = V3([
+            Lanes::new(seen[0]),
+            Lanes::new(seen[1]),
+            Lanes::new(seen[2]),
+        ]);
+        let visible = mask(faces & seen.any());
+        let brighter = four.light + V3::splat(lamp.power).times(seen) * cosine;
+        four.light = V3::either(visible, brighter, four.light);
+    }
+}

@@ -1,0 +1,124 @@
+//! Rays, and what is known about where they meet something.
+
+use super::probe::Probe;
+use crate::geometry::line::Line;
+use crate::geometry::vec::Vec3;
+use crate::trace::shapes::Root;
+
+/// No leaf.
+pub const NONE: u32 = u32::MAX;
+
+/// A ray, and what it knows about where it starts.
+#[derive(Debug, Clone, Copy)]
+pub struct Start {
+    pub origin: [f64; 3],
+    pub direction: [f64; 3],
+    /// A bound on the distance of the origin from the surface that it is on.
+    pub skin: f64,
+    /// The leaf whose surface that is, or [`NONE`].
+    pub left: u32,
+    /// Whether the ray goes against the normal of that surface.
+    pub goes_in: bool,
+    /// The leaf that the ray starts in, or [`NONE`].
+    pub within: u32,
+}
+
+/// A skin tells places apart that are farther from each other than this many of it: the root of the unit roundoff, and a
+/// little.
+const SKINS: f64 = 1.2e8;
+
+/// A ray, set up for a search.
+#[derive(Debug)]
+pub struct Query<'r> {
+    pub start: &'r Start,
+    pub line: Line,
+    pub probe: Probe,
+    /// In t, how far from the start a place is that cannot be taken for the start.
+    pub skin: f64,
+}
+
+impl Query<'_> {
+    #[inline(always)]
+    pub fn new(start: &Start) -> Query<'_> {
+        let line = Line::new(Vec3(start.origin), Vec3(start.direction));
+        let probe = Probe::new(&line);
+        // The way is as long as its largest component, or 1.8 times that.
+        let skin = start.skin * SKINS * probe.per_pace;
+        Query {
+            start,
+            line,
+            probe,
+            skin,
+        }
+    }
+}
+
+/// A place on a ray, with a bound on its error.
+#[derive(Debug, Clone, Copy)]
+pub struct End {
+    pub t: f64,
+    pub error: f64,
+}
+
+impl End {
+    /// Beyond everything.
+    pub const NEVER: End = End {
+        t: f64::INFINITY,
+        error: 0.0,
+    };
+
+    /// Whether one is before another, whatever the errors.
+    #[inline(always)]
+    pub fn is_before(&self, other: End) -> bool {
+        self.t + self.error < other.t - other.error
+    }
+}
+
+/// A place where a ray meets a surface.
+#[derive(Debug, Clone, Copy)]
+pub struct Crossing {
+    /// The leaf whose surface it is.
+    pub surface: u32,
+    /// Of a leaf with lanes, about where it is.
+    pub root: Root,
+    pub end: End,
+    /// Whether the ray comes out of the leaf.
+    pub is_exit: bool,
+}
+
+impl Crossing {
+    /// With nothing.
+    pub const NONE: Crossing = Crossing {
+        surface: NONE,
+        root: Root { t: 0.0, face: 0 },
+        end: End::NEVER,
+        is_exit: false,
+    };
+}
+
+/// Which of the places where a ray crosses a leaf are asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ask {
+    First,
+    All,
+    /// Whether there is one.
+    Any,
+}
+
+/// How a ray crosses a leaf ahead of its start.
+pub enum Crossed {
+    Nothing,
+    /// It surely goes through, and nobody has asked where.
+    Somewhere,
+    /// Rounding may have decided something.
+    Doubt,
+    /// At the places in [`Scratch::ahead`](super::search::Scratch::ahead).
+    Ahead,
+}
+
+/// Tests, counted.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Tests {
+    pub boxes: u32,
+    pub shapes: u32,
+}

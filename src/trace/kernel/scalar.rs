@@ -1,0 +1,261 @@
+//! Shapes without lanes: the arbiter's own formulas, one ray at a time.
+
+use super::lanes::{Lanes, V3, WIDTH, mask};
+use super::leaf::{Colour, Kind, Leaf};
+use super::query::{Ask, Crossed, Crossing, End, Query, Tests};
+use super::resolved::Resolved;
+use super::search::Scratch;
+use super::stage::Stage;
+use crate::geometry::line::Line;
+use crate::geometry::vec::Vec3;
+use crate::scene::Rgb;
+use crate::trace::search::hit::beside;
+use crate::trace::search::query::Scale;
+use crate::trace::search::root_order::{behind_left, rough};
+use crate::trace::shapes::near::Pass;
+use crate::trace::shapes::{Root, Roots};
+use crate::trace::stats::Work;
+use crate::trace::texture::SurfacePoint;
+
+/// How a ray crosses a shape ahead of its start.
+pub enum Raw {
+    Nothing,
+    /// It surely goes through, and nobody has asked where.
+    Somewhere,
+    /// Rounding may have decided something.
+    Doubt,
+    /// At the roots, on this line in the shape's space; whether the ray starts inside.
+    Ahead {
+        line: Line,
+        inside: bool,
+    },
+}
+
+impl Stage<'_> {
+    /// A line in the space at the end of a chain.
+    #[inline]
+    pub fn line_through(&self, line: &Line, chain: u32) -> Line {
+        let placements = &self.graph.placements;
+        let through = |line: Line, &m: &u32| line.through(&placements[m as usize].back);
+        match &self.chains[chain as usize][..] {
+            [] => *line,
+            [only] => through(*line, only),
+            all => all.iter().fold(*line, through),
+        }
+    }
+
+    /// Finds where a ray crosses a leaf without lanes ahead of its start: what is asked for is in
+    /// `scratch.ahead`. Places outside of a stretch may be missing.
+    #[inline]
+    pub fn meet_alone(
+        &self,
+        query: &Query,
+        number: u32,
+        stretch: [f64; 2],
+        ask: Ask,
+        (scratch, tests): (&mut Scratch, &mut Tests),
+    ) -> Crossed {
+        let leaf = &self.leaves[number as usize];
+        if leaf.kind == Kind::Csg {
+            return self.boundary(query, number, stretch, ask, scratch, tests);
+        }
+        scratch.ahead.clear();
+        let mut roots = std::mem::take(&mut scratch.roots);
+        let crossed = match self.cross(query, number, stretch, ask, &mut roots) {
+            Raw::Nothing => Crossed::Nothing,
+            Raw::Somewhere => Crossed::Somewhere,
+            Raw::Doubt => Crossed::Doubt,
+            Raw::Ahead { inside, .. }
+                if leaf.is_solid && inside != (query.start.within == number) =>
+            {
+                Crossed::Doubt
+            }
+            Raw::Ahead { line, inside } => {
+                let wanted = if ask == Ask::All { usize::MAX } else { 1 };
+                let roots = roots.list.iter().take(wanted);
+                scratch.ahead.extend(roots.map(|&root| Crossing {
+                    surface: number,
+                    root,
+                    end: self.end(leaf, &line, root),
+                    is_exit: inside,
+                }));
+                Crossed::Ahead
+            }
+        };
+        scratch.roots = roots;
+        crossed
+    }
+
+    /// A crossing with a leaf without lanes, with a bound on its error.
+    #[inline]
+    pub fn end(&self, leaf: &Leaf, line: &Line, root: Root) -> End {
+        let shape = self.graph.primitives[leaf.primitive as usize].intersect();
+        End {
+            t: root.t,
+            error: rough(shape, Scale::new(line, leaf.extent), line, root),
+        }
+    }
+
+    /// Finds where a ray crosses a leaf without lanes ahead of its start. Crossings outside of a stretch may be missing, and
+    /// those behind the first one, unless all are asked for.
+    #[inline(never)]
+    pub fn cross(
+        &self,
+        query: &Query,
+        number: u32,
+        stretch: [f64; 2],
+        ask: Ask,
+        roots: &mut Roots,
+    ) -> Raw {
+        let leaf = &self.leaves[number as usize];
+        let primitive = &self.graph.primitives[leaf.primitive as usize];
+        let start = query.start;
+        let is_left = start.left == number;
+        let goes_out = is_left && !(start.goes_in && leaf.is_solid);
+        if goes_out && leaf.is_convex {
+            return Raw::Nothing;
+        }
+        let line = self.line_through(&query.line, leaf.chain);
+        if !line.is_sound() {
+            return Raw::Doubt;
+        }
+        let pass = match goes_out {
+            true if primitive.shape().is_met_again(&line) => Pass::Perhaps,
+            true => Pass::Beside,
+            false => primitive.shape().pass(&line, stretch),
+        };
+        match pass {
+            Pass::Beside => return Raw::Nothing,
+            Pass::Through if ask == Ask::Any => return Raw::Somewhere,
+            Pass::Through | Pass::Perhaps => {}
+        }
+        roots.clear();
+        match ask {
+            Ask::All => primitive.intersect().crossings(&line, roots),
+            Ask::First | Ask::Any => {
+                (primitive.intersect()).first_crossings(&line, -1.5 * stretch[0], roots)
+            }
+        }
+        roots.doubt_blurred(&line);
+        if roots.uncertain || roots.along.is_some() {
+            return Raw::Doubt;
+        }
+        let passed = roots.list.partition_point(|root| root.t <= 0.0);
+        let behind = match is_left {
+            true => behind_left(roots, start.goes_in, leaf.is_solid).unwrap_or(passed),
+            false => {
+                let near =
+                    |&root: &Root| root.t.abs() <= query.skin + self.end(leaf, &line, root).error;
+                let around = &roots.list[passed.saturating_sub(1)..];
+                if around.iter().take(2).any(near) {
+                    return Raw::Doubt;
+                }
+                passed
+            }
+        };
+        let inside = roots.inside != (behind % 2 == 1);
+        roots.list.drain(..behind);
+        Raw::Ahead { line, inside }
+    }
+
+    /// Where a ray has met a leaf without lanes.
+    #[inline(never)]
+    pub fn locate(&self, line: &Line, leaf: &Leaf, root: Root, work: &mut Work) -> Place {
+        let line = self.line_through(line, leaf.chain);
+        let primitive = &self.graph.primitives[leaf.primitive as usize];
+        let located = primitive.intersect().locate(&line, root);
+        let local = located.point;
+        let (mut point, mut error, mut normal) = (local, located.error, located.normal);
+        let mut shading = primitive.shape().shading_normal(local, root.face);
+        work.smooth_normal += u64::from(shading.is_some());
+        for &placement in self.chains[leaf.chain as usize].iter().rev() {
+            let maps = &self.graph.placements[placement as usize];
+            error = maps.out.point_error(point, error);
+            point = maps.out.point(point);
+            normal = maps.back.unit_normal(normal);
+            shading = shading.map(|n| maps.back.unit_normal(n));
+        }
+        let normal = normal.unit();
+        let is_known = point.is_finite() && error.is_finite() && normal.is_finite() && normal.any();
+        Place {
+            is_known,
+            point,
+            error,
+            normal,
+            shading: shading.map_or(normal, |n| beside(n, normal)),
+            local,
+        }
+    }
+
+    /// The share of diffuse light at a point of a leaf's surface, `point` in the scene's space and `local` in the leaf's.
+    #[inline(never)]
+    pub fn albedo(
+        &self,
+        leaf: &Leaf,
+        root: Root,
+        [point, local]: [Vec3; 2],
+        work: &mut Work,
+    ) -> [f64; 3] {
+        let at = SurfacePoint {
+            shape: self.graph.primitives[leaf.primitive as usize].shape(),
+            point: local,
+            face: root.face,
+        };
+        let colour: Rgb = match leaf.colour {
+            _ if leaf.kd == [0.0; 3] => return [0.0; 3],
+            Colour::Plain => return leaf.albedo,
+            Colour::Own => self.graph.unpainted(&at, work),
+            Colour::Texture { texture, chain } => {
+                let placements = self.chains[chain as usize].iter();
+                let into = |p: Vec3, &m: &u32| self.graph.placements[m as usize].back.point(p);
+                let painted = || placements.fold(point, into);
+                self.graph.painted(texture, &at, painted, work)
+            }
+        };
+        Vec3(leaf.kd).times(Vec3(colour)).0
+    }
+}
+
+/// A point of a surface, in the scene's space.
+#[derive(Debug, Clone, Copy)]
+pub struct Place {
+    /// Whether there are numbers for it.
+    pub is_known: bool,
+    pub point: Vec3,
+    /// Bounds on the error of the point, component by component.
+    pub error: Vec3,
+    /// Unit, outwards.
+    pub normal: Vec3,
+    /// The unit normal that light is reckoned with.
+    pub shading: Vec3,
+    /// The point in the space of the shape.
+    pub local: Vec3,
+}
+
+impl Place {
+    /// Nowhere.
+    pub const NONE: Place = Place {
+        is_known: false,
+        point: Vec3::ZERO,
+        error: Vec3::ZERO,
+        normal: Vec3::ZERO,
+        shading: Vec3::ZERO,
+        local: Vec3::ZERO,
+    };
+}
+
+/// Four places that rays have met at these t.
+#[inline]
+pub fn gathered(places: &[Place; WIDTH], t: [f64; WIDTH]) -> Resolved {
+    let all = |vector: fn(&Place) -> &[f64; 3]| V3::gathered(places.each_ref(), vector);
+    let known = (0..)
+        .zip(places)
+        .map(|(lane, p)| u32::from(p.is_known) << lane);
+    Resolved {
+        clear: mask(known.sum()),
+        t: Lanes::new(t),
+        point: all(|p| &p.point.0),
+        error: all(|p| &p.error.0),
+        normal: all(|p| &p.normal.0),
+    }
+}

@@ -1,0 +1,258 @@
+//! Where rays go from the surfaces that they meet, four at a time.
+
+use super::lanes::{Lanes, V3, WIDTH, either, gathered, is_greater, is_less, mask};
+use super::leaf::Leaf;
+use super::query::{Crossing, NONE, Start};
+use super::resolved::Resolved;
+use super::wave::{Node, Ray, Scene, Tile};
+use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
+
+impl Tile {
+    /// Sends rays on from where four rays have met something, and adds up the light there.
+    #[inline(always)]
+    pub(super) fn shade(&mut self, scene: &Scene, four: &Four, hits: &Hits) {
+        if scene.features.glass || scene.features.mirrors {
+            self.follow(scene, four, hits);
+        }
+        self.note_lit(scene, four, hits);
+    }
+
+    /// Sends on what is mirrored and what goes through.
+    #[inline(always)]
+    fn follow(&mut self, scene: &Scene, four: &Four, hits: &Hits) {
+        let splat = Lanes::splat;
+        let weight = V3::gathered(four.rays, |ray| &ray.weight);
+        let ks = V3::gathered(four.leaves, |leaf| &leaf.ks);
+        let direction = four.direction;
+        let mut mirrored = ks;
+        let [mut clear, mut solid] = [0; 2];
+        for lane in 0..WIDTH {
+            clear |= u32::from(four.leaves[lane].is_clear) << lane;
+            solid |= u32::from(four.leaves[lane].is_solid) << lane;
+        }
+        clear &= hits.live;
+        if scene.features.glass && clear != 0 {
+            let kt = V3::gathered(four.leaves, |leaf| &leaf.kt);
+            let mut straight = 0;
+            for lane in 0..WIDTH {
+                straight |= u32::from(four.leaves[lane].is_straight) << lane;
+            }
+            // From one solid into another is not for the kernel.
+            self.doubt(four, clear & solid & four.inside & !four.exit);
+            let inwards = gathered(four.leaves, |leaf| leaf.ratios[0]);
+            let outwards = gathered(four.leaves, |leaf| leaf.ratios[1]);
+            let ratio = either(mask(four.exit), outwards, inwards);
+            let facing = hits.facing();
+            let cosine = -direction.dot(facing);
+            let sine2 = (splat(1.0) - cosine * cosine).fast_max(Lanes::ZERO);
+            let square = splat(1.0) - ratio * ratio * sine2;
+            let bent = facing * (ratio * cosine - square.fast_max(Lanes::ZERO).sqrt());
+            let refracted = (direction * ratio + bent).unit();
+            let through = V3::either(mask(straight), direction, refracted);
+            let passes = straight | is_greater(square, Lanes::ZERO).to_bitmask();
+            let total = clear & !passes;
+            if total != 0 {
+                mirrored = V3::either(mask(total), ks + kt, ks);
+            }
+            for lane in (0..WIDTH).filter(|lane| clear >> lane & 1 != 0) {
+                let pixel = &mut self.pixels[four.rays[lane].pixel as usize];
+                pixel.media += u32::from(straight >> lane & 1 == 0);
+                pixel.total += total >> lane & 1;
+            }
+            let sent = self.send(
+                scene,
+                (four, hits),
+                clear & passes,
+                (through, weight.times(kt)),
+                Way::Through { straight },
+            );
+            for lane in (0..WIDTH).filter(|lane| sent >> lane & 1 != 0) {
+                self.pixels[four.rays[lane].pixel as usize].refraction += 1;
+            }
+        }
+        let reflects = hits.live & mirrored.any();
+        if scene.features.mirrors && reflects != 0 {
+            let normal = hits.shading;
+            let reflected = direction - normal * (splat(2.0) * normal.dot(direction));
+            let reflected = reflected.unit();
+            let sent = self.send(
+                scene,
+                (four, hits),
+                reflects,
+                (reflected, weight.times(mirrored)),
+                Way::Back,
+            );
+            for lane in (0..WIDTH).filter(|lane| sent >> lane & 1 != 0) {
+                self.pixels[four.rays[lane].pixel as usize].reflection += 1;
+            }
+        }
+    }
+
+    /// Sends rays on unless they are too deep or count for too little; returns which are sent.
+    #[inline(always)]
+    fn send(
+        &mut self,
+        scene: &Scene,
+        (four, hits): (&Four, &Hits),
+        goes: u32,
+        (direction, weight): (V3, V3),
+        way: Way,
+    ) -> u32 {
+        let cutoff = Lanes::splat(scene.limits.cutoff);
+        let too_little = is_less(weight.max_component(), cutoff).to_bitmask();
+        let mut sent = goes & weight.any() & !too_little;
+        let origins = hits.point.columns();
+        let directions = direction.columns();
+        let weights = weight.columns();
+        let skins = hits.skin.to_array();
+        let entering = hits.entering.to_bitmask();
+        for lane in 0..WIDTH {
+            if sent >> lane & 1 == 0 {
+                continue;
+            }
+            let from = four.rays[lane];
+            let (is_straight, within, child) = match way {
+                Way::Through { straight } => {
+                    let within = match from.start.within {
+                        same if !four.leaves[lane].is_solid => same,
+                        NONE => four.leaves[lane].solid,
+                        // Out of it, since into a second one is not for the kernel.
+                        _ => NONE,
+                    };
+                    (straight >> lane & 1 != 0, within, 1)
+                }
+                Way::Back => (false, from.start.within, 0),
+            };
+            let is_entering = entering >> lane & 1 != 0;
+            let depth = from.depth + u32::from(!is_straight);
+            if depth > scene.limits.depth {
+                sent &= !(1 << lane);
+                continue;
+            }
+            let node = self.nodes.len() as u32;
+            self.nodes.push(Node::LEAFLESS);
+            self.nodes[from.node as usize].children[child] = node;
+            let at = |columns: &[[f64; WIDTH]; 3]| {
+                [columns[0][lane], columns[1][lane], columns[2][lane]]
+            };
+            self.next.push(Ray {
+                start: Start {
+                    origin: at(&origins),
+                    direction: at(&directions),
+                    skin: skins[lane],
+                    left: from.met.surface,
+                    goes_in: is_entering == matches!(way, Way::Through { .. }),
+                    within,
+                },
+                weight: at(&weights),
+                node,
+                pixel: from.pixel,
+                depth,
+                met: Crossing::NONE,
+            });
+        }
+        match way {
+            // Straight on is always counted.
+            Way::Through { straight } => sent | (goes & straight),
+            Way::Back => sent,
+        }
+    }
+}
+
+/// Where a ray goes from a surface.
+#[derive(Clone, Copy)]
+enum Way {
+    /// To the other side, and where the bits are set as if there were nothing.
+    Through {
+        straight: u32,
+    },
+    Back,
+}
+
+/// Four rays and what they have met.
+pub struct Four<'a> {
+    pub rays: [&'a Ray; WIDTH],
+    pub leaves: [&'a Leaf; WIDTH],
+    pub origin: V3,
+    pub direction: V3,
+    /// The rays that come out of the leaf that they meet, as bits.
+    pub far: u32,
+    /// The rays that start inside of something, and those of them that come out of it there.
+    pub inside: u32,
+    pub exit: u32,
+}
+
+impl<'a> Four<'a> {
+    #[inline(always)]
+    pub fn new(wave: &'a [Ray], leaves: &'a [Leaf], [a, b, c, d]: [u32; WIDTH]) -> Four<'a> {
+        let ray = |i: u32| &wave[i as usize];
+        let rays = [ray(a), ray(b), ray(c), ray(d)];
+        let leaf = |ray: &Ray| &leaves[ray.met.surface as usize];
+        let solids = [leaf(rays[0]), leaf(rays[1]), leaf(rays[2]), leaf(rays[3])];
+        let [mut far, mut inside, mut exit] = [0; 3];
+        for (lane, ray) in rays.iter().enumerate() {
+            far |= u32::from(ray.met.is_exit) << lane;
+            inside |= u32::from(ray.start.within != NONE) << lane;
+            exit |= u32::from(ray.start.within == solids[lane].solid) << lane;
+        }
+        Four {
+            rays,
+            leaves: solids,
+            origin: V3::gathered(rays, |ray| &ray.start.origin),
+            direction: V3::gathered(rays, |ray| &ray.start.direction),
+            far,
+            inside,
+            exit,
+        }
+    }
+}
+
+/// Points of surfaces that four rays have met.
+pub struct Hits {
+    /// Lanes that count, as bits.
+    pub live: u32,
+    pub point: V3,
+    /// Unit, that light is reckoned with.
+    pub shading: V3,
+    /// The share of diffuse light.
+    pub albedo: V3,
+    pub skin: Lanes,
+    /// Which rays go against the normal, as a mask.
+    pub entering: Lanes,
+}
+
+impl Hits {
+    #[inline(always)]
+    pub fn new(four: &Four, live: u32, resolved: &Resolved) -> Hits {
+        let splat = Lanes::splat;
+        let Resolved { t, error, .. } = *resolved;
+        let normal = resolved.normal.unit();
+        let on_line = four.origin + four.direction * t;
+        let terms = four.origin.abs() + (four.direction * t).abs();
+        let off = (resolved.point - on_line).abs();
+        // Points that a shape has found far from the line are taken from the line: see `strayed` in search/hit.rs.
+        let most =
+            terms * splat(8.0 * UNIT_ROUNDOFF) + four.direction.abs() * splat(f64::from_bits(1));
+        let strays = is_greater(off.0[0], most.0[0])
+            | is_greater(off.0[1], most.0[1])
+            | is_greater(off.0[2], most.0[2]);
+        let on_surface = normal.abs().dot(error);
+        let in_line = normal
+            .abs()
+            .dot(terms * splat(8.0 * gamma(3)) + (off + error) * splat(4.0));
+        let entering = is_less(normal.dot(four.direction), Lanes::ZERO);
+        Hits {
+            live,
+            point: V3::either(strays, on_line, resolved.point),
+            shading: normal,
+            albedo: V3::gathered(four.leaves, |leaf| &leaf.albedo),
+            skin: either(strays, in_line, on_surface),
+            entering,
+        }
+    }
+    /// The normals on the sides where the rays come from.
+    #[inline(always)]
+    pub fn facing(&self) -> V3 {
+        V3::either(self.entering, self.shading, -self.shading)
+    }
+}
