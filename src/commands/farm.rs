@@ -172,7 +172,7 @@ fn job(
     look: LookChoice,
 ) -> Result<String, Error> {
     let is_class = scenes.len() + broken.len() > 1;
-    scenes::check_folder(&args.output)?;
+    let is_job = scenes::check_folder(&args.output)?;
     scenes::check_pictures(scenes)?;
     let count = frames.map_or(1, Frames::count);
     let measured = measure::measure(&args.picture, scenes, args.tile_time.0)?;
@@ -217,6 +217,12 @@ fn job(
     let wrote = Complaint::new("wrote-file").with("path", args.output.as_path());
     let readme = args.output.join("README.md").display().to_string();
     let next = look.language().say("farm-next", &[("path", readme.into())]);
+    if is_job {
+        terminal::note(
+            look,
+            &Complaint::new("note-earlier-job").with("path", args.output.as_path()),
+        );
+    }
     let summary = wrapped(&format!("{summary} {next}"), terminal::width(), "");
     Ok(format!("{}\n{summary}", wrote.wording(look.language())))
 }

@@ -94,16 +94,19 @@ pub fn name(place: &Path) -> String {
     )
 }
 
-/// Makes sure that nothing else is in the folder: it is not there, empty, or a job already.
-pub fn check_folder(folder: &Path) -> Result<(), Complaint> {
+/// Makes sure that nothing else is in the folder: it is not there, empty, or a job already. Whether it is a job.
+pub fn check_folder(folder: &Path) -> Result<bool, Complaint> {
     let entries = match fs::read_dir(folder) {
         Ok(entries) => entries,
-        Err(e) if e.kind() == io::ErrorKind::NotFound => return draft::try_folder(folder),
+        Err(e) if e.kind() == io::ErrorKind::NotFound => {
+            return draft::try_folder(folder).map(|()| false);
+        }
         Err(e) => return Err(unwritable(folder, &e)),
     };
-    match entries.count() > 0 && !folder.join(LIST).is_file() {
+    let is_job = folder.join(LIST).is_file();
+    match entries.count() > 0 && !is_job {
         true => Err(Complaint::new("farm-folder").with("path", folder)),
-        false => Ok(()),
+        false => Ok(is_job),
     }
 }
 

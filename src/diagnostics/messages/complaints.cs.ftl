@@ -141,6 +141,7 @@ note-too-bright = { $percent } % pixelů je jasnějších než bílá; napraví 
 note-drawn-anyway = soubor { $path } nemůže uvést, čeho je obrázkem, jako to umí .png a .exr: vykreslí se v každém případě
 note-unfinished = v souboru { $path } zůstává { $percent } % obrázku; zbytek vykreslí tentýž příkaz s `--resume`
 note-other-part = { $path } je část jiného obrázku: nic se z ní nepoužije
+note-earlier-job = složka { $path } už byla úlohou a tato ji nahrazuje: obrázky, které dřívější úloha vykreslila, zůstávají, a znovu se nekreslí jen ty, které jsou stejné
 several-with-tile = `--tile` je jen pro jednu scénu
 part-format = soubor { $path } nemůže uvést, která část obrázku v něm je: ať jeho jméno končí na .png nebo .exr
 more-tiles-than-rows = dílů je { $count }, víc než řádků obrázku: { $height }

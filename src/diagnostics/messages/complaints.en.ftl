@@ -137,6 +137,7 @@ note-too-bright = { $percent } % of the pixels are brighter than white; `--expos
 note-drawn-anyway = { $path } cannot say what it is a picture of, as .png and .exr can: it is drawn in any case
 note-unfinished = { $path } keeps { $percent } % of the picture; the same command with `--resume` draws the rest
 note-other-part = { $path } is a part of another picture: nothing of it is taken
+note-earlier-job = { $path } was a job already, and this one takes its place: pictures that the earlier one has drawn stay, and only those that are the same are not drawn again
 several-with-one-output = `--stats` and `--heatmap` are for one scene
 several-with-tile = `--tile` is for one scene
 part-format = { $path } cannot say which part of a picture it is: let it end in .png or .exr
