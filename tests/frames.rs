@@ -566,3 +566,23 @@ fn films_are_made_by_ffmpeg() {
     let run = program::zpg(dir.path(), &run, "");
     assert!(text(&run.stderr).starts_with("chyba: soubor b.mp4 zpg nezapisuje: vykreslete snímky"));
 }
+
+/// Who writes a number of frames gets the one with that number, and is told so.
+#[test]
+fn a_single_number_is_one_frame() {
+    let dir = folder(&[("a.zpg", usual())]);
+    let run = |frames: &str| {
+        let args = ["render", "a.zpg", "--orbit", "9,360", "--frames", frames];
+        let run = program::zpg(dir.path(), &[&args[..], &SIZE].concat(), "");
+        (text(&run.stdout), text(&run.stderr))
+    };
+    let (wrote, told) = run("3");
+    assert_eq!(wrote, "Wrote a.0003.png: 24 × 18 pixels\n");
+    assert!(
+        told.contains("draws frame 3 alone; the first 3 are `--frames 0-2`"),
+        "{told}"
+    );
+    for one in ["0", "1", "0-1"] {
+        assert_eq!(run(one).1, "");
+    }
+}

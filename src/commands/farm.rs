@@ -151,6 +151,9 @@ pub fn run(args: &Args, command: Command, look: LookChoice) -> Status {
 /// The frames, which are the same of all scenes, each of which has been looked at; `None` for one picture. What is wrong
 /// has been said.
 fn frames(args: &Args, scenes: &[Scene], look: LookChoice) -> Result<Option<Frames>, Status> {
+    if let Some(told) = args.picture.frames.note() {
+        terminal::note(look, &told);
+    }
     // Ctrl-C ends this at once.
     let stop = AtomicBool::new(false);
     let mut first = None;
@@ -214,15 +217,15 @@ fn job(
     scenes::copy(&args.output, scenes, broken)?;
     options::copy_table(&args.picture.frames, &args.output)?;
     args.engine.write(&work, look.language(), &args.output)?;
-    let wrote = Complaint::new("wrote-file").with("path", args.output.as_path());
-    let readme = args.output.join("README.md").display().to_string();
-    let next = look.language().say("farm-next", &[("path", readme.into())]);
     if is_job {
         terminal::note(
             look,
             &Complaint::new("note-earlier-job").with("path", args.output.as_path()),
         );
     }
+    let wrote = Complaint::new("wrote-file").with("path", args.output.as_path());
+    let readme = args.output.join("README.md").display().to_string();
+    let next = look.language().say("farm-next", &[("path", readme.into())]);
     let summary = wrapped(&format!("{summary} {next}"), terminal::width(), "");
     Ok(format!("{}\n{summary}", wrote.wording(look.language())))
 }

@@ -365,7 +365,7 @@ help-any-stereo = Jak zapsat oba obrázky z dvojice kamer [výchozí: pair]
     .pair = dva soubory, JMÉNO_left a JMÉNO_right
     .side-by-side = jeden obrázek, levý vedle pravého
     .anaglyph = jeden obrázek pro červeno-azurové brýle
-help-any-frames = Vykreslí obrázek pro každý z těchto snímků: JMÉNO.0000.png a tak dále, nebo jeden .apng
+help-any-frames = Vykreslí obrázek pro každý z těchto snímků, například 0-47: JMÉNO.0000.png a tak dále, nebo jeden .apng. Jediné číslo znamená jen tento snímek
     .value = A-B
 help-any-set = Mění číslo od prvního snímku k poslednímu, například `9.fovy=30..60`, `5.x[3]=1..2` nebo `5@7.x=0..4`, kde 7 je řádek; jména vypíše `zpg explain`
     .value = ID.PARAMETR=OD..DO

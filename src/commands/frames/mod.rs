@@ -20,7 +20,8 @@ const MOST_FRAMES: u32 = 100_000;
 /// The options that say how a scene's numbers vary.
 #[derive(Debug, Default, clap::Args)]
 pub struct FrameArgs {
-    /// Draw a picture for each of these frames: NAME.0000.png and so on, or one .apng
+    /// Draw a picture for each of these frames, as in 0-47: NAME.0000.png and so on, or one .apng. A single number is that
+    /// frame alone
     #[arg(help_heading = help::FRAMES)]
     #[arg(long, value_name = "A-B")]
     frames: Option<Range>,
@@ -166,6 +167,17 @@ impl FrameArgs {
     /// The number of the first frame, as far as the arguments say.
     pub fn first(&self) -> u32 {
         self.frames.map_or(0, |frames| frames.first)
+    }
+
+    /// That one frame is drawn, if its number may be meant as how many there are.
+    pub fn note(&self) -> Option<Complaint> {
+        let frame = self.frames.filter(|f| f.first == f.last && f.first > 1)?;
+        let last = frame.last - 1;
+        Some(
+            Complaint::new("note-one-frame")
+                .with("frame", frame.first.to_string())
+                .with("last", last.to_string()),
+        )
     }
 
     /// Makes sure that the options go together.

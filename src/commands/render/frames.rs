@@ -73,6 +73,9 @@ fn by_ffmpeg(args: &Args, film: &Path) -> Complaint {
 
 /// Draws the frames of scenes. All of them are looked at before the first one is drawn.
 pub(super) fn run(args: &Args, jobs: &[Job], stop: &Arc<AtomicBool>, look: LookChoice) -> Status {
+    if let Some(told) = args.picture.frames.note() {
+        note(look, &told);
+    }
     let mut all = Vec::new();
     for job in jobs {
         match prepared(args, job, stop, look) {

@@ -138,6 +138,7 @@ note-drawn-anyway = { $path } cannot say what it is a picture of, as .png and .e
 note-unfinished = { $path } keeps { $percent } % of the picture; the same command with `--resume` draws the rest
 note-other-part = { $path } is a part of another picture: nothing of it is taken
 note-earlier-job = { $path } was a job already, and this one takes its place: pictures that the earlier one has drawn stay, and only those that are the same are not drawn again
+note-one-frame = `--frames { $frame }` draws frame { $frame } alone; the first { $frame } are `--frames 0-{ $last }`
 several-with-one-output = `--stats` and `--heatmap` are for one scene
 several-with-tile = `--tile` is for one scene
 part-format = { $path } cannot say which part of a picture it is: let it end in .png or .exr
