@@ -693,3 +693,25 @@ fn shallow_crossings_are_those_of_double_double() {
         }
     }
 }
+
+/// Numbers need no quotes.
+#[test]
+fn numbers_as_several_arguments() {
+    let scene = "2 11 0 1 0 1\n1 9999 2 0\n";
+    for (whole, several) in [
+        (
+            &["--ray", "0 1 9  0 0 -1"][..],
+            &["--ray", "0", "1", "9", "0", "0", "-1"][..],
+        ),
+        (&["--point", "0 1 .5"], &["--point", "0,", "1,", ".5"]),
+        (&["--pixel", "320,240"], &["--pixel", "320", "240"]),
+    ] {
+        assert_eq!(one(scene, whole), one(scene, several));
+    }
+    let dir = folder(scene);
+    let run = zpg(dir.path(), &["--point", "0", "1", "0", "a.zpg"], "");
+    assert_eq!(run.status.code(), Some(0));
+    let run = zpg(dir.path(), &["--point", "0", "1", "a.zpg"], "");
+    let said = String::from_utf8(run.stderr).unwrap();
+    assert!(said.contains("expected 3 numbers"), "{said}");
+}

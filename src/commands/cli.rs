@@ -69,13 +69,14 @@ const KEPT_BYTES: usize = 4 << 20;
 /// Reads the arguments of the program, in the language that they or the environment ask for, and does
 /// what they say.
 pub fn run() -> Status {
-    let cli = match Cli::try_parse() {
+    let written = probe::joined(std::env::args_os());
+    let cli = match Cli::try_parse_from(&written) {
         Ok(cli) => cli,
         Err(error) => {
             // The same answer once more, with the help in the language.
-            let look = LookChoice::among(std::env::args_os());
+            let look = LookChoice::among(written.iter().cloned());
             let mut command = help::in_language(Cli::command(), look.language(), width());
-            let again = command.try_get_matches_from_mut(std::env::args_os());
+            let again = command.try_get_matches_from_mut(&written);
             return usage::refuse(&again.err().unwrap_or(error), &mut command, look);
         }
     };

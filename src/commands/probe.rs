@@ -3,6 +3,7 @@
 mod answer;
 mod rays;
 
+use std::ffi::OsString;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -139,6 +140,33 @@ impl FromStr for PixelArg {
             _ => Err(Complaint::new("expected-pixel")),
         }
     }
+}
+
+/// The options that take several numbers, and how many.
+const SEVERAL: [(&str, usize); 3] = [("--ray", 6), ("--pixel", 2), ("--point", 3)];
+
+/// The arguments of the program, of which the numbers of such an option are one, also where no quotes keep them together.
+pub fn joined(written: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    fn number(arg: &OsString) -> Option<&str> {
+        let text = arg.to_str()?.trim_end_matches(',');
+        text.parse::<f64>().ok().map(|_| text)
+    }
+    let mut written = written.peekable();
+    let mut all = Vec::new();
+    while let Some(arg) = written.next() {
+        let option = SEVERAL.iter().find(|(name, _)| arg == *name);
+        all.push(arg);
+        let mut numbers = Vec::new();
+        while option.is_some_and(|&(_, count)| numbers.len() < count)
+            && let Some(next) = written.next_if(|next| number(next).is_some())
+        {
+            numbers.extend(number(&next).map(str::to_owned));
+        }
+        if !numbers.is_empty() {
+            all.push(numbers.join(",").into());
+        }
+    }
+    all
 }
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
