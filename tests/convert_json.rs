@@ -298,3 +298,28 @@ fn pictures_behind_links_are_found_from_another_folder() {
         assert_eq!(zpg(dir.path(), &["check", to]).status.code(), Some(0));
     }
 }
+
+/// What the report says of comments, and of a camera that is the only one.
+#[test]
+fn what_a_report_says() {
+    let dir = tempfile::tempdir().unwrap();
+    let scene = "2 9 1\n9 -501 0 0 6 0 0 -1 0 1 0 45\n1 9999 2 0\n";
+    let other = "10 -501 0 0 6 0 0 -1 0 1 0 45\n11 -502 9\n";
+    for (text, has_comments, is_choice) in [
+        (scene.to_owned(), false, false),
+        (format!("{scene}# a ball #\n"), true, false),
+        (format!("{scene}{other}"), false, true),
+    ] {
+        fs::write(dir.path().join("a.zpg"), text).unwrap();
+        for to in ["json", "zpg"] {
+            let said = zpg(dir.path(), &["convert", "a.zpg", "--to", to, "-v"]);
+            let said = String::from_utf8(said.stderr).unwrap();
+            let lost = "dropped      comments: the resolved scene has none";
+            assert_eq!(said.contains(lost), has_comments, "{said}");
+            assert_eq!(said.contains("mono camera"), is_choice, "{said}");
+        }
+    }
+    let said = zpg(dir.path(), &["convert", "a.zpg", "-o", "a.gltf"]);
+    let said = String::from_utf8(said.stderr).unwrap();
+    assert!(said.contains("`-o a.glb`"), "{said}");
+}

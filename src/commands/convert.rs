@@ -112,6 +112,18 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     }
     let named = args.output.as_deref().and_then(of_file);
     let Some(to) = args.to.or(named) else {
+        let is_gltf = |path: &Path| {
+            path.extension()
+                .is_some_and(|e| e.eq_ignore_ascii_case("gltf"))
+        };
+        if let Some(path) = args.output.as_deref().filter(|path| is_gltf(path)) {
+            let binary = path.with_extension("glb");
+            complain(
+                look,
+                &Complaint::new("gltf-is-glb").with("path", binary.as_path()),
+            );
+            return Status::Failure;
+        }
         let complaint = Complaint::new("no-target");
         complain(
             look,

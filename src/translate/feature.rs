@@ -157,6 +157,8 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
         .for_each(|_| count(RecordKind::PointLight));
     match scene.view {
         View::Automatic => {}
+        // Of a single camera there is no choice.
+        View::Mono(_) if scene.cameras.len() < 2 => {}
         View::Mono(_) => count(RecordKind::MonoCamera),
         View::Stereo { .. } => count(RecordKind::StereoCamera),
     }

@@ -137,7 +137,8 @@ impl Outcome for Comparison {
             ),
             (
                 "crosscheck-flip",
-                Complaint::quoted(number(format!("{:.4}", self.flip))),
+                Complaint::new("crosscheck-povray-flip")
+                    .with("flip", number(format!("{:.4}", self.flip))),
             ),
         ]
     }

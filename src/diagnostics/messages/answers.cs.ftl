@@ -71,6 +71,7 @@ crosscheck-on-other-edges = na jiných hranách
 crosscheck-silhouettes = obrysy
 crosscheck-total-reflection = úplný odraz
 crosscheck-flip = FLIP
+crosscheck-povray-flip = { $flip } (od 0 do 1): jak velký rozdíl vnímá člověk
 crosscheck-left-out = vynecháno
 crosscheck-exact = přesné tvary
 crosscheck-meshes = sítě

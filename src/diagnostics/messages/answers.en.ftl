@@ -65,6 +65,7 @@ crosscheck-on-other-edges = on other edges
 crosscheck-silhouettes = silhouettes
 crosscheck-total-reflection = total reflection
 crosscheck-flip = FLIP
+crosscheck-povray-flip = { $flip }, from 0 to 1: how much of a difference people see
 crosscheck-left-out = left out
 crosscheck-exact = exact shapes
 crosscheck-meshes = meshes

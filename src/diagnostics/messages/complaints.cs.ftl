@@ -154,6 +154,7 @@ several-in-one-file = { $path } je jeden soubor, ale scén je několik: složku 
 wrote-file = Zapsáno: { $path }
 wrote-scene = Zapsáno: { $path }; vykreslí se příkazem `zpg render { $file }`
 no-target = do jakého formátu? Určete ho volbou `--to` ({ $names }), nebo ať jméno za `-o` končí na .pov, .xml, .ply, .obj, .glb, .stl, .json nebo .zpg
+gltf-is-glb = zpg zapisuje glTF jako jeden binární soubor: pojmenujte jej `-o { $path }`
 wrote-picture = Zapsáno: { $path }, { $width } × { $height } pixelů
 wrote-rows = Zapsáno: { $path }, řádky { $first } až { $last } z { $height }
 farm-folder = ve složce { $path } je něco jiného: určete složku, která je nová, prázdná, nebo patří dřívější úloze

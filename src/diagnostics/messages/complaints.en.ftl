@@ -150,6 +150,7 @@ several-in-one-file = { $path } is one file, and these are several scenes: name 
 wrote-file = Wrote { $path }
 wrote-scene = Wrote { $path }; `zpg render { $file }` draws it
 no-target = which format? Name it with `--to` ({ $names }), or let the name after `-o` end in .pov, .xml, .ply, .obj, .glb, .stl, .json or .zpg
+gltf-is-glb = zpg writes glTF as one binary file: name it with `-o { $path }`
 wrote-picture = Wrote { $path }: { $width } × { $height } pixels
 wrote-rows = Wrote { $path }: rows { $first } to { $last } of { $height }
 farm-folder = { $path } has other things in it: name a folder that is new or empty, or an earlier job

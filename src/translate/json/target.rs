@@ -7,7 +7,7 @@ use super::write::write;
 use crate::diagnostics::Error;
 use crate::format;
 use crate::syntax;
-use crate::translate::fidelity::Report;
+use crate::translate::fidelity::{Fidelity, Report};
 use crate::translate::target::{Options, Output, Prepared, Target};
 
 /// The scene as JSON.
@@ -81,8 +81,13 @@ fn output(
     bytes: Vec<u8>,
 ) -> Output {
     let of = |feature| (left.verdict(feature, options)).unwrap_or_else(|| verdict(feature));
+    let mut report = Report::of(name, scene.scene(), of);
+    if scene.analysis.document.contents.comments {
+        let note = "the resolved scene has none";
+        report.state("comments", Fidelity::Dropped, note);
+    }
     Output {
         files: vec![(options.output.map(ToOwned::to_owned), bytes)],
-        report: Report::of(name, scene.scene(), of),
+        report,
     }
 }
