@@ -229,6 +229,12 @@ fn suggestions(topic: &str, language: Language) -> Vec<String> {
     near.dedup_by(|a, b| plain(&a.1) == plain(&b.1));
     let nearest = near.first().map_or(0, |n| n.0);
     near.retain(|n| n.0 <= nearest + 1);
+    if near.is_empty() {
+        // One word of several.
+        let has_page = |word: &&str| page(word, language).is_some();
+        let words = topic.split('-').filter(has_page);
+        near.extend(words.map(|word| (0, word.to_owned())));
+    }
     near.truncate(MAX_SUGGESTIONS);
     near.into_iter()
         .map(|(_, name)| match Code::parse(&name) {
@@ -357,6 +363,8 @@ mod tests {
             ["checkerboard"]
         );
         assert_eq!(suggestions("lights", Language::English), ["light"]);
+        assert_eq!(suggestions("area light", Language::English), ["light"]);
+        assert_eq!(suggestions("soft shadow", Language::English), ["shadow"]);
         assert_eq!(suggestions("e0001", Language::English), ["E001"]);
         assert_eq!(suggestions("sachovnice", Language::Czech), ["šachovnice"]);
         assert!(suggestions("quite something else", Language::English).is_empty());
