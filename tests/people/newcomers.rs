@@ -66,6 +66,16 @@ const BEHIND: &[(&str, &str)] = &[
         "2 -399 4 4 dark blue white\n",
         "51 -701 0 0 0.26\n52 -701 1 1 1\n2 -399 4 4 51 52\n",
     ),
+    // Comments of C on several lines, with numbers in quotes, or of numbers alone.
+    (
+        "// equation \"= -3\"\n// two lines\n2 -701 1 0 0 // red\n",
+        "0 # equation \"= -3\" #\n0 # two lines #\n2 -701 1 0 0 # red #\n",
+    ),
+    (
+        "/* first */\n//\n//second: 1 2\n2 -701 1 0 0\n",
+        "0 # first #\n\n0 # second: 1 2 #\n2 -701 1 0 0\n",
+    ),
+    ("// 2 * 3 = 6\n", "0 # 2 * 3 = 6 #\n"),
     // A place in square brackets before the numbers of the record.
     ("51 -402 [4,6,5] 1\n", "51 -402 1\n51 -1 4 6 5\n"),
     ("51 -402 [4, 6, 5] 0.5\n", "51 -402 0.5\n51 -1 4 6 5\n"),

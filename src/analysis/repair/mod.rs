@@ -11,6 +11,7 @@ mod elsewhere;
 mod heads;
 mod in_comments;
 mod judge;
+mod slashes;
 mod whole;
 
 use rustc_hash::FxHashSet;

@@ -3,7 +3,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::characters;
+use super::{characters, slashes};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::Item;
@@ -19,7 +19,7 @@ pub struct Matter {
 
 type Find = fn(&Analysis, &[Diagnostic]) -> Option<Matter>;
 
-pub const ALL: [Find; 4] = [dashes, minus, scenes, reserved];
+pub const ALL: [Find; 5] = [slashes::comments, dashes, minus, scenes, reserved];
 
 /// So many records make a habit.
 const MANY: usize = 3;
@@ -33,7 +33,7 @@ pub fn is_of_many(d: &Diagnostic) -> bool {
     is_moved
         || matches!(
             d.case,
-            "dashes" | "minus" | "scenes" | "renders" | "objects"
+            "slashes" | "dashes" | "minus" | "scenes" | "renders" | "objects"
         )
 }
 

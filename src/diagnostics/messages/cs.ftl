@@ -139,6 +139,16 @@ E001 = { $text } tu nic neznamená
     .label = zde má být číslo
     .help = odstraňte to, nebo to dejte do komentáře: `# … #`
 
+E001-slashes = { $text } zde komentář nezačíná: komentář stojí mezi dvěma znaky `#`
+    .label = { $count ->
+        [one] co následuje, čte se jako čísla
+       *[other] co následuje, čte se jako čísla (řádků: { $count })
+    }
+    .fix = { $count ->
+        [one] dát to do komentáře
+       *[other] dát do komentářů všechny tyto řádky
+    }
+
 E002 = tento komentář není ukončen
     .label = čte se, jako by končil na konci řádku
     .help = komentář začíná znakem `#` a musí jím i končit

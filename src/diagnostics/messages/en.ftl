@@ -135,6 +135,16 @@ E001 = { $text } means nothing here
     .label = a number was expected
     .help = remove it, or put it into a comment: `# … #`
 
+E001-slashes = { $text } begins no comment here: comments stand between two `#`
+    .label = { $count ->
+        [one] what follows is read as numbers
+       *[other] what follows is read as numbers, as on { $count } lines
+    }
+    .fix = { $count ->
+        [one] turn this into a comment
+       *[other] turn all { $count } into comments
+    }
+
 E002 = this comment is never closed
     .label = read as if it ended with this line
     .help = a `#` begins a comment, and a second `#` must end it
