@@ -3,12 +3,10 @@
 
 use super::{colour_names, materials};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span};
-use crate::lint::spelling::spelled;
+use crate::lint::spelling::linear_part;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::RecordKind;
 use crate::syntax::{Document, Item, hex, quote};
-use crate::trace::bitmap::linear;
-use crate::trace::film::srgb8;
 
 /// What the parser found about colours in hexadecimal digits, and about colours and materials by name, becomes one
 /// finding for each.
@@ -88,7 +86,7 @@ fn shown(word: &str) -> Option<[u8; 3]> {
 }
 
 fn spelled_out(shown: [u8; 3]) -> String {
-    shown.map(shortest).join(" ")
+    shown.map(linear_part).join(" ")
 }
 
 /// A colour whose `#` began a comment; with what else the comment holds, as one.
@@ -105,14 +103,4 @@ fn in_comment(sign: &Token, text: &str) -> Option<(Span, [u8; 3], String)> {
     };
     let span = Span::new(sign.start, sign.start + word.len() as u32);
     Some((span, colour, comment))
-}
-
-/// The shortest decimal number that is shown as this part of a colour.
-pub fn shortest(wanted: u8) -> String {
-    let exact = linear(f64::from(wanted) / 255.0);
-    let rounded = (0..=9).map(|digits| format!("{exact:.digits$}").parse().unwrap_or(exact));
-    let found = rounded
-        .into_iter()
-        .find(|x: &f64| srgb8(*x as f32) == wanted);
-    spelled(found.unwrap_or(exact))
 }

@@ -3,8 +3,8 @@
 //! A scene has linear colours, a picker sRGB; both ways go through the curve of the pictures.
 
 use crate::analysis::Analysis;
-use crate::analysis::colours::shortest;
 use crate::diagnostics::{Edit, Span};
+use crate::lint::spelling::linear_part;
 use crate::syntax::table::RecordKind;
 use crate::syntax::{Item, Record};
 use crate::trace::film::srgb8;
@@ -77,7 +77,7 @@ pub fn repaint(analysis: &Analysis, span: Span, picked: [f64; 3]) -> Option<Edit
         let wanted = (picked.clamp(0.0, 1.0) * 255.0).round() as u8;
         match srgb8(value as f32) == wanted {
             true => out.push_str(text.get(place.range())?),
-            false => out.push_str(&shortest(wanted)),
+            false => out.push_str(&linear_part(wanted)),
         }
         at = place.end;
     }

@@ -1,9 +1,22 @@
 //! Numbers in what findings say.
 
+use crate::trace::bitmap::linear;
+use crate::trace::film::srgb8;
+
 /// A number as it stands in a scene.
 pub fn spelled(x: f64) -> String {
     let text = format!("{:?}", x + 0.0);
     text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+}
+
+/// The shortest decimal number that is shown as this part of a colour.
+pub fn linear_part(wanted: u8) -> String {
+    let exact = linear(f64::from(wanted) / 255.0);
+    let rounded = (0..=9).map(|digits| format!("{exact:.digits$}").parse().unwrap_or(exact));
+    let found = rounded
+        .into_iter()
+        .find(|x: &f64| srgb8(*x as f32) == wanted);
+    spelled(found.unwrap_or(exact))
 }
 
 /// A difference of decimal numbers, without the rounding of its last digits.

@@ -76,6 +76,12 @@ const BEHIND: &[(&str, &str)] = &[
         "0 # first #\n\n0 # second: 1 2 #\n2 -701 1 0 0\n",
     ),
     ("// 2 * 3 = 6\n", "0 # 2 * 3 = 6 #\n"),
+    // Bytes, hexadecimal digits and CSS are one colour of sRGB.
+    ("2 -701 26 77 179\n", "2 -701 0.0103 0.074 0.45\n"),
+    ("2 -701 #1a4db3\n", "2 -701 0.0103 0.074 0.45\n"),
+    ("2 -701 rgb(26, 77, 179)\n", "2 -701 0.0103 0.074 0.45\n"),
+    ("2 -701 255 165 0\n", "2 -701 1 0.376 0\n"),
+    ("2 -701 orange\n", "2 -701 1 0.376 0\n"),
     // A place in square brackets before the numbers of the record.
     ("51 -402 [4,6,5] 1\n", "51 -402 1\n51 -1 4 6 5\n"),
     ("51 -402 [4, 6, 5] 0.5\n", "51 -402 0.5\n51 -1 4 6 5\n"),

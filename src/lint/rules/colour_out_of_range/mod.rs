@@ -2,11 +2,11 @@
 
 use crate::diagnostics::{Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
-use crate::lint::spelling::{rough, with_point};
+use crate::lint::spelling::{linear_part, rough, with_point};
 use crate::scene::record::Params;
 use crate::syntax::table::RecordKind;
 
-/// Whole numbers up to 255 are bytes as image programs show them. Up to 100 they are rather per cent, if one is 10 at
+/// Whole numbers up to 255 are bytes as image programs show them, in sRGB as hexadecimal digits are. Up to 100 they are rather per cent, if one is 10 at
 /// least.
 const BYTE_MAX: f64 = 255.0;
 const PER_CENT_MAX: f64 = 100.0;
@@ -59,11 +59,12 @@ fn finding(p: &Params, first: usize) -> Diagnostic {
             crate::diagnostics::Value::Count(outside.count() as u64),
         );
     let values: Vec<f64> = (first..p.len()).map(|i| p.number(i)).collect();
-    let divided = |title, by: f64| {
+    let scaled = |title, part: fn(f64) -> String| {
         let edits = (first..p.len()).filter(|&i| p.number(i) != 0.0);
-        let edits = edits.map(|i| edit(p, i, rough(p.number(i) / by)));
+        let edits = edits.map(|i| edit(p, i, part(p.number(i))));
         Fix::guess(title, edits.collect())
     };
+    let linear = || scaled("linear", |x| linear_part(x as u8));
     let pointed = (first..p.len()).filter_map(|i| Some(edit(p, i, with_point(p.text_of(i))?)));
     let pointed: Vec<Edit> = pointed.collect();
     if !pointed.is_empty() {
@@ -84,9 +85,9 @@ fn finding(p: &Params, first: usize) -> Diagnostic {
             .fix(limited());
     }
     match scale(&values) {
-        Some(Scale::Bytes) => d.note("bytes").fix(divided("divide", BYTE_MAX)),
+        Some(Scale::Bytes) => d.note("bytes").fix(linear()),
         Some(Scale::PerCent) => {
-            (d.fix(divided("hundredths", PER_CENT_MAX))).fix(divided("divide", BYTE_MAX))
+            (d.fix(scaled("hundredths", |x| rough(x / PER_CENT_MAX)))).fix(linear())
         }
         None => d.fix(limited()),
     }
