@@ -66,6 +66,15 @@ const BEHIND: &[(&str, &str)] = &[
         "2 -399 4 4 dark blue white\n",
         "51 -701 0 0 0.26\n52 -701 1 1 1\n2 -399 4 4 51 52\n",
     ),
+    // A colour that has a record, by its comment or its numbers; the other one gets one.
+    (
+        "7 -701 0.9 0.1 0.1 # red #\n8 -701 1 1 1\n2 -399 1 1 red white\n",
+        "7 -701 0.9 0.1 0.1 # red #\n8 -701 1 1 1\n2 -399 1 1 7 8\n",
+    ),
+    (
+        "7 -701 1 0 0\n2 -399 1 1 červená bílá\n",
+        "7 -701 1 0 0\n51 -701 1 1 1\n2 -399 1 1 7 51\n",
+    ),
     // Comments of C on several lines, with numbers in quotes, or of numbers alone.
     (
         "// equation \"= -3\"\n// two lines\n2 -701 1 0 0 // red\n",

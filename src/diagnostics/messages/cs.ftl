@@ -119,6 +119,10 @@ fix-inline = { $count ->
     [one] napsat barvu { $text } jako samostatný záznam
    *[other] napsat barvy { $text } jako samostatné záznamy
 }
+fix-colour-id = { $count ->
+    [one] napsat ID této barvy, { $text }
+   *[other] napsat ID těchto barev, { $text }
+}
 fix-cylinder = napsat { $text } ({ $type })
 fix-point = je-li { $text } bod, na který se má kamera dívat, napsat { $number }: směr je tento bod minus poloha kamery
 fix-look-at = je-li { $text } bod, na který se má kamera dívat, napsat směr { $way } (tento bod minus poloha kamery) a vektor „nahoru“ { $number }

@@ -112,6 +112,10 @@ fix-inline = { $count ->
     [one] write the colour { $text } as a record of its own
    *[other] write the colours { $text } as records of their own
 }
+fix-colour-id = { $count ->
+    [one] write the ID of this colour, { $text }
+   *[other] write the IDs of these colours, { $text }
+}
 fix-cylinder = write the { $type } { $text }
 fix-point = if { $text } is the point to look at, write { $number }: a direction is that point minus the position
 fix-look-at = if { $text } is the point to look at, write the direction { $way } (that point minus the position) and the up vector { $number }

@@ -1,11 +1,12 @@
 //! Colours in the place of their IDs: `1 9999 2 0.2 0.3 0.4`.
 
 use super::{Candidate, Habit, Place};
+use crate::analysis::colours;
 use crate::diagnostics::{Applicability, Edit, Fix, Span, Value};
-use crate::syntax::Item;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{Kind, Param, ParamKind, RecordKind, RecordType};
+use crate::syntax::{Captions, Item};
 
 /// A colour has so many numbers.
 const PARTS: usize = 3;
@@ -23,6 +24,9 @@ struct Inline {
 
 const TITLE: &str = "fix-inline";
 
+/// The title of fixes that write the IDs of colours which have records.
+const ID_TITLE: &str = "fix-colour-id";
+
 /// The title of fixes that give an ID to a part of an operation.
 pub(super) const PARTS_TITLE: &str = "fix-parts";
 
@@ -37,9 +41,9 @@ pub fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
     edits.filter_map(|edit| edit.text.parse().ok())
 }
 
-/// Whether a fix makes records of colours.
+/// Whether a fix puts IDs in the place of colours.
 pub(super) fn is_inline(fix: &Fix) -> bool {
-    fix.title == TITLE
+    [TITLE, ID_TITLE].contains(&fix.title)
 }
 
 impl Place<'_> {
@@ -109,34 +113,43 @@ impl Place<'_> {
             .then_some((PARTS, Inline { span, numbers }))
     }
 
-    /// The colours as records above this one, with IDs that are free.
+    /// The IDs of the colours; those without a record get one above this, with an ID that is free.
     fn with_records(&self, list: &[Inline], used: &[u32]) -> Option<Candidate> {
         let code = RecordType::of(RecordKind::Colour).code;
+        let mut free = self.free_id(used)?..=LARGEST;
         let mut above = String::new();
-        let mut edits = Vec::new();
-        for (id, inline) in (self.free_id(used)?..=LARGEST).zip(list) {
-            above += &format!("{id} {code} {}\n", inline.numbers);
+        let (mut edits, mut new, mut known) = (Vec::new(), Vec::new(), Vec::new());
+        for inline in list {
+            let id = match self.colour_id(&inline.numbers) {
+                Some(id) => {
+                    known.push(id.to_string());
+                    id
+                }
+                None => {
+                    let id = free.next()?;
+                    above += &format!("{id} {code} {}\n", inline.numbers);
+                    new.push(quote(&inline.numbers));
+                    id
+                }
+            };
             edits.push(Edit {
                 span: inline.span,
                 text: id.to_string(),
             });
         }
-        if edits.len() < list.len() {
-            return None;
-        }
-        let head = self.tokens.first()?.start;
-        let shown: Vec<String> = list.iter().map(|inline| quote(&inline.numbers)).collect();
-        edits.insert(
-            0,
-            Edit {
-                span: Span::new(head, head),
-                text: above,
-            },
-        );
+        let (title, shown) = match new.is_empty() {
+            true => (ID_TITLE, known),
+            false => {
+                let head = self.tokens.first()?.start;
+                let span = Span::new(head, head);
+                edits.insert(0, Edit { span, text: above });
+                (TITLE, new)
+            }
+        };
         let fix = Fix {
-            title: TITLE,
+            title,
             values: vec![
-                ("count", Value::Count(list.len() as u64)),
+                ("count", Value::Count(shown.len() as u64)),
                 ("text", shown.join(", ").into()),
             ],
             applicability: Applicability::Unsafe,
@@ -146,6 +159,35 @@ impl Place<'_> {
             habit: Habit::Apart,
             fix,
             ty: None,
+        })
+    }
+
+    /// The ID of a record that defines a colour and does nothing else: one whose comment names the colour, or one with its
+    /// numbers.
+    fn colour_id(&self, numbers: &str) -> Option<u32> {
+        let document = &self.analysis.document;
+        let captions = Captions::of(document, self.text);
+        let values = numbers.split_whitespace().map(str::parse);
+        let values: Vec<f64> = values.collect::<Result<_, _>>().ok()?;
+        let records = || document.items.iter().filter_map(Item::record);
+        let is_alone = |id: u32| records().filter(|r| r.id == id).count() == 1;
+        let defined = self.entities(&[Kind::Colour]).map(|e| e.id);
+        let defined: Vec<u32> = defined.filter(|&id| is_alone(id)).collect();
+        let is_named = |id: u32| {
+            let name = captions.own(id).and_then(colours::numbers);
+            name.as_deref() == Some(numbers)
+        };
+        let has_numbers = |id: u32| {
+            let written = records().find(|r| r.id == id && r.kind == RecordKind::Colour)?;
+            let written = document.params(written).map(|t| t.number(self.text));
+            Some(written.eq(values.iter().map(|&x| Some(x))))
+        };
+        let mut all = defined.iter().copied();
+        let named = all.find(|&id| is_named(id));
+        named.or_else(|| {
+            defined
+                .into_iter()
+                .find(|&id| has_numbers(id) == Some(true))
         })
     }
 
