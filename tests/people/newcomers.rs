@@ -214,6 +214,19 @@ const JOINED: &[(&str, &str)] = &[
     ("koule 4 0 1.6 0 0.6", "4 11 0 1.6 0 0.6"),
     ("sphere { <0,1.6,0>, 0.6 }", "4 11  0 1.6 0  0.6 "),
     ("14 4 1 0.3", "4 14 1 0.3"),
+    // A shape with its properties and moves, as POV-Ray has them.
+    (
+        "box { <0,0,0>, <1,1,1> pigment { color rgb <1,0,0> } }",
+        "4 12 0 0 0 1 1 1\n4 -701 1 0 0",
+    ),
+    (
+        "4 sphere { <0,1,0>, 1 texture { pigment { color Red } } }",
+        "4 11 0 1 0 1\n4 -701 1 0 0",
+    ),
+    (
+        "torus { 1, 0.2 pigment { Yellow } rotate <90,0,45> scale 2 translate <0,1.5,0> } # ring #",
+        "4 14 1 0.2\n4 -701 1 1 0\n4 -2 90 1\n4 -2 45 3\n4 -3 2 2 2\n4 -1 0 1.5 0 # ring #",
+    ),
     // A profile without the number of its points; a length with a unit.
     ("4 1 0 0  1 0  1 2  0 2", "4 1 4 0 0  1 0  1 2  0 2"),
     ("4 1 1.2 0  1.2 2.5", "4 1 2 1.2 0  1.2 2.5"),

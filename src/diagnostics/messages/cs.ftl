@@ -119,6 +119,7 @@ fix-inline = { $count ->
     [one] napsat barvu { $text } jako samostatný záznam
    *[other] napsat barvy { $text } jako samostatné záznamy
 }
+fix-clauses = napsat záznam pro tvar a po jednom pro každou jeho vlastnost
 fix-colour-id = { $count ->
     [one] napsat ID této barvy, { $text }
    *[other] napsat ID těchto barev, { $text }

@@ -190,7 +190,7 @@ impl Place<'_> {
     }
 
     /// The IDs that are referred to and defined nowhere, whatever is said of them.
-    fn missing(&self) -> Vec<u32> {
+    pub(super) fn missing(&self) -> Vec<u32> {
         let entities = &self.analysis.scene.entities;
         let named = records(self.analysis).flat_map(|r| references(self.analysis, r));
         let mut all: Vec<u32> = named

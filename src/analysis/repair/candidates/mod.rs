@@ -3,6 +3,7 @@
 mod apart;
 mod brackets;
 mod cameras;
+mod clauses;
 mod comments;
 mod heads;
 mod inline;
@@ -268,6 +269,7 @@ impl<'a> Place<'a> {
             out.extend(self.own_name());
             out.extend(self.labelled());
             self.keyword(&mut out);
+            out.extend(self.clauses(&[undefined, taken].concat()));
             self.spaced_name(&mut out);
             self.words(&mut out);
             self.axis(&mut out);
