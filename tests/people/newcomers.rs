@@ -227,6 +227,10 @@ const JOINED: &[(&str, &str)] = &[
         "torus { 1, 0.2 pigment { Yellow } rotate <90,0,45> scale 2 translate <0,1.5,0> } # ring #",
         "4 14 1 0.2\n4 -701 1 1 0\n4 -2 90 1\n4 -2 45 3\n4 -3 2 2 2\n4 -1 0 1.5 0 # ring #",
     ),
+    // Names before the numbers.
+    ("4 11 x=0 y=1.6 z=0 r=0.6", "4 11 0 1.6 0 0.6"),
+    ("4 11 0 1.6 0 r = 0.6", "4 11 0 1.6 0 0.6"),
+    ("4 11 r=0.6 x: 0 y: 1.6 z: 0", "4 11 0 1.6 0 0.6"),
     // A profile without the number of its points; a length with a unit.
     ("4 1 0 0  1 0  1 2  0 2", "4 1 4 0 0  1 0  1 2  0 2"),
     ("4 1 1.2 0  1.2 2.5", "4 1 2 1.2 0  1.2 2.5"),
@@ -282,6 +286,25 @@ fn objects_with_a_damaged_beginning() {
     }
     let merged = joined("4 11 0 1.6 0 0.6");
     assert_eq!(fixed(&merged.replace("7 -101", "7 merge")), merged);
+}
+
+/// Operations as equations of sets.
+#[test]
+fn equations_of_sets() {
+    for (written, meant) in [
+        ("7 = 2 - 4", "7 -103 2 4"),
+        ("7 = 2 + 4", "7 -101 2 4"),
+        ("7=2∪4", "7 -101 2 4"),
+        ("7 := 4 ∩ 2", "7 -102 4 2"),
+        ("7 = 4 \\ 2", "7 -103 4 2"),
+        ("7 = 2-4 # all #", "7 -103 2 4 # all #"),
+    ] {
+        let text = |line: &str| {
+            let rest = REST.replace("9999 2", "9999 7");
+            format!("2 9 1\n4 11 0.4 0.5 0 0.9\n{line}\n{rest}")
+        };
+        assert_eq!(fixed(&text(written)), text(meant));
+    }
 }
 
 /// A sphere that has lost a number is no half-space that has lost its ID.

@@ -7,6 +7,7 @@ mod clauses;
 mod comments;
 mod heads;
 mod inline;
+mod notation;
 mod numbers;
 mod own_id;
 mod references;
@@ -268,6 +269,8 @@ impl<'a> Place<'a> {
             out.extend(self.glued(&[undefined, taken].concat()));
             out.extend(self.own_name());
             out.extend(self.labelled());
+            out.extend(self.equation());
+            out.extend(self.named_values());
             self.keyword(&mut out);
             out.extend(self.clauses(&[undefined, taken].concat()));
             self.spaced_name(&mut out);
