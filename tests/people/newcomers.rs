@@ -231,6 +231,8 @@ const JOINED: &[(&str, &str)] = &[
     ("4 11 x=0 y=1.6 z=0 r=0.6", "4 11 0 1.6 0 0.6"),
     ("4 11 0 1.6 0 r = 0.6", "4 11 0 1.6 0 0.6"),
     ("4 11 r=0.6 x: 0 y: 1.6 z: 0", "4 11 0 1.6 0 0.6"),
+    // Two readings of one number, of which the first is not always meant.
+    ("4 11 0.41.5 0 0.6", "4 11 0.41 .5 0 0.6"),
     // A profile without the number of its points; a length with a unit.
     ("4 1 0 0  1 0  1 2  0 2", "4 1 4 0 0  1 0  1 2  0 2"),
     ("4 1 1.2 0  1.2 2.5", "4 1 2 1.2 0  1.2 2.5"),
@@ -305,6 +307,20 @@ fn equations_of_sets() {
         };
         assert_eq!(fixed(&text(written)), text(meant));
     }
+}
+
+/// A number with two points may be several pairs.
+#[test]
+fn all_pairs_of_a_number_are_proposed() {
+    let text = |numbers: &str| format!("2 11 {numbers} 0 0.6\n{REST}");
+    let all = repair::proposals(&read(&text("0.41.5")));
+    let error = all.iter().find(|d| d.code == Code::E003).unwrap();
+    let written = |fix| fixes::apply(&text("0.41.5"), std::iter::once(fix)).0;
+    let mut proposed: Vec<String> = error.fixes.iter().map(written).collect();
+    proposed.sort();
+    let mut expected = ["0.41 .5", "0.4 1.5", "0.41 5"].map(text);
+    expected.sort();
+    assert_eq!(proposed, expected);
 }
 
 /// A sphere that has lost a number is no half-space that has lost its ID.

@@ -343,19 +343,41 @@ pub fn report(text: &str, tokens: &[Token], glued: &[Span], out: &mut Vec<Diagno
         } else {
             Applicability::Unsafe
         };
-        out.push(
-            Diagnostic::new(Code::E003, span)
-                .case("glued")
-                .with("text", quote(word))
-                .with("number", quote(&apart))
-                .fix(Fix {
-                    title: "fix",
-                    values: Vec::new(),
-                    applicability,
-                    edits,
-                }),
-        );
+        let finding = Diagnostic::new(Code::E003, span)
+            .case("glued")
+            .with("text", quote(word))
+            .with("number", quote(&apart))
+            .fix(Fix {
+                title: "fix",
+                values: Vec::new(),
+                applicability,
+                edits,
+            });
+        out.push(others(word).into_iter().fold(finding, |finding, other| {
+            let fix = Fix::replace("fix-write", Applicability::Unsafe, span, other.clone());
+            finding.fix(fix.with("number", quote(&other)))
+        }));
     }
+}
+
+/// The other pairs of numbers that may be meant by one with two points: `0.41.5` is `0.4 1.5`, or a point stands for the
+/// space.
+fn others(word: &str) -> Vec<String> {
+    let parts: Vec<&str> = word.split('.').collect();
+    let [first, middle, last] = parts[..] else {
+        return Vec::new();
+    };
+    let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
+    let unsigned = first.strip_prefix(['+', '-']).unwrap_or(first);
+    if ![unsigned, middle, last].into_iter().all(is_digits) {
+        return Vec::new();
+    }
+    let (before, digit) = middle.split_at(middle.len() - 1);
+    let two = format!("{first}.{before} {digit}.{last}");
+    let two = (!before.is_empty()).then_some(two);
+    two.into_iter()
+        .chain([format!("{first}.{middle} {last}")])
+        .collect()
 }
 
 /// Records with numbers that had lost the space between them are broken: an error was reported.
@@ -410,6 +432,15 @@ mod tests {
             "--5", "1e", "0x1F", "5-", "5abc", "1.5..", "nan", "1/2", "12", "",
         ] {
             assert_eq!(cut(one), None, "{one}");
+        }
+    }
+
+    #[test]
+    fn pairs_of_a_number_with_two_points() {
+        assert_eq!(others("0.41.5"), ["0.4 1.5", "0.41 5"]);
+        assert_eq!(others("-1.2.3"), ["-1.2 3"]);
+        for word in ["0.4", "1.2.3.4", ".4.5", "0-1.5", "1.5.", "1e2.3.4"] {
+            assert!(others(word).is_empty(), "{word}");
         }
     }
 
