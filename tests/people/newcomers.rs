@@ -75,6 +75,11 @@ const BEHIND: &[(&str, &str)] = &[
         "7 -701 1 0 0\n2 -399 1 1 červená bílá\n",
         "7 -701 1 0 0\n51 -701 1 1 1\n2 -399 1 1 7 51\n",
     ),
+    // Changes that have lost their IDs in the middle of an object's records.
+    (
+        "-1 1 0 0\n2 -701 1 0 0\n-2 30 2\n-201 0.5 0.5 0\n",
+        "2 -1 1 0 0\n2 -701 1 0 0\n2 -2 30 2\n2 -201 0.5 0.5 0\n",
+    ),
     // Comments of C on several lines, with numbers in quotes, or of numbers alone.
     (
         "// equation \"= -3\"\n// two lines\n2 -701 1 0 0 // red\n",
@@ -168,6 +173,17 @@ const INSTEAD: &[(&str, &str, &str)] = &[
     (
         "9 -501 0 0 6 0 0 -1 0 1 0 45",
         "9 -501 location 0 0 6 direction 0 0 -1 sky 0 1 0 angle 45",
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+    ),
+    // The angle before the up vector, or before all.
+    (
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+        "9 -501 0 0 6 0 0 -1 45 0 1 0",
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+    ),
+    (
+        "9 -501 0 0 6 0 0 -1 0 1 0 45",
+        "9 -501 45 0 0 6 0 0 -1 0 1 0",
         "9 -501 0 0 6 0 0 -1 0 1 0 45",
     ),
     // A number of the up vector is lost, or all of it where the direction looks like one.

@@ -113,6 +113,23 @@ impl Place<'_> {
         })
     }
 
+    /// The angle of a camera before its up vector, or before one of the others: what stands in its place is none.
+    pub(super) fn angle_before(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
+        let is_camera = self.ty().is_some_and(|ty| ty.kind == RecordKind::Camera);
+        let params = self.params();
+        let is_one = is_camera && params.len() == 10 && finding.code == Code::E206;
+        for at in [6, 3, 0].into_iter().filter(|_| is_one) {
+            let is_angle = |x: f64| x > 1.0 && x < 180.0;
+            if !params[at].number(self.text).is_some_and(is_angle) {
+                continue;
+            }
+            let behind = params[at + 1..].iter().chain([&params[at]]);
+            let texts = behind.map(|t| t.text(self.text).to_owned());
+            let new: Vec<(Token, String)> = params[at..].iter().copied().zip(texts).collect();
+            out.extend(self.write(Habit::Up, &new));
+        }
+    }
+
     /// Three parameters written anew.
     fn vector(&self, habit: Habit, title: &'static str, at: usize, new: &[String; 3]) -> Candidate {
         let tokens = &self.params()[at..at + new.len()];

@@ -93,7 +93,7 @@ impl Habit {
             Habit::Apart => matches!(finding.code, E003 | E007 | E008 | E009 | E012 | E101),
             Habit::Count => finding.case == "points" || finding.code == E013,
             Habit::Direction | Habit::Point | Habit::Up => {
-                matches!(finding.code, E008 | E203 | E207)
+                matches!(finding.code, E008 | E203 | E206 | E207)
             }
             Habit::Swapped => {
                 matches!(finding.code, E101 | E103 | E104 | E107 | E108 | W319)
@@ -296,6 +296,8 @@ impl<'a> Place<'a> {
             self.camera(finding, &mut out);
             self.without_up(finding, &mut out);
             out.extend(self.without_angle(finding));
+            self.angle_before(finding, &mut out);
+            out.extend(self.lost_id(finding));
             self.types(finding, &mut out);
             self.arranged(&mut out);
             self.references(finding, &mut out);

@@ -68,6 +68,29 @@ impl Place<'_> {
         });
     }
 
+    /// The ID of the record before, for one that changes something and has lost its own.
+    pub(super) fn lost_id(&self, finding: &Diagnostic) -> Option<Candidate> {
+        let head = self.tokens.first()?;
+        let ty = RecordType::by_code(head.integer(self.text)?)?;
+        let (Effect::Changes(kinds) | Effect::DefinesOrChanges(_, kinds)) = ty.effect else {
+            return None;
+        };
+        let own = &self.tokens[1..];
+        let is_one = finding.code == Code::E005 && !own.is_empty() && self.fit(ty, own);
+        let document = &self.analysis.document;
+        let items = document.items.iter().rev();
+        let mut before = items.filter(|item| document.item_span(item).end <= self.line.start);
+        let id = before.find_map(|item| match item {
+            Item::Record(r) => Some(r.id),
+            Item::Broken(b) => b.id,
+            Item::Void { .. } => None,
+        })?;
+        let is_kind = self.entities(kinds).any(|e| e.id == id);
+        let text = format!("{id} {}", head.text(self.text));
+        let new = self.write(Habit::Id, &[(*head, text)]);
+        new.filter(|_| is_one && is_kind)
+    }
+
     /// The IDs of the records that follow this one directly and change what it defines.
     pub(super) fn changes(&self, id: u32) -> impl Iterator<Item = Span> {
         let document = &self.analysis.document;
