@@ -224,6 +224,12 @@ pub fn types(word: &str) -> Vec<&'static RecordType> {
     NAMES.iter().find(near).map_or(Vec::new(), |n| of(n.1))
 }
 
+/// A word as `zpg explain` takes it, if it stands for a type; `none` if not.
+pub fn explained(word: &str) -> String {
+    let is_one = !named(word).is_empty();
+    if is_one { word } else { "none" }.to_owned()
+}
+
 /// Whether a word is the name of a type, or the first of several, without a mistake.
 pub fn is_name(word: &str) -> bool {
     static ALL: LazyLock<FxHashSet<String>> = LazyLock::new(|| {

@@ -219,7 +219,10 @@ E006 = za ID { $text } chybí typ
     .help = záznam má tvar `ID TYP parametry…`
 E006-word = { $text } není typ záznamu
     .label = zde má být číslo typu
-    .help = číslo typu zjistíte příkazem `zpg explain` se jménem, například `zpg explain koule`
+    .help = { $name ->
+        [none] číslo typu zjistíte příkazem `zpg explain` se jménem, například `zpg explain koule`
+       *[other] číslo tohoto typu a jak se zapisuje, zjistíte příkazem `zpg explain { $name }`
+    }
 E006-lost = záznamu chybí typ: jeho čísla odpovídají typu { $number } ({ $type })
     .label = za tímto ID chybí typ
 

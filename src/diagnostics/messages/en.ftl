@@ -221,7 +221,10 @@ E006 = there is no type after the ID { $text }
     .help = a record is `ID TYPE parameters…`
 E006-word = { $text } is not a record type
     .label = a type number was expected
-    .help = to find the number of a type, run `zpg explain` with its name, such as `zpg explain sphere`
+    .help = { $name ->
+        [none] to find the number of a type, run `zpg explain` with its name, such as `zpg explain sphere`
+       *[other] `zpg explain { $name }` has the number of this type, and how it is written
+    }
 E006-lost = this record has no type: its numbers fit type { $number }, { $type-a }
     .label = the type is missing after this ID
 

@@ -4,6 +4,7 @@ use super::super::lexer::{Token, TokenKind};
 use super::super::quote::quote;
 use super::super::signature::fits;
 use super::super::table::{ParamKind, RecordKind, RecordType};
+use super::super::words;
 use super::faults;
 use super::stretch::Stretch;
 use super::verdict::{Piece, Verdict};
@@ -459,7 +460,8 @@ impl Reporter<'_, '_> {
             TokenKind::Word | TokenKind::Quoted => out.push(
                 Diagnostic::new(Code::E006, token.span())
                     .case("word")
-                    .with("text", quote(self.text(i))),
+                    .with("text", quote(self.text(i)))
+                    .with("name", words::explained(self.text(i))),
             ),
             TokenKind::Integer => out.push(self.unknown_type(i)),
             TokenKind::Real => out.push(self.not_an_integer(i, "a record type")),

@@ -20,6 +20,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value
 use crate::syntax::lexer::{SEPARATORS, Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{Family, Param, RecordType};
+use crate::syntax::words;
 pub use inline::new_ids;
 
 /// What people do, what they do most first.
@@ -345,8 +346,9 @@ impl<'a> Place<'a> {
             Habit::Characters => Some(Diagnostic::new(Code::E003, edit.span).with("text", written)),
             Habit::Exchanged => Some(self.exchange()?.0),
             Habit::Word | Habit::Keyword => {
+                let name = words::explained(&self.text[edit.span.range()]);
                 let d = Diagnostic::new(Code::E006, edit.span).case("word");
-                Some(d.with("text", written))
+                Some(d.with("text", written).with("name", name))
             }
             Habit::Comment => {
                 let words = self.text[edit.span.range()]
