@@ -119,6 +119,7 @@ fix-inline = { $count ->
     [one] napsat barvu { $text } jako samostatný záznam
    *[other] napsat barvy { $text } jako samostatné záznamy
 }
+fix-equation = má-li to být { $type } dvou objektů, napsat { $number }
 fix-clauses = napsat záznam pro tvar a po jednom pro každou jeho vlastnost
 fix-colour-id = { $count ->
     [one] napsat ID této barvy, { $text }

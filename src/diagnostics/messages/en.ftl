@@ -112,6 +112,7 @@ fix-inline = { $count ->
     [one] write the colour { $text } as a record of its own
    *[other] write the colours { $text } as records of their own
 }
+fix-equation = if this is meant as the { $type } of two objects, write { $number }
 fix-clauses = write a record for the shape and one for each of its properties
 fix-colour-id = { $count ->
     [one] write the ID of this colour, { $text }

@@ -1,7 +1,7 @@
 //! What mathematics writes: `4 = 2 ∪ 3`, and names before numbers, `r = 1`.
 
 use super::{Candidate, Habit, Place};
-use crate::diagnostics::{Applicability, Fix};
+use crate::diagnostics::{Applicability, Fix, Value};
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
@@ -28,10 +28,11 @@ impl Place<'_> {
         let (a, b) = (number(&sets[..at])?, number(&sets[at + sign.len_utf8()..])?);
         let ty = RecordType::of(kind);
         let text = format!("{id} {} {a} {b}", ty.code);
-        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
+        let fix = Fix::replace("fix-equation", Applicability::Unsafe, span, text.clone());
+        let fix = fix.with("number", quote(&text));
         Some(Candidate {
             habit: Habit::Characters,
-            fix: fix.with("number", quote(&text)),
+            fix: fix.with("type", Value::Term(ty.title)),
             ty: None,
         })
     }
