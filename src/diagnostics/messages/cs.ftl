@@ -121,6 +121,7 @@ fix-inline = { $count ->
 }
 fix-equation = má-li to být { $type } dvou objektů, napsat { $number }
 fix-clauses = napsat záznam pro tvar a po jednom pro každou jeho vlastnost
+fix-clauses-some = napsat záznam pro tvar a po jednom pro každou vlastnost, pro kterou záznam existuje; ostatní se vynechají
 fix-colour-id = { $count ->
     [one] napsat ID této barvy, { $text }
    *[other] napsat ID těchto barev, { $text }

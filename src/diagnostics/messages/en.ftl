@@ -114,6 +114,7 @@ fix-inline = { $count ->
 }
 fix-equation = if this is meant as the { $type } of two objects, write { $number }
 fix-clauses = write a record for the shape and one for each of its properties
+fix-clauses-some = write a record for the shape and one for each of its properties that records have; the others are left out
 fix-colour-id = { $count ->
     [one] write the ID of this colour, { $text }
    *[other] write the IDs of these colours, { $text }

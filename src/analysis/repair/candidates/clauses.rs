@@ -9,6 +9,9 @@ use crate::syntax::words;
 /// A colour, a move and a scaling have so many numbers, and so many axes has a turn.
 const OWN: usize = 3;
 
+/// What POV-Ray says of surfaces and insides in ways that records have no numbers for.
+const OTHERS: [&str; 4] = ["finish", "normal", "interior", "no_shadow"];
+
 /// What other programs put around the properties of a surface.
 const AROUND: [&str; 2] = ["texture", "material"];
 
@@ -24,9 +27,11 @@ impl Place<'_> {
         let named = words::types(word.text(self.text)).into_iter();
         let mut shapes = named.filter(|ty| ty.family == Family::Shape && self.fit(ty, own));
         let shape = shapes.next().filter(|_| !own.is_empty())?;
-        let (id, applicability) = match (written, &self.missing()[..]) {
-            (Some(id), _) | (None, &[id]) => (id, Applicability::Unsafe),
-            (None, _) => (self.free_id(used)?, Applicability::Choice),
+        let is_other = |t: &Token| OTHERS.contains(&&*t.text(self.text).to_lowercase());
+        let leaves_out = rest.iter().any(is_other);
+        let (id, is_known) = match (written, &self.missing()[..]) {
+            (Some(id), _) | (None, &[id]) => (id, true),
+            (None, _) => (self.free_id(used)?, false),
         };
         let mut text = format!(" {}", self.texts(own));
         for (ty, numbers) in self.properties(rest)? {
@@ -43,9 +48,15 @@ impl Place<'_> {
         };
         let edit = |span: Span, text: String| Edit { span, text };
         let fix = Fix {
-            title: "fix-clauses",
+            title: match leaves_out {
+                true => "fix-clauses-some",
+                false => "fix-clauses",
+            },
             values: Vec::new(),
-            applicability,
+            applicability: match is_known && !leaves_out {
+                true => Applicability::Unsafe,
+                false => Applicability::Choice,
+            },
             edits: vec![edit(word.span(), code), edit(span, text)],
         };
         (!rest.is_empty() && !is_gone).then_some(Candidate {
@@ -72,6 +83,9 @@ impl Place<'_> {
                 if !std::mem::take(&mut is_colour) {
                     return None;
                 }
+            } else if OTHERS.contains(&&*word) {
+                let end = self.end_of_block(first.end());
+                rest = &rest[rest.partition_point(|t| t.start < end)..];
             } else if let Some((of, numbers)) = self.named_colour(rest) {
                 all.push((colour, numbers));
                 rest = &rest[of..];
@@ -92,6 +106,24 @@ impl Place<'_> {
             }
         }
         (!is_colour).then_some(all)
+    }
+
+    /// Where the block in braces ends that begins at a place on the line; the place itself where none begins there.
+    fn end_of_block(&self, at: u32) -> u32 {
+        let rest = &self.text[at as usize..self.line.end as usize];
+        let mut depth = 0;
+        for (i, c) in rest.char_indices() {
+            match c {
+                '{' => depth += 1,
+                '}' => depth -= 1,
+                c if depth == 0 && !c.is_whitespace() => return at,
+                _ => {}
+            }
+            if depth <= 0 && c == '}' {
+                return at + i as u32;
+            }
+        }
+        at
     }
 
     /// The numbers of the records that a move, a scaling, or turns about x, y and z are.
