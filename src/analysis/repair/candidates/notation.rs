@@ -9,6 +9,14 @@ use crate::syntax::table::{RecordKind, RecordType};
 /// What stands between a name and its number.
 const EQUALS: [char; 2] = ['=', ':'];
 
+/// A number that may have its name before it.
+struct Named<'t> {
+    name: Option<&'t str>,
+    /// The name and the number.
+    whole: Token,
+    number: &'t str,
+}
+
 impl Place<'_> {
     /// An operation as an equation of sets: `4 = 2 - 3`.
     pub(super) fn equation(&self) -> Option<Candidate> {
@@ -40,46 +48,59 @@ impl Place<'_> {
     /// The parameters without their names, in the order of the record where all have the names of its parameters.
     pub(super) fn named_values(&self) -> Option<Candidate> {
         let ty = self.ty().filter(|ty| !ty.is_counted())?;
-        let mut all: Vec<(Option<&str>, Token, &str)> = Vec::new();
+        let mut all: Vec<Named> = Vec::new();
         let mut rest = self.params();
         while !rest.is_empty() {
             let (of, value) = self.value(rest)?;
             all.push(value);
             rest = &rest[of..];
         }
-        let (first, last) = (all.first()?.1, all.last()?.1);
-        if all.iter().all(|v| v.0.is_none()) || all.len() != ty.params.len() {
+        let (first, last) = (all.first()?.whole, all.last()?.whole);
+        if all.iter().all(|v| v.name.is_none()) || all.len() != ty.params.len() {
             return None;
         }
-        let named = |name: &str| all.iter().find(|v| v.0 == Some(name));
+        let named = |name: &str| all.iter().find(|v| v.name == Some(name));
         let in_order: Option<Vec<&str>> =
-            (ty.params.iter().map(|p| named(p.name).map(|v| v.2))).collect();
-        let written: Vec<&str> = all.iter().map(|v| v.2).collect();
+            (ty.params.iter().map(|p| named(p.name).map(|v| v.number))).collect();
+        let written: Vec<&str> = all.iter().map(|v| v.number).collect();
         if let Some(in_order) = in_order.filter(|new| *new != written) {
             let all = Token::new(first.kind(), first.start as usize, last.end() as usize);
             return self.write(Habit::Characters, &[(all, in_order.join(" "))]);
         }
-        let new: Vec<(Token, String)> = all.iter().map(|v| (v.1, v.2.to_owned())).collect();
+        let new: Vec<(Token, String)> = (all.iter())
+            .map(|v| (v.whole, v.number.to_owned()))
+            .collect();
         self.write(Habit::Characters, &new)
     }
 
-    /// A number that some tokens begin with, and how many it takes: its name, all of it as one token, and the number.
-    fn value(&self, tokens: &[Token]) -> Option<(usize, (Option<&str>, Token, &str))> {
-        let first = tokens.first()?;
+    /// The number that some tokens begin with, and how many it takes.
+    fn value(&self, tokens: &[Token]) -> Option<(usize, Named<'_>)> {
+        let first = *tokens.first()?;
         if first.kind().is_number() {
-            return Some((1, (None, *first, first.text(self.text))));
+            let number = first.text(self.text);
+            return Some((
+                1,
+                Named {
+                    name: None,
+                    whole: first,
+                    number,
+                },
+            ));
         }
         (1..=tokens.len().min(3)).find_map(|of| {
-            let last = tokens[of - 1];
-            let span = first.span().to(last.span());
+            let span = first.span().to(tokens[of - 1].span());
             let (name, number) = self.text[span.range()].split_once(EQUALS)?;
             let (name, number) = (name.trim(), number.trim());
             let is_name =
                 name.starts_with(char::is_alphabetic) && name.chars().all(char::is_alphanumeric);
             let is_number = number.parse().is_ok_and(f64::is_finite)
                 && number.contains(|c: char| c.is_ascii_digit());
-            let whole = Token::new(TokenKind::Word, span.start as usize, span.end as usize);
-            (is_name && is_number).then_some((of, (Some(name), whole, number)))
+            let value = Named {
+                name: Some(name),
+                whole: Token::new(TokenKind::Word, span.start as usize, span.end as usize),
+                number,
+            };
+            (is_name && is_number).then_some((of, value))
         })
     }
 }
