@@ -5,7 +5,7 @@
 //! before the first ray. In the order in which a pixel comes about: [`camera`] and [`sampling`] make rays,
 //! [`search`] finds what they meet in the graph, along trees of boxes, [`shapes`] knows where a line crosses a shape, [`shade`] adds
 //! up the light, [`film`] keeps it. [`probe`] and [`membership`] answer questions about single rays and
-//! points. Pictures of simple scenes are drawn by the quick [`kernel`], with the same bits.
+//! points. Pictures of most scenes are drawn by the quick [`kernel`], with the same bits.
 //!
 //! All that is between a ray and its hits is generic over the number it computes with ([`precision`],
 //! and [`geometry`](crate::geometry) for the numbers themselves). Every decision knows its rounding

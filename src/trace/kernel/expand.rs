@@ -111,6 +111,12 @@ impl Leaves {
         Some(leaves)
     }
 
+    /// Whether most leaves have lanes: without them, glass or intersections the arbiter is as quick.
+    pub fn have_lanes(&self) -> bool {
+        let alone = self.all.iter().filter(|leaf| leaf.kind == Kind::Other);
+        3 * alone.count() <= self.all.len()
+    }
+
     /// Takes a leaf into the scene's union.
     fn put(&mut self, leaf: u32, bounds: Option<Aabb>) {
         match bounds {

