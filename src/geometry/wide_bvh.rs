@@ -136,19 +136,19 @@ impl Frame {
 
 /// Something of a binary tree that becomes a child.
 #[derive(Clone, Copy)]
-enum Piece {
+enum BvhChild {
     /// An inner node.
     Inner(u32),
     /// Some items of a leaf, whose box is that of all of them.
     Items { leaf: u32, start: u32, end: u32 },
 }
 
-impl Piece {
-    fn of(bvh: &Bvh, node: u32) -> Piece {
+impl BvhChild {
+    fn of(bvh: &Bvh, node: u32) -> BvhChild {
         let here = &bvh.nodes[node as usize];
         match here.count {
-            0 => Piece::Inner(node),
-            count => Piece::Items {
+            0 => BvhChild::Inner(node),
+            count => BvhChild::Items {
                 leaf: node,
                 start: here.index,
                 end: here.index + count,
@@ -157,20 +157,20 @@ impl Piece {
     }
 
     fn bounds(self, bvh: &Bvh) -> &Aabb {
-        let (Piece::Inner(node) | Piece::Items { leaf: node, .. }) = self;
+        let (BvhChild::Inner(node) | BvhChild::Items { leaf: node, .. }) = self;
         &bvh.nodes[node as usize].bounds
     }
 
     /// Its two halves; `None`: it is a single item.
-    fn halves(self, bvh: &Bvh) -> Option<[Piece; 2]> {
+    fn halves(self, bvh: &Bvh) -> Option<[BvhChild; 2]> {
         match self {
-            Piece::Inner(node) => {
+            BvhChild::Inner(node) => {
                 let right = bvh.nodes[node as usize].index;
-                Some([node + 1, right].map(|child| Piece::of(bvh, child)))
+                Some([node + 1, right].map(|child| BvhChild::of(bvh, child)))
             }
-            Piece::Items { leaf, start, end } => (end - start > 1).then(|| {
+            BvhChild::Items { leaf, start, end } => (end - start > 1).then(|| {
                 let middle = start.midpoint(end);
-                [(start, middle), (middle, end)].map(|(start, end)| Piece::Items {
+                [(start, middle), (middle, end)].map(|(start, end)| BvhChild::Items {
                     leaf,
                     start,
                     end,
@@ -198,18 +198,18 @@ fn sizes(bvh: &Bvh) -> Vec<u32> {
 /// The largest box is halved again and again, but for pieces whose items fit into one node: a node takes as much memory
 /// with two children as with eight. The slots that are left then go to the items of such pieces, those of the largest
 /// box first.
-fn children(bvh: &Bvh, sizes: &[u32], whole: Piece) -> Vec<Piece> {
-    let size = |piece: &Piece| match *piece {
-        Piece::Inner(node) => sizes[node as usize] as usize,
-        Piece::Items { start, end, .. } => (end - start) as usize,
+fn children(bvh: &Bvh, sizes: &[u32], whole: BvhChild) -> Vec<BvhChild> {
+    let size = |piece: &BvhChild| match *piece {
+        BvhChild::Inner(node) => sizes[node as usize] as usize,
+        BvhChild::Items { start, end, .. } => (end - start) as usize,
     };
-    let area = |piece: &Piece| piece.bounds(bvh).half_area();
-    let largest = |pieces: &[Piece], is_meant: &dyn Fn(usize) -> bool| {
+    let area = |piece: &BvhChild| piece.bounds(bvh).half_area();
+    let largest = |pieces: &[BvhChild], is_meant: &dyn Fn(usize) -> bool| {
         let meant = (0..pieces.len()).filter(|&at| is_meant(size(&pieces[at])));
         meant.max_by(|&a, &b| area(&pieces[a]).total_cmp(&area(&pieces[b])))
     };
     let mut pieces = vec![whole];
-    let halve = |pieces: &mut Vec<Piece>, at: usize| {
+    let halve = |pieces: &mut Vec<BvhChild>, at: usize| {
         if let Some([left, right]) = pieces[at].halves(bvh) {
             pieces[at] = left;
             pieces.push(right);
@@ -248,12 +248,12 @@ impl Tree {
         let mut pending = Vec::new();
         if !bvh.nodes.is_empty() {
             nodes.push(Node::EMPTY);
-            pending.push((0, Piece::of(&bvh, 0)));
+            pending.push((0, BvhChild::of(&bvh, 0)));
         }
         while let Some((here, whole)) = pending.pop() {
             for (slot, piece) in children(&bvh, &sizes, whole).into_iter().enumerate() {
                 let child = match piece {
-                    Piece::Items { start, end, .. } if end - start == 1 => {
+                    BvhChild::Items { start, end, .. } if end - start == 1 => {
                         Child::item(bvh.items[start as usize])
                     }
                     _ => {

@@ -146,7 +146,7 @@ impl Resolver<'_> {
                 false => self.scene.steps.get(&node).map(|s| s.from),
             };
             let matrix = None;
-            let step = from.map(|from| (painted, Step { from, matrix }));
+            let step = from.map(|from| (painted, Derivation { from, matrix }));
             self.scene.steps.extend(step);
         }
         self.set_state(id, State::Object(painted));
@@ -176,7 +176,7 @@ impl Resolver<'_> {
                     let goes_on = self.taken[node as usize] || self.scene.steps.contains_key(&node);
                     if child != node && goes_on {
                         let matrix = Some(self.matrix(*m));
-                        let step = Step { from: node, matrix };
+                        let step = Derivation { from: node, matrix };
                         self.scene.steps.insert(moved, step);
                     }
                     State::Object(moved)

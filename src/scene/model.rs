@@ -37,12 +37,12 @@ pub struct Scene {
     /// A number for every ID that is defined, from 0 on in the order of first definition.
     pub ids: IdTable,
     /// Of transformations and paints that go on from one which others need as it is: how they do so.
-    pub steps: FxHashMap<NodeId, Step>,
+    pub steps: FxHashMap<NodeId, Derivation>,
 }
 
 /// How an object in the arena came of an earlier state of the same one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Step {
+pub struct Derivation {
     pub from: NodeId,
     /// Of a transformation what it does after the earlier one; index into [`Scene::matrices`].
     pub matrix: Option<u32>,

@@ -7,7 +7,7 @@ use crate::geometry::exact::{sign, whole};
 
 /// What the set xᵀQx ≤ 0 is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub enum QuadricSet {
     /// The form is positive everywhere: no point at all.
     Empty,
     /// The form is nowhere positive, and not zero everywhere: all of space, with no surface.
@@ -20,10 +20,10 @@ pub enum Verdict {
     Other,
 }
 
-type Form = [[IBig; 4]; 4];
+type ExactQuadric = [[IBig; 4]; 4];
 
 /// The symmetric part of a matrix, twice, with each number times one power of two.
-fn form(q: &[f64; 16]) -> Form {
+fn form(q: &[f64; 16]) -> ExactQuadric {
     let q = whole(*q);
     std::array::from_fn(|i| std::array::from_fn(|j| &q[4 * i + j] + &q[4 * j + i]))
 }
@@ -34,15 +34,15 @@ pub fn is_ellipsoid(q: &[f64; 16]) -> bool {
 }
 
 /// What the quadric with these 16 numbers, row by row, is.
-pub fn judge(q: &[f64; 16]) -> Verdict {
+pub fn judge(q: &[f64; 16]) -> QuadricSet {
     let diagonal = [0, 5, 10, 15].map(|i| q[i]);
     // Most have an inside and an outside: along one axis it goes up, along another one down.
     if diagonal.iter().any(|&x| x > 0.0) && diagonal.iter().any(|&x| x < 0.0) {
-        return Verdict::Other;
+        return QuadricSet::Other;
     }
     let form = form(q);
     if form.iter().flatten().all(IBig::is_zero) {
-        return Verdict::Zero;
+        return QuadricSet::Zero;
     }
     let below = diagonal.iter().any(|&x| x < 0.0);
     let form = if below {
@@ -51,17 +51,17 @@ pub fn judge(q: &[f64; 16]) -> Verdict {
         form
     };
     match (lowest(form), below) {
-        (Some((1, _)), false) => Verdict::Empty,
-        (Some((0, rank)), false) => Verdict::Flat(3 - rank),
+        (Some((1, _)), false) => QuadricSet::Empty,
+        (Some((0, rank)), false) => QuadricSet::Flat(3 - rank),
         // Where it is zero on a flat, that has the object on both sides.
-        (Some((0.., _)), true) => Verdict::Full,
-        _ => Verdict::Other,
+        (Some((0.., _)), true) => QuadricSet::Full,
+        _ => QuadricSet::Other,
     }
 }
 
 /// The sign of the least value of a form that is convex, and the rank of its square part; `None` for
 /// forms that have no least value.
-fn lowest(mut s: Form) -> Option<(i32, u32)> {
+fn lowest(mut s: ExactQuadric) -> Option<(i32, u32)> {
     let mut left = vec![0usize, 1, 2];
     let mut rank = 0;
     // Every number is a minor of the form: it has the product of the squares completed so far as a
@@ -99,15 +99,15 @@ mod tests {
 
     #[test]
     fn canonical_forms() {
-        assert_eq!(judge(&diagonal([1.0, 1.0, 1.0, 1.0])), Verdict::Empty);
-        assert_eq!(judge(&diagonal([1.0, 1.0, 1.0, -1.0])), Verdict::Other);
-        assert_eq!(judge(&diagonal([1.0, 0.0, 0.0, 1e-300])), Verdict::Empty);
-        assert_eq!(judge(&diagonal([-1.0, 0.0, -2.0, -1.0])), Verdict::Full);
-        assert_eq!(judge(&diagonal([1.0, 1.0, 1.0, 0.0])), Verdict::Flat(0));
-        assert_eq!(judge(&diagonal([1.0, 0.0, 2.0, 0.0])), Verdict::Flat(1));
-        assert_eq!(judge(&diagonal([0.0, 0.1, 0.0, 0.0])), Verdict::Flat(2));
-        assert_eq!(judge(&diagonal([1.0, 1.0, -1.0, 5.0])), Verdict::Other);
-        assert_eq!(judge(&[0.0; 16]), Verdict::Zero);
+        assert_eq!(judge(&diagonal([1.0, 1.0, 1.0, 1.0])), QuadricSet::Empty);
+        assert_eq!(judge(&diagonal([1.0, 1.0, 1.0, -1.0])), QuadricSet::Other);
+        assert_eq!(judge(&diagonal([1.0, 0.0, 0.0, 1e-300])), QuadricSet::Empty);
+        assert_eq!(judge(&diagonal([-1.0, 0.0, -2.0, -1.0])), QuadricSet::Full);
+        assert_eq!(judge(&diagonal([1.0, 1.0, 1.0, 0.0])), QuadricSet::Flat(0));
+        assert_eq!(judge(&diagonal([1.0, 0.0, 2.0, 0.0])), QuadricSet::Flat(1));
+        assert_eq!(judge(&diagonal([0.0, 0.1, 0.0, 0.0])), QuadricSet::Flat(2));
+        assert_eq!(judge(&diagonal([1.0, 1.0, -1.0, 5.0])), QuadricSet::Other);
+        assert_eq!(judge(&[0.0; 16]), QuadricSet::Zero);
     }
 
     #[test]
@@ -117,7 +117,7 @@ mod tests {
             [-1.0, 0.0, -2.0, 0.0],
             [0.0, -0.1, 0.0, 0.0],
         ] {
-            assert_eq!(judge(&diagonal(d)), Verdict::Full, "{d:?}");
+            assert_eq!(judge(&diagonal(d)), QuadricSet::Full, "{d:?}");
         }
         // −(x − 2)² + e, with e none, half an ulp of 4 either way.
         let moved = |c: f64| {
@@ -125,9 +125,9 @@ mod tests {
             (q[3], q[12]) = (2.0, 2.0);
             q
         };
-        assert_eq!(judge(&moved(-4.0)), Verdict::Full);
-        assert_eq!(judge(&moved((-4.0f64).next_down())), Verdict::Full);
-        assert_eq!(judge(&moved((-4.0f64).next_up())), Verdict::Other);
+        assert_eq!(judge(&moved(-4.0)), QuadricSet::Full);
+        assert_eq!(judge(&moved((-4.0f64).next_down())), QuadricSet::Full);
+        assert_eq!(judge(&moved((-4.0f64).next_up())), QuadricSet::Other);
         // −(x − 0.1)²: 0.1·0.1 is rounded, downwards or upwards.
         let odd = |square: f64| {
             let mut q = diagonal([-1.0, 0.0, 0.0, -square]);
@@ -141,13 +141,13 @@ mod tests {
         };
         assert_eq!(
             [low, high].map(|s| judge(&odd(s))),
-            [Verdict::Other, Verdict::Full]
+            [QuadricSet::Other, QuadricSet::Full]
         );
         // −x² + y, −x² + z²: surfaces.
         let mut bowl = diagonal([-1.0, 0.0, 0.0, 0.0]);
         (bowl[7], bowl[13]) = (0.5, 0.5);
-        assert_eq!(judge(&bowl), Verdict::Other);
-        assert_eq!(judge(&diagonal([-1.0, 0.0, 1.0, 0.0])), Verdict::Other);
+        assert_eq!(judge(&bowl), QuadricSet::Other);
+        assert_eq!(judge(&diagonal([-1.0, 0.0, 1.0, 0.0])), QuadricSet::Other);
     }
 
     #[test]
@@ -160,41 +160,41 @@ mod tests {
         };
         let rounded_up = 0.1f64.mul_add(0.1, -(0.1 * 0.1)) < 0.0;
         let as_it_is = if rounded_up {
-            Verdict::Empty
+            QuadricSet::Empty
         } else {
-            Verdict::Other
+            QuadricSet::Other
         };
         assert_eq!(judge(&moved(0.0)), as_it_is);
-        assert_eq!(judge(&moved(1e-16)), Verdict::Empty);
-        assert_eq!(judge(&moved(-1e-16)), Verdict::Other);
+        assert_eq!(judge(&moved(1e-16)), QuadricSet::Empty);
+        assert_eq!(judge(&moved(-1e-16)), QuadricSet::Other);
         // (x − 2)² exactly, a plane; and with an asymmetric matrix of the same symmetric part.
         let mut plane = diagonal([1.0, 0.0, 0.0, 4.0]);
         plane[3] = -4.0;
-        assert_eq!(judge(&plane), Verdict::Flat(2));
+        assert_eq!(judge(&plane), QuadricSet::Flat(2));
         // (x + y)² + z + 1 has points wherever z < −1.
         let mut trough = diagonal([1.0, 1.0, 0.0, 1.0]);
         (trough[1], trough[4], trough[14]) = (1.0, 1.0, 1.0);
-        assert_eq!(judge(&trough), Verdict::Other);
+        assert_eq!(judge(&trough), QuadricSet::Other);
         trough[14] = 0.0;
-        assert_eq!(judge(&trough), Verdict::Empty);
+        assert_eq!(judge(&trough), QuadricSet::Empty);
     }
 
     #[test]
     fn extreme_numbers_decide_nothing_wrongly() {
         for scale in [1e-320, 1e-300, 1e300, f64::MAX] {
-            assert_eq!(judge(&diagonal([scale; 4])), Verdict::Empty, "{scale}");
+            assert_eq!(judge(&diagonal([scale; 4])), QuadricSet::Empty, "{scale}");
             let ball = diagonal([scale, scale, scale, -scale]);
-            assert_eq!(judge(&ball), Verdict::Other, "{scale}");
+            assert_eq!(judge(&ball), QuadricSet::Other, "{scale}");
         }
         // x² + 2·1e-200·x: negative between −2e-200 and 0, though the square underflows.
         let mut q = diagonal([1.0, 0.0, 0.0, 0.0]);
         q[3] = 2e-200;
-        assert_eq!(judge(&q), Verdict::Other);
+        assert_eq!(judge(&q), QuadricSet::Other);
     }
 
     /// What a form is by its minors (Sylvester's criterion: nowhere negative where no principal minor
     /// is), in fractions.
-    fn by_minors(q: &[f64; 16]) -> Verdict {
+    fn by_minors(q: &[f64; 16]) -> QuadricSet {
         let exact = |x: f64| RBig::try_from(x).unwrap();
         let entry = |i: usize, j: usize| exact(q[4 * i + j]) + exact(q[4 * j + i]);
         let form: Vec<Vec<RBig>> = (0..4)
@@ -218,13 +218,13 @@ mod tests {
         };
         let nowhere = |turned: bool| (1..16).all(|set| minor(set, set, turned) >= RBig::ZERO);
         match (nowhere(false), nowhere(true)) {
-            (true, true) => Verdict::Zero,
-            (false, true) => Verdict::Full,
+            (true, true) => QuadricSet::Zero,
+            (false, true) => QuadricSet::Full,
             // It is zero where its gradient is: at a point of space unless the last coordinate of all
             // of these is zero.
-            (true, false) if rank(15) > rank(7) => Verdict::Empty,
-            (true, false) => Verdict::Flat(3 - rank(7)),
-            (false, false) => Verdict::Other,
+            (true, false) if rank(15) > rank(7) => QuadricSet::Empty,
+            (true, false) => QuadricSet::Flat(3 - rank(7)),
+            (false, false) => QuadricSet::Other,
         }
     }
 

@@ -12,7 +12,7 @@ const PROFILE_MAX: usize = 128;
 
 /// A solid in its place, as the steps of a calculation.
 pub struct Field<'a> {
-    steps: Vec<Step<'a>>,
+    steps: Vec<FieldOperation<'a>>,
     /// What the steps have come to, kept from one point to the next.
     values: Vec<Slope>,
     /// What one point costs, in steps.
@@ -50,7 +50,7 @@ impl Slope {
     }
 }
 
-enum Step<'a> {
+enum FieldOperation<'a> {
     Shape(&'a Geometry, Box<Placement>),
     /// Surfaces have no inside.
     Nothing,
@@ -73,7 +73,7 @@ impl<'a> Field<'a> {
     pub fn new(scene: &'a Scene, node: NodeId, matrix: &Matrix) -> Option<Field<'a>> {
         enum Task<'a> {
             Visit(NodeId, Matrix),
-            Join(Step<'a>),
+            Join(FieldOperation<'a>),
         }
         let mut out = Field {
             steps: Vec::new(),
@@ -110,9 +110,9 @@ impl<'a> Field<'a> {
                             let rows = &back.0[..3];
                             let squares = rows.iter().flat_map(|r| &r[..3]).map(|x| x * x);
                             let stretch = squares.sum::<f64>().sqrt();
-                            Step::Shape(geometry, Box::new(Placement { back, stretch }))
+                            FieldOperation::Shape(geometry, Box::new(Placement { back, stretch }))
                         }
-                        false => Step::Nothing,
+                        false => FieldOperation::Nothing,
                     });
                 }
                 Node::Transform { child, matrix: m } => {
@@ -123,12 +123,12 @@ impl<'a> Field<'a> {
                     tasks.push(Task::Visit(child, matrix));
                 }
                 Node::Complement(child) => {
-                    tasks.push(Task::Join(Step::Complement));
+                    tasks.push(Task::Join(FieldOperation::Complement));
                     tasks.push(Task::Visit(child, matrix));
                 }
-                Node::Union(a, b) => pair(Step::Union, a, b),
-                Node::Intersection(a, b) => pair(Step::Intersection, a, b),
-                Node::Difference(a, b) => pair(Step::Difference, a, b),
+                Node::Union(a, b) => pair(FieldOperation::Union, a, b),
+                Node::Intersection(a, b) => pair(FieldOperation::Intersection, a, b),
+                Node::Difference(a, b) => pair(FieldOperation::Difference, a, b),
             }
         }
         Some(out)
@@ -140,14 +140,14 @@ impl<'a> Field<'a> {
         for step in &self.steps {
             let mut last = || values.pop().unwrap_or(Slope::NOWHERE);
             let value = match step {
-                Step::Shape(geometry, placement) => placement.slope(geometry, p),
-                Step::Nothing => Slope::NOWHERE,
-                Step::Complement => last().turned(),
+                FieldOperation::Shape(geometry, placement) => placement.slope(geometry, p),
+                FieldOperation::Nothing => Slope::NOWHERE,
+                FieldOperation::Complement => last().turned(),
                 two => {
                     let (b, a) = (last(), last());
                     match two {
-                        Step::Union => a.turned().both(b.turned()).turned(),
-                        Step::Intersection => a.both(b),
+                        FieldOperation::Union => a.turned().both(b.turned()).turned(),
+                        FieldOperation::Intersection => a.both(b),
                         _ => a.both(b.turned()),
                     }
                 }

@@ -8,7 +8,7 @@ use crate::geometry::array::{cross, length, unit};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Node, NodeId, Scene, Vec3, fold_up};
 use crate::solids::bounds::NodeBounds;
-use crate::solids::within::{CLEAR, Standing, far};
+use crate::solids::within::{CLEAR, PlacedShape, far};
 
 /// How many of a list are kept, the first ones: what a chain begins with is what is cut.
 pub const KEPT: usize = 4;
@@ -308,7 +308,7 @@ impl<'a> Proofs<'a> {
                 return Some(Reason::Same);
             }
         }
-        let outer = Standing::new(self.geometry(&q)?, q.matrix)?;
+        let outer = PlacedShape::new(self.geometry(&q)?, q.matrix)?;
         let shape = self.geometry(&p).map(|g| (g, &p.matrix));
         (outer.holds(self.all(x), shape) || self.between_faces(&p, &q)).then_some(Reason::Within)
     }

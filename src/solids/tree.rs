@@ -27,7 +27,7 @@ enum Join {
 /// A leaf, or an operation with two operands. Transformations are in the leaves' matrices,
 /// complements and the second operands of differences in `negated`.
 #[derive(Debug, Clone, Copy)]
-pub struct Place {
+pub struct TreeNode {
     /// The scene's node.
     pub node: NodeId,
     join: Join,
@@ -56,7 +56,7 @@ pub struct Place {
 
 pub struct Tree {
     /// Parents stand before their children, and what first operands are made of before second ones.
-    pub places: Vec<Place>,
+    pub places: Vec<TreeNode>,
     ancestry: Ancestry,
     /// Of each place the highest one reached by way of unions alone.
     crowds: Vec<u32>,
@@ -169,7 +169,7 @@ impl Tree {
         if let Some(above) = self.places.get_mut(task.parent as usize) {
             above.children[task.operand] = here;
         }
-        self.places.push(Place {
+        self.places.push(TreeNode {
             node: task.node,
             join: match (operands, cuts) {
                 (None, _) => Join::Leaf,

@@ -30,7 +30,7 @@ pub fn far(p: &Vec3) -> f64 {
 }
 
 /// A shape where it stands, to be asked what it holds.
-pub struct Standing<'a> {
+pub struct PlacedShape<'a> {
     geometry: &'a Geometry,
     matrix: Matrix,
     /// Into the shape's coordinates.
@@ -38,10 +38,10 @@ pub struct Standing<'a> {
     bounds: Aabb,
 }
 
-impl<'a> Standing<'a> {
+impl<'a> PlacedShape<'a> {
     /// `None` where there is no way back into the shape's coordinates.
-    pub fn new(geometry: &'a Geometry, matrix: Matrix) -> Option<Standing<'a>> {
-        Some(Standing {
+    pub fn new(geometry: &'a Geometry, matrix: Matrix) -> Option<PlacedShape<'a>> {
+        Some(PlacedShape {
             geometry,
             back: matrix.inverse()?,
             bounds: geometry.bounds(&matrix),
@@ -183,7 +183,7 @@ mod tests {
     use super::*;
 
     fn held(outer: &Geometry, m: Matrix, inner: &Geometry, n: Matrix) -> bool {
-        let standing = Standing::new(outer, m).unwrap();
+        let standing = PlacedShape::new(outer, m).unwrap();
         standing.holds(&inner.bounds(&n), Some((inner, &n)))
     }
 
@@ -228,7 +228,7 @@ mod tests {
             min: [-1.0; 3],
             max: [1.0; 3],
         };
-        let standing = Standing::new(&square, turned).unwrap();
+        let standing = PlacedShape::new(&square, turned).unwrap();
         // In its box, and not in it.
         assert!(standing.is_clear_of([1.2, 1.2, 0.0]));
         assert!(!standing.is_clear_of([1.3, 0.0, 0.0]) && !standing.is_clear_of([0.0; 3]));

@@ -4,7 +4,7 @@
 //! chain of transformations and properties above a part folded into one placement and one paint.
 
 use super::bitmap::Bitmap;
-use super::room::Room;
+use super::room::MemoryLimit;
 use super::shapes::Primitive;
 use super::switches::{Solver, Without};
 use crate::geometry::Matrix;
@@ -149,7 +149,7 @@ pub struct Graph {
     /// Index of the object that is the scene, a union.
     pub root: u32,
     /// How many objects a ray may enter.
-    pub room: Room,
+    pub room: MemoryLimit,
     /// What is taken out, for those who measure what it costs.
     pub without: Without,
     /// What finds crossings in doubles instead of the shapes themselves, for those who compare.

@@ -18,7 +18,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 /// What is seen first through a point of the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Seen {
+pub struct VisibleObject {
     /// ID of the entity whose properties apply.
     pub object: u32,
     /// Of the unit direction: the number and, for those that have it, what it is rounded by.
@@ -32,7 +32,7 @@ pub trait Pixels {
     fn sum(&mut self, x: u32, y: u32, samples: std::ops::Range<u32>, of: u32) -> Rgb;
 
     /// What is seen first through the centre of a pixel; `None`: the background.
-    fn seen(&mut self, x: u32, y: u32) -> Option<Seen>;
+    fn seen(&mut self, x: u32, y: u32) -> Option<VisibleObject>;
 
     /// What has been done since the last reset.
     fn counts(&self) -> Counts;
@@ -110,7 +110,7 @@ impl<R: Precision> Pixels for Single<'_, '_, R> {
         samples.fold(Vec3::ZERO, add).0
     }
 
-    fn seen(&mut self, x: u32, y: u32) -> Option<Seen> {
+    fn seen(&mut self, x: u32, y: u32) -> Option<VisibleObject> {
         let drawing = self.pen.drawing;
         let ray = (drawing.view).ray(f64::from(x) + 0.5, f64::from(y) + 0.5)?;
         let mut ray: Ray<R> = ray.cast();
@@ -120,7 +120,7 @@ impl<R: Precision> Pixels for Single<'_, '_, R> {
         ray.within = drawing.within;
         let probe = drawing.tracer.probe(&mut self.walkers, &ray);
         let first = probe.crossings.first()?;
-        Some(Seen {
+        Some(VisibleObject {
             object: first.object,
             t: first.hit.t.parts(),
         })

@@ -10,22 +10,22 @@ pub const SLACK: usize = 2;
 
 /// How much memory a walker may use for a ray, and whether one would have needed more.
 #[derive(Debug)]
-pub struct Room {
+pub struct MemoryLimit {
     pub(super) bytes: usize,
     is_exhausted: AtomicBool,
 }
 
-impl Default for Room {
-    fn default() -> Room {
-        Room::of(USUALLY)
+impl Default for MemoryLimit {
+    fn default() -> MemoryLimit {
+        MemoryLimit::of(USUALLY)
     }
 }
 
-impl Room {
+impl MemoryLimit {
     /// For so many bytes for each thread: what doubles cannot decide is asked in double-double, by a walker
     /// of its own.
-    pub fn of(bytes: u64) -> Room {
-        Room {
+    pub fn of(bytes: u64) -> MemoryLimit {
+        MemoryLimit {
             bytes: usize::try_from(bytes / 2).unwrap_or(usize::MAX),
             is_exhausted: AtomicBool::new(false),
         }

@@ -6,7 +6,7 @@ use super::image::Images;
 use super::plan::{Effect, Plan};
 use super::precision::Precision;
 use super::ray::Ray;
-use super::room::Room;
+use super::room::MemoryLimit;
 use crate::diagnostics::Error;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::vec::Vec3;
@@ -81,7 +81,7 @@ impl Tracer {
 
     /// Gives each ray as much memory as this, in bytes; `false` where that will surely not do.
     pub fn confine(&mut self, bytes: u64) -> bool {
-        self.graph.room = Room::of(bytes);
+        self.graph.room = MemoryLimit::of(bytes);
         !self.graph.is_crowded()
     }
 

@@ -9,7 +9,7 @@ use crate::solids::shapes::profile;
 
 /// Which part of a shape's surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Part {
+pub enum FaceId {
     /// The whole of it.
     All,
     /// Of a box: at right angles to an axis, at its lower or upper end.
@@ -25,7 +25,7 @@ pub enum Part {
 }
 
 #[derive(Debug, Clone)]
-pub enum Form {
+pub enum FaceShape {
     Flat {
         /// Outwards, of length 1.
         normal: Vec3,
@@ -45,10 +45,10 @@ pub enum Form {
     },
 }
 
-impl Form {
+impl FaceShape {
     /// Four corners around a flat face that ends.
     pub fn corners(&self) -> Option<[Vec3; 4]> {
-        let Form::Flat {
+        let FaceShape::Flat {
             point,
             sides: Some([u, v]),
             ..
@@ -68,7 +68,7 @@ impl Form {
     /// Points of a flat face where the middle of the corners may not be one.
     pub fn samples(&self) -> impl Iterator<Item = Vec3> {
         let ring = match *self {
-            Form::Flat {
+            FaceShape::Flat {
                 point,
                 sides: Some([u, v]),
                 ring: Some(middle),
@@ -90,14 +90,14 @@ impl Form {
 pub struct Face {
     /// Index into the leaves of the tree.
     pub leaf: u32,
-    pub part: Part,
-    pub form: Form,
+    pub part: FaceId,
+    pub form: FaceShape,
     /// Whether it is filed as what it is, not once more as a quadric.
     pub own: bool,
 }
 
-pub fn quadric_form(fingerprint: f64) -> Form {
-    Form::Round {
+pub fn quadric_form(fingerprint: f64) -> FaceShape {
+    FaceShape::Round {
         anchor: [fingerprint, 0.0, 0.0],
         scale: 0.0,
         class: QUADRIC,
@@ -117,7 +117,7 @@ pub const QUADRIC: u8 = 4;
 enum Extent {
     Endless,
     Corners,
-    /// See [`Form::Flat`].
+    /// See [`FaceShape::Flat`].
     Ring(f64),
 }
 
@@ -130,21 +130,27 @@ pub struct Faces<'a> {
 
 impl Faces<'_> {
     /// The parallelogram centre ± sides.
-    pub fn parallelogram(&mut self, part: Part, centre: Vec3, sides: (Vec3, Vec3), outwards: Vec3) {
+    pub fn parallelogram(
+        &mut self,
+        part: FaceId,
+        centre: Vec3,
+        sides: (Vec3, Vec3),
+        outwards: Vec3,
+    ) {
         self.flat(part, centre, sides, outwards, Extent::Corners);
     }
 
     /// All of the plane through a point along two directions.
-    pub fn endless(&mut self, part: Part, point: Vec3, along: (Vec3, Vec3), outwards: Vec3) {
+    pub fn endless(&mut self, part: FaceId, point: Vec3, along: (Vec3, Vec3), outwards: Vec3) {
         self.flat(part, point, along, outwards, Extent::Endless);
     }
 
     /// A surface that is one quadric.
-    pub fn quadric(&mut self, form: &quadric::Form) {
+    pub fn quadric(&mut self, form: &quadric::QuadricMatrix) {
         if let Some(at) = quadric::fingerprint(form, self.m) {
             self.out.push(Face {
                 leaf: self.leaf,
-                part: Part::All,
+                part: FaceId::All,
                 form: quadric_form(at),
                 own: true,
             });
@@ -154,7 +160,7 @@ impl Faces<'_> {
     /// The parallelogram centre ± sides, what lies in it, or all of its plane.
     fn flat(
         &mut self,
-        part: Part,
+        part: FaceId,
         centre: Vec3,
         (u, v): (Vec3, Vec3),
         outwards: Vec3,
@@ -168,7 +174,7 @@ impl Faces<'_> {
         self.out.push(Face {
             leaf: self.leaf,
             part,
-            form: Form::Flat {
+            form: FaceShape::Flat {
                 normal: normal.map(|x| x * side),
                 point: self.m.point(centre),
                 sides: (extent != Extent::Endless).then_some([u, v]),
@@ -182,7 +188,7 @@ impl Faces<'_> {
     }
 
     /// A disc or ring about the y axis.
-    pub fn disc(&mut self, part: Part, y: f64, (inner, outer): (f64, f64), up: f64) {
+    pub fn disc(&mut self, part: FaceId, y: f64, (inner, outer): (f64, f64), up: f64) {
         let middle = (inner / 2.0 + outer / 2.0) / outer;
         let sides = ([outer, 0.0, 0.0], [0.0, 0.0, outer]);
         self.flat(
@@ -195,11 +201,11 @@ impl Faces<'_> {
     }
 
     /// A round face, by what tells its surface from others of its class.
-    pub fn round(&mut self, part: Part, anchor: Vec3, scale: f64, class: u8) {
+    pub fn round(&mut self, part: FaceId, anchor: Vec3, scale: f64, class: u8) {
         self.out.push(Face {
             leaf: self.leaf,
             part,
-            form: Form::Round {
+            form: FaceShape::Round {
                 anchor: self.m.point(anchor),
                 // Volumes grow by the determinant.
                 scale: scale * self.m.determinant3().abs().cbrt(),
@@ -219,7 +225,7 @@ impl Faces<'_> {
             let others = points.iter().map(|p| (p[1] - y).abs()).filter(|d| *d > 0.0);
             others.fold(top.max(f64::MIN_POSITIVE), f64::min) / 2.0
         };
-        let mut level = |part: Part, y: f64, (a, b): (f64, f64)| {
+        let mut level = |part: FaceId, y: f64, (a, b): (f64, f64)| {
             let radii = (a.min(b), a.max(b));
             let middle = radii.0 / 2.0 + radii.1 / 2.0;
             let h = step(y).min((radii.1 - radii.0) / 4.0);
@@ -233,13 +239,17 @@ impl Faces<'_> {
             }
         };
         if points[0] != points[n - 1] {
-            level(Part::Cap(0), points[0][1], (0.0, points[0][0]));
-            level(Part::Cap(n - 1), points[n - 1][1], (0.0, points[n - 1][0]));
+            level(FaceId::Cap(0), points[0][1], (0.0, points[0][0]));
+            level(
+                FaceId::Cap(n - 1),
+                points[n - 1][1],
+                (0.0, points[n - 1][0]),
+            );
         }
         for i in 0..n - 1 {
             let ([x0, y0], [x1, y1]) = (points[i], points[i + 1]);
             if y0 == y1 {
-                level(Part::Piece(i), y0, (x0, x1));
+                level(FaceId::Piece(i), y0, (x0, x1));
             }
         }
         for i in 0..n - 1 {
@@ -251,9 +261,9 @@ impl Faces<'_> {
                 // The point of the axis that is nearest to the origin of the search.
                 let (at, axis) = (self.m.point([0.0; 3]), self.m.vector([0.0, 1.0, 0.0]));
                 let back = dot(at, axis) / dot(axis, axis);
-                self.round(Part::Piece(i), [0.0; 3], 0.0, CYLINDER);
+                self.round(FaceId::Piece(i), [0.0; 3], 0.0, CYLINDER);
                 if let Some(Face {
-                    form: Form::Round { anchor, .. },
+                    form: FaceShape::Round { anchor, .. },
                     ..
                 }) = self.out.last_mut()
                 {
@@ -261,7 +271,7 @@ impl Faces<'_> {
                 }
             } else {
                 let apex = y0 - x0 * ((y1 - y0) / (x1 - x0));
-                self.round(Part::Piece(i), [0.0, apex, 0.0], 0.0, CONE);
+                self.round(FaceId::Piece(i), [0.0, apex, 0.0], 0.0, CONE);
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Which faces may lie in one another: faces filed by their planes, and there by their outlines.
 
-use super::face::{Face, Form, QUADRIC};
+use super::face::{Face, FaceShape, QUADRIC};
 use super::sample::SLIVER;
 use super::search::{NEAR, ROUNDING};
 use crate::geometry::Aabb;
@@ -63,7 +63,7 @@ const ODD_CELL: [i32; 3] = [612, 289, 736];
 const LOOSE: f64 = 1e-7 / ROUNDING;
 
 /// A face in the file, with all that is asked of it: the faces themselves lie far apart in memory.
-struct Entry {
+struct SortedFace {
     cell: Cell,
     at: f64,
     face: u32,
@@ -79,7 +79,7 @@ struct Entry {
     bounds: Aabb,
 }
 
-impl Entry {
+impl SortedFace {
     /// The cell and the number of a face that lies in this one: flat ones look the other way, round
     /// ones are filed without a side.
     fn opposite(&self) -> (Cell, f64) {
@@ -103,7 +103,7 @@ impl Entry {
     }
 
     /// Whether it is the one of two that finds the other.
-    fn precedes(&self, other: &Entry) -> bool {
+    fn precedes(&self, other: &SortedFace) -> bool {
         (other.side(), self.leaf) < (self.side(), other.leaf)
     }
 }
@@ -122,15 +122,15 @@ struct Run {
 
 /// Where a face is filed: its cell and a number that differs little for faces that differ little,
 /// and how large the numbers are that it is made of.
-fn key(form: &Form, turned: bool) -> (Cell, f64, f64) {
+fn key(form: &FaceShape, turned: bool) -> (Cell, f64, f64) {
     match form {
-        Form::Flat { normal, point, .. } => {
+        FaceShape::Flat { normal, point, .. } => {
             let n = if turned { normal.map(|x| -x) } else { *normal };
             let cell = n.map(|x| (x * CELLS).round() as i16);
             let size = point.iter().fold(0.0f64, |m, x| m.max(x.abs()));
             (cell, dot(n, *point), size)
         }
-        Form::Round {
+        FaceShape::Round {
             anchor,
             scale,
             class,
@@ -155,8 +155,8 @@ fn beyond_border(normal: Vec3, cell: Cell) -> [Option<i16>; 3] {
 }
 
 /// Whether a neighbour of a face may be in another cell.
-fn on_border(form: &Form, cell: Cell, turned: bool) -> bool {
-    let Form::Flat { normal, .. } = form else {
+fn on_border(form: &FaceShape, cell: Cell, turned: bool) -> bool {
+    let FaceShape::Flat { normal, .. } = form else {
         return false;
     };
     let sign = if turned { -1.0 } else { 1.0 };
@@ -165,8 +165,8 @@ fn on_border(form: &Form, cell: Cell, turned: bool) -> bool {
 }
 
 /// All cells in which a neighbour of this one's face can be.
-fn cells(form: &Form, turned: bool, cell: Cell) -> Vec<Cell> {
-    let Form::Flat { normal, .. } = form else {
+fn cells(form: &FaceShape, turned: bool, cell: Cell) -> Vec<Cell> {
+    let FaceShape::Flat { normal, .. } = form else {
         return vec![cell];
     };
     let sign = if turned { -1.0 } else { 1.0 };
@@ -237,7 +237,7 @@ impl<'a> Planes<'a> {
     }
 
     /// The faces in the order of their planes.
-    fn entries(&self, faces: &[Face]) -> Vec<Entry> {
+    fn entries(&self, faces: &[Face]) -> Vec<SortedFace> {
         let mut filed = parallel::map(faces.len(), |i| {
             let face = &faces[i];
             let turned = self.turned(face);
@@ -257,10 +257,10 @@ impl<'a> Planes<'a> {
             let face = &faces[filed.face as usize];
             let size = self.tree.leaves[face.leaf as usize].size;
             let normal = match &face.form {
-                Form::Flat { normal, .. } => Some(*normal),
-                Form::Round { .. } => None,
+                FaceShape::Flat { normal, .. } => Some(*normal),
+                FaceShape::Round { .. } => None,
             };
-            Entry {
+            SortedFace {
                 cell: filed.cell,
                 at: filed.at,
                 face: filed.face,
@@ -309,7 +309,7 @@ impl<'a> Planes<'a> {
     fn fill(
         &mut self,
         faces: &[Face],
-        entries: &[Entry],
+        entries: &[SortedFace],
         runs: &mut [Run],
         out: &mut Vec<Meeting>,
     ) -> Option<()> {
@@ -343,7 +343,7 @@ impl<'a> Planes<'a> {
                             continue;
                         }
                         self.steps = self.steps.checked_sub(JOIN_COST)?;
-                        let place = |e: &Entry| self.tree.leaves[e.leaf as usize].place;
+                        let place = |e: &SortedFace| self.tree.leaves[e.leaf as usize].place;
                         if let Some(operation) = self.tree.cut(place(entry), place(other)) {
                             self.pairs = self.pairs.checked_sub(1)?;
                             let late = usize::from(entry.leaf < other.leaf);
@@ -365,7 +365,7 @@ impl<'a> Planes<'a> {
 }
 
 /// Whether two flat faces have no more than a sliver in common ([`SLIVER`]).
-fn touch(one: &Entry, two: &Entry) -> bool {
+fn touch(one: &SortedFace, two: &SortedFace) -> bool {
     let both = one.bounds.intersection(&two.bounds);
     let mut extent: Vec3 = std::array::from_fn(|i| both.max[i] - both.min[i]);
     extent.sort_unstable_by(f64::total_cmp);
@@ -375,7 +375,7 @@ fn touch(one: &Entry, two: &Entry) -> bool {
 }
 
 /// Stretches of entries that lie in one plane.
-fn runs(entries: &[Entry]) -> Vec<Run> {
+fn runs(entries: &[SortedFace]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     for (i, e) in entries.iter().enumerate() {
         let near = i > 0 && {
@@ -400,7 +400,7 @@ fn runs(entries: &[Entry]) -> Vec<Run> {
 
 impl Run {
     /// Leaves in `out` the entries whose outlines overlap a box; says how many steps that took.
-    fn near(&mut self, entries: &[Entry], around: &Aabb, out: &mut Vec<u32>) -> usize {
+    fn near(&mut self, entries: &[SortedFace], around: &Aabb, out: &mut Vec<u32>) -> usize {
         let all = self.start as u32..self.end as u32;
         let overlaps = |i: &u32| entries[*i as usize].bounds.overlaps(around);
         if all.len() <= FEW {

@@ -6,10 +6,10 @@ use crate::geometry::array::{add, dot, length};
 use crate::scene::Vec3;
 
 /// A symmetric matrix Q of xᵀQx = 0.
-pub type Form = [[f64; 4]; 4];
+pub type QuadricMatrix = [[f64; 4]; 4];
 
 /// A number that is the same for a matrix times any factor, once it is moved.
-pub fn fingerprint(form: &Form, m: &Matrix) -> Option<f64> {
+pub fn fingerprint(form: &QuadricMatrix, m: &Matrix) -> Option<f64> {
     let back = m.inverse()?.0;
     // One weight for each entry, none a multiple of another.
     let weight = |i: usize, j: usize| ((i * j) as f64 + 1.0).sqrt() + (i + j) as f64 * 0.377;
@@ -28,7 +28,7 @@ pub fn fingerprint(form: &Form, m: &Matrix) -> Option<f64> {
 
 /// Points of the surface near its centre, in the shape's coordinates: where lines of no pattern
 /// cross it.
-pub fn samples(form: &Form) -> Vec<Sample> {
+pub fn samples(form: &QuadricMatrix) -> Vec<Sample> {
     let rows: [Vec3; 4] = form.map(|r| [r[0], r[1], r[2]]);
     let linear: Vec3 = rows[3];
     // Half the gradient.
@@ -75,10 +75,10 @@ pub fn samples(form: &Form) -> Vec<Sample> {
 mod tests {
     use super::*;
     use crate::scene::Geometry;
-    use crate::solids::contacts::face::Part;
+    use crate::solids::contacts::face::FaceId;
 
-    fn form(geometry: &Geometry) -> Option<Form> {
-        geometry.quadric(Part::All)
+    fn form(geometry: &Geometry) -> Option<QuadricMatrix> {
+        geometry.quadric(FaceId::All)
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! What tells the round faces of shapes from others, and points of them.
 
 use super::directions::{Sample, turn};
-use super::face::Part;
-use super::quadric::{self, Form};
+use super::face::FaceId;
+use super::quadric::{self, QuadricMatrix};
 use crate::scene::Geometry;
 use crate::solids::shapes::{AnyShape, ball, circle};
 
@@ -11,13 +11,13 @@ pub type Mantle = ((f64, f64), (f64, f64));
 
 impl Geometry {
     /// The symmetric matrix of the quadric that a round face lies in.
-    pub fn quadric(&self, part: Part) -> Option<Form> {
+    pub fn quadric(&self, part: FaceId) -> Option<QuadricMatrix> {
         match AnyShape::of(self) {
             AnyShape::Cone(s) => {
-                (part == Part::Mantle).then(|| circle::cone(s.radius / s.height, 0.0))
+                (part == FaceId::Mantle).then(|| circle::cone(s.radius / s.height, 0.0))
             }
             AnyShape::Ellipsoid(s) => {
-                if part != Part::All {
+                if part != FaceId::All {
                     return None;
                 }
                 let mut out = [[0.0; 4]; 4];
@@ -25,9 +25,9 @@ impl Geometry {
                 out[3][3] = -1.0;
                 Some(out)
             }
-            AnyShape::Quadric(s) => (part == Part::All).then(|| s.matrix()),
+            AnyShape::Quadric(s) => (part == FaceId::All).then(|| s.matrix()),
             AnyShape::Revolution(s) => {
-                let Part::Piece(i) = part else {
+                let FaceId::Piece(i) = part else {
                     return None;
                 };
                 let ([x0, y0], [x1, y1]) = (*s.profile.get(i)?, *s.profile.get(i + 1)?);
@@ -35,7 +35,7 @@ impl Geometry {
                 Some(circle::cone(slope, x0 - slope * y0))
             }
             AnyShape::Sphere(s) => {
-                if part != Part::All {
+                if part != FaceId::All {
                     return None;
                 }
                 let mut out = [[0.0; 4]; 4];
@@ -57,13 +57,13 @@ impl Geometry {
     }
 
     /// A round face about the y axis as a piece of a profile.
-    pub fn mantle(&self, part: Part) -> Option<Mantle> {
+    pub fn mantle(&self, part: FaceId) -> Option<Mantle> {
         match AnyShape::of(self) {
             AnyShape::Cone(s) => {
-                (part == Part::Mantle).then_some(((0.0, 0.0), (s.radius, s.height)))
+                (part == FaceId::Mantle).then_some(((0.0, 0.0), (s.radius, s.height)))
             }
             AnyShape::Revolution(s) => {
-                let Part::Piece(i) = part else {
+                let FaceId::Piece(i) = part else {
                     return None;
                 };
                 let ([a, b], [c, d]) = (*s.profile.get(i)?, *s.profile.get(i + 1)?);

@@ -1,7 +1,7 @@
 //! Points at which two faces are tried: where both can be, and nowhere special.
 
 use super::directions::{Sample, turn};
-use super::face::{Face, Form};
+use super::face::{Face, FaceShape};
 use super::round::Mantle;
 use crate::geometry::array::{across, add, cross, dot, length, middle, sub, unit};
 use crate::scene::{Geometry, Vec3};
@@ -12,7 +12,7 @@ pub const SLIVER: f64 = 1e-6;
 
 /// Where two flat faces overlap: nothing where that is less than a sliver.
 pub fn flat(one: &Face, two: &Face, size: f64) -> Vec<Sample> {
-    let Form::Flat { normal, point, .. } = &one.form else {
+    let FaceShape::Flat { normal, point, .. } = &one.form else {
         return Vec::new();
     };
     let outline = match (one.form.corners(), two.form.corners()) {

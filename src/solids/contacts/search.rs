@@ -3,7 +3,7 @@
 use rustc_hash::FxHashSet;
 
 use super::directions::Sample;
-use super::face::{Face, Faces, Form, Part, QUADRIC, quadric_form};
+use super::face::{Face, FaceId, FaceShape, Faces, QUADRIC, quadric_form};
 use super::planes::{Meeting, Planes};
 use super::quadric;
 use super::sample;
@@ -34,7 +34,7 @@ const SKIN: f64 = 0.01;
 
 /// One of two faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Side {
+pub struct ContactSide {
     /// The shape's own node.
     pub node: NodeId,
     /// Index into the scene's shapes.
@@ -44,7 +44,7 @@ pub struct Side {
     pub copy: Option<u32>,
     /// The operand that it is or is a part of.
     pub operand: NodeId,
-    pub part: Part,
+    pub part: FaceId,
     /// Whether the face is round.
     pub round: bool,
     /// The longest side of the shape's bounds, in the coordinates of the scene.
@@ -56,11 +56,11 @@ pub struct Side {
 }
 
 #[derive(Debug, Clone, Copy)]
-pub struct Found {
+pub struct FaceContact {
     /// The difference or intersection.
     pub operation: NodeId,
     /// One from each operand, the second operand's first unless only the other one cuts.
-    pub sides: [Side; 2],
+    pub sides: [ContactSide; 2],
     /// A point of both, in the coordinates of the scene that is drawn, or of the largest object of
     /// which the operation is a part.
     pub witness: Vec3,
@@ -71,7 +71,7 @@ pub struct Found {
 
 /// For each face of a tool the first face that lies in it so that what is left of the two is up to
 /// rounding, and is seen.
-pub fn search(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Vec<Found> {
+pub fn search(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Vec<FaceContact> {
     let cuts = |n: &Node| matches!(n, Node::Difference(..) | Node::Intersection(..));
     if !scene.nodes.iter().any(cuts) {
         return Vec::new();
@@ -122,7 +122,7 @@ pub fn search(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Vec<Fou
 fn as_quadrics(geometry: &Geometry, m: &Matrix, from: usize, all: &mut Vec<Face>) {
     for i in from..all.len() {
         let Face { leaf, part, .. } = all[i];
-        if matches!(all[i].form, Form::Round { class: QUADRIC, .. }) {
+        if matches!(all[i].form, FaceShape::Round { class: QUADRIC, .. }) {
             continue;
         }
         let form = geometry.quadric(part);
@@ -141,7 +141,7 @@ fn as_quadrics(geometry: &Geometry, m: &Matrix, from: usize, all: &mut Vec<Face>
 
 /// A pair of faces as something is said of it once: the operation, the tool's shape and face, and
 /// which of the two cut.
-type Done = (NodeId, (u32, Part), (bool, bool));
+type Done = (NodeId, (u32, FaceId), (bool, bool));
 
 struct Search<'a> {
     scene: &'a Scene,
@@ -169,8 +169,8 @@ impl Pair<'_> {
         }
         let far = |p: Vec3| p.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let planes = self.faces.map(|f| match &f.form {
-            Form::Flat { point, .. } => far(*point),
-            Form::Round { .. } => far(p),
+            FaceShape::Flat { point, .. } => far(*point),
+            FaceShape::Round { .. } => far(p),
         });
         match planes[0].max(planes[1]) {
             0.0 => 1.0,
@@ -190,7 +190,7 @@ impl<'a> Search<'a> {
     }
 
     /// Looks at pairs of faces of one group.
-    fn group(&mut self, all: &[Face], pairs: &[Meeting], found: &mut Vec<Found>) {
+    fn group(&mut self, all: &[Face], pairs: &[Meeting], found: &mut Vec<FaceContact>) {
         let tree = self.tree;
         for pair in pairs {
             let Meeting { operation, .. } = *pair;
@@ -217,7 +217,7 @@ impl<'a> Search<'a> {
             }
             if let Some(witness) = self.witness(&pair) {
                 self.done.insert(done);
-                found.push(Found {
+                found.push(FaceContact {
                     operation: done.0,
                     sides: self.sides(&pair),
                     witness,
@@ -277,15 +277,15 @@ impl<'a> Search<'a> {
     }
 
     /// The two sides of a pair, the tool's first.
-    fn sides(&self, pair: &Pair) -> [Side; 2] {
-        let side = |face: &Face, leaf: &Leaf| Side {
+    fn sides(&self, pair: &Pair) -> [ContactSide; 2] {
+        let side = |face: &Face, leaf: &Leaf| ContactSide {
             node: leaf.node,
             shape: leaf.shape.unwrap_or_default(),
             id: leaf.id,
             copy: self.tree.copy_within(leaf.place, pair.operation),
             operand: self.operand(pair, leaf),
             part: face.part,
-            round: matches!(face.form, Form::Round { .. }),
+            round: matches!(face.form, FaceShape::Round { .. }),
             size: leaf.size,
             stretch: leaf.matrix.determinant3().abs().cbrt(),
             cuts: self.cuts(pair, leaf),
@@ -300,9 +300,9 @@ impl<'a> Search<'a> {
         let [f, g] = pair.faces;
         let [l, k] = pair.leaves;
         let (samples, needed): (Vec<Sample>, usize) = match &f.form {
-            Form::Flat { point, .. } => (sample::flat(f, g, pair.size(*point)), 1),
+            FaceShape::Flat { point, .. } => (sample::flat(f, g, pair.size(*point)), 1),
             // Round surfaces can touch in a point or a line; two odd points are no chance.
-            Form::Round { .. } => (
+            FaceShape::Round { .. } => (
                 sample::round((f, l, self.geometry(l)?), (g, k, self.geometry(k)?)),
                 2,
             ),

@@ -1,7 +1,7 @@
 //! Circles about the y axis.
 
 use crate::scene::Vec3;
-use crate::solids::contacts::quadric::Form;
+use crate::solids::contacts::quadric::QuadricMatrix;
 
 /// Corners of the polygon around a circle.
 const CORNERS: usize = 64;
@@ -22,7 +22,7 @@ pub fn towards(d: Vec3, radius: f64, y: f64) -> Vec3 {
 }
 
 /// The matrix of x² + z² = (slope·y + start)².
-pub fn cone(slope: f64, start: f64) -> Form {
+pub fn cone(slope: f64, start: f64) -> QuadricMatrix {
     let mut out = [[0.0; 4]; 4];
     (out[0][0], out[1][1], out[2][2]) = (1.0, -slope * slope, 1.0);
     (out[1][3], out[3][1], out[3][3]) = (-slope * start, -slope * start, -start * start);

@@ -8,7 +8,7 @@ use crate::geometry::sign::{Scalar, at_most_zero};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
 use crate::solids::contacts::face::CONE;
-use crate::solids::contacts::face::{Faces, Part};
+use crate::solids::contacts::face::{FaceId, Faces};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cone {
@@ -95,7 +95,7 @@ impl Facts for Cone {
     }
 
     fn faces(&self, out: &mut Faces) {
-        let base = |upper| Part::Base { upper };
+        let base = |upper| FaceId::Base { upper };
         let ring = (0.0, self.radius);
         match self.double {
             true => {
@@ -104,6 +104,6 @@ impl Facts for Cone {
             }
             false => out.disc(base(true), self.height, ring, self.height.signum()),
         }
-        out.round(Part::Mantle, [0.0; 3], 0.0, CONE);
+        out.round(FaceId::Mantle, [0.0; 3], 0.0, CONE);
     }
 }

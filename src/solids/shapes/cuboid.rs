@@ -3,7 +3,7 @@
 use super::facts::*;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
-use crate::solids::contacts::face::{Faces, Part};
+use crate::solids::contacts::face::{FaceId, Faces};
 
 pub struct Cuboid {
     pub min: Vec3,
@@ -69,7 +69,7 @@ impl Facts for Cuboid {
                 c[axis] = if upper { max[axis] } else { min[axis] };
                 let sides = (along(j, half[j]), along(k, half[k]));
                 let outwards = along(axis, if upper { 1.0 } else { -1.0 });
-                out.parallelogram(Part::Side { axis, upper }, c, sides, outwards);
+                out.parallelogram(FaceId::Side { axis, upper }, c, sides, outwards);
             }
         }
     }

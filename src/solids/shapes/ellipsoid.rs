@@ -7,7 +7,7 @@ use crate::geometry::sign::{Scalar, at_most_zero};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
 use crate::solids::contacts::face::BALL;
-use crate::solids::contacts::face::{Faces, Part};
+use crate::solids::contacts::face::{FaceId, Faces};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ellipsoid {
@@ -60,6 +60,6 @@ impl Facts for Ellipsoid {
 
     fn faces(&self, out: &mut Faces) {
         let [a, b, c] = self.semi_axes;
-        out.round(Part::All, [0.0; 3], (a * b * c).cbrt(), BALL);
+        out.round(FaceId::All, [0.0; 3], (a * b * c).cbrt(), BALL);
     }
 }

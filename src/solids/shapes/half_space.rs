@@ -5,7 +5,7 @@ use crate::geometry::array::{across, length, unit};
 use crate::geometry::sign::{Scalar, at_most_zero};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
-use crate::solids::contacts::face::{Faces, Part};
+use crate::solids::contacts::face::{FaceId, Faces};
 
 pub struct HalfSpace {
     pub abcd: [f64; 4],
@@ -85,6 +85,6 @@ impl Facts for HalfSpace {
         };
         let point = n.map(|x| -x * (self.abcd[3] / length(self.normal())));
         // Any two directions in the plane.
-        out.endless(Part::All, point, across(n).into(), n);
+        out.endless(FaceId::All, point, across(n).into(), n);
     }
 }

@@ -6,7 +6,7 @@ use crate::geometry::sign::{Scalar, at_most_zero};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
 use crate::solids::contacts::face::Faces;
-use crate::solids::contacts::quadric::Form;
+use crate::solids::contacts::quadric::QuadricMatrix;
 use crate::solids::definite::is_ellipsoid;
 
 pub enum Quadric<'a> {
@@ -53,7 +53,7 @@ impl Quadric<'_> {
     }
 
     /// The symmetric matrix.
-    pub fn matrix(&self) -> Form {
+    pub fn matrix(&self) -> QuadricMatrix {
         let square = |x: f64| 1.0 / (x * x);
         let (diagonal, linear) = match *self {
             Quadric::General(q) => {

@@ -8,7 +8,7 @@ use crate::geometry::sign::{Scalar, at_most_zero};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
 use crate::solids::contacts::face::BALL;
-use crate::solids::contacts::face::{Faces, Part};
+use crate::solids::contacts::face::{FaceId, Faces};
 
 pub struct Sphere {
     pub centre: Vec3,
@@ -64,6 +64,6 @@ impl Facts for Sphere {
     }
 
     fn faces(&self, out: &mut Faces) {
-        out.round(Part::All, self.centre, self.radius, BALL);
+        out.round(FaceId::All, self.centre, self.radius, BALL);
     }
 }

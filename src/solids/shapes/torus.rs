@@ -8,7 +8,7 @@ use crate::geometry::sign::{Scalar, at_most_zero};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
 use crate::solids::contacts::face::TORUS;
-use crate::solids::contacts::face::{Faces, Part};
+use crate::solids::contacts::face::{FaceId, Faces};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Torus {
@@ -70,6 +70,6 @@ impl Facts for Torus {
     }
 
     fn faces(&self, out: &mut Faces) {
-        out.round(Part::All, [0.0; 3], self.major + self.minor, TORUS);
+        out.round(FaceId::All, [0.0; 3], self.major + self.minor, TORUS);
     }
 }

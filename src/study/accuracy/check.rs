@@ -9,7 +9,7 @@ use crate::scene::Rgb;
 use crate::study::naive::{Naive, Unfit, Wide};
 use crate::trace::Images;
 use crate::trace::camera::View;
-use crate::trace::pixels::Seen;
+use crate::trace::pixels::VisibleObject;
 use std::time::Instant;
 
 /// The fewest pixels that are checked.
@@ -29,7 +29,7 @@ pub const SAME_RAY: f64 = 1e-12;
 
 /// Pixels of tiles in an order in which every second one lies on the edge of an object, as far as there
 /// are such.
-pub fn order(tiles: &[Tile], seen: &[Option<Seen>]) -> Vec<(usize, [u32; 2])> {
+pub fn order(tiles: &[Tile], seen: &[Option<VisibleObject>]) -> Vec<(usize, [u32; 2])> {
     let (mut edges, mut others) = (Vec::new(), Vec::new());
     let mut first = 0;
     for tile in tiles {

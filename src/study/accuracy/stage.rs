@@ -7,7 +7,7 @@ use crate::parallel;
 use crate::scene::{Camera, Rgb, Scene};
 use crate::study::plain::Plain;
 use crate::study::plain::solver;
-use crate::trace::pixels::{Pixels, Seen};
+use crate::trace::pixels::{Pixels, VisibleObject};
 use crate::trace::plan::Plan;
 use crate::trace::stats::Counts;
 use crate::trace::{self, Images, Numbers, Tracer};
@@ -221,7 +221,7 @@ impl<'i> Stage<'i> {
         &mut self,
         settings: &Settings,
         tiles: &[Tile],
-    ) -> Result<Vec<Option<Seen>>, Error> {
+    ) -> Result<Vec<Option<VisibleObject>>, Error> {
         let ready = self.prepare(settings)?;
         let chunks: Vec<&[Tile]> = tiles.chunks(4).collect();
         let parts = parallel::map_each(chunks, |tiles| {

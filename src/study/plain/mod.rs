@@ -16,7 +16,7 @@ use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::{Beam, Child, Frame, Is, Tree, WIDTH};
 use crate::scene::{Camera, Rgb, Scene};
 use crate::trace::graph::{self, Graph, Group, Target, outermost};
-use crate::trace::pixels::{Pixels, Seen};
+use crate::trace::pixels::{Pixels, VisibleObject};
 use crate::trace::sampling::sample;
 use crate::trace::stats::{Counts, Rays};
 use crate::trace::{Settings, Tracer};
@@ -195,7 +195,7 @@ impl<T: Number> Pixels for Plain<'_, T> {
         sum
     }
 
-    fn seen(&mut self, x: u32, y: u32) -> Option<Seen> {
+    fn seen(&mut self, x: u32, y: u32) -> Option<VisibleObject> {
         let ray = self.lens.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
         let (zero, far) = (T::of(0.0), T::of(f64::INFINITY));
         let (from, to) = self.scenery.window(&ray, zero, far)?;
@@ -205,7 +205,7 @@ impl<T: Number> Pixels for Plain<'_, T> {
             .iter()
             .find(|e| e.seen && e.t > from && e.t <= to)?;
         let leaf = &self.walker.trail.leaves[event.owner as usize];
-        Some(Seen {
+        Some(VisibleObject {
             object: outermost(leaf.look.owner, leaf.id),
             t: (event.t.wide(), 0.0),
         })

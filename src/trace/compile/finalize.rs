@@ -1,6 +1,6 @@
 //! The last pass of compiling: from drafts to objects with bounds and trees.
 
-use super::pieces::{self, Piece, Pieces};
+use super::pieces::{self, Pieces, UnionMember};
 use super::{Compiler, Draft, Kind};
 use crate::diagnostics::Error;
 use crate::geometry::aabb::Aabb;
@@ -104,7 +104,7 @@ impl Compiler<'_> {
             Finished::Alias(part) => part,
             Finished::Empty | Finished::Open(_) => return Ok(Pieces::default()),
         };
-        let whole = Piece {
+        let whole = UnionMember {
             cuts: cuts.into_iter().map(|(cut, _)| cut).collect(),
             ..self.piece(whole)
         };
@@ -124,8 +124,8 @@ impl Compiler<'_> {
         Ok(part.map(|part| self.piece(part)).into_iter().collect())
     }
 
-    fn piece(&self, part: Part) -> Piece {
-        Piece {
+    fn piece(&self, part: Part) -> UnionMember {
+        UnionMember {
             bounds: self.bounds(&part),
             part,
             cuts: Vec::new(),
@@ -135,7 +135,7 @@ impl Compiler<'_> {
     /// Makes an object of the union of pieces, each an object of its own where something is cut out of it.
     fn close(&mut self, pieces: Pieces, may_vanish: bool) -> Finished {
         let mut parts = Vec::with_capacity(pieces.len());
-        for Piece { part, cuts, .. } in pieces {
+        for UnionMember { part, cuts, .. } in pieces {
             if cuts.is_empty() {
                 parts.push(part);
                 continue;

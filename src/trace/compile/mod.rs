@@ -68,7 +68,7 @@ pub(in crate::trace) fn cannot_draw(what: &'static str, span: Span, id: u32) -> 
 /// A node as seen from the object that is being drafted: below transformations, properties and
 /// complements that have been folded.
 #[derive(Clone, Copy)]
-struct Place {
+struct PlacedNode {
     node: NodeId,
     negated: bool,
     matrix: Matrix,
@@ -110,14 +110,14 @@ pub(in crate::trace) struct Compiler<'a> {
     /// Paint records whose texture is in the graph.
     textures: FxHashMap<u32, u32>,
     /// Objects to be drafted.
-    pending: Vec<(u32, Place)>,
+    pending: Vec<(u32, PlacedNode)>,
     pub drafts: Vec<Draft>,
 }
 
 impl Compiler<'_> {
     /// Drafts the root, as a union whatever it is, and all that it needs.
     fn draft_all(&mut self, root: NodeId) -> Result<(), Error> {
-        let top = Place {
+        let top = PlacedNode {
             node: root,
             negated: false,
             matrix: Matrix::IDENTITY,
@@ -146,7 +146,7 @@ impl Compiler<'_> {
     }
 
     /// Folds transformations, properties, copies and complements down to a shape or an operation.
-    fn resolve(&mut self, mut place: Place) -> Result<Place, Error> {
+    fn resolve(&mut self, mut place: PlacedNode) -> Result<PlacedNode, Error> {
         loop {
             let node = self.scene.nodes[place.node as usize];
             place.shared |= self.uses[place.node as usize] > 1;
@@ -179,7 +179,7 @@ impl Compiler<'_> {
     }
 
     /// Adds to the coat what the paint sets and nothing above has set.
-    fn fold_paint(&mut self, place: &mut Place, paint: u32) -> Result<(), Error> {
+    fn fold_paint(&mut self, place: &mut PlacedNode, paint: u32) -> Result<(), Error> {
         let record = &self.scene.paints[paint as usize];
         if let (None, Some(texture)) = (place.coat.texture, &record.texture) {
             let bitmap = match texture {
@@ -217,7 +217,7 @@ impl Compiler<'_> {
     }
 
     /// The operation a resolved place stands for once its complement is driven inwards.
-    fn kind(&self, place: &Place) -> Kind {
+    fn kind(&self, place: &PlacedNode) -> Kind {
         match (self.scene.nodes[place.node as usize], place.negated) {
             (Node::Intersection(..) | Node::Difference(..), true) => Kind::Union,
             (Node::Union(..), true) | (Node::Intersection(..), false) => Kind::Intersection,
@@ -228,13 +228,13 @@ impl Compiler<'_> {
 
     /// The two operands of the operation at a place, complements driven inwards; a difference is
     /// read as A ∩ −B. `None` for a shape.
-    fn operands(&self, place: &Place) -> Option<[Place; 2]> {
+    fn operands(&self, place: &PlacedNode) -> Option<[PlacedNode; 2]> {
         let (a, b, flip) = match self.scene.nodes[place.node as usize] {
             Node::Union(a, b) | Node::Intersection(a, b) => (a, b, false),
             Node::Difference(a, b) => (a, b, true),
             _ => return None,
         };
-        let operand = |node, flip: bool| Place {
+        let operand = |node, flip: bool| PlacedNode {
             node,
             negated: place.negated != flip,
             copy: 0,
@@ -245,7 +245,7 @@ impl Compiler<'_> {
     }
 
     /// A part for a resolved place: a shape, or an object that is drafted now or already shared.
-    fn part(&mut self, place: &Place) -> Result<Part, Error> {
+    fn part(&mut self, place: &PlacedNode) -> Result<Part, Error> {
         let paint = self.interner.paint(&mut self.graph, place.coat);
         if let Node::Shape(shape) = self.scene.nodes[place.node as usize] {
             let record = &self.scene.shapes[shape as usize];
@@ -273,7 +273,7 @@ impl Compiler<'_> {
         let object = match self.shared.get(&key) {
             Some(&object) => object,
             None => {
-                let object = self.draft(Place {
+                let object = self.draft(PlacedNode {
                     matrix: Matrix::IDENTITY,
                     coat: Coat::default(),
                     owner: 0,
@@ -294,7 +294,7 @@ impl Compiler<'_> {
     }
 
     /// Reserves an object for the operation at a place.
-    fn draft(&mut self, place: Place) -> u32 {
+    fn draft(&mut self, place: PlacedNode) -> u32 {
         let object = self.drafts.len() as u32;
         self.drafts.push(Draft {
             rank: place.node as u64,
@@ -307,7 +307,7 @@ impl Compiler<'_> {
     }
 
     /// Collects the operands of a chain of unions, in order.
-    fn draft_union(&mut self, object: u32, top: Place) -> Result<(), Error> {
+    fn draft_union(&mut self, object: u32, top: PlacedNode) -> Result<(), Error> {
         let mut parts = Vec::new();
         let mut stack = vec![top];
         let mut at_top = object != 0;
@@ -327,7 +327,7 @@ impl Compiler<'_> {
     }
 
     /// Collects the operands of a chain of intersections, in order; complements become cuts.
-    fn draft_intersection(&mut self, object: u32, top: Place) -> Result<(), Error> {
+    fn draft_intersection(&mut self, object: u32, top: PlacedNode) -> Result<(), Error> {
         let (mut first, mut cuts) = (Vec::new(), Vec::new());
         let mut stack = vec![top];
         let mut at_top = true;
@@ -340,7 +340,7 @@ impl Compiler<'_> {
                     stack.extend([b, a]);
                 }
                 _ if place.negated => {
-                    let positive = Place {
+                    let positive = PlacedNode {
                         negated: false,
                         ..place
                     };
@@ -355,7 +355,7 @@ impl Compiler<'_> {
     }
 
     /// A − B − C is A − (B ∪ C): goes down the left side, collecting what is taken away.
-    fn draft_difference(&mut self, object: u32, top: Place) -> Result<(), Error> {
+    fn draft_difference(&mut self, object: u32, top: PlacedNode) -> Result<(), Error> {
         let mut taken = Vec::new();
         let mut place = top;
         let mut at_top = true;
@@ -366,7 +366,7 @@ impl Compiler<'_> {
             match self.operands(&place) {
                 Some([a, b]) if open && self.kind(&place) == Kind::Difference => {
                     // `operands` has read B as −B; what is taken away is B itself.
-                    taken.push(Place {
+                    taken.push(PlacedNode {
                         negated: !b.negated,
                         ..b
                     });

@@ -12,7 +12,7 @@ use std::collections::VecDeque;
 
 /// A part of a union, less some others.
 #[derive(Debug, Clone)]
-pub struct Piece {
+pub struct UnionMember {
     pub part: Part,
     /// Of the part.
     pub bounds: Aabb,
@@ -29,7 +29,7 @@ const PATIENCE: usize = 32;
 /// The pieces of a union, in the order of its operands.
 #[derive(Debug, Default)]
 pub struct Pieces {
-    all: VecDeque<Piece>,
+    all: VecDeque<UnionMember>,
     /// The number of the first one; pieces that come before it later have numbers below.
     first: i64,
     /// How many pieces have been looked at, one after another.
@@ -56,8 +56,8 @@ impl Index {
     }
 }
 
-impl FromIterator<Piece> for Pieces {
-    fn from_iter<I: IntoIterator<Item = Piece>>(pieces: I) -> Pieces {
+impl FromIterator<UnionMember> for Pieces {
+    fn from_iter<I: IntoIterator<Item = UnionMember>>(pieces: I) -> Pieces {
         Pieces {
             all: pieces.into_iter().collect(),
             ..Pieces::default()
@@ -66,8 +66,8 @@ impl FromIterator<Piece> for Pieces {
 }
 
 impl IntoIterator for Pieces {
-    type Item = Piece;
-    type IntoIter = std::collections::vec_deque::IntoIter<Piece>;
+    type Item = UnionMember;
+    type IntoIter = std::collections::vec_deque::IntoIter<UnionMember>;
 
     fn into_iter(self) -> Self::IntoIter {
         self.all.into_iter()
@@ -89,7 +89,7 @@ impl Pieces {
         next
     }
 
-    fn push_back(&mut self, piece: Piece) {
+    fn push_back(&mut self, piece: UnionMember) {
         let number = self.first + self.len() as i64;
         if let Some(index) = &mut self.index {
             index.insert(&piece.bounds, number);
@@ -97,7 +97,7 @@ impl Pieces {
         self.all.push_back(piece);
     }
 
-    fn push_front(&mut self, piece: Piece) {
+    fn push_front(&mut self, piece: UnionMember) {
         self.first -= 1;
         if let Some(index) = &mut self.index {
             index.insert(&piece.bounds, self.first);
@@ -187,7 +187,7 @@ mod tests {
 
     fn row(count: u32) -> Pieces {
         (0..count)
-            .map(|i| Piece {
+            .map(|i| UnionMember {
                 part: part(i),
                 bounds: at(3.0 * f64::from(i)),
                 cuts: Vec::new(),
@@ -235,7 +235,7 @@ mod tests {
                 _ => at(random(1000) as f64),
             };
             let one = || {
-                let piece = Piece {
+                let piece = UnionMember {
                     part: part(i),
                     bounds,
                     cuts: Vec::new(),

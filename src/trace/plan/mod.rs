@@ -15,11 +15,11 @@ use crate::diagnostics::Span;
 use crate::parallel;
 use crate::scene::{Node, NodeId, Rgb, Scene, View};
 use crate::solids::staging::is_dark;
-use reach::Reach;
+use reach::VisibleAspects;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 use std::ops::Range;
-use unseen::{Found, LeftOut, Unseen};
+use unseen::{LeftOut, Unseen, UnseenParts};
 
 /// So many of the entities that turn an effect on are named.
 pub const MAX_SOURCES: usize = 16;
@@ -120,7 +120,7 @@ impl Plan {
     /// Of all that is drawn, whether a picture shows it or not: for questions about single rays, which
     /// may start anywhere. `None` where there is no render record.
     pub fn new(scene: &Scene) -> Option<Plan> {
-        Plan::of(scene, Found::all)
+        Plan::of(scene, UnseenParts::all)
     }
 
     /// Of a picture: parts that no ray of a camera can see are left out. `None` where there is no render
@@ -130,15 +130,15 @@ impl Plan {
     }
 
     /// `find` says what there is to draw.
-    fn of(scene: &Scene, find: fn(&Scene, NodeId) -> Found) -> Option<Plan> {
+    fn of(scene: &Scene, find: fn(&Scene, NodeId) -> UnseenParts) -> Option<Plan> {
         let render = scene.render.as_ref()?;
         let find = || find(scene, render.root);
-        let reach = || Reach::new(scene, render.root, &LeftOut::default());
+        let reach = || VisibleAspects::new(scene, render.root, &LeftOut::default());
         let (found, everything) = match AT_ONCE.contains(&scene.nodes.len()) {
             true => parallel::both(find, reach),
             false => (find(), reach()),
         };
-        let Found {
+        let UnseenParts {
             unseen,
             left_out,
             cut: clipped,
@@ -157,7 +157,7 @@ impl Plan {
         let owners = plan.owners(scene, &everything);
         let reach = match plan.unseen.is_empty() {
             true => everything,
-            false => Reach::new(scene, render.root, &plan.left_out),
+            false => VisibleAspects::new(scene, render.root, &plan.left_out),
         };
         let ids = |nodes: &[NodeId]| {
             Sources::of(nodes.iter().map(|n| owners.get(n).copied().unwrap_or(0)))
@@ -312,7 +312,7 @@ impl Plan {
         on.map(|d| d.effect.name()).collect()
     }
 
-    fn count(&mut self, scene: &Scene, reach: &Reach, root: NodeId) {
+    fn count(&mut self, scene: &Scene, reach: &VisibleAspects, root: NodeId) {
         for node in (0..=root).filter(|&n| reach.reaches(n)) {
             let (counts, name) = match scene.nodes[node as usize] {
                 Node::Shape(s) => (&mut self.shapes, scene.shapes[s as usize].geometry.name()),
@@ -328,7 +328,7 @@ impl Plan {
 
     /// Lists the objects that are not reached, and finds out which entities made the operations
     /// that reasons name.
-    fn owners(&mut self, scene: &Scene, reach: &Reach) -> FxHashMap<NodeId, u32> {
+    fn owners(&mut self, scene: &Scene, reach: &VisibleAspects) -> FxHashMap<NodeId, u32> {
         let mut owners = FxHashMap::default();
         for entity in &scene.entities {
             let Some(node) = entity.node() else { continue };

@@ -14,13 +14,13 @@ use crate::solids::shapes::facts::Facts;
 /// A way is what the paints above say about optics (nothing, lit by diffuse light, or not), whether
 /// they give a texture and an index, and whether the node is complemented. One more bit stands for
 /// all occurrences as a tool of a difference, which lends its shape and nothing else.
-type Ways = u32;
+type PathStates = u32;
 
-const TOOL: Ways = 1 << 24;
+const TOOL: PathStates = 1 << 24;
 
 /// One way.
 #[derive(Clone, Copy)]
-struct Way {
+struct PathState {
     /// `Some(lit)` under a paint with optics: whether these have a diffuse part.
     lit: Option<bool>,
     textured: bool,
@@ -28,8 +28,8 @@ struct Way {
     negated: bool,
 }
 
-impl Way {
-    fn bit(self) -> Ways {
+impl PathState {
+    fn bit(self) -> PathStates {
         let optics = match self.lit {
             None => 0,
             Some(false) => 1,
@@ -39,8 +39,8 @@ impl Way {
         1 << flags.iter().fold(optics, |n, &f| 2 * n + u32::from(f))
     }
 
-    fn from_index(n: u32) -> Way {
-        Way {
+    fn from_index(n: u32) -> PathState {
+        PathState {
             lit: [None, Some(false), Some(true)][(n >> 3) as usize],
             textured: n & 4 != 0,
             indexed: n & 2 != 0,
@@ -50,16 +50,16 @@ impl Way {
 }
 
 /// The ways of a set, tools left out.
-fn each(ways: Ways) -> impl Iterator<Item = Way> {
+fn each(ways: PathStates) -> impl Iterator<Item = PathState> {
     let mut rest = ways & !TOOL;
     std::iter::from_fn(move || {
         let n = (rest != 0).then(|| rest.trailing_zeros())?;
         rest &= rest - 1;
-        Some(Way::from_index(n))
+        Some(PathState::from_index(n))
     })
 }
 
-fn map(ways: Ways, f: impl Fn(Way) -> Way) -> Ways {
+fn map(ways: PathStates, f: impl Fn(PathState) -> PathState) -> PathStates {
     each(ways).fold(ways & TOOL, |set, way| set | f(way).bit())
 }
 
@@ -79,8 +79,8 @@ pub enum Showing {
 
 /// What can be seen, and who brings it in.
 #[derive(Default)]
-pub struct Reach {
-    ways: Vec<Ways>,
+pub struct VisibleAspects {
+    ways: Vec<PathStates>,
     below: Vec<Below>,
     pub diffuse: Sources,
     pub mirror: Sources,
@@ -105,15 +105,15 @@ fn any(k: [f64; 3]) -> bool {
     k != [0.0; 3]
 }
 
-impl Reach {
+impl VisibleAspects {
     /// Walks down from `root`, past what is left out.
-    pub fn new(scene: &Scene, root: NodeId, left_out: &LeftOut) -> Reach {
-        let mut reach = Reach {
+    pub fn new(scene: &Scene, root: NodeId, left_out: &LeftOut) -> VisibleAspects {
+        let mut reach = VisibleAspects {
             ways: vec![0; root as usize + 1],
             below: below(scene, root, left_out),
-            ..Reach::default()
+            ..VisibleAspects::default()
         };
-        let top = Way {
+        let top = PathState {
             lit: None,
             textured: false,
             indexed: false,
@@ -142,7 +142,7 @@ impl Reach {
         self.below[node as usize].shows[0]
     }
 
-    fn add(&mut self, node: NodeId, ways: Ways) {
+    fn add(&mut self, node: NodeId, ways: PathStates) {
         self.ways[node as usize] |= ways;
     }
 
@@ -170,13 +170,13 @@ impl Reach {
     }
 
     /// Whether anything below a paint is diffuse; `own` is what the paint says about that.
-    fn is_lit(&self, way: Way, own: Option<bool>, child: NodeId) -> bool {
+    fn is_lit(&self, way: PathState, own: Option<bool>, child: NodeId) -> bool {
         let below = &self.below[child as usize];
         let turned = usize::from(way.negated);
         below.shows[turned] && way.lit.or(own).unwrap_or(below.lit[turned])
     }
 
-    fn visit(&mut self, scene: &Scene, node: NodeId, ways: Ways, left_out: &LeftOut) {
+    fn visit(&mut self, scene: &Scene, node: NodeId, ways: PathStates, left_out: &LeftOut) {
         match scene.nodes[node as usize] {
             Node::Shape(shape) => self.shape(scene, shape, ways),
             Node::Union(a, b) => {
@@ -194,7 +194,7 @@ impl Reach {
                 self.add(a, ways);
                 // −(A − B) is −A ∪ B: there B is seen as it is.
                 let seen = each(ways).filter(|w| w.negated).map(|w| {
-                    let upright = Way {
+                    let upright = PathState {
                         negated: false,
                         ..w
                     };
@@ -211,7 +211,7 @@ impl Reach {
                 }
                 self.add(
                     child,
-                    map(ways, |w| Way {
+                    map(ways, |w| PathState {
                         negated: !w.negated,
                         ..w
                     }),
@@ -231,7 +231,7 @@ impl Reach {
         }
     }
 
-    fn shape(&mut self, scene: &Scene, shape: u32, ways: Ways) {
+    fn shape(&mut self, scene: &Scene, shape: u32, ways: PathStates) {
         let shape = &scene.shapes[shape as usize];
         if !bounded(&shape.geometry) {
             self.unbounded.add(shape.id);
@@ -253,7 +253,7 @@ impl Reach {
     }
 
     /// Notes what of a paint shows, and says how its child occurs below it.
-    fn paint(&mut self, scene: &Scene, paint: u32, ways: Ways, child: NodeId) -> Ways {
+    fn paint(&mut self, scene: &Scene, paint: u32, ways: PathStates, child: NodeId) -> PathStates {
         let record = &scene.paints[paint as usize];
         let on_solid = self.below[child as usize].solid;
         let own_lit = record.optics.map(|o| any(o.kd));
@@ -274,7 +274,7 @@ impl Reach {
                 }
             }
         }
-        map(ways, |way| Way {
+        map(ways, |way| PathState {
             lit: way.lit.or(own_lit),
             textured: way.textured || record.texture.is_some(),
             indexed: way.indexed || record.index.is_some(),

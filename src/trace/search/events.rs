@@ -7,17 +7,17 @@ use crate::trace::within::Medium;
 
 /// A crossing to be compared with others.
 #[derive(Debug, Clone, Copy)]
-pub struct Place<R> {
+pub struct RayPoint<R> {
     pub leaf: Leaf,
     pub root: Root<R>,
     /// A rough bound on the error of its t; see [`Walker::rough`](super::walk::Walker::rough).
     pub error: R,
 }
 
-impl<R: Precision> Place<R> {
+impl<R: Precision> RayPoint<R> {
     /// Whether this comes after another place, if the two are surely apart.
     #[inline]
-    pub(super) fn is_behind(&self, other: &Place<R>) -> Option<bool> {
+    pub(super) fn is_behind(&self, other: &RayPoint<R>) -> Option<bool> {
         let gap = self.root.t - other.root.t;
         (gap.abs() > self.error + other.error).then_some(gap > R::ZERO)
     }
@@ -26,7 +26,7 @@ impl<R: Precision> Place<R> {
 /// A crossing with a shape that may or may not be a boundary of the scene.
 #[derive(Debug, Clone, Copy)]
 pub struct Crossing<R = f64> {
-    pub place: Place<R>,
+    pub place: RayPoint<R>,
     /// Whose properties apply.
     pub owner: Leaf,
     /// The part of a union that it belongs to: the shape itself or an intersection.
@@ -39,7 +39,7 @@ impl<R> Crossing<R> {
     /// With a part that is a shape.
     pub fn at(leaf: Leaf, root: Root<R>, error: R) -> Crossing<R> {
         Crossing {
-            place: Place { leaf, root, error },
+            place: RayPoint { leaf, root, error },
             owner: leaf,
             part: leaf,
             states: None,
@@ -75,7 +75,7 @@ pub enum Kind {
 pub struct Event<R = f64> {
     pub kind: Kind,
     /// Where the ray crosses the surface of which shape.
-    pub place: Place<R>,
+    pub place: RayPoint<R>,
     /// Whose properties the surface has.
     pub owner: Owner,
     /// The state behind it.

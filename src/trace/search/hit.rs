@@ -3,7 +3,7 @@
 use super::context::{Leaf, Painted};
 use super::events::{Crossing, Kind, State};
 use super::query::Search;
-use super::spans::{Seen, first_of_kind};
+use super::spans::{FirstBoundary, first_of_kind};
 use super::vista::End;
 use super::walk::Walker;
 use crate::geometry::array::each;
@@ -295,7 +295,7 @@ impl<R: Precision> Walker<'_, R> {
 
     /// The first boundary or sheet among the events in (from, to].
     fn first_visible(&mut self, ray: &Ray<R>, from: R, to: R) -> Option<Hit<R>> {
-        let Seen {
+        let FirstBoundary {
             event,
             states,
             within,

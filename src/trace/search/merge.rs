@@ -367,7 +367,7 @@ pub(in crate::trace) fn join_intersection<R: Precision>(
 #[cfg(test)]
 mod tests {
     use super::super::context::Leaf;
-    use super::super::events::Place;
+    use super::super::events::RayPoint;
     use super::*;
     use crate::testing::random;
     use crate::trace::shapes::Root;
@@ -400,7 +400,7 @@ mod tests {
                 state.inside = !state.inside;
                 spans.events.push(Event {
                     kind: Kind::Boundary,
-                    place: Place {
+                    place: RayPoint {
                         leaf: owner(part).leaf,
                         root: Root { t, face: 0 },
                         error,

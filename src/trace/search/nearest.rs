@@ -2,8 +2,8 @@
 //! known solids, it and the crossings that were passed over say what is a boundary.
 
 use super::context::Leaf;
-use super::events::{Crossing, Place};
-use super::query::{Entry, Search};
+use super::events::{Crossing, RayPoint};
+use super::query::{PendingNode, Search};
 use super::vista::{Body, End};
 use super::walk::Walker;
 use crate::geometry::array::each;
@@ -189,7 +189,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             return;
         };
         let near = from.to_f64();
-        let entry = |child| Entry {
+        let entry = |child| PendingNode {
             near,
             context,
             child,
@@ -203,11 +203,12 @@ impl<'g, R: Precision> Walker<'g, R> {
     /// Puts the parts of a union that have no bounds on the stack.
     fn open_loose(&mut self, group: &Group, context: u32, from: R) {
         let near = from.to_f64();
-        self.entries.extend(group.loose.iter().map(|&part| Entry {
-            near,
-            context,
-            child: Child::item(part),
-        }));
+        self.entries
+            .extend(group.loose.iter().map(|&part| PendingNode {
+                near,
+                context,
+                child: Child::item(part),
+            }));
     }
 
     /// The parts of a context's union among which is what is looked for.
@@ -235,13 +236,13 @@ impl<'g, R: Precision> Walker<'g, R> {
 
     /// The nearest child of a node that the ray may meet; the others are put on the stack, the farthest first.
     #[inline(always)]
-    fn visit(&mut self, context: u32, node: u32, from: R, best: &Best<R>) -> Option<Entry> {
+    fn visit(&mut self, context: u32, node: u32, from: R, best: &Best<R>) -> Option<PendingNode> {
         let group = self.searched(context)?;
         let node = &group.tree.nodes[node as usize];
         self.counts.boxes += WIDTH as u64;
         let beam = &self.contexts[context as usize].beam;
         let ends = each([from.to_f64(), best.limit.to_f64()], |t| beam.pace(t));
-        let entry = |near, child| Entry {
+        let entry = |near, child| PendingNode {
             near: beam.unpace(near),
             context,
             child,
@@ -328,7 +329,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         for i in behind..self.roots.list.len() {
             let root = self.roots.list[i];
             let error = self.rough(&self.line, primitive, root);
-            self.hidden.push(Place { leaf, root, error });
+            self.hidden.push(RayPoint { leaf, root, error });
         }
     }
 
@@ -365,7 +366,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         };
         best.second = other.map_or(best.second, |t| best.second.min(t));
         if nearer {
-            let Place { root, error, .. } = found.place;
+            let RayPoint { root, error, .. } = found.place;
             best.limit = best.limit.min(root.t + error + error);
             best.found = Some(found);
         }

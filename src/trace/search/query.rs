@@ -37,7 +37,7 @@ impl Search {
 
 /// Something to be visited, and the least t at which it may be met.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::trace) struct Entry {
+pub(in crate::trace) struct PendingNode {
     pub(in crate::trace) near: f64,
     pub(in crate::trace) context: u32,
     /// A node of the tree of the context's object, or a part of the object.

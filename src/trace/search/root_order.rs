@@ -2,7 +2,7 @@
 //! errors may spoil, with the bounds that tell when.
 
 use super::context::Leaf;
-use super::events::Place;
+use super::events::RayPoint;
 use super::query::{Scale, Start};
 use super::walk::Walker;
 use crate::geometry::line::Line;
@@ -123,7 +123,7 @@ impl<R: Precision> Walker<'_, R> {
 
     /// Which of two crossings comes first. Equal are those of one surface, and those that cannot be
     /// told apart where that is final.
-    pub(in crate::trace) fn order(&mut self, a: &Place<R>, b: &Place<R>) -> Ordering {
+    pub(in crate::trace) fn order(&mut self, a: &RayPoint<R>, b: &RayPoint<R>) -> Ordering {
         let (s, t) = (a.root.t, b.root.t);
         let rounded = s.partial_cmp(&t).unwrap_or(Ordering::Equal);
         let gap = (s - t).abs();

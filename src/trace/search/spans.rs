@@ -2,7 +2,7 @@
 //! Solids", 1982). Sorted events, each with the state behind it.
 
 use super::context::Leaf;
-use super::events::Place;
+use super::events::RayPoint;
 use super::events::{Crossing, Event, Kind, List, Owner, Scratch, State, Task};
 use super::merge::{Until, join_intersection, join_union, merge_union};
 use super::walk::Walker;
@@ -14,7 +14,7 @@ use crate::trace::ray::Ray;
 use crate::trace::within::{Medium, Solid, Within};
 
 /// What a ray sees first of the scene's union.
-pub(super) struct Seen<R> {
+pub(super) struct FirstBoundary<R> {
     pub event: Event<R>,
     /// The states before and behind it.
     pub states: [State; 2],
@@ -41,7 +41,7 @@ pub(super) fn first_of_kind<R: Precision>(
 }
 
 /// The place of the next boundary behind a sheet; nothing for other events.
-fn behind_sheet<R: Precision>(event: &Event<R>, rest: &[Event<R>]) -> Option<Place<R>> {
+fn behind_sheet<R: Precision>(event: &Event<R>, rest: &[Event<R>]) -> Option<RayPoint<R>> {
     let next = || rest.iter().find(|e| e.kind == Kind::Boundary);
     match event.kind {
         Kind::Sheet => next().map(|e| e.place),
@@ -62,7 +62,7 @@ impl<R: Precision> Walker<'_, R> {
     }
 
     /// The first boundary or sheet of the scene in (from, to].
-    pub(super) fn trace_first(&mut self, ray: &Ray<R>, from: R, to: R) -> Option<Seen<R>> {
+    pub(super) fn trace_first(&mut self, ray: &Ray<R>, from: R, to: R) -> Option<FirstBoundary<R>> {
         let Operation::Union(all) = &self.graph.root().operation else {
             return None;
         };
@@ -91,7 +91,7 @@ impl<R: Precision> Walker<'_, R> {
     }
 
     /// The event with the states of the union and those of all lists, before and behind it.
-    fn seen(&self, event: Event<R>, states: [State; 2], all: [&[State]; 2]) -> Seen<R> {
+    fn seen(&self, event: Event<R>, states: [State; 2], all: [&[State]; 2]) -> FirstBoundary<R> {
         // A sheet may lie in the face of a solid that begins or ends there: the states of the lists tell, not the union's.
         let within = match R::DOUBT {
             Doubt::GoesOn => each(all, |states| self.within(states)),
@@ -99,7 +99,7 @@ impl<R: Precision> Walker<'_, R> {
             // precision does not know about which places it is wrong.
             Doubt::Merges | Doubt::Stands => [Within::Unknown; 2],
         };
-        Seen {
+        FirstBoundary {
             event,
             states,
             within,
@@ -274,7 +274,7 @@ impl<R: Precision> Walker<'_, R> {
                 inside ^= solid;
                 self.spans.events.push(Event {
                     kind: if solid { Kind::Boundary } else { Kind::Sheet },
-                    place: Place { leaf, root, error },
+                    place: RayPoint { leaf, root, error },
                     owner,
                     state: State { inside, owner },
                 });

@@ -1,7 +1,7 @@
 //! How rays pass the surfaces that faces are parts of: those of one surface are in one place.
 
 use super::context::Leaf;
-use super::events::Place;
+use super::events::RayPoint;
 use super::walk::Walker;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
@@ -57,8 +57,8 @@ impl<R: Precision> Walker<'_, R> {
     }
 
     /// Whether two crossings, which are near each other, are of faces in one surface.
-    pub(in crate::trace) fn in_one_place(&self, a: &Place<R>, b: &Place<R>) -> bool {
-        let passage = |place: &Place<R>| {
+    pub(in crate::trace) fn in_one_place(&self, a: &RayPoint<R>, b: &RayPoint<R>) -> bool {
+        let passage = |place: &RayPoint<R>| {
             let line = self.line(place.leaf);
             self.passage_at(place.leaf, &line, place.root)
         };

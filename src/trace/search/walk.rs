@@ -1,8 +1,8 @@
 //! Walking the graph along one ray: the spaces entered on the way, and where shapes are crossed.
 
 use super::context::{Context, Leaf, Painted};
-use super::events::{Place, Spans};
-use super::query::{Along, Entry, QueryStatus, Search};
+use super::events::{RayPoint, Spans};
+use super::query::{Along, PendingNode, QueryStatus, Search};
 use super::query::{Scale, Start};
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
@@ -28,7 +28,7 @@ pub struct Walker<'g, R: Precision = f64> {
     pub(in crate::trace) line: Line<R>,
     /// That shape, if it was met by this ray.
     met: Option<Leaf>,
-    pub(in crate::trace) entries: Vec<Entry>,
+    pub(in crate::trace) entries: Vec<PendingNode>,
     pub(in crate::trace) nodes: Vec<u32>,
     pub(in crate::trace) search: Search,
     /// For each light, the shape that was last in its way: a part of the scene itself.
@@ -36,7 +36,7 @@ pub struct Walker<'g, R: Precision = f64> {
     pub(in crate::trace) spans: Spans<R>,
     /// Crossings that [`nearest`](Self::nearest) has found but passed over: the ray starts in an earlier operand, which
     /// hides them.
-    pub(super) hidden: Vec<Place<R>>,
+    pub(super) hidden: Vec<RayPoint<R>>,
     pub counts: Intersections,
     /// What has been done between a ray and its hit.
     pub(in crate::trace) work: Work,

@@ -113,7 +113,7 @@ fn edge<R: Traced>(p: Projected<R>, q: Projected<R>) -> R {
 
 /// Which way a line goes through a facet whose corners run counter-clockwise around its normal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Way {
+pub(super) enum PassageDirection {
     /// Along slope and normal against each other.
     In,
     Out,
@@ -122,7 +122,7 @@ pub(super) enum Way {
 /// A line's passage through a facet.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Passage<R> {
-    pub way: Way,
+    pub way: PassageDirection,
     /// Barycentric weights of the corners; none negative, their sum 1 but for rounding.
     pub weights: [R; 3],
     pub depth: R,
@@ -130,7 +130,7 @@ pub(super) struct Passage<R> {
 
 /// How a line passes a facet, for either way through it.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Verdict {
+pub(super) struct Certainty {
     /// Rounding may make it a passage.
     pub possible: bool,
     /// Rounding cannot undo the passage.
@@ -161,9 +161,9 @@ impl<R: Traced> Facet<R> {
         let e = self.edges;
         let area = e[0] + e[1] + e[2];
         let way = if area > R::ZERO && e.iter().all(|&e| e >= R::ZERO) {
-            Way::Out
+            PassageDirection::Out
         } else if area < R::ZERO && e.iter().all(|&e| e <= R::ZERO) {
-            Way::In
+            PassageDirection::In
         } else {
             return None;
         };
@@ -187,18 +187,18 @@ impl<R: Traced> Facet<R> {
     /// p × q is then off by at most noise (|p|₁ + |q|₁) + 2 noise², and its own rounding adds
     /// γ₂|p|₁|q|₁ at most: less than the first term again, since `noise` exceeds γ₂ times any
     /// coordinate.
-    pub fn verdicts(&self, noise: R) -> [Verdict; 2] {
+    pub fn verdicts(&self, noise: R) -> [Certainty; 2] {
         let two = R::of(2.0);
         let [a, b, c] = each(self.corners, |c| c.reach());
         let bounds = each([b + c, c + a, a + b], |sum| two * noise * (sum + noise));
         let all = |holds: fn(R, R) -> bool| (0..3).all(|i| holds(self.edges[i], bounds[i]));
         let any = |holds: fn(R, R) -> bool| (0..3).any(|i| holds(self.edges[i], bounds[i]));
         [
-            Verdict {
+            Certainty {
                 possible: !any(|e, bound| e > bound),
                 certain: all(|e, bound| e < -bound),
             },
-            Verdict {
+            Certainty {
                 possible: !any(|e, bound| e < -bound),
                 certain: all(|e, bound| e > bound),
             },

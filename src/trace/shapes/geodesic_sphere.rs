@@ -9,7 +9,7 @@
 //! are in that cone. A line meets facets on two stretches alone, where it enters the sphere and where it leaves it. So
 //! the search goes down through the facets whose cones these stretches meet, mostly one of four.
 
-use super::facet::{Facet, Passage, Projected, Shear, Way, drift_across, narrow};
+use super::facet::{Facet, Passage, PassageDirection, Projected, Shear, drift_across, narrow};
 use super::hull;
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
@@ -60,7 +60,7 @@ enum Sight<R> {
 
 /// A facet on the way down, and those of its quarters that are still to be seen to: a bit for each.
 #[derive(Clone, Copy, Default)]
-struct Frame<R> {
+struct PendingFacet<R> {
     corners: [Vec3<R>; 3],
     /// Of the edges opposite to the corners of the same number.
     middles: [Vec3<R>; 3],
@@ -209,7 +209,7 @@ impl GeodesicSphere {
     fn descend<R: Traced>(&self, stretch: &Stretch<R>, mut leaf: impl FnMut([Vec3<R>; 3], u32)) {
         let split = |corners, face| {
             let middles = middles(corners);
-            Frame {
+            PendingFacet {
                 corners,
                 middles,
                 face,
@@ -217,7 +217,7 @@ impl GeodesicSphere {
             }
         };
         let vertices = self.icosahedron();
-        let mut stack = [Frame::default(); MAX_SPLITS as usize];
+        let mut stack = [PendingFacet::default(); MAX_SPLITS as usize];
         let mut facets = self.facets(stretch);
         while facets != 0 {
             let face = facets.trailing_zeros();
@@ -426,10 +426,10 @@ impl<R: Traced> Intersect<R> for GeodesicSphere {
             // Of facets at one depth the one of the lowest number, in whatever order they come.
             let is_first = |(z, other): (R, u32), ahead: bool| ahead || depth == z && face < other;
             match way {
-                Way::In if near.is_none_or(|old| is_first(old, depth < old.0)) => {
+                PassageDirection::In if near.is_none_or(|old| is_first(old, depth < old.0)) => {
                     near = Some((depth, face));
                 }
-                Way::Out if far.is_none_or(|old| is_first(old, depth > old.0)) => {
+                PassageDirection::Out if far.is_none_or(|old| is_first(old, depth > old.0)) => {
                     far = Some((depth, face));
                 }
                 _ => {}

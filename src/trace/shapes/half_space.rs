@@ -1,6 +1,6 @@
 //! The half-space.
 
-use super::plane::{Plane, Way};
+use super::plane::{Plane, PlaneRelation};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};
@@ -78,11 +78,11 @@ impl<R: Traced> Intersect<R> for HalfSpace {
         let meeting = self.face.meet(line);
         roots.uncertain = meeting.uncertain;
         match meeting.way {
-            Way::Across { t, outwards } => {
+            PlaneRelation::Across { t, outwards } => {
                 roots.inside = outwards;
                 roots.push(t, 0);
             }
-            Way::Along { side, close } => {
+            PlaneRelation::Along { side, close } => {
                 roots.inside = side.is_lt();
                 roots.uncertain |= close;
                 roots.along = side.is_eq().then(|| self.face.normal());

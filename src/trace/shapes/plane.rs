@@ -93,7 +93,7 @@ impl Shape for Plane {
 
 /// How a line runs with respect to a plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Way<R> {
+pub(super) enum PlaneRelation<R> {
     /// It crosses the plane at t, maybe to the side that the normal points to.
     Across { t: R, outwards: bool },
     /// It is parallel to the plane: behind it (less), in it or in front; `close` if rounding may have
@@ -103,7 +103,7 @@ pub(super) enum Way<R> {
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Meeting<R> {
-    pub way: Way<R>,
+    pub way: PlaneRelation<R>,
     /// Whether rounding may have decided if the line crosses.
     pub uncertain: bool,
 }
@@ -149,7 +149,7 @@ impl Plane {
         let t = -(value / slope);
         if slope.abs() > tilt && fits(size) && fits(value.abs()) && t.is_finite() {
             return Meeting {
-                way: Way::Across {
+                way: PlaneRelation::Across {
                     t,
                     outwards: slope > R::ZERO,
                 },
@@ -233,7 +233,7 @@ fn judge<R: Traced>(
     let drop = is_final::<R>() && !crosses;
     if slope.value != R::ZERO && t.is_finite() && !drop {
         return Meeting {
-            way: Way::Across {
+            way: PlaneRelation::Across {
                 t,
                 outwards: slope.value > R::ZERO,
             },
@@ -246,7 +246,7 @@ fn judge<R: Traced>(
         false => value.value.partial_cmp(&R::ZERO).unwrap_or(Ordering::Equal),
     };
     Meeting {
-        way: Way::Along {
+        way: PlaneRelation::Along {
             side,
             close: value.value.abs() <= off || value.value.is_nan(),
         },
@@ -258,7 +258,7 @@ impl<R: Traced> Intersect<R> for Plane {
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         let meeting = self.meet(line);
         roots.uncertain = meeting.uncertain;
-        if let Way::Across { t, .. } = meeting.way {
+        if let PlaneRelation::Across { t, .. } = meeting.way {
             roots.push(t, 0);
         }
     }

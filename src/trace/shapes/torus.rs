@@ -46,15 +46,15 @@ pub struct Torus {
 
 /// On which side of the two circles a point is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Side {
+enum TorusRegion {
     Outside,
     Tube,
     Lemon,
 }
 
-impl Side {
+impl TorusRegion {
     fn is_inside(self) -> bool {
-        self == Side::Tube
+        self == TorusRegion::Tube
     }
 }
 
@@ -444,12 +444,12 @@ impl<R: Traced> Scaled<R> {
         let (mut last, mut uncertain) = (None, false);
         quartic.pieces(from, to, |t| {
             let Some(before) = last else {
-                last = Some((from, Side::Outside));
+                last = Some((from, TorusRegion::Outside));
                 return ControlFlow::Continue(());
             };
             let side = match t < to {
                 true => self.side(t, &flatness),
-                false => Some(Side::Outside),
+                false => Some(TorusRegion::Outside),
             };
             let Some(side) = side else {
                 uncertain = true;
@@ -460,7 +460,7 @@ impl<R: Traced> Scaled<R> {
                 return ControlFlow::Continue(());
             }
             let enters = side.is_inside();
-            let lemon = side == Side::Lemon || before.1 == Side::Lemon;
+            let lemon = side == TorusRegion::Lemon || before.1 == TorusRegion::Lemon;
             let root = self.root(&quartic, (before.0, t), enters, lemon);
             crossing(root, if lemon { LEMON } else { OUTER })
         });
@@ -497,7 +497,7 @@ impl<R: Traced> Scaled<R> {
     ///
     /// The quartic, the product of both, must also be further from zero than its extremum close to
     /// the point may be from it.
-    fn side(&self, t: R, flatness: &Flatness<R>) -> Option<Side> {
+    fn side(&self, t: R, flatness: &Flatness<R>) -> Option<TorusRegion> {
         let (point, rho) = self.at(t);
         let (u, two) = (R::ROUNDOFF, R::of(2.0));
         let epsilon = self.error + u * point.abs().max_component();
@@ -518,9 +518,9 @@ impl<R: Traced> Scaled<R> {
             return None;
         }
         Some(match (outer > R::ZERO, inner > R::ZERO) {
-            (true, _) => Side::Outside,
-            (false, true) => Side::Tube,
-            (false, false) => Side::Lemon,
+            (true, _) => TorusRegion::Outside,
+            (false, true) => TorusRegion::Tube,
+            (false, false) => TorusRegion::Lemon,
         })
     }
 

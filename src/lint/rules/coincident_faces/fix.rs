@@ -5,15 +5,20 @@ use crate::geometry::array::length;
 use crate::lint::spelling::spelled;
 use crate::scene::Geometry;
 use crate::scene::record::Params;
-use crate::solids::contacts::face::Part;
-use crate::solids::contacts::search::Side;
+use crate::solids::contacts::face::FaceId;
+use crate::solids::contacts::search::ContactSide;
 use crate::solids::shapes::{AnyShape, profile};
 
 /// How much longer a tool becomes: too little to be seen, and a million times what counts as flush.
 const HAIR: f64 = 1e-3;
 
 /// Moves the given faces of a tool outwards. `workpiece` is the size of what it cuts.
-pub fn lengthen(p: &Params, geometry: &Geometry, tool: &[Side], workpiece: f64) -> Option<Fix> {
+pub fn lengthen(
+    p: &Params,
+    geometry: &Geometry,
+    tool: &[ContactSide],
+    workpiece: f64,
+) -> Option<Fix> {
     // What each parameter becomes, and how far it is moved.
     let mut moved: Vec<Moved> = Vec::new();
     for side in tool {
@@ -52,10 +57,10 @@ pub type Moved = (usize, f64, f64);
 impl Geometry {
     /// The record with a face farther out: by a part of the shape's own length, or where it has none by
     /// `room`. `None` where the face is not one that a parameter moves.
-    fn moved_out(&self, part: Part, share: f64, room: f64) -> Option<Vec<Moved>> {
+    fn moved_out(&self, part: FaceId, share: f64, room: f64) -> Option<Vec<Moved>> {
         match AnyShape::of(self) {
             AnyShape::Cone(s) => {
-                if !matches!(part, Part::Base { .. }) {
+                if !matches!(part, FaceId::Base { .. }) {
                     return None;
                 }
                 // Both numbers together keep the mantle where it is.
@@ -64,7 +69,7 @@ impl Geometry {
                 Some(moved.collect())
             }
             AnyShape::Cuboid(s) => {
-                let Part::Side { axis, upper } = part else {
+                let FaceId::Side { axis, upper } = part else {
                     return None;
                 };
                 let hair = share * (s.max[axis] - s.min[axis]);
@@ -76,7 +81,7 @@ impl Geometry {
             }
             AnyShape::HalfSpace(s) => {
                 let hair = room * length(s.normal());
-                let moves = s.solid && part == Part::All;
+                let moves = s.solid && part == FaceId::All;
                 moves.then(|| vec![(3, s.abcd[3] - hair, hair)])
             }
             AnyShape::Revolution(s) => {
@@ -97,11 +102,11 @@ impl Geometry {
 
 /// The points of a level piece of a profile or a disc that closes it: index, new height, and by how
 /// much it has changed.
-fn level_points(points: &[[f64; 2]], part: Part, share: f64) -> Option<Vec<(usize, f64, f64)>> {
+fn level_points(points: &[[f64; 2]], part: FaceId, share: f64) -> Option<Vec<(usize, f64, f64)>> {
     let last = points.len() - 1;
     let (from, to, radii) = match part {
-        Part::Cap(i) => (i, i, (0.0, points[i][0])),
-        Part::Piece(i) => (i, i + 1, (points[i][0], points[i + 1][0])),
+        FaceId::Cap(i) => (i, i, (0.0, points[i][0])),
+        FaceId::Piece(i) => (i, i + 1, (points[i][0], points[i + 1][0])),
         _ => return None,
     };
     let y = points[from][1];
@@ -147,11 +152,11 @@ mod tests {
     fn the_end_of_a_profile_moves_as_a_whole() {
         // A tube's upper end is a ring; a ring's first point is its last.
         let ring = [[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 0.0]];
-        let up = level_points(&ring, Part::Piece(2), 1e-3).unwrap();
+        let up = level_points(&ring, FaceId::Piece(2), 1e-3).unwrap();
         assert_eq!(up, [(2, 1.001, 0.001), (3, 1.001, 0.001)]);
-        let down = level_points(&ring, Part::Piece(0), 1e-3).unwrap();
+        let down = level_points(&ring, FaceId::Piece(0), 1e-3).unwrap();
         assert_eq!(down.iter().map(|p| p.0).collect::<Vec<_>>(), [0, 1, 4]);
         assert!(down.iter().all(|p| p.1 == -0.001));
-        assert!(level_points(&ring, Part::Piece(1), 1e-3).is_none());
+        assert!(level_points(&ring, FaceId::Piece(1), 1e-3).is_none());
     }
 }

@@ -19,8 +19,8 @@ use crate::lint::{Context, live_nodes};
 use crate::parallel;
 use crate::scene::record::Params;
 use crate::scene::{Geometry, Node, NodeId, Scene};
-use crate::solids::contacts::face::Part;
-use crate::solids::contacts::search::{Found, Side, search};
+use crate::solids::contacts::face::FaceId;
+use crate::solids::contacts::search::{ContactSide, FaceContact, search};
 use crate::solids::named;
 use crate::solids::shapes::AnyShape;
 
@@ -39,7 +39,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let live = live_nodes(scene);
     // One finding for each tool of an operation, however many faces it shares.
-    let group = |found: &Found| {
+    let group = |found: &FaceContact| {
         let [tool, other] = &found.sides;
         let case = match (tool.cuts, other.cuts) {
             (true, false) => Case::Flush,
@@ -54,7 +54,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     found.sort_by_key(group);
     let parents = Parents::new(scene, &live);
-    let groups: Vec<&[Found]> = found.chunk_by(|a, b| group(a) == group(b)).collect();
+    let groups: Vec<&[FaceContact]> = found.chunk_by(|a, b| group(a) == group(b)).collect();
     let findings = parallel::map(groups.len(), |i| {
         let pairs = groups[i];
         let (operation, _, case) = group(&pairs[0]);
@@ -67,7 +67,7 @@ fn finding(
     context: &Context,
     operation: NodeId,
     case: Case,
-    pairs: &[Found],
+    pairs: &[FaceContact],
     parents: &Parents,
 ) -> Option<Diagnostic> {
     let scene = context.scene;
@@ -80,18 +80,18 @@ fn finding(
     };
     let size = found.sides.iter().fold(f64::INFINITY, |m, s| m.min(s.size));
     let [x, y, z] = found.witness.map(|x| near(x, size));
-    let shape = |side: &Side| &scene.shapes[side.shape as usize];
-    let face = |side: &Side| {
+    let shape = |side: &ContactSide| &scene.shapes[side.shape as usize];
+    let face = |side: &ContactSide| {
         let params = context.params(scene.origins[side.node as usize].span)?;
         Some(place(&params, &shape(side).geometry, side.part))
     };
-    let copy = |side: &Side| {
+    let copy = |side: &ContactSide| {
         side.copy
             .map_or(Value::from("none"), |id| id.to_string().into())
     };
     // Two states of one shape go by one ID: what tells them apart is where they are used.
     let alike = tool.id == other.id && tool.copy == other.copy;
-    let within = |side: &Side| {
+    let within = |side: &ContactSide| {
         let operand = named(scene, side.operand).filter(|_| alike && side.operand != side.node);
         operand.map_or(Value::from("none"), |n| n.id.to_string().into())
     };
@@ -130,7 +130,7 @@ fn finding(
     let bound = parents.bound.contains(&tool.id);
     if case != Case::Touch && !skin && !bound && parents.only_in(tool.node, operation) {
         let shape = &scene.shapes[tool.shape as usize];
-        let sides: Vec<Side> = pairs.iter().map(|p| p.sides[0]).collect();
+        let sides: Vec<ContactSide> = pairs.iter().map(|p| p.sides[0]).collect();
         let params = context.params(scene.origins[tool.node as usize].span)?;
         if let Some(fix) = fix::lengthen(&params, &shape.geometry, &sides, other.size) {
             d = d.fix(fix);
@@ -140,7 +140,7 @@ fn finding(
 }
 
 /// Where a face is written, what it is, and the parameter that it is named by.
-fn place(p: &Params, geometry: &Geometry, part: Part) -> (Span, &'static str, &'static str) {
+fn place(p: &Params, geometry: &Geometry, part: FaceId) -> (Span, &'static str, &'static str) {
     let written = geometry.written(part);
     let span = match written.params {
         Some((first, count)) => p.span_of(first, count),
@@ -223,14 +223,14 @@ impl Written {
 
 impl Geometry {
     /// Where a face is written, and what it is called.
-    fn written(&self, part: Part) -> Written {
+    fn written(&self, part: FaceId) -> Written {
         match AnyShape::of(self) {
             AnyShape::Cone(_) => match part {
-                Part::Mantle => Written::at(0, 2, "mantle"),
+                FaceId::Mantle => Written::at(0, 2, "mantle"),
                 _ => Written::at(0, 1, "base"),
             },
             AnyShape::Cuboid(_) => match part {
-                Part::Side { axis, upper } => Written {
+                FaceId::Side { axis, upper } => Written {
                     is_named: true,
                     ..Written::at(if upper { axis + 3 } else { axis }, 1, "side")
                 },
@@ -241,8 +241,8 @@ impl Geometry {
                 false => Written::ALL,
             },
             AnyShape::Revolution(_) => match part {
-                Part::Cap(i) => Written::at(1 + 2 * i, 2, "disc"),
-                Part::Piece(i) => Written::at(1 + 2 * i, 4, "piece"),
+                FaceId::Cap(i) => Written::at(1 + 2 * i, 2, "disc"),
+                FaceId::Piece(i) => Written::at(1 + 2 * i, 4, "piece"),
                 _ => Written::ALL,
             },
             AnyShape::Ellipsoid(_)

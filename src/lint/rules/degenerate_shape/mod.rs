@@ -6,7 +6,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::scene::record::Params;
 use crate::scene::{Geometry, Shape};
-use crate::solids::definite::{Verdict, judge};
+use crate::solids::definite::{QuadricSet, judge};
 use crate::solids::shapes::quadric::Quadric;
 use crate::solids::shapes::{AnyShape, profile};
 use crate::syntax::quote;
@@ -102,7 +102,7 @@ impl Geometry {
                 let Quadric::General(q) = s else {
                     return None;
                 };
-                let Verdict::Flat(dimensions) = judge(q) else {
+                let QuadricSet::Flat(dimensions) = judge(q) else {
                     return None;
                 };
                 Some(Degenerate {

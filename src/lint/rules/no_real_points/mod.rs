@@ -4,7 +4,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
 use crate::lint::Context;
 use crate::lint::spelling::spelled;
 use crate::scene::Geometry;
-use crate::solids::definite::{Verdict, judge};
+use crate::solids::definite::{QuadricSet, judge};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (shape, span) in context.scene.written_shapes() {
@@ -12,10 +12,10 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             continue;
         };
         let case = match judge(q) {
-            Verdict::Empty => "",
-            Verdict::Full => "full",
-            Verdict::Zero => "zero",
-            Verdict::Flat(_) | Verdict::Other => continue,
+            QuadricSet::Empty => "",
+            QuadricSet::Full => "full",
+            QuadricSet::Zero => "zero",
+            QuadricSet::Flat(_) | QuadricSet::Other => continue,
         };
         let Some(p) = context.params(span) else {
             continue;
@@ -25,7 +25,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .with("id", shape.id.to_string());
         let mut other = **q;
         other[15] = -q[15];
-        out.push(match q[15] > 0.0 && judge(&other) == Verdict::Other {
+        out.push(match q[15] > 0.0 && judge(&other) == QuadricSet::Other {
             true => finding.case("ball").fix(Fix::replace(
                 "fix",
                 Applicability::Unsafe,

@@ -10,7 +10,7 @@ use crate::scene::record::Params;
 use crate::scene::{Camera, NodeId, Vec3};
 use crate::syntax::quote;
 use crate::syntax::table::RecordKind;
-use crate::trace::plan::unseen::view::{Parts, Side, USUAL, out_of_view};
+use crate::trace::plan::unseen::view::{OutOfView, Parts, USUAL, out_of_view};
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -54,14 +54,14 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-fn name(side: Side) -> &'static str {
+fn name(side: OutOfView) -> &'static str {
     match side {
-        Side::Behind => "behind",
-        Side::Left => "left",
-        Side::Right => "right",
-        Side::Above => "above",
-        Side::Below => "below",
-        Side::Beside => "beside",
+        OutOfView::Behind => "behind",
+        OutOfView::Left => "left",
+        OutOfView::Right => "right",
+        OutOfView::Above => "above",
+        OutOfView::Below => "below",
+        OutOfView::Beside => "beside",
     }
 }
 

@@ -8,7 +8,7 @@ mod given;
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::Context;
 use crate::scene::{Node, NodeId, Scene};
-use crate::trace::plan::reach::{Reach, Showing};
+use crate::trace::plan::reach::{Showing, VisibleAspects};
 use crate::trace::plan::unseen::LeftOut;
 use crate::trace::plan::unseen::view::{USUAL, beside_all_views};
 use crate::trace::plan::{Effect, Plan};
@@ -123,11 +123,11 @@ const MAX_NODES: usize = 5000;
 struct Views<'a> {
     scene: &'a Scene,
     /// All that is drawn.
-    all: Reach,
+    all: VisibleAspects,
     /// What a ray of a camera may meet.
-    met: Option<Reach>,
+    met: Option<VisibleAspects>,
     /// What cameras may see in pictures of the usual size.
-    viewed: Option<Reach>,
+    viewed: Option<VisibleAspects>,
     /// Of each node that is drawn a paint above it that gives a texture.
     covers: Vec<Option<NodeId>>,
 }
@@ -136,7 +136,7 @@ impl<'a> Views<'a> {
     fn new(context: &Context<'a>) -> Option<Views<'a>> {
         let scene = context.scene;
         let root = scene.render?.root;
-        let all = Reach::new(scene, root, &LeftOut::default());
+        let all = VisibleAspects::new(scene, root, &LeftOut::default());
         let mut views = Views {
             scene,
             covers: covers(scene, root, &all),
@@ -148,7 +148,7 @@ impl<'a> Views<'a> {
             return Some(views);
         }
         let plan = Plan::of_picture(scene)?;
-        let reach = |left_out: &LeftOut| Reach::new(scene, root, left_out);
+        let reach = |left_out: &LeftOut| VisibleAspects::new(scene, root, left_out);
         // Where nothing at all is to be seen, it is no texture's fault.
         let met = reach(&plan.left_out);
         views.met = (!plan.left_out.all() && met.shows(root)).then_some(met);
@@ -166,8 +166,8 @@ impl<'a> Views<'a> {
 
     /// Finds out whether a painting is to be seen, and if not, why.
     fn judge(&self, painting: &Painting, found: &mut Found) {
-        let is_lost = |reach: &Option<Reach>| {
-            let shows = |r: &Reach| r.showing(self.scene, painting.node) == Showing::Shown;
+        let is_lost = |reach: &Option<VisibleAspects>| {
+            let shows = |r: &VisibleAspects| r.showing(self.scene, painting.node) == Showing::Shown;
             reach.as_ref().is_some_and(|r| !shows(r))
         };
         match self.showing(painting) {
@@ -187,7 +187,7 @@ impl<'a> Views<'a> {
 }
 
 /// Of each node that is reached the nearest paint with a texture on one of the ways to it.
-fn covers(scene: &Scene, root: NodeId, reach: &Reach) -> Vec<Option<NodeId>> {
+fn covers(scene: &Scene, root: NodeId, reach: &VisibleAspects) -> Vec<Option<NodeId>> {
     let mut covers = vec![None; root as usize + 1];
     // Children stand before their parents.
     for node in (0..=root).rev().filter(|&n| reach.reaches(n)) {

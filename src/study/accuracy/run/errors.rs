@@ -7,7 +7,7 @@ use crate::study::accuracy::measure::compare;
 use crate::study::accuracy::rungs::{Axis, Kernel, Kind, Rung, Settings};
 use crate::study::accuracy::stage::Drawn;
 use crate::trace::Numbers;
-use crate::trace::pixels::Seen;
+use crate::trace::pixels::VisibleObject;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -172,7 +172,11 @@ impl Run<'_> {
 
 /// Pixels that see something else, and the median and the largest distance of what is seen, in units of
 /// the last of so many bits.
-fn distances(seen: &[Option<Seen>], right: &[Option<Seen>], bits: i32) -> (usize, f64, f64) {
+fn distances(
+    seen: &[Option<VisibleObject>],
+    right: &[Option<VisibleObject>],
+    bits: i32,
+) -> (usize, f64, f64) {
     let mut wrong = 0;
     let mut ulps = Vec::new();
     for (a, b) in seen.iter().zip(right) {

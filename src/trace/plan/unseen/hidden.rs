@@ -20,7 +20,7 @@ use crate::geometry::boxes::Boxes;
 use crate::parallel;
 use crate::scene::Scene;
 use crate::solids::shapes::facts::Facts;
-use crate::solids::within::{CLEAR, Standing};
+use crate::solids::within::{CLEAR, PlacedShape};
 use rustc_hash::FxHashMap;
 
 /// So many opaque shapes are asked what they hold, the largest.
@@ -74,9 +74,9 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
         out
     }
 
-    fn standing(&self, i: u32) -> Option<Standing<'a>> {
+    fn standing(&self, i: u32) -> Option<PlacedShape<'a>> {
         let member = &self.all[i as usize];
-        Standing::new(member.geometry(self.scene)?, *member.matrix())
+        PlacedShape::new(member.geometry(self.scene)?, *member.matrix())
     }
 
     /// Finds what lies strictly inside of what.
@@ -95,7 +95,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
         holders.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         holders.truncate(MAX_HOLDERS);
         // Made when first needed; `None` for what cannot hide anything.
-        let mut standing: Vec<Option<Option<Standing>>> = holders.iter().map(|_| None).collect();
+        let mut standing: Vec<Option<Option<PlacedShape>>> = holders.iter().map(|_| None).collect();
         let numbered = (0u32..).zip(&holders);
         let boxes = Boxes::new(numbered.map(|(k, h)| (k, all[h.1 as usize].bounds)));
         // The shapes whose boxes hold that of a part, and the steps to them.
@@ -148,7 +148,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
     }
 
     /// Whether neither a camera nor a lamp stands in an opaque shape, and nothing cuts it open.
-    fn is_dark(&self, i: u32, standing: &Standing) -> bool {
+    fn is_dark(&self, i: u32, standing: &PlacedShape) -> bool {
         let member = &self.all[i as usize];
         (self.whole)(member)
             && self.starts.are_clear_of(&member.bounds, Some(standing))

@@ -56,7 +56,7 @@ impl Member {
 
 /// On the way down to a part.
 #[derive(Clone)]
-struct Way {
+struct PathToPart {
     node: NodeId,
     slot: Slot,
     operand: NodeId,
@@ -73,7 +73,7 @@ pub fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member
     let uses = scene.uses(root);
     let clear = clear(scene, root);
     let mut out = Vec::new();
-    let mut todo = vec![Way {
+    let mut todo = vec![PathToPart {
         node: root,
         slot: Slot::Root,
         operand: root,
@@ -105,7 +105,7 @@ pub fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member
             Node::Union(a, b) if !way.shared => {
                 for (operand, node) in [a, b].into_iter().enumerate().rev() {
                     let slot = Slot::Operand(way.node, operand);
-                    todo.push(Way {
+                    todo.push(PathToPart {
                         node,
                         slot,
                         operand: node,

@@ -78,7 +78,7 @@ impl LeftOut {
 
 /// What there is to draw.
 #[derive(Debug, Default)]
-pub struct Found {
+pub struct UnseenParts {
     /// In the order of the operands.
     pub unseen: Vec<Unseen>,
     pub left_out: LeftOut,
@@ -86,20 +86,20 @@ pub struct Found {
     pub cut: bool,
 }
 
-impl Found {
+impl UnseenParts {
     /// Everything, whether it is seen or not.
-    pub fn all(scene: &Scene, root: NodeId) -> Found {
+    pub fn all(scene: &Scene, root: NodeId) -> UnseenParts {
         let clip = scene.render.and_then(|r| r.clip);
-        Found {
+        UnseenParts {
             cut: clip
                 .is_some_and(|(min, max)| is_cut(&node_bounds(scene), root, &Aabb::new(min, max))),
-            ..Found::default()
+            ..UnseenParts::default()
         }
     }
 }
 
 /// Looks for what can be seen.
-pub fn find(scene: &Scene, root: NodeId) -> Found {
+pub fn find(scene: &Scene, root: NodeId) -> UnseenParts {
     let bounds = node_bounds(scene);
     let all = members(scene, &bounds, root);
     let starts = Starts::new(scene, &bounds);
@@ -133,7 +133,7 @@ pub fn find(scene: &Scene, root: NodeId) -> Found {
         let name = named(scene, all[holder as usize].node);
         why[i as usize] = name.map(|n| Why::Inside(n.title, n.id));
     }
-    let mut found = Found::default();
+    let mut found = UnseenParts::default();
     let spans: FxHashMap<u32, Span> = match why.iter().any(Option::is_some) {
         true => scene.entities.iter().map(|e| (e.id, e.span)).collect(),
         false => FxHashMap::default(),

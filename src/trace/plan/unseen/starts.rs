@@ -7,7 +7,7 @@ use crate::scene::sight::Sight;
 use crate::scene::{Camera, Scene, Vec3, View};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::staging::{Basis, automatic_camera};
-use crate::solids::within::{CLEAR, Standing, far};
+use crate::solids::within::{CLEAR, PlacedShape, far};
 
 /// Where rays may start.
 enum Start {
@@ -47,7 +47,7 @@ impl Starts {
     }
 
     /// Whether none of them is in something that lies in a box; `shape`: what it is, where it is one.
-    pub fn are_clear_of(&self, thing: &Aabb, shape: Option<&Standing>) -> bool {
+    pub fn are_clear_of(&self, thing: &Aabb, shape: Option<&PlacedShape>) -> bool {
         let apart = |b: &Aabb| is_apart(thing, b, CLEAR * thing.far().max(b.far()));
         self.0.iter().all(|start| match start {
             Start::Point(p) => {

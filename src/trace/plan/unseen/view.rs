@@ -35,7 +35,7 @@ const BOXES: usize = 1 << 14;
 
 /// Where something lies that a camera does not see.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub enum OutOfView {
     Behind,
     Left,
     Right,
@@ -46,12 +46,12 @@ pub enum Side {
 }
 
 /// The sides that can be told, in the order in which they are named.
-const SIDES: [Side; 5] = [
-    Side::Behind,
-    Side::Left,
-    Side::Right,
-    Side::Above,
-    Side::Below,
+const SIDES: [OutOfView; 5] = [
+    OutOfView::Behind,
+    OutOfView::Left,
+    OutOfView::Right,
+    OutOfView::Above,
+    OutOfView::Below,
 ];
 
 /// All that a camera can see in a picture of the usual size: every ray starts between four places and goes between
@@ -149,7 +149,7 @@ pub fn out_of_view(
     root: NodeId,
     camera: &Camera,
     of: Parts,
-) -> Option<Side> {
+) -> Option<OutOfView> {
     let field = Field::of(camera)?;
     let clip = scene.render.and_then(|r| r.clip);
     let clip = clip.map_or(Aabb::ALL, |(min, max)| Aabb::new(min, max));
@@ -175,7 +175,7 @@ pub fn out_of_view(
         return None;
     }
     let side = all.iter().position(|all| *all);
-    Some(side.map_or(Side::Beside, |i| SIDES[i]))
+    Some(side.map_or(OutOfView::Beside, |i| SIDES[i]))
 }
 
 /// With what is left out of pictures also the parts of the outermost union that lie beside what any camera of the scene

@@ -26,12 +26,12 @@ pub struct Face {
     side: usize,
     /// Where the list of each cell begins in `lists`; the last one is the end of all.
     starts: Vec<u32>,
-    lists: Vec<Seen>,
+    lists: Vec<VisibleBody>,
 }
 
 /// A body as it is seen through a face.
 #[derive(Debug, Clone, Copy)]
-pub struct Seen {
+pub struct VisibleBody {
     /// Which of the vista's bodies.
     pub index: u32,
     /// No point of it is nearer.
@@ -66,7 +66,7 @@ impl Face {
         let cells = each(size, |size| (side / (size * scale)) as f32);
         let start = [lower[0], lower[1], lower[0] + lower[1], lower[0] - lower[1]];
         let margin = MARGIN + ROUNDED * scale;
-        let seen: Vec<Seen> = bodies
+        let seen: Vec<VisibleBody> = bodies
             .iter()
             .map(|&(index, near, Octagon([least, most]))| {
                 let low: [f32; 4] = each([0, 1, 2, 3], |i| {
@@ -75,7 +75,7 @@ impl Face {
                 let high: [f32; 4] = each([0, 1, 2, 3], |i| {
                     below((start[i] - most[i]) * scale - margin)
                 });
-                Seen {
+                VisibleBody {
                     index,
                     // Infinite ones are far, but not beyond what a ray may meet.
                     near: below(near.min(f32::MAX.into())),
@@ -87,7 +87,7 @@ impl Face {
             .collect();
         let side = side as usize;
         let mut starts = vec![0; side * side + 1];
-        let cells_of = |seen: &Seen| {
+        let cells_of = |seen: &VisibleBody| {
             let [columns, rows] = [0, 1].map(|i| {
                 let [low, high] = [seen.sides[i], -seen.sides[i + 4]];
                 cell(low * cells[i], side)..=cell(high * cells[i], side)
@@ -120,7 +120,7 @@ impl Face {
 
     /// The bodies behind a point of the face, the nearest first.
     #[inline]
-    pub fn behind(&self, uv: [f64; 2]) -> impl Iterator<Item = &Seen> {
+    pub fn behind(&self, uv: [f64; 2]) -> impl Iterator<Item = &VisibleBody> {
         let [x, y] = each([0, 1], |i| ((uv[i] - self.lower[i]) * self.scale) as f32);
         let list = match self.side {
             0 => &[][..],

@@ -1,7 +1,7 @@
 //! The cone and the double cone about the y axis, apex at the origin.
 
 use super::line::{Bounded, Chord, Inside, push_all};
-use super::{Form, turn};
+use super::{QuadricForm, turn};
 use crate::geometry::Matrix;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
@@ -20,7 +20,7 @@ use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 /// radius across and by the height along its axis, which may be negative.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cone {
-    form: Form,
+    form: QuadricForm,
     record: solids::cone::Cone,
     bounds: Aabb,
 }
@@ -34,7 +34,7 @@ impl Cone {
     pub fn new(record: solids::cone::Cone) -> Cone {
         let [height, radius] = [record.height, record.radius];
         Cone {
-            form: Form::canonical([1.0, -1.0, 1.0], 0.0, 0.0, [radius, height, radius]),
+            form: QuadricForm::canonical([1.0, -1.0, 1.0], 0.0, 0.0, [radius, height, radius]),
             bounds: record.bounds(&Matrix::IDENTITY).padded(),
             record,
         }

@@ -1,7 +1,7 @@
 //! The ellipsoid about the origin.
 
 use super::line::Chord;
-use super::{Form, turn};
+use super::{QuadricForm, turn};
 use crate::geometry::Matrix;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 /// Ray/Sphere Intersection", Ray Tracing Gems, chapter 7).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ellipsoid {
-    form: Form,
+    form: QuadricForm,
     record: solids::ellipsoid::Ellipsoid,
     bounds: Aabb,
 }
@@ -29,7 +29,7 @@ pub struct Ellipsoid {
 impl Ellipsoid {
     pub fn new(record: solids::ellipsoid::Ellipsoid) -> Ellipsoid {
         Ellipsoid {
-            form: Form::canonical([1.0; 3], 0.0, -1.0, record.semi_axes),
+            form: QuadricForm::canonical([1.0; 3], 0.0, -1.0, record.semi_axes),
             bounds: record.bounds(&Matrix::IDENTITY).padded(),
             record,
         }

@@ -12,7 +12,7 @@ use crate::trace::shapes::doubt::is_final;
 /// F(x) = Σ squareᵢ xᵢ² + mixed·(xy, xz, yz) + linear·x + constant, where xᵢ is a coordinate divided
 /// by unitᵢ: semi-axes stay as they were given, and the coefficients of canonical forms exact.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Form {
+pub struct QuadricForm {
     pub(super) square: [f64; 3],
     pub(super) mixed: [f64; 3],
     pub(super) linear: [f64; 3],
@@ -66,10 +66,10 @@ fn whole<R: Traced>(x: f64, rest: f64) -> R {
     }
 }
 
-impl Form {
+impl QuadricForm {
     /// A canonical form: no mixed terms, and y the only linear one.
-    pub fn canonical(square: [f64; 3], y: f64, constant: f64, unit: [f64; 3]) -> Form {
-        Form {
+    pub fn canonical(square: [f64; 3], y: f64, constant: f64, unit: [f64; 3]) -> QuadricForm {
+        QuadricForm {
             square,
             mixed: [0.0; 3],
             linear: [0.0, y, 0.0],
@@ -86,7 +86,7 @@ impl Form {
     }
 
     /// xᵀQx with x = (x, y, z, 1), divided by a power of two so that sums cannot overflow.
-    pub fn symmetric_part(q: &[f64; 16]) -> Form {
+    pub fn symmetric_part(q: &[f64; 16]) -> QuadricForm {
         let largest = q.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let scale = power_of_two(largest);
         let at = |i: usize, j: usize| q[4 * i + j] / scale;
@@ -95,7 +95,7 @@ impl Form {
             each(PAIRS, |(i, j)| both(i, j)),
             each([0, 1, 2], |i| both(i, 3)),
         );
-        let mut form = Form {
+        let mut form = QuadricForm {
             square: each([0, 1, 2], |i| at(i, i)),
             mixed: each(mixed, |x| x.0),
             linear: each(linear, |x| x.0),
@@ -156,7 +156,7 @@ impl Form {
     }
 
     /// With what follows from the coefficients.
-    fn completed(mut self) -> Form {
+    fn completed(mut self) -> QuadricForm {
         let sum = |list: &[f64; 3]| list.iter().map(|x| x.abs()).sum::<f64>();
         self.weight = 2.0 * sum(&self.square) + 2.0 * sum(&self.mixed) + sum(&self.linear);
         let curved = self.square.iter().chain(&self.mixed);
@@ -173,7 +173,7 @@ impl Form {
     }
 
     pub fn feed(&self, sink: &mut dyn FnMut(f64)) {
-        let Form {
+        let QuadricForm {
             square,
             mixed,
             linear,

@@ -1,6 +1,6 @@
 //! Where a line meets a polynomial of second degree.
 
-use super::form::{Form, OPERATIONS, PAIRS, power_of_two, reciprocal};
+use super::form::{OPERATIONS, PAIRS, QuadricForm, power_of_two, reciprocal};
 use super::refine::Sum;
 use crate::geometry::affine::Slack;
 use crate::geometry::array::each;
@@ -110,7 +110,7 @@ impl<R: Traced> Chord<R> {
     /// the line had started there. The leading coefficient decides what is inside at infinity and
     /// vanishes along generators and asymptotes; it is summed in twice the working precision. The
     /// discriminant is Kahan's difference of products; the roots are q/a and c/q.
-    pub fn new(form: &Form, line: &Line<R>) -> Chord<R> {
+    pub fn new(form: &QuadricForm, line: &Line<R>) -> Chord<R> {
         let unit = form.units::<R>();
         let (d, length) = normalised(line.direction, 0.0);
         let (direction, stretch) = normalised(d.zip(unit, |x, s| x / s), 0.0);
@@ -162,7 +162,7 @@ impl<R: Traced> Chord<R> {
     }
 
     /// Solves it once more, with bounds on errors that cost more; no if that has been done.
-    pub fn sharpen(&mut self, form: &Form) -> bool {
+    pub fn sharpen(&mut self, form: &QuadricForm) -> bool {
         if !self.rough {
             return false;
         }
@@ -174,7 +174,7 @@ impl<R: Traced> Chord<R> {
     /// How far the line in hand is from the one that is meant: at t = start/length, where the
     /// origin is moved to, by the line's slack. Where that move is not fused, its product is
     /// rounded, too, unless it is exact.
-    fn stray(&mut self, form: &Form, line: &Line<R>, d: Vec3<R>) {
+    fn stray(&mut self, form: &QuadricForm, line: &Line<R>, d: Vec3<R>) {
         let Slack {
             origin,
             direction: turn,
@@ -198,7 +198,7 @@ impl<R: Traced> Chord<R> {
 
     /// The errors of the coefficients: a's from [`leading`]; b and c have at most γₙ of the sizes
     /// of their terms. What the line strays comes on top.
-    fn coefficients(&self, form: &Form) -> [Bounded<R>; 3] {
+    fn coefficients(&self, form: &QuadricForm) -> [Bounded<R>; 3] {
         let (p, d, w) = (self.origin, self.direction, self.w);
         let a = leading(form, d);
         let (c, c_size) = form.value(p, w);
@@ -218,7 +218,11 @@ impl<R: Traced> Chord<R> {
     /// with g and h the slopes of F along the axes at p and of its second degree at d, they change
     ///
     ///   a by h·f + A(f, f),  b by h·e + g·f + 2A(e, f),  c by g·e + A(e, e).
-    fn strayed(&self, form: &Form, [mut a, mut b, mut c]: [Bounded<R>; 3]) -> [Bounded<R>; 3] {
+    fn strayed(
+        &self,
+        form: &QuadricForm,
+        [mut a, mut b, mut c]: [Bounded<R>; 3],
+    ) -> [Bounded<R>; 3] {
         let (e, f) = (self.moved, self.turned);
         let g = form.slopes(self.origin, self.w);
         let h = form.slopes(self.direction, R::ZERO);
@@ -233,7 +237,7 @@ impl<R: Traced> Chord<R> {
     /// add up to at most twice the form's weight.
     fn strayed_roughly(
         &self,
-        form: &Form,
+        form: &QuadricForm,
         [mut a, mut b, mut c]: [Bounded<R>; 3],
     ) -> [Bounded<R>; 3] {
         let (e, f) = (self.moved.max_component(), self.turned.max_component());
@@ -251,7 +255,7 @@ impl<R: Traced> Chord<R> {
     ///
     /// In double-double numbers the decision is final: what cannot be told from zero is zero, so
     /// that a chord that cannot be told from a touch is one.
-    fn solve(&mut self, form: &Form, [a, b, c]: [Bounded<R>; 3]) {
+    fn solve(&mut self, form: &QuadricForm, [a, b, c]: [Bounded<R>; 3]) {
         let two = R::of(2.0);
         let four = R::of(4.0);
         let (av, bv, cv) = (a.value, b.value, c.value);
@@ -400,7 +404,7 @@ pub(super) fn push_all<R: Traced, const N: usize>(roots: &mut Roots<R>, list: [(
 /// coordinates with a second power go. Others would only lead away, but for those with a first
 /// power: with the terms s·x² and l·y, of which T is the largest at the first place, their sum is
 /// about (s·x² + (l·y)²/T), so that y weighs l²/sT times as much as x.
-fn closest<R: Traced>(form: &Form, o: Vec3<R>, d: Vec3<R>) -> R {
+fn closest<R: Traced>(form: &QuadricForm, o: Vec3<R>, d: Vec3<R>) -> R {
     let (o, shrink) = normalised(o, 1.0);
     let (d, stretch) = normalised(d, 0.0);
     let at = |weight: Vec3<R>| {
@@ -445,7 +449,7 @@ fn normalised<R: Traced>(v: Vec3<R>, least: f64) -> (Vec3<R>, R) {
 
 /// dᵀAd in twice the working precision. The error is that of the [sum](Sum), plus 3u of the sizes of the terms where
 /// two coordinates were rounded in a division by their units or the coefficient was. Where nothing was lost it is zero.
-pub(super) fn leading<R: Traced>(form: &Form, d: Vec3<R>) -> Bounded<R> {
+pub(super) fn leading<R: Traced>(form: &QuadricForm, d: Vec3<R>) -> Bounded<R> {
     let (mut sum, mut divided) = (Sum::new(), R::ZERO);
     let mut add = |k: R, rounded: bool, i: usize, j: usize| {
         if k == R::ZERO {
@@ -475,7 +479,7 @@ pub(super) fn leading<R: Traced>(form: &Form, d: Vec3<R>) -> Bounded<R> {
 }
 
 /// The derivative at p along d, times w: the coefficient of τ; and the sizes of its terms.
-fn cross<R: Traced>(form: &Form, p: Vec3<R>, d: Vec3<R>, w: R) -> (R, R) {
+fn cross<R: Traced>(form: &QuadricForm, p: Vec3<R>, d: Vec3<R>, w: R) -> (R, R) {
     let (mut sum, mut size) = (R::ZERO, R::ZERO);
     let mut add = |term: R| {
         sum += term;
@@ -493,7 +497,7 @@ fn cross<R: Traced>(form: &Form, p: Vec3<R>, d: Vec3<R>, w: R) -> (R, R) {
     (sum, size)
 }
 
-impl Form {
+impl QuadricForm {
     /// Bounds on how steep w²·F(x/w) is along each axis: the derivatives and their roundings, four
     /// terms of at most two products.
     fn slopes<R: Traced>(&self, x: Vec3<R>, w: R) -> Vec3<R> {

@@ -1,5 +1,5 @@
 //! Surfaces of second degree: the ellipsoid, the general quadric and the canonical ones, which
-//! share a [`Form`] and its meeting with a line ([`Chord`]), and the cones.
+//! share a [`QuadricForm`] and its meeting with a line ([`Chord`]), and the cones.
 
 pub mod cone;
 pub mod ellipsoid;
@@ -7,7 +7,7 @@ mod form;
 mod line;
 mod refine;
 
-pub use form::Form;
+pub use form::QuadricForm;
 
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::Matrix;
@@ -29,7 +29,7 @@ use std::f64::consts::TAU;
 pub struct Quadric {
     /// What its record says.
     geometry: Box<Geometry>,
-    form: Form,
+    form: QuadricForm,
     bounds: Aabb,
     convex: bool,
     /// Bounds on the summed sizes of the terms of second, first and no degree, for coordinates up to 1.
@@ -42,19 +42,19 @@ impl Quadric {
     /// The quadric of a record, which the shape is as well.
     pub fn new(geometry: &Geometry, record: &Record) -> Quadric {
         let form = match *record {
-            Record::General(q) => Form::symmetric_part(q),
+            Record::General(q) => QuadricForm::symmetric_part(q),
             Record::ParabolicCylinder { a } => {
-                Form::canonical([1.0, 0.0, 0.0], -1.0, 0.0, [a, 1.0, 1.0])
+                QuadricForm::canonical([1.0, 0.0, 0.0], -1.0, 0.0, [a, 1.0, 1.0])
             }
             Record::HyperbolicCylinder { a, b } => {
-                Form::canonical([1.0, -1.0, 0.0], 0.0, -1.0, [a, b, 1.0])
+                QuadricForm::canonical([1.0, -1.0, 0.0], 0.0, -1.0, [a, b, 1.0])
             }
             Record::Hyperboloid { a, b, c, sheets } => {
                 let constant = if sheets == 2 { 1.0 } else { -1.0 };
-                Form::canonical([1.0, -1.0, 1.0], 0.0, constant, [a, b, c])
+                QuadricForm::canonical([1.0, -1.0, 1.0], 0.0, constant, [a, b, c])
             }
             Record::HyperbolicParaboloid { a, b } => {
-                Form::canonical([1.0, 0.0, -1.0], -1.0, 0.0, [a, 1.0, b])
+                QuadricForm::canonical([1.0, 0.0, -1.0], -1.0, 0.0, [a, 1.0, b])
             }
         };
         let bounds = record.bounds(&Matrix::IDENTITY).padded();

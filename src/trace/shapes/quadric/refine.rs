@@ -4,7 +4,7 @@
 //! crossing F is a quadratic of three coefficients, here summed in twice the working precision, whose smaller root is
 //! the rest of the way.
 
-use super::form::{Form, OPERATIONS, PAIRS};
+use super::form::{OPERATIONS, PAIRS, QuadricForm};
 use super::line::{Bounded, leading};
 use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
@@ -83,7 +83,7 @@ impl<R: Traced> Sum<R> {
     }
 }
 
-impl Form {
+impl QuadricForm {
     /// Whether F is to be summed in twice the working precision. Double-double has digits enough, and single precision
     /// has lost some of the coefficients'.
     #[inline]

@@ -10,7 +10,7 @@
 //! [`Ball::meets`](super::super::near::Ball::meets) knows well enough. A piece that is closer than a margin counts as
 //! met, and the path decides.
 
-use super::layers::Piece;
+use super::layers::Subsegment;
 use super::tree::{self, Run};
 use crate::geometry::array::each;
 use crate::geometry::line::Line;
@@ -80,7 +80,7 @@ impl Passing {
 
 impl Beside {
     /// For a profile whose points are `scale` times as large, and the tree over its pieces.
-    pub fn new(points: &[[f64; 2]], pieces: &[Piece], tree: &[Run], scale: f64) -> Beside {
+    pub fn new(points: &[[f64; 2]], pieces: &[Subsegment], tree: &[Run], scale: f64) -> Beside {
         let Some(all) = tree.first() else {
             return Beside::default();
         };

@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 /// A part of a segment, from one point of the profile to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Piece {
+pub struct Subsegment {
     pub from: u32,
     pub to: u32,
     /// The segment begins at this point and ends at the next.
@@ -26,20 +26,20 @@ const NEAR: f64 = 64.0 * f64::EPSILON;
 
 /// The segments between neighbouring points with what lies in each other taken out in pairs; all
 /// coordinates must be below 2. In the order of the profile.
-pub fn pieces(points: &[[f64; 2]]) -> Vec<Piece> {
+pub fn pieces(points: &[[f64; 2]]) -> Vec<Subsegment> {
     let mut all = Vec::new();
     for line in lines(points) {
         if overlaps(points, &line) {
             thin_out(points, &line, &mut all);
         } else {
-            all.extend(line.iter().map(|&i| Piece {
+            all.extend(line.iter().map(|&i| Subsegment {
                 from: i,
                 to: i + 1,
                 segment: i,
             }));
         }
     }
-    let place = |piece: &Piece| {
+    let place = |piece: &Subsegment| {
         let forwards = along(points, piece.segment, piece.segment + 1) > 0.0;
         let at = height(points, piece.segment, piece.from);
         if forwards { at } else { -at }
@@ -155,7 +155,7 @@ fn overlaps(points: &[[f64; 2]], line: &[u32]) -> bool {
 }
 
 /// Appends the parts of a line that lie in an odd number of its segments.
-fn thin_out(points: &[[f64; 2]], line: &[u32], all: &mut Vec<Piece>) {
+fn thin_out(points: &[[f64; 2]], line: &[u32], all: &mut Vec<Subsegment>) {
     // Where a segment begins or ends.
     let mut places: Vec<(f64, u32, u32)> = Vec::new();
     for &i in line {
@@ -163,7 +163,7 @@ fn thin_out(points: &[[f64; 2]], line: &[u32], all: &mut Vec<Piece>) {
     }
     places.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut here: BTreeSet<u32> = BTreeSet::new();
-    let mut open: Option<Piece> = None;
+    let mut open: Option<Subsegment> = None;
     for place in places.chunk_by(|a, b| a.0 == b.0) {
         let point = place[0].1;
         for &(_, _, i) in place {
@@ -172,7 +172,7 @@ fn thin_out(points: &[[f64; 2]], line: &[u32], all: &mut Vec<Piece>) {
             }
         }
         let odd = here.len() % 2 == 1;
-        let goes_on = |piece: &Piece| odd && here.contains(&piece.segment);
+        let goes_on = |piece: &Subsegment| odd && here.contains(&piece.segment);
         if open.as_ref().is_some_and(goes_on) {
             continue;
         }
@@ -182,10 +182,10 @@ fn thin_out(points: &[[f64; 2]], line: &[u32], all: &mut Vec<Piece>) {
             } else {
                 (point, piece.from)
             };
-            all.push(Piece { from, to, ..piece });
+            all.push(Subsegment { from, to, ..piece });
         }
         if let (true, Some(&segment)) = (odd, here.first()) {
-            open = Some(Piece {
+            open = Some(Subsegment {
                 from: point,
                 to: point,
                 segment,

@@ -21,7 +21,7 @@ use crate::solids::shapes as solids;
 use crate::trace::shapes::support::Support;
 use beside::{Beside, Passing};
 use cylinders::Cylinders;
-use layers::Piece;
+use layers::Subsegment;
 use path::{ClosestApproach, Cut, Path, Ring, normaliser};
 use std::cell::LazyCell;
 use std::f64::consts::TAU;
@@ -39,7 +39,7 @@ pub struct Revolution {
     /// The profile and, unless it is a ring, points on the axis before and after it; times `scale`.
     points: Vec<[f64; 2]>,
     /// What of the profile is surface.
-    pieces: Vec<Piece>,
+    pieces: Vec<Subsegment>,
     /// One a profile point, or none.
     colours: Vec<Rgb>,
     ring: bool,
@@ -476,7 +476,7 @@ impl Revolution {
         &self,
         path: &impl Deref<Target = Option<Path<R>>>,
         passing: Option<&Passing>,
-        mut found: impl FnMut(&Path<R>, &Piece, [&Ring<R>; 2], [Option<Cut<R>>; 2]),
+        mut found: impl FnMut(&Path<R>, &Subsegment, [&Ring<R>; 2], [Option<Cut<R>>; 2]),
     ) -> bool {
         let mut uncertain = false;
         let mut cut = |path: &Path<R>, run: &Run, mut met: u32| {
@@ -517,7 +517,7 @@ impl Revolution {
     }
 
     /// The face of a crossing, marked where the line goes against the segment's normal.
-    fn marked<R>(&self, piece: &Piece, cut: Cut<R>) -> u32 {
+    fn marked<R>(&self, piece: &Subsegment, cut: Cut<R>) -> u32 {
         self.face(piece.segment) | if cut.against { FLIPPED } else { 0 }
     }
 

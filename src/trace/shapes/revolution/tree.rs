@@ -1,6 +1,6 @@
 //! A hierarchy over a long profile: runs of consecutive pieces, boxed in (ρ, y).
 
-use super::layers::Piece;
+use super::layers::Subsegment;
 
 /// Pieces in one leaf, at most 32.
 const LEAF: usize = 12;
@@ -58,7 +58,7 @@ pub fn leaves(
 }
 
 /// The tree over the pieces between points, in preorder: runs are halved until they are leaves.
-pub fn build(points: &[[f64; 2]], pieces: &[Piece]) -> Vec<Run> {
+pub fn build(points: &[[f64; 2]], pieces: &[Subsegment]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     // Runs whose `next` is not known yet, the innermost last.
     let mut open: Vec<usize> = Vec::new();

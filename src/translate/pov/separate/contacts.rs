@@ -3,7 +3,7 @@
 use crate::geometry::array::{cross, dot, length, sub};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Node, NodeId, TriangleNormals, Vec3};
-use crate::solids::contacts::face::{Faces, Form};
+use crate::solids::contacts::face::{FaceShape, Faces};
 use crate::solids::contacts::quadric;
 use crate::solids::shapes::AnyShape;
 use crate::solids::shapes::facts::Facts as _;
@@ -222,11 +222,11 @@ impl Model<'_> {
             let quadric = geometry.quadric(face.part);
             let corners = face.form.corners();
             let surface = match face.form {
-                Form::Flat { normal, point, .. } => Surface::Flat(Plane {
+                FaceShape::Flat { normal, point, .. } => Surface::Flat(Plane {
                     n: normal,
                     d: -dot(normal, point),
                 }),
-                Form::Round {
+                FaceShape::Round {
                     anchor,
                     scale,
                     class,
