@@ -19,7 +19,7 @@ use crate::diagnostics::{Complaint, Error, Value};
 use crate::translate::Fidelity;
 use crate::translate::fidelity::row;
 use crate::translate::registry::{TARGETS, named, of_file};
-use crate::translate::target::{Form, Options, Output, Prepared, Target};
+use crate::translate::target::{Options, Output, OutputKind, Prepared, Target};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// Translate a scene for another program
@@ -138,7 +138,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     }
     let outputs = [&args.output, &args.report].into_iter().flatten();
     let on_stdout = outputs.filter(|path| is_stdout(path)).count();
-    let is_text = to.form() == Form::Text;
+    let is_text = to.form() == OutputKind::Text;
     if on_stdout > 1 || on_stdout > 0 && args.output.is_none() && is_text {
         complain(look, &Complaint::new("two-on-stdout"));
         return Status::Failure;
@@ -194,9 +194,9 @@ fn can_write(args: &Args, to: &dyn Target) -> Result<(), Complaint> {
     let output = args.output.as_deref().filter(|path| !is_stdout(path));
     if args.output.as_deref().is_some_and(is_stdout) {
         let refused = match to.form() {
-            Form::Files => Some("mesh-on-stdout"),
-            Form::Binary if io::stdout().is_terminal() => Some("binary-on-terminal"),
-            Form::Binary | Form::Text => None,
+            OutputKind::Files => Some("mesh-on-stdout"),
+            OutputKind::Binary if io::stdout().is_terminal() => Some("binary-on-terminal"),
+            OutputKind::Binary | OutputKind::Text => None,
         };
         refused.map_or(Ok(()), |why| Err(Complaint::new(why)))?;
     }

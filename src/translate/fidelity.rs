@@ -39,29 +39,29 @@ impl Fidelity {
 
 /// What a target makes of a feature in general.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Verdict {
+pub struct FeatureSupport {
     pub fidelity: Fidelity,
     /// How the feature is expressed, where that is worth saying.
     pub note: Complaint,
 }
 
-impl Verdict {
-    pub fn exact(note: impl Into<Complaint>) -> Verdict {
-        Verdict {
+impl FeatureSupport {
+    pub fn exact(note: impl Into<Complaint>) -> FeatureSupport {
+        FeatureSupport {
             fidelity: Fidelity::Exact,
             note: note.into(),
         }
     }
 
-    pub fn approximate(bound: impl Into<Complaint>, note: impl Into<Complaint>) -> Verdict {
-        Verdict {
+    pub fn approximate(bound: impl Into<Complaint>, note: impl Into<Complaint>) -> FeatureSupport {
+        FeatureSupport {
             fidelity: Fidelity::Approximate(bound.into()),
             note: note.into(),
         }
     }
 
-    pub fn dropped(note: impl Into<Complaint>) -> Verdict {
-        Verdict {
+    pub fn dropped(note: impl Into<Complaint>) -> FeatureSupport {
+        FeatureSupport {
             fidelity: Fidelity::Dropped,
             note: note.into(),
         }
@@ -70,7 +70,7 @@ impl Verdict {
 
 /// One line of the report.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Entry {
+pub struct ReportLine {
     pub feature: &'static str,
     pub fidelity: Fidelity,
     /// How the feature is expressed, where that is worth saying.
@@ -87,7 +87,7 @@ type Key = (u8, String, &'static str);
 pub struct Report {
     /// The program translated for, as `--to` names it.
     pub target: &'static str,
-    entries: BTreeMap<Key, Entry>,
+    entries: BTreeMap<Key, ReportLine>,
 }
 
 impl Report {
@@ -99,7 +99,11 @@ impl Report {
     }
 
     /// A line for each feature that the scene uses, by what the target makes of it.
-    pub fn of(target: &'static str, scene: &Scene, verdict: impl Fn(Feature) -> Verdict) -> Report {
+    pub fn of(
+        target: &'static str,
+        scene: &Scene,
+        verdict: impl Fn(Feature) -> FeatureSupport,
+    ) -> Report {
         let mut report = Report::new(target);
         for (feature, uses) in used(scene) {
             let verdict = verdict(feature);
@@ -120,7 +124,12 @@ impl Report {
         self.add(feature, fidelity, note.into());
     }
 
-    fn add(&mut self, feature: &'static str, fidelity: Fidelity, note: Complaint) -> &mut Entry {
+    fn add(
+        &mut self,
+        feature: &'static str,
+        fidelity: Fidelity,
+        note: Complaint,
+    ) -> &mut ReportLine {
         let (rank, bound) = match &fidelity {
             Fidelity::Exact => (0, String::new()),
             Fidelity::Approximate(bound) => (1, bound.to_string()),
@@ -128,7 +137,7 @@ impl Report {
         };
         self.entries
             .entry((rank, bound, feature))
-            .or_insert_with(|| Entry {
+            .or_insert_with(|| ReportLine {
                 feature,
                 fidelity,
                 note,
@@ -137,7 +146,7 @@ impl Report {
     }
 
     /// Exact features first, then approximate, then dropped ones; each by name.
-    pub fn entries(&self) -> impl Iterator<Item = &Entry> {
+    pub fn entries(&self) -> impl Iterator<Item = &ReportLine> {
         self.entries.values()
     }
 

@@ -14,7 +14,7 @@ pub mod registry;
 pub mod target;
 
 pub use feature::{Effect, Feature};
-pub use fidelity::{Fidelity, Report, Verdict};
+pub use fidelity::{FeatureSupport, Fidelity, Report};
 
 use crate::diagnostics::Complaint;
 use crate::scene::Camera;

@@ -37,8 +37,8 @@ pub trait Target: fmt::Debug + Sync {
     fn draws(&self) -> bool;
 
     /// What is written.
-    fn form(&self) -> Form {
-        Form::Text
+    fn form(&self) -> OutputKind {
+        OutputKind::Text
     }
 
     /// Translates a scene. The report says of every feature that the scene uses what became of it.
@@ -51,7 +51,7 @@ pub trait Target: fmt::Debug + Sync {
 
 /// What a translation consists of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum OutputKind {
     /// Text: standard output has it unless a file is named.
     Text,
     /// A file that is no text: standard output has it where that is asked for.

@@ -2,19 +2,19 @@
 
 use super::locate::Path;
 use super::model::{Node, Scene, Texture, Volume};
-use super::spell::{Matter, Place};
+use super::spell::{Matter, ModelElement};
 use crate::syntax::table::RecordKind;
 
 /// The parts of a record: its ID, its type, its parameters by their number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
+pub enum RecordField {
     Id,
     Type,
     Parameter(usize),
 }
 
 /// The value that a part of a record is; for what is nowhere by itself, the value around it.
-pub fn value(scene: &Scene, place: Place, matter: Matter, part: Part) -> Path {
+pub fn value(scene: &Scene, place: ModelElement, matter: Matter, part: RecordField) -> Path {
     let path = place.path();
     let kind = match matter {
         Matter::Type(None) => return path,
@@ -22,32 +22,32 @@ pub fn value(scene: &Scene, place: Place, matter: Matter, part: Part) -> Path {
         Matter::PatternColour(_) | Matter::Background => RecordKind::Colour,
     };
     match part {
-        Part::Id => match kind {
+        RecordField::Id => match kind {
             RecordKind::BoundingBox | RecordKind::BoundingSphere => path.name("node"),
             _ if defines(scene, place, kind) => path.name("id"),
             _ => path,
         },
-        Part::Type => match place {
-            Place::Node(_) if defines(scene, place, kind) => path.name("type"),
+        RecordField::Type => match place {
+            ModelElement::Node(_) if defines(scene, place, kind) => path.name("type"),
             _ => path,
         },
-        Part::Parameter(i) => parameter(scene, place, matter, kind, i),
+        RecordField::Parameter(i) => parameter(scene, place, matter, kind, i),
     }
 }
 
 /// The value that some parts of a record are together.
-pub fn values(scene: &Scene, place: Place, matter: Matter, parts: &[Part]) -> Path {
+pub fn values(scene: &Scene, place: ModelElement, matter: Matter, parts: &[RecordField]) -> Path {
     let kind = match matter {
         Matter::Type(Some(kind)) => kind,
         Matter::Type(None) => return place.path(),
         Matter::PatternColour(_) | Matter::Background => RecordKind::Colour,
     };
-    if parts.len() > 1 && parts.contains(&Part::Id) && defines(scene, place, kind) {
+    if parts.len() > 1 && parts.contains(&RecordField::Id) && defines(scene, place, kind) {
         return place.path();
     }
     // A change has no ID and no type in the model.
-    let is_parameter = |part: &&Part| matches!(part, Part::Parameter(_));
-    let parameters: Vec<Part> = parts.iter().filter(is_parameter).copied().collect();
+    let is_parameter = |part: &&RecordField| matches!(part, RecordField::Parameter(_));
+    let parameters: Vec<RecordField> = parts.iter().filter(is_parameter).copied().collect();
     let parts = match parameters.is_empty() {
         true => parts,
         false => parameters.as_slice(),
@@ -59,28 +59,34 @@ pub fn values(scene: &Scene, place: Place, matter: Matter, parts: &[Part]) -> Pa
 }
 
 /// Whether a record is what its place in the model is, and does not only change or add to it.
-fn defines(scene: &Scene, place: Place, kind: RecordKind) -> bool {
+fn defines(scene: &Scene, place: ModelElement, kind: RecordKind) -> bool {
     match place {
-        Place::Node(i) => {
+        ModelElement::Node(i) => {
             let changes = matches!(
                 scene.nodes.get(i as usize).map(|item| &item.node),
                 None | Some(Node::Transform { .. } | Node::Paint { .. })
             );
             !changes && !matches!(kind, RecordKind::Colour)
         }
-        Place::AmbientLight(_) => kind == RecordKind::AmbientLight,
-        Place::PointLight(_) => kind == RecordKind::PointLight,
-        Place::Camera(_) => kind == RecordKind::Camera,
+        ModelElement::AmbientLight(_) => kind == RecordKind::AmbientLight,
+        ModelElement::PointLight(_) => kind == RecordKind::PointLight,
+        ModelElement::Camera(_) => kind == RecordKind::Camera,
         _ => false,
     }
 }
 
-fn parameter(scene: &Scene, place: Place, matter: Matter, kind: RecordKind, i: usize) -> Path {
+fn parameter(
+    scene: &Scene,
+    place: ModelElement,
+    matter: Matter,
+    kind: RecordKind,
+    i: usize,
+) -> Path {
     use RecordKind as R;
     let path = place.path();
-    let is_node = matches!(place, Place::Node(_));
+    let is_node = matches!(place, ModelElement::Node(_));
     let node = match place {
-        Place::Node(n) => scene.nodes.get(n as usize).map(|item| &item.node),
+        ModelElement::Node(n) => scene.nodes.get(n as usize).map(|item| &item.node),
         _ => None,
     };
     match kind {
@@ -133,7 +139,7 @@ fn parameter(scene: &Scene, place: Place, matter: Matter, kind: RecordKind, i: u
         }
         R::BoundingBox | R::BoundingSphere => {
             let bound = match place {
-                Place::Bound(n) => scene.bounds.get(n as usize),
+                ModelElement::Bound(n) => scene.bounds.get(n as usize),
                 _ => None,
             };
             let path = path.name("volume");

@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 
-use super::fields::{Part, values};
+use super::fields::{RecordField, values};
 use super::locate::{Path, Places};
 use super::model::Scene;
-use super::spell::{Matter, Place, Records, spell};
+use super::spell::{Matter, ModelElement, Records, spell};
 use super::{Unreadable, read};
 use crate::analysis::{Analysis, Origin};
 use crate::diagnostics::{Code, Diagnostic, SourceFile, Span};
@@ -48,9 +48,9 @@ fn finding(unreadable: Unreadable) -> Diagnostic {
 struct Json {
     model: Scene,
     values: Places,
-    places: Vec<Place>,
+    places: Vec<ModelElement>,
     matters: Vec<Matter>,
-    made_up: HashMap<u32, Place>,
+    made_up: HashMap<u32, ModelElement>,
 }
 
 impl Json {
@@ -68,11 +68,11 @@ impl Json {
         };
         let (first, last) = (word(span.start), word(span.end.max(span.start + 1) - 1));
         let part = |word: usize| match word {
-            0 => Part::Id,
-            1 => Part::Type,
-            n => Part::Parameter(n - 2),
+            0 => RecordField::Id,
+            1 => RecordField::Type,
+            n => RecordField::Parameter(n - 2),
         };
-        let parts: Vec<Part> = (first..=last.max(first)).map(part).collect();
+        let parts: Vec<RecordField> = (first..=last.max(first)).map(part).collect();
         Some(values(&self.model, place, matter, &parts))
     }
 }
@@ -94,6 +94,6 @@ impl Origin for Json {
     }
 
     fn name(&self, id: u32) -> Option<String> {
-        self.made_up.get(&id).map(Place::to_string)
+        self.made_up.get(&id).map(ModelElement::to_string)
     }
 }

@@ -12,27 +12,27 @@ use crate::diagnostics::Span;
 
 /// A step from a value to one in it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Step {
+pub enum PathSegment {
     Name(Cow<'static, str>),
     Index(usize),
 }
 
 /// The way from the whole to a value: `cameras[0].fovy`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Path(pub Vec<Step>);
+pub struct Path(pub Vec<PathSegment>);
 
 impl Path {
     /// The way to a named value in this one.
     #[must_use]
     pub fn name(mut self, name: impl Into<Cow<'static, str>>) -> Path {
-        self.0.push(Step::Name(name.into()));
+        self.0.push(PathSegment::Name(name.into()));
         self
     }
 
     /// The way to an item of this list.
     #[must_use]
     pub fn item(mut self, index: usize) -> Path {
-        self.0.push(Step::Index(index));
+        self.0.push(PathSegment::Index(index));
         self
     }
 
@@ -50,9 +50,9 @@ impl fmt::Display for Path {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, step) in self.0.iter().enumerate() {
             match step {
-                Step::Name(name) if i > 0 => write!(f, ".{name}")?,
-                Step::Name(name) => f.write_str(name)?,
-                Step::Index(index) => write!(f, "[{index}]")?,
+                PathSegment::Name(name) if i > 0 => write!(f, ".{name}")?,
+                PathSegment::Name(name) => f.write_str(name)?,
+                PathSegment::Index(index) => write!(f, "[{index}]")?,
             }
         }
         Ok(())
@@ -96,13 +96,13 @@ impl Places {
 
     /// The value that a path leads to, or the last one on the way that is there.
     pub fn find(&self, text: &str, path: &Path) -> Span {
-        let Some(Step::Name(first)) = path.0.first() else {
+        let Some(PathSegment::Name(first)) = path.0.first() else {
             return whole(text);
         };
         let Some(&list) = self.top.get(first.as_ref()) else {
             return whole(text);
         };
-        let Some(Step::Index(index)) = path.0.get(1) else {
+        let Some(PathSegment::Index(index)) = path.0.get(1) else {
             return self.within(text, list, &path.0[1..]);
         };
         match self
@@ -115,7 +115,7 @@ impl Places {
         }
     }
 
-    fn within(&self, text: &str, mut value: Span, steps: &[Step]) -> Span {
+    fn within(&self, text: &str, mut value: Span, steps: &[PathSegment]) -> Span {
         for step in steps {
             let length = value.range().len();
             let spend = |left: usize| left.checked_sub(length);
@@ -144,14 +144,14 @@ fn is_blank(c: char) -> bool {
 }
 
 /// One step into a value. Of a name that is there twice the last counts.
-fn inside(text: &str, value: Span, step: &Step) -> Option<Span> {
+fn inside(text: &str, value: Span, step: &PathSegment) -> Option<Span> {
     let mut entries = Entries::new(text, value);
     let mut found = None;
     let mut index = 0;
     while let Some((name, value)) = entries.next() {
         match (step, name) {
-            (Step::Name(wanted), Some(name)) if name == *wanted => found = Some(value),
-            (Step::Index(wanted), None) if index == *wanted => return Some(value),
+            (PathSegment::Name(wanted), Some(name)) if name == *wanted => found = Some(value),
+            (PathSegment::Index(wanted), None) if index == *wanted => return Some(value),
             _ => {}
         }
         index += 1;

@@ -19,7 +19,7 @@ mod write;
 
 pub use file::analyse;
 pub use read::read;
-pub use spell::{Place, Records, spell};
+pub use spell::{ModelElement, Records, spell};
 pub use unreadable::Unreadable;
 pub use verdict::verdict;
 pub use write::write;

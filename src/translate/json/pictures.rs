@@ -7,7 +7,7 @@ use super::model::{Node, Scene, Texture};
 use crate::diagnostics::Complaint;
 use crate::syntax::table::RecordKind;
 use crate::translate::target::{Options, Prepared};
-use crate::translate::{Feature, Verdict};
+use crate::translate::{Feature, FeatureSupport};
 
 /// What cannot be named from the new place, with a verdict on it.
 #[derive(Default)]
@@ -48,14 +48,14 @@ pub fn follow(model: &mut Scene, scene: &Prepared, options: &Options) -> Left {
 
 impl Left {
     /// What becomes of a feature if pictures are left behind.
-    pub fn verdict(&self, feature: Feature, options: &Options) -> Option<Verdict> {
+    pub fn verdict(&self, feature: Feature, options: &Options) -> Option<FeatureSupport> {
         let is_image = feature == Feature::Record(RecordKind::ImageTexture);
         let output = options.output.filter(|_| is_image && !self.0.is_empty())?;
         let bound = Complaint::new("fidelity-pictures")
             .with("files", self.0.join(", "))
             .with("path", output);
         let note = "an image must lie in the folder of its scene";
-        Some(Verdict::approximate(bound, Complaint::term(note)))
+        Some(FeatureSupport::approximate(bound, Complaint::term(note)))
     }
 }
 

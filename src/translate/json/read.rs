@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::model::{self, Node, Scene};
-use super::spell::{ID_MAX, Place};
+use super::spell::{ID_MAX, ModelElement};
 use super::unreadable::Unreadable;
 use crate::diagnostics::Complaint;
 
@@ -26,18 +26,18 @@ pub fn read(text: &str) -> Result<Scene, Unreadable> {
 }
 
 /// What is wrong, and where.
-type Fault = (Place, Complaint);
+type Fault = (ModelElement, Complaint);
 
 fn check(scene: &Scene) -> Result<(), Fault> {
     if scene.version != model::VERSION {
         let why = Complaint::new("json-version")
             .with("found", scene.version.to_string())
             .with("known", model::VERSION.to_string());
-        return Err((Place::Head, why));
+        return Err((ModelElement::Head, why));
     }
     check_ids(scene)?;
     for (i, item) in scene.nodes.iter().enumerate() {
-        let at = Place::Node(i as u32);
+        let at = ModelElement::Node(i as u32);
         for child in item.node.children().into_iter().flatten() {
             if child as usize >= i {
                 let why = Complaint::new("json-not-before").with("node", child.to_string());
@@ -46,7 +46,7 @@ fn check(scene: &Scene) -> Result<(), Fault> {
         }
         check_node(&item.node).map_err(|why| (at, Complaint::new(why)))?;
     }
-    let node = |at: Place, n: u32| match scene.nodes.get(n as usize) {
+    let node = |at: ModelElement, n: u32| match scene.nodes.get(n as usize) {
         Some(_) => Ok(()),
         None => {
             let why = Complaint::new("json-no-node").with("node", n.to_string());
@@ -54,10 +54,10 @@ fn check(scene: &Scene) -> Result<(), Fault> {
         }
     };
     for (i, bound) in scene.bounds.iter().enumerate() {
-        node(Place::Bound(i as u32), bound.node)?;
+        node(ModelElement::Bound(i as u32), bound.node)?;
     }
     if let Some(render) = scene.render {
-        node(Place::Render, render.root)?;
+        node(ModelElement::Render, render.root)?;
     }
     let cameras = match scene.view {
         None => vec![],
@@ -67,7 +67,7 @@ fn check(scene: &Scene) -> Result<(), Fault> {
     for camera in cameras {
         if camera as usize >= scene.cameras.len() {
             let why = Complaint::new("json-no-camera").with("camera", camera.to_string());
-            return Err((Place::View, why));
+            return Err((ModelElement::View, why));
         }
     }
     Ok(())
@@ -78,11 +78,11 @@ fn check_ids(scene: &Scene) -> Result<(), Fault> {
     let ambient = scene.ambient_lights.iter().map(|l| l.id);
     let points = scene.point_lights.iter().map(|l| l.id);
     let cameras = scene.cameras.iter().map(|c| c.id);
-    let at = |place: fn(u32) -> Place| move |(i, id)| (place(i as u32), id);
-    let all = (nodes.enumerate().map(at(Place::Node)))
-        .chain(ambient.enumerate().map(at(Place::AmbientLight)))
-        .chain(points.enumerate().map(at(Place::PointLight)))
-        .chain(cameras.enumerate().map(at(Place::Camera)));
+    let at = |place: fn(u32) -> ModelElement| move |(i, id)| (place(i as u32), id);
+    let all = (nodes.enumerate().map(at(ModelElement::Node)))
+        .chain(ambient.enumerate().map(at(ModelElement::AmbientLight)))
+        .chain(points.enumerate().map(at(ModelElement::PointLight)))
+        .chain(cameras.enumerate().map(at(ModelElement::Camera)));
     let mut seen = HashSet::new();
     for (at, id) in all {
         let Some(id) = id else { continue };

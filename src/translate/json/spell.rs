@@ -23,7 +23,7 @@ const TURN: f64 = 1e-7;
 
 /// A part of the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
+pub enum ModelElement {
     Head,
     Node(u32),
     AmbientLight(u32),
@@ -34,24 +34,24 @@ pub enum Place {
     Bound(u32),
 }
 
-impl Place {
+impl ModelElement {
     /// The way to it.
     pub fn path(self) -> Path {
         let list = |name: &'static str, i: u32| Path::default().name(name).item(i as usize);
         match self {
-            Place::Head => Path::default().name("version"),
-            Place::Node(i) => list("nodes", i),
-            Place::AmbientLight(i) => list("ambient_lights", i),
-            Place::PointLight(i) => list("point_lights", i),
-            Place::Camera(i) => list("cameras", i),
-            Place::View => Path::default().name("view"),
-            Place::Render => Path::default().name("render"),
-            Place::Bound(i) => list("bounds", i),
+            ModelElement::Head => Path::default().name("version"),
+            ModelElement::Node(i) => list("nodes", i),
+            ModelElement::AmbientLight(i) => list("ambient_lights", i),
+            ModelElement::PointLight(i) => list("point_lights", i),
+            ModelElement::Camera(i) => list("cameras", i),
+            ModelElement::View => Path::default().name("view"),
+            ModelElement::Render => Path::default().name("render"),
+            ModelElement::Bound(i) => list("bounds", i),
         }
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for ModelElement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.path().fmt(f)
     }
@@ -74,11 +74,11 @@ pub struct Records {
     /// One record or heading a line.
     pub text: String,
     /// What each line stands for.
-    pub places: Vec<Place>,
+    pub places: Vec<ModelElement>,
     /// And what of it.
     pub matters: Vec<Matter>,
     /// The IDs that the model does not have, and what they were made up for.
-    pub made_up: HashMap<u32, Place>,
+    pub made_up: HashMap<u32, ModelElement>,
 }
 
 /// Writes the records that make a scene, which has passed through [`read`](super::read()).
@@ -91,7 +91,7 @@ pub fn spell(scene: &Scene) -> Records {
     if speller.any_matrix {
         let allow = "# zpg: allow(not-a-rotation) #\n";
         speller.text.insert_str(0, allow);
-        speller.places.insert(0, Place::Head);
+        speller.places.insert(0, ModelElement::Head);
         speller.matters.insert(0, Matter::Type(None));
     }
     Records {
@@ -105,11 +105,11 @@ pub fn spell(scene: &Scene) -> Records {
 struct Speller<'a> {
     scene: &'a Scene,
     text: String,
-    places: Vec<Place>,
+    places: Vec<ModelElement>,
     matters: Vec<Matter>,
-    made_up: HashMap<u32, Place>,
+    made_up: HashMap<u32, ModelElement>,
     /// What the next lines stand for.
-    place: Place,
+    place: ModelElement,
     /// The matter of the next colour, if it is not the one of its object.
     matter: Option<Matter>,
     ids: HashSet<u32>,
@@ -142,7 +142,7 @@ impl<'a> Speller<'a> {
             places: Vec::new(),
             matters: Vec::new(),
             made_up: HashMap::new(),
-            place: Place::Head,
+            place: ModelElement::Head,
             matter: None,
             next_id: ids.iter().max().map_or(2, |m| m + 1),
             ids,
@@ -197,11 +197,11 @@ impl<'a> Speller<'a> {
         bounds.sort_unstable();
         let mut bounds = bounds.into_iter().peekable();
         for (item, i) in scene.nodes.iter().zip(0..) {
-            self.place = Place::Node(i);
+            self.place = ModelElement::Node(i);
             let holder = self.node(item);
             self.holders.push(holder);
             while let Some((_, bound)) = bounds.next_if(|b| b.0 == i) {
-                self.place = Place::Bound(bound);
+                self.place = ModelElement::Bound(bound);
                 match scene.bounds[bound as usize].volume {
                     Volume::Box { min, max } => {
                         self.record(holder, RecordKind::BoundingBox, &reals(&[min, max]))
@@ -357,18 +357,18 @@ impl<'a> Speller<'a> {
 
     fn lights(&mut self) {
         let scene = self.scene;
-        self.place = Place::Head;
+        self.place = ModelElement::Head;
         if !scene.ambient_lights.is_empty() || !scene.point_lights.is_empty() {
             self.heading("lights");
         }
         for (light, i) in scene.ambient_lights.iter().zip(0..) {
-            self.place = Place::AmbientLight(i);
+            self.place = ModelElement::AmbientLight(i);
             let id = light.id.unwrap_or_else(|| self.fresh());
             self.record(id, RecordKind::AmbientLight, &reals(&[[light.intensity]]));
             self.tint(id, light.colour);
         }
         for (light, i) in scene.point_lights.iter().zip(0..) {
-            self.place = Place::PointLight(i);
+            self.place = ModelElement::PointLight(i);
             let id = light.id.unwrap_or_else(|| self.fresh());
             self.record(id, RecordKind::PointLight, &reals(&[[light.intensity]]));
             if light.position != [0.0; 3] {
@@ -386,7 +386,7 @@ impl<'a> Speller<'a> {
 
     fn cameras(&mut self) {
         let scene = self.scene;
-        self.place = Place::Head;
+        self.place = ModelElement::Head;
         if !scene.cameras.is_empty() {
             self.heading(if scene.cameras.len() == 1 {
                 "camera"
@@ -396,7 +396,7 @@ impl<'a> Speller<'a> {
         }
         let mut ids = Vec::new();
         for (camera, i) in scene.cameras.iter().zip(0..) {
-            self.place = Place::Camera(i);
+            self.place = ModelElement::Camera(i);
             let id = camera.id.unwrap_or_else(|| self.fresh());
             let model::Camera {
                 position,
@@ -412,7 +412,7 @@ impl<'a> Speller<'a> {
             }
             ids.push(Param::Integer(id));
         }
-        self.place = Place::View;
+        self.place = ModelElement::View;
         match scene.view {
             Some(model::View::Mono(camera)) if ids.len() > 1 => {
                 let id = self.fresh();
@@ -434,7 +434,7 @@ impl<'a> Speller<'a> {
         let Some(render) = self.scene.render else {
             return;
         };
-        self.place = Place::Render;
+        self.place = ModelElement::Render;
         self.heading("what is drawn");
         let background = match render.background == [0.0; 3] {
             true => 0,

@@ -268,8 +268,8 @@ fn numbers_are_the_values_that_they_are_called() {
         path.0
             .iter()
             .try_fold(json.clone(), |value, step| match step {
-                locate::Step::Name(name) => value.get(name.as_ref()).cloned(),
-                locate::Step::Index(i) => value.get(*i).cloned(),
+                locate::PathSegment::Name(name) => value.get(name.as_ref()).cloned(),
+                locate::PathSegment::Index(i) => value.get(*i).cloned(),
             })
     };
     let corpus = include_str!("../../../tests/corpus/all-types.zpg");
@@ -294,7 +294,7 @@ fn numbers_are_the_values_that_they_are_called() {
         {
             let value = |part| fields::value(&model, records.places[i], records.matters[i], part);
             for (k, word) in line.split(' ').skip(2).enumerate() {
-                let path = value(fields::Part::Parameter(k));
+                let path = value(fields::RecordField::Parameter(k));
                 let Some(found) = at(&json, &path) else {
                     panic!("{line}: {path} is not there");
                 };
@@ -307,8 +307,8 @@ fn numbers_are_the_values_that_they_are_called() {
                     _ => names += 1,
                 }
             }
-            let id = at(&json, &value(fields::Part::Id)).and_then(|id| id.as_u64());
-            let is_path = value(fields::Part::Id).to_string().ends_with(".id");
+            let id = at(&json, &value(fields::RecordField::Id)).and_then(|id| id.as_u64());
+            let is_path = value(fields::RecordField::Id).to_string().ends_with(".id");
             assert!(
                 !is_path || id == line.split(' ').next().unwrap().parse().ok(),
                 "{line}"

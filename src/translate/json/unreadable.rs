@@ -6,9 +6,9 @@ use serde::de::IgnoredAny;
 use serde_json::{Map, Value, error::Category};
 use serde_path_to_error::Segment;
 
-use super::locate::{Path, Places, Step};
+use super::locate::{Path, PathSegment, Places};
 use super::model::Item;
-use super::spell::Place;
+use super::spell::ModelElement;
 use crate::diagnostics::{Complaint, Span};
 
 /// Why a text is no scene in JSON, and where.
@@ -23,7 +23,7 @@ pub struct Unreadable {
 
 impl Unreadable {
     /// Something refers to what is not there, or cannot be what it is.
-    pub fn content(text: &str, at: Place, why: Complaint) -> Unreadable {
+    pub fn content(text: &str, at: ModelElement, why: Complaint) -> Unreadable {
         Unreadable {
             at: Some(at.to_string()),
             span: Places::new(text).find(text, &at.path()),
@@ -122,7 +122,7 @@ fn said(error: &serde_json::Error) -> String {
 /// The node that a path leads to.
 fn node_at_fault(text: &str, way: &Path) -> Option<Map<String, Value>> {
     let index = match way.0.as_slice() {
-        [Step::Name(list), Step::Index(index)] if list == "nodes" => *index,
+        [PathSegment::Name(list), PathSegment::Index(index)] if list == "nodes" => *index,
         _ => return None,
     };
     let scene: Value = serde_json::from_str(text).ok()?;

@@ -1,20 +1,20 @@
 //! What becomes of each feature in JSON, and in records made of the resolved scene.
 
 use crate::syntax::table::RecordKind;
-use crate::translate::{Feature, Verdict};
+use crate::translate::{Feature, FeatureSupport};
 
 /// Everything is there; what a record did on the way is not.
-pub fn verdict(feature: Feature) -> Verdict {
+pub fn verdict(feature: Feature) -> FeatureSupport {
     match feature {
         Feature::Record(
             RecordKind::Translation
             | RecordKind::Rotation
             | RecordKind::Scaling
             | RecordKind::RotationMatrix,
-        ) => Verdict::exact("steps one after the other are one matrix"),
+        ) => FeatureSupport::exact("steps one after the other are one matrix"),
         Feature::Record(RecordKind::Assignment) => {
-            Verdict::exact("as the properties that were assigned")
+            FeatureSupport::exact("as the properties that were assigned")
         }
-        Feature::Record(_) | Feature::Effect(_) => Verdict::exact(""),
+        Feature::Record(_) | Feature::Effect(_) => FeatureSupport::exact(""),
     }
 }

@@ -27,7 +27,7 @@ const ROUND: f64 = 40.0;
 
 /// A solid with one inside, or a surface.
 #[derive(Debug, Clone)]
-pub struct Piece {
+pub struct MeshPart {
     /// Closed. Of a surface only what is not labelled [`DROPPED`] is meant.
     pub mesh: Mesh,
     pub bounds: Aabb,
@@ -44,7 +44,7 @@ pub struct Piece {
 /// Pieces, the first of those that hold a point owning it, and what their labels mean.
 #[derive(Debug, Clone, Default)]
 pub struct Thing {
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<MeshPart>,
     pub skins: Vec<Skin>,
 }
 
@@ -78,7 +78,7 @@ pub struct Assembly<'a> {
 
 /// One operand of an operation, in the coordinates of the result.
 pub struct Operand {
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<MeshPart>,
     /// Everything but the pieces is meant.
     pub outside: bool,
 }
@@ -286,7 +286,7 @@ impl<'a> Assembly<'a> {
             for l in mesh.labels.iter_mut().filter(|l| **l != DROPPED) {
                 *l = label;
             }
-            pieces.push(Piece {
+            pieces.push(MeshPart {
                 bounds: mesh.bounds(),
                 mesh,
                 inside: label,
@@ -314,7 +314,7 @@ impl<'a> Assembly<'a> {
         let mut mesh = shape::flat::cuboid(region.min, region.max);
         mesh.label_all(label);
         Operand {
-            pieces: vec![Piece {
+            pieces: vec![MeshPart {
                 bounds: mesh.bounds(),
                 mesh,
                 inside: label,
@@ -332,7 +332,7 @@ impl<'a> Assembly<'a> {
         object: usize,
         operand: Operand,
         skins: &mut Vec<Skin>,
-    ) -> Result<Vec<Piece>, TooMany> {
+    ) -> Result<Vec<MeshPart>, TooMany> {
         if !operand.outside {
             return Ok(operand.pieces);
         }
@@ -346,7 +346,7 @@ impl<'a> Assembly<'a> {
     }
 }
 
-impl Piece {
+impl MeshPart {
     fn relabel(&mut self, new: impl Fn(u32) -> u32) {
         for l in self.mesh.labels.iter_mut().filter(|l| **l != DROPPED) {
             *l = new(*l);

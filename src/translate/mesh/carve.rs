@@ -4,7 +4,7 @@
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use super::assemble::Piece;
+use super::assemble::MeshPart;
 use super::csg::{Operation, combine};
 use super::parts::Parts;
 use super::shape::DROPPED;
@@ -43,7 +43,7 @@ impl Parts {
     /// clear ones, or everywhere with `within`. What of a clear solid lies in a later one becomes a
     /// piece with that one's index around it. `media` are beside the skins.
     pub fn carve(&mut self, media: &[Medium], within: bool) {
-        let medium = |p: &Piece| media.get(p.inside as usize).filter(|_| !p.surface).copied();
+        let medium = |p: &MeshPart| media.get(p.inside as usize).filter(|_| !p.surface).copied();
         if !within && !self.pieces.iter().filter_map(medium).any(|m| m.clear) {
             return;
         }
@@ -65,7 +65,7 @@ impl Parts {
         // What is left of each once it has lost what earlier ones hold, which is before it takes from later
         // ones: what it has lost to another one is that one's to take.
         let mut firsts: Vec<Option<Option<Mesh>>> = vec![None; self.pieces.len()];
-        let mut pieces: Vec<Vec<Piece>> = std::mem::take(&mut self.pieces)
+        let mut pieces: Vec<Vec<MeshPart>> = std::mem::take(&mut self.pieces)
             .into_iter()
             .map(|p| vec![p])
             .collect();
@@ -94,7 +94,7 @@ impl Parts {
                     }
                     let [held, left] = self.parted(piece, of_second);
                     let around = Some(b.index);
-                    let held = held.map(|p| Piece { around, ..p });
+                    let held = held.map(|p| MeshPart { around, ..p });
                     pieces[first].extend(left);
                     pieces[first].extend(held);
                 }
@@ -105,7 +105,7 @@ impl Parts {
 
     /// What of a piece's faces lies in a tool, and what outside; one that lies wholly on one side stays
     /// as it is.
-    fn parted(&mut self, piece: Piece, tool: &Mesh) -> [Option<Piece>; 2] {
+    fn parted(&mut self, piece: MeshPart, tool: &Mesh) -> [Option<MeshPart>; 2] {
         let shown = |m: &Mesh| m.labels.iter().any(|l| *l != DROPPED);
         let [held, left] = [Operation::Intersection, Operation::Difference]
             .map(|operation| combine(&piece.mesh, tool, operation));
@@ -118,7 +118,7 @@ impl Parts {
             (false, true) => [None, Some(piece)],
             (false, false) => [None, None],
             (true, true) => [held, left].map(|mesh| {
-                Some(Piece {
+                Some(MeshPart {
                     bounds: mesh.bounds(),
                     mesh,
                     whole: false,
@@ -130,14 +130,14 @@ impl Parts {
 }
 
 /// A piece that takes from others, and leaves no faces of its own.
-fn tool(piece: &Piece) -> Mesh {
+fn tool(piece: &MeshPart) -> Mesh {
     let mut tool = piece.mesh.clone();
     tool.label_all(DROPPED);
     tool
 }
 
 /// The same for pieces of one form in one place.
-fn form(piece: &Piece) -> u64 {
+fn form(piece: &MeshPart) -> u64 {
     let mut hasher = DefaultHasher::new();
     piece.surface.hash(&mut hasher);
     piece.mesh.triangles.hash(&mut hasher);

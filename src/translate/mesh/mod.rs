@@ -39,7 +39,7 @@ mod tests;
 mod unite;
 mod verdict;
 
-pub use assemble::Piece;
+pub use assemble::MeshPart;
 pub use carve::Medium;
 pub use extent::Extent;
 pub use material::{Coloured, Material};

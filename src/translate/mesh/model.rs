@@ -18,7 +18,7 @@ use crate::diagnostics::Error;
 use crate::scene::Scene;
 use crate::syntax::table::RecordKind;
 use crate::trace::graph::Graph;
-use crate::translate::{Feature, Report, Verdict};
+use crate::translate::{Feature, FeatureSupport, Report};
 
 /// The scene as one mesh.
 #[derive(Debug)]
@@ -95,7 +95,7 @@ pub fn report(target: &'static str, scene: &Scene, model: &Model, off: f64) -> R
     let cameras = scene.cameras.iter().all(has_counterpart);
     let mut report = Report::of(target, scene, |feature| match feature {
         Feature::Record(RecordKind::ProjectionMatrix) if target == "glb" && !cameras => {
-            Verdict::dropped("glTF has none that look askew or mirror")
+            FeatureSupport::dropped("glTF has none that look askew or mirror")
         }
         _ => verdict::verdict(target, feature, bounds),
     });

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::assemble::{Assembly, Operand, Piece, Thing, crowded};
+use super::assemble::{Assembly, MeshPart, Operand, Thing, crowded};
 use super::budget::TooMany;
 use super::csg::{Operation, combine};
 use super::shape::{self, DROPPED};
@@ -17,7 +17,7 @@ impl Assembly<'_> {
         kept: Vec<Operand>,
         taken: Vec<Operand>,
         skins: &[Skin],
-    ) -> Result<Vec<Piece>, TooMany> {
+    ) -> Result<Vec<MeshPart>, TooMany> {
         let tools = taken.into_iter().flat_map(|o| o.pieces);
         let tools = self.union_of_solids(tools, skins)?;
         let mut pieces = Vec::new();
@@ -46,7 +46,7 @@ impl Assembly<'_> {
 
     fn union_of_solids(
         &mut self,
-        pieces: impl Iterator<Item = Piece>,
+        pieces: impl Iterator<Item = MeshPart>,
         skins: &[Skin],
     ) -> Result<Union, TooMany> {
         let meshes = pieces.filter(|p| !p.surface).map(|p| p.mesh).collect();
@@ -58,10 +58,10 @@ impl Assembly<'_> {
     /// What of a piece is in all of some solids and outside of others.
     fn cut<'u>(
         &mut self,
-        mut piece: Piece,
+        mut piece: MeshPart,
         kept: impl Iterator<Item = &'u Union>,
         taken: &Union,
-    ) -> Option<Piece> {
+    ) -> Option<MeshPart> {
         let steps = kept
             .map(|u| (u, Operation::Intersection))
             .chain([(taken, Operation::Difference)]);
@@ -116,7 +116,7 @@ impl Assembly<'_> {
             let cut = self.cut(piece, [&all].into_iter(), &Union::default());
             thing
                 .pieces
-                .extend(cut.map(|piece| Piece { whole, ..piece }));
+                .extend(cut.map(|piece| MeshPart { whole, ..piece }));
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::assemble::{Assembly, Piece, Thing, Troubles, crowded};
+use super::assemble::{Assembly, MeshPart, Thing, Troubles, crowded};
 use super::budget::{Budget, Crowd, TooMany};
 use super::extent::Extent;
 use super::options::Options;
@@ -19,7 +19,7 @@ use crate::translate::{Fidelity, Report};
 #[derive(Debug)]
 pub struct Parts {
     /// Cut to the region. Labels are indices into `skins`, or [`shape::DROPPED`].
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<MeshPart>,
     pub skins: Vec<Skin>,
     pub extent: Extent,
     pub(super) troubles: Troubles,
@@ -48,10 +48,10 @@ impl Parts {
     /// It takes too long.
     pub fn join_by<K: Ord>(
         &mut self,
-        kind: impl Fn(usize, &Piece) -> Option<K>,
+        kind: impl Fn(usize, &MeshPart) -> Option<K>,
     ) -> Result<(), Error> {
         let mut budget = Budget::default();
-        let mut groups: BTreeMap<(K, Option<u32>), Vec<Piece>> = BTreeMap::new();
+        let mut groups: BTreeMap<(K, Option<u32>), Vec<MeshPart>> = BTreeMap::new();
         for (i, piece) in std::mem::take(&mut self.pieces).into_iter().enumerate() {
             match kind(i, &piece).filter(|_| !piece.surface) {
                 Some(k) => groups.entry((k, piece.around)).or_default().push(piece),
@@ -85,7 +85,7 @@ impl Parts {
                 .map_err(|crowd| refusal(&crowded(crowd, &self.skins)))?;
             self.troubles.unjoined += union.failures;
             for (bounds, mesh) in union.meshes {
-                self.pieces.push(Piece {
+                self.pieces.push(MeshPart {
                     mesh,
                     bounds,
                     inside,

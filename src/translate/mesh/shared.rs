@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::Parts;
-use super::assemble::Piece;
+use super::assemble::MeshPart;
 use super::sets::Sets;
 use super::shape::DROPPED;
 use super::skin::Skin;
@@ -34,7 +34,12 @@ impl Parts {
 
     /// The number of surfaces that solids have in one place and are seen from both sides, since some
     /// of these solids are seen into; their triangles may differ. Balls may be turned in their place.
-    pub fn clashes(&self, scene: &Scene, graph: &Graph, seen_into: impl Fn(&Piece) -> bool) -> u64 {
+    pub fn clashes(
+        &self,
+        scene: &Scene,
+        graph: &Graph,
+        seen_into: impl Fn(&MeshPart) -> bool,
+    ) -> u64 {
         let mut first: HashMap<(u32, [i64; 12]), (usize, bool)> = HashMap::new();
         let mut clashes = 0;
         for (i, piece) in self.pieces.iter().enumerate() {
@@ -51,7 +56,7 @@ impl Parts {
     }
 
     /// The skins of the surfaces of a solid that belong to shapes, and these.
-    fn shown(&self, piece: &Piece) -> impl Iterator<Item = (&Skin, u32)> {
+    fn shown(&self, piece: &MeshPart) -> impl Iterator<Item = (&Skin, u32)> {
         let mut labels = match piece.surface {
             true => Vec::new(),
             false => piece.mesh.labels.clone(),

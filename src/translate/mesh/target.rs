@@ -15,7 +15,7 @@ use crate::diagnostics::{Complaint, Error};
 use crate::solids::staging::{Viewpoint, staged};
 use crate::translate::names::Names;
 use crate::translate::plain::plain;
-use crate::translate::target::{self, Form, Output, Prepared, Target};
+use crate::translate::target::{self, Output, OutputKind, Prepared, Target};
 
 /// The kinds of files there are for meshes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,10 +49,10 @@ impl Target for Format {
         true
     }
 
-    fn form(&self) -> Form {
+    fn form(&self) -> OutputKind {
         match self {
-            Format::Obj => Form::Files,
-            Format::Ply | Format::Glb | Format::Stl => Form::Binary,
+            Format::Obj => OutputKind::Files,
+            Format::Ply | Format::Glb | Format::Stl => OutputKind::Binary,
         }
     }
 

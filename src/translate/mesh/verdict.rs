@@ -4,7 +4,7 @@ use super::glb_scenery::LIGHTS;
 use super::shape;
 use crate::diagnostics::{Complaint, Value};
 use crate::syntax::table::RecordKind;
-use crate::translate::{Effect, Feature, Fidelity, Report, Verdict};
+use crate::translate::{Effect, Feature, FeatureSupport, Fidelity, Report};
 
 /// Off by no more than the tolerance.
 pub fn within(tolerance: f64) -> Complaint {
@@ -43,36 +43,38 @@ impl Bounds {
 /// Why something is dropped that is no place.
 const TRIANGLES_ONLY: &str = "an STL file has triangles only";
 
-pub fn verdict(target: &str, feature: Feature, bounds: Bounds) -> Verdict {
+pub fn verdict(target: &str, feature: Feature, bounds: Bounds) -> FeatureSupport {
     match feature {
         Feature::Record(kind) => record(target, kind, bounds),
         Feature::Effect(effect) => of_effect(target, effect),
     }
 }
 
-fn record(target: &str, kind: RecordKind, bounds: Bounds) -> Verdict {
+fn record(target: &str, kind: RecordKind, bounds: Bounds) -> FeatureSupport {
     let within = || within(bounds.tolerance + bounds.off);
     match kind {
-        RecordKind::Undefined => Verdict::exact("there is nothing to draw"),
+        RecordKind::Undefined => FeatureSupport::exact("there is nothing to draw"),
         RecordKind::Shape(kind) if shape::is_faceted(kind) => match bounds.is_coarse() {
-            true => Verdict::approximate(self::within(bounds.off), "triangles"),
-            false => Verdict::exact("triangles"),
+            true => FeatureSupport::approximate(self::within(bounds.off), "triangles"),
+            false => FeatureSupport::exact("triangles"),
         },
-        RecordKind::Shape(_) => Verdict::approximate(within(), "triangles"),
+        RecordKind::Shape(_) => FeatureSupport::approximate(within(), "triangles"),
         RecordKind::Translation
         | RecordKind::Rotation
         | RecordKind::Scaling
-        | RecordKind::RotationMatrix => Verdict::exact("applied to the points"),
+        | RecordKind::RotationMatrix => FeatureSupport::exact("applied to the points"),
         RecordKind::Union
         | RecordKind::Intersection
         | RecordKind::Difference
-        | RecordKind::Complement => Verdict::approximate(within(), "cut and joined as meshes"),
-        RecordKind::Copy => Verdict::exact(""),
+        | RecordKind::Complement => {
+            FeatureSupport::approximate(within(), "cut and joined as meshes")
+        }
+        RecordKind::Copy => FeatureSupport::exact(""),
         RecordKind::Optics | RecordKind::OpticsRgb | RecordKind::RefractiveIndex => match target {
-            "ply" => Verdict::dropped("a PLY file has colours only"),
-            "stl" => Verdict::dropped(TRIANGLES_ONLY),
-            "obj" => Verdict::approximate("a material of MTL", "Kd, Ks, Tf, Ni"),
-            _ => Verdict::approximate(
+            "ply" => FeatureSupport::dropped("a PLY file has colours only"),
+            "stl" => FeatureSupport::dropped(TRIANGLES_ONLY),
+            "obj" => FeatureSupport::approximate("a material of MTL", "Kd, Ks, Tf, Ni"),
+            _ => FeatureSupport::approximate(
                 "a physically based material",
                 "metallic, roughness, transmission, index",
             ),
@@ -83,65 +85,69 @@ fn record(target: &str, kind: RecordKind, bounds: Bounds) -> Verdict {
         | RecordKind::Checkerboard
             if target == "stl" =>
         {
-            Verdict::dropped(TRIANGLES_ONLY)
+            FeatureSupport::dropped(TRIANGLES_ONLY)
         }
-        RecordKind::Assignment | RecordKind::Colour => Verdict::exact(""),
+        RecordKind::Assignment | RecordKind::Colour => FeatureSupport::exact(""),
         RecordKind::ImageTexture | RecordKind::Checkerboard if target != "ply" => {
-            Verdict::approximate("straight between the points of the mesh", "a picture")
+            FeatureSupport::approximate("straight between the points of the mesh", "a picture")
         }
         RecordKind::ImageTexture | RecordKind::SolidTexture | RecordKind::Checkerboard => {
-            Verdict::approximate("one colour a triangle or point", "")
+            FeatureSupport::approximate("one colour a triangle or point", "")
         }
-        RecordKind::PointLight if target == "glb" => Verdict::approximate(
+        RecordKind::PointLight if target == "glb" => FeatureSupport::approximate(
             "as bright in the middle of the scene, fading with distance",
             LIGHTS,
         ),
         RecordKind::AmbientLight if target == "glb" => {
-            Verdict::dropped("glTF has no ambient light")
+            FeatureSupport::dropped("glTF has no ambient light")
         }
         RecordKind::AmbientLight | RecordKind::PointLight => {
-            Verdict::dropped("a mesh has no lights")
+            FeatureSupport::dropped("a mesh has no lights")
         }
         RecordKind::Camera | RecordKind::ProjectionMatrix if target == "glb" => {
-            Verdict::exact("a camera")
+            FeatureSupport::exact("a camera")
         }
-        RecordKind::MonoCamera if target == "glb" => Verdict::exact("the first camera of the file"),
+        RecordKind::MonoCamera if target == "glb" => {
+            FeatureSupport::exact("the first camera of the file")
+        }
         RecordKind::StereoCamera if target == "glb" => {
-            Verdict::approximate("two cameras, each by itself", "the first ones of the file")
+            FeatureSupport::approximate("two cameras, each by itself", "the first ones of the file")
         }
         RecordKind::Camera
         | RecordKind::MonoCamera
         | RecordKind::StereoCamera
-        | RecordKind::ProjectionMatrix => Verdict::dropped("a mesh has no camera"),
+        | RecordKind::ProjectionMatrix => FeatureSupport::dropped("a mesh has no camera"),
         RecordKind::BoundingBox | RecordKind::BoundingSphere => {
-            Verdict::exact("left out: it never changes the picture")
+            FeatureSupport::exact("left out: it never changes the picture")
         }
-        RecordKind::Render => Verdict::exact(""),
+        RecordKind::Render => FeatureSupport::exact(""),
     }
 }
 
-fn of_effect(target: &str, effect: Effect) -> Verdict {
+fn of_effect(target: &str, effect: Effect) -> FeatureSupport {
     match effect {
         Effect::Diffuse | Effect::Shadows | Effect::TransparentShadows => {
-            Verdict::exact("up to the program that shows the mesh")
+            FeatureSupport::exact("up to the program that shows the mesh")
         }
         Effect::Reflection | Effect::Refraction | Effect::Dispersion | Effect::TotalReflection => {
             match target {
-                "ply" => Verdict::dropped("a PLY file has colours only"),
-                "stl" => Verdict::dropped(TRIANGLES_ONLY),
-                _ => Verdict::approximate("a material", ""),
+                "ply" => FeatureSupport::dropped("a PLY file has colours only"),
+                "stl" => FeatureSupport::dropped(TRIANGLES_ONLY),
+                _ => FeatureSupport::approximate("a material", ""),
             }
         }
         Effect::VertexColours | Effect::SmoothNormals if target == "stl" => {
-            Verdict::dropped(TRIANGLES_ONLY)
+            FeatureSupport::dropped(TRIANGLES_ONLY)
         }
-        Effect::VertexColours => Verdict::approximate("between the points of the mesh", ""),
-        Effect::SmoothNormals => Verdict::exact("normals of the mesh"),
-        Effect::Background => Verdict::dropped("a mesh has no background"),
+        Effect::VertexColours => FeatureSupport::approximate("between the points of the mesh", ""),
+        Effect::SmoothNormals => FeatureSupport::exact("normals of the mesh"),
+        Effect::Background => FeatureSupport::dropped("a mesh has no background"),
         Effect::RenderBox => {
-            Verdict::approximate("what it cuts is closed", "everything is cut to it")
+            FeatureSupport::approximate("what it cuts is closed", "everything is cut to it")
         }
-        Effect::AutomaticCamera | Effect::AutomaticLights => Verdict::exact("left to the viewer"),
-        Effect::Depth | Effect::Cutoff => Verdict::exact("left to the viewer"),
+        Effect::AutomaticCamera | Effect::AutomaticLights => {
+            FeatureSupport::exact("left to the viewer")
+        }
+        Effect::Depth | Effect::Cutoff => FeatureSupport::exact("left to the viewer"),
     }
 }

@@ -28,7 +28,7 @@ impl Exact {
 
 /// Where something without end is seen, and how far it has to reach from there.
 #[derive(Debug, Clone, Copy)]
-pub struct Reach {
+pub struct RequiredExtent {
     pub centre: Vec3,
     pub far: f64,
 }
@@ -47,7 +47,12 @@ pub fn is_endless(scene: &Scene, graph: &Graph, skin: &Skin) -> bool {
 /// The shapes that make up the shape of a skin, if Mitsuba has them and its colours can be laid on
 /// them. Planes and half-spaces are rectangles: one, and four around it that reach very far. For
 /// Mitsuba's rectangles are as exact as they are small.
-pub fn shapes(scene: &Scene, graph: &Graph, skin: &Skin, view: &Reach) -> Option<Vec<Exact>> {
+pub fn shapes(
+    scene: &Scene,
+    graph: &Graph,
+    skin: &Skin,
+    view: &RequiredExtent,
+) -> Option<Vec<Exact>> {
     let record = graph.records[skin.primitive? as usize] as usize;
     let m = &*skin.matrix;
     let placed = |m: &Matrix| xml::transform("to_world", m);
@@ -159,7 +164,7 @@ fn placed_plane(plane: [f64; 4], m: &Matrix) -> Option<[f64; 4]> {
 type Made = (&'static str, String, Option<[[f64; 2]; 2]>);
 
 /// A plane as rectangles about where it is seen, placed by a matrix that scales.
-fn around(plane: &Facing, m: &Matrix, scale: f64, view: &Reach) -> Vec<Made> {
+fn around(plane: &Facing, m: &Matrix, scale: f64, view: &RequiredExtent) -> Vec<Made> {
     let Facing { normal, foot, u, v } = *plane;
     let back = m.inverse().unwrap_or(Matrix::IDENTITY);
     let seen = back.point(view.centre);

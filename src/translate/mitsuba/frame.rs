@@ -13,18 +13,18 @@ const SIZES: std::ops::RangeInclusive<f64> = 1e-1..=4e6;
 
 /// A place p of the scene is at `scale` · (p − `origin`) there.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frame {
+pub struct SceneFrame {
     pub scale: f64,
     pub origin: Vec3,
 }
 
-impl Frame {
+impl SceneFrame {
     /// As the scene says, unless it is too far away, too large or too small for that.
-    pub fn of(region: &Aabb) -> Frame {
+    pub fn of(region: &Aabb) -> SceneFrame {
         let (centre, radius) = (region.centre(), region.radius());
         let power = radius.log2().floor();
         if !power.is_finite() {
-            return Frame::PLAIN;
+            return SceneFrame::PLAIN;
         }
         let unit = power.exp2();
         let away = centre.iter().any(|x| x.abs() > FAR * radius);
@@ -38,16 +38,16 @@ impl Frame {
         } else {
             1.0 / unit
         };
-        Frame { scale, origin }
+        SceneFrame { scale, origin }
     }
 
-    const PLAIN: Frame = Frame {
+    const PLAIN: SceneFrame = SceneFrame {
         scale: 1.0,
         origin: [0.0; 3],
     };
 
     pub fn is_plain(&self) -> bool {
-        *self == Frame::PLAIN
+        *self == SceneFrame::PLAIN
     }
 
     pub fn matrix(&self) -> Matrix {
@@ -84,14 +84,14 @@ mod tests {
 
     #[test]
     fn ordinary_scenes_stay_where_they_are() {
-        let frame = Frame::of(&Aabb::new([-3.0, 0.0, 5.0], [4.0, 2.0, 9.0]));
+        let frame = SceneFrame::of(&Aabb::new([-3.0, 0.0, 5.0], [4.0, 2.0, 9.0]));
         assert!(frame.is_plain());
-        assert!(Frame::of(&Aabb::new([0.0; 3], [0.0; 3])).is_plain());
+        assert!(SceneFrame::of(&Aabb::new([0.0; 3], [0.0; 3])).is_plain());
     }
 
     #[test]
     fn what_is_far_away_is_brought_near() {
-        let frame = Frame::of(&Aabb::new(
+        let frame = SceneFrame::of(&Aabb::new(
             [1e8, 1e8, -1e8],
             [1e8 + 4.0, 1e8 + 4.0, 4.0 - 1e8],
         ));
@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn sizes_become_ordinary() {
         for size in [1e-9, 1e12] {
-            let frame = Frame::of(&Aabb::new([-size; 3], [size; 3]));
+            let frame = SceneFrame::of(&Aabb::new([-size; 3], [size; 3]));
             let [x, ..] = frame.place([size; 3]);
             assert!((0.5..2.0).contains(&x), "{x}");
         }

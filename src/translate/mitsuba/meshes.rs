@@ -11,7 +11,7 @@ use crate::trace::graph::Graph;
 use crate::translate::mesh::corners::{Corner, corners};
 use crate::translate::mesh::picture::is_pictured;
 use crate::translate::mesh::shape::DROPPED;
-use crate::translate::mesh::{Mesh, Piece, Precision, Skin};
+use crate::translate::mesh::{Mesh, MeshPart, Precision, Skin};
 
 /// What triangles must have in common to be in one file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -37,7 +37,7 @@ pub struct File {
     /// One that all its triangles have the material of.
     pub skin: u32,
     pub colours: Colours,
-    /// As in [`Piece`].
+    /// As in [`MeshPart`].
     pub around: Option<u32>,
     pub bytes: Vec<u8>,
 }
@@ -46,7 +46,7 @@ impl Collector {
     /// Adds what is seen of a piece, with edges no longer than `grain` where it has a texture, and elsewhere no longer
     /// than that or than they are from the eye: single precision mistakes places on large triangles. Where the
     /// render box cuts it, it is open.
-    pub fn add(&mut self, piece: &Piece, skins: &[Skin], graph: &Graph, grain: f64, eye: Vec3) {
+    pub fn add(&mut self, piece: &MeshPart, skins: &[Skin], graph: &Graph, grain: f64, eye: Vec3) {
         let far = |p: Vec3| length(sub(p, eye)).max(grain);
         let mut mesh = piece.mesh.clone();
         mesh.drop_needles(Precision::Single, f64::INFINITY);

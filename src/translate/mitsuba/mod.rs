@@ -26,7 +26,7 @@ use crate::solids::bounds::node_bounds;
 use crate::solids::staging::staged;
 use crate::trace::{Tracer, Walkers, camera::View};
 use bsdf::Bsdfs;
-pub use frame::Frame;
+pub use frame::SceneFrame;
 pub use options::{Integrator, Options};
 pub use output::{Output, ShapeInfo};
 pub use scenery::{is_exact, square_size};
@@ -98,7 +98,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     let clashes = parts.clashes(scene, graph, |piece| {
         within || media.get(piece.inside as usize).is_some_and(|m| m.clear)
     });
-    let frame = Frame::of(&parts.extent.region);
+    let frame = SceneFrame::of(&parts.extent.region);
     let extent = parts.extent;
     if !frame.is_plain() {
         parts.place(&frame.matrix());
@@ -106,7 +106,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     let there: Vec<Camera> = cameras.iter().map(|c| frame.camera(c)).collect();
     let eye = there.first().map_or([0.0; 3], |c| c.position);
     let reach = scenery::reach(&parts.extent.region, &there);
-    let seen = exact::Reach {
+    let seen = exact::RequiredExtent {
         centre: parts.extent.region.centre(),
         far: reach,
     };

@@ -1,6 +1,6 @@
 //! A finished translation.
 
-use super::frame::Frame;
+use super::frame::SceneFrame;
 use crate::translate::Report;
 use crate::translate::mesh;
 
@@ -27,7 +27,7 @@ pub struct Output {
     /// How far the meshes may be from the shapes, and where parts without end are cut off.
     pub extent: mesh::Extent,
     /// Where the scene was put.
-    pub frame: Frame,
+    pub frame: SceneFrame,
     /// How far parts without end go on about the middle of the region.
     pub reach: f64,
     pub report: Report,

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-use super::frame::Frame;
+use super::frame::SceneFrame;
 use super::options::{Integrator, Options};
 use super::xml::{number, rgb, transform, vector};
 use crate::diagnostics::Error;
@@ -212,7 +212,7 @@ fn environment(scene: &Scene) -> Option<Environment> {
 }
 
 /// The lamps. They are as bright as ours at the middle of the scene: Mitsuba's fade with distance.
-pub fn lights(scene: &Scene, frame: &Frame, region: &Aabb) -> String {
+pub fn lights(scene: &Scene, frame: &SceneFrame, region: &Aabb) -> String {
     let mut out = String::new();
     if let Some(e) = environment(scene) {
         // Writing to a string does not fail.

@@ -3,9 +3,9 @@
 use super::written::Written;
 use crate::diagnostics::{Complaint, Value};
 use crate::syntax::table::{RecordKind, ShapeKind};
-use crate::translate::{Effect, Feature, Verdict, mesh};
+use crate::translate::{Effect, Feature, FeatureSupport, mesh};
 
-pub fn verdict(feature: Feature, tolerance: f64, written: &Written) -> Verdict {
+pub fn verdict(feature: Feature, tolerance: f64, written: &Written) -> FeatureSupport {
     match feature {
         Feature::Record(kind) => record(kind, tolerance, written.counts(kind)),
         Feature::Effect(effect) => of_effect(effect),
@@ -15,72 +15,76 @@ pub fn verdict(feature: Feature, tolerance: f64, written: &Written) -> Verdict {
 /// How many of a type of record were written as Mitsuba's own, and how many as meshes.
 type Counts = [usize; 2];
 
-fn record(kind: RecordKind, tolerance: f64, counts: Counts) -> Verdict {
+fn record(kind: RecordKind, tolerance: f64, counts: Counts) -> FeatureSupport {
     let within = || mesh::within(tolerance);
-    let facets = |note: &'static str| Verdict::approximate(within(), note);
+    let facets = |note: &'static str| FeatureSupport::approximate(within(), note);
     let [exact, meshes] = counts;
     match kind {
-        RecordKind::Undefined => Verdict::exact("there is nothing to draw"),
+        RecordKind::Undefined => FeatureSupport::exact("there is nothing to draw"),
         RecordKind::Shape(ShapeKind::SphereAtOrigin | ShapeKind::Sphere) if meshes == 0 => {
-            Verdict::exact(made("sphere", counts))
+            FeatureSupport::exact(made("sphere", counts))
         }
         RecordKind::Shape(ShapeKind::SphereAtOrigin | ShapeKind::Sphere) => {
-            Verdict::approximate(within(), made("sphere", counts))
+            FeatureSupport::approximate(within(), made("sphere", counts))
         }
         RecordKind::Shape(ShapeKind::Plane | ShapeKind::HalfSpace) if exact == 0 && meshes > 0 => {
-            Verdict::exact("a mesh")
+            FeatureSupport::exact("a mesh")
         }
         RecordKind::Shape(ShapeKind::Plane | ShapeKind::HalfSpace) => {
             let end = "ends at a thousand times the scene's size";
             let own = if meshes == 0 { "rectangles" } else { "plane" };
-            Verdict::approximate(end, made(own, counts))
+            FeatureSupport::approximate(end, made(own, counts))
         }
-        RecordKind::Shape(ShapeKind::Rectangle) => Verdict::exact(made("rectangle", counts)),
-        RecordKind::Shape(ShapeKind::Box) => Verdict::exact(made("cube", counts)),
+        RecordKind::Shape(ShapeKind::Rectangle) => FeatureSupport::exact(made("rectangle", counts)),
+        RecordKind::Shape(ShapeKind::Box) => FeatureSupport::exact(made("cube", counts)),
         // All that are not in the table of Mitsuba's own shapes are meshes.
         RecordKind::Shape(kind) if mesh::is_faceted(kind) => {
-            Verdict::exact("a mesh of the same facets")
+            FeatureSupport::exact("a mesh of the same facets")
         }
         RecordKind::Shape(_) => facets("a mesh"),
         RecordKind::Translation
         | RecordKind::Rotation
         | RecordKind::Scaling
-        | RecordKind::RotationMatrix => Verdict::exact(""),
-        RecordKind::ProjectionMatrix => Verdict::approximate(
+        | RecordKind::RotationMatrix => FeatureSupport::exact(""),
+        RecordKind::ProjectionMatrix => FeatureSupport::approximate(
             "exact where rays are parallel, or pixels square",
             "orthographic, perspective with principal_point_offset",
         ),
         RecordKind::Union => {
-            Verdict::exact("shapes side by side; those of one clear medium are joined")
+            FeatureSupport::exact("shapes side by side; those of one clear medium are joined")
         }
         RecordKind::Intersection | RecordKind::Difference | RecordKind::Complement => {
             facets("cut as meshes")
         }
-        RecordKind::Copy => Verdict::exact(""),
-        RecordKind::Optics | RecordKind::OpticsRgb => Verdict::approximate(
+        RecordKind::Copy => FeatureSupport::exact(""),
+        RecordKind::Optics | RecordKind::OpticsRgb => FeatureSupport::approximate(
             "a mixture by the strongest channel, with Fresnel's law where light is bent",
             "diffuse, conductor, dielectric",
         ),
-        RecordKind::RefractiveIndex => Verdict::exact("int_ior, ext_ior"),
-        RecordKind::Assignment | RecordKind::Colour => Verdict::exact(""),
-        RecordKind::ImageTexture if meshes == 0 => Verdict::exact("bitmap"),
-        RecordKind::ImageTexture => Verdict::approximate(STRAIGHT, laid("bitmap", counts)),
-        RecordKind::SolidTexture => Verdict::approximate("one colour a triangle", "mesh_attribute"),
-        RecordKind::Checkerboard if meshes == 0 => Verdict::exact("checkerboard"),
-        RecordKind::Checkerboard => Verdict::approximate(STRAIGHT, laid("checkerboard", counts)),
-        RecordKind::AmbientLight => {
-            Verdict::approximate("light that what is near keeps out", "a constant emitter")
+        RecordKind::RefractiveIndex => FeatureSupport::exact("int_ior, ext_ior"),
+        RecordKind::Assignment | RecordKind::Colour => FeatureSupport::exact(""),
+        RecordKind::ImageTexture if meshes == 0 => FeatureSupport::exact("bitmap"),
+        RecordKind::ImageTexture => FeatureSupport::approximate(STRAIGHT, laid("bitmap", counts)),
+        RecordKind::SolidTexture => {
+            FeatureSupport::approximate("one colour a triangle", "mesh_attribute")
         }
-        RecordKind::PointLight => Verdict::approximate(
+        RecordKind::Checkerboard if meshes == 0 => FeatureSupport::exact("checkerboard"),
+        RecordKind::Checkerboard => {
+            FeatureSupport::approximate(STRAIGHT, laid("checkerboard", counts))
+        }
+        RecordKind::AmbientLight => {
+            FeatureSupport::approximate("light that what is near keeps out", "a constant emitter")
+        }
+        RecordKind::PointLight => FeatureSupport::approximate(
             "as bright as ours at the scene's middle: it fades with distance",
             "a point emitter",
         ),
-        RecordKind::Camera | RecordKind::MonoCamera => Verdict::exact("perspective"),
-        RecordKind::StereoCamera => Verdict::exact("one file for each eye"),
+        RecordKind::Camera | RecordKind::MonoCamera => FeatureSupport::exact("perspective"),
+        RecordKind::StereoCamera => FeatureSupport::exact("one file for each eye"),
         RecordKind::BoundingBox | RecordKind::BoundingSphere => {
-            Verdict::exact("left out: it never changes the picture")
+            FeatureSupport::exact("left out: it never changes the picture")
         }
-        RecordKind::Render => Verdict::exact(""),
+        RecordKind::Render => FeatureSupport::exact(""),
     }
 }
 
@@ -111,36 +115,38 @@ fn counted(message: &'static str, name: &'static str, [exact, meshes]: Counts) -
         .with("meshes", Value::Count(meshes as u64))
 }
 
-fn of_effect(effect: Effect) -> Verdict {
+fn of_effect(effect: Effect) -> FeatureSupport {
     match effect {
         Effect::Diffuse | Effect::Shadows | Effect::Reflection => {
-            Verdict::approximate("light between surfaces comes in addition", "path")
+            FeatureSupport::approximate("light between surfaces comes in addition", "path")
         }
-        Effect::TransparentShadows => Verdict::approximate(
+        Effect::TransparentShadows => FeatureSupport::approximate(
             "full behind what bends light",
             "point lights are no caustics",
         ),
         Effect::Refraction | Effect::TotalReflection => {
-            Verdict::approximate("with Fresnel's law", "dielectric")
+            FeatureSupport::approximate("with Fresnel's law", "dielectric")
         }
-        Effect::Dispersion => Verdict::approximate(
+        Effect::Dispersion => FeatureSupport::approximate(
             "the mean of the channels; exact in three passes",
             "as the head of the file says",
         ),
-        Effect::VertexColours => Verdict::approximate("at the points of a mesh", "mesh_attribute"),
-        Effect::SmoothNormals => Verdict::exact("normals of the mesh"),
-        Effect::Background => Verdict::approximate(
+        Effect::VertexColours => {
+            FeatureSupport::approximate("at the points of a mesh", "mesh_attribute")
+        }
+        Effect::SmoothNormals => FeatureSupport::exact("normals of the mesh"),
+        Effect::Background => FeatureSupport::approximate(
             "it lights the scene; beside ambient light that is seen instead",
             "a constant emitter",
         ),
-        Effect::RenderBox => Verdict::exact("what it cuts is a mesh, and open"),
-        Effect::AutomaticCamera => Verdict::exact("the camera is written out"),
-        Effect::AutomaticLights => Verdict::approximate(
+        Effect::RenderBox => FeatureSupport::exact("what it cuts is a mesh, and open"),
+        Effect::AutomaticCamera => FeatureSupport::exact("the camera is written out"),
+        Effect::AutomaticLights => FeatureSupport::approximate(
             "as bright as ours at the scene's middle: it fades with distance",
             "a point and a constant emitter",
         ),
-        Effect::Depth => Verdict::exact("max_depth"),
-        Effect::Cutoff => Verdict::exact("paths end at random, which is right on average"),
+        Effect::Depth => FeatureSupport::exact("max_depth"),
+        Effect::Cutoff => FeatureSupport::exact("paths end at random, which is right on average"),
     }
 }
 

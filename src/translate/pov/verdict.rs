@@ -2,14 +2,14 @@
 
 use super::pictures::Pictures;
 use crate::syntax::table::{RecordKind, ShapeKind};
-use crate::translate::{Effect, Feature, Verdict};
+use crate::translate::{Effect, Feature, FeatureSupport};
 
 const IMAGE_MAP: &str = "image_map through the surface coordinates";
 
-pub fn verdict(feature: Feature, pictures: &Pictures) -> Verdict {
+pub fn verdict(feature: Feature, pictures: &Pictures) -> FeatureSupport {
     match feature {
         Feature::Record(RecordKind::ImageTexture) if matches!(pictures, Pictures::InPlace(_)) => {
-            Verdict::approximate(
+            FeatureSupport::approximate(
                 "POV-Ray decodes the picture itself; with -o it is copied as PNG",
                 IMAGE_MAP,
             )
@@ -19,33 +19,37 @@ pub fn verdict(feature: Feature, pictures: &Pictures) -> Verdict {
     }
 }
 
-fn record(kind: RecordKind) -> Verdict {
+fn record(kind: RecordKind) -> FeatureSupport {
     match kind {
-        RecordKind::Undefined => Verdict::exact("there is nothing to draw"),
+        RecordKind::Undefined => FeatureSupport::exact("there is nothing to draw"),
         RecordKind::Shape(kind) => shape(kind),
         RecordKind::Translation
         | RecordKind::Rotation
         | RecordKind::Scaling
-        | RecordKind::RotationMatrix => Verdict::exact("matrix"),
-        RecordKind::ProjectionMatrix => Verdict::exact("location, direction, right and up"),
-        RecordKind::Union => Verdict::exact("union, of transparent parts merge"),
-        RecordKind::Intersection => Verdict::exact("intersection"),
-        RecordKind::Difference => Verdict::exact("difference"),
-        RecordKind::Complement => Verdict::exact("inverse"),
-        RecordKind::Copy => Verdict::exact("the same object, declared once"),
-        RecordKind::Optics | RecordKind::OpticsRgb => Verdict::exact("finish, kt as a filter"),
-        RecordKind::RefractiveIndex => Verdict::exact("interior { ior }"),
-        RecordKind::Assignment | RecordKind::Colour => Verdict::exact(""),
-        RecordKind::ImageTexture => Verdict::exact(IMAGE_MAP),
-        RecordKind::SolidTexture | RecordKind::Checkerboard => Verdict::exact("a function pigment"),
-        RecordKind::AmbientLight => Verdict::exact("ambient_light"),
-        RecordKind::PointLight => Verdict::exact("light_source without fading"),
-        RecordKind::Camera | RecordKind::MonoCamera => Verdict::exact("camera"),
-        RecordKind::StereoCamera => Verdict::exact("one file for each eye"),
-        RecordKind::BoundingBox | RecordKind::BoundingSphere => {
-            Verdict::exact("bounded_by, where it is proved to hold the object")
+        | RecordKind::RotationMatrix => FeatureSupport::exact("matrix"),
+        RecordKind::ProjectionMatrix => FeatureSupport::exact("location, direction, right and up"),
+        RecordKind::Union => FeatureSupport::exact("union, of transparent parts merge"),
+        RecordKind::Intersection => FeatureSupport::exact("intersection"),
+        RecordKind::Difference => FeatureSupport::exact("difference"),
+        RecordKind::Complement => FeatureSupport::exact("inverse"),
+        RecordKind::Copy => FeatureSupport::exact("the same object, declared once"),
+        RecordKind::Optics | RecordKind::OpticsRgb => {
+            FeatureSupport::exact("finish, kt as a filter")
         }
-        RecordKind::Render => Verdict::exact(""),
+        RecordKind::RefractiveIndex => FeatureSupport::exact("interior { ior }"),
+        RecordKind::Assignment | RecordKind::Colour => FeatureSupport::exact(""),
+        RecordKind::ImageTexture => FeatureSupport::exact(IMAGE_MAP),
+        RecordKind::SolidTexture | RecordKind::Checkerboard => {
+            FeatureSupport::exact("a function pigment")
+        }
+        RecordKind::AmbientLight => FeatureSupport::exact("ambient_light"),
+        RecordKind::PointLight => FeatureSupport::exact("light_source without fading"),
+        RecordKind::Camera | RecordKind::MonoCamera => FeatureSupport::exact("camera"),
+        RecordKind::StereoCamera => FeatureSupport::exact("one file for each eye"),
+        RecordKind::BoundingBox | RecordKind::BoundingSphere => {
+            FeatureSupport::exact("bounded_by, where it is proved to hold the object")
+        }
+        RecordKind::Render => FeatureSupport::exact(""),
     }
 }
 
@@ -53,51 +57,51 @@ fn record(kind: RecordKind) -> Verdict {
 const BEHIND: &str = "a light behind the triangle, but before its shading normal, is seen";
 
 /// How exact a shape is.
-fn shape(kind: ShapeKind) -> Verdict {
+fn shape(kind: ShapeKind) -> FeatureSupport {
     match kind {
-        ShapeKind::SurfaceOfRevolution => Verdict::exact("lathe { linear_spline }"),
+        ShapeKind::SurfaceOfRevolution => FeatureSupport::exact("lathe { linear_spline }"),
         ShapeKind::ColouredSurfaceOfRevolution => {
-            Verdict::exact("lathe { linear_spline }, the colours as a pigment")
+            FeatureSupport::exact("lathe { linear_spline }, the colours as a pigment")
         }
-        ShapeKind::Plane | ShapeKind::HalfSpace => Verdict::exact("plane"),
-        ShapeKind::Rectangle => Verdict::exact("polygon"),
-        ShapeKind::Triangle => Verdict::exact("triangle"),
+        ShapeKind::Plane | ShapeKind::HalfSpace => FeatureSupport::exact("plane"),
+        ShapeKind::Rectangle => FeatureSupport::exact("polygon"),
+        ShapeKind::Triangle => FeatureSupport::exact("triangle"),
         ShapeKind::TriangleWithNormal | ShapeKind::TriangleWithVertexNormals => {
-            Verdict::approximate(BEHIND, "smooth_triangle")
+            FeatureSupport::approximate(BEHIND, "smooth_triangle")
         }
         ShapeKind::SphereAtOrigin | ShapeKind::Ellipsoid | ShapeKind::Sphere => {
-            Verdict::exact("sphere")
+            FeatureSupport::exact("sphere")
         }
-        ShapeKind::Box => Verdict::exact("box"),
-        ShapeKind::GeodesicSphere => Verdict::exact("a mesh of the same facets"),
-        ShapeKind::Torus => Verdict::exact("torus"),
+        ShapeKind::Box => FeatureSupport::exact("box"),
+        ShapeKind::GeodesicSphere => FeatureSupport::exact("a mesh of the same facets"),
+        ShapeKind::Torus => FeatureSupport::exact("torus"),
         ShapeKind::Quadric
         | ShapeKind::ParabolicCylinder
         | ShapeKind::HyperbolicCylinder
         | ShapeKind::Hyperboloid
-        | ShapeKind::HyperbolicParaboloid => Verdict::exact("poly { 2 }"),
-        ShapeKind::Cone | ShapeKind::DoubleCone => Verdict::exact("cone"),
+        | ShapeKind::HyperbolicParaboloid => FeatureSupport::exact("poly { 2 }"),
+        ShapeKind::Cone | ShapeKind::DoubleCone => FeatureSupport::exact("cone"),
     }
 }
 
-fn of_effect(effect: Effect) -> Verdict {
+fn of_effect(effect: Effect) -> FeatureSupport {
     match effect {
         Effect::Diffuse | Effect::Shadows | Effect::Reflection | Effect::Refraction => {
-            Verdict::exact("")
+            FeatureSupport::exact("")
         }
-        Effect::TransparentShadows => Verdict::exact("kt of each surface on the way"),
-        Effect::Dispersion => Verdict::exact("three passes, Channel 0, 1 and 2"),
-        Effect::TotalReflection => Verdict::approximate(
+        Effect::TransparentShadows => FeatureSupport::exact("kt of each surface on the way"),
+        Effect::Dispersion => FeatureSupport::exact("three passes, Channel 0, 1 and 2"),
+        Effect::TotalReflection => FeatureSupport::approximate(
             "the mirrored ray counts with weight 1 instead of ks + kt",
             "",
         ),
-        Effect::VertexColours => Verdict::exact("a pigment over the profile"),
-        Effect::SmoothNormals => Verdict::approximate(BEHIND, "smooth_triangle"),
-        Effect::Background => Verdict::exact("background"),
-        Effect::RenderBox => Verdict::exact("clipped_by"),
-        Effect::AutomaticCamera => Verdict::exact("the camera is written out"),
-        Effect::AutomaticLights => Verdict::exact("ambient_light and a light_source"),
-        Effect::Depth => Verdict::exact("max_trace_level"),
-        Effect::Cutoff => Verdict::exact("adc_bailout 0: all rays are followed"),
+        Effect::VertexColours => FeatureSupport::exact("a pigment over the profile"),
+        Effect::SmoothNormals => FeatureSupport::approximate(BEHIND, "smooth_triangle"),
+        Effect::Background => FeatureSupport::exact("background"),
+        Effect::RenderBox => FeatureSupport::exact("clipped_by"),
+        Effect::AutomaticCamera => FeatureSupport::exact("the camera is written out"),
+        Effect::AutomaticLights => FeatureSupport::exact("ambient_light and a light_source"),
+        Effect::Depth => FeatureSupport::exact("max_trace_level"),
+        Effect::Cutoff => FeatureSupport::exact("adc_bailout 0: all rays are followed"),
     }
 }

@@ -23,7 +23,7 @@ enum Curve {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Form {
+enum CanonicalQuadric {
     Nothing,
     Everything,
     /// |x| ≤ 1.
@@ -41,7 +41,7 @@ enum Form {
 /// A quadric on its axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Canonical {
-    form: Form,
+    form: CanonicalQuadric,
     /// What is outside of the form is meant.
     outside: bool,
     /// From the coordinates of the form to those of the quadric.
@@ -76,13 +76,13 @@ pub fn quadric(
     let mut bounded = false;
     let mut meshes = Vec::new();
     match c.form {
-        Form::Nothing => {}
-        Form::Everything => return Ok(Solid::everything(c.outside)),
-        Form::Ball => {
+        CanonicalQuadric::Nothing => {}
+        CanonicalQuadric::Everything => return Ok(Solid::everything(c.outside)),
+        CanonicalQuadric::Ball => {
             meshes.push(sphere::sphere(tolerance / all, budget)?);
             bounded = true;
         }
-        Form::Turned(curve) => {
+        CanonicalQuadric::Turned(curve) => {
             let half = tolerance / 2.0;
             for points in profiles(curve, [low[1], high[1]], half / all, budget)? {
                 let widest = points.iter().fold(0.0f64, |m, p| m.max(p[0]));
@@ -92,7 +92,7 @@ pub fn quadric(
                 meshes.push(turned(&[Profile { points, ring }], n, budget)?);
             }
         }
-        Form::DrawnOut(curve) => {
+        CanonicalQuadric::DrawnOut(curve) => {
             let flat = scale(0).max(scale(1));
             let middle = (low[2] + high[2]) / 2.0;
             let along = Matrix::translation(0.0, 0.0, middle).after(&Matrix::scaling(
@@ -106,8 +106,8 @@ pub fn quadric(
                 meshes.push(mesh);
             }
         }
-        Form::Saddle => meshes.push(saddle(low, high, tolerance / scale(1), budget)?),
-        Form::HalfSpace => {
+        CanonicalQuadric::Saddle => meshes.push(saddle(low, high, tolerance / scale(1), budget)?),
+        CanonicalQuadric::HalfSpace => {
             if low[1] < 0.0 {
                 let max = [high[0], 0.0, high[2]];
                 meshes.push(super::flat::cuboid(low, max));
@@ -241,7 +241,7 @@ fn canonical(q: &[f64; 16]) -> Canonical {
     let largest = q.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let s = |i: usize, j: usize| (q[4 * i + j] / 2.0 + q[4 * j + i] / 2.0) / largest;
     if largest == 0.0 {
-        return Canonical::plain(Form::Everything, false);
+        return Canonical::plain(CanonicalQuadric::Everything, false);
     }
     let a: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| s(i, j)));
     let (values, axes) = eigen(a);
@@ -297,17 +297,17 @@ fn canonical(q: &[f64; 16]) -> Canonical {
         let y = along.map(|x| x / (2.0 * slope));
         let (form, columns) = match (curved.len(), plus) {
             (2, 2) => (
-                Form::Turned(Curve::Parabola),
+                CanonicalQuadric::Turned(Curve::Parabola),
                 [unit(curved[0], 1.0), y, unit(curved[1], 1.0)],
             ),
             (2, _) => (
-                Form::Saddle,
+                CanonicalQuadric::Saddle,
                 [unit(curved[0], 1.0), y, unit(curved[1], 1.0)],
             ),
             (1, _) => {
                 let x = unit(curved[0], 1.0);
                 (
-                    Form::DrawnOut(Curve::Parabola),
+                    CanonicalQuadric::DrawnOut(Curve::Parabola),
                     [x, y, super::flat::normal_to(x, y)],
                 )
             }
@@ -315,7 +315,10 @@ fn canonical(q: &[f64; 16]) -> Canonical {
                 // −y of the canonical form points into the half-space.
                 let down = along.map(|x| -x);
                 let x = super::flat::any_normal_to(down);
-                (Form::HalfSpace, [x, down, super::flat::normal_to(x, down)])
+                (
+                    CanonicalQuadric::HalfSpace,
+                    [x, down, super::flat::normal_to(x, down)],
+                )
             }
         };
         return Canonical::new(form, outside, columns, start);
@@ -336,31 +339,33 @@ fn canonical(q: &[f64; 16]) -> Canonical {
         _ => Curve::Cross,
     };
     let (form, columns) = match (curved.len(), plus) {
-        (3, 3) if constant < 0.0 => (Form::Ball, columns([Some(0), Some(1), Some(2)])),
+        (3, 3) if constant < 0.0 => (CanonicalQuadric::Ball, columns([Some(0), Some(1), Some(2)])),
         (3, 2) => (
-            Form::Turned(crossed(constant)),
+            CanonicalQuadric::Turned(crossed(constant)),
             columns([Some(0), Some(2), Some(1)]),
         ),
         (2, 2) if constant < 0.0 => (
-            Form::Turned(Curve::Straight),
+            CanonicalQuadric::Turned(Curve::Straight),
             columns([Some(0), None, Some(1)]),
         ),
         (2, 1) => (
-            Form::DrawnOut(crossed(constant)),
+            CanonicalQuadric::DrawnOut(crossed(constant)),
             columns([Some(0), Some(1), None]),
         ),
         (1, 1) if constant < 0.0 => (
-            Form::DrawnOut(Curve::Straight),
+            CanonicalQuadric::DrawnOut(Curve::Straight),
             columns([Some(0), None, None]),
         ),
-        (0, _) if constant <= 0.0 => return Canonical::plain(Form::Everything, outside),
-        _ => return Canonical::plain(Form::Nothing, outside),
+        (0, _) if constant <= 0.0 => {
+            return Canonical::plain(CanonicalQuadric::Everything, outside);
+        }
+        _ => return Canonical::plain(CanonicalQuadric::Nothing, outside),
     };
     Canonical::new(form, outside, columns, start)
 }
 
 impl Canonical {
-    fn plain(form: Form, outside: bool) -> Canonical {
+    fn plain(form: CanonicalQuadric, outside: bool) -> Canonical {
         Canonical {
             form,
             outside,
@@ -368,7 +373,12 @@ impl Canonical {
         }
     }
 
-    fn new(form: Form, outside: bool, columns: [[f64; 3]; 3], start: [f64; 3]) -> Canonical {
+    fn new(
+        form: CanonicalQuadric,
+        outside: bool,
+        columns: [[f64; 3]; 3],
+        start: [f64; 3],
+    ) -> Canonical {
         let mut out = Matrix::IDENTITY;
         for k in 0..3 {
             for (axis, column) in columns.iter().enumerate() {

@@ -4,7 +4,7 @@
 
 use crate::scene::{Node, NodeId};
 use crate::translate::pov::model::Model;
-use crate::translate::pov::model::state::{Key, Layer, Look, Medium, State};
+use crate::translate::pov::model::state::{Appearance, Key, Layer, Medium, State};
 use crate::translate::pov::model::tables::{DEFAULT, TextureUse};
 use crate::translate::pov::tree::Modifier;
 
@@ -75,12 +75,12 @@ impl Descent<'_> {
 
 /// Modifiers as they are met: the outermost first.
 #[derive(Default)]
-struct Way<'a> {
+struct ModifierStack<'a> {
     modifiers: Vec<Modifier<'a>>,
     inverse: bool,
 }
 
-impl<'a> Way<'a> {
+impl<'a> ModifierStack<'a> {
     fn push(&mut self, modifier: Modifier<'a>) {
         match (self.modifiers.last_mut(), modifier) {
             (Some(Modifier::Matrix(outer)), Modifier::Matrix(m)) => *outer = outer.after(&m),
@@ -104,7 +104,7 @@ impl<'a> Model<'a> {
     /// Goes down from a node as far as one object reaches.
     pub fn descend(&mut self, start: NodeId, state: State, stop: Stop) -> Descent<'a> {
         let (mut node, mut state) = (start, state);
-        let mut way = Way::default();
+        let mut way = ModifierStack::default();
         loop {
             let f = self.materials[node as usize];
             let solid = f.has_solid && state.layer != Layer::Surface;
@@ -147,7 +147,7 @@ impl<'a> Model<'a> {
                     // What the paint sets was looked at in the facts about this node already, when
                     // it was uniform; here it is handed down.
                     let given = self.tables.paint(paint);
-                    if let Look::Own { texture, optics } = &mut state.look {
+                    if let Appearance::Own { texture, optics } = &mut state.look {
                         *texture = texture.or(given.texture.map(TextureUse::here));
                         *optics = optics.or(given.optics);
                     }
@@ -213,9 +213,9 @@ impl<'a> Model<'a> {
     }
 
     /// Whether a node is a union of a few parts, and light goes through it or through what it touches.
-    fn is_union_of_parts(&self, node: NodeId, look: Look) -> bool {
+    fn is_union_of_parts(&self, node: NodeId, look: Appearance) -> bool {
         let counts = self.is_transparent(node, look) || self.beside_clear.contains(&node);
-        if !matches!(look, Look::Own { .. }) || !counts {
+        if !matches!(look, Appearance::Own { .. }) || !counts {
             return false;
         }
         let mut todo = vec![node];
@@ -239,7 +239,7 @@ impl<'a> Model<'a> {
         node: NodeId,
         state: &mut State,
         surface: bool,
-        way: &mut Way<'a>,
+        way: &mut ModifierStack<'a>,
     ) -> bool {
         let f = self.materials[node as usize];
         if state.medium == Medium::Above {
@@ -261,8 +261,8 @@ impl<'a> Model<'a> {
 
     /// Whether a node is of one index and several optics, and its parts can tell by themselves: where
     /// they meet, each has to be an object of its own.
-    fn is_of_several(&self, node: NodeId, look: Look) -> bool {
-        let open = matches!(look, Look::Own { optics: None, .. });
+    fn is_of_several(&self, node: NodeId, look: Appearance) -> bool {
+        let open = matches!(look, Appearance::Own { optics: None, .. });
         let gives = match self.scene.nodes[node as usize] {
             Node::Paint { paint, .. } => self.tables.paint(paint).index.is_some(),
             _ => false,
@@ -271,7 +271,13 @@ impl<'a> Model<'a> {
     }
 
     /// One solid has one inside: the first operand's.
-    fn one_medium(&mut self, node: NodeId, first: NodeId, state: &mut State, way: &mut Way<'a>) {
+    fn one_medium(
+        &mut self,
+        node: NodeId,
+        first: NodeId,
+        state: &mut State,
+        way: &mut ModifierStack<'a>,
+    ) {
         if state.medium == Medium::Own {
             let index = self.materials[first as usize].index;
             if index.first != DEFAULT && self.is_transparent(node, state.look) {

@@ -8,7 +8,7 @@ use crate::translate::fidelity::Fidelity;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::grouping::{self, meet};
 use crate::translate::pov::model::looks::Substance;
-use crate::translate::pov::model::state::{Layer, Look, Medium, State};
+use crate::translate::pov::model::state::{Appearance, Layer, Medium, State};
 use crate::translate::pov::model::tables::{DEFAULT, PROFILE, TextureUse};
 use crate::translate::pov::tree::{Modifier, Object, Operation};
 
@@ -52,7 +52,7 @@ impl<'a> Model<'a> {
         &mut self,
         base: (NodeId, State),
         cutters: &[NodeId],
-        look: Look,
+        look: Appearance,
         change: Option<u32>,
     ) -> Option<Object<'a>> {
         let of = base.0;
@@ -87,16 +87,16 @@ impl<'a> Model<'a> {
     fn cutters(
         &mut self,
         nodes: &[NodeId],
-        look: Look,
+        look: Appearance,
         base: Option<NodeId>,
         offset: Option<u32>,
     ) -> Vec<Object<'a>> {
         let look = match look {
             // The colours of a profile are on its own surface only.
-            Look::Own {
+            Appearance::Own {
                 texture: Some(t),
                 optics,
-            } if t.texture == PROFILE => Look::Own {
+            } if t.texture == PROFILE => Appearance::Own {
                 texture: Some(TextureUse::DEFAULT),
                 optics,
             },
@@ -112,7 +112,7 @@ impl<'a> Model<'a> {
         // Nobody looks at the properties that the cutters have themselves: a look that can be said
         // from outside is said of each of them.
         let (look, modifier) = match look {
-            Look::Own {
+            Appearance::Own {
                 texture: Some(t),
                 optics: Some(o),
             } if !self.tables.is_laid_on_shapes(t.texture) => (
@@ -256,10 +256,10 @@ impl<'a> Model<'a> {
             None => false,
         };
         let look = match look {
-            Look::Own {
+            Appearance::Own {
                 texture: Some(t),
                 optics,
-            } => Look::Own {
+            } => Appearance::Own {
                 // The cutters lie outside the transformations that the base is in.
                 texture: Some(self.tables.moved_back(t, back)),
                 optics,

@@ -4,7 +4,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::rewrite::{Rewrite, Way, below};
+use super::rewrite::{Modifications, Rewrite, below};
 use crate::geometry::Aabb;
 use crate::scene::{Node, NodeId, Scene};
 use crate::solids::bounds::node_bounds;
@@ -118,7 +118,7 @@ fn whole(scene: &Scene, union: NodeId) -> Option<Whole> {
 }
 
 /// What is done to a union, the last first, and its operands; `None` for what is none.
-fn union(scene: &Scene, node: NodeId) -> Option<(Way, NodeId, NodeId)> {
+fn union(scene: &Scene, node: NodeId) -> Option<(Modifications, NodeId, NodeId)> {
     let (way, core) = below(scene, node);
     match scene.nodes[core as usize] {
         Node::Union(a, b) => Some((way, a, b)),
@@ -134,7 +134,7 @@ fn is_group(scene: &Scene, facts: &[Material], node: NodeId) -> bool {
 }
 
 /// The parts of a group that are no unions themselves, each with what is done to it, the last first.
-fn members(scene: &Scene, group: NodeId) -> Option<Vec<(Way, NodeId)>> {
+fn members(scene: &Scene, group: NodeId) -> Option<Vec<(Modifications, NodeId)>> {
     let mut todo = vec![(Vec::new(), group)];
     let mut members = Vec::new();
     while let Some((mut way, node)) = todo.pop() {
@@ -152,7 +152,7 @@ fn members(scene: &Scene, group: NodeId) -> Option<Vec<(Way, NodeId)>> {
 }
 
 /// A union of members to which is done by itself what was done to their group.
-fn joined(out: &mut Rewrite, group: NodeId, members: &[(Way, NodeId)]) -> NodeId {
+fn joined(out: &mut Rewrite, group: NodeId, members: &[(Modifications, NodeId)]) -> NodeId {
     let mut union = None;
     for (way, member) in members {
         let node = out.done(way, out.now(*member));

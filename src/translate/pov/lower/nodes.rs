@@ -15,7 +15,7 @@ use crate::translate::fidelity::Fidelity;
 use crate::translate::names;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::displacement::Change;
-use crate::translate::pov::model::state::{Key, Look, State};
+use crate::translate::pov::model::state::{Appearance, Key, State};
 use crate::translate::pov::model::tables::{DEFAULT, PROFILE, TextureUse};
 use crate::translate::pov::separate::backward_normals::with_normals_turned;
 use crate::translate::pov::separate::plates;
@@ -183,7 +183,7 @@ impl<'a> Lower<'a> {
         }
         let own = match state.look {
             // A texture that lies on shapes was handed down to here.
-            Look::Own { texture, optics } => {
+            Appearance::Own { texture, optics } => {
                 let own = match geometry.character().has_colours {
                     true => TextureUse::here(PROFILE),
                     false => TextureUse::DEFAULT,
@@ -191,7 +191,7 @@ impl<'a> Lower<'a> {
                 let (texture, optics) = (texture.unwrap_or(own), optics.unwrap_or(DEFAULT));
                 self.model.textures.number(texture, optics, Some(shape))
             }
-            Look::Above { .. } => None,
+            Appearance::Above { .. } => None,
         };
         let mut all: Vec<_> = own.map(Modifier::Texture).into_iter().collect();
         all.extend(modifiers);
@@ -204,7 +204,7 @@ impl<'a> Lower<'a> {
                 .model
                 .textures
                 .is_transparent(&self.model.tables, texture),
-            None => state.look == Look::Above { transparent: true },
+            None => state.look == Appearance::Above { transparent: true },
         };
         let mut body = self.changed(shape, change);
         if let Some((by, index)) = change.and_then(|c| self.model.changes.plate(c)) {

@@ -8,10 +8,10 @@ use crate::scene::{Node, NodeId, Scene};
 const PATIENCE: usize = 64;
 
 /// What is done to a node, the last first.
-pub type Way = Vec<NodeId>;
+pub type Modifications = Vec<NodeId>;
 
 /// What is done to a node, and what it is done to: a shape or operation as far as patience goes.
-pub fn below(scene: &Scene, node: NodeId) -> (Way, NodeId) {
+pub fn below(scene: &Scene, node: NodeId) -> (Modifications, NodeId) {
     let states = || scene.states(node);
     // Only the names of its parts are a copy's.
     let done = states().take(PATIENCE).filter(|(_, n)| n.is_change());

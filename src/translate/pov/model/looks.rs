@@ -1,23 +1,23 @@
 //! What nodes look like and are made of, with what was decided above them.
 
 use super::Model;
-use super::state::{Look, Medium, State};
+use super::state::{Appearance, Medium, State};
 use super::tables::{DEFAULT, TextureUse};
 use crate::scene::{Node, NodeId};
 use crate::translate::pov::tree::Modifier;
 
 /// A look that is fully known, and the index behind it.
-pub type Substance = (Look, u32);
+pub type Substance = (Appearance, u32);
 
 impl<'a> Model<'a> {
     /// Whether any of a node lets light through.
-    pub fn is_transparent(&self, node: NodeId, look: Look) -> bool {
+    pub fn is_transparent(&self, node: NodeId, look: Appearance) -> bool {
         match look {
-            Look::Above { transparent } => transparent,
-            Look::Own {
+            Appearance::Above { transparent } => transparent,
+            Appearance::Own {
                 optics: Some(o), ..
             } => self.tables.is_transparent(o),
-            Look::Own { optics: None, .. } => self.materials[node as usize].transparent,
+            Appearance::Own { optics: None, .. } => self.materials[node as usize].transparent,
         }
     }
 
@@ -31,11 +31,11 @@ impl<'a> Model<'a> {
     pub fn medium(&self, node: NodeId, state: State) -> Option<(u32, u32)> {
         let f = &self.materials[node as usize];
         let optics = match state.look {
-            Look::Above { .. } => Some(DEFAULT),
-            Look::Own {
+            Appearance::Above { .. } => Some(DEFAULT),
+            Appearance::Own {
                 optics: Some(o), ..
             } => Some(o),
-            Look::Own { optics: None, .. } => f.optics.uniform.then_some(f.optics.first),
+            Appearance::Own { optics: None, .. } => f.optics.uniform.then_some(f.optics.first),
         };
         let index = match state.medium {
             Medium::Above => Some(DEFAULT),
@@ -48,8 +48,8 @@ impl<'a> Model<'a> {
     pub fn substance(&self, node: NodeId, state: State) -> Option<Substance> {
         let f = &self.materials[node as usize];
         let look = match state.look {
-            Look::Above { .. } => state.look,
-            Look::Own { texture, optics } => Look::Own {
+            Appearance::Above { .. } => state.look,
+            Appearance::Own { texture, optics } => Appearance::Own {
                 texture: Some(texture.or(f.texture.uniform.then_some(f.texture.first))?),
                 optics: Some(optics.or(f.optics.uniform.then_some(f.optics.first))?),
             },
@@ -63,8 +63,12 @@ impl<'a> Model<'a> {
 
     /// The modifier that gives a node its look, where that is the same for all of it and can be
     /// said from outside; and the look that is left to say below.
-    pub fn settle_look(&mut self, node: NodeId, look: Look) -> (Look, Option<Modifier<'a>>) {
-        let Look::Own { texture, optics } = look else {
+    pub fn settle_look(
+        &mut self,
+        node: NodeId,
+        look: Appearance,
+    ) -> (Appearance, Option<Modifier<'a>>) {
+        let Appearance::Own { texture, optics } = look else {
             return (look, None);
         };
         let f = self.materials[node as usize];
@@ -79,22 +83,22 @@ impl<'a> Model<'a> {
         };
         match (texture.or(f.face_texture), optics.or(f.face_optics)) {
             (Some(t), Some(o)) if !sides(o) && !self.tables.is_laid_on_shapes(t.texture) => (
-                Look::Above {
+                Appearance::Above {
                     transparent: self.tables.is_transparent(o),
                 },
                 self.textures.number(t, o, None).map(Modifier::Texture),
             ),
-            _ => (Look::Own { texture, optics }, None),
+            _ => (Appearance::Own { texture, optics }, None),
         }
     }
 
     /// A look seen from inside a transformation.
-    pub fn look_below(&mut self, look: Look, matrix: u32) -> Look {
+    pub fn look_below(&mut self, look: Appearance, matrix: u32) -> Appearance {
         match look {
-            Look::Own {
+            Appearance::Own {
                 texture: Some(texture),
                 optics,
-            } => Look::Own {
+            } => Appearance::Own {
                 texture: Some(
                     self.tables
                         .moved_back(texture, &self.scene.matrices[matrix as usize]),

@@ -193,7 +193,7 @@ impl<'a> Model<'a> {
             0 => Complaint::term("which is seen is up to rounding"),
             id => Complaint::new("fidelity-rounding").with("id", id.to_string()),
         };
-        let known = |e: &crate::translate::fidelity::Entry| e.feature == FACES;
+        let known = |e: &crate::translate::fidelity::ReportLine| e.feature == FACES;
         if !self.report.entries().any(known) {
             self.report.state(FACES, Fidelity::Approximate(doubt), "");
         }

@@ -13,7 +13,7 @@ pub enum Layer {
 
 /// Who says what a node looks like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Look {
+pub enum Appearance {
     /// The node itself, except for what is painted over it from above.
     Own {
         texture: Option<TextureUse>,
@@ -34,7 +34,7 @@ pub enum Medium {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct State {
     pub layer: Layer,
-    pub look: Look,
+    pub look: Appearance,
     pub medium: Medium,
     /// The number of the change that is made to its shapes.
     pub flush: Option<u32>,
@@ -44,7 +44,7 @@ impl State {
     /// Nothing is decided.
     pub const ROOT: State = State {
         layer: Layer::All,
-        look: Look::Own {
+        look: Appearance::Own {
             texture: None,
             optics: None,
         },
@@ -54,7 +54,7 @@ impl State {
     /// A solid that only tells inside from outside.
     pub const GEOMETRY: State = State {
         layer: Layer::Solid,
-        look: Look::Above { transparent: false },
+        look: Appearance::Above { transparent: false },
         medium: Medium::Above,
         flush: None,
     };
@@ -63,7 +63,7 @@ impl State {
         State { layer, ..self }
     }
 
-    pub fn look(self, look: Look) -> State {
+    pub fn look(self, look: Appearance) -> State {
         State { look, ..self }
     }
 

@@ -10,7 +10,7 @@ use crate::scene::NodeId;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::displacement::Change;
 use crate::translate::pov::model::plane::Plane;
-use crate::translate::pov::model::state::{Look, State};
+use crate::translate::pov::model::state::{Appearance, State};
 
 /// Unions of more parts are not searched.
 const MAX_PARTS: usize = 1024;
@@ -123,10 +123,10 @@ impl Model<'_> {
     }
 
     /// What all solids of a part look like, or all surfaces, if that is the same for all.
-    fn look_of(&self, (node, state): (NodeId, State), sheet: bool) -> Option<Look> {
+    fn look_of(&self, (node, state): (NodeId, State), sheet: bool) -> Option<Appearance> {
         let facts = &self.materials[node as usize];
         match state.look {
-            Look::Own { texture, optics } if sheet => Some(Look::Own {
+            Appearance::Own { texture, optics } if sheet => Some(Appearance::Own {
                 texture: Some(texture.or(facts.face_texture)?),
                 optics: Some(optics.or(facts.face_optics)?),
             }),

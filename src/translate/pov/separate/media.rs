@@ -9,7 +9,7 @@
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::contacts::{Contact, contacts};
-use super::settle::{Operands, Reaching};
+use super::settle::{Operands, SolidExtensions};
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
 use crate::translate::fidelity::Fidelity;
@@ -52,7 +52,7 @@ impl Members {
 
 /// What is seen at the faces between two groups.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Seen {
+enum InterfaceLook {
     /// Nothing: they are one medium, with another one between them in the order.
     Nothing,
     /// The look with this number, from inside at the skin.
@@ -68,7 +68,7 @@ pub struct Meeting {
     later: usize,
     /// The later one ends a hair within the earlier one.
     pub apart: bool,
-    seen: Seen,
+    seen: InterfaceLook,
 }
 
 /// All meetings.
@@ -83,7 +83,10 @@ pub struct Meetings {
 impl Meetings {
     fn of(all: Vec<Meeting>, neighbours: Neighbours) -> Meetings {
         let mut sided: HashMap<_, Vec<_>> = HashMap::new();
-        for meeting in all.iter().filter(|m| m.apart && m.seen != Seen::Face) {
+        for meeting in all
+            .iter()
+            .filter(|m| m.apart && m.seen != InterfaceLook::Face)
+        {
             sided.entry(meeting.earlier).or_default().push(*meeting);
         }
         Meetings {
@@ -107,12 +110,12 @@ impl Meetings {
     }
 }
 
-impl Seen {
+impl InterfaceLook {
     /// One side of a face, as it is seen, inside of what is `around` and outside of what came `before`.
     fn kept<'a>(self, around: &[Object<'a>], before: &[Object<'a>]) -> Vec<Modifier<'a>> {
         let mut modifiers = match self {
-            Seen::Look(look) => vec![Modifier::Texture(look), Modifier::UnseenWithin],
-            Seen::Nothing | Seen::Face => vec![Modifier::Unseen],
+            InterfaceLook::Look(look) => vec![Modifier::Texture(look), Modifier::UnseenWithin],
+            InterfaceLook::Nothing | InterfaceLook::Face => vec![Modifier::Unseen],
         };
         let union = |of: &[Object<'a>]| Object::unless_empty(Operation::Union, of.to_vec());
         modifiers.extend(union(around).map(Modifier::inside));
@@ -123,7 +126,7 @@ impl Seen {
 
 impl<'a> Model<'a> {
     /// Which groups of a union touch, and how the faces between them are seen.
-    pub fn meetings(&mut self, groups: &mut [Members], reaching: &Reaching) -> Meetings {
+    pub fn meetings(&mut self, groups: &mut [Members], reaching: &SolidExtensions) -> Meetings {
         let mut meetings = Vec::new();
         let mut smaller = vec![None; groups.len()];
         let mut looks = vec![None; groups.len()];
@@ -143,12 +146,12 @@ impl<'a> Model<'a> {
                 && self.have_a_hair(a, b, reaching)
                 && *smaller[earlier].get_or_insert_with(has_offset);
             let seen = if !apart {
-                Seen::Face
+                InterfaceLook::Face
             } else if a.medium == b.medium {
-                Seen::Nothing
+                InterfaceLook::Nothing
             } else {
                 let look = looks[earlier].get_or_insert_with(|| self.common_look(&groups[earlier]));
-                look.map_or(Seen::Face, Seen::Look)
+                look.map_or(InterfaceLook::Face, InterfaceLook::Look)
             };
             groups[earlier].bounds_media |= apart;
             meetings.push(Meeting {
@@ -168,14 +171,14 @@ impl<'a> Model<'a> {
         for same in meetings.chunk_by_mut(|a, b| a.later == b.later) {
             let changes = same.windows(2).filter(|w| w[0].seen != w[1].seen);
             if changes.count() >= LOOKS {
-                same.iter_mut().for_each(|m| m.seen = Seen::Face);
+                same.iter_mut().for_each(|m| m.seen = InterfaceLook::Face);
             }
         }
         Meetings::of(meetings, neighbours)
     }
 
     /// Whether one medium may end a hair within an earlier one where they meet, if that can be made smaller.
-    fn have_a_hair(&self, earlier: &Members, later: &Members, reaching: &Reaching) -> bool {
+    fn have_a_hair(&self, earlier: &Members, later: &Members, reaching: &SolidExtensions) -> bool {
         let has_media = earlier.medium.is_some() && later.medium.is_some();
         // Where nothing bends light, which of them a ray is in makes no difference.
         let bends = self.densest != DEFAULT;
@@ -209,7 +212,7 @@ impl<'a> Model<'a> {
         groups: &[Members],
         meetings: &Meetings,
         later: usize,
-        reaching: &Reaching,
+        reaching: &SolidExtensions,
     ) -> Vec<Object<'a>> {
         let clear: Vec<_> = (meetings.of_later(later).iter())
             .filter(|m| m.apart)
@@ -234,7 +237,7 @@ impl<'a> Model<'a> {
             for meeting in alike {
                 around.extend(self.bare(&groups[meeting.earlier], |_, _| None));
             }
-            self.unseen_twice |= alike[0].seen == Seen::Face;
+            self.unseen_twice |= alike[0].seen == InterfaceLook::Face;
             let modifiers = alike[0].seen.kept(&around, &before);
             before.extend(around);
             let all = std::iter::once(own.clone()).chain(taken.clone()).collect();
@@ -250,7 +253,7 @@ impl<'a> Model<'a> {
         groups: &[Members],
         meetings: &Meetings,
         earlier: usize,
-        reaching: &Reaching,
+        reaching: &SolidExtensions,
     ) -> (Vec<Object<'a>>, Option<Modifier<'a>>) {
         let Some(sided) = meetings.sided.get(&earlier) else {
             return (Vec::new(), None);
@@ -305,7 +308,7 @@ impl<'a> Model<'a> {
         groups: &[Members],
         meetings: &Meetings,
         later: usize,
-        reaching: &Reaching,
+        reaching: &SolidExtensions,
     ) -> Option<Object<'a>> {
         let clear = || meetings.around(later).map(|earlier| &groups[earlier]);
         let group = &groups[later];
@@ -364,13 +367,17 @@ impl<'a> Model<'a> {
     }
 
     /// Keeps of an object what no operand of a group holds.
-    pub fn outside_of(&mut self, group: &Members, reaching: &Reaching) -> Option<Modifier<'a>> {
+    pub fn outside_of(
+        &mut self,
+        group: &Members,
+        reaching: &SolidExtensions,
+    ) -> Option<Modifier<'a>> {
         let by = Object::unless_empty(Operation::Union, self.longer(group, reaching))?;
         Some(Modifier::outside(by))
     }
 
     /// The solids of a group, longer as they are where later ones are clipped by them.
-    pub fn longer(&mut self, group: &Members, reaching: &Reaching) -> Vec<Object<'a>> {
+    pub fn longer(&mut self, group: &Members, reaching: &SolidExtensions) -> Vec<Object<'a>> {
         // What is within something opaque is not seen anyway, but for faces that are in one place with its.
         let members: Vec<_> = (group.nodes.iter())
             .map(|(node, _)| (*node, State::GEOMETRY.flush(reaching.of(*node))))
@@ -420,7 +427,11 @@ pub struct Neighbours {
 
 impl Neighbours {
     /// Of groups, given the pairs of those that touch.
-    pub fn of(groups: &[Members], pairs: &[(usize, usize)], reaching: &Reaching) -> Neighbours {
+    pub fn of(
+        groups: &[Members],
+        pairs: &[(usize, usize)],
+        reaching: &SolidExtensions,
+    ) -> Neighbours {
         let owners: HashMap<NodeId, usize> = (groups.iter().enumerate())
             .flat_map(|(i, group)| group.nodes.iter().map(move |(node, _)| (*node, i)))
             .collect();
@@ -460,7 +471,7 @@ impl<'a> Model<'a> {
         groups: &[Members],
         meetings: &Meetings,
         later: usize,
-        reaching: &Reaching,
+        reaching: &SolidExtensions,
     ) -> Vec<Object<'a>> {
         let around: Vec<usize> = meetings.around(later).collect();
         let neighbours = &meetings.neighbours;

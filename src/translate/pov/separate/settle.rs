@@ -21,7 +21,7 @@ pub type Kind = (Option<(u32, u32)>, bool);
 
 /// Which solids are longer where later ones are clipped by them.
 #[derive(Default)]
-pub struct Reaching {
+pub struct SolidExtensions {
     /// The numbers of their changes.
     by: HashMap<NodeId, u32>,
     /// Each with those that it is made longer into.
@@ -30,7 +30,7 @@ pub struct Reaching {
     pub contacts: Vec<(NodeId, NodeId)>,
 }
 
-impl Reaching {
+impl SolidExtensions {
     /// Whether any of a group is made longer.
     pub fn any_of(&self, group: &[(NodeId, State)]) -> bool {
         group.iter().any(|(node, _)| self.by.contains_key(node))
@@ -51,13 +51,13 @@ impl Reaching {
 
 impl<'a> Model<'a> {
     /// What solids are made of, and how they are settled.
-    pub fn settled(&mut self, solids: &mut Operands) -> (Vec<Kind>, Reaching) {
+    pub fn settled(&mut self, solids: &mut Operands) -> (Vec<Kind>, SolidExtensions) {
         let mut kinds: Vec<Kind> = (solids.iter())
             .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
             .collect();
         if solids.len() > MAX_SOLIDS {
             self.budget_is_spent();
-            return (kinds, Reaching::default());
+            return (kinds, SolidExtensions::default());
         }
         for i in self.opened(solids, &kinds) {
             kinds[i].1 = true;
@@ -89,8 +89,8 @@ impl<'a> Model<'a> {
 
     /// Finds which solids have faces in one place. Later ones are clipped by an earlier one that is made a hair larger,
     /// and solids of one medium that lie against each other are made to overlap.
-    fn settle(&mut self, solids: &mut Operands, kinds: &[Kind]) -> Reaching {
-        let mut reaching = Reaching::default();
+    fn settle(&mut self, solids: &mut Operands, kinds: &[Kind]) -> SolidExtensions {
+        let mut reaching = SolidExtensions::default();
         let faces: Vec<_> = solids.iter().map(|s| self.faces_of(s.0)).collect();
         let boxes: Vec<Aabb> = solids.iter().map(|s| self.box_of(s.0)).collect();
         let by = 2.0 * self.hair;
