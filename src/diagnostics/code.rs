@@ -24,7 +24,7 @@ impl Severity {
 }
 
 /// What the registry keeps of a code.
-struct Entry {
+struct CodeEntry {
     code: &'static str,
     name: &'static str,
     /// The files `explain/CODE.md` and `CODE.cs.md`; of a rule `explain.md` and `explain.cs.md` in its folder.
@@ -74,9 +74,9 @@ macro_rules! codes {
             /// Every code, in the order of the reference.
             pub const ALL: &'static [Code] = &[$(Code::$code),*];
 
-            fn entry(self) -> Entry {
+            fn entry(self) -> CodeEntry {
                 match self {
-                    $(Code::$code => Entry {
+                    $(Code::$code => CodeEntry {
                         code: stringify!($code),
                         name: $name,
                         explanation: explanation!($code $($rule)?),

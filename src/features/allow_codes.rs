@@ -5,7 +5,7 @@ use crate::diagnostics::{Code, Span};
 use crate::syntax::directive::{PREFIX, without_word};
 use crate::syntax::lexer::Token;
 
-use super::completion::{Completion, Insert, Piece, Proposal, Sort};
+use super::completion::{Completion, Insert, Proposal, SnippetPart, Sort};
 
 /// The codes that may stand at an offset: those of findings first, the nearest one at the top. `None` elsewhere.
 pub fn completion(analysis: &Analysis, offset: u32) -> Option<Completion> {
@@ -36,7 +36,7 @@ pub fn completion(analysis: &Analysis, offset: u32) -> Option<Completion> {
         detail: code.name().to_owned(),
         doc: String::new(),
         filter: format!("{} {}", code.as_str(), code.name()),
-        insert: Insert(vec![Piece::Fixed(code.as_str().to_owned())]),
+        insert: Insert(vec![SnippetPart::Fixed(code.as_str().to_owned())]),
         kind: Sort::Value,
     };
     Some(Completion {

@@ -29,10 +29,10 @@ pub struct Proposal {
 
 /// A text, some pieces of which are places to fill.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Insert(pub Vec<Piece>);
+pub struct Insert(pub Vec<SnippetPart>);
 
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Piece {
+pub enum SnippetPart {
     Fixed(String),
     /// Something to be replaced, with a value that is right.
     Place(String),
@@ -40,11 +40,11 @@ pub enum Piece {
 
 impl Insert {
     fn text(text: impl Into<String>) -> Insert {
-        Insert(vec![Piece::Fixed(text.into())])
+        Insert(vec![SnippetPart::Fixed(text.into())])
     }
 
     pub fn has_places(&self) -> bool {
-        self.0.iter().any(|p| matches!(p, Piece::Place(_)))
+        self.0.iter().any(|p| matches!(p, SnippetPart::Place(_)))
     }
 
     /// Whether it is a text and nothing else.
@@ -53,8 +53,8 @@ impl Insert {
     }
 
     pub fn plain(&self) -> String {
-        let text = |p: &Piece| match p {
-            Piece::Fixed(text) | Piece::Place(text) => text.clone(),
+        let text = |p: &SnippetPart| match p {
+            SnippetPart::Fixed(text) | SnippetPart::Place(text) => text.clone(),
         };
         self.0.iter().map(text).collect()
     }
@@ -64,12 +64,12 @@ impl Insert {
         let mut number = 0;
         let mut out = String::new();
         for piece in &self.0 {
-            let (Piece::Fixed(text) | Piece::Place(text)) = piece;
+            let (SnippetPart::Fixed(text) | SnippetPart::Place(text)) = piece;
             let text = text.replace('\\', r"\\").replace('$', r"\$");
             let text = text.replace('}', r"\}");
             match piece {
-                Piece::Fixed(_) => out += &text,
-                Piece::Place(_) => {
+                SnippetPart::Fixed(_) => out += &text,
+                SnippetPart::Place(_) => {
                     number += 1;
                     let _ = write!(out, "${{{number}:{text}}}");
                 }

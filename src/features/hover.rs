@@ -10,7 +10,7 @@ use crate::syntax::Record;
 use crate::syntax::table::{Param, RecordType};
 use crate::trace::film::srgb8;
 
-use super::place::{Place, Role, place_at};
+use super::place::{Role, TokenAtOffset, place_at};
 use super::{entity, pages};
 
 /// A text in Markdown about a stretch of the scene.
@@ -113,7 +113,7 @@ fn heading(ty: &RecordType, language: Language) -> String {
 
 fn about_param(
     analysis: &Analysis,
-    place: &Place,
+    place: &TokenAtOffset,
     (i, param): (usize, &Param),
     id: Option<u32>,
     language: Language,

@@ -8,7 +8,7 @@ use crate::syntax::{Document, Item, Record};
 
 /// A token of a record that can be read, and what it is for.
 #[derive(Debug, Clone, Copy)]
-pub struct Place<'a> {
+pub struct TokenAtOffset<'a> {
     pub record: &'a Record,
     pub token: Token,
     pub role: Role,
@@ -23,7 +23,7 @@ pub enum Role {
     Param(usize, &'static Param),
 }
 
-impl Place<'_> {
+impl TokenAtOffset<'_> {
     /// The ID that the token names: its own record's, or the one that it refers to.
     pub fn id(&self, text: &str) -> Option<u32> {
         match self.role {
@@ -124,7 +124,7 @@ pub fn token_at(analysis: &Analysis, offset: u32) -> Option<Token> {
 }
 
 /// The token of a record at an offset, or that ends there.
-pub fn place_at(analysis: &Analysis, offset: u32) -> Option<Place<'_>> {
+pub fn place_at(analysis: &Analysis, offset: u32) -> Option<TokenAtOffset<'_>> {
     let record = record_at(analysis, offset)?;
     let document = &analysis.document;
     let holds = |t: &Token| t.start <= offset && offset <= t.end();
@@ -145,7 +145,7 @@ pub fn place_at(analysis: &Analysis, offset: u32) -> Option<Place<'_>> {
         1 => Role::Type,
         _ => Role::Param(i - 2, record.ty().param(i - 2, record.count())?),
     };
-    Some(Place {
+    Some(TokenAtOffset {
         record,
         token,
         role,

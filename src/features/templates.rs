@@ -10,7 +10,7 @@ use crate::scene::Entity;
 use crate::syntax::table::{Effect, Family, Kind, ParamKind, RECORD_TYPES, RecordType};
 use crate::syntax::words::{names, plain};
 
-use super::completion::{Insert, Piece, Proposal, Sort};
+use super::completion::{Insert, Proposal, SnippetPart, Sort};
 use super::entity;
 
 /// The types of which scenes have most, by their numbers: counted in the scenes of the course, shapes first that people
@@ -95,9 +95,12 @@ pub fn record(
 ) -> Insert {
     let head = [id, Some(ty.code.to_string())];
     let head: Vec<String> = head.into_iter().flatten().collect();
-    let mut pieces = vec![Piece::Fixed(head.join(" "))];
+    let mut pieces = vec![SnippetPart::Fixed(head.join(" "))];
     for value in example_values(analysis, ty, before) {
-        pieces.extend([Piece::Fixed(" ".to_owned()), Piece::Place(value)]);
+        pieces.extend([
+            SnippetPart::Fixed(" ".to_owned()),
+            SnippetPart::Place(value),
+        ]);
     }
     Insert(pieces)
 }
@@ -156,9 +159,9 @@ fn new_scene(analysis: &Analysis, word: &str, language: Language) -> Option<Prop
     for (i, part) in NEW_SCENE.split(['‹', '›']).enumerate() {
         let part = part.to_owned();
         pieces.push(if i % 2 == 0 {
-            Piece::Fixed(part)
+            SnippetPart::Fixed(part)
         } else {
-            Piece::Place(part)
+            SnippetPart::Place(part)
         });
     }
     Some(Proposal {

@@ -3,13 +3,13 @@
 
 use std::ops::Range;
 
-use super::part::Part;
+use super::part::DocumentRange;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::{Document, Item, commas};
 
 /// A record, or a comment between records.
 pub struct Element<'a> {
-    pub piece: Piece<'a>,
+    pub piece: Fragment<'a>,
     /// Its tokens.
     pub first: u32,
     pub last: u32,
@@ -18,7 +18,7 @@ pub struct Element<'a> {
 }
 
 #[derive(Clone, Copy)]
-pub enum Piece<'a> {
+pub enum Fragment<'a> {
     Item(&'a Item),
     Comment,
     /// A token that belongs to no item.
@@ -49,8 +49,8 @@ impl<'a> Chunk<'a> {
 
     pub fn items(&self) -> impl Iterator<Item = &'a Item> {
         self.elements.iter().filter_map(|e| match e.piece {
-            Piece::Item(item) => Some(item),
-            Piece::Comment | Piece::Unread => None,
+            Fragment::Item(item) => Some(item),
+            Fragment::Comment | Fragment::Unread => None,
         })
     }
 
@@ -82,7 +82,7 @@ pub struct Chunks<'a> {
 }
 
 impl<'a> Chunks<'a> {
-    pub fn new(text: &'a str, document: &'a Document, part: &Part) -> Chunks<'a> {
+    pub fn new(text: &'a str, document: &'a Document, part: &DocumentRange) -> Chunks<'a> {
         Chunks {
             text,
             document,
@@ -128,15 +128,17 @@ impl<'a> Chunks<'a> {
                     || self.has_doubtful_comma(item);
                 chunk
                     .elements
-                    .push(element(Piece::Item(item), last, frozen));
+                    .push(element(Fragment::Item(item), last, frozen));
                 continue;
             }
             self.at += 1;
             if token.kind().is_comment() {
                 let frozen = is_doubtful(token);
-                chunk.elements.push(element(Piece::Comment, index, frozen));
+                chunk
+                    .elements
+                    .push(element(Fragment::Comment, index, frozen));
             } else if !token.kind().is_trivia() {
-                chunk.elements.push(element(Piece::Unread, index, true));
+                chunk.elements.push(element(Fragment::Unread, index, true));
             }
         }
         !chunk.elements.is_empty()

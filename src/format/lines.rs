@@ -3,10 +3,10 @@
 use std::collections::HashSet;
 
 use super::cell::Context;
-use super::chunk::{Chunk, Element, Piece};
+use super::chunk::{Chunk, Element, Fragment};
 use super::page::Page;
 use super::rows;
-use super::run::{Entry, Run};
+use super::run::{RecordLine, Run};
 use crate::syntax::commented_out::is_commented_out;
 use crate::syntax::lexer::Token;
 use crate::syntax::{Item, is_directive};
@@ -77,7 +77,7 @@ impl<'a> Printer<'a> {
                 match line.item {
                     Some(Item::Record(record)) => {
                         let tokens = (line.first, line.last);
-                        let entry = Entry {
+                        let entry = RecordLine {
                             record,
                             tokens,
                             keeps_zero: line.has_zero && self.care.zeros,
@@ -175,12 +175,12 @@ impl Line<'_> {
 /// no such sign.
 fn set_lines<'a>(lines: &mut Vec<Line<'a>>, chunk: &Chunk<'a>, context: &Context) {
     lines.clear();
-    let last_item = (chunk.elements.iter()).rposition(|e| !matches!(e.piece, Piece::Comment));
+    let last_item = (chunk.elements.iter()).rposition(|e| !matches!(e.piece, Fragment::Comment));
     for (i, element) in chunk.elements.iter().enumerate() {
         let Element { first, last, .. } = *element;
         let item = match element.piece {
-            Piece::Comment | Piece::Unread => None,
-            Piece::Item(item) => Some(item),
+            Fragment::Comment | Fragment::Unread => None,
+            Fragment::Item(item) => Some(item),
         };
         let is_zero = |token: u32| {
             let token = &context.document.tokens[token as usize];

@@ -44,7 +44,7 @@ use cell::Context;
 use chunk::{Chunk, Chunks};
 use lines::{Care, Printer};
 use page::Page;
-use part::Part;
+use part::DocumentRange;
 
 /// Prints a scene anew. `document` is the tree of `text`.
 pub fn format(text: &str, document: &Document, options: &Options) -> String {
@@ -120,7 +120,12 @@ fn print(
     let Some(wanted) = wanted else {
         return (print_all(&context, care, parallel::parts(text.len())), None);
     };
-    let (page, source) = print_part(&context, care, &Part::whole(document), Some(&wanted));
+    let (page, source) = print_part(
+        &context,
+        care,
+        &DocumentRange::whole(document),
+        Some(&wanted),
+    );
     let (printed, found) = page::join(vec![page]);
     let Some((source, found)) = source.zip(found) else {
         return (text.to_owned(), None);
@@ -135,7 +140,7 @@ fn print(
 
 /// Prints a scene, in so many parts if it can be cut.
 fn print_all(context: &Context, care: &Care, parts: usize) -> String {
-    let parts = Part::cut(context.document, parts);
+    let parts = DocumentRange::cut(context.document, parts);
     let pages = parallel::map(parts.len(), |i| {
         print_part(context, care, &parts[i], None).0
     });
@@ -146,7 +151,7 @@ fn print_all(context: &Context, care: &Care, parts: usize) -> String {
 fn print_part<'a>(
     context: &Context<'a>,
     care: &'a Care,
-    part: &Part,
+    part: &DocumentRange,
     wanted: Option<&Range<usize>>,
 ) -> (Page<'a>, Option<Range<usize>>) {
     let Context {

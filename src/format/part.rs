@@ -7,23 +7,23 @@ use crate::syntax::lexer::TokenKind;
 
 /// Items and tokens of a scene that follow one another. A part that is not the first begins with a line break: the record
 /// before it, and the comments behind that record on its line, belong to the part before.
-pub struct Part {
+pub struct DocumentRange {
     pub items: Range<usize>,
     pub tokens: Range<usize>,
 }
 
-impl Part {
-    pub fn whole(document: &Document) -> Part {
-        Part {
+impl DocumentRange {
+    pub fn whole(document: &Document) -> DocumentRange {
+        DocumentRange {
             items: 0..document.items.len(),
             tokens: 0..document.tokens.len(),
         }
     }
 
     /// At most `count` parts, with about as many tokens each. A part that is not the first one follows a record.
-    pub fn cut(document: &Document, count: usize) -> Vec<Part> {
+    pub fn cut(document: &Document, count: usize) -> Vec<DocumentRange> {
         let Document { items, tokens, .. } = document;
-        let mut rest = Part::whole(document);
+        let mut rest = DocumentRange::whole(document);
         let mut parts = Vec::new();
         for i in 1..count {
             let near = tokens.len() / count * i;
@@ -34,7 +34,7 @@ impl Part {
             else {
                 continue;
             };
-            parts.push(Part {
+            parts.push(DocumentRange {
                 items: rest.items.start..item,
                 tokens: rest.tokens.start..token,
             });

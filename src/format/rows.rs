@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::cell::{Cell, Column, Context, HEAD, may_align, spaces};
 use super::options::Options;
 use super::page::Page;
-use super::run::{self, Entry};
+use super::run::{self, RecordLine};
 use crate::syntax::Record;
 use crate::syntax::table::{ParamKind, RecordType};
 
@@ -14,7 +14,7 @@ const INDENT: usize = 2;
 const MATRIX: usize = 4;
 
 /// What a record in rows is made of.
-enum Part<'a> {
+enum RowPart<'a> {
     Cell(Cell<'a>),
     /// Comments with nothing but spaces between them.
     Comments(Comments<'a>),
@@ -74,11 +74,11 @@ fn is_commented(context: &Context, record: &Record) -> bool {
     let sections = sections(record);
     let mut value = 0;
     parts(context, record).iter().any(|part| match part {
-        Part::Cell(_) => {
+        RowPart::Cell(_) => {
             value += 1;
             false
         }
-        Part::Comments(_) => ends_group(&sections, value),
+        RowPart::Comments(_) => ends_group(&sections, value),
     })
 }
 
@@ -111,7 +111,7 @@ fn ends_group(sections: &[Section], value: usize) -> bool {
         .any(|s| s.starts_group(value) || s.values.end == value)
 }
 
-fn parts<'a>(context: &Context<'a>, record: &Record) -> Vec<Part<'a>> {
+fn parts<'a>(context: &Context<'a>, record: &Record) -> Vec<RowPart<'a>> {
     let mut parts = Vec::new();
     let mut values = 0;
     let mut end = None;
@@ -120,18 +120,18 @@ fn parts<'a>(context: &Context<'a>, record: &Record) -> Vec<Part<'a>> {
         let gap = end.map_or("", |end| &context.text[end..span.start]);
         let line_break = gap.contains(['\n', '\r']);
         end = Some(span.end);
-        if let Some(Part::Comments(before)) = parts.last_mut() {
+        if let Some(RowPart::Comments(before)) = parts.last_mut() {
             before.last = line_break;
         }
         if !token.kind().is_comment() {
-            parts.push(Part::Cell(context.cell(record, values, token)));
+            parts.push(RowPart::Cell(context.cell(record, values, token)));
             values += 1;
             continue;
         }
         let text = token.text(context.text);
         match parts.last_mut() {
-            Some(Part::Comments(before)) if !line_break => before.all.push(text),
-            _ => parts.push(Part::Comments(Comments {
+            Some(RowPart::Comments(before)) if !line_break => before.all.push(text),
+            _ => parts.push(RowPart::Comments(Comments {
                 all: vec![text],
                 first: line_break,
                 last: false,
@@ -142,7 +142,7 @@ fn parts<'a>(context: &Context<'a>, record: &Record) -> Vec<Part<'a>> {
 }
 
 /// Prints a record in rows.
-pub fn print<'a>(context: &Context<'a>, page: &mut Page, entry: &Entry<'a>) {
+pub fn print<'a>(context: &Context<'a>, page: &mut Page, entry: &RecordLine<'a>) {
     let record = entry.record;
     let parts = parts(context, record);
     let mut sections = sections(record);
@@ -173,8 +173,8 @@ pub fn print<'a>(context: &Context<'a>, page: &mut Page, entry: &Entry<'a>) {
             &columns,
         );
         let own = row.trail.then(|| match &parts[row.parts.end] {
-            Part::Comments(comments) => comments.all.as_slice(),
-            Part::Cell(_) => &[],
+            RowPart::Comments(comments) => comments.all.as_slice(),
+            RowPart::Cell(_) => &[],
         });
         let own = own.unwrap_or_default().iter().copied();
         if i + 1 < rows.len() {
@@ -191,8 +191,8 @@ fn between(options: &Options) -> usize {
 }
 
 /// Chooses how many points a row has; the columns of each section, if its values are aligned.
-fn fit(context: &Context, parts: &[Part], sections: &mut [Section]) -> Vec<Option<Vec<Column>>> {
-    let values: Vec<&Cell> = parts.iter().filter_map(Part::cell).collect();
+fn fit(context: &Context, parts: &[RowPart], sections: &mut [Section]) -> Vec<Option<Vec<Column>>> {
+    let values: Vec<&Cell> = parts.iter().filter_map(RowPart::cell).collect();
     let width = context.options.width;
     let between = between(context.options);
     let mut columns = Vec::new();
@@ -222,18 +222,18 @@ fn fit(context: &Context, parts: &[Part], sections: &mut [Section]) -> Vec<Optio
     columns
 }
 
-impl<'a> Part<'a> {
+impl<'a> RowPart<'a> {
     fn cell(&self) -> Option<&Cell<'a>> {
         match self {
-            Part::Cell(cell) => Some(cell),
-            Part::Comments(_) => None,
+            RowPart::Cell(cell) => Some(cell),
+            RowPart::Comments(_) => None,
         }
     }
 }
 
 /// Cuts a record into lines. A comment behind a group ends the line, one that begins a line in the file
 /// begins one here, or stands alone as it does there; all others stay between their numbers.
-fn rows(parts: &[Part], sections: &[Section]) -> Vec<Row> {
+fn rows(parts: &[RowPart], sections: &[Section]) -> Vec<Row> {
     let mut rows: Vec<Row> = Vec::new();
     let (mut start, mut first, mut value) = (0, 0, 0);
     // Groups on the line, and whether it is full.
@@ -248,7 +248,7 @@ fn rows(parts: &[Part], sections: &[Section]) -> Vec<Row> {
             });
         };
         match part {
-            Part::Cell(_) => {
+            RowPart::Cell(_) => {
                 if full {
                     if start < i {
                         close(i, false);
@@ -263,12 +263,12 @@ fn rows(parts: &[Part], sections: &[Section]) -> Vec<Row> {
                 let section = sections.iter().find(|s| s.values.contains(&(value - 1)));
                 full = section.is_none_or(|s| value == s.values.end || groups == s.per_row);
             }
-            Part::Comments(_) if !at_end => {}
-            Part::Comments(c) if !c.first => {
+            RowPart::Comments(_) if !at_end => {}
+            RowPart::Comments(c) if !c.first => {
                 close(i, true);
                 (start, first, groups, full) = (i + 1, value, 0, true);
             }
-            Part::Comments(c) => {
+            RowPart::Comments(c) => {
                 if start < i {
                     close(i, false);
                 }
@@ -287,8 +287,8 @@ fn rows(parts: &[Part], sections: &[Section]) -> Vec<Row> {
 }
 
 /// Whether a row but the first could be taken for a record of its own, or for the beginning of one.
-fn reads_as_records(parts: &[Part], rows: &[Row]) -> bool {
-    let values: Vec<&str> = (parts.iter().filter_map(Part::cell))
+fn reads_as_records(parts: &[RowPart], rows: &[Row]) -> bool {
+    let values: Vec<&str> = (parts.iter().filter_map(RowPart::cell))
         .map(|c| c.text.as_ref())
         .collect();
     let starts: Vec<usize> = rows.iter().map(|r| r.value).collect();
@@ -321,7 +321,7 @@ fn reads_as_records(parts: &[Part], rows: &[Row]) -> bool {
 fn write(
     context: &Context,
     out: &mut String,
-    parts: &[Part],
+    parts: &[RowPart],
     value: usize,
     sections: &[Section],
     columns: &[Option<Vec<Column>>],
@@ -335,17 +335,17 @@ fn write(
     let mut missing = 0;
     for (i, part) in parts.iter().enumerate() {
         match part {
-            Part::Comments(comments) => {
+            RowPart::Comments(comments) => {
                 for (j, comment) in comments.all.iter().enumerate() {
                     out.push_str(if i + j > 0 { " " } else { "" });
                     out.push_str(comment);
                 }
             }
-            Part::Cell(cell) => {
+            RowPart::Cell(cell) => {
                 let starts_group = section.is_some_and(|s| sections[s].starts_group(value));
                 let gap = match i.checked_sub(1).map(|before| &parts[before]) {
                     None => 0,
-                    Some(Part::Cell(_)) if starts_group => between(context.options),
+                    Some(RowPart::Cell(_)) if starts_group => between(context.options),
                     Some(_) => 1,
                 };
                 spaces(out, missing + gap);

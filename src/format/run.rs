@@ -9,7 +9,7 @@ use super::width::display_width;
 use crate::syntax::Record;
 
 /// A record with the comments on its line.
-pub struct Entry<'a> {
+pub struct RecordLine<'a> {
     pub record: &'a Record,
     /// From the first comment before the record to the last behind it, as tokens.
     pub tokens: (u32, u32),
@@ -19,7 +19,7 @@ pub struct Entry<'a> {
     pub wanted: bool,
 }
 
-impl<'a> Entry<'a> {
+impl<'a> RecordLine<'a> {
     /// Comments before the record.
     fn lead(&self, context: &Context<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
         comments(context, self.tokens.0, self.record.first, false)
@@ -69,7 +69,7 @@ pub fn has_comments(context: &Context, record: &Record) -> bool {
 /// Neighbours of one type whose lines may stand in columns.
 #[derive(Default)]
 pub struct Run<'a> {
-    entries: Vec<Entry<'a>>,
+    entries: Vec<RecordLine<'a>>,
     /// The values of the first records, one record after another; at most so many as [`KEPT`] says.
     cells: Vec<Cell<'a>>,
     /// What all of them need.
@@ -84,7 +84,7 @@ const KEPT: usize = 1 << 12;
 
 impl<'a> Run<'a> {
     /// Adds a record; prints those before it if it does not belong with them.
-    pub fn push(&mut self, context: &Context<'a>, page: &mut Page, entry: Entry<'a>) {
+    pub fn push(&mut self, context: &Context<'a>, page: &mut Page, entry: RecordLine<'a>) {
         if rows::is_wanted(context, entry.record) {
             self.print(context, page);
             page.end_column();
@@ -94,7 +94,7 @@ impl<'a> Run<'a> {
             return;
         }
         let plain = entry.is_plain(context);
-        let other = |first: &Entry| first.record.kind != entry.record.kind;
+        let other = |first: &RecordLine| first.record.kind != entry.record.kind;
         if !plain || self.entries.first().is_some_and(other) {
             self.print(context, page);
         }

@@ -265,7 +265,10 @@ fn parts_are_printed_as_the_whole() {
         same_in_parts(text, &document, &Options::default(), zeros);
     }
     // A part may begin with the records 3, 4, 8, 10, 11, 12 and the translation.
-    assert_eq!(Part::cut(&document, document.tokens.len()).len(), 8);
+    assert_eq!(
+        DocumentRange::cut(&document, document.tokens.len()).len(),
+        8
+    );
 }
 
 /// Checks that a text is printed the same in any number of parts.

@@ -31,7 +31,7 @@ pub fn apply(context: &Context, comments: &[u32], out: &mut Vec<Diagnostic>) {
     }
     diagnostics::sort(out);
     let mut layout = Layout::new(context);
-    let mut found = Found::new(out);
+    let mut found = FindingsByCode::new(out);
     let mut remarks = Vec::new();
     for &at in comments {
         let directive = Directive::new(&mut layout, at as usize);
@@ -45,7 +45,7 @@ pub fn apply(context: &Context, comments: &[u32], out: &mut Vec<Diagnostic>) {
 
 /// The findings by their codes. However many comments there are, and however much each of them
 /// covers, a finding is looked at once.
-struct Found {
+struct FindingsByCode {
     codes: BTreeMap<Code, OfCode>,
     /// Whether there is an error. What it leaves out of the scene may be what is to be allowed, so a comment that
     /// allows nothing may still be needed.
@@ -63,9 +63,9 @@ struct OfCode {
     steps: Vec<i32>,
 }
 
-impl Found {
+impl FindingsByCode {
     /// Of sorted findings.
-    fn new(all: &[Diagnostic]) -> Found {
+    fn new(all: &[Diagnostic]) -> FindingsByCode {
         let mut codes: BTreeMap<Code, OfCode> = BTreeMap::new();
         let may_be_allowed = |d: &&Diagnostic| !d.code.is_never_allowed();
         for (i, d) in all.iter().enumerate().filter(|(_, d)| may_be_allowed(d)) {
@@ -77,7 +77,7 @@ impl Found {
             of.steps = vec![0; of.starts.len() + 1];
         }
         let is_wrong = all.iter().any(|d| d.is_error() || d.code == Code::E106);
-        Found { codes, is_wrong }
+        FindingsByCode { codes, is_wrong }
     }
 
     /// Allows what begins in a stretch of text, its end included; says whether anything does.
@@ -168,7 +168,7 @@ impl Directive {
     }
 
     /// Allows what it allows; remarks on what allows nothing or is not understood.
-    fn apply(&self, found: &mut Found) -> Vec<Diagnostic> {
+    fn apply(&self, found: &mut FindingsByCode) -> Vec<Diagnostic> {
         let new = |case| Diagnostic::new(Code::S504, self.comment).case(case);
         let Some((entries, list)) = &self.entries else {
             return vec![new("unknown")];

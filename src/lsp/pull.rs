@@ -61,7 +61,7 @@ pub fn of_folders(
     ask: &Ask,
     p: WorkspaceDiagnosticParams,
 ) -> Result<WorkspaceDiagnosticReport, Refusal> {
-    let mut known = Known::of(p.previous_result_ids);
+    let mut known = KnownReports::of(p.previous_result_ids);
     let mut items = Vec::new();
     if ask.preferences.whole_folder {
         let mut open = HashSet::new();
@@ -111,12 +111,12 @@ fn uri_of_report(report: &Report) -> &Uri {
 }
 
 /// The reports that a client has: the URI of a file as the client writes it, and the report's name.
-struct Known(HashMap<PathBuf, (Uri, String)>);
+struct KnownReports(HashMap<PathBuf, (Uri, String)>);
 
-impl Known {
-    fn of(all: Vec<PreviousResultId>) -> Known {
+impl KnownReports {
+    fn of(all: Vec<PreviousResultId>) -> KnownReports {
         let all = all.into_iter().map(|k| (key(&k.uri), (k.uri, k.value)));
-        Known(all.collect())
+        KnownReports(all.collect())
     }
 
     fn take(&mut self, uri: &Uri) -> Option<String> {

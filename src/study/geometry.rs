@@ -20,7 +20,7 @@ use crate::translate::mitsuba::{Output, ShapeInfo};
 
 /// What is seen first through a pixel.
 #[derive(Debug, Clone, Copy)]
-pub struct Seen {
+pub struct VisiblePoint {
     pub point: Vec3,
     /// The shading normal, unit: out of a solid, also where another one was taken away from it.
     pub normal: Vec3,
@@ -32,7 +32,7 @@ pub struct Seen {
     pub object: u32,
 }
 
-impl Seen {
+impl VisiblePoint {
     /// The cosine between the normal and another one of the same surface: that of the lesser angle where there is no
     /// inside.
     fn cosine(&self, normal: Vec3) -> f64 {
@@ -45,7 +45,11 @@ impl Seen {
 }
 
 /// What our tracer sees, row by row.
-pub fn seen(tracer: &Tracer, camera: &Camera, (width, height): (u32, u32)) -> Vec<Option<Seen>> {
+pub fn seen(
+    tracer: &Tracer,
+    camera: &Camera,
+    (width, height): (u32, u32),
+) -> Vec<Option<VisiblePoint>> {
     let Some(view) = View::new(camera, width, height) else {
         return vec![None; width as usize * height as usize];
     };
@@ -56,7 +60,7 @@ pub fn seen(tracer: &Tracer, camera: &Camera, (width, height): (u32, u32)) -> Ve
             let pixel = |x: u32| {
                 let ray = view.ray(f64::from(x) + 0.5, y as f64 + 0.5)?;
                 let probe = tracer.probe(walkers, &ray);
-                probe.crossings.first().map(|c| Seen {
+                probe.crossings.first().map(|c| VisiblePoint {
                     point: c.hit.point.0,
                     normal: match dot(c.hit.normal.0, c.normal.0) < 0.0 {
                         true => c.hit.shading.0.map(|x| -x),
@@ -171,7 +175,7 @@ enum Pixel {
 pub fn compare(
     tracer: &Tracer,
     camera: &Camera,
-    ours: &[Option<Seen>],
+    ours: &[Option<VisiblePoint>],
     theirs: &[f32],
     (width, height): (u32, u32),
     translation: &Output,
@@ -265,7 +269,7 @@ pub fn compare(
 struct Sight<'a> {
     tracer: &'a Tracer,
     view: Option<View>,
-    ours: &'a [Option<Seen>],
+    ours: &'a [Option<VisiblePoint>],
     theirs: &'a [f32],
     width: usize,
     translation: &'a Output,
@@ -389,7 +393,7 @@ impl Sight<'_> {
         &self,
         gap: f64,
         ray: &Ray,
-        here: &Seen,
+        here: &VisiblePoint,
         info: &ShapeInfo,
         walkers: &mut Walkers<f64>,
     ) -> bool {
@@ -448,7 +452,7 @@ impl Sight<'_> {
     }
 
     /// Parts without end are cut off somewhere, meshes at the region's end.
-    fn is_cut_off(&self, seen: Seen) -> bool {
+    fn is_cut_off(&self, seen: VisiblePoint) -> bool {
         let Output { extent, reach, .. } = self.translation;
         let exact = self.exact.get(&(seen.shape, seen.object));
         let d = sub(seen.point, extent.region.centre());
@@ -457,7 +461,7 @@ impl Sight<'_> {
     }
 
     /// Whether a pixel not far from one shows a face of the same shape with such a normal.
-    fn is_near(&self, i: usize, here: &Seen, normal: Vec3) -> bool {
+    fn is_near(&self, i: usize, here: &VisiblePoint, normal: Vec3) -> bool {
         self.around(i, NEAR).any(|j| {
             self.ours[j].is_some_and(|seen| {
                 let same = (seen.shape, seen.object) == (here.shape, here.object);
@@ -535,14 +539,14 @@ pub const LEGEND: [([u8; 3], &str); 4] = [
 ];
 
 /// Our normals as colours, as 8-bit RGB: each coordinate from −1 to 1.
-pub fn our_normals(seen: &[Option<Seen>]) -> Vec<u8> {
-    let colour = |s: &Option<Seen>| s.map_or([0; 3], |s| s.normal.map(shade));
+pub fn our_normals(seen: &[Option<VisiblePoint>]) -> Vec<u8> {
+    let colour = |s: &Option<VisiblePoint>| s.map_or([0; 3], |s| s.normal.map(shade));
     seen.iter().flat_map(colour).collect()
 }
 
 /// Theirs. Where we see a surface without an inside, theirs is shown on the side that ours points to.
-pub fn their_normals(seen: &[Option<Seen>], theirs: &[f32]) -> Vec<u8> {
-    let colour = |(here, c): (&Option<Seen>, &[f32])| {
+pub fn their_normals(seen: &[Option<VisiblePoint>], theirs: &[f32]) -> Vec<u8> {
+    let colour = |(here, c): (&Option<VisiblePoint>, &[f32])| {
         if c[6] <= 0.0 {
             return [0; 3];
         }

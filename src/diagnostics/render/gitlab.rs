@@ -36,12 +36,12 @@ struct Location {
 
 #[derive(Serialize)]
 struct Positions {
-    begin: Place,
-    end: Place,
+    begin: LineColumn,
+    end: LineColumn,
 }
 
 #[derive(Serialize)]
-struct Place {
+struct LineColumn {
     line: u32,
     column: u32,
 }
@@ -77,8 +77,8 @@ fn text(d: &Diagnostic, language: Language) -> String {
     one_text(&d.wording(language), language).replace('\n', "; ")
 }
 
-fn place(position: &Position) -> Place {
-    Place {
+fn place(position: &Position) -> LineColumn {
+    LineColumn {
         line: position.line,
         column: position.column,
     }

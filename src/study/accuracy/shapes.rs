@@ -6,7 +6,7 @@ use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::study::naive::Wide;
-use crate::study::naive::form::{self, Form};
+use crate::study::naive::form::{self, NaiveShape};
 use crate::study::naive::number::{Number, Ray, V, cross, unit, vector};
 use crate::study::plain::solver::{self, Method};
 use crate::trace::shapes::{Primitive, Roots};
@@ -17,7 +17,7 @@ use std::time::Duration;
 
 /// What is found about one shape, one way to its crossings and one sort of lines.
 #[derive(Debug, Clone, Serialize)]
-pub struct Entry {
+pub struct ShapeResult {
     pub shape: &'static str,
     /// `plain-f32`, …, `dd`, or a solver.
     pub way: &'static str,
@@ -136,20 +136,20 @@ fn shapes() -> Vec<(&'static str, Geometry)> {
 }
 
 /// A line, with its exact crossings.
-struct Known {
+struct ReferenceLine {
     origin: V<f64>,
     direction: V<f64>,
     exact: Vec<Wide>,
 }
 
-fn exact(form: &Form<Wide>, origin: V<f64>, direction: V<f64>) -> Known {
+fn exact(form: &NaiveShape<Wide>, origin: V<f64>, direction: V<f64>) -> ReferenceLine {
     let mut roots = form::Roots::default();
     let ray = Ray {
         origin: vector(origin),
         direction: vector(direction),
     };
     form.cross(&ray, &mut roots);
-    Known {
+    ReferenceLine {
         origin,
         direction,
         exact: roots.list.into_iter().map(|r| r.0).collect(),
@@ -167,7 +167,7 @@ fn direction(random: &mut Random) -> V<f64> {
 }
 
 /// Lines that pass the shape as the rays of a picture do.
-fn plain_lines(form: &Form<Wide>, random: &mut Random) -> Vec<Known> {
+fn plain_lines(form: &NaiveShape<Wide>, random: &mut Random) -> Vec<ReferenceLine> {
     (0..LINES)
         .map(|_| {
             let d = direction(random);
@@ -179,9 +179,13 @@ fn plain_lines(form: &Form<Wide>, random: &mut Random) -> Vec<Known> {
 }
 
 /// Lines that pass a point of the surface along a tangent, 1e-3 to 1e-12 aside.
-fn tangent_lines(form: &Form<Wide>, plain: &[Known], random: &mut Random) -> Vec<Known> {
+fn tangent_lines(
+    form: &NaiveShape<Wide>,
+    plain: &[ReferenceLine],
+    random: &mut Random,
+) -> Vec<ReferenceLine> {
     let mut lines = Vec::new();
-    let met: Vec<&Known> = plain.iter().filter(|k| !k.exact.is_empty()).collect();
+    let met: Vec<&ReferenceLine> = plain.iter().filter(|k| !k.exact.is_empty()).collect();
     while lines.len() < LINES && !met.is_empty() {
         let known = met[random.below(met.len())];
         let t = known.exact[random.below(known.exact.len())].wide();
@@ -212,10 +216,13 @@ fn tangent_lines(form: &Form<Wide>, plain: &[Known], random: &mut Random) -> Vec
 }
 
 /// One way from a line to its crossings: their t, and whether they are certain.
-type Way<'w> = Box<dyn Fn(&Line, &mut Vec<(f64, f64)>) -> bool + 'w>;
+type CrossingSolver<'w> = Box<dyn Fn(&Line, &mut Vec<(f64, f64)>) -> bool + 'w>;
 
-fn ways<'w>(geometry: &'w Geometry, primitive: &'w Primitive) -> Vec<(&'static str, Way<'w>)> {
-    fn ours<R: crate::geometry::line::Traced>(primitive: &Primitive) -> Way<'_> {
+fn ways<'w>(
+    geometry: &'w Geometry,
+    primitive: &'w Primitive,
+) -> Vec<(&'static str, CrossingSolver<'w>)> {
+    fn ours<R: crate::geometry::line::Traced>(primitive: &Primitive) -> CrossingSolver<'_> {
         let roots = std::cell::RefCell::new(Roots::<R>::default());
         Box::new(move |line, out| {
             let mut roots = roots.borrow_mut();
@@ -227,8 +234,8 @@ fn ways<'w>(geometry: &'w Geometry, primitive: &'w Primitive) -> Vec<(&'static s
             !roots.uncertain
         })
     }
-    fn plain<T: Number + 'static>(geometry: &Geometry) -> Option<Way<'static>> {
-        let form = Form::<T>::new(geometry)?;
+    fn plain<T: Number + 'static>(geometry: &Geometry) -> Option<CrossingSolver<'static>> {
+        let form = NaiveShape::<T>::new(geometry)?;
         let roots = std::cell::RefCell::new(form::Roots::<T>::default());
         Some(Box::new(move |line, out| {
             let mut roots = roots.borrow_mut();
@@ -241,7 +248,7 @@ fn ways<'w>(geometry: &'w Geometry, primitive: &'w Primitive) -> Vec<(&'static s
             true
         }))
     }
-    let mut all: Vec<(&'static str, Way)> = Vec::new();
+    let mut all: Vec<(&'static str, CrossingSolver)> = Vec::new();
     all.extend(plain::<f32>(geometry).map(|w| ("plain-f32", w)));
     all.extend(plain::<f64>(geometry).map(|w| ("plain-f64", w)));
     all.push(("f32", ours::<f32>(primitive)));
@@ -253,7 +260,7 @@ fn ways<'w>(geometry: &'w Geometry, primitive: &'w Primitive) -> Vec<(&'static s
     ] {
         if let Some(solver) = solver::of_shape(geometry, method) {
             let roots = std::cell::RefCell::new(Roots::default());
-            let way: Way = Box::new(move |line, out| {
+            let way: CrossingSolver = Box::new(move |line, out| {
                 let mut roots = roots.borrow_mut();
                 roots.clear();
                 solver.crossings(0, line, &mut roots);
@@ -268,9 +275,9 @@ fn ways<'w>(geometry: &'w Geometry, primitive: &'w Primitive) -> Vec<(&'static s
 
 /// What is uncertain is asked of `finer`, if there is one, but not timed.
 fn measure(
-    way: &Way,
-    finer: Option<&Way>,
-    lines: &[Known],
+    way: &CrossingSolver,
+    finer: Option<&CrossingSolver>,
+    lines: &[ReferenceLine],
     seconds: f64,
 ) -> (f64, f64, f64, f64, f64) {
     let traced: Vec<Line> = (lines.iter())
@@ -322,13 +329,13 @@ fn measure(
 }
 
 /// Measures everything in about so many seconds. `progress` is told the share that is done.
-pub fn run(seconds: f64, stop: &AtomicBool, progress: &dyn Fn(f64)) -> Vec<Entry> {
+pub fn run(seconds: f64, stop: &AtomicBool, progress: &dyn Fn(f64)) -> Vec<ShapeResult> {
     let all = shapes();
     let mut entries = Vec::new();
     // Some six ways each, two sorts of lines.
     let each = 0.8 * seconds / (all.len() * 12) as f64;
     for (i, (shape, geometry)) in all.iter().enumerate() {
-        let Some(form) = Form::<Wide>::new(geometry) else {
+        let Some(form) = NaiveShape::<Wide>::new(geometry) else {
             continue;
         };
         let mut random = Random::new(i as u64);
@@ -344,7 +351,7 @@ pub fn run(seconds: f64, stop: &AtomicBool, progress: &dyn Fn(f64)) -> Vec<Entry
                 }
                 let (nanoseconds, wrong, median_error, max_error, uncertain) =
                     measure(way, dd.filter(|_| *name == "f64"), lines, each);
-                entries.push(Entry {
+                entries.push(ShapeResult {
                     shape,
                     way: name,
                     lines: sort,
@@ -362,7 +369,7 @@ pub fn run(seconds: f64, stop: &AtomicBool, progress: &dyn Fn(f64)) -> Vec<Entry
 }
 
 /// The table as Markdown, which is also what the terminal shows.
-pub fn table(entries: &[Entry], head: &str) -> String {
+pub fn table(entries: &[ShapeResult], head: &str) -> String {
     let share = |x: f64| match x {
         0.0 => "0".to_owned(),
         x => format!("{:.1} %", 100.0 * x),
@@ -426,7 +433,7 @@ mod tests {
     #[test]
     fn exact_crossings_are_those_of_the_tracer_where_it_is_certain() {
         for (name, geometry) in shapes() {
-            let form = Form::<Wide>::new(&geometry).unwrap();
+            let form = NaiveShape::<Wide>::new(&geometry).unwrap();
             let primitive = Primitive::new(&geometry);
             let mut random = Random::new(5);
             let mut certain = 0;

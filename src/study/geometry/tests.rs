@@ -43,7 +43,7 @@ fn compared_in(text: &str, change: impl Fn(&Output, &mut [f32])) -> Comparison {
     compare(&tracer, &camera, &ours, &theirs, SIZE, &made).unwrap()
 }
 
-fn channels(made: &Output, seen: Option<Seen>) -> [f32; CHANNELS] {
+fn channels(made: &Output, seen: Option<VisiblePoint>) -> [f32; CHANNELS] {
     let Some(s) = seen else {
         return [0.0; CHANNELS];
     };

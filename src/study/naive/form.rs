@@ -8,7 +8,7 @@ use crate::scene::{Geometry, Rgb, TriangleNormals};
 use std::f64::consts::{PI, TAU};
 
 /// A shape in numbers of one kind.
-pub enum Form<T> {
+pub enum NaiveShape<T> {
     Sphere {
         centre: V<T>,
         radius: T,
@@ -56,9 +56,9 @@ impl<T> Default for Roots<T> {
 /// Geodesic spheres of more splits have too many facets to be listed.
 pub const MAX_SPLITS: u32 = 6;
 
-impl<T: Number> Form<T> {
+impl<T: Number> NaiveShape<T> {
     /// `None` where there are too many facets.
-    pub fn new(geometry: &Geometry) -> Option<Form<T>> {
+    pub fn new(geometry: &Geometry) -> Option<NaiveShape<T>> {
         let n = T::of;
         let points = |profile: &[[f64; 2]]| {
             let point = |p: [f64; 2]| p.map(T::of);
@@ -72,28 +72,28 @@ impl<T: Number> Form<T> {
                     pieces.push([[n(0.0), n(end[1])], point(end)]);
                 }
             }
-            Form::Revolution(pieces)
+            NaiveShape::Revolution(pieces)
         };
         let one = n(1.0);
         let squared = |x: f64| n(x) * n(x);
         let over = |x: f64| one / squared(x);
         Some(match geometry {
-            Geometry::Sphere { centre, radius } => Form::Sphere {
+            Geometry::Sphere { centre, radius } => NaiveShape::Sphere {
                 centre: vector(*centre),
                 radius: n(*radius),
             },
-            Geometry::Box { min, max } => Form::Box([vector(*min), vector(*max)]),
-            Geometry::Torus { major, minor } => Form::Torus {
+            Geometry::Box { min, max } => NaiveShape::Box([vector(*min), vector(*max)]),
+            Geometry::Torus { major, minor } => NaiveShape::Torus {
                 major: n(*major),
                 minor: n(*minor),
             },
-            Geometry::Plane(p) | Geometry::HalfSpace(p) => Form::Plane {
+            Geometry::Plane(p) | Geometry::HalfSpace(p) => NaiveShape::Plane {
                 normal: vector([p[0], p[1], p[2]]),
                 d: n(p[3]),
                 solid: geometry.is_solid(),
             },
-            Geometry::Rectangle { min, max } => Form::Rectangle([min.map(n), max.map(n)]),
-            Geometry::Triangle { vertices, .. } => Form::Triangle(vertices.map(vector)),
+            Geometry::Rectangle { min, max } => NaiveShape::Rectangle([min.map(n), max.map(n)]),
+            Geometry::Triangle { vertices, .. } => NaiveShape::Triangle(vertices.map(vector)),
             Geometry::Revolution { profile, .. } => points(profile),
             Geometry::Cone { height, radius } => points(&[[0.0, 0.0], [*radius, *height]]),
             Geometry::DoubleCone { height, radius } => {
@@ -102,7 +102,7 @@ impl<T: Number> Form<T> {
             Geometry::Ellipsoid {
                 semi_axes: [a, b, c],
             } => diagonal([over(*a), over(*b), over(*c)], 0.0, -1.0),
-            Geometry::Quadric(m) => Form::Quadric(std::array::from_fn(|i| {
+            Geometry::Quadric(m) => NaiveShape::Quadric(std::array::from_fn(|i| {
                 std::array::from_fn(|j| n(m[4 * i + j]))
             })),
             Geometry::ParabolicCylinder { a } => diagonal([over(*a), n(0.0), n(0.0)], -1.0, 0.0),
@@ -128,7 +128,7 @@ impl<T: Number> Form<T> {
         let (o, d) = (ray.origin, ray.direction);
         let (zero, one) = (T::of(0.0), T::of(1.0));
         match self {
-            Form::Sphere { centre, radius } => {
+            NaiveShape::Sphere { centre, radius } => {
                 let from = sub(o, *centre);
                 let a = dot(d, d);
                 let b = T::of(2.0) * dot(from, d);
@@ -137,13 +137,13 @@ impl<T: Number> Form<T> {
                 quadratic(a, b, c, &mut few);
                 roots.list.extend(few.all().iter().map(|&t| (t, 0)));
             }
-            Form::Box([min, max]) => slabs(min, max, ray, roots),
-            Form::Torus { major, minor } => {
+            NaiveShape::Box([min, max]) => slabs(min, max, ray, roots),
+            NaiveShape::Torus { major, minor } => {
                 let mut few = Few::new();
                 torus(*major, *minor, ray, &mut few);
                 roots.list.extend(few.all().iter().map(|&t| (t, 0)));
             }
-            Form::Plane {
+            NaiveShape::Plane {
                 normal,
                 d: offset,
                 solid,
@@ -156,19 +156,19 @@ impl<T: Number> Form<T> {
                     roots.inside = *solid && value <= zero;
                 }
             }
-            Form::Rectangle([min, max]) => {
+            NaiveShape::Rectangle([min, max]) => {
                 let t = -o[2] / d[2];
                 let p = ray.at(t);
                 if (0..2).all(|i| p[i] >= min[i] && p[i] <= max[i]) {
                     roots.list.push((t, 0));
                 }
             }
-            Form::Triangle(corners) => {
+            NaiveShape::Triangle(corners) => {
                 if let Some(t) = facet(corners, ray) {
                     roots.list.push((t, 0));
                 }
             }
-            Form::Quadric(q) => {
+            NaiveShape::Quadric(q) => {
                 let times = |p: [T; 4], r: [T; 4]| {
                     let row = |i: usize| {
                         (q[i][0] * r[0] + q[i][1] * r[1]) + (q[i][2] * r[2] + q[i][3] * r[3])
@@ -187,12 +187,12 @@ impl<T: Number> Form<T> {
                 quadratic(a, b, c, &mut few);
                 roots.list.extend(few.all().iter().map(|&t| (t, 0)));
             }
-            Form::Revolution(pieces) => {
+            NaiveShape::Revolution(pieces) => {
                 for (i, piece) in pieces.iter().enumerate() {
                     segment(piece, ray, i as u32, roots);
                 }
             }
-            Form::Geodesic { facets, boxes } => {
+            NaiveShape::Geodesic { facets, boxes } => {
                 boxes.visit(each(o, T::wide), each(d, T::wide), |i| {
                     if let Some(t) = facet(&facets[i as usize], ray) {
                         roots.list.push((t, i));
@@ -215,31 +215,31 @@ impl<T: Number> Form<T> {
     pub fn normal(&self, p: V<T>, face: u32) -> V<T> {
         let (zero, one) = (T::of(0.0), T::of(1.0));
         match self {
-            Form::Sphere { centre, .. } => sub(p, *centre),
-            Form::Box(_) => {
+            NaiveShape::Sphere { centre, .. } => sub(p, *centre),
+            NaiveShape::Box(_) => {
                 let mut normal = [zero; 3];
                 normal[face as usize / 2] = if face % 2 == 1 { one } else { -one };
                 normal
             }
             // The gradient of the quartic.
-            Form::Torus { major, minor } => {
+            NaiveShape::Torus { major, minor } => {
                 let sum = dot(p, p) + *major * *major - *minor * *minor;
                 let twice = T::of(2.0) * *major * *major;
                 [p[0] * (sum - twice), p[1] * sum, p[2] * (sum - twice)]
             }
-            Form::Plane { normal, .. } => *normal,
-            Form::Rectangle(_) => [zero, zero, one],
-            Form::Triangle([a, b, c]) => cross(sub(*b, *a), sub(*c, *a)),
-            Form::Geodesic { facets, .. } => {
+            NaiveShape::Plane { normal, .. } => *normal,
+            NaiveShape::Rectangle(_) => [zero, zero, one],
+            NaiveShape::Triangle([a, b, c]) => cross(sub(*b, *a), sub(*c, *a)),
+            NaiveShape::Geodesic { facets, .. } => {
                 let [a, b, c] = facets[face as usize];
                 cross(sub(b, a), sub(c, a))
             }
-            Form::Quadric(q) => each([0, 1, 2], |i| {
+            NaiveShape::Quadric(q) => each([0, 1, 2], |i| {
                 let p = [p[0], p[1], p[2], one];
                 let add = |sum: T, j: usize| sum + (q[i][j] + q[j][i]) * p[j];
                 (0..4).fold(zero, add)
             }),
-            Form::Revolution(pieces) => {
+            NaiveShape::Revolution(pieces) => {
                 let [[x0, y0], [x1, y1]] = pieces[face as usize];
                 if y0 == y1 {
                     return [zero, one, zero];
@@ -251,9 +251,9 @@ impl<T: Number> Form<T> {
     }
 }
 
-fn diagonal<T: Number>([a, b, c]: [T; 3], linear: f64, constant: f64) -> Form<T> {
+fn diagonal<T: Number>([a, b, c]: [T; 3], linear: f64, constant: f64) -> NaiveShape<T> {
     let (o, half) = (T::of(0.0), T::of(linear / 2.0));
-    Form::Quadric([
+    NaiveShape::Quadric([
         [a, o, o, o],
         [o, b, o, half],
         [o, o, c, o],
@@ -359,7 +359,7 @@ fn facet<T: Number>([a, b, c]: &[V<T>; 3], ray: &Ray<T>) -> Option<T> {
 
 /// An icosahedron whose facets are split in four again and again, with the new corners pushed out onto
 /// the sphere.
-fn geodesic<T: Number>(radius: T, splits: u32) -> Form<T> {
+fn geodesic<T: Number>(radius: T, splits: u32) -> NaiveShape<T> {
     let one = T::of(1.0);
     let phi = (one + T::of(5.0).sqrt()) / T::of(2.0);
     let corner = |v: usize| -> V<T> {
@@ -391,7 +391,7 @@ fn geodesic<T: Number>(radius: T, splits: u32) -> Form<T> {
             .fold(Bounds::NONE, |b, p| b.around(&Bounds(*p, *p)))
     };
     let boxes = Boxes::new((0..).zip(&facets).map(|(i, f)| (i, bounds(f))).collect());
-    Form::Geodesic { facets, boxes }
+    NaiveShape::Geodesic { facets, boxes }
 }
 
 fn turn(angle: f64) -> f64 {

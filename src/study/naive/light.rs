@@ -226,7 +226,7 @@ struct Branch<T> {
 }
 
 /// A visible point.
-struct Found<T> {
+struct SurfacePoint<T> {
     point: V<T>,
     /// Towards the side the ray came from, unit.
     facing: V<T>,
@@ -282,7 +282,7 @@ fn first<T: Number, W: World<T>>(
     scenery: &Scenery<T>,
     world: &mut W,
     branch: &Branch<T>,
-) -> Option<Found<T>> {
+) -> Option<SurfacePoint<T>> {
     let ray = &branch.ray;
     let (from, to) = scenery.window(ray, branch.from, T::of(f64::INFINITY))?;
     if branch.outside
@@ -321,7 +321,7 @@ fn located<T: Number, W: World<T>>(
     event: &Event<T>,
     before: Option<u32>,
     inside: [bool; 2],
-) -> Found<T> {
+) -> SurfacePoint<T> {
     let trail = world.trail();
     let leaf = trail.leaves[event.leaf as usize];
     let owner = trail.leaves[event.owner as usize];
@@ -375,7 +375,7 @@ fn located<T: Number, W: World<T>>(
     let index = |medium: Option<u32>| {
         medium.map_or(DEFAULT_INDEX, |leaf| trail.media.index(trail.look(leaf)))
     };
-    Found {
+    SurfacePoint {
         point: ray.at(event.t),
         facing,
         optics,
@@ -388,7 +388,7 @@ fn located<T: Number, W: World<T>>(
 fn direct<T: Number, W: World<T>>(
     scenery: &Scenery<T>,
     world: &mut W,
-    found: &Found<T>,
+    found: &SurfacePoint<T>,
     rays: &mut RayCounts,
 ) -> V<T> {
     let zero = T::of(0.0);
@@ -454,7 +454,7 @@ fn visibility<T: Number, W: World<T>>(
 fn follow<T: Number>(
     scenery: &Scenery<T>,
     branch: &Branch<T>,
-    found: &Found<T>,
+    found: &SurfacePoint<T>,
     branches: &mut Vec<Branch<T>>,
     rays: &mut RayCounts,
 ) {

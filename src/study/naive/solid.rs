@@ -1,10 +1,10 @@
 //! A scene's tree of solids, complements driven down to the shapes.
 
 use super::boxes::{Bounds, Boxes};
-use super::form::{Form, Roots};
+use super::form::{NaiveShape, Roots};
 use super::light::{World, back};
 use super::number::{Number, Ray, V};
-use super::trail::{Event, Leaf, List, Look, Media, Operation, Trail};
+use super::trail::{Event, GivenProperties, Leaf, List, Media, Operation, Trail};
 use crate::geometry::Matrix;
 use crate::geometry::array::each;
 use crate::scene::{DEFAULT_INDEX, Geometry, Node, NodeId, Scene, Texture};
@@ -46,7 +46,7 @@ const MAX_CROSSINGS: u64 = 30_000_000;
 
 pub struct Solids<'s, T> {
     scene: &'s Scene,
-    forms: Vec<Option<Form<T>>>,
+    forms: Vec<Option<NaiveShape<T>>>,
     solids: Vec<Solid<T>>,
     root: u32,
     /// Textures of paints: index into `textures`.
@@ -105,7 +105,7 @@ impl<'s, T: Number> Solids<'s, T> {
         self.crossings > MAX_CROSSINGS
     }
 
-    fn list(&mut self, solid: u32, frame: u32, look: Look, tie: T) -> List<T> {
+    fn list(&mut self, solid: u32, frame: u32, look: GivenProperties, tie: T) -> List<T> {
         match &self.solids[solid as usize] {
             Solid::Everything => List {
                 start: Some(0),
@@ -120,7 +120,7 @@ impl<'s, T: Number> Solids<'s, T> {
             &Solid::Painted(child, paint) => {
                 let record = &self.scene.paints[paint as usize];
                 let texture = self.texture_of[paint as usize].map(|t| (t, frame));
-                let look = Look {
+                let look = GivenProperties {
                     texture: look.texture.or(texture),
                     optics: look.optics.or(record.optics.map(|_| paint + 1)),
                     index: look.index.or(record.index.map(|_| paint + 1)),
@@ -164,7 +164,7 @@ impl<'s, T: Number> Solids<'s, T> {
         }
     }
 
-    fn shape(&mut self, shape: u32, negated: bool, frame: u32, look: Look) -> List<T> {
+    fn shape(&mut self, shape: u32, negated: bool, frame: u32, look: GivenProperties) -> List<T> {
         self.crossings += 1;
         let Some(form) = &self.forms[shape as usize] else {
             return List::default();
@@ -226,7 +226,7 @@ impl<T: Number> World<T> for Solids<'_, T> {
             true => T::of(-1.0),
             false => ray.offset(),
         };
-        self.list(self.root, 0, Look::default(), tie)
+        self.list(self.root, 0, GivenProperties::default(), tie)
     }
 
     fn trail(&self) -> &Trail<T> {
@@ -251,7 +251,7 @@ fn media(scene: &Scene) -> Media {
 
 struct Build<'s, T> {
     scene: &'s Scene,
-    forms: Vec<Option<Form<T>>>,
+    forms: Vec<Option<NaiveShape<T>>>,
     solids: Vec<Solid<T>>,
     bounds: Vec<Bounds>,
     depths: Vec<u32>,
@@ -389,7 +389,7 @@ impl<'s, T: Number> Build<'s, T> {
         }
         let form = &mut self.forms[shape as usize];
         if form.is_none() {
-            *form = Some(Form::new(geometry).ok_or(Unfit::TooManyFacets)?);
+            *form = Some(NaiveShape::new(geometry).ok_or(Unfit::TooManyFacets)?);
         }
         let limits = match (negated, geometry) {
             (true, _) | (_, Geometry::Plane(_)) => Bounds::ALL,

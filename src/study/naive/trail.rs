@@ -7,7 +7,7 @@ use crate::scene::{DEFAULT_INDEX, Optics, Rgb};
 
 /// A space on the way down to a shape.
 #[derive(Debug, Clone, Copy)]
-pub struct Frame<T> {
+pub struct LocalSpace<T> {
     pub parent: u32,
     /// The rows of the map into it out of its parent.
     pub back: [[T; 4]; 3],
@@ -16,7 +16,7 @@ pub struct Frame<T> {
 
 /// Properties given on the way down: what is set first stays.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Look {
+pub struct GivenProperties {
     /// Which texture, and the frame in which it was given.
     pub texture: Option<(u32, u32)>,
     /// Indices into [`Media`].
@@ -43,16 +43,16 @@ impl Default for Media {
 }
 
 impl Media {
-    pub fn optics(&self, look: &Look) -> &Optics {
+    pub fn optics(&self, look: &GivenProperties) -> &Optics {
         &self.optics[look.optics.unwrap_or(0) as usize]
     }
 
-    pub fn index(&self, look: &Look) -> Rgb {
+    pub fn index(&self, look: &GivenProperties) -> Rgb {
         self.indices[look.index.unwrap_or(0) as usize]
     }
 
     /// Whether light notices no boundary between the two.
-    fn are_same(&self, a: &Look, b: &Look) -> bool {
+    fn are_same(&self, a: &GivenProperties, b: &GivenProperties) -> bool {
         (a.optics == b.optics || self.optics(a) == self.optics(b))
             && (a.index == b.index || self.index(a) == self.index(b))
     }
@@ -63,7 +63,7 @@ impl Media {
 pub struct Leaf {
     pub shape: u32,
     pub frame: u32,
-    pub look: Look,
+    pub look: GivenProperties,
     /// ID of the entity whose record made it.
     pub id: u32,
 }
@@ -107,7 +107,7 @@ impl<T> List<T> {
 /// The scratch of one ray.
 #[derive(Debug, Clone)]
 pub struct Trail<T> {
-    pub frames: Vec<Frame<T>>,
+    pub frames: Vec<LocalSpace<T>>,
     pub leaves: Vec<Leaf>,
     pub media: Media,
 }
@@ -132,7 +132,7 @@ pub fn through<T: Number>(back: &[[T; 4]; 3], ray: &Ray<T>) -> Ray<T> {
 }
 
 impl<T: Number> Trail<T> {
-    pub fn look(&self, leaf: u32) -> &Look {
+    pub fn look(&self, leaf: u32) -> &GivenProperties {
         &self.leaves[leaf as usize].look
     }
 
@@ -141,7 +141,7 @@ impl<T: Number> Trail<T> {
         self.frames.clear();
         self.leaves.clear();
         let (o, l) = (T::of(0.0), T::of(1.0));
-        self.frames.push(Frame {
+        self.frames.push(LocalSpace {
             parent: 0,
             back: [[l, o, o, o], [o, l, o, o], [o, o, l, o]],
             ray: *ray,
@@ -151,7 +151,7 @@ impl<T: Number> Trail<T> {
 
     pub fn enter(&mut self, parent: u32, back: &[[T; 4]; 3]) -> u32 {
         let ray = through(back, &self.frames[parent as usize].ray);
-        self.frames.push(Frame {
+        self.frames.push(LocalSpace {
             parent,
             back: *back,
             ray,

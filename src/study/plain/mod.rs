@@ -5,10 +5,10 @@
 
 pub mod solver;
 
-use super::naive::form::{Form, Roots};
+use super::naive::form::{NaiveShape, Roots};
 use super::naive::light::{Lens, RayCounts, Scenery, World, back, radiance};
 use super::naive::number::{Number, Ray, V};
-use super::naive::trail::{Event, Leaf, List, Look, Media, Operation, Trail};
+use super::naive::trail::{Event, GivenProperties, Leaf, List, Media, Operation, Trail};
 use crate::diagnostics::{Complaint, Error};
 use crate::geometry::array::each;
 use crate::geometry::line::Line;
@@ -41,15 +41,15 @@ struct Context {
     frame: u32,
     /// The ray as the tree of the object sees it.
     beam: Beam,
-    look: Look,
+    look: GivenProperties,
 }
 
 /// The least t at which a child of a context's tree may be met.
-type Entry<T> = (T, u32, Child);
+type PendingNode<T> = (T, u32, Child);
 
 struct Walker<'a, T> {
     graph: &'a Graph,
-    forms: Vec<Form<T>>,
+    forms: Vec<NaiveShape<T>>,
     solid: Vec<bool>,
     backs: Vec<[[T; 4]; 3]>,
     /// Which textures are patterns in space.
@@ -57,7 +57,7 @@ struct Walker<'a, T> {
     glass: bool,
     trail: Trail<T>,
     contexts: Vec<Context>,
-    stack: Vec<Entry<T>>,
+    stack: Vec<PendingNode<T>>,
     roots: Roots<T>,
     tests: u64,
     boxes: u64,
@@ -119,7 +119,7 @@ impl<'a, T: Number> Plain<'a, T> {
         let graph = &tracer.graph;
         let geometry = |record: &u32| &scene.shapes[*record as usize].geometry;
         let forms = (graph.records.iter())
-            .map(|r| Form::new(geometry(r)))
+            .map(|r| NaiveShape::new(geometry(r)))
             .collect::<Option<Vec<_>>>();
         let forms = forms.ok_or_else(|| Complaint::new("accuracy-unfit-facets"))?;
         let backs = graph.matrices.iter().map(back).collect::<Option<Vec<_>>>();
@@ -255,12 +255,12 @@ impl<'a, T: Number> Walker<'a, T> {
             object: self.graph.root,
             frame: 0,
             beam: beam(ray, &self.graph.root().frame),
-            look: Look::default(),
+            look: GivenProperties::default(),
         });
     }
 
     /// The frame and the look of a part.
-    fn placed(&mut self, context: u32, part: &graph::Part) -> (u32, Look) {
+    fn placed(&mut self, context: u32, part: &graph::Part) -> (u32, GivenProperties) {
         let above = self.contexts[context as usize];
         let coat = &self.graph.paints[part.paint as usize];
         let mut look = above.look;
@@ -367,7 +367,13 @@ impl<'a, T: Number> Walker<'a, T> {
     }
 
     /// The nearest child of a node that the ray may meet; the others are put on the stack, the farthest first.
-    fn visit(&mut self, context: u32, node: u32, from: T, best: &Best<T>) -> Option<Entry<T>> {
+    fn visit(
+        &mut self,
+        context: u32,
+        node: u32,
+        from: T,
+        best: &Best<T>,
+    ) -> Option<PendingNode<T>> {
         let group = self.group(context)?;
         let beam = &self.contexts[context as usize].beam;
         let node = &group.tree.nodes[node as usize];

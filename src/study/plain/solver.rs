@@ -6,7 +6,7 @@ use crate::geometry::line::Line;
 use crate::geometry::number::Real as _;
 use crate::geometry::vec::Vec3;
 use crate::scene::{Geometry, Scene};
-use crate::study::naive::form::{self, Form};
+use crate::study::naive::form::{self, NaiveShape};
 use crate::study::naive::number::{Ray, dot};
 use crate::study::naive::polynomial::Few;
 use crate::trace::Tracer;
@@ -24,15 +24,15 @@ pub enum Method {
 }
 
 /// A shape that can be solved in other ways.
-enum Known {
+enum SolvableShape {
     Torus { major: f64, minor: f64 },
-    Revolution(Form<f64>, Vec<[[f64; 2]; 2]>),
+    Revolution(NaiveShape<f64>, Vec<[[f64; 2]; 2]>),
 }
 
 struct Other {
     method: Method,
     /// Beside the primitives of the graph.
-    shapes: Vec<Option<(Known, Primitive)>>,
+    shapes: Vec<Option<(SolvableShape, Primitive)>>,
 }
 
 impl std::fmt::Debug for Other {
@@ -41,16 +41,16 @@ impl std::fmt::Debug for Other {
     }
 }
 
-fn known(geometry: &Geometry) -> Option<Known> {
+fn known(geometry: &Geometry) -> Option<SolvableShape> {
     match geometry {
-        &Geometry::Torus { major, minor } => Some(Known::Torus { major, minor }),
+        &Geometry::Torus { major, minor } => Some(SolvableShape::Torus { major, minor }),
         Geometry::Revolution { .. } => {
-            let form = Form::new(geometry)?;
+            let form = NaiveShape::new(geometry)?;
             let pieces = match &form {
-                Form::Revolution(pieces) => pieces.clone(),
+                NaiveShape::Revolution(pieces) => pieces.clone(),
                 _ => return None,
             };
-            Some(Known::Revolution(form, pieces))
+            Some(SolvableShape::Revolution(form, pieces))
         }
         _ => None,
     }
@@ -103,10 +103,10 @@ impl Solver for Other {
     }
 }
 
-impl Known {
+impl SolvableShape {
     fn cross(&self, ray: &Ray<f64>, moved: f64, roots: &mut Roots) {
         match self {
-            &Known::Torus { major, minor } => {
+            &SolvableShape::Torus { major, minor } => {
                 let mut few = Few::new();
                 form::torus(major, minor, ray, &mut few);
                 for &t in few.all() {
@@ -117,7 +117,7 @@ impl Known {
                     roots.list.push(Root { t: t + moved, face });
                 }
             }
-            Known::Revolution(form, pieces) => {
+            SolvableShape::Revolution(form, pieces) => {
                 let mut found = form::Roots::default();
                 form.cross(ray, &mut found);
                 for (i, (t, face)) in found.list.into_iter().enumerate() {
@@ -175,14 +175,14 @@ impl Known {
         let square = p[0] * p[0] + p[2] * p[2];
         let turns = p[0] * d[0] + p[2] * d[2];
         match self {
-            &Known::Torus { major, minor } => {
+            &SolvableShape::Torus { major, minor } => {
                 let rho = square.sqrt();
                 let centre = Dd::of(if face == 1 { -major } else { major });
                 let across = rho - centre;
                 let value = across * across + p[1] * p[1] - Dd::of(minor) * Dd::of(minor);
                 Some((value, two * (across * turns / rho + p[1] * d[1])))
             }
-            Known::Revolution(_, pieces) => {
+            SolvableShape::Revolution(_, pieces) => {
                 let [[x0, y0], [x1, y1]] = *pieces.get((face & !FLIPPED) as usize)?;
                 if y0 == y1 {
                     return Some((p[1] - Dd::of(y0), d[1]));

@@ -18,7 +18,7 @@ use crate::lint::{Context, live_nodes};
 use crate::parallel;
 use crate::scene::record::Params;
 use crate::scene::{Node, Optics, Origin};
-use search::{Found, Search};
+use search::{Overlap, Search};
 use split::{Pieces, Splitter};
 use unions::Unions;
 
@@ -59,7 +59,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.extend(said.into_iter().flatten());
 }
 
-fn finding(unions: &Unions, p: &Params, record: &Origin, found: &Found) -> Diagnostic {
+fn finding(unions: &Unions, p: &Params, record: &Origin, found: &Overlap) -> Diagnostic {
     let [one, two] = found.parts.map(|i| &unions.parts[i as usize]);
     let [x, y, z] = found.witness.clone();
     Diagnostic::new(Code::W307, p.span_of(0, 2))

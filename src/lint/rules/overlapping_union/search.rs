@@ -3,7 +3,7 @@
 use rustc_hash::FxHashSet;
 
 use super::medium::texture;
-use super::unions::{Part, Unions};
+use super::unions::{UnionOperand, Unions};
 use crate::geometry::array::length;
 use crate::geometry::boxes::Boxes;
 use crate::geometry::{Aabb, Matrix};
@@ -36,7 +36,7 @@ const PAIRS: usize = 100_000;
 const ENDLESS: usize = 2_000;
 
 /// Two parts that overlap.
-pub(super) struct Found {
+pub(super) struct Overlap {
     /// The union of both.
     pub(super) union: NodeId,
     /// Indices of the parts, in the order of the operands.
@@ -82,10 +82,10 @@ impl<'a> Search<'a> {
         }
     }
 
-    pub(super) fn all(&mut self) -> Vec<Found> {
+    pub(super) fn all(&mut self) -> Vec<Overlap> {
         let unions = self.unions;
-        let transmits = |p: &Part| unions.media[p.medium as usize].transmits();
-        let concerns = |p: &Part| p.opened || transmits(p) && unions.media.len() > 1;
+        let transmits = |p: &UnionOperand| unions.media[p.medium as usize].transmits();
+        let concerns = |p: &UnionOperand| p.opened || transmits(p) && unions.media.len() > 1;
         if !unions.parts.iter().any(concerns) {
             return Vec::new();
         }
@@ -138,7 +138,7 @@ impl<'a> Search<'a> {
     /// A pair of parts, if the order of these shows and it is the first one's turn.
     fn differ(&self, i: u32, j: u32) -> Option<Pair> {
         let unions = self.unions;
-        let transmits = |p: &Part| unions.media[p.medium as usize].transmits();
+        let transmits = |p: &UnionOperand| unions.media[p.medium as usize].transmits();
         let (part, other) = (&unions.parts[i as usize], &unions.parts[j as usize]);
         // Each pair once.
         let opaque = !transmits(part) && !transmits(other);
@@ -155,8 +155,8 @@ impl<'a> Search<'a> {
     }
 
     /// Whether two opaque parts differ in colour or in optical property, as far as that is known.
-    fn look_different(&self, one: &Part, two: &Part) -> bool {
-        let optics = |p: &Part| self.unions.media[p.medium as usize].optics;
+    fn look_different(&self, one: &UnionOperand, two: &UnionOperand) -> bool {
+        let optics = |p: &UnionOperand| self.unions.media[p.medium as usize].optics;
         let [Some(a), Some(b)] =
             [one, two].map(|p| p.colouring.and_then(|c| texture(self.scene, c)))
         else {
@@ -166,13 +166,13 @@ impl<'a> Search<'a> {
     }
 
     /// The union of two parts, if nothing has been said of it.
-    fn union(&self, parts: [&Part; 2]) -> Option<NodeId> {
+    fn union(&self, parts: [&UnionOperand; 2]) -> Option<NodeId> {
         let place = self.unions.ancestry.join(parts[0].union, parts[1].union)?;
         let union = self.unions.places[place as usize];
         (!self.done.contains(&union)).then_some(union)
     }
 
-    fn pair(&mut self, (pair, opaque): Pair) -> Option<Found> {
+    fn pair(&mut self, (pair, opaque): Pair) -> Option<Overlap> {
         let parts = pair.map(|i| &self.unions.parts[i as usize]);
         let union = self.union(parts)?;
         let both = parts[0].bounds.intersection(&parts[1].bounds);
@@ -213,10 +213,10 @@ impl<'a> Search<'a> {
         &mut self,
         union: NodeId,
         (parts, open): Pair,
-        both_parts: [(&Part, &Matrix); 2],
+        both_parts: [(&UnionOperand, &Matrix); 2],
         witness: Vec3,
         (within, depth): (&Aabb, f64),
-    ) -> Option<Found> {
+    ) -> Option<Overlap> {
         /// What overlaps by less than a millionth is not spoken of.
         const FINER: usize = 7;
         if self.is_nested((parts, open), both_parts, (within, depth)) {
@@ -231,7 +231,7 @@ impl<'a> Search<'a> {
             let number = |x: String| x.parse().unwrap_or(f64::NAN);
             self.deep(both_parts, told(*k).map(number), depth, !open)
         };
-        Some(Found {
+        Some(Overlap {
             union,
             parts,
             witness: told((0..FINER).find(holds).unwrap_or(FINER)),
@@ -244,7 +244,7 @@ impl<'a> Search<'a> {
     fn is_nested(
         &mut self,
         (pair, open): Pair,
-        both_parts: [(&Part, &Matrix); 2],
+        both_parts: [(&UnionOperand, &Matrix); 2],
         within: (&Aabb, f64),
     ) -> bool {
         let [one, two] = both_parts;
@@ -258,7 +258,7 @@ impl<'a> Search<'a> {
     fn reaches_out(
         &mut self,
         (pair, open): Pair,
-        both_parts: [(&Part, &Matrix); 2],
+        both_parts: [(&UnionOperand, &Matrix); 2],
         (both, depth): (&Aabb, f64),
     ) -> Option<bool> {
         let [inner, outer] = pair.map(|i| &self.unions.parts[i as usize]);
@@ -296,7 +296,7 @@ impl<'a> Search<'a> {
     }
 
     /// A point of two parts that overlap by little, or are both without end.
-    fn closely(&mut self, (pair, opaque): Pair) -> Option<Found> {
+    fn closely(&mut self, (pair, opaque): Pair) -> Option<Overlap> {
         let parts = pair.map(|i| &self.unions.parts[i as usize]);
         let union = (self.union(parts)).filter(|_| !opaque && !self.nested.contains(&pair))?;
         let mut within = parts[0].bounds.intersection(&parts[1].bounds);
@@ -356,7 +356,7 @@ impl<'a> Search<'a> {
     }
 
     /// Where something without end is at home: around its own origin, by several times its size.
-    fn anchor(&self, part: &Part) -> Aabb {
+    fn anchor(&self, part: &UnionOperand) -> Aabb {
         const TIMES: f64 = 4.0;
         let bounded = self.bounds[part.node as usize].bounded();
         if !bounded.is_empty() {
@@ -378,7 +378,7 @@ impl<'a> Search<'a> {
     /// before: `halves` are a point that is left and one that is cut off.
     fn opened(
         &mut self,
-        parts: [(&Part, &Matrix); 2],
+        parts: [(&UnionOperand, &Matrix); 2],
         p: Vec3,
         depth: f64,
         halves: &mut [Option<Vec3>; 2],
@@ -411,14 +411,20 @@ impl<'a> Search<'a> {
 
     /// Whether a point, and what is around it, is in both parts and in the box of the render record,
     /// and, if asked for, left by whatever cuts.
-    fn deep(&mut self, parts: [(&Part, &Matrix); 2], p: Vec3, depth: f64, left: bool) -> bool {
+    fn deep(
+        &mut self,
+        parts: [(&UnionOperand, &Matrix); 2],
+        p: Vec3,
+        depth: f64,
+        left: bool,
+    ) -> bool {
         self.holds([(parts[0], true), (parts[1], true)], p, depth, left)
     }
 
     /// The same of the first part alone, outside of the second.
     fn sticks_out(
         &mut self,
-        parts: [(&Part, &Matrix); 2],
+        parts: [(&UnionOperand, &Matrix); 2],
         p: Vec3,
         depth: f64,
         left: bool,
@@ -429,7 +435,7 @@ impl<'a> Search<'a> {
     /// For each part whether it is to hold the point.
     fn holds(
         &mut self,
-        parts: [((&Part, &Matrix), bool); 2],
+        parts: [((&UnionOperand, &Matrix), bool); 2],
         p: Vec3,
         depth: f64,
         left: bool,

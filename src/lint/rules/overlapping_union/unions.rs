@@ -15,7 +15,7 @@ use crate::trace::plan::unseen::{self, LeftOut};
 const REPEATED: usize = 200_000;
 
 /// A part of a union that is none itself.
-pub(super) struct Part {
+pub(super) struct UnionOperand {
     pub(super) node: NodeId,
     pub(super) named: Named,
     /// From its own coordinates into those of the root.
@@ -48,7 +48,7 @@ pub(super) struct Unions {
     /// Of each place the one that it is an operand of.
     pub(super) ancestry: Ancestry,
     /// In the order of their operands.
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<UnionOperand>,
     pub(super) media: Vec<Medium>,
 }
 
@@ -168,7 +168,7 @@ impl Unions {
             _ => own.transformed(&task.matrix),
         };
         if !bounds.is_empty() {
-            self.parts.push(Part {
+            self.parts.push(UnionOperand {
                 node: task.node,
                 named,
                 matrix: task.matrix,

@@ -60,7 +60,7 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
         let (Node::Paint { child, .. }, Some(source)) = (node, sources[i]) else {
             continue;
         };
-        if reach[i] == Reach::default() {
+        if reach[i] == IndexCompany::default() {
             continue;
         }
         let own = paint_of(scene, *node).and_then(|p| p.optics);
@@ -165,18 +165,18 @@ fn transmits(scene: &Scene) -> Vec<bool> {
 /// In what company the index of a node is seen: it is covered by none that holds it, and the optical
 /// property is its own, or one that lets light through, or one that does not.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-struct Reach {
+struct IndexCompany {
     bare: bool,
     transmits: bool,
     opaque: bool,
 }
 
-fn reach(scene: &Scene) -> Vec<Reach> {
-    let bare = Reach {
+fn reach(scene: &Scene) -> Vec<IndexCompany> {
+    let bare = IndexCompany {
         bare: true,
-        ..Reach::default()
+        ..IndexCompany::default()
     };
-    let mut reach = vec![Reach::default(); scene.nodes.len()];
+    let mut reach = vec![IndexCompany::default(); scene.nodes.len()];
     match scene.render {
         Some(render) => reach[render.root as usize] = bare,
         None => {

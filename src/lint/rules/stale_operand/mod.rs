@@ -58,7 +58,7 @@ struct Late<'a> {
 
 /// What is known of an ID.
 #[derive(Clone, Default)]
-struct Entry<'a> {
+struct IdState<'a> {
     /// What is not there yet is not taken, and the record that defines it changes nothing.
     defined: bool,
     /// It is taken as it is at the end of the file.
@@ -72,7 +72,7 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
     // What nothing defines is not taken either.
     let ids = &context.scene.ids;
     let number = |id| ids.get(id).map(|number| number as usize);
-    let mut entries = vec![Entry::default(); context.scene.entities.len()];
+    let mut entries = vec![IdState::default(); context.scene.entities.len()];
     for record in context.records() {
         let kind = record.kind;
         if matches!(

@@ -19,7 +19,8 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(views) = (!given.is_empty()).then(|| Views::new(context)).flatten() else {
         return;
     };
-    let mut found: Vec<Found> = given.iter().map(|_| Found::default()).collect();
+    let mut found: Vec<TextureSightings> =
+        given.iter().map(|_| TextureSightings::default()).collect();
     let is_drawn = |p: &Painting| views.showing(p) != Showing::Absent;
     // Whether each painting is drawn, or one that goes on from it.
     let mut drawn = vec![false; paintings.len()];
@@ -77,7 +78,7 @@ impl Why {
 
 /// What is found out about a texture.
 #[derive(Default)]
-struct Found {
+struct TextureSightings {
     /// Something is painted with it, whether it is drawn or not.
     is_used: bool,
     is_seen: bool,
@@ -87,7 +88,7 @@ struct Found {
     cover: Option<Span>,
 }
 
-impl Found {
+impl TextureSightings {
     fn add(&mut self, why: Why, cover: Option<Span>) {
         if !self.reasons.contains(&why) {
             self.reasons.push(why);
@@ -165,7 +166,7 @@ impl<'a> Views<'a> {
     }
 
     /// Finds out whether a painting is to be seen, and if not, why.
-    fn judge(&self, painting: &Painting, found: &mut Found) {
+    fn judge(&self, painting: &Painting, found: &mut TextureSightings) {
         let is_lost = |reach: &Option<VisibleAspects>| {
             let shows = |r: &VisibleAspects| r.showing(self.scene, painting.node) == Showing::Shown;
             reach.as_ref().is_some_and(|r| !shows(r))

@@ -12,16 +12,16 @@ use crate::scene::names::Names;
 use crate::syntax::table::{Effect, Kind, RecordKind};
 
 /// Flags of an ID. A large scene has millions of IDs, so each has one byte.
-type Known = u8;
+type IdFlags = u8;
 /// The ID is no object, or its object could be made. If its object could not be made, another finding says so.
-const SOUND: Known = 1;
+const SOUND: IdFlags = 1;
 /// A record other than a placeholder defines the ID.
-const DEFINED: Known = 2;
-const USED: Known = 4;
+const DEFINED: IdFlags = 2;
+const USED: IdFlags = 4;
 /// An unused definition names the ID.
-const HELD: Known = 8;
+const HELD: IdFlags = 8;
 /// It has been decided whether the ID is reported.
-const DECIDED: Known = 16;
+const DECIDED: IdFlags = 16;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(render) = context.scene.render.filter(|_| !context.has_broken()) else {
@@ -95,7 +95,7 @@ fn finding(context: &Context, entity: &Entity) -> Option<Diagnostic> {
 }
 
 /// What is known of each ID, by its number.
-fn definitions(context: &Context) -> Vec<Known> {
+fn definitions(context: &Context) -> Vec<IdFlags> {
     let scene = context.scene;
     // There are at most as many IDs as entities.
     let mut all = vec![0; scene.entities.len()];
@@ -116,7 +116,7 @@ fn definitions(context: &Context) -> Vec<Known> {
 }
 
 /// Marks what is defined twice as used: which of the two was meant is not known.
-fn spare_duplicates(context: &Context, all: &mut [Known]) {
+fn spare_duplicates(context: &Context, all: &mut [IdFlags]) {
     let entities = context.scene.entities.iter();
     let mut entities = entities.map(|e| e.span.start).peekable();
     for record in context.records() {
@@ -146,7 +146,7 @@ fn is_asked_for_by_nobody(entity: &Entity) -> bool {
 }
 
 /// Marks as used what the used ones name.
-fn follow(names: &Names, all: &mut [Known]) {
+fn follow(names: &Names, all: &mut [IdFlags]) {
     let mut open: Vec<usize> = (0..all.len()).filter(|&i| all[i] & USED != 0).collect();
     while let Some(i) = open.pop() {
         for &name in names.of(i) {

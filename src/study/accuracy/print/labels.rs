@@ -2,7 +2,7 @@
 
 /// A part of the picture: left, top, right and bottom.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frame(pub [f64; 4]);
+pub struct LabelBox(pub [f64; 4]);
 
 /// A name to be placed.
 #[derive(Debug, Clone)]
@@ -19,7 +19,7 @@ pub struct Label {
 #[derive(Debug, Clone)]
 pub struct Surroundings {
     /// Names stay inside of this.
-    pub within: Frame,
+    pub within: LabelBox,
     /// Where the points' marks are.
     pub points: Vec<[f64; 2]>,
     /// Lines that better stay legible, and how much worse it is to cover one than to be one mark farther away.
@@ -29,7 +29,7 @@ pub struct Surroundings {
 /// Where a name stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placed {
-    pub frame: Frame,
+    pub frame: LabelBox,
     /// A line that leads from the point to the name, where it would be taken for another point's, or far away.
     pub leader: Option<[[f64; 2]; 2]>,
 }
@@ -47,9 +47,9 @@ const HIGHER: [f64; 6] = [0.0, 8.0, 15.0, 23.0, 32.0, 42.0];
 const ONE: f64 = 3.0;
 
 /// Where a name may stand beside its point, and how much worse than right beside it that is.
-fn places([x, y]: [f64; 2], width: f64) -> Vec<(f64, Frame)> {
+fn places([x, y]: [f64; 2], width: f64) -> Vec<(f64, LabelBox)> {
     let (w, h) = (width / 2.0, HEIGHT / 2.0);
-    let around = |cx: f64, cy: f64| Frame([cx - w, cy - h, cx + w, cy + h]);
+    let around = |cx: f64, cy: f64| LabelBox([cx - w, cy - h, cx + w, cy + h]);
     let mut out = Vec::new();
     for farther in FARTHER {
         let cost = farther / 9.0;
@@ -80,20 +80,20 @@ fn places([x, y]: [f64; 2], width: f64) -> Vec<(f64, Frame)> {
     out
 }
 
-impl Frame {
-    fn meets(self, other: Frame) -> bool {
-        let (Frame([l, t, r, b]), Frame([ol, ot, or, ob])) = (self, other);
+impl LabelBox {
+    fn meets(self, other: LabelBox) -> bool {
+        let (LabelBox([l, t, r, b]), LabelBox([ol, ot, or, ob])) = (self, other);
         l < or && ol < r && t < ob && ot < b
     }
 
-    fn holds(self, other: Frame) -> bool {
-        let (Frame([l, t, r, b]), Frame([ol, ot, or, ob])) = (self, other);
+    fn holds(self, other: LabelBox) -> bool {
+        let (LabelBox([l, t, r, b]), LabelBox([ol, ot, or, ob])) = (self, other);
         l <= ol && or <= r && t <= ot && ob <= b
     }
 
     /// The point of it that is nearest to a place.
     fn nearest(self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let Frame([l, t, r, b]) = self;
+        let LabelBox([l, t, r, b]) = self;
         [x.clamp(l, r), y.clamp(t, b)]
     }
 
@@ -104,7 +104,7 @@ impl Frame {
 
     /// Whether a line runs through it (Liang and Barsky, 1984).
     fn is_crossed(self, [[x0, y0], [x1, y1]]: [[f64; 2]; 2]) -> bool {
-        let Frame([l, t, r, b]) = self;
+        let LabelBox([l, t, r, b]) = self;
         let (dx, dy) = (x1 - x0, y1 - y0);
         let (mut from, mut to) = (0.0f64, 1.0f64);
         for (d, q) in [(-dx, x0 - l), (dx, r - x0), (-dy, y0 - t), (dy, b - y0)] {
@@ -154,7 +154,12 @@ const COVERED: f64 = 1e3;
 /// What it costs that a name is nearer to another point than to its own.
 const ASTRAY: f64 = 3.0;
 
-fn judged(label: &Label, around: &Surroundings, taken: &[Placed], frame: Frame) -> (f64, Placed) {
+fn judged(
+    label: &Label,
+    around: &Surroundings,
+    taken: &[Placed],
+    frame: LabelBox,
+) -> (f64, Placed) {
     let own = around.points[label.point];
     let distance = frame.distance(own);
     let mut cost = 0.0;
@@ -163,7 +168,7 @@ fn judged(label: &Label, around: &Surroundings, taken: &[Placed], frame: Frame) 
         around.points.iter().filter(is_other)
     };
     for &[x, y] in &around.points {
-        if frame.meets(Frame([x - MARK, y - MARK, x + MARK, y + MARK])) {
+        if frame.meets(LabelBox([x - MARK, y - MARK, x + MARK, y + MARK])) {
             cost += COVERED;
         }
     }
@@ -180,7 +185,7 @@ fn judged(label: &Label, around: &Surroundings, taken: &[Placed], frame: Frame) 
     if let Some(line) = leader {
         let mark = MARK - ONE / 2.0;
         let is_crossed =
-            |[x, y]: &[f64; 2]| Frame([x - mark, y - mark, x + mark, y + mark]).is_crossed(line);
+            |[x, y]: &[f64; 2]| LabelBox([x - mark, y - mark, x + mark, y + mark]).is_crossed(line);
         if others().any(is_crossed) {
             cost += COVERED;
         }
@@ -206,7 +211,7 @@ mod tests {
 
     fn around(points: &[[f64; 2]]) -> Surroundings {
         Surroundings {
-            within: Frame([0.0, 0.0, 300.0, 200.0]),
+            within: LabelBox([0.0, 0.0, 300.0, 200.0]),
             points: points.to_vec(),
             lines: Vec::new(),
         }
@@ -233,7 +238,7 @@ mod tests {
             });
             assert!(is_nearest || placed.leader.is_some(), "{label:?}");
         }
-        let frames: Vec<Frame> = all.iter().flatten().map(|p| p.frame).collect();
+        let frames: Vec<LabelBox> = all.iter().flatten().map(|p| p.frame).collect();
         for (i, a) in frames.iter().enumerate() {
             assert!(frames[i + 1..].iter().all(|b| !a.meets(*b)));
         }
@@ -242,13 +247,13 @@ mod tests {
 
     #[test]
     fn one_stands_at_the_right_or_where_there_is_room() {
-        let Frame([left, top, right, bottom]) =
+        let LabelBox([left, top, right, bottom]) =
             check(&[label(0, 30.0)], &around(&[[100.0, 100.0]]))[0]
                 .unwrap()
                 .frame;
         assert_eq!((left, right), (109.5, 139.5));
         assert_eq!((top + bottom) / 2.0, 100.0);
-        let Frame([_, _, right, _]) = check(&[label(0, 30.0)], &around(&[[290.0, 100.0]]))[0]
+        let LabelBox([_, _, right, _]) = check(&[label(0, 30.0)], &around(&[[290.0, 100.0]]))[0]
             .unwrap()
             .frame;
         assert_eq!(right, 280.5);
@@ -279,7 +284,9 @@ mod tests {
             };
             for [x, y] in points {
                 let is_other = (y - points[label.point][1]).abs() > ONE;
-                assert!(!is_other || !Frame([x - 3.0, y - 3.0, x + 3.0, y + 3.0]).is_crossed(line));
+                assert!(
+                    !is_other || !LabelBox([x - 3.0, y - 3.0, x + 3.0, y + 3.0]).is_crossed(line)
+                );
             }
         }
     }
@@ -304,7 +311,7 @@ mod tests {
 
     #[test]
     fn lines_and_frames() {
-        let frame = Frame([0.0, 0.0, 10.0, 10.0]);
+        let frame = LabelBox([0.0, 0.0, 10.0, 10.0]);
         for (line, is_crossed) in [
             ([[-5.0, 5.0], [15.0, 5.0]], true),
             ([[-5.0, -5.0], [15.0, 15.0]], true),

@@ -4,7 +4,7 @@
 use super::super::report::{Report, Row};
 use super::super::rungs::{Axis, Kind};
 use super::super::words::{self, local, say};
-use super::labels::{self, Frame, Label, Placed, Surroundings};
+use super::labels::{self, Label, LabelBox, Placed, Surroundings};
 use crate::diagnostics::Language;
 use crate::study::page::{VARIABLES, escaped};
 use std::fmt::Write as _;
@@ -336,7 +336,7 @@ fn marks(out: &mut String, report: &Report, rows: &[&Row], s: &Scale, language: 
     let goal = s.x(report.goal.steps);
     let one = s.y(1.0);
     let mut around = Surroundings {
-        within: Frame([s.left, TOP, s.x[1] - 2.0, BOTTOM]),
+        within: LabelBox([s.left, TOP, s.x[1] - 2.0, BOTTOM]),
         points: Vec::new(),
         lines: vec![
             ([[goal, TOP], [goal, BOTTOM]], 0.6),
@@ -394,7 +394,7 @@ fn marks(out: &mut String, report: &Report, rows: &[&Row], s: &Scale, language: 
                 "<path d=\"M{x0:.1} {y0:.1}L{x1:.1} {y1:.1}\" class=\"lead {class}\"/>"
             );
         }
-        let Frame([left, _, right, bottom]) = frame;
+        let LabelBox([left, _, right, bottom]) = frame;
         let _ = writeln!(
             out,
             "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\" class=\"lab {class}t\">{name}</text>",

@@ -75,7 +75,7 @@ pub type Progress<'p> = &'p dyn Fn(&'static str, f64);
 
 /// What is known of a rung's computation.
 #[derive(Default)]
-struct Known {
+struct RungState {
     /// Seconds a pixel, on one thread.
     cost: f64,
     /// Seconds a ray, by the pilot.
@@ -92,7 +92,7 @@ struct Known {
 }
 
 /// One of the steps from a scene to a report.
-type Step<R> = fn(&mut R) -> Result<(), Error>;
+type StudyStep<R> = fn(&mut R) -> Result<(), Error>;
 
 /// Pixels that see something else, and the median and the largest distance in units of the last place.
 type Distances = (usize, f64, f64);
@@ -105,8 +105,8 @@ struct Run<'i> {
     tiles: Vec<Tile>,
     whole: bool,
     rungs: Vec<Rung>,
-    known: Vec<Known>,
-    effects: Vec<(&'static str, Settings, Known)>,
+    known: Vec<RungState>,
+    effects: Vec<(&'static str, Settings, RungState)>,
     facets: BTreeMap<Axis, Settings>,
     reference: BTreeMap<&'static str, Reference>,
     skipped: Vec<Skipped>,
@@ -254,7 +254,7 @@ impl Run<'_> {
     }
 
     fn all(&mut self) -> Result<(), Error> {
-        let steps: [(&'static str, f64, Step<Self>); 7] = [
+        let steps: [(&'static str, f64, StudyStep<Self>); 7] = [
             ("accuracy-step-pilot", 0.0, Self::pilot),
             ("accuracy-step-numbers", 0.1, Self::reference_numbers),
             ("accuracy-step-light", 0.25, Self::reference_light),
@@ -281,7 +281,7 @@ impl Run<'_> {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Entry {
+enum TimedItem {
     Rung(usize),
     Effect(usize),
     Default(usize),

@@ -1,6 +1,6 @@
 //! Which rungs there are, and what each costs, by a few tiles of each.
 
-use super::{Entry, Known, LEAST_PIXELS, Run, rays};
+use super::{LEAST_PIXELS, Run, RungState, TimedItem, rays};
 use crate::diagnostics::{Complaint, Error};
 use crate::study::accuracy::facets::Facets;
 use crate::study::accuracy::report::Skipped;
@@ -63,13 +63,13 @@ impl Run<'_> {
             }
             self.rungs.extend(rungs);
         }
-        self.known = self.rungs.iter().map(|_| Known::default()).collect();
+        self.known = self.rungs.iter().map(|_| RungState::default()).collect();
         for (name, without) in axes::effects(&self.stage.tracer().plan) {
             let settings = Settings {
                 without,
                 ..Settings::default()
             };
-            self.effects.push((name, settings, Known::default()));
+            self.effects.push((name, settings, RungState::default()));
         }
         Ok(())
     }
@@ -146,11 +146,11 @@ impl Run<'_> {
 
     /// Seconds a pixel of what is to be timed: by the rays of the pixels that were drawn, of which there are
     /// more than in the pilot.
-    pub(super) fn entry_cost(&self, entry: &Entry) -> f64 {
+    pub(super) fn entry_cost(&self, entry: &TimedItem) -> f64 {
         let known = match entry {
-            Entry::Rung(i) => Some(&self.known[*i]),
-            Entry::Effect(i) => Some(&self.effects[*i].2),
-            Entry::Default(_) => {
+            TimedItem::Rung(i) => Some(&self.known[*i]),
+            TimedItem::Effect(i) => Some(&self.effects[*i].2),
+            TimedItem::Default(_) => {
                 let default = self.rungs.iter().position(|r| r.is_default());
                 default.map(|i| &self.known[i])
             }
@@ -169,7 +169,7 @@ impl Run<'_> {
 
     /// The pilot's tiles are few. So the default is tried on more of them, and all else is taken to be off by as much.
     pub(super) fn calibrate(&mut self) -> Result<(), Error> {
-        let cost = self.entry_cost(&Entry::Default(0));
+        let cost = self.entry_cost(&TimedItem::Default(0));
         let tiles = self.tiles_for(self.on_one(self.seconds(CALIBRATION)), cost, LEAST_PIXELS);
         let list = self.tiles[..tiles].to_vec();
         let timed = self.time(&Settings::default(), &list)?;

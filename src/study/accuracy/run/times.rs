@@ -1,7 +1,7 @@
 //! How long each rung takes, in shuffled rounds.
 
 use super::sample::Sample;
-use super::{Entry, FEWEST_PIXELS, LEAST_PIXELS, LEAST_SECONDS, OBJECTS, PICTURES, Run, TIMES};
+use super::{FEWEST_PIXELS, LEAST_PIXELS, LEAST_SECONDS, OBJECTS, PICTURES, Run, TIMES, TimedItem};
 use crate::diagnostics::{Complaint, Error};
 use crate::study::accuracy::rungs::Settings;
 use crate::study::accuracy::stage::Timed;
@@ -20,25 +20,25 @@ impl Run<'_> {
         let most = self.options.runs.unwrap_or(5);
         let mut runs = most;
         // What is to be timed: rungs that are one computation once, the default four times.
-        let mut entries: Vec<Entry> = Vec::new();
+        let mut entries: Vec<TimedItem> = Vec::new();
         for i in 0..self.rungs.len() {
             let known = &self.known[i];
             let is_timed = !known.dropped && known.same_as.is_none() && known.measured.is_some();
             if is_timed && !self.rungs[i].is_default() {
-                entries.push(Entry::Rung(i));
+                entries.push(TimedItem::Rung(i));
             }
         }
-        entries.extend((0..self.effects.len()).map(Entry::Effect));
+        entries.extend((0..self.effects.len()).map(TimedItem::Effect));
         const REPEATS: usize = 4;
-        entries.extend((0..REPEATS).map(Entry::Default));
+        entries.extend((0..REPEATS).map(TimedItem::Default));
         self.repeats = vec![Vec::new(); REPEATS];
-        let plan = |run: &Self, entries: &[Entry], runs: usize| -> (Vec<Sample>, f64) {
+        let plan = |run: &Self, entries: &[TimedItem], runs: usize| -> (Vec<Sample>, f64) {
             let each = run.on_one(seconds) / (runs * entries.len()) as f64;
             let frame = run.default_tiles(each);
             let samples: Vec<Sample> = (entries.iter())
                 .map(|e| run.sample_for(e, each, frame))
                 .collect();
-            let cost = |(e, sample): (&Entry, &Sample)| run.predicted_cost(e, sample);
+            let cost = |(e, sample): (&TimedItem, &Sample)| run.predicted_cost(e, sample);
             let sum: f64 = entries.iter().zip(&samples).map(cost).sum();
             (samples, sum * runs as f64)
         };
@@ -47,13 +47,13 @@ impl Run<'_> {
         if predicted > allowed {
             let dropped: Vec<usize> = (entries.iter())
                 .filter_map(|e| match e {
-                    Entry::Rung(i) if self.rungs[*i].inner => Some(*i),
+                    TimedItem::Rung(i) if self.rungs[*i].inner => Some(*i),
                     _ => None,
                 })
                 .collect();
             for i in dropped {
                 self.drop_rung(i);
-                entries.retain(|e| *e != Entry::Rung(i));
+                entries.retain(|e| *e != TimedItem::Rung(i));
             }
             (samples, predicted) = plan(self, &entries, runs);
         }
@@ -82,7 +82,7 @@ impl Run<'_> {
             shuffle(&mut order, round as u64);
             if round == 0 {
                 // Without the default's, no time says anything.
-                order.sort_by_key(|&e| !matches!(entries[e], Entry::Default(_)));
+                order.sort_by_key(|&e| !matches!(entries[e], TimedItem::Default(_)));
             }
             for &e in &order {
                 if self.is_stopped() {
@@ -97,30 +97,30 @@ impl Run<'_> {
                     self.cut.push(Complaint::new("accuracy-cut-runs"));
                     break 'all;
                 }
-                let is_default = matches!(entries[e], Entry::Default(_));
+                let is_default = matches!(entries[e], TimedItem::Default(_));
                 let cost = self.predicted_cost(&entries[e], &samples[e]);
                 if is_late && !is_default && !self.is_cheap(cost) {
                     continue;
                 }
                 let settings = match entries[e] {
-                    Entry::Rung(i) => self.rungs[i].settings,
-                    Entry::Effect(i) => self.effects[i].1,
-                    Entry::Default(_) => default,
+                    TimedItem::Rung(i) => self.rungs[i].settings,
+                    TimedItem::Effect(i) => self.effects[i].1,
+                    TimedItem::Default(_) => default,
                 };
                 let mut timed = self.time(&settings, &lists[e])?;
                 self.timed += timed.cpu;
                 // The pixels are known.
                 timed.drawn.colours = Vec::new();
                 match entries[e] {
-                    Entry::Rung(i) => {
+                    TimedItem::Rung(i) => {
                         self.known[i].sample = samples[e].clone();
                         self.known[i].times.push(timed);
                     }
-                    Entry::Effect(i) => {
+                    TimedItem::Effect(i) => {
                         self.effects[i].2.sample = samples[e].clone();
                         self.effects[i].2.times.push(timed);
                     }
-                    Entry::Default(i) => self.repeats[i].push(timed),
+                    TimedItem::Default(i) => self.repeats[i].push(timed),
                 }
                 done += 1;
                 let behind = done as f64 / (runs * entries.len()) as f64;
@@ -133,16 +133,16 @@ impl Run<'_> {
 
     /// As many tiles as the default is timed on in a run of so many CPU seconds.
     fn default_tiles(&self, seconds: f64) -> usize {
-        let cost = self.entry_cost(&Entry::Default(0));
+        let cost = self.entry_cost(&TimedItem::Default(0));
         self.tiles_for(seconds, cost, least_pixels(cost, seconds))
     }
 
     /// What is timed of an entry in a run of so many CPU seconds: all that the default is timed on, or a part of it.
-    fn sample_for(&self, entry: &Entry, seconds: f64, frame: usize) -> Sample {
+    fn sample_for(&self, entry: &TimedItem, seconds: f64, frame: usize) -> Sample {
         let cost = self.entry_cost(entry);
         let tiles = self.tiles_for(seconds, cost, least_pixels(cost, seconds));
         let known = frame.min(self.weights.len());
-        if tiles >= frame || known == 0 || matches!(entry, Entry::Default(_)) {
+        if tiles >= frame || known == 0 || matches!(entry, TimedItem::Default(_)) {
             return Sample::first(frame);
         }
         let weights = &self.weights[..known];
@@ -154,7 +154,7 @@ impl Run<'_> {
     }
 
     /// CPU seconds of a run of a sample, by what the default took on its tiles.
-    fn predicted_cost(&self, entry: &Entry, sample: &Sample) -> f64 {
+    fn predicted_cost(&self, entry: &TimedItem, sample: &Sample) -> f64 {
         let pixels = sample.pixels(&self.tiles) as f64;
         self.entry_cost(entry) * pixels * sample.share_of(&self.weights)
     }
