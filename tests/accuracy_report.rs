@@ -3,11 +3,11 @@
 use unicode_width::UnicodeWidthStr as _;
 use zpg::internals::diagnostics::{Complaint, Language};
 use zpg::internals::study::accuracy::advice::{advise, in_language};
+use zpg::internals::study::accuracy::configurations::Axis;
 use zpg::internals::study::accuracy::print::{html, terminal};
 use zpg::internals::study::accuracy::report::{
     Budget, Checked, Goal, Machine, Noise, Reference, Report, Row, RowError, Skipped, mark_front,
 };
-use zpg::internals::study::accuracy::rungs::Axis;
 
 /// A report of these rows: option, times the default, steps, pixels off; the first of each kind is the
 /// default.

@@ -19,8 +19,8 @@ use crate::analysis::Analysis;
 use crate::analysis::file::STDIN;
 use crate::diagnostics::{Complaint, Error, Language};
 use crate::study::accuracy::advice::in_language;
+use crate::study::accuracy::configurations::Axis;
 use crate::study::accuracy::print::terminal;
-use crate::study::accuracy::rungs::Axis;
 use crate::study::accuracy::{self, Options, Report, run::BUDGET, shapes};
 use crate::trace::Images;
 

@@ -21,7 +21,7 @@ use super::{Status, load_sound, refuse, usage};
 use crate::analysis::config::Configs;
 use crate::diagnostics::layout::wrapped;
 use crate::diagnostics::{Complaint, Error, Value};
-use crate::study::accuracy::words;
+use crate::study::accuracy::number_format;
 use engine::{Engine, Work};
 use measure::Measured;
 use scenes::Scene;
@@ -243,7 +243,7 @@ fn summary(
     look: LookChoice,
 ) -> String {
     let language = look.language();
-    let time = |seconds: f64| Value::from(words::seconds(language, seconds));
+    let time = |seconds: f64| Value::from(number_format::seconds(language, seconds));
     let each = measured.seconds(tiles, args.cores);
     let values = [
         ("tasks", Value::Count(tasks.into())),

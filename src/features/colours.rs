@@ -9,7 +9,7 @@ use crate::syntax::table::RecordKind;
 use crate::syntax::{Item, Record};
 use crate::trace::film::srgb8;
 
-use super::place;
+use super::token_at_offset;
 use super::tokens::{Role, of_param};
 
 /// A colour as it is shown, and its three numbers.
@@ -62,7 +62,7 @@ fn shown(linear: f64) -> f64 {
 /// What writes another colour over one: only the numbers that are shown differently, to 8 bits, change.
 /// `None` if no colour stands there.
 pub fn repaint(analysis: &Analysis, span: Span, picked: [f64; 3]) -> Option<Edit> {
-    let items = &analysis.document.items[place::items_in(&analysis.document, span)];
+    let items = &analysis.document.items[token_at_offset::items_in(&analysis.document, span)];
     let records = items.iter().filter_map(|item| match item {
         Item::Record(record) => Some(record),
         _ => None,

@@ -10,7 +10,7 @@ use crate::diagnostics::Span;
 use crate::syntax::table::{Constraint, Effect, Family, Kind, Param, ParamKind, RecordType};
 use crate::syntax::words::names;
 
-use super::place::{Typing, typing};
+use super::token_at_offset::{Typing, typing};
 use super::{allow_codes, entity, templates};
 
 /// Something that may be put in the place of what has been typed of it.

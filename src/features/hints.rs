@@ -6,8 +6,8 @@ use crate::lint::spelling::rough;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Param, ParamKind, RecordKind, RecordType, ShapeKind};
 
-use super::place::Readable;
-use super::{entity, place};
+use super::token_at_offset::Readable;
+use super::{entity, token_at_offset};
 
 /// A few words between two tokens.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -71,10 +71,10 @@ pub fn hints(
     wanted: Wanted,
     language: Language,
 ) -> impl Iterator<Item = Hint> {
-    let items = &analysis.document.items[place::items_in(&analysis.document, visible)];
+    let items = &analysis.document.items[token_at_offset::items_in(&analysis.document, visible)];
     let readable = items
         .iter()
-        .filter_map(|item| place::readable(analysis, item));
+        .filter_map(|item| token_at_offset::readable(analysis, item));
     let all = readable.flat_map(move |record| {
         let mut out = Vec::new();
         of_record(analysis, &record, visible, language, &mut out);
@@ -168,7 +168,7 @@ fn reference(
     token: &Token,
     language: Language,
 ) -> Option<Hint> {
-    let id = place::reference(param, token, &analysis.source.text)?;
+    let id = token_at_offset::reference(param, token, &analysis.source.text)?;
     let name = entity::name(analysis, id, language)?;
     let doc = entity::described(analysis, id, language).unwrap_or_default();
     Some(Hint {

@@ -10,7 +10,7 @@ use crate::syntax::Record;
 use crate::syntax::table::{Param, RecordType};
 use crate::trace::film::srgb8;
 
-use super::place::{Role, TokenAtOffset, place_at};
+use super::token_at_offset::{Role, TokenAtOffset, place_at};
 use super::{entity, pages};
 
 /// A text in Markdown about a stretch of the scene.

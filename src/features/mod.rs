@@ -37,13 +37,13 @@ pub mod hover;
 pub mod lenses;
 pub mod pages;
 pub mod picture;
-pub mod place;
 pub mod problems;
 pub mod rename;
 pub mod selection;
 pub mod signature;
 pub mod symbols;
 mod templates;
+pub mod token_at_offset;
 pub mod tokens;
 pub mod uses;
 

@@ -4,7 +4,7 @@ use crate::analysis::Analysis;
 use crate::diagnostics::Span;
 
 use super::folding;
-use super::place::{Role, place_at};
+use super::token_at_offset::{Role, place_at};
 
 /// The stretches around an offset, the smallest first; each holds the one before it.
 pub fn selection(analysis: &Analysis, offset: u32) -> Vec<Span> {

@@ -4,7 +4,7 @@ use crate::analysis::Analysis;
 use crate::diagnostics::Language;
 use crate::syntax::table::{Param, RecordType};
 
-use super::place::typing;
+use super::token_at_offset::typing;
 
 /// A record's parameters in a line, and which of them is being typed.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -54,7 +54,7 @@ pub fn tokens(analysis: &Analysis, within: Span) -> Vec<Meaning> {
     let last = all.partition_point(|t| t.start < within.end);
     let first = all.partition_point(|t| t.end() <= within.start);
     let mut out = Vec::with_capacity(last.saturating_sub(first));
-    let items = &document.items[super::place::items_in(document, within)];
+    let items = &document.items[super::token_at_offset::items_in(document, within)];
     let mut at = first;
     let comment = |t: &Token| Meaning {
         span: t.span(),

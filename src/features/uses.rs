@@ -5,7 +5,7 @@ use crate::diagnostics::Span;
 use crate::syntax::table::{Effect, ParamKind, RecordType};
 use crate::syntax::{Item, Record};
 
-use super::place::{self, place_at};
+use super::token_at_offset::{self, place_at};
 
 /// A token that names an ID.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,7 +40,7 @@ pub fn references_of(analysis: &Analysis, record: &Record) -> Vec<(Span, u32)> {
     let tokens = analysis.document.params(record).enumerate();
     let of = |(i, token): (usize, &crate::syntax::lexer::Token)| {
         let param = record.ty().param(i, record.count())?;
-        let id = place::reference(param, token, &analysis.source.text)?;
+        let id = token_at_offset::reference(param, token, &analysis.source.text)?;
         Some((token.span(), id))
     };
     tokens.filter_map(of).collect()
@@ -113,7 +113,7 @@ pub fn id_at(analysis: &Analysis, offset: u32) -> Option<(u32, Span)> {
     }
     // The ID of a record that cannot be read.
     let document = &analysis.document;
-    match document.items[place::item_before(document, offset)?] {
+    match document.items[token_at_offset::item_before(document, offset)?] {
         Item::Broken(broken) => {
             let span = document.tokens[broken.first as usize].span();
             let is_id = document.tokens[broken.first as usize].integer(&analysis.source.text)
@@ -140,7 +140,7 @@ pub fn definition(analysis: &Analysis, offset: u32) -> Option<(Span, Span)> {
 pub fn highlights(analysis: &Analysis, offset: u32) -> Vec<(Span, Option<Kind>)> {
     let named = references(analysis, offset, true);
     if named.is_empty() {
-        let token = place::token_at(analysis, offset);
+        let token = token_at_offset::token_at(analysis, offset);
         return token.map(|t| (t.span(), None)).into_iter().collect();
     }
     named.iter().map(|o| (o.span, Some(o.kind))).collect()

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use super::part::DocumentRange;
+use super::document_range::DocumentRange;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::{Document, Item, commas};
 

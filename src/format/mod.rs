@@ -22,11 +22,11 @@ mod cell;
 mod chunk;
 mod compare;
 pub mod difference;
+mod document_range;
 mod lines;
 mod number;
 mod options;
 mod page;
-mod part;
 mod rows;
 mod run;
 mod width;
@@ -42,9 +42,9 @@ use crate::parallel;
 use crate::syntax::{Document, Item, parse};
 use cell::Context;
 use chunk::{Chunk, Chunks};
+use document_range::DocumentRange;
 use lines::{Care, Printer};
 use page::Page;
-use part::DocumentRange;
 
 /// Prints a scene anew. `document` is the tree of `text`.
 pub fn format(text: &str, document: &Document, options: &Options) -> String {

@@ -138,7 +138,7 @@ fn said(error: &Error, language: Language) -> String {
 /// The object that is named at an offset; that of the render record is the scene itself.
 fn object_at(analysis: &Analysis, offset: u32) -> Option<u32> {
     let named = uses::id_at(analysis, offset).map(|(id, _)| id);
-    let around = || crate::features::place::record_at(analysis, offset).map(|r| r.id);
+    let around = || crate::features::token_at_offset::record_at(analysis, offset).map(|r| r.id);
     let id = named.or_else(around)?;
     let is_object = crate::features::entity::entity(analysis, id)?.kind == Some(Kind::Object);
     is_object.then_some(id)

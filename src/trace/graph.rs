@@ -4,7 +4,7 @@
 //! chain of transformations and properties above a part folded into one placement and one paint.
 
 use super::bitmap::Bitmap;
-use super::room::MemoryLimit;
+use super::memory_limit::MemoryLimit;
 use super::shapes::Primitive;
 use super::switches::{Solver, Without};
 use crate::geometry::Matrix;

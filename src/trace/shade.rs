@@ -2,9 +2,9 @@
 
 use super::precision::Precision;
 use super::ray::Ray;
+use super::search::direction_cache::{End, Vistas};
 use super::search::escalate::Walkers;
 use super::search::hit::Hit;
-use super::search::vista::{End, Vistas};
 use super::stats::{Counts, Intersections, Rays, Work};
 use super::tracer::{Light, Tracer};
 use crate::geometry::array::each;

@@ -3,10 +3,10 @@
 use super::compile::compile;
 use super::graph::Graph;
 use super::image::Images;
+use super::memory_limit::MemoryLimit;
 use super::plan::{Effect, Plan};
 use super::precision::Precision;
 use super::ray::Ray;
-use super::room::MemoryLimit;
 use crate::diagnostics::Error;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::vec::Vec3;

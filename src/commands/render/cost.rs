@@ -8,7 +8,7 @@ use crate::analysis::Analysis;
 use crate::commands::LookChoice;
 use crate::diagnostics::{Error, Value};
 use crate::scene::{Camera, Scene};
-use crate::study::accuracy::{cost, words};
+use crate::study::accuracy::{cost, number_format};
 use crate::trace::stats::Counts;
 use crate::trace::{Images, Settings};
 
@@ -36,9 +36,15 @@ pub fn spent(
         })
         .collect();
     let effects: Vec<String> = (cost.effects.iter().take(1))
-        .map(|(name, share)| format!("{} {}", words::effect(language, name), percent(*share)))
+        .map(|(name, share)| {
+            format!(
+                "{} {}",
+                number_format::effect(language, name),
+                percent(*share)
+            )
+        })
         .collect();
-    let text = |x: f64| words::seconds(language, x);
+    let text = |x: f64| number_format::seconds(language, x);
     let phase = |name, x: f64| (name, Value::from(text(x)));
     let phases = [
         phase("load", seconds.load),

@@ -1,8 +1,8 @@
 //! What to set, and why: one to three sentences by a fixed rule.
 
+use super::configurations::{Axis, Kind};
+use super::number_format::{self, count, say};
 use super::report::{Advice, Report, Row};
-use super::rungs::{Axis, Kind};
-use super::words::{self, count, say};
 use crate::diagnostics::{Language, Value};
 
 /// A report whose advice is in a language.
@@ -66,7 +66,7 @@ fn wrong_reference(report: &Report, language: Language) -> Option<Advice> {
 
 /// Times of a machine that does other things, too.
 fn busy(report: &Report, language: Language) -> Option<Advice> {
-    let times = words::times(language, report.too_busy()?);
+    let times = number_format::times(language, report.too_busy()?);
     Some(Advice {
         what: "busy",
         text: say(language, "accuracy-advice-busy", &[("times", times.into())]),
@@ -121,15 +121,15 @@ pub fn recommended(report: &Report) -> Option<&Row> {
 fn limit(report: &Report, language: Language) -> Option<Advice> {
     let worst = largest(report)?;
     let kind = worst.kind()?;
-    let error = |steps| words::error(language, steps);
-    let goal = words::local(language, report.goal.steps.to_string());
+    let error = |steps| number_format::error(language, steps);
+    let goal = number_format::local(language, report.goal.steps.to_string());
     let others: Vec<f64> = (WEIGHED.into_iter())
         .filter(|&k| k != kind)
         .filter_map(|k| report.default_of(k))
         .map(Row::steps)
         .collect();
     let rest = others.iter().copied().fold(0.0, f64::max);
-    let kind_name = words::kind(language, kind);
+    let kind_name = number_format::kind(language, kind);
     let text = if worst.steps() <= report.goal.steps {
         say(
             language,
@@ -163,7 +163,7 @@ fn limit(report: &Report, language: Language) -> Option<Advice> {
                     ),
                     false => error(row.steps()),
                 };
-                let times = words::times(language, row.times_default.unwrap_or(1.0));
+                let times = number_format::times(language, row.times_default.unwrap_or(1.0));
                 text += &say(
                     language,
                     "accuracy-advice-set",
@@ -190,7 +190,7 @@ fn limit(report: &Report, language: Language) -> Option<Advice> {
                         &[
                             ("option", other.option.clone().into()),
                             ("error", error(other.steps()).into()),
-                            ("times", words::times(language, time).into()),
+                            ("times", number_format::times(language, time).into()),
                         ],
                     );
                 }
@@ -200,7 +200,7 @@ fn limit(report: &Report, language: Language) -> Option<Advice> {
                     .of_kind(kind)
                     .filter(|r| !r.default && r.times_default.is_some());
                 if let Some(best) = rows.min_by(|a, b| a.steps().total_cmp(&b.steps())) {
-                    let times = words::times(language, best.times_default.unwrap_or(1.0));
+                    let times = number_format::times(language, best.times_default.unwrap_or(1.0));
                     text += &say(
                         language,
                         "accuracy-advice-even",
@@ -268,7 +268,10 @@ fn change(report: &Report, language: Language) -> Option<Advice> {
                     true => say(
                         language,
                         "accuracy-price",
-                        &[("percent", words::percent(language, time - 1.0).into())],
+                        &[(
+                            "percent",
+                            number_format::percent(language, time - 1.0).into(),
+                        )],
                     ),
                     false => say(language, "accuracy-price-none", &[]),
                 };
@@ -297,7 +300,10 @@ fn change(report: &Report, language: Language) -> Option<Advice> {
                 "accuracy-advice-save",
                 &[
                     ("option", row.option.clone().into()),
-                    ("percent", words::percent(language, 1.0 - time).into()),
+                    (
+                        "percent",
+                        number_format::percent(language, 1.0 - time).into(),
+                    ),
                 ],
             ));
         }
@@ -328,7 +334,7 @@ fn depth(report: &Report, language: Language) -> Option<Advice> {
             ("option", row.option.clone().into()),
             ("right", count(off - row.off())),
             ("off", count(off)),
-            ("times", words::times(language, time).into()),
+            ("times", number_format::times(language, time).into()),
         ]);
         "accuracy-depth-more"
     } else if let Some((_, row, time)) = flatter.min_by_key(|(n, ..)| *n) {
@@ -350,7 +356,7 @@ fn depth(report: &Report, language: Language) -> Option<Advice> {
 
 /// `saves 12 %` and its like; `time` is that of a setting over that of the default.
 fn price(report: &Report, time: f64, language: Language) -> String {
-    let percent = |share: f64| [("percent", words::percent(language, share).into())];
+    let percent = |share: f64| [("percent", number_format::percent(language, share).into())];
     match time - 1.0 {
         p if p.abs() <= report.noise.relative => say(language, "accuracy-saves-nothing", &[]),
         p if p < 0.0 => say(language, "accuracy-saves", &percent(-p)),
@@ -376,7 +382,7 @@ fn numbers(report: &Report, language: Language) -> Option<Advice> {
     let mut said = Vec::new();
     if let Some(f64_row) = of("f64") {
         let dd = of("dd").and_then(|r| r.times_default);
-        let dd = dd.map(|t| words::times(language, t));
+        let dd = dd.map(|t| number_format::times(language, t));
         let error = f64_row.error.as_ref()?;
         said.push(match (error.is_same(), error.pixels_off, dd) {
             (true, _, Some(dd)) => say(language, "accuracy-numbers-same", &[("times", dd.into())]),

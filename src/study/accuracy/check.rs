@@ -1,9 +1,9 @@
 //! Whether the reference is right, by a tracer that shares no code with it.
 
+use super::configurations::Settings;
 use super::report::Checked;
-use super::rungs::Settings;
-use super::stage::Stage;
-use super::tiles::{Random, Tile, shuffle};
+use super::runner::Stage;
+use super::sample_tiles::{Random, Tile, shuffle};
 use crate::diagnostics::Error;
 use crate::scene::Rgb;
 use crate::study::naive::{Naive, Unfit, Wide};

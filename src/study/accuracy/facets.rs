@@ -1,7 +1,7 @@
 //! The scene out of flat pieces: meshes within a tolerance, and geodesic spheres of other levels.
 
-use super::rungs::{Axis, Rung, Settings, variant};
-use super::stage::Stage;
+use super::configurations::{Axis, Rung, Settings, variant};
+use super::runner::Stage;
 use crate::diagnostics::{Error, Span};
 use crate::scene::{Geometry, Node, Paint, Scene, Shape, Texture, TriangleNormals};
 use crate::solids::bounds::node_bounds;

@@ -1,6 +1,6 @@
 //! How far pixels are from those of a reference.
 
-use super::tiles::Random;
+use super::sample_tiles::Random;
 use crate::scene::Rgb;
 use crate::trace::film::srgb8;
 

@@ -7,21 +7,21 @@
 //! [`shapes`] does so without a scene, [`cost`] in short, [`mod@pilot`] for the time of a picture alone. [`advice`] says what to set, and [`mod@print`] writes it down for people in the [`words`] of their language.
 
 pub mod advice;
-pub mod axes;
 pub mod check;
+pub mod configurations;
 pub mod cost;
+pub mod dimensions;
 pub mod facets;
 pub mod measure;
+pub mod number_format;
 pub mod pilot;
 pub mod print;
 pub mod report;
 pub mod run;
-pub mod rungs;
+pub mod runner;
+pub mod sample_tiles;
 pub mod shapes;
-pub mod stage;
-pub mod tiles;
 pub mod timing;
-pub mod words;
 
 pub use report::Report;
 pub use run::{Options, run};

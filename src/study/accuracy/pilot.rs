@@ -3,9 +3,9 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::rungs::{Kernel, Settings};
-use super::stage::Stage;
-use super::tiles::{Tile, chosen};
+use super::configurations::{Kernel, Settings};
+use super::runner::Stage;
+use super::sample_tiles::{Tile, chosen};
 use crate::diagnostics::Error;
 use crate::scene::{Camera, Scene};
 use crate::trace::{self, Images};

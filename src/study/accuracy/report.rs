@@ -1,7 +1,7 @@
 //! What is found, as it stands in `accuracy.json`.
 
+use super::configurations::{Axis, Kind};
 use super::measure::Measured;
-use super::rungs::{Axis, Kind};
 use super::timing::Spread;
 use crate::diagnostics::Complaint;
 use crate::scene::Rgb;

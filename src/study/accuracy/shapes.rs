@@ -1,6 +1,6 @@
 //! Time and error of a ray for each shape, number and solver, without a scene.
 
-use super::tiles::Random;
+use super::sample_tiles::Random;
 use crate::geometry::dd::Dd;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;

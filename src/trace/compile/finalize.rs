@@ -1,6 +1,6 @@
 //! The last pass of compiling: from drafts to objects with bounds and trees.
 
-use super::pieces::{self, Pieces, UnionMember};
+use super::union_members::{self, Pieces, UnionMember};
 use super::{Compiler, Draft, Kind};
 use crate::diagnostics::Error;
 use crate::geometry::aabb::Aabb;
@@ -31,7 +31,7 @@ impl Compiler<'_> {
         let uses = uses(&drafts);
         let mut drafts: Vec<Option<Draft>> = drafts.into_iter().map(Some).collect();
         let mut finished: Vec<Finished> = drafts.iter().map(|_| Finished::Empty).collect();
-        let mut budget = pieces::BUDGET;
+        let mut budget = union_members::BUDGET;
         for i in order {
             let Some(draft) = drafts[i as usize].take() else {
                 continue;

@@ -13,7 +13,7 @@
 
 mod finalize;
 mod intern;
-mod pieces;
+mod union_members;
 
 use super::graph::outermost;
 use crate::diagnostics::{Complaint, Error, Span};

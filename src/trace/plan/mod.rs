@@ -8,18 +8,18 @@ mod below;
 mod lone;
 mod media;
 mod notes;
-pub mod reach;
 pub mod unseen;
+pub mod visible_aspects;
 
 use crate::diagnostics::Span;
 use crate::parallel;
 use crate::scene::{Node, NodeId, Rgb, Scene, View};
 use crate::solids::staging::is_dark;
-use reach::VisibleAspects;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use unseen::{LeftOut, Unseen, UnseenParts};
+use visible_aspects::VisibleAspects;
 
 /// So many of the entities that turn an effect on are named.
 pub const MAX_SOURCES: usize = 16;

@@ -1,11 +1,11 @@
 //! Questions about rays, and who answers them: a walker in the precision asked for, and where that
 //! one cannot decide, one in double-double.
 
+use super::direction_cache::End;
 use super::events::{Event, Kind};
 use super::hit::Hit;
 use super::query::QueryStatus;
 use super::query::Search;
-use super::vista::End;
 use super::walk::Walker;
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;

@@ -4,7 +4,6 @@ use super::context::{Leaf, Painted};
 use super::events::{Crossing, Kind, State};
 use super::query::Search;
 use super::spans::{FirstBoundary, first_of_kind};
-use super::vista::End;
 use super::walk::Walker;
 use crate::geometry::array::each;
 use crate::geometry::line::Line;

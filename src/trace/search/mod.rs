@@ -7,6 +7,7 @@
 //! crossing. [`escalate`] asks again in double-double what rounding may have decided.
 
 pub mod context;
+pub mod direction_cache;
 pub mod escalate;
 pub mod events;
 pub mod hit;
@@ -16,5 +17,4 @@ pub mod query;
 pub mod root_order;
 mod spans;
 mod surface_identity;
-pub mod vista;
 pub mod walk;

@@ -2,9 +2,9 @@
 //! known solids, it and the crossings that were passed over say what is a boundary.
 
 use super::context::Leaf;
+use super::direction_cache::{Body, End};
 use super::events::{Crossing, RayPoint};
 use super::query::{PendingNode, Search};
-use super::vista::{Body, End};
 use super::walk::Walker;
 use crate::geometry::array::each;
 use crate::geometry::wide_bvh::{Child, Is, WIDTH};

@@ -9,10 +9,10 @@ use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::Beam;
 use crate::trace::graph::outermost;
 use crate::trace::graph::{Coat, Graph, Operation, Part, Target};
+use crate::trace::memory_limit::SLACK;
 use crate::trace::precision::{Doubt, Precision};
 use crate::trace::ray::Ray;
-use crate::trace::room::SLACK;
-use crate::trace::shapes::near::Pass;
+use crate::trace::shapes::quick_reject::Pass;
 use crate::trace::shapes::{Primitive, Roots};
 use crate::trace::stats::{Intersections, Work};
 

@@ -1,6 +1,6 @@
 //! The axis-aligned box.
 
-use super::doubt::{is_final, least, parameter_error, share};
+use super::error_bound::{is_final, least, parameter_error, share};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};

@@ -5,20 +5,20 @@
 
 #[cfg(test)]
 mod close_calls;
-mod closer;
 #[cfg(test)]
 mod contract_tests;
 mod cuboid;
-mod doubt;
+mod error_bound;
 mod facet;
 mod geodesic_sphere;
 mod half_space;
 mod hull;
-pub mod near;
-#[cfg(test)]
-mod near_tests;
 mod plane;
+mod quad_double;
 pub mod quadric;
+pub mod quick_reject;
+#[cfg(test)]
+mod quick_reject_tests;
 mod rectangle;
 mod revolution;
 mod sphere;
@@ -31,8 +31,8 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::{Geometry, Rgb};
 use crate::solids::shapes::AnyShape;
-use doubt::is_final;
-use near::Pass;
+use error_bound::is_final;
+use quick_reject::Pass;
 use support::Support;
 
 /// Set in a face of a surface of revolution where the outward normal is the opposite of the segment's own: of

@@ -1,6 +1,6 @@
 //! The plane, a surface without inside.
 
-use super::doubt::{fits, is_final, parameter_error};
+use super::error_bound::{fits, is_final, parameter_error};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::affine::Slack;

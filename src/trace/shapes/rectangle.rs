@@ -1,6 +1,6 @@
 //! The rectangle in the plane z = 0, a surface without inside.
 
-use super::doubt::{is_final, least, parameter_error, share};
+use super::error_bound::{is_final, least, parameter_error, share};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;

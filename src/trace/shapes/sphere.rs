@@ -1,6 +1,6 @@
 //! The sphere.
 
-use super::doubt::{fits, is_final, least, parameter_error};
+use super::error_bound::{fits, is_final, least, parameter_error};
 use super::hull;
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;

@@ -11,10 +11,10 @@
 //! through itself, and g₊ ≤ 0 in the lemon around the axis: that is inside twice, hence outside by
 //! the even-odd rule, and there the quartic is positive too. The solid is where it is not.
 
-use super::closer::decide_closer;
-use super::doubt::is_final;
+use super::error_bound::is_final;
 use super::hull;
-use super::near::{Approach, Ball, KNOWN, MARGIN, Pass, is_quartic_above};
+use super::quad_double::decide_closer;
+use super::quick_reject::{Approach, Ball, KNOWN, MARGIN, Pass, is_quartic_above};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;

@@ -9,8 +9,8 @@ use std::collections::HashMap;
 use super::budget::{Budget, Crowd, TooMany};
 
 use super::shape::{self, DROPPED, tessellate};
-use super::skin::Skin;
-use super::soup::Mesh;
+use super::surface_label::Skin;
+use super::triangle_mesh::Mesh;
 
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Scene;

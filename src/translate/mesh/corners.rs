@@ -1,8 +1,8 @@
 //! Corners of triangles as files have them: with the true surface's normal, and with surface
 //! coordinates where there is a picture on them.
 
-use super::skin::Skin;
-use super::soup::Mesh;
+use super::surface_label::Skin;
+use super::triangle_mesh::Mesh;
 use crate::geometry::array::{cross, length, sub};
 use crate::parallel;
 use crate::scene::Vec3;

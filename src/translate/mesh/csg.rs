@@ -12,7 +12,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::sync::Once;
 
 use super::flush::{self, Aligned, aligned};
-use super::soup::Mesh;
+use super::triangle_mesh::Mesh;
 use crate::geometry::Matrix;
 
 /// What two solids make.

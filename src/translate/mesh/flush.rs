@@ -5,7 +5,7 @@
 
 use super::csg::Operation;
 use super::shape::DROPPED;
-use super::soup::Mesh;
+use super::triangle_mesh::Mesh;
 use crate::geometry::Matrix;
 use crate::geometry::array::{cross, dot, sub};
 use crate::scene::Vec3;

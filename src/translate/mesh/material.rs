@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::corners::corners;
 use super::model::Model;
 use super::picture::Pictures;
-use super::skin::Skin;
+use super::surface_label::Skin;
 use crate::geometry::array::{cross, sub};
 use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture, Vec3};
 use crate::trace::graph::Graph;

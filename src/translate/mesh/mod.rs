@@ -6,48 +6,48 @@
 //! what each triangle shows; [`precision`] what numbers in files cost; [`ply`], [`obj`] and [`glb`] write files.
 
 mod assemble;
+mod assign_owner;
 mod budget;
-mod carve;
 mod colour;
 pub mod corners;
-mod crowds;
 mod csg;
+mod degenerate_triangles;
 mod extent;
 mod flush;
 pub mod glb;
 mod glb_scenery;
 mod material;
 mod model;
-mod needles;
 pub mod obj;
 mod operate;
 mod options;
+mod overlap_components;
 mod parts;
 pub mod picture;
 pub mod ply;
 mod precision;
 mod refine;
-mod sets;
 pub mod shape;
 mod shared;
-mod skin;
-mod soup;
 mod stl;
+mod surface_label;
 pub mod target;
 #[cfg(test)]
 mod tests;
+mod triangle_mesh;
+mod union_find;
 mod unite;
 mod verdict;
 
 pub use assemble::MeshPart;
-pub use carve::Medium;
+pub use assign_owner::Medium;
+pub use degenerate_triangles::Precision;
 pub use extent::Extent;
 pub use material::{Coloured, Material};
 pub use model::{Model, model, report};
-pub use needles::Precision;
 pub use options::{DEFAULT_TOLERANCE, Options};
 pub use parts::Parts;
 pub use shape::is_faceted;
-pub use skin::Skin;
-pub use soup::Mesh;
+pub use surface_label::Skin;
+pub use triangle_mesh::Mesh;
 pub use verdict::within;

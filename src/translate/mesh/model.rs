@@ -2,16 +2,16 @@
 
 use super::assemble::{Troubles, crowded};
 use super::budget::Budget;
+use super::degenerate_triangles::Precision;
 use super::extent::Extent;
 use super::glb_scenery::has_counterpart;
-use super::needles::Precision;
 use super::options::Options;
 use super::parts::{account, pieces, refusal};
 use super::picture;
 use super::precision;
 use super::shape::DROPPED;
-use super::skin::Skin;
-use super::soup::Mesh;
+use super::surface_label::Skin;
+use super::triangle_mesh::Mesh;
 use super::unite::Union;
 use super::verdict::{self, Bounds};
 use crate::diagnostics::Error;

@@ -6,7 +6,7 @@ use super::assemble::{Assembly, MeshPart, Operand, Thing, crowded};
 use super::budget::TooMany;
 use super::csg::{Operation, combine};
 use super::shape::{self, DROPPED};
-use super::skin::Skin;
+use super::surface_label::Skin;
 use super::unite::Union;
 use crate::geometry::Aabb;
 

@@ -7,7 +7,7 @@ use super::budget::{Budget, Crowd, TooMany};
 use super::extent::Extent;
 use super::options::Options;
 use super::shape;
-use super::skin::Skin;
+use super::surface_label::Skin;
 use super::unite::{self, Union};
 use crate::diagnostics::Error;
 use crate::geometry::{Aabb, Matrix};

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
 use super::colour::srgb;
-use super::skin::Skin;
+use super::surface_label::Skin;
 use crate::scene::Texture;
 use crate::trace::film::{Packing, write_rgb8};
 use crate::trace::graph::Graph;

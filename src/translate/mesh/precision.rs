@@ -1,6 +1,6 @@
 //! What the numbers of a file take away from the places of points.
 
-use super::soup::Mesh;
+use super::triangle_mesh::Mesh;
 use crate::scene::Vec3;
 
 /// The part of the tolerance that written digits may cost.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::soup::Mesh;
+use super::triangle_mesh::Mesh;
 use crate::geometry::array::{dot, sub};
 use crate::scene::Vec3;
 

@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use super::Parts;
 use super::assemble::MeshPart;
-use super::sets::Sets;
 use super::shape::DROPPED;
-use super::skin::Skin;
+use super::surface_label::Skin;
+use super::union_find::Sets;
 use crate::geometry::Matrix;
 use crate::scene::{Geometry, Scene};
 use crate::trace::graph::Graph;

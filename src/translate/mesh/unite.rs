@@ -4,10 +4,10 @@
 use std::ops::ControlFlow;
 
 use super::budget::{Budget, Crowd};
-use super::crowds::{Crowds, tree};
 use super::csg::{Operation, combine};
+use super::overlap_components::{Crowds, tree};
 use super::shape::DROPPED;
-use super::soup::Mesh;
+use super::triangle_mesh::Mesh;
 use crate::geometry::Aabb;
 use crate::parallel;
 

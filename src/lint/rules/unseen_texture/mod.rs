@@ -8,9 +8,9 @@ mod given;
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::Context;
 use crate::scene::{Node, NodeId, Scene};
-use crate::trace::plan::reach::{Showing, VisibleAspects};
 use crate::trace::plan::unseen::LeftOut;
 use crate::trace::plan::unseen::view::{USUAL, beside_all_views};
+use crate::trace::plan::visible_aspects::{Showing, VisibleAspects};
 use crate::trace::plan::{Effect, Plan};
 use given::{Given, Painting, textures};
 

@@ -1,9 +1,9 @@
 //! The report as one page that needs nothing else: no script, light, dark and print.
 
 use super::super::advice::names;
+use super::super::configurations::{Axis, Kind};
+use super::super::number_format::{self, each, local, say};
 use super::super::report::{Report, Row};
-use super::super::rungs::{Axis, Kind};
-use super::super::words::{self, each, local, say};
 use super::image;
 use super::svg;
 use super::tables::{self, Table};
@@ -155,7 +155,7 @@ impl Page<'_> {
             if rows.is_empty() {
                 continue;
             }
-            let name = escaped(&words::kind(self.language, kind));
+            let name = escaped(&number_format::kind(self.language, kind));
             self.add(&format!(
                 "<tr class=\"k\"><td colspan=\"{}\">{name}</td></tr>",
                 heads.len()
@@ -177,7 +177,7 @@ impl Page<'_> {
         let more = say(
             self.language,
             "accuracy-more-rows",
-            &[("left", words::count(left))],
+            &[("left", number_format::count(left))],
         );
         self.add(&format!(
             "</tbody></table></div><p class=\"small mut\">{}</p></section>",
@@ -190,19 +190,21 @@ impl Page<'_> {
         let [w, h] = self.report.size;
         let whole = whole_default(self.report, f64::from(w) * f64::from(h));
         let cpu = row.times_default.zip(whole);
-        let cpu = cpu.map_or("–".into(), |(t, d)| words::seconds(language, t * d));
+        let cpu = cpu.map_or("–".into(), |(t, d)| {
+            number_format::seconds(language, t * d)
+        });
         let times = row
             .times_default
-            .map_or("–".into(), |t| words::times(language, t) + " ×");
+            .map_or("–".into(), |t| number_format::times(language, t) + " ×");
         let error = row.error.as_ref();
         let steps = match error {
             Some(e) if e.is_same() => self.say("accuracy-same"),
             Some(e) if e.steps_interval[0] < e.steps_interval[1] && e.steps >= 0.01 => {
-                let [a, b] = e.steps_interval.map(|x| words::error(language, x));
-                let steps = words::error(language, e.steps);
+                let [a, b] = e.steps_interval.map(|x| number_format::error(language, x));
+                let steps = number_format::error(language, e.steps);
                 format!("{steps} <span class=\"small mut\">({a} – {b})</span>")
             }
-            Some(e) => words::error(language, e.steps),
+            Some(e) => number_format::error(language, e.steps),
             None => "–".into(),
         };
         let off = error.map_or(String::new(), |e| match e.pixels_off {
@@ -231,7 +233,7 @@ impl Page<'_> {
             notes.push(say(
                 language,
                 "accuracy-wrong-object",
-                &[("wrong", words::count(wrong))],
+                &[("wrong", number_format::count(wrong))],
             ));
         }
         if let Some(ulp) = error.and_then(|e| e.median_ulp) {
@@ -239,7 +241,7 @@ impl Page<'_> {
             notes.push(say(language, "accuracy-ulps", &[("ulps", ulp.into())]));
         }
         if row.uncertain > 0 {
-            let uncertain = words::count(row.uncertain as usize);
+            let uncertain = number_format::count(row.uncertain as usize);
             notes.push(say(language, "accuracy-uncertain", &[("rays", uncertain)]));
         }
         let class = match (row.default, is_best) {
@@ -269,8 +271,11 @@ impl Page<'_> {
                 image::difference(&shown.default.1, &shown.better.1);
             let values = [
                 ("factor", local(self.language, factor.to_string()).into()),
-                ("largest", words::error(self.language, largest).into()),
-                ("wrong", words::count(wrong)),
+                (
+                    "largest",
+                    number_format::error(self.language, largest).into(),
+                ),
+                ("wrong", number_format::count(wrong)),
             ];
             let caption = say(self.language, "accuracy-difference", &values);
             let figure = |src: &str, caption: &str| {
@@ -279,7 +284,7 @@ impl Page<'_> {
                     escaped(caption)
                 )
             };
-            let kind = words::kind(self.language, shown.kind);
+            let kind = number_format::kind(self.language, shown.kind);
             let figures = [
                 figure(
                     &image::picture(&shown.default.1),
@@ -311,7 +316,10 @@ impl Page<'_> {
                 "most",
                 local(self.language, format!("{most_time:.1}")).into(),
             )];
-            let most_error = [("most", words::error(self.language, most_error).into())];
+            let most_error = [(
+                "most",
+                number_format::error(self.language, most_error).into(),
+            )];
             let time_caption = escaped(&say(self.language, "accuracy-map-time", &most_time));
             let error_caption = escaped(&say(self.language, "accuracy-map-error", &most_error));
             self.add(&format!(
@@ -364,7 +372,7 @@ impl Page<'_> {
                 let _ = write!(text, "; depth {depth}, cutoff {cutoff:e}");
             }
             if let Some(steps) = reference.margin.steps {
-                let _ = write!(text, "; ± {}", words::error(language, steps));
+                let _ = write!(text, "; ± {}", number_format::error(language, steps));
             }
             lines.push(text);
         }

@@ -1,8 +1,8 @@
 //! The report as Markdown.
 
+use super::super::configurations::Kind;
+use super::super::number_format::{self, local, say};
 use super::super::report::{Report, Row};
-use super::super::rungs::Kind;
-use super::super::words::{self, local, say};
 use super::tables::{self, Table};
 use super::terminal::sureness;
 use crate::diagnostics::Language;
@@ -24,7 +24,7 @@ pub fn text(report: &Report, language: Language) -> String {
         if rows.is_empty() {
             continue;
         }
-        let name = words::kind(language, kind);
+        let name = number_format::kind(language, kind);
         let _ = writeln!(out, "\n## {}{}\n", name[..1].to_uppercase(), &name[1..]);
         let _ = writeln!(
             out,
@@ -34,7 +34,7 @@ pub fn text(report: &Report, language: Language) -> String {
         for row in rows {
             let times = row
                 .times_default
-                .map_or("–".into(), |t| words::times(language, t));
+                .map_or("–".into(), |t| number_format::times(language, t));
             let error = row.error.as_ref();
             let note = match &row.same_as {
                 Some(other) => say(
@@ -50,13 +50,16 @@ pub fn text(report: &Report, language: Language) -> String {
                 out,
                 "| {} | {times} | {} | {} | {} | {} | {note} |",
                 row.name(),
-                words::error(language, row.steps()),
+                number_format::error(language, row.steps()),
                 error.map_or(String::new(), |e| local(language, format!("{:.4}", e.flip))),
                 error.map_or(String::new(), |e| format!(
                     "{} / {}",
                     e.pixels_off, e.pixels
                 )),
-                error.map_or(String::new(), |e| words::error(language, e.max_steps)),
+                error.map_or(String::new(), |e| number_format::error(
+                    language,
+                    e.max_steps
+                )),
             );
         }
     }

@@ -1,9 +1,9 @@
 //! Work-precision diagrams by hand: one panel for each kind of error, all with the same axes, error on x and
 //! time on y, both logarithmic, with a gutter on the left for what has no error at all.
 
+use super::super::configurations::{Axis, Kind};
+use super::super::number_format::{self, local, say};
 use super::super::report::{Report, Row};
-use super::super::rungs::{Axis, Kind};
-use super::super::words::{self, local, say};
 use super::labels::{self, Label, LabelBox, Placed, Surroundings};
 use crate::diagnostics::Language;
 use crate::study::page::{VARIABLES, escaped};
@@ -370,8 +370,8 @@ fn marks(out: &mut String, report: &Report, rows: &[&Row], s: &Scale, language: 
             let title = format!(
                 "{}: {} × {}",
                 row.name(),
-                words::times(language, row.times_default.unwrap_or(1.0)),
-                words::error(language, row.steps()),
+                number_format::times(language, row.times_default.unwrap_or(1.0)),
+                number_format::error(language, row.steps()),
             );
             let mark = shape.draw(*x, *y, &format!("{class} {fill}"));
             let _ = writeln!(out, "<g>{mark}<title>{}</title></g>", escaped(&title));

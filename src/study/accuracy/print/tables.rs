@@ -1,7 +1,7 @@
 //! Tables that the page and the Markdown have in common.
 
+use super::super::number_format::{self, local, say};
 use super::super::report::Report;
-use super::super::words::{self, local, say};
 use crate::diagnostics::Language;
 
 /// The first column is text, the others are numbers.
@@ -24,7 +24,7 @@ impl Table {
 /// Time and error by what is seen first, the dearest objects first.
 pub fn objects(report: &Report, language: Language) -> Table {
     let mut table = Table::new(language, "accuracy-objects-head");
-    let percent = |share: f64| words::percent(language, share) + " %";
+    let percent = |share: f64| number_format::percent(language, share) + " %";
     for object in report.objects.iter().take(8) {
         let name = match object.id {
             0 => say(language, "accuracy-background", &[]),
@@ -48,13 +48,13 @@ pub fn effects(report: &Report, language: Language) -> Table {
         let saved = match (effect.saved, effect.within_noise) {
             (None, _) => "–".into(),
             (_, true) => say(language, "accuracy-within-noise", &[]),
-            (Some(s), false) => words::percent(language, s) + " %",
+            (Some(s), false) => number_format::percent(language, s) + " %",
         };
         table.rows.push(vec![
-            words::effect(language, effect.name),
+            number_format::effect(language, effect.name),
             saved,
             effect.rays_saved.to_string(),
-            words::error(language, effect.error.steps),
+            number_format::error(language, effect.error.steps),
         ]);
     }
     table

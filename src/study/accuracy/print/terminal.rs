@@ -1,9 +1,9 @@
 //! The report in some 35 lines.
 
 use super::super::advice::names;
+use super::super::configurations::{Axis, Kind};
+use super::super::number_format::{self, local, say};
 use super::super::report::{Report, Row};
-use super::super::rungs::{Axis, Kind};
-use super::super::words::{self, local, say};
 use crate::diagnostics::Language;
 use crate::diagnostics::layout::{listed, wrapped};
 use std::fmt::Write as _;
@@ -24,7 +24,7 @@ pub fn text(report: &Report, language: Language, page: Option<&str>, width: usiz
     let mut out = String::new();
     let [w, h] = report.size;
     let title = say(language, "accuracy-title", &[]);
-    let spent = words::seconds(language, report.budget.spent_seconds);
+    let spent = number_format::seconds(language, report.budget.spent_seconds);
     let entries = [title, report.scene.clone(), format!("{w}x{h}"), spent];
     line(&mut out, &listed("", &entries, width, "  "));
     if report.stopped {
@@ -59,7 +59,11 @@ pub fn text(report: &Report, language: Language, page: Option<&str>, width: usiz
         }
     }
     out.push('\n');
-    let legend = say(language, "accuracy-legend", &[("left", words::count(left))]);
+    let legend = say(
+        language,
+        "accuracy-legend",
+        &[("left", number_format::count(left))],
+    );
     line(&mut out, &wrapped(&legend, width, "  "));
     out.push('\n');
     summaries(&mut out, report, language, width);
@@ -84,7 +88,11 @@ fn right(text: &str, width: usize) -> String {
 fn heading(kind: Kind, rows: &[&Row], language: Language) -> String {
     let mut axes: Vec<&str> = rows.iter().map(|r| r.axis).collect();
     axes.dedup();
-    format!("{}: {}", words::kind(language, kind), axes.join(", "))
+    format!(
+        "{}: {}",
+        number_format::kind(language, kind),
+        axes.join(", ")
+    )
 }
 
 /// The default, the ends, the front; of the numbers all.
@@ -122,15 +130,17 @@ fn row_line(row: &Row, report: &Report, language: Language, width: usize) -> Str
     let pixels = f64::from(w) * f64::from(h);
     // Of the whole picture, by the pixels that were timed.
     let cpu = row.times_default.zip(whole_default(report, pixels));
-    let cpu = cpu.map_or("–".into(), |(t, d)| words::seconds(language, t * d));
-    let times = row
-        .times_default
-        .map_or("–".into(), |t| format!("{} ×", words::times(language, t)));
+    let cpu = cpu.map_or("–".into(), |(t, d)| {
+        number_format::seconds(language, t * d)
+    });
+    let times = row.times_default.map_or("–".into(), |t| {
+        format!("{} ×", number_format::times(language, t))
+    });
     let error = row.error.as_ref();
     let steps = match (&row.same_as, error) {
         (_, None) => "–".into(),
         (_, Some(e)) if e.pixels_differ == 0 => say(language, "accuracy-same", &[]),
-        (_, Some(e)) => words::error(language, e.steps),
+        (_, Some(e)) => number_format::error(language, e.steps),
     };
     let flip = error.map_or(String::new(), |e| local(language, format!("{:.4}", e.flip)));
     let off = error.map_or(String::new(), |e| match e.pixels {
@@ -203,7 +213,7 @@ fn summaries(out: &mut String, report: &Report, language: Language, width: usize
                     0 => say(language, "accuracy-background", &[]),
                     id => format!("#{id}"),
                 };
-                format!("{name} {} %", words::percent(language, share(o)))
+                format!("{name} {} %", number_format::percent(language, share(o)))
             })
             .collect::<Vec<_>>()
     };
@@ -212,10 +222,10 @@ fn summaries(out: &mut String, report: &Report, language: Language, width: usize
     let effects: Vec<String> = (report.effects.iter())
         .filter_map(|e| {
             let saved = e.saved?;
-            let name = words::effect(language, e.name);
+            let name = number_format::effect(language, e.name);
             Some(match e.within_noise {
                 true => format!("{name} ±0"),
-                false => format!("{name} {} %", words::percent(language, saved)),
+                false => format!("{name} {} %", number_format::percent(language, saved)),
             })
         })
         .collect();
@@ -226,20 +236,23 @@ fn summaries(out: &mut String, report: &Report, language: Language, width: usize
         format!("{}: {}", axes.join(", "), all[0].why.wording(language))
     });
     list("accuracy-not-run", skipped.collect());
-    list("accuracy-cut", words::each(language, &report.budget.cut));
+    list(
+        "accuracy-cut",
+        number_format::each(language, &report.budget.cut),
+    );
     line(out, &listed("", &sureness(report, language), width, "  "));
 }
 
 /// How sure all of this is.
 pub fn sureness(report: &Report, language: Language) -> Vec<String> {
-    let noise = words::percent(language, report.noise.relative);
+    let noise = number_format::percent(language, report.noise.relative);
     let times = match report.too_busy() {
         Some(_) => "accuracy-noise-busy",
         None => "accuracy-noise",
     };
     let mut parts = vec![say(language, times, &[("percent", noise.into())])];
     if report.budget.pixels_share < 1.0 {
-        let share = words::percent(language, report.budget.pixels_share);
+        let share = number_format::percent(language, report.budget.pixels_share);
         parts.push(say(
             language,
             "accuracy-share",
@@ -250,8 +263,8 @@ pub fn sureness(report: &Report, language: Language) -> Vec<String> {
         && let (Some(samples), Some(margin)) = (edges.samples, edges.margin.steps)
     {
         let values = [
-            ("samples", words::count(samples as usize)),
-            ("error", words::error(language, margin).into()),
+            ("samples", number_format::count(samples as usize)),
+            ("error", number_format::error(language, margin).into()),
         ];
         parts.push(say(language, "accuracy-reference-edges", &values));
     }
@@ -261,12 +274,12 @@ pub fn sureness(report: &Report, language: Language) -> Vec<String> {
         .and_then(|r| r.checked.as_ref());
     if let Some(checked) = checked.filter(|c| c.not_checked.is_none()) {
         let largest = match checked.largest {
-            0.0 => words::count(0),
+            0.0 => number_format::count(0),
             off => format!("{off:.0e}").into(),
         };
         let values = [
-            ("pixels", words::count(checked.pixels)),
-            ("rays", words::count(checked.rays as usize)),
+            ("pixels", number_format::count(checked.pixels)),
+            ("rays", number_format::count(checked.rays as usize)),
             ("largest", largest),
         ];
         parts.push(say(language, "accuracy-checked", &values));

@@ -3,9 +3,9 @@
 use super::{Distances, ERRORS, FEWEST_PIXELS, LEAST_PIXELS, OBJECTS, PICTURES, Run, TIMES, rays};
 use crate::diagnostics::Error;
 use crate::scene::Rgb;
+use crate::study::accuracy::configurations::{Axis, Kernel, Kind, Rung, Settings};
 use crate::study::accuracy::measure::compare;
-use crate::study::accuracy::rungs::{Axis, Kernel, Kind, Rung, Settings};
-use crate::study::accuracy::stage::Drawn;
+use crate::study::accuracy::runner::Drawn;
 use crate::trace::Numbers;
 use crate::trace::pixels::VisibleObject;
 use std::collections::BTreeMap;

@@ -10,11 +10,11 @@ mod result;
 mod sample;
 mod times;
 
+use super::configurations::{Axis, Kernel, Rung, Settings};
 use super::measure::Measured;
 use super::report::{Reference, Report, Skipped};
-use super::rungs::{Axis, Kernel, Rung, Settings};
-use super::stage::{Drawn, Stage, Timed};
-use super::tiles::{TILE, Tile, WHOLE, chosen};
+use super::runner::{Drawn, Stage, Timed};
+use super::sample_tiles::{TILE, Tile, WHOLE, chosen};
 use crate::diagnostics::{Complaint, Error};
 use crate::scene::{Camera, Rgb, Scene};
 use crate::trace::Images;

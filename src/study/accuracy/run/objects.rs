@@ -2,10 +2,10 @@
 
 use super::{FEWEST_PIXELS, OBJECTS, PICTURES, Run};
 use crate::diagnostics::Error;
+use crate::study::accuracy::configurations::Settings;
 use crate::study::accuracy::measure::steps;
 use crate::study::accuracy::report::{Maps, Object};
-use crate::study::accuracy::rungs::Settings;
-use crate::study::accuracy::tiles::Tile;
+use crate::study::accuracy::sample_tiles::Tile;
 use std::collections::BTreeMap;
 
 impl Run<'_> {

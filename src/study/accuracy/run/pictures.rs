@@ -3,10 +3,10 @@
 use super::{PICTURES, Run};
 use crate::diagnostics::Error;
 use crate::scene::Rgb;
+use crate::study::accuracy::configurations::{Kernel, Kind, Settings};
 use crate::study::accuracy::measure::steps;
 use crate::study::accuracy::report::{Pictures, Raster, Report};
-use crate::study::accuracy::rungs::{Kernel, Kind, Settings};
-use crate::study::accuracy::tiles::{TILE, Tile};
+use crate::study::accuracy::sample_tiles::{TILE, Tile};
 use crate::trace::Numbers;
 
 impl Run<'_> {

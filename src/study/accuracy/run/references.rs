@@ -6,11 +6,11 @@ use super::{
 use crate::diagnostics::{Complaint, Error};
 use crate::scene::Rgb;
 use crate::study::accuracy::check;
+use crate::study::accuracy::configurations::{Axis, Kernel, Kind, Settings};
 use crate::study::accuracy::measure::compare;
 use crate::study::accuracy::report::{Checked, Margin, Reference};
-use crate::study::accuracy::rungs::{Axis, Kernel, Kind, Settings};
-use crate::study::accuracy::stage::Timed;
-use crate::study::accuracy::tiles::TILE;
+use crate::study::accuracy::runner::Timed;
+use crate::study::accuracy::sample_tiles::TILE;
 use crate::trace::Numbers;
 use std::ops::Range;
 use std::time::Instant;

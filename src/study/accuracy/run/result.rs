@@ -7,8 +7,8 @@ use crate::study::accuracy::advice;
 use crate::study::accuracy::report::{
     Budget, Effect, Goal, Machine, Noise, Report, Row, RowError, mark_front,
 };
-use crate::study::accuracy::stage::Timed;
-use crate::study::accuracy::tiles::TILE;
+use crate::study::accuracy::runner::Timed;
+use crate::study::accuracy::sample_tiles::TILE;
 use crate::study::accuracy::timing::{Spread, noise};
 
 impl Run<'_> {

@@ -1,7 +1,7 @@
 //! Which tiles a setting is timed on, and what the times of a few say of the whole.
 
-use crate::study::accuracy::stage::Timed;
-use crate::study::accuracy::tiles::Tile;
+use crate::study::accuracy::runner::Timed;
+use crate::study::accuracy::sample_tiles::Tile;
 
 /// Tiles that stand for a picture.
 #[derive(Debug, Clone, Default, PartialEq)]

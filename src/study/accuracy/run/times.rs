@@ -3,9 +3,9 @@
 use super::sample::Sample;
 use super::{FEWEST_PIXELS, LEAST_PIXELS, LEAST_SECONDS, OBJECTS, PICTURES, Run, TIMES, TimedItem};
 use crate::diagnostics::{Complaint, Error};
-use crate::study::accuracy::rungs::Settings;
-use crate::study::accuracy::stage::Timed;
-use crate::study::accuracy::tiles::{Tile, shuffle};
+use crate::study::accuracy::configurations::Settings;
+use crate::study::accuracy::runner::Timed;
+use crate::study::accuracy::sample_tiles::{Tile, shuffle};
 use std::time::Instant;
 
 impl Run<'_> {

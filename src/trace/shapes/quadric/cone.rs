@@ -9,10 +9,10 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
-use crate::trace::shapes::closer::decide_closer;
-use crate::trace::shapes::doubt::is_final;
+use crate::trace::shapes::error_bound::is_final;
 use crate::trace::shapes::hull;
-use crate::trace::shapes::near::{Ball, MARGIN, Pass, is_above};
+use crate::trace::shapes::quad_double::decide_closer;
+use crate::trace::shapes::quick_reject::{Ball, MARGIN, Pass, is_above};
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 

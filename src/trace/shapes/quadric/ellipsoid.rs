@@ -10,7 +10,7 @@ use crate::geometry::vec::Vec3;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::hull;
-use crate::trace::shapes::near::{Ball, MARGIN, Pass};
+use crate::trace::shapes::quick_reject::{Ball, MARGIN, Pass};
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 use std::f64::consts::PI;

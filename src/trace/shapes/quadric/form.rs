@@ -7,7 +7,7 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::number::Real;
 use crate::geometry::vec::Vec3;
 use crate::trace::shapes::Located;
-use crate::trace::shapes::doubt::is_final;
+use crate::trace::shapes::error_bound::is_final;
 
 /// F(x) = Σ squareᵢ xᵢ² + mixed·(xy, xz, yz) + linear·x + constant, where xᵢ is a coordinate divided
 /// by unitᵢ: semi-axes stay as they were given, and the coefficients of canonical forms exact.

@@ -7,7 +7,7 @@ use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::trace::shapes::Roots;
-use crate::trace::shapes::doubt::is_final;
+use crate::trace::shapes::error_bound::is_final;
 
 /// A number and a bound on its error.
 #[derive(Debug, Clone, Copy)]

@@ -10,7 +10,7 @@ use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::trace::shapes::Roots;
-use crate::trace::shapes::doubt::{is_final, parameter_error};
+use crate::trace::shapes::error_bound::{is_final, parameter_error};
 
 /// How far from the surface the rounding of F may put a crossing: so many units of roundoff times the largest coordinate
 /// of the line's origin or the crossing. The rounding of the crossing and of its t come on top: √3 and 2√3 units at most,

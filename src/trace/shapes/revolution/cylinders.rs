@@ -4,7 +4,7 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
-use crate::trace::shapes::near::{Ball, MARGIN, Pass, is_above};
+use crate::trace::shapes::quick_reject::{Ball, MARGIN, Pass, is_above};
 
 /// Layers of the same height that the solid is cut into.
 const LAYERS: usize = 32;

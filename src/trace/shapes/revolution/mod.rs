@@ -1,16 +1,16 @@
 //! The solid of revolution: a profile polyline turned about the y axis.
 
-mod beside;
 mod cylinders;
-mod layers;
+mod overlap_removal;
 mod path;
+mod profile_cull;
 #[cfg(test)]
 mod tests;
 mod tree;
 
-use super::closer::{decide_closer, is_last};
 use super::hull;
-use super::near::Pass;
+use super::quad_double::{decide_closer, is_last};
+use super::quick_reject::Pass;
 use super::{FLIPPED, Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
@@ -19,10 +19,10 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
 use crate::solids::shapes as solids;
 use crate::trace::shapes::support::Support;
-use beside::{Beside, Passing};
 use cylinders::Cylinders;
-use layers::Subsegment;
+use overlap_removal::Subsegment;
 use path::{ClosestApproach, Cut, Path, Ring, normaliser};
+use profile_cull::{Beside, Passing};
 use std::cell::LazyCell;
 use std::f64::consts::TAU;
 use std::ops::Deref;
@@ -73,7 +73,7 @@ impl Revolution {
             points.insert(0, [0.0, first[1]]);
             points.push([0.0, last[1]]);
         }
-        let pieces = layers::pieces(&points);
+        let pieces = overlap_removal::pieces(&points);
         let tree = tree::build(&points, &pieces);
         let bounds = tree.first().map_or(Aabb::EMPTY, |run| {
             let r = run.radius[1];

@@ -19,8 +19,8 @@ use crate::geometry::affine::Slack;
 use crate::geometry::array::each;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
-use crate::trace::shapes::closer::is_last;
-use crate::trace::shapes::doubt::is_final;
+use crate::trace::shapes::error_bound::is_final;
+use crate::trace::shapes::quad_double::is_last;
 
 /// A line relative to the axis, in scaled coordinates.
 #[derive(Debug, Clone, Copy)]

@@ -1,6 +1,6 @@
 //! A hierarchy over a long profile: runs of consecutive pieces, boxed in (ρ, y).
 
-use super::layers::Subsegment;
+use super::overlap_removal::Subsegment;
 
 /// Pieces in one leaf, at most 32.
 const LEAF: usize = 12;

@@ -1,6 +1,6 @@
 //! What has flat faces.
 
-use super::super::soup::Mesh;
+use super::super::triangle_mesh::Mesh;
 use crate::geometry::Aabb;
 use crate::geometry::array::{cross, dot, length, sub};
 use crate::scene::Vec3;

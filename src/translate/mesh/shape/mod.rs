@@ -9,7 +9,7 @@ mod turned;
 pub use quadric::eigen;
 
 use super::budget::{Budget, TooMany};
-use super::soup::Mesh;
+use super::triangle_mesh::Mesh;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Geometry;
 use crate::syntax::table::ShapeKind;

@@ -2,7 +2,7 @@
 //! ball, a saddle or less.
 
 use super::super::budget::{Budget, TooMany};
-use super::super::soup::Mesh;
+use super::super::triangle_mesh::Mesh;
 use super::turned::{Profile, drawn_out, flattened, sides, turned};
 use super::{Solid, sphere};
 use crate::geometry::{Aabb, Matrix};

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::super::budget::{Budget, TooMany};
-use super::super::soup::Mesh;
+use super::super::triangle_mesh::Mesh;
 use crate::geometry::array::length;
 use crate::geometry::icosahedron;
 use crate::scene::Vec3;

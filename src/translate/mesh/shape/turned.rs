@@ -1,7 +1,7 @@
 //! Solids from a profile: turned about the y axis, or drawn out along z.
 
 use super::super::budget::{Budget, TooMany};
-use super::super::soup::Mesh;
+use super::super::triangle_mesh::Mesh;
 use std::f64::consts::{PI, TAU};
 
 /// A profile in (radius, height): what it bounds lies to its left. It leads from the axis to the

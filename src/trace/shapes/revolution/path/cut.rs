@@ -3,7 +3,7 @@
 use super::{Path, Ring, normaliser};
 use crate::geometry::line::Traced;
 use crate::trace::quartic::root_between;
-use crate::trace::shapes::closer::is_last;
+use crate::trace::shapes::quad_double::is_last;
 
 /// A crossing of the line with one segment.
 #[derive(Debug, Clone, Copy)]

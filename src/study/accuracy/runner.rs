@@ -1,7 +1,7 @@
 //! Draws tiles with any settings, and takes the time.
 
-use super::rungs::{Kernel, Roots, Settings};
-use super::tiles::Tile;
+use super::configurations::{Kernel, Roots, Settings};
+use super::sample_tiles::Tile;
 use crate::diagnostics::Error;
 use crate::parallel;
 use crate::scene::{Camera, Rgb, Scene};

@@ -5,7 +5,7 @@
 
 use std::collections::HashMap;
 
-use super::soup::Mesh;
+use super::triangle_mesh::Mesh;
 use crate::geometry::array::{cross, length, sub};
 use crate::geometry::exact;
 use crate::scene::Vec3;

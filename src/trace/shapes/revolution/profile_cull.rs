@@ -7,15 +7,15 @@
 //! rings it is inside of the frustum between them.
 //!
 //! The test computes in doubles, in units of the solid's size, from a line that
-//! [`Ball::meets`](super::super::near::Ball::meets) knows well enough. A piece that is closer than a margin counts as
+//! [`Ball::meets`](super::super::quick_reject::Ball::meets) knows well enough. A piece that is closer than a margin counts as
 //! met, and the path decides.
 
-use super::layers::Subsegment;
+use super::overlap_removal::Subsegment;
 use super::tree::{self, Run};
 use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
-use crate::trace::shapes::near::{Ball, MARGIN};
+use crate::trace::shapes::quick_reject::{Ball, MARGIN};
 use wide::f64x4;
 
 const LANES: usize = 4;

@@ -2,7 +2,7 @@
 //! ray enters every object on its way, and remembers it.
 
 use super::graph::{Graph, Operation, Target};
-use super::room::SLACK;
+use super::memory_limit::SLACK;
 use super::search::context::Context;
 use crate::geometry::affine::Placement;
 use crate::geometry::vec::Vec3;

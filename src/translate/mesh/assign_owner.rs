@@ -8,7 +8,7 @@ use super::assemble::MeshPart;
 use super::csg::{Operation, combine};
 use super::parts::Parts;
 use super::shape::DROPPED;
-use super::soup::Mesh;
+use super::triangle_mesh::Mesh;
 use super::unite;
 
 /// What something is made of.

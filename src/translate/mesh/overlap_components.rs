@@ -115,7 +115,7 @@ pub fn tree(boxes: &[Aabb]) -> Bvh {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sets::Sets;
+    use super::super::union_find::Sets;
     use super::*;
 
     #[test]

@@ -1,7 +1,7 @@
 //! Which axes a scene calls for.
 
-use super::rungs::Axis;
-use super::stage::Stage;
+use super::configurations::Axis;
+use super::runner::Stage;
 use crate::scene::Geometry;
 use crate::study::plain::{self, solver};
 use crate::trace::plan::{Effect, Plan};

@@ -1,6 +1,6 @@
 //! Numbers and names as people read them.
 
-use super::rungs::Kind;
+use super::configurations::Kind;
 use crate::diagnostics::{Complaint, Language, Value};
 
 /// What fills places of a message.

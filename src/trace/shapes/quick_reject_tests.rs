@@ -1,7 +1,7 @@
 //! Cheap tests against the shapes themselves, in doubles and in double-double.
 
 use super::facet::tests::Random;
-use super::near::Pass;
+use super::quick_reject::Pass;
 use super::{Primitive, Roots};
 use crate::geometry::affine::Affine;
 use crate::geometry::dd::Dd;

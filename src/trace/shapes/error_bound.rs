@@ -2,7 +2,7 @@
 
 use crate::geometry::number::Real;
 
-/// Whether there is no finer number to ask, but for shapes that go on [`closer`](super::closer): what
+/// Whether there is no finer number to ask, but for shapes that go on [`quad_double`](super::quad_double): what
 /// this one cannot tell from a touch is one. That is double-double, whose products and sums are not
 /// fused and rounded once as those of the others.
 pub(super) fn is_final<R: Real>() -> bool {

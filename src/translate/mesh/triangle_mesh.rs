@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::sets::Sets;
+use super::union_find::Sets;
 use crate::geometry::array::{cross, dot, sub};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
