@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::time::Instant;
 
 use zpg::internals::analysis::Analysis;
-use zpg::internals::study::accuracy::dimensions;
+use zpg::internals::study::accuracy::axes;
 use zpg::internals::trace::stats::Work;
 use zpg::internals::trace::{Settings, Tracer, selected_camera};
 
@@ -89,7 +89,7 @@ fn prepared(case: &Case, thing: fn(u32) -> String) -> (Tracer, zpg::internals::s
     assert!(errors.is_empty(), "{errors:?}");
     let camera = selected_camera(&loaded.scene, f64::from(SIZE[0]) / f64::from(SIZE[1]));
     let mut tracer = Tracer::new(&loaded.scene).expect("the scene can be drawn");
-    let effects = dimensions::effects(&tracer.plan);
+    let effects = axes::effects(&tracer.plan);
     if let Some((_, without)) = effects.into_iter().find(|e| e.0 == case.effect) {
         tracer.graph.without = without;
     }

@@ -1,7 +1,7 @@
 //! Where the time of a picture goes, in short: by what is seen first, and by effects that are taken out.
 
+use super::axes;
 use super::configurations::{Kernel, Settings};
-use super::dimensions;
 use super::runner::Stage;
 use super::sample_tiles::{Tile, chosen};
 use crate::diagnostics::Error;
@@ -42,7 +42,7 @@ pub fn cost(
     let all = chosen(size, 1);
     let pilot: Vec<Tile> = all.iter().copied().take(6).collect();
     let each = stage.time(&base, &pilot)?.wall / pilot.len().max(1) as f64;
-    let effects = dimensions::effects(&stage.tracer().plan);
+    let effects = axes::effects(&stage.tracer().plan);
     // Three runs of each pixel, and three of each effect and of all together.
     let runs = 3.0 * (effects.len() + 2) as f64;
     let count = (seconds / (runs * each).max(1e-9)) as usize;

@@ -7,10 +7,10 @@
 //! [`shapes`] does so without a scene, [`cost`] in short, [`mod@pilot`] for the time of a picture alone. [`advice`] says what to set, and [`mod@print`] writes it down for people in the [`words`] of their language.
 
 pub mod advice;
+pub mod axes;
 pub mod check;
 pub mod configurations;
 pub mod cost;
-pub mod dimensions;
 pub mod facets;
 pub mod measure;
 pub mod number_format;

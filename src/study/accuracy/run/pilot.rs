@@ -5,7 +5,7 @@ use crate::diagnostics::{Complaint, Error};
 use crate::study::accuracy::configurations::{Axis, Kernel, Rung, Settings, ladder};
 use crate::study::accuracy::facets::Facets;
 use crate::study::accuracy::report::Skipped;
-use crate::study::accuracy::{dimensions, facets};
+use crate::study::accuracy::{axes, facets};
 
 /// The share of the budget that the default is tried for.
 const CALIBRATION: f64 = 0.01;
@@ -21,7 +21,7 @@ impl Run<'_> {
             let wanted = self.options.axes.contains(&axis);
             let why = match wanted {
                 false => Some("accuracy-skip-unasked"),
-                true => dimensions::skipped(axis, &self.stage),
+                true => axes::skipped(axis, &self.stage),
             };
             let mut rungs = Vec::new();
             let mut why = why;
@@ -47,7 +47,7 @@ impl Run<'_> {
             }
             if axis == Axis::Precision
                 && !rungs.is_empty()
-                && let Some(no_plain) = dimensions::no_plain(&self.stage)
+                && let Some(no_plain) = axes::no_plain(&self.stage)
             {
                 rungs.retain(|r| matches!(r.settings.kernel, Kernel::Ours(_)));
                 self.skipped.push(Skipped {
@@ -64,7 +64,7 @@ impl Run<'_> {
             self.rungs.extend(rungs);
         }
         self.known = self.rungs.iter().map(|_| RungState::default()).collect();
-        for (name, without) in dimensions::effects(&self.stage.tracer().plan) {
+        for (name, without) in axes::effects(&self.stage.tracer().plan) {
             let settings = Settings {
                 without,
                 ..Settings::default()
