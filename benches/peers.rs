@@ -12,7 +12,7 @@ use zpg::internals::analysis::Analysis;
 use zpg::internals::scene::{Camera, Scene};
 use zpg::internals::solids::staging::Viewpoint;
 use zpg::internals::study::accuracy::configurations::{Kernel, Settings};
-use zpg::internals::study::accuracy::runner::Stage;
+use zpg::internals::study::accuracy::runner::Runner;
 use zpg::internals::study::accuracy::sample_tiles::{TILE, Tile};
 use zpg::internals::study::naive::{Naive, Wide};
 use zpg::internals::study::program::Program;
@@ -154,7 +154,7 @@ impl Prepared {
             kernel,
             ..Settings::default()
         };
-        let stage = Stage::new(self.scene.clone(), &self.images, self.camera, SIZE);
+        let stage = Runner::new(self.scene.clone(), &self.images, self.camera, SIZE);
         let drawn = stage
             .and_then(|mut stage| stage.draw(&settings, &tiles))
             .expect("one shape is drawn");

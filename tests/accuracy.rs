@@ -11,7 +11,7 @@ use zpg::internals::scene::Scene;
 use zpg::internals::study::accuracy::check;
 use zpg::internals::study::accuracy::configurations::{Kernel, Settings};
 use zpg::internals::study::accuracy::measure::compare;
-use zpg::internals::study::accuracy::runner::Stage;
+use zpg::internals::study::accuracy::runner::Runner;
 use zpg::internals::study::accuracy::sample_tiles::{Tile, chosen};
 use zpg::internals::study::naive::{Naive, Wide};
 use zpg::internals::trace::camera::View;
@@ -42,9 +42,9 @@ fn hard(name: &str) -> Arc<Scene> {
 
 const SIZE: [u32; 2] = [48, 36];
 
-fn stage<'i>(scene: &Arc<Scene>, images: &'i Images) -> Stage<'i> {
+fn stage<'i>(scene: &Arc<Scene>, images: &'i Images) -> Runner<'i> {
     let camera = selected_camera(scene, f64::from(SIZE[0]) / f64::from(SIZE[1]));
-    Stage::new(scene.clone(), images, camera, SIZE).unwrap()
+    Runner::new(scene.clone(), images, camera, SIZE).unwrap()
 }
 
 fn with(kernel: Kernel) -> Settings {
@@ -119,7 +119,7 @@ fn what_the_rounding_of_a_camera_changes_is_no_mistake() {
     let images = Images::default();
     let size = [96, 72];
     let camera = selected_camera(&scene, 96.0 / 72.0);
-    let mut stage = Stage::new(scene.clone(), &images, camera, size).unwrap();
+    let mut stage = Runner::new(scene.clone(), &images, camera, size).unwrap();
     let [x, y] = [79, 35];
     let tile = Tile {
         x,
@@ -233,7 +233,7 @@ fn effects_that_are_taken_out_do_no_work() {
     let mut stage = stage(&scene, &images);
     let tiles = chosen(SIZE, 1);
     let none = Without::default();
-    let counts = |stage: &mut Stage, without| {
+    let counts = |stage: &mut Runner, without| {
         let settings = Settings {
             without,
             ..Settings::default()

@@ -12,7 +12,7 @@ use super::plan::Effect;
 use super::precision::Precision;
 use super::ray::Ray;
 use super::sampling::sample;
-use super::search::direction_cache::{self, Vista, Vistas};
+use super::search::direction_cache::{self, DirectionCache, DirectionCaches};
 use super::shade::{Features, Limits, Shader};
 use super::stats::{Counts, Samples};
 use super::tracer::{Light, Tracer};

@@ -2,7 +2,7 @@
 
 use super::precision::Precision;
 use super::ray::Ray;
-use super::search::direction_cache::{End, Vistas};
+use super::search::direction_cache::{DirectionCaches, End};
 use super::search::escalate::Walkers;
 use super::search::hit::Hit;
 use super::stats::{Counts, Intersections, Rays, Work};
@@ -51,7 +51,7 @@ pub struct Shader<'t, R: Precision = f64> {
     lights: &'t [Light],
     limits: Limits,
     features: Features,
-    vistas: &'t Vistas,
+    vistas: &'t DirectionCaches,
     walkers: Walkers<'t, R>,
     rays: Rays,
     /// Rays in some of the channels, and changes of the medium.
@@ -66,7 +66,7 @@ impl<'t, R: Precision> Shader<'t, R> {
         lights: &'t [Light],
         limits: Limits,
         features: Features,
-        vistas: &'t Vistas,
+        vistas: &'t DirectionCaches,
     ) -> Shader<'t, R> {
         Shader {
             tracer,

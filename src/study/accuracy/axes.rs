@@ -1,14 +1,14 @@
 //! Which axes a scene calls for.
 
 use super::configurations::Axis;
-use super::runner::Stage;
+use super::runner::Runner;
 use crate::scene::Geometry;
 use crate::study::plain::{self, solver};
 use crate::trace::plan::{Effect, Plan};
 use crate::trace::switches::Without;
 
 /// Why an axis is not run, as the name of a message; `None` where it is.
-pub fn skipped(axis: Axis, stage: &Stage) -> Option<&'static str> {
+pub fn skipped(axis: Axis, stage: &Runner) -> Option<&'static str> {
     let plan = &stage.tracer().plan;
     match axis {
         Axis::Samples | Axis::Adaptive | Axis::Precision => None,
@@ -31,7 +31,7 @@ pub fn skipped(axis: Axis, stage: &Stage) -> Option<&'static str> {
 }
 
 /// Why the plain kernel is not run, as the name of a message; `None` where it is.
-pub fn no_plain(stage: &Stage) -> Option<&'static str> {
+pub fn no_plain(stage: &Runner) -> Option<&'static str> {
     plain::fits(stage.tracer(), stage.scene()).err()
 }
 

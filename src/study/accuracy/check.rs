@@ -2,7 +2,7 @@
 
 use super::configurations::Settings;
 use super::report::Checked;
-use super::runner::Stage;
+use super::runner::Runner;
 use super::sample_tiles::{Random, Tile, shuffle};
 use crate::diagnostics::Error;
 use crate::scene::Rgb;
@@ -68,7 +68,7 @@ fn difference(ours: Rgb, right: Rgb) -> f64 {
 
 /// Whether a pixel is off only since the ray of its camera is rounded to doubles: the independent tracer sees the same
 /// colour along that very ray, or along one whose direction is another by a rounding, where an edge runs between them.
-fn is_camera_rounding(naive: &Naive<Wide>, stage: &Stage, place: [u32; 2], ours: Rgb) -> bool {
+fn is_camera_rounding(naive: &Naive<Wide>, stage: &Runner, place: [u32; 2], ours: Rgb) -> bool {
     let [width, height] = stage.size;
     let view = View::new(stage.camera(), width, height);
     let [x, y] = place.map(|x| f64::from(x) + 0.5);
@@ -105,7 +105,7 @@ fn unfit(unfit: Unfit) -> &'static str {
 /// are those of the reference, in the order of the tiles' pixels. In place of an answer comes the name of the message that
 /// says why there is none.
 pub fn check(
-    stage: &Stage,
+    stage: &Runner,
     images: &Images,
     settings: &Settings,
     pixels: &[(usize, [u32; 2])],

@@ -171,7 +171,7 @@ impl Default for Settings {
 
 /// One setting on one axis.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Rung {
+pub struct Configuration {
     pub axis: Axis,
     pub label: String,
     pub settings: Settings,
@@ -179,9 +179,9 @@ pub struct Rung {
     pub inner: bool,
 }
 
-impl Rung {
-    fn new(axis: Axis, label: impl Into<String>, settings: Settings) -> Rung {
-        Rung {
+impl Configuration {
+    fn new(axis: Axis, label: impl Into<String>, settings: Settings) -> Configuration {
+        Configuration {
             axis,
             label: label.into(),
             settings,
@@ -189,8 +189,8 @@ impl Rung {
         }
     }
 
-    fn inner(self, inner: bool) -> Rung {
-        Rung { inner, ..self }
+    fn inner(self, inner: bool) -> Configuration {
+        Configuration { inner, ..self }
     }
 
     pub fn is_default(&self) -> bool {
@@ -209,13 +209,14 @@ impl Rung {
 }
 
 /// The rungs of an axis, the cheapest first.
-pub fn ladder(axis: Axis) -> Vec<Rung> {
+pub fn ladder(axis: Axis) -> Vec<Configuration> {
     let base = Settings::default();
     match axis {
         Axis::Samples => [1, 2, 4, 8, 16, 64, 256]
             .into_iter()
             .map(|samples| {
-                let rung = Rung::new(axis, samples.to_string(), Settings { samples, ..base });
+                let rung =
+                    Configuration::new(axis, samples.to_string(), Settings { samples, ..base });
                 rung.inner([2, 8].contains(&samples))
             })
             .collect(),
@@ -226,13 +227,13 @@ pub fn ladder(axis: Axis) -> Vec<Rung> {
                     tolerance: Some(tolerance),
                     ..base
                 };
-                Rung::new(axis, tolerance.to_string(), settings).inner(tolerance == 0.05)
+                Configuration::new(axis, tolerance.to_string(), settings).inner(tolerance == 0.05)
             })
             .collect(),
         Axis::Depth => [0, 1, 2, 3, 4, 6, 8, 10, 16, 32]
             .into_iter()
             .map(|depth| {
-                let rung = Rung::new(axis, depth.to_string(), Settings { depth, ..base });
+                let rung = Configuration::new(axis, depth.to_string(), Settings { depth, ..base });
                 rung.inner([3, 6, 32].contains(&depth))
             })
             .collect(),
@@ -247,15 +248,15 @@ pub fn ladder(axis: Axis) -> Vec<Rung> {
         ]
         .into_iter()
         .map(|(label, cutoff)| {
-            let rung = Rung::new(axis, label, Settings { cutoff, ..base });
+            let rung = Configuration::new(axis, label, Settings { cutoff, ..base });
             rung.inner(label == "0.03")
         })
         .collect(),
         Axis::Precision => (Kernel::ALL.into_iter())
-            .map(|kernel| Rung::new(axis, kernel.name(), Settings { kernel, ..base }))
+            .map(|kernel| Configuration::new(axis, kernel.name(), Settings { kernel, ..base }))
             .collect(),
         Axis::Solver => (Roots::ALL.into_iter())
-            .map(|roots| Rung::new(axis, roots.name(), Settings { roots, ..base }))
+            .map(|roots| Configuration::new(axis, roots.name(), Settings { roots, ..base }))
             .collect(),
         // Made of the scene.
         Axis::Tessellation | Axis::Levels => Vec::new(),
@@ -263,12 +264,12 @@ pub fn ladder(axis: Axis) -> Vec<Rung> {
 }
 
 /// A rung that draws another scene.
-pub fn variant(axis: Axis, label: String, variant: usize) -> Rung {
+pub fn variant(axis: Axis, label: String, variant: usize) -> Configuration {
     let settings = Settings {
         variant,
         ..Settings::default()
     };
-    Rung::new(axis, label, settings)
+    Configuration::new(axis, label, settings)
 }
 
 #[cfg(test)]

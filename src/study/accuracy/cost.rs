@@ -2,7 +2,7 @@
 
 use super::axes;
 use super::configurations::{Kernel, Settings};
-use super::runner::Stage;
+use super::runner::Runner;
 use super::sample_tiles::{Tile, chosen};
 use crate::diagnostics::Error;
 use crate::scene::{Camera, Scene};
@@ -32,7 +32,7 @@ pub fn cost(
     seconds: f64,
 ) -> Result<Cost, Error> {
     let size = [settings.width, settings.height];
-    let mut stage = Stage::new(scene, images, camera, size)?;
+    let mut stage = Runner::new(scene, images, camera, size)?;
     let base = Settings {
         depth: settings.depth,
         cutoff: settings.cutoff,
@@ -56,7 +56,7 @@ pub fn cost(
     }
     let mut objects: Vec<(u32, f64)> = by_object.into_iter().collect();
     objects.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let least = |stage: &mut Stage, settings: &Settings| -> Result<f64, Error> {
+    let least = |stage: &mut Runner, settings: &Settings| -> Result<f64, Error> {
         let mut least = f64::INFINITY;
         for _ in 0..3 {
             least = least.min(stage.time(settings, &tiles)?.cpu);

@@ -1,13 +1,13 @@
 //! The scene out of flat pieces: meshes within a tolerance, and geodesic spheres of other levels.
 
-use super::configurations::{Axis, Rung, Settings, variant};
-use super::runner::Stage;
+use super::configurations::{Axis, Configuration, Settings, variant};
+use super::runner::Runner;
 use crate::diagnostics::{Error, Span};
 use crate::scene::{Geometry, Node, Paint, Scene, Shape, Texture, TriangleNormals};
 use crate::solids::bounds::node_bounds;
 use crate::syntax::table::ShapeKind;
 use crate::trace::plan::Effect;
-use crate::translate::mesh::{self, Options, Skin};
+use crate::translate::mesh::{self, Options, SurfaceLabel};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -18,7 +18,7 @@ const MAX_TRIANGLES: usize = 400_000;
 const TOLERANCES: [f64; 4] = [0.03, 0.01, 0.003, 0.001];
 
 /// Why meshes cannot stand for the scene, as the name of a message.
-pub fn unfit(stage: &Stage) -> Option<&'static str> {
+pub fn unfit(stage: &Runner) -> Option<&'static str> {
     let plan = &stage.tracer().plan;
     let patterns = [
         Effect::ImageTexture,
@@ -58,7 +58,7 @@ pub fn unfit(stage: &Stage) -> Option<&'static str> {
 
 /// What the rungs of these axes are measured against: settings of the true shapes.
 pub struct Facets {
-    pub rungs: Vec<Rung>,
+    pub rungs: Vec<Configuration>,
     pub reference: Settings,
 }
 
@@ -67,8 +67,8 @@ pub struct Facets {
 ///
 /// # Errors
 ///
-/// As [`Stage::add`].
-pub fn meshes(stage: &mut Stage, seconds: f64) -> Result<Option<Facets>, Error> {
+/// As [`Runner::add`].
+pub fn meshes(stage: &mut Runner, seconds: f64) -> Result<Option<Facets>, Error> {
     let mut whole = stage.scene().clone();
     let mut base = 0;
     if let Some(render) = &mut whole.render
@@ -131,7 +131,7 @@ pub fn meshes(stage: &mut Stage, seconds: f64) -> Result<Option<Facets>, Error> 
 }
 
 /// A scene of the triangles of a mesh, with the optics and colours of their skins.
-fn scene_of(whole: &Scene, model: &mesh::Model, stage: &Stage) -> Option<Scene> {
+fn scene_of(whole: &Scene, model: &mesh::Model, stage: &Runner) -> Option<Scene> {
     let graph = &stage.tracer().graph;
     let mut made = Scene {
         ambient_lights: whole.ambient_lights.clone(),
@@ -158,7 +158,7 @@ fn scene_of(whole: &Scene, model: &mesh::Model, stage: &Stage) -> Option<Scene> 
             let vertices = model.mesh.corners(i).map(Into::into);
             let shape = made.shapes.len() as u32;
             made.shapes.push(Shape {
-                id: Skin::object(skin),
+                id: SurfaceLabel::object(skin),
                 kind: ShapeKind::Triangle,
                 geometry: Geometry::Triangle {
                     vertices: Box::new(vertices),
@@ -172,7 +172,7 @@ fn scene_of(whole: &Scene, model: &mesh::Model, stage: &Stage) -> Option<Scene> 
         let Some(child) = union else { continue };
         let paint = made.paints.len() as u32;
         made.paints.push(Paint {
-            owner: Skin::object(skin),
+            owner: SurfaceLabel::object(skin),
             texture: skin.plain_colour(graph).map(Texture::Colour),
             optics: Some(graph.optics[skin.optics.unwrap_or(0) as usize]),
             index: None,
@@ -204,8 +204,8 @@ fn joined(made: &mut Scene, before: Option<u32>, node: u32) -> u32 {
 ///
 /// # Errors
 ///
-/// As [`Stage::add`].
-pub fn levels(stage: &mut Stage) -> Result<Option<Facets>, Error> {
+/// As [`Runner::add`].
+pub fn levels(stage: &mut Runner) -> Result<Option<Facets>, Error> {
     let with = |change: &dyn Fn(f64, u32) -> Geometry| {
         let mut scene = stage.scene().clone();
         for shape in &mut scene.shapes {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use super::configurations::{Kernel, Settings};
-use super::runner::Stage;
+use super::runner::Runner;
 use super::sample_tiles::{Tile, chosen};
 use crate::diagnostics::Error;
 use crate::scene::{Camera, Scene};
@@ -36,7 +36,7 @@ pub fn pilot(
 ) -> Result<Pilot, Error> {
     let start = Instant::now();
     let size = [settings.width, settings.height];
-    let mut stage = Stage::new(scene, images, camera, size)?;
+    let mut stage = Runner::new(scene, images, camera, size)?;
     let build = start.elapsed().as_secs_f64();
     let settings_of_tiles = Settings {
         samples: settings.samples,

@@ -25,7 +25,7 @@ struct Variant {
 }
 
 /// Scene, camera and size: what all rungs have in common.
-pub struct Stage<'i> {
+pub struct Runner<'i> {
     variants: Vec<Variant>,
     images: &'i Images,
     camera: Camera,
@@ -51,7 +51,7 @@ pub struct Timed {
     pub drawn: Drawn,
 }
 
-impl<'i> Stage<'i> {
+impl<'i> Runner<'i> {
     /// # Errors
     ///
     /// As [`Tracer::planned`].
@@ -60,8 +60,8 @@ impl<'i> Stage<'i> {
         images: &'i Images,
         camera: Camera,
         size: [u32; 2],
-    ) -> Result<Stage<'i>, Error> {
-        let mut stage = Stage {
+    ) -> Result<Runner<'i>, Error> {
+        let mut stage = Runner {
             variants: Vec::new(),
             images,
             camera,

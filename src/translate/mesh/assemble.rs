@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use super::budget::{Budget, Crowd, TooMany};
 
 use super::shape::{self, DROPPED, tessellate};
-use super::surface_label::Skin;
+use super::surface_label::SurfaceLabel;
 use super::triangle_mesh::Mesh;
 
 use crate::geometry::{Aabb, Matrix};
@@ -45,7 +45,7 @@ pub struct MeshPart {
 #[derive(Debug, Clone, Default)]
 pub struct Thing {
     pub pieces: Vec<MeshPart>,
-    pub skins: Vec<Skin>,
+    pub skins: Vec<SurfaceLabel>,
 }
 
 /// What could not be done as it should be.
@@ -216,7 +216,7 @@ impl<'a> Assembly<'a> {
         &mut self,
         object: usize,
         part: u32,
-        skins: &mut Vec<Skin>,
+        skins: &mut Vec<SurfaceLabel>,
     ) -> Result<Operand, TooMany> {
         let graph = self.graph;
         let part = &graph.parts[part as usize];
@@ -262,7 +262,7 @@ impl<'a> Assembly<'a> {
         part: &Part,
         primitive: u32,
         m: &Matrix,
-        skins: &mut Vec<Skin>,
+        skins: &mut Vec<SurfaceLabel>,
     ) -> Result<Operand, TooMany> {
         let graph = self.graph;
         let record = &self.scene.shapes[graph.records[primitive as usize] as usize];
@@ -277,7 +277,7 @@ impl<'a> Assembly<'a> {
         let solid = tessellate(&record.geometry, tolerance, &region, &mut self.budget)?;
         self.troubles.endless += u64::from(!solid.bounded);
         let label = skins.len() as u32;
-        skins.push(Skin::new(part, primitive, m, graph));
+        skins.push(SurfaceLabel::new(part, primitive, m, graph));
         let surface = !record.geometry.is_solid();
         let one = solid.meshes.len() == 1;
         let mut pieces = Vec::with_capacity(solid.meshes.len());
@@ -307,10 +307,10 @@ impl<'a> Assembly<'a> {
     }
 
     /// The region of an object as an operand.
-    fn all_of_space(&self, object: usize, skins: &mut Vec<Skin>) -> Operand {
+    fn all_of_space(&self, object: usize, skins: &mut Vec<SurfaceLabel>) -> Operand {
         let region = enlarged(&self.regions[object], 1.01);
         let label = skins.len() as u32;
-        skins.push(Skin::cap(None));
+        skins.push(SurfaceLabel::cap(None));
         let mut mesh = shape::flat::cuboid(region.min, region.max);
         mesh.label_all(label);
         Operand {
@@ -331,7 +331,7 @@ impl<'a> Assembly<'a> {
         &mut self,
         object: usize,
         operand: Operand,
-        skins: &mut Vec<Skin>,
+        skins: &mut Vec<SurfaceLabel>,
     ) -> Result<Vec<MeshPart>, TooMany> {
         if !operand.outside {
             return Ok(operand.pieces);
@@ -375,7 +375,7 @@ impl Thing {
 }
 
 /// The error for solids that are too many to be joined.
-pub fn crowded(crowd: Crowd, skins: &[Skin]) -> TooMany {
+pub fn crowded(crowd: Crowd, skins: &[SurfaceLabel]) -> TooMany {
     TooMany::Joined {
         solids: crowd.solids,
         shape: skins.get(crowd.label as usize).map_or(0, |s| s.shape),

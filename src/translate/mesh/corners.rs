@@ -1,7 +1,7 @@
 //! Corners of triangles as files have them: with the true surface's normal, and with surface
 //! coordinates where there is a picture on them.
 
-use super::surface_label::Skin;
+use super::surface_label::SurfaceLabel;
 use super::triangle_mesh::Mesh;
 use crate::geometry::array::{cross, length, sub};
 use crate::parallel;
@@ -26,7 +26,7 @@ pub struct Corner {
 /// those of labels that are `pictured`.
 pub fn corners(
     mesh: &Mesh,
-    skins: &[Skin],
+    skins: &[SurfaceLabel],
     graph: &Graph,
     pictured: impl Fn(u32) -> bool + Sync,
 ) -> Vec<[Corner; 3]> {

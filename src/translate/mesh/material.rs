@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::corners::corners;
 use super::model::Model;
 use super::picture::Pictures;
-use super::surface_label::Skin;
+use super::surface_label::SurfaceLabel;
 use crate::geometry::array::{cross, sub};
 use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture, Vec3};
 use crate::trace::graph::Graph;
@@ -200,7 +200,7 @@ impl Vertex {
 }
 
 /// Whether the colour goes over from point to point, rather than jumping.
-fn is_smooth(skin: &Skin, graph: &Graph) -> bool {
+fn is_smooth(skin: &SurfaceLabel, graph: &Graph) -> bool {
     match &skin.texture {
         Some(t) => matches!(graph.textures[t.texture as usize], Texture::Image { .. }),
         None => true,

@@ -48,6 +48,6 @@ pub use model::{Model, model, report};
 pub use options::{DEFAULT_TOLERANCE, Options};
 pub use parts::Parts;
 pub use shape::is_faceted;
-pub use surface_label::Skin;
+pub use surface_label::SurfaceLabel;
 pub use triangle_mesh::Mesh;
 pub use verdict::within;

@@ -10,7 +10,7 @@ use super::parts::{account, pieces, refusal};
 use super::picture;
 use super::precision;
 use super::shape::DROPPED;
-use super::surface_label::Skin;
+use super::surface_label::SurfaceLabel;
 use super::triangle_mesh::Mesh;
 use super::unite::Union;
 use super::verdict::{self, Bounds};
@@ -27,7 +27,7 @@ pub struct Model {
     pub mesh: Mesh,
     /// How many of the triangles belong to solids.
     pub solid: usize,
-    pub skins: Vec<Skin>,
+    pub skins: Vec<SurfaceLabel>,
     pub extent: Extent,
     /// How far points were moved so that every triangle has an area in the file.
     pub moved: f64,

@@ -6,7 +6,7 @@ use super::assemble::{Assembly, MeshPart, Operand, Thing, crowded};
 use super::budget::TooMany;
 use super::csg::{Operation, combine};
 use super::shape::{self, DROPPED};
-use super::surface_label::Skin;
+use super::surface_label::SurfaceLabel;
 use super::unite::Union;
 use crate::geometry::Aabb;
 
@@ -16,7 +16,7 @@ impl Assembly<'_> {
         &mut self,
         kept: Vec<Operand>,
         taken: Vec<Operand>,
-        skins: &[Skin],
+        skins: &[SurfaceLabel],
     ) -> Result<Vec<MeshPart>, TooMany> {
         let tools = taken.into_iter().flat_map(|o| o.pieces);
         let tools = self.union_of_solids(tools, skins)?;
@@ -47,7 +47,7 @@ impl Assembly<'_> {
     fn union_of_solids(
         &mut self,
         pieces: impl Iterator<Item = MeshPart>,
-        skins: &[Skin],
+        skins: &[SurfaceLabel],
     ) -> Result<Union, TooMany> {
         let meshes = pieces.filter(|p| !p.surface).map(|p| p.mesh).collect();
         let union = Union::of(meshes, &mut self.budget).map_err(|crowd| crowded(crowd, skins))?;
@@ -103,7 +103,7 @@ impl Assembly<'_> {
             }
             let skins = &mut thing.skins;
             let cap = *caps.entry(piece.inside).or_insert_with(|| {
-                skins.push(Skin::cap(skins.get(piece.inside as usize)));
+                skins.push(SurfaceLabel::cap(skins.get(piece.inside as usize)));
                 skins.len() as u32 - 1
             });
             let mut mesh = shape::flat::cuboid(region.min, region.max);

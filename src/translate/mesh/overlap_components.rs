@@ -6,7 +6,7 @@ use crate::geometry::Aabb;
 use crate::geometry::bvh::Bvh;
 
 /// Boxes that hang together, one overlapping the next.
-pub struct Crowds {
+pub struct OverlapComponents {
     /// The items are the boxes' numbers; neighbours are near each other.
     pub tree: Bvh,
     /// For each box the number of its crowd, from 0.
@@ -17,8 +17,8 @@ pub struct Crowds {
 /// The number of a crowd that is not known yet.
 const NONE: u32 = u32::MAX;
 
-impl Crowds {
-    pub fn of(boxes: &[Aabb]) -> Crowds {
+impl OverlapComponents {
+    pub fn of(boxes: &[Aabb]) -> OverlapComponents {
         let tree = tree(boxes);
         let mut left = Left::of(&tree, boxes.len());
         let mut numbers = vec![NONE; boxes.len()];
@@ -52,7 +52,7 @@ impl Crowds {
             }
             count += 1;
         }
-        Crowds {
+        OverlapComponents {
             tree,
             numbers,
             count: count as usize,
@@ -115,7 +115,7 @@ pub fn tree(boxes: &[Aabb]) -> Bvh {
 
 #[cfg(test)]
 mod tests {
-    use super::super::union_find::Sets;
+    use super::super::union_find::UnionFind;
     use super::*;
 
     #[test]
@@ -134,7 +134,7 @@ mod tests {
                     Aabb::new(corner, corner.map(|x| x + size))
                 })
                 .collect();
-            let mut sets = Sets::new(n);
+            let mut sets = UnionFind::new(n);
             for i in 0..n {
                 for j in 0..i {
                     if boxes[i].overlaps(&boxes[j]) {
@@ -142,7 +142,7 @@ mod tests {
                     }
                 }
             }
-            let crowds = Crowds::of(&boxes);
+            let crowds = OverlapComponents::of(&boxes);
             for i in 0..n {
                 for j in 0..i {
                     let together = sets.find(i as u32) == sets.find(j as u32);

@@ -7,7 +7,7 @@ use super::budget::{Budget, Crowd, TooMany};
 use super::extent::Extent;
 use super::options::Options;
 use super::shape;
-use super::surface_label::Skin;
+use super::surface_label::SurfaceLabel;
 use super::unite::{self, Union};
 use crate::diagnostics::Error;
 use crate::geometry::{Aabb, Matrix};
@@ -20,7 +20,7 @@ use crate::translate::{Fidelity, Report};
 pub struct Parts {
     /// Cut to the region. Labels are indices into `skins`, or [`shape::DROPPED`].
     pub pieces: Vec<MeshPart>,
-    pub skins: Vec<Skin>,
+    pub skins: Vec<SurfaceLabel>,
     pub extent: Extent,
     pub(super) troubles: Troubles,
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
 use super::colour::srgb;
-use super::surface_label::Skin;
+use super::surface_label::SurfaceLabel;
 use crate::scene::Texture;
 use crate::trace::film::{Packing, write_rgb8};
 use crate::trace::graph::Graph;
@@ -25,7 +25,7 @@ pub fn file_name(stem: &str, number: u32) -> String {
 }
 
 /// Whether what a skin shows is a picture over its surface coordinates.
-pub fn is_pictured(skin: &Skin, graph: &Graph) -> bool {
+pub fn is_pictured(skin: &SurfaceLabel, graph: &Graph) -> bool {
     let texture = skin.texture.as_ref().filter(|_| skin.primitive.is_some());
     texture.is_some_and(|t| match &graph.textures[t.texture as usize] {
         Texture::Checkerboard { .. } => true,
@@ -42,7 +42,7 @@ pub struct Pictures {
 
 impl Pictures {
     /// Takes in the picture of a skin that has one, and gives its number.
-    pub fn of(&mut self, skin: &Skin, graph: &Graph) -> Option<u32> {
+    pub fn of(&mut self, skin: &SurfaceLabel, graph: &Graph) -> Option<u32> {
         let number = skin
             .texture
             .as_ref()

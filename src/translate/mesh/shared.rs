@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use super::Parts;
 use super::assemble::MeshPart;
 use super::shape::DROPPED;
-use super::surface_label::Skin;
-use super::union_find::Sets;
+use super::surface_label::SurfaceLabel;
+use super::union_find::UnionFind;
 use crate::geometry::Matrix;
 use crate::scene::{Geometry, Scene};
 use crate::trace::graph::Graph;
@@ -15,7 +15,7 @@ impl Parts {
     /// For each piece, the number of the group of solids that hang together by surfaces in one place;
     /// `None` for one that has its surfaces for itself.
     pub fn sharing(&self) -> Vec<Option<u32>> {
-        let mut sets = Sets::new(self.pieces.len());
+        let mut sets = UnionFind::new(self.pieces.len());
         let mut shares = vec![false; self.pieces.len()];
         let mut first: HashMap<(u32, [u64; 16]), usize> = HashMap::new();
         for (i, piece) in self.pieces.iter().enumerate() {
@@ -56,7 +56,7 @@ impl Parts {
     }
 
     /// The skins of the surfaces of a solid that belong to shapes, and these.
-    fn shown(&self, piece: &MeshPart) -> impl Iterator<Item = (&Skin, u32)> {
+    fn shown(&self, piece: &MeshPart) -> impl Iterator<Item = (&SurfaceLabel, u32)> {
         let mut labels = match piece.surface {
             true => Vec::new(),
             false => piece.mesh.labels.clone(),

@@ -23,7 +23,7 @@ pub struct Texturing {
 
 /// What the triangles of one label are.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Skin {
+pub struct SurfaceLabel {
     /// Index into [`Graph::primitives`]; `None` where the region ends.
     pub primitive: Option<u32>,
     /// From the shape's coordinates to those at hand.
@@ -40,11 +40,11 @@ pub struct Skin {
     pub cut: bool,
 }
 
-impl Skin {
+impl SurfaceLabel {
     /// The surface of a part that is a shape.
-    pub fn new(part: &Part, primitive: u32, m: &Matrix, graph: &Graph) -> Skin {
+    pub fn new(part: &Part, primitive: u32, m: &Matrix, graph: &Graph) -> SurfaceLabel {
         let coat = &graph.paints[part.paint as usize];
-        Skin {
+        SurfaceLabel {
             primitive: Some(primitive),
             matrix: Box::new(*m),
             texture: texturing(coat, graph),
@@ -57,8 +57,8 @@ impl Skin {
     }
 
     /// A face where the region cuts something, which looks like its inside.
-    pub fn cap(inside: Option<&Skin>) -> Skin {
-        let like = inside.cloned().unwrap_or(Skin {
+    pub fn cap(inside: Option<&SurfaceLabel>) -> SurfaceLabel {
+        let like = inside.cloned().unwrap_or(SurfaceLabel {
             primitive: None,
             matrix: Box::new(Matrix::IDENTITY),
             texture: None,
@@ -68,7 +68,7 @@ impl Skin {
             owner: 0,
             cut: true,
         });
-        Skin {
+        SurfaceLabel {
             primitive: None,
             shape: 0,
             cut: true,
@@ -77,7 +77,7 @@ impl Skin {
     }
 
     /// Seen from the object that a part places, with what is painted over it.
-    pub fn placed(mut self, m: &Matrix, over: &Coat, graph: &Graph, owner: u32) -> Skin {
+    pub fn placed(mut self, m: &Matrix, over: &Coat, graph: &Graph, owner: u32) -> SurfaceLabel {
         *self.matrix = m.after(&self.matrix);
         self.texture = texturing(over, graph).or_else(|| {
             let mut texture = self.texture.take()?;
@@ -93,8 +93,8 @@ impl Skin {
     }
 
     /// A tool's face on what it was taken away from.
-    pub fn cut_into(&self, inside: &Skin) -> Skin {
-        Skin {
+    pub fn cut_into(&self, inside: &SurfaceLabel) -> SurfaceLabel {
+        SurfaceLabel {
             primitive: self.primitive,
             matrix: self.matrix.clone(),
             shape: self.shape,

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::union_find::Sets;
+use super::union_find::UnionFind;
 use crate::geometry::array::{cross, dot, sub};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
@@ -127,7 +127,7 @@ impl Mesh {
 
     /// Leaves out connected parts whose volume is less than a layer this thick under their surface.
     pub fn drop_thin(&mut self, thickness: f64) {
-        let mut sets = Sets::new(self.points.len());
+        let mut sets = UnionFind::new(self.points.len());
         for &[a, b, c] in &self.triangles {
             sets.join(a, b);
             sets.join(b, c);

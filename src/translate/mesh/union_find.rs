@@ -1,13 +1,13 @@
 //! Which things hang together.
 
 /// Disjoint sets of the numbers from 0.
-pub struct Sets {
+pub struct UnionFind {
     parents: Vec<u32>,
 }
 
-impl Sets {
-    pub fn new(n: usize) -> Sets {
-        Sets {
+impl UnionFind {
+    pub fn new(n: usize) -> UnionFind {
+        UnionFind {
             parents: (0..n as u32).collect(),
         }
     }

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use super::budget::{Budget, Crowd};
 use super::csg::{Operation, combine};
-use super::overlap_components::{Crowds, tree};
+use super::overlap_components::{OverlapComponents, tree};
 use super::shape::DROPPED;
 use super::triangle_mesh::Mesh;
 use crate::geometry::Aabb;
@@ -26,7 +26,7 @@ impl Union {
     /// Too many overlap.
     pub fn of(meshes: Vec<Mesh>, budget: &mut Budget) -> Result<Union, Crowd> {
         let boxes: Vec<Aabb> = meshes.iter().map(Mesh::bounds).collect();
-        let crowds = Crowds::of(&boxes);
+        let crowds = OverlapComponents::of(&boxes);
         let mut meshes: Vec<Option<Mesh>> = meshes.into_iter().map(Some).collect();
         let mut groups: Vec<Vec<Member>> = Vec::new();
         groups.resize_with(crowds.count, Vec::new);

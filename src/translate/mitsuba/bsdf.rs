@@ -7,7 +7,7 @@ use super::exact::Exact;
 use super::xml::{escaped, number, rgb};
 use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture};
 use crate::trace::graph::Graph;
-use crate::translate::mesh::Skin;
+use crate::translate::mesh::SurfaceLabel;
 use crate::translate::mesh::picture::file_name;
 
 /// How a mesh knows its colours.
@@ -60,7 +60,13 @@ impl<'g> Bsdfs<'g> {
     }
 
     /// A reference to the material of an exact shape with an index around it.
-    pub fn exact(&mut self, skin: &Skin, shape: &Exact, around: Option<u32>, stem: &str) -> String {
+    pub fn exact(
+        &mut self,
+        skin: &SurfaceLabel,
+        shape: &Exact,
+        around: Option<u32>,
+        stem: &str,
+    ) -> String {
         let plain = skin.plain_colour(self.graph);
         let colour = match (plain, &skin.texture, shape.uv) {
             (None, Some(t), Some(uv)) => self.picture(t.texture, uv, stem),
@@ -72,7 +78,7 @@ impl<'g> Bsdfs<'g> {
     /// A reference to the material of a mesh with an index around it.
     pub fn mesh(
         &mut self,
-        skin: &Skin,
+        skin: &SurfaceLabel,
         colours: Colours,
         around: Option<u32>,
         stem: &str,
@@ -134,7 +140,12 @@ impl<'g> Bsdfs<'g> {
         })
     }
 
-    fn reference(&mut self, skin: &Skin, colour: &Reflectance, around: Option<u32>) -> String {
+    fn reference(
+        &mut self,
+        skin: &SurfaceLabel,
+        colour: &Reflectance,
+        around: Option<u32>,
+    ) -> String {
         let optics = &self.graph.optics[skin.optics.unwrap_or(0) as usize];
         let sides = [skin.index, around].map(|i| i.unwrap_or(0));
         let indices = sides.map(|i| self.graph.indices[i as usize]);

@@ -4,7 +4,7 @@ use super::xml;
 use crate::geometry::Matrix;
 use crate::scene::{Geometry, Scene, Vec3};
 use crate::trace::graph::Graph;
-use crate::translate::mesh::{Skin, picture::is_pictured, shape::flat};
+use crate::translate::mesh::{SurfaceLabel, picture::is_pictured, shape::flat};
 
 /// A shape of Mitsuba's.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +38,7 @@ pub struct RequiredExtent {
 const NEAR: f64 = 1.0 / 32.0;
 
 /// Whether the shape of a skin is a plane or a half-space.
-pub fn is_endless(scene: &Scene, graph: &Graph, skin: &Skin) -> bool {
+pub fn is_endless(scene: &Scene, graph: &Graph, skin: &SurfaceLabel) -> bool {
     let record = skin.primitive.map(|p| graph.records[p as usize] as usize);
     let geometry = record.map(|record| &scene.shapes[record].geometry);
     matches!(geometry, Some(Geometry::Plane(_) | Geometry::HalfSpace(_)))
@@ -50,7 +50,7 @@ pub fn is_endless(scene: &Scene, graph: &Graph, skin: &Skin) -> bool {
 pub fn shapes(
     scene: &Scene,
     graph: &Graph,
-    skin: &Skin,
+    skin: &SurfaceLabel,
     view: &RequiredExtent,
 ) -> Option<Vec<Exact>> {
     let record = graph.records[skin.primitive? as usize] as usize;

@@ -11,7 +11,7 @@ use crate::trace::graph::Graph;
 use crate::translate::mesh::corners::{Corner, corners};
 use crate::translate::mesh::picture::is_pictured;
 use crate::translate::mesh::shape::DROPPED;
-use crate::translate::mesh::{Mesh, MeshPart, Precision, Skin};
+use crate::translate::mesh::{Mesh, MeshPart, Precision, SurfaceLabel};
 
 /// What triangles must have in common to be in one file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -46,7 +46,14 @@ impl Collector {
     /// Adds what is seen of a piece, with edges no longer than `grain` where it has a texture, and elsewhere no longer
     /// than that or than they are from the eye: single precision mistakes places on large triangles. Where the
     /// render box cuts it, it is open.
-    pub fn add(&mut self, piece: &MeshPart, skins: &[Skin], graph: &Graph, grain: f64, eye: Vec3) {
+    pub fn add(
+        &mut self,
+        piece: &MeshPart,
+        skins: &[SurfaceLabel],
+        graph: &Graph,
+        grain: f64,
+        eye: Vec3,
+    ) {
         let far = |p: Vec3| length(sub(p, eye)).max(grain);
         let mut mesh = piece.mesh.clone();
         mesh.drop_needles(Precision::Single, f64::INFINITY);
@@ -73,7 +80,7 @@ impl Collector {
         }
     }
 
-    pub fn finish(self, skins: &[Skin], graph: &Graph) -> Vec<File> {
+    pub fn finish(self, skins: &[SurfaceLabel], graph: &Graph) -> Vec<File> {
         let file = |(key, mesh): (Key, Mesh)| File {
             info: ShapeInfo {
                 shape: key.shape,
@@ -89,7 +96,7 @@ impl Collector {
     }
 }
 
-fn key(skin: &Skin, around: Option<u32>, graph: &Graph) -> Key {
+fn key(skin: &SurfaceLabel, around: Option<u32>, graph: &Graph) -> Key {
     let plain = skin.plain_colour(graph);
     let colours = match (&plain, &skin.texture) {
         (Some(_), _) => Colours::Plain,
@@ -117,7 +124,7 @@ struct Point {
     colour: Rgb,
 }
 
-fn bytes(mesh: &Mesh, colours: Colours, skins: &[Skin], graph: &Graph) -> Vec<u8> {
+fn bytes(mesh: &Mesh, colours: Colours, skins: &[SurfaceLabel], graph: &Graph) -> Vec<u8> {
     let pictured = matches!(colours, Colours::Pictured(_));
     let corners = corners(mesh, skins, graph, |_| pictured);
     // A point has one normal: where faces meet at an edge there are several points.

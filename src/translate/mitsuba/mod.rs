@@ -73,7 +73,8 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
     };
     let mut parts = mesh::Parts::of(scene, graph, &of_meshes)?;
     parts.drop_equals();
-    let clear = |skin: &mesh::Skin| graph.optics[skin.optics.unwrap_or(0) as usize].kt != [0.0; 3];
+    let clear =
+        |skin: &mesh::SurfaceLabel| graph.optics[skin.optics.unwrap_or(0) as usize].kt != [0.0; 3];
     let media: Vec<mesh::Medium> = parts
         .skins
         .iter()

@@ -5,7 +5,7 @@ use std::collections::{BTreeSet, HashMap};
 use crate::scene::{Scene, Texture};
 use crate::syntax::table::RecordKind;
 use crate::trace::graph::Graph;
-use crate::translate::mesh::Skin;
+use crate::translate::mesh::SurfaceLabel;
 
 /// The records of shapes that were written, by their types and those of textures on them.
 pub struct Written<'a> {
@@ -27,7 +27,7 @@ impl<'a> Written<'a> {
     }
 
     /// Notes that a surface was written.
-    pub fn note(&mut self, skin: &Skin, exact: bool) {
+    pub fn note(&mut self, skin: &SurfaceLabel, exact: bool) {
         let texture = skin.texture.as_ref();
         let laid = texture.and_then(|t| match &self.graph.textures[t.texture as usize] {
             Texture::Checkerboard { .. } => Some(RecordKind::Checkerboard),

@@ -3,7 +3,7 @@
 use super::{Distances, ERRORS, FEWEST_PIXELS, LEAST_PIXELS, OBJECTS, PICTURES, Run, TIMES, rays};
 use crate::diagnostics::Error;
 use crate::scene::Rgb;
-use crate::study::accuracy::configurations::{Axis, Kernel, Kind, Rung, Settings};
+use crate::study::accuracy::configurations::{Axis, Configuration, Kernel, Kind, Settings};
 use crate::study::accuracy::measure::compare;
 use crate::study::accuracy::runner::Drawn;
 use crate::trace::Numbers;
@@ -114,7 +114,13 @@ impl Run<'_> {
     }
 
     /// Whether rung `j`, drawn before, is the same computation: as many rays, and the same numbers.
-    pub(super) fn is_same(&self, j: usize, rung: &Rung, drawn: &Drawn, tiles: usize) -> bool {
+    pub(super) fn is_same(
+        &self,
+        j: usize,
+        rung: &Configuration,
+        drawn: &Drawn,
+        tiles: usize,
+    ) -> bool {
         let (known, other) = (&self.known[j], &self.rungs[j]);
         let Some(before) = &known.drawn else {
             return false;

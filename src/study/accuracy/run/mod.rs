@@ -10,10 +10,10 @@ mod result;
 mod sample;
 mod times;
 
-use super::configurations::{Axis, Kernel, Rung, Settings};
+use super::configurations::{Axis, Configuration, Kernel, Settings};
 use super::measure::Measured;
 use super::report::{Reference, Report, Skipped};
-use super::runner::{Drawn, Stage, Timed};
+use super::runner::{Drawn, Runner, Timed};
 use super::sample_tiles::{TILE, Tile, WHOLE, chosen};
 use crate::diagnostics::{Complaint, Error};
 use crate::scene::{Camera, Rgb, Scene};
@@ -101,10 +101,10 @@ type Distances = (usize, f64, f64);
 struct Run<'i> {
     options: &'i Options,
     images: &'i Images,
-    stage: Stage<'i>,
+    stage: Runner<'i>,
     tiles: Vec<Tile>,
     whole: bool,
-    rungs: Vec<Rung>,
+    rungs: Vec<Configuration>,
     known: Vec<RungState>,
     effects: Vec<(&'static str, Settings, RungState)>,
     facets: BTreeMap<Axis, Settings>,
@@ -143,7 +143,7 @@ pub fn run(
     progress: Progress,
 ) -> Result<Report, Error> {
     let before = load();
-    let stage = Stage::new(scene.clone(), images, camera, options.size)?;
+    let stage = Runner::new(scene.clone(), images, camera, options.size)?;
     let share = (options.budget / BUDGET).ceil().clamp(1.0, 16.0) as usize;
     let [width, height] = options.size;
     let tiles = chosen(options.size, share);
@@ -223,7 +223,7 @@ impl Run<'_> {
     fn together<T>(
         &mut self,
         tiles: usize,
-        work: impl FnOnce(&mut Stage, &[Tile]) -> Result<T, Error>,
+        work: impl FnOnce(&mut Runner, &[Tile]) -> Result<T, Error>,
     ) -> Result<T, Error> {
         let (start, cpu) = (Instant::now(), ProcessTime::now());
         let done = work(&mut self.stage, &self.tiles[..tiles])?;
@@ -275,7 +275,7 @@ impl Run<'_> {
     }
 
     fn find(&self, kernel: Kernel) -> Option<usize> {
-        let of = |r: &Rung| r.axis == Axis::Precision && r.settings.kernel == kernel;
+        let of = |r: &Configuration| r.axis == Axis::Precision && r.settings.kernel == kernel;
         self.rungs.iter().position(of)
     }
 }

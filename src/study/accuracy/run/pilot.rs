@@ -2,7 +2,7 @@
 
 use super::{LEAST_PIXELS, Run, RungState, TimedItem, rays};
 use crate::diagnostics::{Complaint, Error};
-use crate::study::accuracy::configurations::{Axis, Kernel, Rung, Settings, ladder};
+use crate::study::accuracy::configurations::{Axis, Configuration, Kernel, Settings, ladder};
 use crate::study::accuracy::facets::Facets;
 use crate::study::accuracy::report::Skipped;
 use crate::study::accuracy::{axes, facets};
@@ -98,7 +98,7 @@ impl Run<'_> {
                 _ => (settings, 1.0),
             };
             let known = costs.iter().find(|c| c.0 == asked).map(|c| c.1);
-            let is_default = self.rungs.get(i).is_none_or(Rung::is_default);
+            let is_default = self.rungs.get(i).is_none_or(Configuration::is_default);
             if known.is_none() && !is_default && self.start.elapsed().as_secs_f64() > latest {
                 self.drop_rung(i);
                 continue;
@@ -186,7 +186,7 @@ impl Run<'_> {
         }
     }
 
-    pub(super) fn drop_rungs(&mut self, which: impl Fn(&Rung) -> bool) {
+    pub(super) fn drop_rungs(&mut self, which: impl Fn(&Configuration) -> bool) {
         for i in 0..self.rungs.len() {
             if which(&self.rungs[i]) && !self.rungs[i].is_default() {
                 self.drop_rung(i);

@@ -25,7 +25,7 @@ use std::sync::Arc;
 
 /// What is in which direction from a point.
 #[derive(Debug)]
-pub struct Vista {
+pub struct DirectionCache {
     bodies: Arc<[Body]>,
     /// By axis and, below and above, by the sign of a direction's largest component.
     faces: [[Face; 2]; 3],
@@ -35,19 +35,19 @@ pub struct Vista {
 
 /// What is seen from the eye and from each light, where that is known.
 #[derive(Debug, Default)]
-pub struct Vistas {
-    pub eye: Option<Vista>,
+pub struct DirectionCaches {
+    pub eye: Option<DirectionCache>,
     /// Beside the lights.
-    pub lights: Vec<Option<Vista>>,
+    pub lights: Vec<Option<DirectionCache>>,
 }
 
 /// Whether one end of a ray is a point from which it is known what lies in which direction.
 #[derive(Debug, Clone, Copy)]
 pub enum End<'v> {
     /// The ray starts there, and has a direction of length 1.
-    At(&'v Vista),
+    At(&'v DirectionCache),
     /// The ray is there at t = 1.
-    To(&'v Vista),
+    To(&'v DirectionCache),
     /// Neither end is such a point.
     Anywhere,
 }
@@ -58,9 +58,9 @@ const WIDER: f64 = 1e-9;
 /// of that coordinate off: a thousandth of what boxes are wider by.
 const FAR: f64 = 1e3;
 
-impl Vista {
+impl DirectionCache {
     /// What of some bodies is seen from a point; `None` where there are no numbers for it.
-    pub fn new(bodies: &Arc<[Body]>, point: Vec3) -> Option<Vista> {
+    pub fn new(bodies: &Arc<[Body]>, point: Vec3) -> Option<DirectionCache> {
         let reaches = bodies.iter().map(|body| body.bounds.reach());
         let reach = reaches.fold(point.abs().max_component(), f64::max);
         let wider = WIDER * reach;
@@ -85,7 +85,7 @@ impl Vista {
             });
             Face::new(&seen.collect::<Vec<_>>())
         };
-        Some(Vista {
+        Some(DirectionCache {
             bodies: Arc::clone(bodies),
             faces: [0, 1, 2].map(|axis| [-1.0, 1.0].map(|sign| face(axis, sign))),
             far: FAR * reach,

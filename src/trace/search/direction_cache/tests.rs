@@ -57,7 +57,7 @@ fn nothing_between_the_corners_of_a_body_is_missed() {
         let scale = 10f64.powi(round % 25 - 12);
         let bodies = hulls(&mut next, scale);
         let point = vector(&mut next) * scale * [0.5, 1.0, 20.0][next(3) as usize];
-        let vista = Vista::new(&bodies, point).unwrap();
+        let vista = DirectionCache::new(&bodies, point).unwrap();
         for _ in 0..200 {
             let part = next(40);
             let body = &bodies[part as usize];
@@ -97,7 +97,7 @@ fn no_box_on_a_rays_way_is_missed() {
         let scale = 10f64.powi(round % 25 - 12);
         let bodies = boxes(&mut next, scale);
         let point = vector(&mut next) * scale * [0.5, 1.0, 20.0][next(3) as usize];
-        let vista = Vista::new(&bodies, point).unwrap();
+        let vista = DirectionCache::new(&bodies, point).unwrap();
         for _ in 0..200 {
             // To the corner of a box, along an axis, on an edge of the cube, or anywhere.
             let b = &bodies[next(40) as usize].bounds;
@@ -150,7 +150,7 @@ fn what_the_corners_say_is_not_seen_is_in_no_list() {
     let is_seen = |axis| body.seen(Vec3::ZERO, (axis, 1.0), &around, 0.0).is_some();
     assert_eq!([0, 1, 2].map(is_seen), [false, true, true]);
     let bodies: Arc<[Body]> = Arc::new([body]);
-    let vista = Vista::new(&bodies, Vec3::ZERO).unwrap();
+    let vista = DirectionCache::new(&bodies, Vec3::ZERO).unwrap();
     assert_eq!(vista.leaving(Vec3::new(1.0, 0.99, 0.99)).count(), 0);
     assert_eq!(vista.leaving(Vec3::new(1.1, 31.0, 31.0)).count(), 1);
 }
@@ -159,9 +159,9 @@ fn what_the_corners_say_is_not_seen_is_in_no_list() {
 fn points_without_numbers_have_no_vista() {
     let bodies: Arc<[Body]> = Arc::new([filling(0, Aabb::new([0.0; 3], [1.0; 3]))]);
     let far = Vec3::new(f64::INFINITY, 0.0, 0.0);
-    assert!(Vista::new(&bodies, far).is_none());
-    assert!(Vista::new(&Arc::default(), Vec3::ZERO).is_none());
-    let vista = Vista::new(&bodies, Vec3::ONE * 3.0).unwrap();
+    assert!(DirectionCache::new(&bodies, far).is_none());
+    assert!(DirectionCache::new(&Arc::default(), Vec3::ZERO).is_none());
+    let vista = DirectionCache::new(&bodies, Vec3::ONE * 3.0).unwrap();
     assert!(vista.arriving(Vec3::ONE * 1e5).is_none());
     assert!(vista.arriving(Vec3::ONE * f64::NAN).is_none());
     assert_eq!(vista.leaving(Vec3::ONE).count(), 0);
@@ -220,7 +220,7 @@ fn rays_meet_what_they_meet_without_a_vista() {
         let mut walkers = tracer.walker::<f64>();
         let [eye, light] = [vector(&mut next), vector(&mut next)]
             .map(|v| Vec3::new(v[0], v[1].abs(), v[2]).unit() * 9.0);
-        let [from_eye, from_light] = [eye, light].map(|p| Vista::new(&bodies, p).unwrap());
+        let [from_eye, from_light] = [eye, light].map(|p| DirectionCache::new(&bodies, p).unwrap());
         for _ in 0..300 {
             let mut ray = Ray::new(eye, (vector(&mut next) * 4.0 - eye).unit());
             ray.within = Within::Outside;
