@@ -154,9 +154,9 @@ impl Prepared {
             kernel,
             ..Settings::default()
         };
-        let stage = Runner::new(self.scene.clone(), &self.images, self.camera, SIZE);
-        let drawn = stage
-            .and_then(|mut stage| stage.draw(&settings, &tiles))
+        let runner = Runner::new(self.scene.clone(), &self.images, self.camera, SIZE);
+        let drawn = runner
+            .and_then(|mut runner| runner.draw(&settings, &tiles))
             .expect("one shape is drawn");
         let mut seen = vec![false; self.exact.len()];
         for ([x, y], colour) in tiles.iter().flat_map(|t| t.pixels()).zip(&drawn.colours) {

@@ -42,7 +42,7 @@ fn hard(name: &str) -> Arc<Scene> {
 
 const SIZE: [u32; 2] = [48, 36];
 
-fn stage<'i>(scene: &Arc<Scene>, images: &'i Images) -> Runner<'i> {
+fn runner<'i>(scene: &Arc<Scene>, images: &'i Images) -> Runner<'i> {
     let camera = selected_camera(scene, f64::from(SIZE[0]) / f64::from(SIZE[1]));
     Runner::new(scene.clone(), images, camera, SIZE).unwrap()
 }
@@ -58,7 +58,7 @@ fn with(kernel: Kernel) -> Settings {
 fn tiles_are_the_picture() {
     let scene = resolved(SCENE);
     let images = Images::default();
-    let mut stage = stage(&scene, &images);
+    let mut runner = runner(&scene, &images);
     let tiles = chosen(SIZE, 1);
     let tracer = Tracer::new(&scene).unwrap();
     for (samples, tolerance) in [(1, None), (4, None), (1, Some(0.05))] {
@@ -67,8 +67,8 @@ fn tiles_are_the_picture() {
             tolerance,
             ..Settings::default()
         };
-        let drawn = stage.draw(&settings, &tiles).unwrap();
-        let timed = stage.time(&settings, &tiles).unwrap();
+        let drawn = runner.draw(&settings, &tiles).unwrap();
+        let timed = runner.time(&settings, &tiles).unwrap();
         let taken = trace::Settings {
             width: SIZE[0],
             height: SIZE[1],
@@ -76,7 +76,7 @@ fn tiles_are_the_picture() {
             tolerance,
             ..trace::Settings::default()
         };
-        let picture = tracer.render(stage.camera(), &taken, || ()).unwrap();
+        let picture = tracer.render(runner.camera(), &taken, || ()).unwrap();
         let pixels = tiles.iter().flat_map(|t| t.pixels());
         for (([x, y], colour), timed) in pixels.zip(&drawn.colours).zip(&timed.drawn.colours) {
             assert_eq!(developed(*colour), picture.film.pixel(x, y), "{x} {y}");
@@ -89,14 +89,14 @@ fn tiles_are_the_picture() {
 fn the_independent_tracer_agrees_and_sees_what_is_off() {
     let scene = resolved(SCENE);
     let images = Images::default();
-    let mut stage = stage(&scene, &images);
+    let mut runner = runner(&scene, &images);
     let tiles = chosen(SIZE, 1);
     let settings = with(Kernel::Ours(Numbers::Dd));
-    let mut right = stage.draw(&settings, &tiles).unwrap().colours;
-    let seen = stage.seen(&Settings::default(), &tiles).unwrap();
+    let mut right = runner.draw(&settings, &tiles).unwrap().colours;
+    let seen = runner.seen(&Settings::default(), &tiles).unwrap();
     let order = check::order(&tiles, &seen);
     assert_eq!(order.len(), right.len());
-    let checked = check::check(&stage, &images, &settings, &order, &right, [0.0, 1e9]);
+    let checked = check::check(&runner, &images, &settings, &order, &right, [0.0, 1e9]);
     let checked = checked.unwrap().unwrap();
     assert_eq!(
         (checked.pixels, checked.wrong),
@@ -106,7 +106,7 @@ fn the_independent_tracer_agrees_and_sees_what_is_off() {
     assert!(checked.rays > 300 && checked.largest < 1e-12, "{checked:?}");
     // One pixel that is off by less than anybody sees.
     right[order[7].0][1] += 1e-5;
-    let checked = check::check(&stage, &images, &settings, &order, &right, [0.0, 1e9]);
+    let checked = check::check(&runner, &images, &settings, &order, &right, [0.0, 1e9]);
     let checked = checked.unwrap().unwrap();
     assert_eq!((checked.wrong, checked.wrong_pixels), (1, vec![order[7].1]));
 }
@@ -119,7 +119,7 @@ fn what_the_rounding_of_a_camera_changes_is_no_mistake() {
     let images = Images::default();
     let size = [96, 72];
     let camera = selected_camera(&scene, 96.0 / 72.0);
-    let mut stage = Runner::new(scene.clone(), &images, camera, size).unwrap();
+    let mut runner = Runner::new(scene.clone(), &images, camera, size).unwrap();
     let [x, y] = [79, 35];
     let tile = Tile {
         x,
@@ -128,10 +128,10 @@ fn what_the_rounding_of_a_camera_changes_is_no_mistake() {
         height: 1,
     };
     let settings = with(Kernel::Ours(Numbers::Dd));
-    let mut ours = stage.draw(&settings, &[tile]).unwrap().colours;
+    let mut ours = runner.draw(&settings, &[tile]).unwrap().colours;
     let pixels = vec![(0, [x, y])];
     let checked = |ours: &[[f64; 3]]| {
-        let checked = check::check(&stage, &images, &settings, &pixels, ours, [0.0, 1e9]);
+        let checked = check::check(&runner, &images, &settings, &pixels, ours, [0.0, 1e9]);
         let checked = checked.unwrap().unwrap();
         (checked.pixels, checked.wrong, checked.camera_rounding)
     };
@@ -186,14 +186,14 @@ fn the_independent_tracer_agrees_on_hard_scenes() {
     ] {
         let scene = hard(name);
         let images = Images::default();
-        let mut stage = stage(&scene, &images);
+        let mut runner = runner(&scene, &images);
         let tiles: Vec<Tile> = chosen(SIZE, 1).into_iter().step_by(3).collect();
         let settings = with(Kernel::Ours(Numbers::Dd));
-        let ours = stage.draw(&settings, &tiles).unwrap().colours;
+        let ours = runner.draw(&settings, &tiles).unwrap().colours;
         let pixels: Vec<[u32; 2]> = tiles.iter().flat_map(|t| t.pixels()).step_by(9).collect();
         let (depth, cutoff) = (settings.depth, settings.cutoff);
         let naive =
-            Naive::<Wide>::new(&scene, &images, stage.camera(), SIZE, depth, cutoff).unwrap();
+            Naive::<Wide>::new(&scene, &images, runner.camera(), SIZE, depth, cutoff).unwrap();
         let found = naive.pixels(&pixels).unwrap();
         for ((a, b), pixel) in ours.iter().step_by(9).zip(&found).zip(&pixels) {
             let b = b.colour;
@@ -207,12 +207,12 @@ fn the_independent_tracer_agrees_on_hard_scenes() {
 fn a_plain_kernel_is_right_where_it_is_easy_and_wrong_where_it_is_hard() {
     let off = |scene: &Arc<Scene>, kernel| {
         let images = Images::default();
-        let mut stage = stage(scene, &images);
+        let mut runner = runner(scene, &images);
         let tiles = chosen(SIZE, 1);
-        let exact = stage
+        let exact = runner
             .draw(&with(Kernel::Ours(Numbers::Dd)), &tiles)
             .unwrap();
-        let drawn = stage.draw(&with(kernel), &tiles).unwrap();
+        let drawn = runner.draw(&with(kernel), &tiles).unwrap();
         let sizes: Vec<[u32; 2]> = tiles.iter().map(|t| [t.width, t.height]).collect();
         compare(&drawn.colours, &exact.colours, &sizes, true).pixels_off
     };
@@ -230,22 +230,22 @@ fn a_plain_kernel_is_right_where_it_is_easy_and_wrong_where_it_is_hard() {
 fn effects_that_are_taken_out_do_no_work() {
     let scene = resolved(SCENE);
     let images = Images::default();
-    let mut stage = stage(&scene, &images);
+    let mut runner = runner(&scene, &images);
     let tiles = chosen(SIZE, 1);
     let none = Without::default();
-    let counts = |stage: &mut Runner, without| {
+    let counts = |runner: &mut Runner, without| {
         let settings = Settings {
             without,
             ..Settings::default()
         };
-        stage.draw(&settings, &tiles).unwrap().counts
+        runner.draw(&settings, &tiles).unwrap().counts
     };
-    let all = counts(&mut stage, none);
+    let all = counts(&mut runner, none);
     assert!(all.rays.shadow > 0 && all.rays.reflection > 0 && all.rays.refraction > 0);
     assert!(all.work.transparent_shadow > 0 && all.work.checkerboard > 0);
     assert!(all.work.channel_split > 0);
     let shadows = counts(
-        &mut stage,
+        &mut runner,
         Without {
             shadows: true,
             ..none
@@ -259,9 +259,9 @@ fn effects_that_are_taken_out_do_no_work() {
         transparent_shadows: true,
         ..none
     };
-    assert_eq!(counts(&mut stage, clear).work.transparent_shadow, 0);
+    assert_eq!(counts(&mut runner, clear).work.transparent_shadow, 0);
     let mirrors = counts(
-        &mut stage,
+        &mut runner,
         Without {
             reflection: true,
             ..none
@@ -270,7 +270,7 @@ fn effects_that_are_taken_out_do_no_work() {
     assert_eq!((mirrors.rays.reflection, mirrors.rays.total > 0), (0, true));
     assert_eq!(
         counts(
-            &mut stage,
+            &mut runner,
             Without {
                 refraction: true,
                 ..none
@@ -282,7 +282,7 @@ fn effects_that_are_taken_out_do_no_work() {
     );
     assert_eq!(
         counts(
-            &mut stage,
+            &mut runner,
             Without {
                 dispersion: true,
                 ..none
@@ -294,7 +294,7 @@ fn effects_that_are_taken_out_do_no_work() {
     );
     assert_eq!(
         counts(
-            &mut stage,
+            &mut runner,
             Without {
                 textures: true,
                 ..none
@@ -305,7 +305,7 @@ fn effects_that_are_taken_out_do_no_work() {
         0
     );
     // And they come back.
-    assert_eq!(counts(&mut stage, none), all);
+    assert_eq!(counts(&mut runner, none), all);
 }
 
 fn zpg(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {

@@ -20,7 +20,7 @@
 //! | buttons above records | [`lenses`] |
 //! | pictures | [`picture`] |
 //!
-//! Three files are below all of them: [`place`] tells what stands at an offset, [`entity`] what an ID means,
+//! Three files are below all of them: [`token_at_offset`] tells what stands at an offset, [`entity`] what an ID means,
 //! [`pages`] has the pages of `zpg explain`.
 
 pub mod actions;

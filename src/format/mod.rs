@@ -1,7 +1,7 @@
 //! The pretty-printer: one record a line, numbers under each other, comments where they were. It needs
 //! the tokens and the tree alone.
 //!
-//! A long file is cut into parts, which all threads print ([`part`]), and a part into chunks, what stands together on its
+//! A long file is cut into parts, which all threads print ([`document_range`]), and a part into chunks, what stands together on its
 //! lines ([`chunk`]). Chunks become lines with a record each ([`lines`]); records of one type are aligned as a run
 //! ([`run`]), and matrices and long profiles take several lines ([`rows`]). Pages hold the lines, and align the comments
 //! where they are joined ([`page`]).

@@ -59,7 +59,7 @@ pub struct Tree {
     pub places: Vec<TreeNode>,
     ancestry: Ancestry,
     /// Of each place the highest one reached by way of unions alone.
-    crowds: Vec<u32>,
+    components: Vec<u32>,
     pub leaves: Vec<Leaf>,
 }
 
@@ -94,7 +94,7 @@ impl Tree {
         let mut tree = Tree {
             places: Vec::new(),
             ancestry: Ancestry::default(),
-            crowds: Vec::new(),
+            components: Vec::new(),
             leaves: Vec::new(),
         };
         let start = |&node: &NodeId| Task {
@@ -229,7 +229,7 @@ impl Tree {
         }
         let parents: Vec<u32> = self.places.iter().map(|p| p.parent).collect();
         self.ancestry = Ancestry::new(&parents);
-        self.crowds = (0..self.places.len() as u32).collect();
+        self.components = (0..self.places.len() as u32).collect();
         for i in 0..self.places.len() {
             let place = self.places[i];
             if place.join == Join::Leaf {
@@ -238,7 +238,7 @@ impl Tree {
             let [a, b] = place.children;
             if place.join == Join::Or {
                 for child in [a, b] {
-                    self.crowds[child as usize] = self.crowds[i];
+                    self.components[child as usize] = self.components[i];
                 }
             }
             for (child, other) in [(a, b), (b, a)] {
@@ -256,7 +256,7 @@ impl Tree {
     /// The difference or intersection that joins two places of one root, if it is not a union that does.
     pub fn cut(&self, a: u32, b: u32) -> Option<u32> {
         // Most of those that are near each other are parts of one union.
-        if self.crowds[a as usize] == self.crowds[b as usize] {
+        if self.components[a as usize] == self.components[b as usize] {
             return None;
         }
         let join = self.ancestry.join(a, b)?;

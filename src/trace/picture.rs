@@ -221,7 +221,7 @@ impl Tracer {
     }
 }
 
-/// So many parts are seen in all vistas together at most, and one for each so many samples.
+/// So many parts are seen in all direction caches together at most, and one for each so many samples.
 const SEEN: usize = 1 << 18;
 const SAMPLES: usize = 4;
 

@@ -51,7 +51,7 @@ pub struct Shader<'t, R: Precision = f64> {
     lights: &'t [Light],
     limits: Limits,
     features: Features,
-    vistas: &'t DirectionCaches,
+    direction_caches: &'t DirectionCaches,
     walkers: Walkers<'t, R>,
     rays: Rays,
     /// Rays in some of the channels, and changes of the medium.
@@ -66,7 +66,7 @@ impl<'t, R: Precision> Shader<'t, R> {
         lights: &'t [Light],
         limits: Limits,
         features: Features,
-        vistas: &'t DirectionCaches,
+        direction_caches: &'t DirectionCaches,
     ) -> Shader<'t, R> {
         Shader {
             tracer,
@@ -74,7 +74,7 @@ impl<'t, R: Precision> Shader<'t, R> {
             lights,
             limits,
             features,
-            vistas,
+            direction_caches,
             walkers: tracer.walker(),
             rays: Rays::default(),
             parted: 0,
@@ -130,7 +130,11 @@ impl<'t, R: Precision> Shader<'t, R> {
     /// too deep.
     pub fn radiance(&mut self, ray: &Ray<R>) -> Rgb {
         self.rays.camera += 1;
-        let eye = self.vistas.eye.as_ref().map_or(End::Anywhere, End::At);
+        let eye = self
+            .direction_caches
+            .eye
+            .as_ref()
+            .map_or(End::Anywhere, End::At);
         let mut sum = self.light_along(ray, eye, (Vec3::ONE, 0));
         while let Some(Branch {
             ray,
@@ -224,8 +228,12 @@ impl<'t, R: Precision> Shader<'t, R> {
             return Vec3::ONE;
         }
         self.rays.shadow += 1;
-        let vista = self.vistas.lights.get(light).and_then(Option::as_ref);
-        let end = vista.map_or(End::Anywhere, End::To);
+        let direction_cache = self
+            .direction_caches
+            .lights
+            .get(light)
+            .and_then(Option::as_ref);
+        let end = direction_cache.map_or(End::Anywhere, End::To);
         let clear = self.features.glass && !self.tracer.graph.without.transparent_shadows;
         match clear {
             false => self.walkers.visibility::<false>(ray, light, end),

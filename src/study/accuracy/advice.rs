@@ -99,7 +99,7 @@ pub fn largest(report: &Report) -> Option<&Row> {
     defaults.max_by(|a, b| a.steps().total_cmp(&b.steps()))
 }
 
-/// Of the rungs of the worst kind that reach the goal, the most accurate of the cheapest.
+/// Of the configurations of the worst kind that reach the goal, the most accurate of the cheapest.
 pub fn recommended(report: &Report) -> Option<&Row> {
     let worst = largest(report)?;
     let goal = report.goal.steps;

@@ -8,8 +8,8 @@ use crate::trace::plan::{Effect, Plan};
 use crate::trace::switches::Without;
 
 /// Why an axis is not run, as the name of a message; `None` where it is.
-pub fn skipped(axis: Axis, stage: &Runner) -> Option<&'static str> {
-    let plan = &stage.tracer().plan;
+pub fn skipped(axis: Axis, runner: &Runner) -> Option<&'static str> {
+    let plan = &runner.tracer().plan;
     match axis {
         Axis::Samples | Axis::Adaptive | Axis::Precision => None,
         Axis::Depth | Axis::Cutoff => {
@@ -17,13 +17,13 @@ pub fn skipped(axis: Axis, stage: &Runner) -> Option<&'static str> {
             (!goes_on).then_some("accuracy-skip-light")
         }
         Axis::Solver => {
-            let applies = solver::applies(stage.scene(), stage.tracer());
+            let applies = solver::applies(runner.scene(), runner.tracer());
             (!applies).then_some("accuracy-skip-solver")
         }
-        Axis::Tessellation => super::facets::unfit(stage),
+        Axis::Tessellation => super::facets::unfit(runner),
         Axis::Levels => {
-            let geometry = |r: &u32| &stage.scene().shapes[*r as usize].geometry;
-            let mut all = stage.tracer().graph.records.iter().map(geometry);
+            let geometry = |r: &u32| &runner.scene().shapes[*r as usize].geometry;
+            let mut all = runner.tracer().graph.records.iter().map(geometry);
             let any = all.any(|g| matches!(g, Geometry::GeodesicSphere { .. }));
             (!any).then_some("accuracy-skip-levels")
         }
@@ -31,8 +31,8 @@ pub fn skipped(axis: Axis, stage: &Runner) -> Option<&'static str> {
 }
 
 /// Why the plain kernel is not run, as the name of a message; `None` where it is.
-pub fn no_plain(stage: &Runner) -> Option<&'static str> {
-    plain::fits(stage.tracer(), stage.scene()).err()
+pub fn no_plain(runner: &Runner) -> Option<&'static str> {
+    plain::fits(runner.tracer(), runner.scene()).err()
 }
 
 /// The effects that a scene calls for and that can be taken out.

@@ -68,9 +68,9 @@ fn difference(ours: Rgb, right: Rgb) -> f64 {
 
 /// Whether a pixel is off only since the ray of its camera is rounded to doubles: the independent tracer sees the same
 /// colour along that very ray, or along one whose direction is another by a rounding, where an edge runs between them.
-fn is_camera_rounding(naive: &Naive<Wide>, stage: &Runner, place: [u32; 2], ours: Rgb) -> bool {
-    let [width, height] = stage.size;
-    let view = View::new(stage.camera(), width, height);
+fn is_camera_rounding(naive: &Naive<Wide>, runner: &Runner, place: [u32; 2], ours: Rgb) -> bool {
+    let [width, height] = runner.size;
+    let view = View::new(runner.camera(), width, height);
     let [x, y] = place.map(|x| f64::from(x) + 0.5);
     let Some(line) = view.and_then(|view| view.ray(x, y)).map(|ray| ray.line) else {
         return false;
@@ -105,7 +105,7 @@ fn unfit(unfit: Unfit) -> &'static str {
 /// are those of the reference, in the order of the tiles' pixels. In place of an answer comes the name of the message that
 /// says why there is none.
 pub fn check(
-    stage: &Runner,
+    runner: &Runner,
     images: &Images,
     settings: &Settings,
     pixels: &[(usize, [u32; 2])],
@@ -115,10 +115,10 @@ pub fn check(
     let start = Instant::now();
     let (depth, cutoff) = (settings.depth, settings.cutoff);
     let naive = Naive::<Wide>::new(
-        stage.scene(),
+        runner.scene(),
         images,
-        stage.camera(),
-        stage.size,
+        runner.camera(),
+        runner.size,
         depth,
         cutoff,
     );
@@ -142,7 +142,7 @@ pub fn check(
             let off = difference(*ours, colour);
             checked.pixels += 1;
             if off > WRONG || !colour.iter().all(|c| c.is_finite()) {
-                if is_camera_rounding(&naive, stage, *place, *ours) {
+                if is_camera_rounding(&naive, runner, *place, *ours) {
                     checked.camera_rounding += 1;
                     continue;
                 }

@@ -1,4 +1,4 @@
-//! What is tried: rungs on the ladders of settings.
+//! The configurations that a study tries: values of one setting each, from cheap to dear.
 
 use crate::trace::Numbers;
 use crate::trace::switches::Without;
@@ -197,7 +197,7 @@ impl Configuration {
         self.settings == Settings::default()
     }
 
-    /// `--depth 16`: the rung as an option of `zpg render`, where there is one.
+    /// `--depth 16`: the configuration as an option of `zpg render`, where there is one.
     pub fn option(&self) -> String {
         match self.axis {
             Axis::Solver | Axis::Tessellation | Axis::Levels => {
@@ -208,16 +208,16 @@ impl Configuration {
     }
 }
 
-/// The rungs of an axis, the cheapest first.
+/// The configurations of an axis, the cheapest first.
 pub fn ladder(axis: Axis) -> Vec<Configuration> {
     let base = Settings::default();
     match axis {
         Axis::Samples => [1, 2, 4, 8, 16, 64, 256]
             .into_iter()
             .map(|samples| {
-                let rung =
+                let configuration =
                     Configuration::new(axis, samples.to_string(), Settings { samples, ..base });
-                rung.inner([2, 8].contains(&samples))
+                configuration.inner([2, 8].contains(&samples))
             })
             .collect(),
         Axis::Adaptive => [0.1, 0.05, 0.02, 0.01]
@@ -233,8 +233,9 @@ pub fn ladder(axis: Axis) -> Vec<Configuration> {
         Axis::Depth => [0, 1, 2, 3, 4, 6, 8, 10, 16, 32]
             .into_iter()
             .map(|depth| {
-                let rung = Configuration::new(axis, depth.to_string(), Settings { depth, ..base });
-                rung.inner([3, 6, 32].contains(&depth))
+                let configuration =
+                    Configuration::new(axis, depth.to_string(), Settings { depth, ..base });
+                configuration.inner([3, 6, 32].contains(&depth))
             })
             .collect(),
         Axis::Cutoff => [
@@ -248,8 +249,8 @@ pub fn ladder(axis: Axis) -> Vec<Configuration> {
         ]
         .into_iter()
         .map(|(label, cutoff)| {
-            let rung = Configuration::new(axis, label, Settings { cutoff, ..base });
-            rung.inner(label == "0.03")
+            let configuration = Configuration::new(axis, label, Settings { cutoff, ..base });
+            configuration.inner(label == "0.03")
         })
         .collect(),
         Axis::Precision => (Kernel::ALL.into_iter())
@@ -263,7 +264,7 @@ pub fn ladder(axis: Axis) -> Vec<Configuration> {
     }
 }
 
-/// A rung that draws another scene.
+/// A configuration that draws another scene.
 pub fn variant(axis: Axis, label: String, variant: usize) -> Configuration {
     let settings = Settings {
         variant,
@@ -285,13 +286,15 @@ mod tests {
             Axis::Precision,
             Axis::Solver,
         ] {
-            let rungs = ladder(axis);
-            let defaults = rungs.iter().filter(|r| r.is_default());
+            let configurations = ladder(axis);
+            let defaults = configurations.iter().filter(|r| r.is_default());
             assert_eq!(defaults.count(), 1, "{axis:?}");
             // What may be dropped is neither an end nor the default.
-            let ends = [rungs.first(), rungs.last()].into_iter().flatten();
+            let ends = [configurations.first(), configurations.last()]
+                .into_iter()
+                .flatten();
             assert!(
-                ends.chain(rungs.iter().filter(|r| r.is_default()))
+                ends.chain(configurations.iter().filter(|r| r.is_default()))
                     .all(|r| !r.inner || r.label == "32")
             );
         }

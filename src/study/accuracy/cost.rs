@@ -32,7 +32,7 @@ pub fn cost(
     seconds: f64,
 ) -> Result<Cost, Error> {
     let size = [settings.width, settings.height];
-    let mut stage = Runner::new(scene, images, camera, size)?;
+    let mut runner = Runner::new(scene, images, camera, size)?;
     let base = Settings {
         depth: settings.depth,
         cutoff: settings.cutoff,
@@ -41,14 +41,14 @@ pub fn cost(
     };
     let all = chosen(size, 1);
     let pilot: Vec<Tile> = all.iter().copied().take(6).collect();
-    let each = stage.time(&base, &pilot)?.wall / pilot.len().max(1) as f64;
-    let effects = axes::effects(&stage.tracer().plan);
+    let each = runner.time(&base, &pilot)?.wall / pilot.len().max(1) as f64;
+    let effects = axes::effects(&runner.tracer().plan);
     // Three runs of each pixel, and three of each effect and of all together.
     let runs = 3.0 * (effects.len() + 2) as f64;
     let count = (seconds / (runs * each).max(1e-9)) as usize;
     let tiles: Vec<Tile> = all.into_iter().take(count.max(16)).collect();
-    let times = stage.pixel_times(&base, &tiles)?;
-    let seen = stage.seen(&base, &tiles)?;
+    let times = runner.pixel_times(&base, &tiles)?;
+    let seen = runner.seen(&base, &tiles)?;
     let total: f64 = times.iter().sum::<f64>().max(1e-300);
     let mut by_object: BTreeMap<u32, f64> = BTreeMap::new();
     for (time, seen) in times.iter().zip(&seen) {
@@ -56,17 +56,17 @@ pub fn cost(
     }
     let mut objects: Vec<(u32, f64)> = by_object.into_iter().collect();
     objects.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let least = |stage: &mut Runner, settings: &Settings| -> Result<f64, Error> {
+    let least = |runner: &mut Runner, settings: &Settings| -> Result<f64, Error> {
         let mut least = f64::INFINITY;
         for _ in 0..3 {
-            least = least.min(stage.time(settings, &tiles)?.cpu);
+            least = least.min(runner.time(settings, &tiles)?.cpu);
         }
         Ok(least)
     };
-    let whole = least(&mut stage, &base)?;
+    let whole = least(&mut runner, &base)?;
     let mut shares = Vec::new();
     for (name, without) in effects {
-        let time = least(&mut stage, &Settings { without, ..base })?;
+        let time = least(&mut runner, &Settings { without, ..base })?;
         shares.push((name, 1.0 - time / whole));
     }
     shares.sort_by(|a, b| b.1.total_cmp(&a.1));

@@ -18,8 +18,8 @@ const MAX_TRIANGLES: usize = 400_000;
 const TOLERANCES: [f64; 4] = [0.03, 0.01, 0.003, 0.001];
 
 /// Why meshes cannot stand for the scene, as the name of a message.
-pub fn unfit(stage: &Runner) -> Option<&'static str> {
-    let plan = &stage.tracer().plan;
+pub fn unfit(runner: &Runner) -> Option<&'static str> {
+    let plan = &runner.tracer().plan;
     let patterns = [
         Effect::ImageTexture,
         Effect::SolidTexture,
@@ -37,10 +37,10 @@ pub fn unfit(stage: &Runner) -> Option<&'static str> {
                 | Geometry::GeodesicSphere { .. }
         )
     };
-    let geometry = |r: &u32| &stage.scene().shapes[*r as usize].geometry;
+    let geometry = |r: &u32| &runner.scene().shapes[*r as usize].geometry;
     match () {
         () if plan.on(Effect::Refraction) => Some("accuracy-skip-glass"),
-        () if !stage
+        () if !runner
             .tracer()
             .graph
             .records
@@ -51,34 +51,34 @@ pub fn unfit(stage: &Runner) -> Option<&'static str> {
             Some("accuracy-skip-flat")
         }
         () if patterns.into_iter().any(|e| plan.on(e)) => Some("accuracy-skip-patterns"),
-        () if stage.tracer().graph.parts.len() > 20_000 => Some("accuracy-skip-mesh"),
+        () if runner.tracer().graph.parts.len() > 20_000 => Some("accuracy-skip-mesh"),
         () => None,
     }
 }
 
-/// What the rungs of these axes are measured against: settings of the true shapes.
+/// What the configurations of these axes are measured against: settings of the true shapes.
 pub struct Facets {
-    pub rungs: Vec<Configuration>,
+    pub configurations: Vec<Configuration>,
     pub reference: Settings,
 }
 
-/// Makes meshes of the scene and adds them to the stage. Without a box, which cuts a mesh open but caps
+/// Makes meshes of the scene and adds them to the runner. Without a box, which cuts a mesh open but caps
 /// it, on both sides. No finer one is begun that would not be done in so many seconds.
 ///
 /// # Errors
 ///
 /// As [`Runner::add`].
-pub fn meshes(stage: &mut Runner, seconds: f64) -> Result<Option<Facets>, Error> {
-    let mut whole = stage.scene().clone();
+pub fn meshes(runner: &mut Runner, seconds: f64) -> Result<Option<Facets>, Error> {
+    let mut whole = runner.scene().clone();
     let mut base = 0;
     if let Some(render) = &mut whole.render
         && render.clip.take().is_some()
     {
-        base = stage.add(Arc::new(whole.clone()))?;
+        base = runner.add(Arc::new(whole.clone()))?;
     }
     let bounds = node_bounds(&whole);
     let radius = (whole.render).map_or(1.0, |r| bounds[r.root as usize].bounded().radius());
-    let mut rungs = Vec::new();
+    let mut configurations = Vec::new();
     let mut before = 0;
     let start = Instant::now();
     let mut last = 0.0;
@@ -91,10 +91,10 @@ pub fn meshes(stage: &mut Runner, seconds: f64) -> Result<Option<Facets>, Error>
         last = spent;
         let options = Options {
             tolerance: Some(share * radius),
-            eye: Some(stage.camera().position),
+            eye: Some(runner.camera().position),
             ..Options::default()
         };
-        let Ok(model) = mesh::model(&whole, &stage.tracer().graph, &options) else {
+        let Ok(model) = mesh::model(&whole, &runner.tracer().graph, &options) else {
             continue;
         };
         let triangles = model.mesh.triangles.len();
@@ -103,26 +103,26 @@ pub fn meshes(stage: &mut Runner, seconds: f64) -> Result<Option<Facets>, Error>
         }
         if std::mem::replace(&mut before, triangles) == triangles {
             // The same mesh once more.
-            rungs.pop();
+            configurations.pop();
         }
-        let Some(made) = scene_of(&whole, &model, stage) else {
+        let Some(made) = scene_of(&whole, &model, runner) else {
             continue;
         };
-        let number = stage.add(Arc::new(made))?;
+        let number = runner.add(Arc::new(made))?;
         let digits = share * radius;
         let label = if digits >= 0.01 {
             format!("{digits:.3}")
         } else {
             format!("{digits:.1e}")
         };
-        rungs.push(variant(Axis::Tessellation, label, number));
+        configurations.push(variant(Axis::Tessellation, label, number));
     }
-    if rungs.is_empty() {
+    if configurations.is_empty() {
         return Ok(None);
     }
-    rungs.push(variant(Axis::Tessellation, "true".into(), base));
+    configurations.push(variant(Axis::Tessellation, "true".into(), base));
     Ok(Some(Facets {
-        rungs,
+        configurations,
         reference: Settings {
             variant: base,
             ..Settings::default()
@@ -131,8 +131,8 @@ pub fn meshes(stage: &mut Runner, seconds: f64) -> Result<Option<Facets>, Error>
 }
 
 /// A scene of the triangles of a mesh, with the optics and colours of their skins.
-fn scene_of(whole: &Scene, model: &mesh::Model, stage: &Runner) -> Option<Scene> {
-    let graph = &stage.tracer().graph;
+fn scene_of(whole: &Scene, model: &mesh::Model, runner: &Runner) -> Option<Scene> {
+    let graph = &runner.tracer().graph;
     let mut made = Scene {
         ambient_lights: whole.ambient_lights.clone(),
         point_lights: whole.point_lights.clone(),
@@ -205,9 +205,9 @@ fn joined(made: &mut Scene, before: Option<u32>, node: u32) -> u32 {
 /// # Errors
 ///
 /// As [`Runner::add`].
-pub fn levels(stage: &mut Runner) -> Result<Option<Facets>, Error> {
+pub fn levels(runner: &mut Runner) -> Result<Option<Facets>, Error> {
     let with = |change: &dyn Fn(f64, u32) -> Geometry| {
-        let mut scene = stage.scene().clone();
+        let mut scene = runner.scene().clone();
         for shape in &mut scene.shapes {
             if let Geometry::GeodesicSphere { radius, splits } = shape.geometry {
                 shape.geometry = change(radius, splits);
@@ -227,14 +227,14 @@ pub fn levels(stage: &mut Runner) -> Result<Option<Facets>, Error> {
             )
         })
         .collect();
-    let reference = stage.add(smooth)?;
-    let mut rungs = vec![variant(Axis::Levels, "as written".into(), 0)];
+    let reference = runner.add(smooth)?;
+    let mut configurations = vec![variant(Axis::Levels, "as written".into(), 0)];
     for (splits, scene) in leveled {
-        let number = stage.add(scene)?;
-        rungs.push(variant(Axis::Levels, splits.to_string(), number));
+        let number = runner.add(scene)?;
+        configurations.push(variant(Axis::Levels, splits.to_string(), number));
     }
     Ok(Some(Facets {
-        rungs,
+        configurations,
         reference: Settings {
             variant: reference,
             ..Settings::default()

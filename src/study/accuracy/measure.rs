@@ -116,7 +116,7 @@ pub fn compare(found: &[Rgb], reference: &[Rgb], tiles: &[[u32; 2]], all: bool) 
     }
 }
 
-/// The mean of FLIP over tiles. Most tiles of most rungs are alike and cost nothing.
+/// The mean of FLIP over tiles. Most tiles of most configurations are alike and cost nothing.
 fn flip(found: &[Rgb], reference: &[Rgb], tiles: &[[u32; 2]]) -> f64 {
     let bytes =
         |pixels: &[Rgb]| -> Vec<u8> { pixels.iter().flatten().map(|&x| srgb8(x as f32)).collect() };

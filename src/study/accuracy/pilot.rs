@@ -36,7 +36,7 @@ pub fn pilot(
 ) -> Result<Pilot, Error> {
     let start = Instant::now();
     let size = [settings.width, settings.height];
-    let mut stage = Runner::new(scene, images, camera, size)?;
+    let mut runner = Runner::new(scene, images, camera, size)?;
     let build = start.elapsed().as_secs_f64();
     let settings_of_tiles = Settings {
         samples: settings.samples,
@@ -57,7 +57,7 @@ pub fn pilot(
     let (mut time, mut pixels) = (0.0, 0);
     let start = Instant::now();
     for tiles in tiles.chunks(AT_ONCE) {
-        time += stage.time(&settings_of_tiles, tiles)?.cpu;
+        time += runner.time(&settings_of_tiles, tiles)?.cpu;
         pixels += tiles.iter().map(|tile| tile.count()).sum::<usize>();
         if start.elapsed().as_secs_f64() > seconds {
             break;

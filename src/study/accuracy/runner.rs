@@ -24,7 +24,7 @@ struct Variant {
     whole: Option<Tracer>,
 }
 
-/// Scene, camera and size: what all rungs have in common.
+/// Scene, camera and size: what all configurations have in common.
 pub struct Runner<'i> {
     variants: Vec<Variant>,
     images: &'i Images,
@@ -61,14 +61,14 @@ impl<'i> Runner<'i> {
         camera: Camera,
         size: [u32; 2],
     ) -> Result<Runner<'i>, Error> {
-        let mut stage = Runner {
+        let mut runner = Runner {
             variants: Vec::new(),
             images,
             camera,
             size,
         };
-        stage.add(scene)?;
-        Ok(stage)
+        runner.add(scene)?;
+        Ok(runner)
     }
 
     /// Adds a scene that is made of the first one, and gives its number.
@@ -256,7 +256,7 @@ impl<'i> Runner<'i> {
     }
 }
 
-/// A stage set for some settings.
+/// A tracer made ready for some settings.
 struct Ready<'s> {
     tracer: &'s Tracer,
     scene: &'s Scene,

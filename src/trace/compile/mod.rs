@@ -6,7 +6,7 @@
 //!
 //! Complements are driven inwards by De Morgan's laws, so −(−A ∪ −B) and A ∩ B become the same
 //! graph; −(A − B) is −A ∪ B. An operand that occurs twice in a union or intersection counts once.
-//! (A ∪ B) − C is A ∪ (B − C) where C does not reach A: see [`pieces`].
+//! (A ∪ B) − C is A ∪ (B − C) where C does not reach A: see [`union_members`].
 //!
 //! Parts know the IDs of what they come from. A copy owns what the copied entity itself owned: its
 //! surface if it is a shape, its properties, but not its operands, which are entities of their own.

@@ -69,11 +69,11 @@ impl<'g, R: Precision> Walker<'g, R> {
         if R::DOUBT == Doubt::GoesOn {
             let direction = ray.line.direction.cast();
             match end {
-                End::At(vista) => {
-                    return self.look_at(ray, from, vista.leaving(direction), best);
+                End::At(direction_cache) => {
+                    return self.look_at(ray, from, direction_cache.leaving(direction), best);
                 }
-                End::To(vista) => {
-                    if let Some(bodies) = vista.arriving(direction) {
+                End::To(direction_cache) => {
+                    if let Some(bodies) = direction_cache.arriving(direction) {
                         return self.look_at(ray, from, bodies.map(|(_, body)| (0.0, body)), best);
                     }
                 }

@@ -1,9 +1,10 @@
 //! The scene as triangles, for every program that reads meshes.
 //!
-//! [`shape`] makes each shape of triangles that keep within a tolerance of it; [`assemble`] places and
-//! combines them as the scene says, by [`operate`], with [`csg`] for two solids, [`unite`] for many, of which
-//! [`crowds`] finds those that overlap, and [`carve`] for those of different media; [`shared`] finds surfaces that are there twice; [`skin`] knows
-//! what each triangle shows; [`precision`] what numbers in files cost; [`ply`], [`obj`] and [`glb`] write files.
+//! [`shape`] makes each shape of triangles that keep within a tolerance of it; [`assemble`] places and combines
+//! them as the scene says, by [`operate`], with [`csg`] for two solids, [`unite`] for many, of which
+//! [`overlap_components`] finds those that overlap, and [`assign_owner`] for those of different media; [`shared`]
+//! finds surfaces that are there twice; [`surface_label`] knows what each triangle shows; [`precision`] what
+//! numbers in files cost; [`ply`], [`obj`] and [`glb`] write files.
 
 mod assemble;
 mod assign_owner;

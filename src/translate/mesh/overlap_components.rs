@@ -1,4 +1,4 @@
-//! Boxes that overlap.
+//! Groups of boxes that overlap: the connected components of their overlaps.
 
 use std::ops::ControlFlow;
 
@@ -9,12 +9,12 @@ use crate::geometry::bvh::Bvh;
 pub struct OverlapComponents {
     /// The items are the boxes' numbers; neighbours are near each other.
     pub tree: Bvh,
-    /// For each box the number of its crowd, from 0.
+    /// For each box the number of its component, from 0.
     pub numbers: Vec<u32>,
     pub count: usize,
 }
 
-/// The number of a crowd that is not known yet.
+/// The number of a component that is not known yet.
 const NONE: u32 = u32::MAX;
 
 impl OverlapComponents {
@@ -29,7 +29,7 @@ impl OverlapComponents {
             }
             found.push(first);
             loop {
-                // Each box is found once: those that have a crowd are not looked at again.
+                // Each box is found once: those that have a component are not looked at again.
                 for i in found.drain(..) {
                     numbers[i as usize] = count;
                     left.take(i);
@@ -60,7 +60,7 @@ impl OverlapComponents {
     }
 }
 
-/// How many boxes without a crowd there are below each node of a tree.
+/// How many boxes without a component there are below each node of a tree.
 struct Left {
     nodes: Vec<u32>,
     /// The root is its own.
@@ -142,15 +142,15 @@ mod tests {
                     }
                 }
             }
-            let crowds = OverlapComponents::of(&boxes);
+            let components = OverlapComponents::of(&boxes);
             for i in 0..n {
                 for j in 0..i {
                     let together = sets.find(i as u32) == sets.find(j as u32);
-                    assert_eq!(together, crowds.numbers[i] == crowds.numbers[j]);
+                    assert_eq!(together, components.numbers[i] == components.numbers[j]);
                 }
             }
-            let most = crowds.numbers.iter().max().map_or(0, |m| m + 1);
-            assert_eq!(crowds.count, most as usize);
+            let most = components.numbers.iter().max().map_or(0, |m| m + 1);
+            assert_eq!(components.count, most as usize);
         }
     }
 }

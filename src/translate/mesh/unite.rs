@@ -26,16 +26,16 @@ impl Union {
     /// Too many overlap.
     pub fn of(meshes: Vec<Mesh>, budget: &mut Budget) -> Result<Union, Crowd> {
         let boxes: Vec<Aabb> = meshes.iter().map(Mesh::bounds).collect();
-        let crowds = OverlapComponents::of(&boxes);
+        let components = OverlapComponents::of(&boxes);
         let mut meshes: Vec<Option<Mesh>> = meshes.into_iter().map(Some).collect();
         let mut groups: Vec<Vec<Member>> = Vec::new();
-        groups.resize_with(crowds.count, Vec::new);
+        groups.resize_with(components.count, Vec::new);
         // In the order of the tree, in which neighbours are near each other.
-        for &i in &crowds.tree.items {
+        for &i in &components.tree.items {
             let Some(mesh) = meshes[i as usize].take().filter(|m| !m.is_empty()) else {
                 continue;
             };
-            groups[crowds.numbers[i as usize] as usize].push(Member {
+            groups[components.numbers[i as usize] as usize].push(Member {
                 first: i,
                 bounds: boxes[i as usize],
                 mesh,

@@ -1,4 +1,4 @@
-//! How far each rung is from its reference.
+//! How far each configuration is from its reference.
 
 use super::{Distances, ERRORS, FEWEST_PIXELS, LEAST_PIXELS, OBJECTS, PICTURES, Run, TIMES, rays};
 use crate::diagnostics::Error;
@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::time::Instant;
 
 impl Run<'_> {
-    /// Draws every rung and measures how far it is from the reference of its kind.
+    /// Draws every configuration and measures how far it is from the reference of its kind.
     pub(super) fn errors(&mut self) -> Result<(), Error> {
         let mut references: BTreeMap<Axis, Vec<Rgb>> = BTreeMap::new();
         let list: Vec<(Axis, Settings)> = self.facets.iter().map(|(a, s)| (*a, *s)).collect();
@@ -23,7 +23,7 @@ impl Run<'_> {
             references.insert(axis, drawn.colours);
         }
         let count = self
-            .rungs
+            .configurations
             .iter()
             .zip(&self.known)
             .filter(|r| !r.1.dropped)
@@ -32,19 +32,22 @@ impl Run<'_> {
         let start = Instant::now();
         let share = self.on_all(seconds) / count.max(1) as f64;
         let mut last: Option<(Axis, usize)> = None;
-        for i in 0..self.rungs.len() {
+        for i in 0..self.configurations.len() {
             if self.known[i].dropped {
                 continue;
             }
-            let rung = self.rungs[i].clone();
+            let configuration = self.configurations[i].clone();
             let is_late = start.elapsed().as_secs_f64() > 1.5 * seconds;
-            if is_late && !rung.is_default() && !self.is_cheap(self.known[i].cost * FEWEST_PIXELS) {
+            if is_late
+                && !configuration.is_default()
+                && !self.is_cheap(self.known[i].cost * FEWEST_PIXELS)
+            {
                 self.drop_rung(i);
                 continue;
             }
-            // A ladder ends one rung after its bytes stop changing.
+            // A ladder ends one configuration after its bytes stop changing.
             if let Some((axis, same)) = last
-                && axis == rung.axis
+                && axis == configuration.axis
                 && matches!(axis, Axis::Depth | Axis::Cutoff)
                 && self.known[same].same_as.is_some()
                 && self.is_beyond_default(same)
@@ -52,11 +55,11 @@ impl Run<'_> {
                 self.known[i].dropped = true;
                 continue;
             }
-            let reference = match rung.axis.kind() {
+            let reference = match configuration.axis.kind() {
                 Kind::Edges => &self.edges,
                 Kind::Light => &self.light,
                 Kind::Numbers => &self.exact,
-                Kind::Facets => references.get(&rung.axis).unwrap_or(&self.light),
+                Kind::Facets => references.get(&configuration.axis).unwrap_or(&self.light),
             };
             let there = self.tiles_of(reference.len());
             let cost = self.known[i].cost;
@@ -71,14 +74,14 @@ impl Run<'_> {
                 continue;
             }
             let reference = reference.clone();
-            let drawn = self.draw(&rung.settings, tiles)?;
+            let drawn = self.draw(&configuration.settings, tiles)?;
             let whole = self.whole && tiles == self.tiles.len();
             let measured = compare(&drawn.colours, &reference, &self.sizes(tiles), whole);
-            let same = (0..i).find(|&j| self.is_same(j, &rung, &drawn, tiles));
+            let same = (0..i).find(|&j| self.is_same(j, &configuration, &drawn, tiles));
             let known = &mut self.known[i];
-            known.same_as = same.filter(|_| !rung.is_default());
+            known.same_as = same.filter(|_| !configuration.is_default());
             (known.drawn, known.tiles, known.measured) = (Some(drawn), tiles, Some(measured));
-            last = Some((rung.axis, i));
+            last = Some((configuration.axis, i));
             if self.is_stopped() {
                 return Ok(());
             }
@@ -107,21 +110,21 @@ impl Run<'_> {
             .count()
     }
 
-    /// Whether a rung lies between the default and the reference.
+    /// Whether a configuration lies between the default and the reference.
     pub(super) fn is_beyond_default(&self, i: usize) -> bool {
-        let (settings, default) = (self.rungs[i].settings, Settings::default());
+        let (settings, default) = (self.configurations[i].settings, Settings::default());
         settings.depth > default.depth || settings.cutoff < default.cutoff
     }
 
-    /// Whether rung `j`, drawn before, is the same computation: as many rays, and the same numbers.
+    /// Whether configuration `j`, drawn before, is the same computation: as many rays, and the same numbers.
     pub(super) fn is_same(
         &self,
         j: usize,
-        rung: &Configuration,
+        configuration: &Configuration,
         drawn: &Drawn,
         tiles: usize,
     ) -> bool {
-        let (known, other) = (&self.known[j], &self.rungs[j]);
+        let (known, other) = (&self.known[j], &self.configurations[j]);
         let Some(before) = &known.drawn else {
             return false;
         };
@@ -129,19 +132,19 @@ impl Run<'_> {
             (
                 s.samples,
                 s.tolerance,
-                s.kernel == rung.settings.kernel,
+                s.kernel == configuration.settings.kernel,
                 s.roots,
                 s.variant,
             )
         };
         let common = self.pixels(tiles.min(known.tiles));
-        alike(&other.settings) == alike(&rung.settings)
+        alike(&other.settings) == alike(&configuration.settings)
             && !known.dropped
             && (tiles != known.tiles || rays(&before.counts.rays) == rays(&drawn.counts.rays))
             && before.colours[..common] == drawn.colours[..common]
     }
 
-    /// Of each rung of numbers: pixels that see another object, and distances in units of the last place,
+    /// Of each configuration of numbers: pixels that see another object, and distances in units of the last place,
     /// the median and the largest.
     pub(super) fn numbers_seen(&mut self, stopped: bool) -> Result<Vec<(usize, Distances)>, Error> {
         let mut found = Vec::new();
@@ -154,22 +157,22 @@ impl Run<'_> {
             kernel: Kernel::Ours(Numbers::Dd),
             ..Settings::default()
         };
-        let right = self.stage.seen(&exact, &list)?;
-        for i in 0..self.rungs.len() {
-            let rung = &self.rungs[i];
-            if rung.axis != Axis::Precision
+        let right = self.runner.seen(&exact, &list)?;
+        for i in 0..self.configurations.len() {
+            let configuration = &self.configurations[i];
+            if configuration.axis != Axis::Precision
                 || self.known[i].dropped
                 || self.known[i].drawn.is_none()
             {
                 continue;
             }
-            let settings = rung.settings;
+            let settings = configuration.settings;
             let bits = match settings.kernel {
                 Kernel::Ours(Numbers::F32) | Kernel::PlainF32 => 23,
                 Kernel::Ours(Numbers::F64) | Kernel::PlainF64 => 52,
                 Kernel::Ours(Numbers::Dd) => 105,
             };
-            let seen = self.stage.seen(&settings, &list)?;
+            let seen = self.runner.seen(&settings, &list)?;
             found.push((i, distances(&seen, &right, bits)));
         }
         Ok(found)

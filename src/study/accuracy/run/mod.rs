@@ -33,7 +33,7 @@ pub struct Options {
     pub size: [u32; 2],
     /// The axes to run.
     pub axes: Vec<Axis>,
-    /// Timed runs of each rung; 5 if not said.
+    /// Timed runs of each configuration; 5 if not said.
     pub runs: Option<usize>,
     /// Seconds that all may take.
     pub budget: f64,
@@ -53,7 +53,7 @@ pub const BUDGET: f64 = 120.0;
 const LEAST_SECONDS: f64 = 0.05;
 const LEAST_PIXELS: f64 = 2000.0;
 
-/// What dear rungs make do with where time is short: eight tiles.
+/// What dear configurations make do with where time is short: eight tiles.
 const FEWEST_PIXELS: f64 = 512.0;
 
 /// Shares of the budget for the steps: the references (numbers and their check have as much each), errors, times, what
@@ -73,9 +73,9 @@ const CHEAP: f64 = 0.005;
 /// behind.
 pub type Progress<'p> = &'p dyn Fn(&'static str, f64);
 
-/// What is known of a rung's computation.
+/// What is known of a configuration's computation.
 #[derive(Default)]
-struct RungState {
+struct ConfigurationState {
     /// Seconds a pixel, on one thread.
     cost: f64,
     /// Seconds a ray, by the pilot.
@@ -101,12 +101,12 @@ type Distances = (usize, f64, f64);
 struct Run<'i> {
     options: &'i Options,
     images: &'i Images,
-    stage: Runner<'i>,
+    runner: Runner<'i>,
     tiles: Vec<Tile>,
     whole: bool,
-    rungs: Vec<Configuration>,
-    known: Vec<RungState>,
-    effects: Vec<(&'static str, Settings, RungState)>,
+    configurations: Vec<Configuration>,
+    known: Vec<ConfigurationState>,
+    effects: Vec<(&'static str, Settings, ConfigurationState)>,
     facets: BTreeMap<Axis, Settings>,
     reference: BTreeMap<&'static str, Reference>,
     skipped: Vec<Skipped>,
@@ -143,17 +143,17 @@ pub fn run(
     progress: Progress,
 ) -> Result<Report, Error> {
     let before = load();
-    let stage = Runner::new(scene.clone(), images, camera, options.size)?;
+    let runner = Runner::new(scene.clone(), images, camera, options.size)?;
     let share = (options.budget / BUDGET).ceil().clamp(1.0, 16.0) as usize;
     let [width, height] = options.size;
     let tiles = chosen(options.size, share);
     let mut run = Run {
         options,
         images,
-        stage,
+        runner,
         whole: u64::from(width) * u64::from(height) <= WHOLE || share == 16,
         tiles,
-        rungs: Vec::new(),
+        configurations: Vec::new(),
         known: Vec::new(),
         effects: Vec::new(),
         facets: BTreeMap::new(),
@@ -214,7 +214,7 @@ impl Run<'_> {
 
     /// Draws tiles on one thread, and takes the time.
     fn time(&mut self, settings: &Settings, tiles: &[Tile]) -> Result<Timed, Error> {
-        let timed = self.stage.time(settings, tiles)?;
+        let timed = self.runner.time(settings, tiles)?;
         self.pace.one(timed.cpu, timed.wall);
         Ok(timed)
     }
@@ -226,7 +226,7 @@ impl Run<'_> {
         work: impl FnOnce(&mut Runner, &[Tile]) -> Result<T, Error>,
     ) -> Result<T, Error> {
         let (start, cpu) = (Instant::now(), ProcessTime::now());
-        let done = work(&mut self.stage, &self.tiles[..tiles])?;
+        let done = work(&mut self.runner, &self.tiles[..tiles])?;
         let (cpu, wall) = (cpu.elapsed(), start.elapsed());
         self.pace.all(cpu.as_secs_f64(), wall.as_secs_f64());
         Ok(done)
@@ -234,7 +234,7 @@ impl Run<'_> {
 
     /// Draws the first tiles on all threads.
     fn draw(&mut self, settings: &Settings, tiles: usize) -> Result<Drawn, Error> {
-        self.together(tiles, |stage, tiles| stage.draw(settings, tiles))
+        self.together(tiles, |runner, tiles| runner.draw(settings, tiles))
     }
 
     /// The seconds that are left once the steps behind have their share.
@@ -276,13 +276,13 @@ impl Run<'_> {
 
     fn find(&self, kernel: Kernel) -> Option<usize> {
         let of = |r: &Configuration| r.axis == Axis::Precision && r.settings.kernel == kernel;
-        self.rungs.iter().position(of)
+        self.configurations.iter().position(of)
     }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum TimedItem {
-    Rung(usize),
+    Configuration(usize),
     Effect(usize),
     Default(usize),
 }

@@ -20,9 +20,9 @@ impl Run<'_> {
         let seconds = self.on_one(self.allotted(OBJECTS, PICTURES));
         let tiles = self.tiles_for(seconds, cost, FEWEST_PIXELS);
         let list = self.tiles[..tiles].to_vec();
-        let times = self.stage.pixel_times(&settings, &list)?;
-        let seen = self.stage.seen(&Settings::default(), &list)?;
-        let base = self.stage.draw(&Settings::default(), &list)?;
+        let times = self.runner.pixel_times(&settings, &list)?;
+        let seen = self.runner.seen(&Settings::default(), &list)?;
+        let base = self.runner.draw(&Settings::default(), &list)?;
         let mut sums: BTreeMap<u32, (usize, f64, f64, usize)> = BTreeMap::new();
         let error = |i: usize| -> Option<f64> {
             let (a, b) = (base.colours[i], self.edges.get(i)?);

@@ -11,7 +11,7 @@ use crate::trace::Numbers;
 
 impl Run<'_> {
     /// The picture, and for each kind the part of it that is worst, by the default and by the most
-    /// accurate rung that there is time for.
+    /// accurate configuration that there is time for.
     pub(super) fn pictures(&mut self, report: &mut Report) -> Result<(), Error> {
         let [width, height] = self.options.size;
         // At most so many pixels, so that a page of all stays small; fewer where they take long.
@@ -25,9 +25,9 @@ impl Run<'_> {
             let Some(default) = self.worst(kind) else {
                 continue;
             };
-            let best = (0..self.rungs.len())
-                .filter(|&i| self.rungs[i].axis.kind() == kind && !self.known[i].dropped)
-                .filter(|&i| !self.rungs[i].is_default())
+            let best = (0..self.configurations.len())
+                .filter(|&i| self.configurations[i].axis.kind() == kind && !self.known[i].dropped)
+                .filter(|&i| !self.configurations[i].is_default())
                 .filter(|&i| self.known[i].cost * CROP <= seconds)
                 .filter_map(|i| Some((i, self.known[i].measured.as_ref()?.steps)))
                 .min_by(|a, b| a.1.total_cmp(&b.1));
@@ -43,7 +43,7 @@ impl Run<'_> {
                 }
                 (_, Some((best, _))) => {
                     let Some(own) = self
-                        .rungs
+                        .configurations
                         .iter()
                         .position(|r| r.axis.kind() == kind && r.is_default())
                     else {
@@ -55,8 +55,14 @@ impl Run<'_> {
             };
             let crop = around(place, [width, height]);
             let draw = |run: &mut Self, i: usize| -> Result<(String, Raster), Error> {
-                let drawn = run.stage.draw(&run.rungs[i].settings.clone(), &crop.1)?;
-                let name = format!("{} {}", run.rungs[i].axis.name(), run.rungs[i].label);
+                let drawn = run
+                    .runner
+                    .draw(&run.configurations[i].settings.clone(), &crop.1)?;
+                let name = format!(
+                    "{} {}",
+                    run.configurations[i].axis.name(),
+                    run.configurations[i].label
+                );
                 Ok((name, arranged(&crop, &drawn.colours)))
             };
             let pictures = Pictures {
@@ -80,7 +86,7 @@ impl Run<'_> {
         let i = match kind {
             Kind::Numbers => self.find(Kernel::Ours(Numbers::F32))?,
             _ => self
-                .rungs
+                .configurations
                 .iter()
                 .position(|r| r.axis.kind() == kind && r.is_default())?,
         };
@@ -119,7 +125,7 @@ impl Run<'_> {
         let tiles: Vec<Tile> = (0..height)
             .flat_map(|y| (0..width).map(move |x| single(x, y)))
             .collect();
-        let drawn = self.stage.draw(&Settings::default(), &tiles)?;
+        let drawn = self.runner.draw(&Settings::default(), &tiles)?;
         Ok(Raster {
             width,
             height,

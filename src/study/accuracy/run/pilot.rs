@@ -1,6 +1,6 @@
-//! Which rungs there are, and what each costs, by a few tiles of each.
+//! Which configurations there are, and what each costs, by a few tiles of each.
 
-use super::{LEAST_PIXELS, Run, RungState, TimedItem, rays};
+use super::{ConfigurationState, LEAST_PIXELS, Run, TimedItem, rays};
 use crate::diagnostics::{Complaint, Error};
 use crate::study::accuracy::configurations::{Axis, Configuration, Kernel, Settings, ladder};
 use crate::study::accuracy::facets::Facets;
@@ -14,42 +14,42 @@ const CALIBRATION: f64 = 0.01;
 const MESHES: f64 = 0.05;
 
 impl Run<'_> {
-    /// The rungs of the axes that the scene calls for.
+    /// The configurations of the axes that the scene calls for.
     pub(super) fn plan(&mut self) -> Result<(), Error> {
         let seconds = self.seconds(MESHES);
         for axis in Axis::ALL {
             let wanted = self.options.axes.contains(&axis);
             let why = match wanted {
                 false => Some("accuracy-skip-unasked"),
-                true => axes::skipped(axis, &self.stage),
+                true => axes::skipped(axis, &self.runner),
             };
-            let mut rungs = Vec::new();
+            let mut configurations = Vec::new();
             let mut why = why;
             if why.is_none() {
                 let made = match axis {
-                    Axis::Tessellation => facets::meshes(&mut self.stage, seconds)?,
-                    Axis::Levels => facets::levels(&mut self.stage)?,
+                    Axis::Tessellation => facets::meshes(&mut self.runner, seconds)?,
+                    Axis::Levels => facets::levels(&mut self.runner)?,
                     _ => {
-                        rungs = ladder(axis);
+                        configurations = ladder(axis);
                         None
                     }
                 };
                 if let Some(Facets {
-                    rungs: made,
+                    configurations: made,
                     reference,
                 }) = made
                 {
-                    rungs = made;
+                    configurations = made;
                     self.facets.insert(axis, reference);
-                } else if rungs.is_empty() {
+                } else if configurations.is_empty() {
                     why = Some("accuracy-skip-mesh");
                 }
             }
             if axis == Axis::Precision
-                && !rungs.is_empty()
-                && let Some(no_plain) = axes::no_plain(&self.stage)
+                && !configurations.is_empty()
+                && let Some(no_plain) = axes::no_plain(&self.runner)
             {
-                rungs.retain(|r| matches!(r.settings.kernel, Kernel::Ours(_)));
+                configurations.retain(|r| matches!(r.settings.kernel, Kernel::Ours(_)));
                 self.skipped.push(Skipped {
                     axis: "precision plain",
                     why: Complaint::new(no_plain),
@@ -61,30 +61,35 @@ impl Run<'_> {
                     why: Complaint::new(why),
                 });
             }
-            self.rungs.extend(rungs);
+            self.configurations.extend(configurations);
         }
-        self.known = self.rungs.iter().map(|_| RungState::default()).collect();
-        for (name, without) in axes::effects(&self.stage.tracer().plan) {
+        self.known = self
+            .configurations
+            .iter()
+            .map(|_| ConfigurationState::default())
+            .collect();
+        for (name, without) in axes::effects(&self.runner.tracer().plan) {
             let settings = Settings {
                 without,
                 ..Settings::default()
             };
-            self.effects.push((name, settings, RungState::default()));
+            self.effects
+                .push((name, settings, ConfigurationState::default()));
         }
         Ok(())
     }
 
-    /// Each rung once on a few tiles.
+    /// Each configuration once on a few tiles.
     pub(super) fn pilot(&mut self) -> Result<(), Error> {
         let few = (self.tiles.len() / 16).clamp(4.min(self.tiles.len()), 40);
         let mut costs: Vec<(Settings, [f64; 2])> = Vec::new();
         let deadline = self.seconds(0.15);
         let latest = self.seconds(0.25);
         let pixels = self.pixels(few) as f64;
-        for i in 0..self.rungs.len() + self.effects.len() {
-            let settings = match self.rungs.get(i) {
-                Some(rung) => rung.settings,
-                None => self.effects[i - self.rungs.len()].1,
+        for i in 0..self.configurations.len() + self.effects.len() {
+            let settings = match self.configurations.get(i) {
+                Some(configuration) => configuration.settings,
+                None => self.effects[i - self.configurations.len()].1,
             };
             // Many samples cost as many times one.
             let (asked, times) = match settings.samples {
@@ -98,7 +103,10 @@ impl Run<'_> {
                 _ => (settings, 1.0),
             };
             let known = costs.iter().find(|c| c.0 == asked).map(|c| c.1);
-            let is_default = self.rungs.get(i).is_none_or(Configuration::is_default);
+            let is_default = self
+                .configurations
+                .get(i)
+                .is_none_or(Configuration::is_default);
             if known.is_none() && !is_default && self.start.elapsed().as_secs_f64() > latest {
                 self.drop_rung(i);
                 continue;
@@ -121,9 +129,9 @@ impl Run<'_> {
                     cost
                 }
             };
-            let known = match i < self.rungs.len() {
+            let known = match i < self.configurations.len() {
                 true => &mut self.known[i],
-                false => &mut self.effects[i - self.rungs.len()].2,
+                false => &mut self.effects[i - self.configurations.len()].2,
             };
             (known.cost, known.per_ray) = (cost[0] * times, cost[1]);
             if self.is_stopped() {
@@ -136,7 +144,7 @@ impl Run<'_> {
     /// Seconds a pixel of some settings that the pilot tried, or of the default.
     pub(super) fn cost(&self, settings: &Settings) -> f64 {
         let of = |s: &Settings| {
-            let found = self.rungs.iter().position(|r| r.settings == *s);
+            let found = self.configurations.iter().position(|r| r.settings == *s);
             found.map(|i| self.known[i].cost)
         };
         of(settings)
@@ -148,10 +156,10 @@ impl Run<'_> {
     /// more than in the pilot.
     pub(super) fn entry_cost(&self, entry: &TimedItem) -> f64 {
         let known = match entry {
-            TimedItem::Rung(i) => Some(&self.known[*i]),
+            TimedItem::Configuration(i) => Some(&self.known[*i]),
             TimedItem::Effect(i) => Some(&self.effects[*i].2),
             TimedItem::Default(_) => {
-                let default = self.rungs.iter().position(|r| r.is_default());
+                let default = self.configurations.iter().position(|r| r.is_default());
                 default.map(|i| &self.known[i])
             }
         };
@@ -181,14 +189,18 @@ impl Run<'_> {
     pub(super) fn drop_rung(&mut self, i: usize) {
         if !self.known[i].dropped {
             self.known[i].dropped = true;
-            let name = format!("{} {}", self.rungs[i].axis.name(), self.rungs[i].label);
+            let name = format!(
+                "{} {}",
+                self.configurations[i].axis.name(),
+                self.configurations[i].label
+            );
             self.cut.push(Complaint::quoted(name));
         }
     }
 
     pub(super) fn drop_rungs(&mut self, which: impl Fn(&Configuration) -> bool) {
-        for i in 0..self.rungs.len() {
-            if which(&self.rungs[i]) && !self.rungs[i].is_default() {
+        for i in 0..self.configurations.len() {
+            if which(&self.configurations[i]) && !self.configurations[i].is_default() {
                 self.drop_rung(i);
             }
         }

@@ -1,4 +1,4 @@
-//! What the errors are measured against: each kind of error has a reference beyond every rung on its axes.
+//! What the errors are measured against: each kind of error has a reference beyond every configuration on its axes.
 
 use super::{
     EDGES, ERRORS, FEWEST_PIXELS, LEAST_PIXELS, LIGHT, NUMBERS, OBJECTS, PICTURES, Run, TIMES,
@@ -21,14 +21,18 @@ const LATER: f64 = ERRORS / 2.0 + TIMES / 2.0 + OBJECTS + PICTURES;
 impl Run<'_> {
     /// Double-double, and its check by the independent tracer.
     pub(super) fn reference_numbers(&mut self) -> Result<(), Error> {
-        if !self.rungs.iter().any(|r| r.axis.kind() == Kind::Numbers) {
+        if !self
+            .configurations
+            .iter()
+            .any(|r| r.axis.kind() == Kind::Numbers)
+        {
             return Ok(());
         }
         let settings = Settings {
             kernel: Kernel::Ours(Numbers::Dd),
             ..Settings::default()
         };
-        let cost = match self.rungs.iter().any(|r| r.settings == settings) {
+        let cost = match self.configurations.iter().any(|r| r.settings == settings) {
             true => self.cost(&settings),
             false => 10.0 * self.cost(&Settings::default()),
         };
@@ -47,12 +51,12 @@ impl Run<'_> {
             ..Reference::default()
         };
         let seen = self
-            .stage
+            .runner
             .seen(&Settings::default(), &self.tiles[..tiles])?;
         let seconds = self.allotted(NUMBERS, behind);
         let order = check::order(&self.tiles[..tiles], &seen);
         let checked = check::check(
-            &self.stage,
+            &self.runner,
             self.images,
             &settings,
             &order,
@@ -73,9 +77,13 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Deeper and with a lower cutoff than any rung.
+    /// Deeper and with a lower cutoff than any configuration.
     pub(super) fn reference_light(&mut self) -> Result<(), Error> {
-        if !self.rungs.iter().any(|r| r.axis.kind() == Kind::Light) {
+        if !self
+            .configurations
+            .iter()
+            .any(|r| r.axis.kind() == Kind::Light)
+        {
             return Ok(());
         }
         let few = 4.min(self.tiles.len());
@@ -131,7 +139,11 @@ impl Run<'_> {
     /// Many samples, never adaptive: twice as many until half of them come near enough to all, or the time
     /// is up.
     pub(super) fn reference_edges(&mut self) -> Result<(), Error> {
-        if !self.rungs.iter().any(|r| r.axis.kind() == Kind::Edges) {
+        if !self
+            .configurations
+            .iter()
+            .any(|r| r.axis.kind() == Kind::Edges)
+        {
             return Ok(());
         }
         let base = Settings::default();
@@ -156,7 +168,7 @@ impl Run<'_> {
         let sizes = self.sizes(tiles);
         let mut done = 64;
         let sums_of = |run: &mut Self, samples: Range<u32>| {
-            run.together(tiles, |stage, tiles| stage.sums(&base, tiles, samples))
+            run.together(tiles, |runner, tiles| runner.sums(&base, tiles, samples))
         };
         let mut sums = sums_of(self, 0..done)?;
         let mean = |sums: &[Rgb], n: u32| -> Vec<Rgb> {

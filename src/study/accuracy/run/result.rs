@@ -28,19 +28,19 @@ impl Run<'_> {
         let noise = noise(&pairs);
         let seen = self.numbers_seen(stopped)?;
         let mut defaults = 0;
-        for i in 0..self.rungs.len() {
-            let (rung, known) = (&self.rungs[i], &self.known[i]);
+        for i in 0..self.configurations.len() {
+            let (configuration, known) = (&self.configurations[i], &self.known[i]);
             let (Some(measured), false) = (&known.measured, known.dropped) else {
                 continue;
             };
-            let is_default = rung.is_default();
+            let is_default = configuration.is_default();
             let (times, sample): (&[Timed], &Sample) = match (is_default, known.same_as) {
                 (true, _) => {
                     let own = repeats.get(defaults % repeats.len().max(1));
                     defaults += 1;
                     (own.map_or(&[][..], |r| &r[..]), &self.frame)
                 }
-                (false, Some(j)) if self.rungs[j].is_default() => {
+                (false, Some(j)) if self.configurations[j].is_default() => {
                     (repeats.first().map_or(&[][..], |r| &r[..]), &self.frame)
                 }
                 (false, Some(j)) => (&self.known[j].times, &self.known[j].sample),
@@ -59,7 +59,7 @@ impl Run<'_> {
                 error.wrong_object = Some(wrong);
                 (error.median_ulp, error.max_ulp) = (Some(median), Some(max));
             }
-            let kind = rung.axis.kind();
+            let kind = configuration.axis.kind();
             let margin = self.reference.get(kind.name()).and_then(|r| r.margin.steps);
             let per_second = times
                 .first()
@@ -67,8 +67,8 @@ impl Run<'_> {
                 .map(|(t, wall)| rays(&t.drawn.counts.rays) as f64 / wall.min.max(1e-9));
             rows.push(Row {
                 kind: kind.name(),
-                axis: rung.axis.name(),
-                setting: rung.label.clone(),
+                axis: configuration.axis.name(),
+                setting: configuration.label.clone(),
                 seconds: wall,
                 cpu_seconds: cpu,
                 times_default,
@@ -81,11 +81,15 @@ impl Run<'_> {
                 error: Some(error),
                 default: is_default,
                 pareto: false,
-                same_as: known
-                    .same_as
-                    .map(|j| format!("{} {}", self.rungs[j].axis.name(), self.rungs[j].label)),
-                of: Some((kind, rung.axis)),
-                option: rung.option(),
+                same_as: known.same_as.map(|j| {
+                    format!(
+                        "{} {}",
+                        self.configurations[j].axis.name(),
+                        self.configurations[j].label
+                    )
+                }),
+                of: Some((kind, configuration.axis)),
+                option: configuration.option(),
             });
         }
         let effects = self.effects_found(&repeats, noise);
@@ -153,7 +157,7 @@ impl Run<'_> {
     }
 
     pub(super) fn effects_found(&self, repeats: &[Vec<Timed>], noise: f64) -> Vec<Effect> {
-        let base = self.rungs.iter().position(|r| r.is_default());
+        let base = self.configurations.iter().position(|r| r.is_default());
         let default_rays = base.and_then(|i| {
             let known = &self.known[i];
             Some((

@@ -1,4 +1,4 @@
-//! How long each rung takes, in shuffled rounds.
+//! How long each configuration takes, in shuffled rounds.
 
 use super::sample::Sample;
 use super::{FEWEST_PIXELS, LEAST_PIXELS, LEAST_SECONDS, OBJECTS, PICTURES, Run, TIMES, TimedItem};
@@ -19,13 +19,13 @@ impl Run<'_> {
         let seconds = self.left(behind).clamp(own / 4.0, 1.5 * own);
         let most = self.options.runs.unwrap_or(5);
         let mut runs = most;
-        // What is to be timed: rungs that are one computation once, the default four times.
+        // What is to be timed: configurations that are one computation once, the default four times.
         let mut entries: Vec<TimedItem> = Vec::new();
-        for i in 0..self.rungs.len() {
+        for i in 0..self.configurations.len() {
             let known = &self.known[i];
             let is_timed = !known.dropped && known.same_as.is_none() && known.measured.is_some();
-            if is_timed && !self.rungs[i].is_default() {
-                entries.push(TimedItem::Rung(i));
+            if is_timed && !self.configurations[i].is_default() {
+                entries.push(TimedItem::Configuration(i));
             }
         }
         entries.extend((0..self.effects.len()).map(TimedItem::Effect));
@@ -47,13 +47,13 @@ impl Run<'_> {
         if predicted > allowed {
             let dropped: Vec<usize> = (entries.iter())
                 .filter_map(|e| match e {
-                    TimedItem::Rung(i) if self.rungs[*i].inner => Some(*i),
+                    TimedItem::Configuration(i) if self.configurations[*i].inner => Some(*i),
                     _ => None,
                 })
                 .collect();
             for i in dropped {
                 self.drop_rung(i);
-                entries.retain(|e| *e != TimedItem::Rung(i));
+                entries.retain(|e| *e != TimedItem::Configuration(i));
             }
             (samples, predicted) = plan(self, &entries, runs);
         }
@@ -103,7 +103,7 @@ impl Run<'_> {
                     continue;
                 }
                 let settings = match entries[e] {
-                    TimedItem::Rung(i) => self.rungs[i].settings,
+                    TimedItem::Configuration(i) => self.configurations[i].settings,
                     TimedItem::Effect(i) => self.effects[i].1,
                     TimedItem::Default(_) => default,
                 };
@@ -112,7 +112,7 @@ impl Run<'_> {
                 // The pixels are known.
                 timed.drawn.colours = Vec::new();
                 match entries[e] {
-                    TimedItem::Rung(i) => {
+                    TimedItem::Configuration(i) => {
                         self.known[i].sample = samples[e].clone();
                         self.known[i].times.push(timed);
                     }

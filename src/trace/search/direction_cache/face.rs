@@ -32,7 +32,7 @@ pub struct Face {
 /// A body as it is seen through a face.
 #[derive(Debug, Clone, Copy)]
 pub struct VisibleBody {
-    /// Which of the vista's bodies.
+    /// Which of the bodies of the cache.
     pub index: u32,
     /// No point of it is nearer.
     pub near: f32,

@@ -57,7 +57,7 @@ fn nothing_between_the_corners_of_a_body_is_missed() {
         let scale = 10f64.powi(round % 25 - 12);
         let bodies = hulls(&mut next, scale);
         let point = vector(&mut next) * scale * [0.5, 1.0, 20.0][next(3) as usize];
-        let vista = DirectionCache::new(&bodies, point).unwrap();
+        let direction_cache = DirectionCache::new(&bodies, point).unwrap();
         for _ in 0..200 {
             let part = next(40);
             let body = &bodies[part as usize];
@@ -73,7 +73,11 @@ fn nothing_between_the_corners_of_a_body_is_missed() {
             if !(way.any() && way.is_finite()) {
                 continue;
             }
-            let list: Vec<u32> = vista.arriving(way).unwrap().map(|(_, b)| b.part).collect();
+            let list: Vec<u32> = direction_cache
+                .arriving(way)
+                .unwrap()
+                .map(|(_, b)| b.part)
+                .collect();
             assert!(list.contains(&(part as u32)), "{point:?} {to:?} {body:?}");
             let line = Ray::new(point, -way).line;
             let is_in_box = |b: &&Body| b.bounds.clip(&line, 0.0, 1.0).is_some();
@@ -97,7 +101,7 @@ fn no_box_on_a_rays_way_is_missed() {
         let scale = 10f64.powi(round % 25 - 12);
         let bodies = boxes(&mut next, scale);
         let point = vector(&mut next) * scale * [0.5, 1.0, 20.0][next(3) as usize];
-        let vista = DirectionCache::new(&bodies, point).unwrap();
+        let direction_cache = DirectionCache::new(&bodies, point).unwrap();
         for _ in 0..200 {
             // To the corner of a box, along an axis, on an edge of the cube, or anywhere.
             let b = &bodies[next(40) as usize].bounds;
@@ -115,7 +119,7 @@ fn no_box_on_a_rays_way_is_missed() {
             if !way.any() {
                 continue;
             }
-            let list: Vec<u32> = vista
+            let list: Vec<u32> = direction_cache
                 .arriving(way)
                 .unwrap()
                 .map(|(_, body)| body.part)
@@ -133,7 +137,10 @@ fn no_box_on_a_rays_way_is_missed() {
                 assert!(!meets || list.contains(part), "{point:?} {to:?} {b:?}");
             }
             listed += list.len() as u32;
-            let near: Vec<f64> = vista.leaving(-way).map(|(near, _)| near).collect();
+            let near: Vec<f64> = direction_cache
+                .leaving(-way)
+                .map(|(near, _)| near)
+                .collect();
             assert!(near.is_sorted());
         }
     }
@@ -150,9 +157,15 @@ fn what_the_corners_say_is_not_seen_is_in_no_list() {
     let is_seen = |axis| body.seen(Vec3::ZERO, (axis, 1.0), &around, 0.0).is_some();
     assert_eq!([0, 1, 2].map(is_seen), [false, true, true]);
     let bodies: Arc<[Body]> = Arc::new([body]);
-    let vista = DirectionCache::new(&bodies, Vec3::ZERO).unwrap();
-    assert_eq!(vista.leaving(Vec3::new(1.0, 0.99, 0.99)).count(), 0);
-    assert_eq!(vista.leaving(Vec3::new(1.1, 31.0, 31.0)).count(), 1);
+    let direction_cache = DirectionCache::new(&bodies, Vec3::ZERO).unwrap();
+    assert_eq!(
+        direction_cache.leaving(Vec3::new(1.0, 0.99, 0.99)).count(),
+        0
+    );
+    assert_eq!(
+        direction_cache.leaving(Vec3::new(1.1, 31.0, 31.0)).count(),
+        1
+    );
 }
 
 #[test]
@@ -161,11 +174,11 @@ fn points_without_numbers_have_no_vista() {
     let far = Vec3::new(f64::INFINITY, 0.0, 0.0);
     assert!(DirectionCache::new(&bodies, far).is_none());
     assert!(DirectionCache::new(&Arc::default(), Vec3::ZERO).is_none());
-    let vista = DirectionCache::new(&bodies, Vec3::ONE * 3.0).unwrap();
-    assert!(vista.arriving(Vec3::ONE * 1e5).is_none());
-    assert!(vista.arriving(Vec3::ONE * f64::NAN).is_none());
-    assert_eq!(vista.leaving(Vec3::ONE).count(), 0);
-    assert_eq!(vista.leaving(-Vec3::ONE).count(), 1);
+    let direction_cache = DirectionCache::new(&bodies, Vec3::ONE * 3.0).unwrap();
+    assert!(direction_cache.arriving(Vec3::ONE * 1e5).is_none());
+    assert!(direction_cache.arriving(Vec3::ONE * f64::NAN).is_none());
+    assert_eq!(direction_cache.leaving(Vec3::ONE).count(), 0);
+    assert_eq!(direction_cache.leaving(-Vec3::ONE).count(), 1);
 }
 
 /// A union of shapes of all kinds, some of them cut and in groups, and a half-space.
