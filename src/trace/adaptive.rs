@@ -1,12 +1,12 @@
 //! As many samples as a pixel needs.
 //!
-//! Every pixel takes [`FIRST`] samples. Where they and those of the eight neighbours agree within
+//! Every pixel takes [`BATCH_SAMPLES`] samples. Where they and those of the eight neighbours agree within
 //! the tolerance, that is all; this is how thin things are found that a pixel's own samples have
 //! missed (Mitchell, "Generating Antialiased Images at Low Sampling Densities", SIGGRAPH 1987).
 //! The others go on until the larger of two estimates of the error is below the tolerance:
 //!
 //! - the standard error of the mean by batch means (Asmussen and Glynn, *Stochastic Simulation*,
-//!   2007, section IV.5): each [`FIRST`] samples in a row, which are well spread over the pixel, are
+//!   2007, section IV.5): each [`BATCH_SAMPLES`] samples in a row, which are well spread over the pixel, are
 //!   a batch;
 //! - the contrast among the neighbours over the number of samples: what n well-spread samples have
 //!   all missed is about a share of 1/n of the pixel, and as different as the neighbours are.
@@ -16,16 +16,16 @@
 use crate::geometry::vec::Vec3;
 
 /// Samples of a batch, and of a pixel where there is nothing to be seen.
-pub const FIRST: u32 = 4;
+pub const BATCH_SAMPLES: u32 = 4;
 /// The fewest samples of any other pixel: four batches, since fewer say little about their scatter.
-pub const LEAST: u32 = 4 * FIRST;
+pub const MIN_SAMPLES: u32 = 4 * BATCH_SAMPLES;
 /// The most samples of a pixel.
-pub const MOST: u32 = 1024;
+pub const MAX_SAMPLES: u32 = 1024;
 
 /// The first samples of a pixel.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct First {
-    pub samples: [[f32; 3]; FIRST as usize],
+    pub samples: [[f32; 3]; BATCH_SAMPLES as usize],
     /// Intersection tests they took.
     pub tests: u32,
     /// Whether they saw totally reflected light.
@@ -73,7 +73,7 @@ impl Estimate {
     }
 
     pub fn samples(&self) -> u32 {
-        self.batches as u32 * FIRST
+        self.batches as u32 * BATCH_SAMPLES
     }
 
     /// The estimated error of the mean, given the contrast among the neighbours.
@@ -88,8 +88,8 @@ impl Estimate {
         let n = self.samples();
         match n {
             0 => false,
-            _ if n < LEAST => contrast <= tolerance,
-            _ => n >= MOST || self.error(contrast) <= tolerance,
+            _ if n < MIN_SAMPLES => contrast <= tolerance,
+            _ => n >= MAX_SAMPLES || self.error(contrast) <= tolerance,
         }
     }
 }
@@ -123,7 +123,7 @@ mod tests {
         while !estimate.is_enough(1.0, 1e-9) {
             estimate.add(Vec3::ONE);
         }
-        assert_eq!(estimate.samples(), MOST);
+        assert_eq!(estimate.samples(), MAX_SAMPLES);
     }
 
     #[test]

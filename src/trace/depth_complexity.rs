@@ -2,7 +2,7 @@
 //! ray enters every object on its way, and remembers it.
 
 use super::graph::{Graph, Operation, Target};
-use super::memory_limit::SLACK;
+use super::memory_limit::GROWTH_FACTOR;
 use super::search::context::Context;
 use crate::geometry::affine::Placement;
 use crate::geometry::vec::Vec3;
@@ -47,7 +47,7 @@ impl Graph {
     /// Whether more objects lie over one another in some place than there is room for. There is room
     /// where that is not found; what a ray finds then is noted in [`Graph::room`].
     pub fn is_crowded(&self) -> bool {
-        let most = self.room.bytes / (SLACK * size_of::<Context>());
+        let most = self.room.bytes / (GROWTH_FACTOR * size_of::<Context>());
         // Nobody can enter more than there are.
         if self.totals(|_| 1.0, 0.0) < most as f64 {
             return false;

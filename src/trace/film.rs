@@ -31,8 +31,8 @@ pub fn is_above_white<T: Into<f64>>(colour: [T; 3]) -> bool {
     colour.into_iter().any(|x| x.into() > WHITE)
 }
 
-/// So many pixels, in per cent, may be brighter than white before it is said: highlights are.
-pub const FEW: f64 = 1.0;
+/// Percentage of pixels that may be brighter than white before a note says so: highlights are.
+pub const MAX_BRIGHT_PERCENT: f64 = 1.0;
 
 /// The sRGB transfer function (IEC 61966-2-1) of a number from 0 to 1, to 8 bits.
 fn encoded(x: f64) -> u8 {

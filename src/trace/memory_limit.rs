@@ -2,11 +2,11 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// A ray may need so many bytes if nothing else is said.
-const USUALLY: u64 = 1 << 30;
+/// Bytes that a ray may need unless another limit is given: 1 GiB.
+const DEFAULT_RAY_BYTES: u64 = 1 << 30;
 
-/// Lists have up to twice as much room as they need, while they grow.
-pub const SLACK: usize = 2;
+/// The capacity of a list over its length, at most: a full list doubles.
+pub const GROWTH_FACTOR: usize = 2;
 
 /// How much memory a walker may use for a ray, and whether one would have needed more.
 #[derive(Debug)]
@@ -17,7 +17,7 @@ pub struct MemoryLimit {
 
 impl Default for MemoryLimit {
     fn default() -> MemoryLimit {
-        MemoryLimit::of(USUALLY)
+        MemoryLimit::of(DEFAULT_RAY_BYTES)
     }
 }
 

@@ -2,7 +2,7 @@
 
 mod quick;
 
-use super::adaptive::{Estimate, FIRST, First, MOST, contrast};
+use super::adaptive::{BATCH_SAMPLES, Estimate, First, MAX_SAMPLES, contrast};
 use super::camera::View;
 use super::compile::cannot_draw;
 use super::costs::CostMap;
@@ -221,9 +221,10 @@ impl Tracer {
     }
 }
 
-/// So many parts are seen in all direction caches together at most, and one for each so many samples.
-const SEEN: usize = 1 << 18;
-const SAMPLES: usize = 4;
+/// Most bodies in all direction caches together.
+const MAX_CACHED_BODIES: usize = 1 << 18;
+/// Samples of a picture for each body in its direction caches, at least.
+const SAMPLES_PER_CACHED_BODY: usize = 4;
 
 /// What the rows of a picture have in common.
 pub(super) struct Drawing<'t> {
@@ -549,7 +550,7 @@ impl<R: Precision> Pen<'_, '_, R> {
     /// The first samples of a pixel that may get more.
     pub(super) fn first(&mut self, x: u32, y: u32) -> First {
         let (before, total) = (self.tests(), self.total());
-        let samples = [0, 1, 2, 3].map(|i| developed(self.sample(x, y, i, MOST).0));
+        let samples = [0, 1, 2, 3].map(|i| developed(self.sample(x, y, i, MAX_SAMPLES).0));
         First {
             samples,
             tests: self.tests_since(before),
@@ -577,14 +578,16 @@ impl<R: Precision> Pen<'_, '_, R> {
         contrast: f64,
         tolerance: f64,
     ) -> Estimate {
-        let mean = |batch: [Vec3; FIRST as usize]| {
-            batch.into_iter().fold(Vec3::ZERO, |sum, s| sum + s) / f64::from(FIRST)
+        let mean = |batch: [Vec3; BATCH_SAMPLES as usize]| {
+            batch.into_iter().fold(Vec3::ZERO, |sum, s| sum + s) / f64::from(BATCH_SAMPLES)
         };
         let mut estimate = Estimate::new();
         estimate.add(mean(first.samples.map(|s| Vec3(s.map(f64::from)))));
         while !estimate.is_enough(contrast, tolerance) {
             let n = estimate.samples();
-            estimate.add(mean([0, 1, 2, 3].map(|i| self.sample(x, y, n + i, MOST))));
+            estimate.add(mean(
+                [0, 1, 2, 3].map(|i| self.sample(x, y, n + i, MAX_SAMPLES)),
+            ));
         }
         estimate
     }

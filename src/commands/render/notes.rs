@@ -10,7 +10,7 @@ use crate::scene::{Camera, Scene, View};
 use crate::solids::staging::is_dark;
 use crate::syntax::quote;
 use crate::trace::camera;
-use crate::trace::film::{FEW, is_above_white};
+use crate::trace::film::{MAX_BRIGHT_PERCENT, is_above_white};
 use crate::trace::{Film, Picture, Settings, Tracer};
 
 /// At most so many places of a picture are looked at across and down.
@@ -118,7 +118,7 @@ pub fn say_brightness(films: &[Film], exposure: f64, look: LookChoice) {
     let largest = |pixel: &[f32; 3]| pixel.iter().copied().fold(0.0, f32::max);
     let bright = pixels().filter(|&&pixel| is_above_white(pixel)).count();
     let share = 100.0 * bright as f64 / pixels().count().max(1) as f64;
-    if share < FEW {
+    if share < MAX_BRIGHT_PERCENT {
         return;
     }
     let most = pixels().map(largest).fold(1.0, f32::max);

@@ -31,7 +31,7 @@ impl Compiler<'_> {
         let uses = uses(&drafts);
         let mut drafts: Vec<Option<Draft>> = drafts.into_iter().map(Some).collect();
         let mut finished: Vec<Finished> = drafts.iter().map(|_| Finished::Empty).collect();
-        let mut budget = union_members::BUDGET;
+        let mut budget = union_members::MAX_BOX_COMPARISONS;
         for i in order {
             let Some(draft) = drafts[i as usize].take() else {
                 continue;

@@ -19,12 +19,12 @@ pub struct UnionMember {
     pub cuts: Vec<Part>,
 }
 
-/// So many boxes are held against each other in a scene; beyond that what is drafted stays nested.
-pub const BUDGET: usize = 1 << 24;
-/// So many parts may be reached by a cut, on average.
-const MOST: usize = 8;
-/// So many times all pieces are looked through before they get an index.
-const PATIENCE: usize = 32;
+/// Most boxes that are held against each other in a scene; beyond that what is drafted stays nested.
+pub const MAX_BOX_COMPARISONS: usize = 1 << 24;
+/// Most members that a cut may reach, on average.
+const MAX_MEMBERS_PER_CUT: usize = 8;
+/// Times that all members are looked through before they get an index.
+const SCANS_BEFORE_INDEX: usize = 32;
 
 /// The pieces of a union, in the order of its operands.
 #[derive(Debug, Default)]
@@ -112,7 +112,7 @@ impl Pieces {
             self.all[0].cuts.extend(cuts.iter().map(|(cut, _)| cut));
             return true;
         }
-        let mut left = cuts.len() * (1 + self.len() / 4).min(MOST);
+        let mut left = cuts.len() * (1 + self.len() / 4).min(MAX_MEMBERS_PER_CUT);
         let mut reached = Vec::with_capacity(cuts.len());
         for (_, bounds) in cuts {
             let Some(pieces) = self.reached(bounds, budget) else {
@@ -134,7 +134,7 @@ impl Pieces {
 
     /// The numbers of the pieces that a cut reaches; `None` where the budget does not suffice to find them.
     fn reached(&mut self, bounds: &Aabb, budget: &mut usize) -> Option<Vec<i64>> {
-        if self.index.is_none() && self.looked_at > PATIENCE * self.len() {
+        if self.index.is_none() && self.looked_at > SCANS_BEFORE_INDEX * self.len() {
             let mut index = Index::default();
             for (number, piece) in (self.first..).zip(&self.all) {
                 index.insert(&piece.bounds, number);
@@ -228,7 +228,7 @@ mod tests {
         let mut pieces = Pieces::default();
         // As they are expected: a list that is looked through.
         let mut plain: VecDeque<(Aabb, usize)> = VecDeque::new();
-        let mut budget = BUDGET;
+        let mut budget = MAX_BOX_COMPARISONS;
         for i in 0..3000u32 {
             let bounds = match i % 500 {
                 7 => Aabb::ALL,
@@ -254,7 +254,7 @@ mod tests {
             let is_cut = pieces.cut(&[(part(9), tool)], &mut budget);
             assert_eq!(
                 is_cut,
-                plain.len() == 1 || reached <= (1 + plain.len() / 4).min(MOST)
+                plain.len() == 1 || reached <= (1 + plain.len() / 4).min(MAX_MEMBERS_PER_CUT)
             );
             for (bounds, count) in plain.iter_mut().filter(|_| is_cut) {
                 *count += usize::from(i == 0 || bounds.overlaps(&tool));

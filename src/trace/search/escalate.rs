@@ -142,7 +142,7 @@ fn settled<Q: Question, R: Precision>(
         return answer;
     };
     // Far above what double-double rounds, and far below what doubles can tell.
-    let by = along.reach * R::ROUNDOFF.sqrt().to_f64() * BESIDE;
+    let by = along.reach * R::ROUNDOFF.sqrt().to_f64() * FACE_OFFSET;
     // Nearly as long as the normal: no usual slope is between them.
     let aside = along.normal.cross(ray.line.direction.cast().unit()).unit() * 0.9;
     let shifts = [along.normal + aside, along.normal - aside];
@@ -163,9 +163,9 @@ fn settled<Q: Question, R: Precision>(
     answer
 }
 
-/// How far beside a face a ray is asked about that lies in it, in parts of the root of the unit
+/// Distance beside a face at which a ray is asked about that lies in the face, in parts of the root of the unit
 /// roundoff, 2⁻⁵¹ for double-double.
-const BESIDE: f64 = 1.0 / (1u64 << 24) as f64;
+const FACE_OFFSET: f64 = 1.0 / (1u64 << 24) as f64;
 
 /// The answer of numbers that are final. Where some surface cannot be told from the one that the ray
 /// has left, it is asked once more: the crossing with the latter is a better place to start than the

@@ -150,12 +150,12 @@ fn terms<R: Precision>(line: &Line<R>, t: R) -> Vec3<R> {
 #[inline]
 pub fn strayed<R: Precision>(point: Vec3<R>, line: &Line<R>, t: R) -> Option<Vec3<R>> {
     /// In units of the last place.
-    const MOST: f64 = 4.0;
+    const MAX_STRAY_ULPS: f64 = 4.0;
     // A t near the end of the numbers' range is rounded to a multiple of this.
-    const LEAST: f64 = f64::from_bits(1);
+    const SMALLEST_STEP: f64 = f64::from_bits(1);
     let on_line = line.at(t);
-    let most =
-        terms(line, t) * (R::of(2.0 * MOST) * R::ROUNDOFF) + line.direction.abs() * R::of(LEAST);
+    let most = terms(line, t) * (R::of(2.0 * MAX_STRAY_ULPS) * R::ROUNDOFF)
+        + line.direction.abs() * R::of(SMALLEST_STEP);
     let off = (point - on_line).abs();
     let strays = (0..3).any(|i| off[i] > most[i]);
     (strays && on_line.is_finite()).then_some(on_line)

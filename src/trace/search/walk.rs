@@ -9,7 +9,7 @@ use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::Beam;
 use crate::trace::graph::outermost;
 use crate::trace::graph::{Coat, Graph, Operation, Part, Target};
-use crate::trace::memory_limit::SLACK;
+use crate::trace::memory_limit::GROWTH_FACTOR;
 use crate::trace::precision::{Doubt, Precision};
 use crate::trace::ray::Ray;
 use crate::trace::shapes::quick_reject::Pass;
@@ -167,7 +167,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     /// the graph knows then.
     pub fn enter(&mut self, context: u32, part: u32, object: u32) -> Option<u32> {
         let contexts = self.contexts.len() * size_of::<Context<R>>();
-        if !(self.graph.room).has(SLACK * (contexts + self.spans.bytes())) {
+        if !(self.graph.room).has(GROWTH_FACTOR * (contexts + self.spans.bytes())) {
             return None;
         }
         let above = &self.contexts[context as usize];

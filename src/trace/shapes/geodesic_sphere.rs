@@ -197,7 +197,7 @@ impl GeodesicSphere {
         noise: R,
         mut leaf: impl FnMut([Projected<R>; 3], u32),
     ) {
-        let slack = R::of(SLACK) * R::ROUNDOFF + noise;
+        let slack = R::of(SEARCH_ROUNDOFFS) * R::ROUNDOFF + noise;
         for stretch in view.stretches(R::of(self.inner), slack).iter().flatten() {
             self.descend(stretch, |corners, face| {
                 leaf(each(corners, |at| view.project(at)), face);
@@ -269,7 +269,7 @@ fn inner_radius(edge: f64, splits: u32) -> f64 {
 /// the middle out stretches: over all splits by less than 1.26. Ten levels make 76 units, stretched
 /// by the shear up to √3 times: 132. The projection of a point, relative to one on the line and up
 /// to 2.1 from it, has 4 roundings of at most 4.2 in all, 17 units.
-const SLACK: f64 = 160.0;
+const SEARCH_ROUNDOFFS: f64 = 160.0;
 
 impl<R: Traced> View<R> {
     fn of(line: &Line<R>, radius: R) -> Sight<R> {
@@ -289,8 +289,9 @@ impl<R: Traced> View<R> {
         // rounding each, of numbers up to |origin| and 2 |origin|: 7 in all, and some more for the
         // second step. The shear stretches them up to √3 times.
         let size = origin[0].abs() + origin[1].abs() + origin[2].abs();
-        let noise =
-            R::gamma(20) * size + R::of(SLACK) * R::ROUNDOFF + drift_across(line, radius) / radius;
+        let noise = R::gamma(20) * size
+            + R::of(SEARCH_ROUNDOFFS) * R::ROUNDOFF
+            + drift_across(line, radius) / radius;
         let beyond = R::ONE + noise;
         let distance = nearest.dot(nearest);
         // The square rounds by γ₄. The nearest point is off along the line by less than the noise,
@@ -452,7 +453,7 @@ impl<R: Traced> Intersect<R> for GeodesicSphere {
     }
 
     /// The weighted mean of the facet's corners: off by γ₇ Σ|wᵢ vᵢ| (pbrt-v4, section 6.8.5) and
-    /// one rounding of the radius; and the corners by 1.26 · 6 roundings a level (see [`SLACK`]).
+    /// one rounding of the radius; and the corners by 1.26 · 6 roundings a level (see [`SEARCH_ROUNDOFFS`]).
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let radius = R::of(self.record.radius);
         let corners = self.corners::<R>(root.face);

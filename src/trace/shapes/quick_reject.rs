@@ -7,13 +7,13 @@
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 
-/// Points of a line are known to this part of a shape's size, or nothing is said about it.
-pub const KNOWN: f64 = 1e-9;
-/// A ball around a shape is wider by this part, and so is a slab.
-const WIDER: f64 = 1.0 + 1.0 / 1024.0;
-/// Polynomials of a line's points, of first to fourth degree in them and in units of the shape's size, are off by less
-/// than a fiftieth of this.
-pub const MARGIN: f64 = 1e-6;
+/// Largest error of a line's points, as a share of a shape's size, with which anything is said about the line.
+pub const LINE_REL_ERROR: f64 = 1e-9;
+/// Factor by which a ball around a shape is wider, and a slab too.
+const BALL_WIDENING: f64 = 1.0 + 1.0 / 1024.0;
+/// Values of polynomials that are nearer to zero than this count as zero. The polynomials are of first to fourth degree
+/// in a line's points, in units of the shape's size. Their errors are less than a fiftieth of this.
+pub const POLYNOMIAL_MARGIN: f64 = 1e-6;
 
 /// How a line passes a shape, as far as a cheap test can tell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,10 +65,13 @@ impl Ball {
         // On the line whatever the quotient is.
         let point = start - line.direction * (along / square);
         let off = 8.0 * f64::EPSILON * start.abs().max_component() + line.drift(2.0 * radius);
-        let reach = WIDER * radius;
+        let reach = BALL_WIDENING * radius;
         let reach2 = reach * reach;
         // Written so that what is no number is unknown.
-        if !(off <= KNOWN * radius && square.is_normal() && reach2.is_normal() && along.is_finite())
+        if !(off <= LINE_REL_ERROR * radius
+            && square.is_normal()
+            && reach2.is_normal()
+            && along.is_finite())
         {
             return Ball::Unknown;
         }
@@ -78,7 +81,7 @@ impl Ball {
         }
         let length = square.sqrt();
         let (direction, origin) = (line.direction * length.recip(), along / length);
-        let (half, slack) = (half.sqrt(), MARGIN * radius);
+        let (half, slack) = (half.sqrt(), POLYNOMIAL_MARGIN * radius);
         let from = (origin + from * length - slack).max(-half);
         let end = origin + to * length;
         let to = (end + slack).min(half);
@@ -113,9 +116,9 @@ impl Approach {
     pub fn between(&self, axis: usize, low: f64, high: f64) -> Option<[f64; 2]> {
         let (p, d) = (self.point[axis], self.direction[axis]);
         let [from, to] = self.stretch;
-        let slack = (WIDER - 1.0) * (high - low);
+        let slack = (BALL_WIDENING - 1.0) * (high - low);
         // What the point is off by counts beside so thin a slab.
-        if slack < MARGIN * (to - from) {
+        if slack < POLYNOMIAL_MARGIN * (to - from) {
             return Some(self.stretch);
         }
         let (low, high) = (low - slack - p, high + slack - p);

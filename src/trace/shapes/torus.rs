@@ -14,7 +14,9 @@
 use super::error_bound::is_final;
 use super::hull;
 use super::quad_double::decide_closer;
-use super::quick_reject::{Approach, Ball, KNOWN, MARGIN, Pass, is_quartic_above};
+use super::quick_reject::{
+    Approach, Ball, LINE_REL_ERROR, POLYNOMIAL_MARGIN, Pass, is_quartic_above,
+};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
@@ -201,7 +203,7 @@ impl Shape for Torus {
         let Some(stretch) = approach.between(1, -self.record.minor, self.record.minor) else {
             return Pass::Beside;
         };
-        let margin = MARGIN * (self.record.major + self.record.minor).powi(4);
+        let margin = POLYNOMIAL_MARGIN * (self.record.major + self.record.minor).powi(4);
         let quartic = self.quartic(&approach);
         if is_quartic_above(quartic, stretch, margin) {
             return Pass::Beside;
@@ -215,8 +217,12 @@ impl Shape for Torus {
     fn is_met_again(&self, line: &Line) -> bool {
         let size = self.record.major + self.record.minor;
         let [x, _, z] = line.origin.0;
-        let is_outer = x * x + z * z > self.record.major * self.record.major + MARGIN * size * size;
-        if is_outer && self.record.minor <= self.record.major && line.slack.origin <= KNOWN * size {
+        let is_outer =
+            x * x + z * z > self.record.major * self.record.major + POLYNOMIAL_MARGIN * size * size;
+        if is_outer
+            && self.record.minor <= self.record.major
+            && line.slack.origin <= LINE_REL_ERROR * size
+        {
             return false;
         }
         let ahead = [0.0, f64::INFINITY];
@@ -229,7 +235,7 @@ impl Shape for Torus {
         let a = c4 * s + c3;
         let b = a * s + c2;
         let cubic = [0.0, c4, a, b, b * s + c1];
-        let margin = MARGIN * size.powi(3);
+        let margin = POLYNOMIAL_MARGIN * size.powi(3);
         !is_quartic_above(cubic, [s, approach.stretch[1]], margin)
     }
 
@@ -276,7 +282,7 @@ impl<R: Traced> Intersect<R> for Torus {
         let size = reach / line.direction.abs().max_component();
         let slack = line.slack.origin + line.slack.direction * size;
         // Written so that NaN is no bound. Single precision does not know so well where a line is.
-        if R::ROUNDOFF <= R::of(f64::EPSILON) && slack <= R::of(KNOWN) * reach {
+        if R::ROUNDOFF <= R::of(f64::EPSILON) && slack <= R::of(LINE_REL_ERROR) * reach {
             self.decide(line, near + size * R::of(0.01), roots);
             if !roots.uncertain {
                 return;

@@ -73,8 +73,8 @@ impl Triangle {
         }
         // Below this, what the projection rounds is no longer in proportion: products leave the
         // normal numbers, even those of the parts of a double-double number.
-        const LEAST: f64 = 1e-280;
-        let noise = if size >= R::of(LEAST) {
+        const MIN_SIZE: f64 = 1e-280;
+        let noise = if size >= R::of(MIN_SIZE) {
             // One rounding of v − o, one of the slope, of the product and of the difference.
             R::gamma(4) * size + drift_across(line, R::of(self.reach))
         } else {

@@ -6,7 +6,7 @@ use crate::lint::Context;
 use crate::lint::glance::{MAX_NODES, SIZE, glance};
 use crate::scene::{Geometry, Optics, Paint, Render, Rgb, Scene, Shape, Texture};
 use crate::solids::staging::{Viewpoint, staged};
-use crate::trace::film::{FEW, is_above_white};
+use crate::trace::film::{MAX_BRIGHT_PERCENT, is_above_white};
 use std::ops::ControlFlow;
 
 /// What more mirrors and panes than this add is of no account.
@@ -33,7 +33,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     });
     let Some(bright) = most
         .max()
-        .filter(|&n| 100.0 * n as f64 >= FEW * pixels as f64)
+        .filter(|&n| 100.0 * n as f64 >= MAX_BRIGHT_PERCENT * pixels as f64)
     else {
         return;
     };

@@ -110,7 +110,7 @@ pub fn find(scene: &Scene, root: NodeId) -> UnseenParts {
     drop(bounds);
     // Rounding moves the ends of rays by a share of how far these go.
     let reach = clip.map_or(0.0, |c| c.far()).max(starts.reach());
-    let hair = |b: &Aabb| HAIR * reach.max(b.far());
+    let hair = |b: &Aabb| APART_REL_GAP * reach.max(b.far());
     let mut why: Vec<Option<Why>> = vec![None; all.len()];
     if let Some(clip) = &clip {
         for (why, member) in why.iter_mut().zip(&all) {
@@ -158,8 +158,8 @@ fn is_cut(bounds: &[NodeBounds], root: NodeId, clip: &Aabb) -> bool {
     !clip.holds(&bounds[root as usize].all)
 }
 
-/// What is so far apart, as a share of the numbers that rays are made of, is apart.
-const HAIR: f64 = 1e-9;
+/// Gap between two things that are apart, as a share of the numbers that rays are made of.
+const APART_REL_GAP: f64 = 1e-9;
 
 /// Whether two boxes are further from each other than this, along some axis.
 fn is_apart(a: &Aabb, b: &Aabb, hair: f64) -> bool {

@@ -23,8 +23,9 @@ use crate::trace::shapes::{Primitive, Roots};
 /// The size of a picture, in pixels, where none is asked for.
 pub const USUAL: [u32; 2] = [640, 480];
 
-/// By which part of the picture what is beside it must be beside: far more than rounding moves a ray.
-const MARGIN: f64 = 0.01;
+/// Distance from the picture's border, as a share of the picture, at which a thing is beside the picture: far more than
+/// rounding moves a ray.
+const PICTURE_MARGIN: f64 = 0.01;
 
 /// The least product of a unit vector with one that is meant to be at right angles to it.
 const UPRIGHT: f64 = -1e-15;
@@ -68,7 +69,7 @@ impl Field {
     fn of(camera: &Camera) -> Option<Field> {
         let [width, height] = USUAL.map(f64::from);
         let view = View::new(camera, USUAL[0], USUAL[1])?;
-        let (low, high) = (-MARGIN, 1.0 + MARGIN);
+        let (low, high) = (-PICTURE_MARGIN, 1.0 + PICTURE_MARGIN);
         let corners = [(low, low), (high, low), (high, high), (low, high)];
         let mut starts = [[0.0; 3]; 4];
         let mut directions = [[0.0; 3]; 4];

@@ -6,8 +6,8 @@ use crate::geometry::vec::Vec3;
 use crate::trace::graph::{Graph, Operation, Target};
 use std::sync::Arc;
 
-/// Distances are known to this part of themselves.
-pub const KNOWN: f64 = 1e-6;
+/// Largest error of a distance, as a share of it.
+pub const DISTANCE_REL_ERROR: f64 = 1e-6;
 /// What two roundings may do to a coordinate of a face, several times over.
 pub const ROUNDED: f64 = 16.0 * f64::EPSILON;
 
@@ -101,7 +101,7 @@ impl Body {
         }
         let off = self.off + wider;
         // All of it is in front of the point. Otherwise the projection of the corners says nothing.
-        if is_known && near * KNOWN > off {
+        if is_known && near * DISTANCE_REL_ERROR > off {
             let far = |i: usize| ends[1][i].max(-ends[0][i]);
             let size = 1.0 + far(0) + far(1);
             // A quotient of two numbers that are off by as much is off by (off + |u| off) / near, a sum by that of both.

@@ -1,17 +1,18 @@
 //! One face of the cube, with its grid.
 
-use super::body::{KNOWN, Octagon, ROUNDED};
+use super::body::{DISTANCE_REL_ERROR, Octagon, ROUNDED};
 use crate::geometry::array::each;
 use crate::geometry::wide_bvh::below;
 use std::iter;
 use wide::f32x8;
 
-/// Octagons are widened by this much, in units of the longer side. In single precision the sum of two coordinates is
-/// known to less than 2⁻²².
-const MARGIN: f64 = 1e-6;
-/// So many cells for each body that is seen through a face, and so many cells in a row at most.
-const CELLS: f64 = 4.0;
-const MOST: f64 = 256.0;
+/// Widening of octagons, in units of the longer side. In single precision the sum of two coordinates is known to less
+/// than 2⁻²².
+const OCTAGON_WIDENING: f64 = 1e-6;
+/// Cells of a face for each body that is seen through it.
+const CELLS_PER_BODY: f64 = 4.0;
+/// Most cells in a row of a face.
+const MAX_CELLS_PER_ROW: f64 = 256.0;
 
 /// One face of the cube. Its own coordinates, u and v, are the other two components of a direction over the largest one.
 /// Places on it are measured from the lower corner of what is seen, in units of the longer side.
@@ -53,19 +54,19 @@ impl Face {
             lower = each([0, 1], |i| lower[i].min(least[i]));
             upper = each([0, 1], |i| upper[i].max(most[i]));
         }
-        let size = each([0, 1], |i| (upper[i] - lower[i]).max(KNOWN));
+        let size = each([0, 1], |i| (upper[i] - lower[i]).max(DISTANCE_REL_ERROR));
         // How many bodies lie behind one another, on average.
         let share = |i: usize, Octagon([least, most]): &Octagon| (most[i] - least[i]) / size[i];
         let shares = bodies.iter().map(|(.., o)| share(0, o) * share(1, o));
         let depth = shares.sum::<f64>().max(1.0);
-        let side = (CELLS * bodies.len() as f64 / depth)
+        let side = (CELLS_PER_BODY * bodies.len() as f64 / depth)
             .sqrt()
             .ceil()
-            .clamp(1.0, MOST);
+            .clamp(1.0, MAX_CELLS_PER_ROW);
         let scale = size[0].max(size[1]).recip();
         let cells = each(size, |size| (side / (size * scale)) as f32);
         let start = [lower[0], lower[1], lower[0] + lower[1], lower[0] - lower[1]];
-        let margin = MARGIN + ROUNDED * scale;
+        let margin = OCTAGON_WIDENING + ROUNDED * scale;
         let seen: Vec<VisibleBody> = bodies
             .iter()
             .map(|&(index, near, Octagon([least, most]))| {

@@ -18,7 +18,7 @@ pub use body::{Body, bodies};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
 use crate::geometry::vec::Vec3;
-use body::KNOWN;
+use body::DISTANCE_REL_ERROR;
 use face::Face;
 use std::iter;
 use std::sync::Arc;
@@ -52,19 +52,19 @@ pub enum End<'v> {
     Anywhere,
 }
 
-/// Boxes are wider by this part of the largest coordinate there is.
-const WIDER: f64 = 1e-9;
-/// So many times that coordinate away a ray may start. Its direction is rounded once, which takes it less than 10⁻¹²
-/// of that coordinate off: a thousandth of what boxes are wider by.
-const FAR: f64 = 1e3;
+/// Widening of boxes, as a share of the largest coordinate there is.
+const BOX_WIDENING: f64 = 1e-9;
+/// Largest distance that a ray may start at, in units of that coordinate. Its direction is rounded once, which takes it
+/// less than 10⁻¹² of that coordinate off: a thousandth of what boxes are wider by.
+const MAX_ORIGIN_DISTANCE: f64 = 1e3;
 
 impl DirectionCache {
     /// What of some bodies is seen from a point; `None` where there are no numbers for it.
     pub fn new(bodies: &Arc<[Body]>, point: Vec3) -> Option<DirectionCache> {
         let reaches = bodies.iter().map(|body| body.bounds.reach());
         let reach = reaches.fold(point.abs().max_component(), f64::max);
-        let wider = WIDER * reach;
-        if !(wider.is_normal() && (FAR * reach).is_finite()) {
+        let wider = BOX_WIDENING * reach;
+        if !(wider.is_normal() && (MAX_ORIGIN_DISTANCE * reach).is_finite()) {
             return None;
         }
         let mut around: Vec<(f64, u32, Aabb)> = (0..)
@@ -74,7 +74,11 @@ impl DirectionCache {
                 let min = each([0, 1, 2], |i| b.min[i] - point[i] - wider);
                 let max = each([0, 1, 2], |i| b.max[i] - point[i] + wider);
                 let gap = Vec3(each([0, 1, 2], |i| min[i].max(-max[i]).max(0.0)));
-                (gap.length() * (1.0 - KNOWN), index, Aabb { min, max })
+                (
+                    gap.length() * (1.0 - DISTANCE_REL_ERROR),
+                    index,
+                    Aabb { min, max },
+                )
             })
             .collect();
         around.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -88,7 +92,7 @@ impl DirectionCache {
         Some(DirectionCache {
             bodies: Arc::clone(bodies),
             faces: [0, 1, 2].map(|axis| [-1.0, 1.0].map(|sign| face(axis, sign))),
-            far: FAR * reach,
+            far: MAX_ORIGIN_DISTANCE * reach,
         })
     }
 
@@ -117,7 +121,7 @@ impl DirectionCache {
     #[inline]
     pub fn arriving(&self, way: Vec3) -> Option<impl Iterator<Item = (f64, &Body)>> {
         let size = way.abs().max_component();
-        let length = way.length() * (1.0 + KNOWN);
+        let length = way.length() * (1.0 + DISTANCE_REL_ERROR);
         let is_within = move |(near, _): &(f64, _)| *near <= length;
         (size <= self.far).then(|| self.leaving(-way).take_while(is_within))
     }

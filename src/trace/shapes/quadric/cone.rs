@@ -12,7 +12,7 @@ use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::error_bound::is_final;
 use crate::trace::shapes::hull;
 use crate::trace::shapes::quad_double::decide_closer;
-use crate::trace::shapes::quick_reject::{Ball, MARGIN, Pass, is_above};
+use crate::trace::shapes::quick_reject::{Ball, POLYNOMIAL_MARGIN, Pass, is_above};
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 
@@ -57,7 +57,7 @@ impl Cone {
             Vec3::new(v[0] / radius, v[1] / height, v[2] / radius)
         });
         let form = |v: Vec3, w: Vec3| v[0] * w[0] + v[2] * w[2] - v[1] * w[1];
-        let margin = MARGIN * (size / radius.min(height)).powi(2);
+        let margin = POLYNOMIAL_MARGIN * (size / radius.min(height)).powi(2);
         let coefficients @ [a, b, c] = [form(d, d), form(p, d), form(p, p)];
         if is_above(coefficients, stretch, margin) {
             return Pass::Beside;
@@ -74,7 +74,7 @@ impl Cone {
             // As far inside of the slab as the margin asks for.
             let y = approach.point[1] + t * approach.direction[1];
             let outside = (low - y).max(y - high) / size;
-            (outside * margin / MARGIN).max((a * t + b + b) * t + c)
+            (outside * margin / POLYNOMIAL_MARGIN).max((a * t + b + b) * t + c)
         })
     }
 }

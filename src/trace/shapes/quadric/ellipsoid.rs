@@ -10,7 +10,7 @@ use crate::geometry::vec::Vec3;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::hull;
-use crate::trace::shapes::quick_reject::{Ball, MARGIN, Pass};
+use crate::trace::shapes::quick_reject::{Ball, POLYNOMIAL_MARGIN, Pass};
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 use std::f64::consts::PI;
@@ -59,7 +59,7 @@ impl Shape for Ellipsoid {
         let (a, b) = (d.dot(d), p.dot(d));
         let form = p.dot(p) - 1.0 - b * b / a;
         // In units of the shortest axis.
-        let margin = MARGIN * (most / least).powi(2);
+        let margin = POLYNOMIAL_MARGIN * (most / least).powi(2);
         if margin.is_normal() && form > margin {
             return Pass::Beside;
         }

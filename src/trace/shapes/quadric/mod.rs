@@ -19,7 +19,7 @@ use crate::scene::Geometry;
 use crate::solids::shapes::facts::Facts;
 use crate::solids::shapes::quadric::Quadric as Record;
 use crate::trace::shapes::quad_double::decide_closer;
-use crate::trace::shapes::quick_reject::{Ball, KNOWN, MARGIN, Pass};
+use crate::trace::shapes::quick_reject::{Ball, LINE_REL_ERROR, POLYNOMIAL_MARGIN, Pass};
 use crate::trace::shapes::support::Support;
 use line::Chord;
 use std::f64::consts::TAU;
@@ -82,7 +82,7 @@ impl Quadric {
     fn is_missed(&self, line: &Line) -> bool {
         let [reach, pace] = each([line.origin, line.direction], |v| v.abs().max_component());
         let slack = line.slack;
-        if !(slack.origin <= KNOWN * reach && slack.direction <= KNOWN * pace) {
+        if !(slack.origin <= LINE_REL_ERROR * reach && slack.direction <= LINE_REL_ERROR * pace) {
             return false;
         }
         let unit = self.form.units();
@@ -94,8 +94,8 @@ impl Quadric {
             (2.0 * second * reach + first) * pace,
             size(self.sizes, reach),
         ];
-        let least = MARGIN * (sizes[1] * sizes[1] + 4.0 * sizes[0] * sizes[2]);
-        least.is_normal() && a > MARGIN * sizes[0] && 4.0 * a * c - b * b > least
+        let least = POLYNOMIAL_MARGIN * (sizes[1] * sizes[1] + 4.0 * sizes[0] * sizes[2]);
+        least.is_normal() && a > POLYNOMIAL_MARGIN * sizes[0] && 4.0 * a * c - b * b > least
     }
 }
 
@@ -137,7 +137,7 @@ impl Shape for Quadric {
             Ball::Meets(approach) => approach,
         };
         let [a, b, c] = self.form.along(centre + approach.point, approach.direction);
-        let margin = MARGIN * size;
+        let margin = POLYNOMIAL_MARGIN * size;
         let value = |t: f64| (a * t + b) * t + c;
         let [from, to] = approach.stretch;
         let lowest = (-b / (a + a)).max(from).min(to);

@@ -12,10 +12,10 @@ use crate::geometry::vec::Vec3;
 use crate::trace::shapes::Roots;
 use crate::trace::shapes::error_bound::{is_final, parameter_error};
 
-/// How far from the surface the rounding of F may put a crossing: so many units of roundoff times the largest coordinate
-/// of the line's origin or the crossing. The rounding of the crossing and of its t come on top: √3 and 2√3 units at most,
-/// so that all is below 4 ε, which are 8 units.
-const NEAR: f64 = 2.0;
+/// Distance from the surface that the rounding of F may put a crossing at, in units of roundoff times the largest
+/// coordinate of the line's origin or the crossing. The rounding of the crossing and of its t come on top: √3 and 2√3
+/// units at most, so that all is below 4 ε, which are 8 units.
+const MAX_CROSSING_ROUNDOFFS: f64 = 2.0;
 
 /// A sum of products by compensated summation: the errors of products come from fused multiply-adds, those of sums from
 /// Knuth's two-sum (Ogita, Rump and Oishi, "Accurate Sum and Dot Product", 2005).
@@ -91,7 +91,7 @@ impl QuadricForm {
         self.cancels && !is_final::<R>() && parameter_error::<R>() == R::ZERO
     }
 
-    /// Moves the crossings onto the surface, and doubts those that cannot be brought [near](NEAR) enough.
+    /// Moves the crossings onto the surface, and doubts those that cannot be brought [near](MAX_CROSSING_ROUNDOFFS) enough.
     #[inline(never)]
     pub(super) fn refine<R: Traced>(&self, line: &Line<R>, roots: &mut Roots<R>) {
         if roots.uncertain {
@@ -131,7 +131,7 @@ impl QuadricForm {
         let off = c.error + R::gamma(4) * c.value.abs() + (error + a.error * way) * way;
         let slope = Vec3(each(gradient, |g| g.value.abs() - g.error)).max_component();
         let reach = (line.origin.abs().max_component()).max(p.abs().max_component());
-        let near = off <= R::of(NEAR) * R::ROUNDOFF * reach * slope;
+        let near = off <= R::of(MAX_CROSSING_ROUNDOFFS) * R::ROUNDOFF * reach * slope;
         let t = t + step;
         (near && slope > R::ZERO && t.is_finite()).then_some(t)
     }

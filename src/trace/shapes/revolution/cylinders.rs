@@ -4,7 +4,7 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
-use crate::trace::shapes::quick_reject::{Ball, MARGIN, Pass, is_above};
+use crate::trace::shapes::quick_reject::{Ball, POLYNOMIAL_MARGIN, Pass, is_above};
 
 /// Layers of the same height that the solid is cut into.
 const LAYERS: usize = 32;
@@ -60,7 +60,7 @@ impl Cylinders {
         let thick = 2.0 * self.half / LAYERS as f64;
         let floor = |i: usize| i as f64 * thick - self.half;
         // Heights on a line are known to less than this.
-        let margin = MARGIN * self.size;
+        let margin = POLYNOMIAL_MARGIN * self.size;
         for ends in points.windows(2) {
             let [mut low, mut high] = each([ends[0], ends[1]], |[x, y]| {
                 [x / scale, y / scale - self.centre[1]]
@@ -105,11 +105,11 @@ impl Cylinders {
         let flat = |v: Vec3, w: Vec3| (v[0] * w[0] + v[2] * w[2]) / unit;
         let (p, d) = (approach.point, approach.direction);
         let [a, b, c] = [flat(d, d), flat(p, d), flat(p, p)];
-        if is_above([a, b, c - self.outer], [from, to], MARGIN) {
+        if is_above([a, b, c - self.outer], [from, to], POLYNOMIAL_MARGIN) {
             return Pass::Beside;
         }
         let nearest = (-b / a).max(from).min(to);
-        approach.through(nearest, MARGIN, |t| {
+        approach.through(nearest, POLYNOMIAL_MARGIN, |t| {
             (a * t + 2.0 * b) * t + c - self.inner[self.layer(p[1] + t * d[1])]
         })
     }

@@ -18,11 +18,10 @@ pub struct Subsegment {
     pub segment: u32,
 }
 
-/// How far the computed directions and distances of segments in one line may be from each other:
-/// the coordinates are below 2, a direction's two parts have one rounding each, its angle two more
-/// from the arctangent, and the distance from the origin, below 3, five. What is closer than this is
-/// compared exactly.
-const NEAR: f64 = 64.0 * f64::EPSILON;
+/// Largest difference between the computed directions and distances of segments in one line. The coordinates are below
+/// 2, a direction's two parts have one rounding each, its angle two more from the arctangent, and the distance from the
+/// origin, below 3, five. Segments that differ by less are compared exactly.
+const LINE_ABS_EPS: f64 = 64.0 * f64::EPSILON;
 
 /// The segments between neighbouring points with what lies in each other taken out in pairs; all
 /// coordinates must be below 2. In the order of the profile.
@@ -97,9 +96,9 @@ fn lines(points: &[[f64; 2]]) -> Vec<Vec<u32>> {
     }
     let mut found = Vec::new();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    for parallel in all.chunk_by_mut(|a, b| b.0 - a.0 <= NEAR) {
+    for parallel in all.chunk_by_mut(|a, b| b.0 - a.0 <= LINE_ABS_EPS) {
         parallel.sort_by(|a, b| a.1.total_cmp(&b.1));
-        for near in parallel.chunk_by(|a, b| b.1 - a.1 <= NEAR) {
+        for near in parallel.chunk_by(|a, b| b.1 - a.1 <= LINE_ABS_EPS) {
             if let [(.., alone)] = near {
                 found.push(vec![*alone]);
                 continue;

@@ -15,7 +15,7 @@ use super::tree::{self, Run};
 use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
-use crate::trace::shapes::quick_reject::{Ball, MARGIN};
+use crate::trace::shapes::quick_reject::{Ball, POLYNOMIAL_MARGIN};
 use wide::f64x4;
 
 const LANES: usize = 4;
@@ -150,8 +150,8 @@ impl Beside {
         let start = p[1] + d[1] * (approach.origin / self.size);
         let within = match ahead {
             false => all,
-            true if d[1] > 0.0 => [start - MARGIN, f64::INFINITY],
-            true => [f64::NEG_INFINITY, start + MARGIN],
+            true if d[1] > 0.0 => [start - POLYNOMIAL_MARGIN, f64::INFINITY],
+            true => [f64::NEG_INFINITY, start + POLYNOMIAL_MARGIN],
         };
         Some(Passing {
             turn: d[1] * s,
@@ -186,7 +186,7 @@ impl Beside {
         let outside = least * least + line.along2 * (line.delta2 - outer * outer);
         let inside = most * most + line.along2 * (line.delta2 - inner * inner);
         let [bottom, top] = line.within;
-        outside > MARGIN || inside < -MARGIN || high < bottom || low > top
+        outside > POLYNOMIAL_MARGIN || inside < -POLYNOMIAL_MARGIN || high < bottom || low > top
     }
 
     #[inline]
@@ -201,7 +201,10 @@ impl Beside {
             line.delta2,
         ];
         let [turn, height, across, along2, delta2] = each(of_line, f64x4::splat);
-        let [margin, bottom, top] = each([MARGIN, line.within[0], line.within[1]], f64x4::splat);
+        let [margin, bottom, top] = each(
+            [POLYNOMIAL_MARGIN, line.within[0], line.within[1]],
+            f64x4::splat,
+        );
         let mut met = 0;
         for block in blocks.iter().rev() {
             let offset = |end: usize| (block.height[end] - height).mul_add(across, turn);
