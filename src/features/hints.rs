@@ -179,11 +179,11 @@ fn reference(
     })
 }
 
-/// Longer ones push the numbers out of sight.
-const LONGEST: usize = 24;
+/// Most characters of a hint: longer ones push the numbers out of sight.
+const MAX_HINT_CHARS: usize = 24;
 
 fn shortened(name: &str) -> String {
-    match name.char_indices().nth(LONGEST) {
+    match name.char_indices().nth(MAX_HINT_CHARS) {
         None => name.to_owned(),
         Some((end, _)) => format!("{}…", name[..end].trim_end()),
     }

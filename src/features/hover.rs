@@ -216,11 +216,11 @@ fn bounds_text(all: &Aabb, language: Language) -> String {
 
 /// The record as it is written, in one line and not too long.
 fn first_line(analysis: &Analysis, record: &Record) -> String {
-    const LONGEST: usize = 80;
+    const MAX_RECORD_BYTES: usize = 80;
     let tokens = analysis.document.significant(record.first, record.last);
     let mut out = String::new();
     for token in tokens {
-        if out.len() > LONGEST {
+        if out.len() > MAX_RECORD_BYTES {
             out.push_str(" …");
             break;
         }

@@ -9,12 +9,14 @@ use std::ops::Range;
 
 use imara_diff::{Algorithm, Diff, InternedInput, Token};
 
-/// The lines of a block. Up to so many changed lines a text is compared as a whole.
-const BLOCK: usize = 250;
-const WHOLE: usize = 2000;
-/// So far from where the next block is guessed to begin it is looked for, and so many lines must be alike there.
-const NEAR: usize = 50;
-const AGREEING: usize = 2;
+/// Lines of a block.
+const BLOCK_LINES: usize = 250;
+/// Most changed lines of texts that are compared as a whole.
+const MAX_LINES_COMPARED_AT_ONCE: usize = 2000;
+/// Lines from where the next block is guessed to begin, within which it is looked for.
+const MAX_GUESS_ERROR: usize = 50;
+/// Lines that must be alike where a block begins.
+const AGREEING_LINES: usize = 2;
 
 /// Compares two texts, line by line.
 pub fn of(input: &InternedInput<&str>) -> Diff {
@@ -23,7 +25,10 @@ pub fn of(input: &InternedInput<&str>) -> Diff {
     let most = before.len().min(after.len()) - start;
     let end = common(before.iter().rev().zip(after.iter().rev())).min(most);
     let changed = [before, after].map(|lines| start..lines.len() - end);
-    let mut diff = match changed.iter().all(|lines| lines.len() <= WHOLE) {
+    let mut diff = match changed
+        .iter()
+        .all(|lines| lines.len() <= MAX_LINES_COMPARED_AT_ONCE)
+    {
         true => Diff::compute(Algorithm::Histogram, input),
         false => in_blocks(input, changed),
     };
@@ -87,13 +92,15 @@ fn blocks(
     let (mut i, mut j) = (0, 0);
     // By how much the numbers of words differ so far.
     let mut drift = 0;
-    while before.len() - i > BLOCK && j < after.len() {
-        let next = i + BLOCK;
+    while before.len() - i > BLOCK_LINES && j < after.len() {
+        let next = i + BLOCK_LINES;
         let wanted = words_before[next].saturating_add_signed(drift);
         let guess = words_after.partition_point(|&words| words < wanted);
-        let nearest = (0..NEAR).flat_map(|k| [guess.checked_add(k), guess.checked_sub(k + 1)]);
+        let nearest =
+            (0..MAX_GUESS_ERROR).flat_map(|k| [guess.checked_add(k), guess.checked_sub(k + 1)]);
         let says_the_same = |&line: &usize| {
-            line >= j && (0..AGREEING).all(|k| is_alike(before.get(next + k), after.get(line + k)))
+            line >= j
+                && (0..AGREEING_LINES).all(|k| is_alike(before.get(next + k), after.get(line + k)))
         };
         let found = nearest.flatten().find(says_the_same);
         if let Some(line) = found.filter(|&line| line < after.len()) {

@@ -29,7 +29,7 @@ impl DocumentRange {
             let near = tokens.len() / count * i;
             let near = items.partition_point(|item| (item.ends().0 as usize) < near);
             let near = near.max(rest.items.start + 1);
-            let mut tried = near..items.len().min(near + TRIED);
+            let mut tried = near..items.len().min(near + MAX_ITEMS_TRIED);
             let Some((item, token)) = tried.find_map(|i| Some((i, cut_before(document, i)?)))
             else {
                 continue;
@@ -58,8 +58,8 @@ impl DocumentRange {
     }
 }
 
-/// How many items to try before a cut is given up.
-const TRIED: usize = 1000;
+/// Most items that are tried before a cut is given up.
+const MAX_ITEMS_TRIED: usize = 1000;
 
 /// The token with which a part may begin whose first item is this one: the line break behind the record before it. Each is
 /// printed the same whether or not the other is there, except for the column of the comments, which

@@ -18,9 +18,9 @@ pub struct Aabb {
 /// and the error of the point itself, with room to spare.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Boxes that are this near, as a part of their coordinates, touch: far more than roundings move anything, far less
-/// than anybody means.
-const NEAR: f64 = 1e-9;
+/// Gap between boxes that touch, as a share of their coordinates: far more than roundings move anything, far less than
+/// anybody means.
+const TOUCH_REL_GAP: f64 = 1e-9;
 
 impl Aabb {
     pub const EMPTY: Aabb = Aabb {
@@ -88,7 +88,7 @@ impl Aabb {
     /// Whether the two have a point in common but for what a few roundings may have moved them apart.
     #[inline]
     pub fn touches(&self, other: &Aabb) -> bool {
-        let hair = NEAR * self.far().max(other.far());
+        let hair = TOUCH_REL_GAP * self.far().max(other.far());
         (0..3).all(|i| self.min[i] <= other.max[i] + hair && other.min[i] <= self.max[i] + hair)
     }
 
@@ -229,7 +229,7 @@ impl Aabb {
     /// 2013). A NaN (a line in a face's plane) loses every comparison and restricts nothing.
     #[inline]
     pub fn clip(&self, line: &Line, from: f64, to: f64) -> Option<(f64, f64)> {
-        const SLACK: f64 = 2.0 * gamma(3);
+        const CLIP_REL_ERROR: f64 = 2.0 * gamma(3);
         let (mut near, mut far) = (from, f64::INFINITY);
         for i in 0..3 {
             // The processor cannot predict which side the ray meets first. So the sides are chosen by index, without a
@@ -241,8 +241,8 @@ impl Aabb {
             near = if a > near { a } else { near };
             far = if b < far { b } else { far };
         }
-        let near = from.max(near * (1.0 - SLACK));
-        let far = to.min(far * (1.0 + SLACK));
+        let near = from.max(near * (1.0 - CLIP_REL_ERROR));
+        let far = to.min(far * (1.0 + CLIP_REL_ERROR));
         (near <= far).then_some((near, far))
     }
 

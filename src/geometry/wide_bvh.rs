@@ -358,7 +358,7 @@ impl Beam {
         let origin = (line.origin - frame.centre) * frame.per_unit;
         let direction = line.direction * per_size;
         let drift = line.drift(frame.reach) * frame.per_unit;
-        let near = origin.abs().max_component() + drift < FAR && line.is_sound();
+        let near = origin.abs().max_component() + drift < MAX_ORIGIN_DISTANCE && line.is_sound();
         if !(near && pace.is_normal() && unpace.is_normal()) {
             return Beam::LOST;
         }
@@ -368,10 +368,10 @@ impl Beam {
         // numbers underflow.
         let off = o.abs() * f32x4::splat(2.0 * f32::EPSILON)
             + f32x4::splat(drift as f32 * 1.001)
-            + f32x4::splat(LEAST);
-        let still = d.abs().simd_lt(f32x4::splat(LEAST));
+            + f32x4::splat(MIN_DIRECTION_COMPONENT);
+        let still = d.abs().simd_lt(f32x4::splat(MIN_DIRECTION_COMPONENT));
         let off = off + (still & f32x4::splat(STILL));
-        let d = still.select(f32x4::splat(LEAST).copysign(d), d);
+        let d = still.select(f32x4::splat(MIN_DIRECTION_COMPONENT).copysign(d), d);
         let forth = off.copysign(d);
         let three = |lanes: f32x4| {
             let [x, y, z, _] = lanes.to_array();
@@ -419,8 +419,8 @@ impl Beam {
             near = near.fast_max((*entered - f32x8::splat(self.enter[i])) * inverse);
             far = far.fast_min((*left - f32x8::splat(self.leave[i])) * inverse);
         }
-        near *= f32x8::splat(1.0 - SLACK);
-        far *= f32x8::splat(1.0 + SLACK);
+        near *= f32x8::splat(1.0 - PARAMETER_REL_ERROR);
+        far *= f32x8::splat(1.0 + PARAMETER_REL_ERROR);
         (near.simd_le(far).to_bitmask(), near.to_array())
     }
 

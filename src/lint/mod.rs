@@ -141,7 +141,7 @@ pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec
         (rules[i].check)(context, &mut found);
         found
     };
-    let found = match context.document.items.len() < FEW {
+    let found = match context.document.items.len() < MIN_RECORDS_FOR_THREADS {
         // To share them out would take longer.
         true => (0..rules.len()).map(found).collect(),
         false => parallel::map(rules.len(), found),
@@ -176,7 +176,7 @@ pub fn takes_records_out(code: Code) -> bool {
 }
 
 /// Scenes of fewer records are looked at by one thread.
-const FEW: usize = 64;
+const MIN_RECORDS_FOR_THREADS: usize = 64;
 
 #[cfg(test)]
 pub(crate) mod testing;

@@ -144,9 +144,10 @@ fn object_at(analysis: &Analysis, offset: u32) -> Option<u32> {
     is_object.then_some(id)
 }
 
-/// Pictures in hovers are drawn of no larger scenes, and for no longer.
+/// Most nodes of a scene that is drawn in a hover.
 const MAX_NODES: usize = 20_000;
-const PATIENCE: Duration = Duration::from_millis(400);
+/// Longest time that a picture in a hover may take.
+const MAX_DRAWING_TIME: Duration = Duration::from_millis(400);
 
 /// The longest picture in a hover, in base64: editors cut off longer texts, or freeze.
 const MAX_BASE64: usize = 70_000;
@@ -161,7 +162,7 @@ pub fn hover_picture(analysis: &Analysis, id: u32, cancelled: &Arc<AtomicBool>) 
         true => Subject::Scene,
         false => Subject::Object(id),
     };
-    let end = Instant::now() + PATIENCE;
+    let end = Instant::now() + MAX_DRAWING_TIME;
     let stage = Stage::new(analysis, subject, 4.0 / 3.0).ok()?;
     let stop = Arc::new(AtomicBool::new(false));
     let (done, alarm) = crossbeam_channel::bounded::<()>(1);

@@ -1,6 +1,6 @@
 //! Convex hulls of shapes, from outside: a few points whose hull holds all of a shape.
 
-use super::shapes::revolution::LONG;
+use super::shapes::revolution::MAX_EXAMINED_POINTS;
 use super::shapes::{AnyShape, circle};
 use crate::scene::{Geometry, Vec3};
 
@@ -32,7 +32,7 @@ impl Geometry {
             }
             AnyShape::Cuboid(s) => Some((0..8).map(|k| s.corner(k)).collect()),
             AnyShape::Revolution(s) => {
-                if s.profile.len() > LONG {
+                if s.profile.len() > MAX_EXAMINED_POINTS {
                     return None;
                 }
                 let rims = s.profile.iter();

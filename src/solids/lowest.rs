@@ -36,18 +36,19 @@ impl Ord for Cell {
     }
 }
 
-/// Fields are rough: a cell is left out only where its middle is further from all that is below zero than
-/// its corners by this factor.
-const SLACK: f64 = 1.5;
+/// Factor by which a cell's middle is further from all that is below zero than its corners where the cell is left out:
+/// fields are rough.
+const FIELD_SLACK: f64 = 1.5;
 
 /// How much what may be in a cell counts against what is known of its middle.
 const HOPE: f64 = 0.5;
 
-/// From how many of the first cells, and of how many later ones from one, a way down is looked for; and
-/// its steps at most.
-const FIRST: usize = 24;
-const LATER: usize = 8;
-const STEPS: usize = 12;
+/// First cells, from each of which a way down is looked for.
+const FIRST_DESCENT_CELLS: usize = 24;
+/// Later cells, from one of which a way down is looked for.
+const LATER_CELLS_PER_DESCENT: usize = 8;
+/// Most steps of a way down.
+const MAX_DESCENT_STEPS: usize = 12;
 
 /// A point of a region, which ends, that is accepted: one of a few where both slopes are below zero by more
 /// than `least`. Cells are halved until they are smaller than that, or no more points are left.
@@ -73,7 +74,7 @@ pub fn lowest(
     while found.is_none() {
         let cell = search.cells.pop()?;
         count += 1;
-        if count <= FIRST || count % LATER == 0 {
+        if count <= FIRST_DESCENT_CELLS || count % LATER_CELLS_PER_DESCENT == 0 {
             found = search.descend(&cell)?;
         }
         let longest = (0..3).fold(0, |i, j| if cell.half[j] > cell.half[i] { j } else { i });
@@ -114,7 +115,7 @@ impl<S: FnMut(Vec3) -> [Slope; 2], A: FnMut(Vec3) -> bool> Search<'_, S, A> {
         let ([a, b], found) = self.at(centre)?;
         let value = a.distance.max(b.distance);
         let reach = length(half);
-        if value < SLACK * reach && reach > self.least {
+        if value < FIELD_SLACK * reach && reach > self.least {
             self.cells.push(Cell {
                 key: value - HOPE * reach,
                 centre,
@@ -128,7 +129,7 @@ impl<S: FnMut(Vec3) -> [Slope; 2], A: FnMut(Vec3) -> bool> Search<'_, S, A> {
     fn descend(&mut self, cell: &Cell) -> Option<Option<Vec3>> {
         let trust = 4.0 * length(cell.half);
         let mut p = cell.centre;
-        for _ in 0..STEPS {
+        for _ in 0..MAX_DESCENT_STEPS {
             let ([a, b], found) = self.at(p)?;
             if found.is_some() {
                 return Some(found);

@@ -8,7 +8,7 @@ use crate::geometry::array::{cross, length, unit};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Node, NodeId, Scene, Vec3, fold_up};
 use crate::solids::bounds::NodeBounds;
-use crate::solids::within::{CLEAR, PlacedShape, far};
+use crate::solids::within::{CLEARANCE_REL, PlacedShape, far};
 
 /// How many of a list are kept, the first ones: what a chain begins with is what is cut.
 pub const KEPT: usize = 4;
@@ -169,7 +169,7 @@ impl<'a> Proofs<'a> {
     fn boxes_apart(&self, a: NodeId, b: NodeId) -> Option<(usize, f64, f64, bool)> {
         let (a, b) = (self.all(a), self.all(b));
         // Nearer to each other than that they touch, as far as the numbers go.
-        let clear = |end: f64, begin: f64| begin - end > CLEAR * (end.abs() + begin.abs());
+        let clear = |end: f64, begin: f64| begin - end > CLEARANCE_REL * (end.abs() + begin.abs());
         (0..3).find_map(
             |i| match (clear(a.max[i], b.min[i]), clear(b.max[i], a.min[i])) {
                 (true, _) => Some((i, a.max[i], b.min[i], false)),
@@ -191,7 +191,7 @@ impl<'a> Proofs<'a> {
         let (p, q) = (placed(self.scene, x), placed(self.scene, y));
         if let (Some((c, r)), Some((d, s))) = (self.ball(&p), self.ball(&q)) {
             let between = distance(c, d);
-            let clear = CLEAR * (r + s + far(&c) + far(&d));
+            let clear = CLEARANCE_REL * (r + s + far(&c) + far(&d));
             let radii = r + s;
             return (between > radii + clear).then_some(Reason::Balls { between, radii });
         }
@@ -255,7 +255,7 @@ impl<'a> Proofs<'a> {
                 .fold(0.0f64, |m, x| m.max(x.abs()));
             // What rounds the products: where the shapes are, not how far along the vector.
             let places = [p, q].map(|x| far(&self.all(x.node).min).max(far(&self.all(x.node).max)));
-            let clear = CLEAR * (size + places[0] + places[1]);
+            let clear = CLEARANCE_REL * (size + places[0] + places[1]);
             if from - high > clear {
                 let (end, begin) = (high, from);
                 return Some(Reason::Plane { normal, end, begin });
@@ -288,7 +288,7 @@ impl<'a> Proofs<'a> {
         corners.iter().all(|[x, y, z]| {
             let terms = [a * x, b * y, c * z, *d];
             let size: f64 = terms.iter().map(|t| t.abs()).sum();
-            terms.iter().sum::<f64>() > CLEAR * size
+            terms.iter().sum::<f64>() > CLEARANCE_REL * size
         })
     }
 
@@ -331,7 +331,10 @@ impl<'a> Proofs<'a> {
         let reaches = |(normal, offset): (Vec3, f64)| {
             let (low, high) = extent(g, &p.matrix, normal)?;
             let size = length(normal) * place + offset.abs();
-            Some((low + offset - CLEAR * size, high + offset + CLEAR * size))
+            Some((
+                low + offset - CLEARANCE_REL * size,
+                high + offset + CLEARANCE_REL * size,
+            ))
         };
         match h {
             Geometry::Box { min, max } => (0..3)
@@ -355,7 +358,7 @@ fn corners_of(b: &Aabb, to: &Placed) -> Option<[Vec3; 8]> {
     if !b.is_finite() || b.is_empty() {
         return None;
     }
-    let clear = CLEAR * (b.radius() + far(&b.min).max(far(&b.max)));
+    let clear = CLEARANCE_REL * (b.radius() + far(&b.min).max(far(&b.max)));
     let back = to.matrix.inverse()?;
     Some(std::array::from_fn(|k| {
         back.point(std::array::from_fn(|i| match k >> i & 1 {

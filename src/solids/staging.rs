@@ -8,8 +8,8 @@ use std::borrow::Cow;
 
 /// The vertical field of view of the automatic camera, in degrees.
 const AUTOMATIC_FOVY: f64 = 45.0;
-/// The bounding sphere is seen as if it were larger by this factor.
-const MARGIN: f64 = 1.05;
+/// Factor by which the bounding sphere is seen as if it were larger.
+const FRAMING_FACTOR: f64 = 1.05;
 /// Intensities of the automatic lights: together no more than white.
 const AMBIENT: f64 = 0.2;
 const LAMP: f64 = 0.8;
@@ -150,7 +150,7 @@ fn towards([azimuth, elevation]: [f64; 2]) -> Vec3 {
 fn camera_around(centre: Vec3, radius: f64, angles: [f64; 2], aspect: f64) -> Camera {
     let vertical = (AUTOMATIC_FOVY / 2.0).to_radians();
     let horizontal = libm::atan(libm::tan(vertical) * aspect);
-    let distance = MARGIN * radius / libm::sin(vertical.min(horizontal));
+    let distance = FRAMING_FACTOR * radius / libm::sin(vertical.min(horizontal));
     let out = towards(angles);
     let up = match angles[1] {
         90.0 => [0.0, 0.0, -1.0],
@@ -178,7 +178,7 @@ fn lamp(centre: Vec3, radius: f64, camera: Option<&Camera>) -> Vec3 {
     let back = camera.and_then(Basis::of).map_or([0.0, 0.0, 1.0], |basis| {
         let [x, _, z] = basis.forward;
         // Of a camera that looks straight down or up, its right still tells where it stands.
-        match libm::hypot(x, z) > STEEP {
+        match libm::hypot(x, z) > MIN_HORIZONTAL_SINE {
             true => [-x, 0.0, -z],
             false => cross(basis.right, [0.0, 1.0, 0.0]),
         }
@@ -187,8 +187,8 @@ fn lamp(centre: Vec3, radius: f64, camera: Option<&Camera>) -> Vec3 {
     add(centre, towards([azimuth, LAMP_HEIGHT]), LAMP_RADII * radius)
 }
 
-/// Cameras whose unit direction has less than this across the vertical look up or down.
-const STEEP: f64 = 1e-3;
+/// Length of a unit direction's horizontal part below which a camera looks up or down.
+const MIN_HORIZONTAL_SINE: f64 = 1e-3;
 
 /// The middle of what is to be seen and the radius of the ball around it, more than 0.
 fn middle(seen: &Aabb) -> (Vec3, f64) {

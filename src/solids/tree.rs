@@ -10,9 +10,9 @@ use crate::geometry::Matrix;
 use crate::scene::{Node, NodeId, Scene, fold_up};
 use crate::solids::bounds::NodeBounds;
 
-/// Nodes gone through for the second time or more. Scenes that share parts without end would take
-/// more: parts beyond are known as a whole only.
-const REPEATED: u32 = 400_000;
+/// Most nodes that are gone through for the second time or more. Scenes that share parts without end would take more:
+/// parts beyond are known as a whole only.
+const MAX_REPEATED_NODES: u32 = 400_000;
 
 /// Inside, outside, or not known.
 pub type Answer = Option<bool>;
@@ -89,7 +89,7 @@ impl Tree {
         let mut costs = Costs {
             weights: weights(scene),
             seen: vec![false; scene.nodes.len()],
-            left: REPEATED,
+            left: MAX_REPEATED_NODES,
         };
         let mut tree = Tree {
             places: Vec::new(),

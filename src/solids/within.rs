@@ -12,16 +12,16 @@ use crate::geometry::array::length;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Vec3};
 
-/// What must lie apart or within by this share of its size and place: more than the rounding of any
-/// test of a point, and of the matrices before it.
-pub const CLEAR: f64 = 1e-9;
+/// Clearance of what lies apart or within, as a share of its size and place: more than the rounding of any test of a
+/// point, and of the matrices before it.
+pub const CLEARANCE_REL: f64 = 1e-9;
 
 /// The relative rounding of a product of a matrix row and a point, with room to spare.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The room that something in a finite box needs.
 pub fn room(thing: &Aabb) -> f64 {
-    CLEAR * (thing.radius() + far(&thing.min).max(far(&thing.max)))
+    CLEARANCE_REL * (thing.radius() + far(&thing.min).max(far(&thing.max)))
 }
 
 /// The largest of a point's coordinates.
@@ -94,7 +94,7 @@ impl<'a> PlacedShape<'a> {
 
     /// Whether a point and what is around it is outside of the shape.
     pub fn is_clear_of(&self, p: Vec3) -> bool {
-        let room = CLEAR * self.bounds.far().max(far(&p));
+        let room = CLEARANCE_REL * self.bounds.far().max(far(&p));
         let apart = |i| p[i] + room < self.bounds.min[i] || self.bounds.max[i] + room < p[i];
         let outside = |p: &Vec3| {
             let local = self.back.point(*p);
@@ -204,7 +204,7 @@ mod tests {
         // Far away, as far as the numbers go.
         let moved = Matrix::translation(1e12, 0.0, 0.0);
         assert!(!held(&big, moved, &sphere([0.0; 3], 0.999), moved));
-        assert!(held(&big, moved, &sphere([0.0; 3], 1e-2), moved) == (1e12 * CLEAR < 0.5));
+        assert!(held(&big, moved, &sphere([0.0; 3], 1e-2), moved) == (1e12 * CLEARANCE_REL < 0.5));
     }
 
     #[test]

@@ -16,9 +16,8 @@ use crate::diagnostics::{
 };
 use crate::parallel;
 
-/// A second place so many lines away gets a section of its own: ariadne walks through all the lines
-/// of a section.
-const FAR: usize = 50;
+/// Lines between two places that are shown in sections of their own: ariadne walks through all the lines of a section.
+const LINES_BETWEEN_SECTIONS: usize = 50;
 /// How findings are shown to people.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Look {
@@ -269,7 +268,11 @@ impl Printer<'_> {
                 message,
                 primary: false,
                 line,
-                section: if line.abs_diff(here) <= FAR { 0 } else { i + 1 },
+                section: if line.abs_diff(here) <= LINES_BETWEEN_SECTIONS {
+                    0
+                } else {
+                    i + 1
+                },
             });
         }
         marks.sort_by_key(|m| (m.section, m.line));

@@ -12,8 +12,8 @@ use unicode_width::UnicodeWidthChar as _;
 
 use crate::diagnostics::layout::wrapped;
 
-/// A text is no narrower than this: it rather begins farther left, on a line of its own.
-const LEAST: usize = 36;
+/// Least width of a text: a wider one begins farther left, on a line of its own.
+const MIN_TEXT_WIDTH: usize = 36;
 
 /// A report with the labels on as many lines as they need.
 pub(super) fn within(report: &str, width: usize) -> String {
@@ -69,12 +69,16 @@ impl<'l> Label<'l> {
     }
 
     fn write(&self, out: &mut String, width: usize) {
-        let own_line = self.start + LEAST > width;
+        let own_line = self.start + MIN_TEXT_WIDTH > width;
         let start = match own_line {
-            true => width.saturating_sub(LEAST + 12),
+            true => width.saturating_sub(MIN_TEXT_WIDTH + 12),
             false => self.start,
         };
-        let text = wrapped(self.text, width.saturating_sub(start).max(LEAST), "");
+        let text = wrapped(
+            self.text,
+            width.saturating_sub(start).max(MIN_TEXT_WIDTH),
+            "",
+        );
         let indent = self.indent(start);
         out.push_str(self.before);
         for (i, line) in text.lines().enumerate() {

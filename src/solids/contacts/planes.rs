@@ -2,7 +2,7 @@
 
 use super::face::{Face, FaceShape, QUADRIC};
 use super::sample::SLIVER;
-use super::search::{NEAR, ROUNDING};
+use super::search::{FACE_REL_GAP, ROUNDING};
 use crate::geometry::Aabb;
 use crate::geometry::array::dot;
 use crate::geometry::boxes::Boxes;
@@ -20,8 +20,8 @@ const PAIRS: usize = 500_000;
 /// What it costs to find the operation that joins two shapes, in steps.
 const JOIN_COST: usize = 8;
 
-/// Fewer faces than this in one plane are looked at one by one.
-const FEW: usize = 16;
+/// Most faces in one plane that are compared one by one.
+const MAX_FACES_COMPARED_SINGLY: usize = 16;
 
 type Cell = [i16; 3];
 
@@ -58,9 +58,9 @@ const ODD: Vec3 = [0.612_372, 0.288_675, 0.736_203];
 /// Another one, for sums of whole numbers.
 const ODD_CELL: [i32; 3] = [612, 289, 736];
 
-/// The numbers of quadrics agree to within a ten-millionth or are those of different surfaces:
-/// rounding on the way through their matrices is magnified by where they are, and samples decide.
-const LOOSE: f64 = 1e-7 / ROUNDING;
+/// Factor by which quadrics' numbers may differ more than others: numbers of one surface agree to within a
+/// ten-millionth. Rounding on the way through their matrices is magnified by where they are, and samples decide.
+const QUADRIC_LOOSENESS: f64 = 1e-7 / ROUNDING;
 
 /// A face in the file, with all that is asked of it: the faces themselves lie far apart in memory.
 struct SortedFace {
@@ -136,7 +136,7 @@ fn key(form: &FaceShape, turned: bool) -> (Cell, f64, f64) {
             class,
         } => {
             let size = match *class {
-                QUADRIC => LOOSE,
+                QUADRIC => QUADRIC_LOOSENESS,
                 _ => anchor.iter().fold(scale.abs(), |m, x| m.max(x.abs())),
             };
             let at = dot(ODD, *anchor) + std::f64::consts::SQRT_2 * scale;
@@ -288,7 +288,7 @@ impl<'a> Planes<'a> {
         // Further than any of them is from one that lies in its plane.
         let magnitudes = filed[..flats].iter().map(|f| f.magnitude);
         let magnitude = magnitudes.fold(self.largest, f64::max);
-        let reach = (2.0 * NEAR + ROUNDING) * magnitude;
+        let reach = (2.0 * FACE_REL_GAP + ROUNDING) * magnitude;
         // What is looked for comes in the opposite order.
         let mut below = flats;
         let mut keep = |f: &Filed| {
@@ -316,8 +316,8 @@ impl<'a> Planes<'a> {
         let mut found = Vec::new();
         for entry in entries.iter().filter(|e| e.asks()) {
             let (cell, at) = entry.opposite();
-            let reach = 2.0 * NEAR * entry.size + ROUNDING * entry.magnitude;
-            let room = NEAR * entry.size;
+            let reach = 2.0 * FACE_REL_GAP * entry.size + ROUNDING * entry.magnitude;
+            let room = FACE_REL_GAP * entry.size;
             let mut around = entry.bounds;
             around.min = around.min.map(|x| x - room - ROUNDING * x.abs());
             around.max = around.max.map(|x| x + room + ROUNDING * x.abs());
@@ -380,7 +380,7 @@ fn runs(entries: &[SortedFace]) -> Vec<Run> {
     for (i, e) in entries.iter().enumerate() {
         let near = i > 0 && {
             let before = &entries[i - 1];
-            let room = 2.0 * NEAR * e.size.min(before.size) + ROUNDING * e.magnitude;
+            let room = 2.0 * FACE_REL_GAP * e.size.min(before.size) + ROUNDING * e.magnitude;
             before.cell == e.cell && e.at - before.at <= room
         };
         match runs.last_mut().filter(|_| near) {
@@ -403,7 +403,7 @@ impl Run {
     fn near(&mut self, entries: &[SortedFace], around: &Aabb, out: &mut Vec<u32>) -> usize {
         let all = self.start as u32..self.end as u32;
         let overlaps = |i: &u32| entries[*i as usize].bounds.overlaps(around);
-        if all.len() <= FEW {
+        if all.len() <= MAX_FACES_COMPARED_SINGLY {
             let steps = all.len();
             out.extend(all.filter(overlaps));
             return steps;

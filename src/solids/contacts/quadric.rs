@@ -50,19 +50,24 @@ pub fn samples(form: &QuadricMatrix) -> Vec<Sample> {
     ];
     let usable = |l: &f64| l.is_finite() && *l > 0.0;
     let scale = lengths.into_iter().find(usable).unwrap_or(1.0);
-    /// Lines to try, and how far from their start a crossing is of use, in lengths of the surface.
-    const COUNT: u32 = 24;
-    const FAR: f64 = 10.0;
+    /// Most lines that are tried.
+    const MAX_LINES_TRIED: u32 = 24;
+    /// Distance from a line's start at which a crossing is of use, in lengths of the surface, at most.
+    const MAX_CROSSING_DISTANCE: f64 = 10.0;
     let mut out = Vec::new();
-    for i in 0..COUNT {
-        let along = direction(i, COUNT);
-        let start = add(centre, direction((i + 9) % COUNT, COUNT), 0.6 * scale);
+    for i in 0..MAX_LINES_TRIED {
+        let along = direction(i, MAX_LINES_TRIED);
+        let start = add(
+            centre,
+            direction((i + 9) % MAX_LINES_TRIED, MAX_LINES_TRIED),
+            0.6 * scale,
+        );
         let turn: Vec3 = std::array::from_fn(|k| dot(rows[k], along));
         let (a, b, c) = (dot(turn, along), dot(slope(start), along), value(start));
         let root = (b * b - a * c).sqrt();
         let q = -(b + root.copysign(b));
         for t in [q / a, c / q] {
-            if t.abs() <= FAR * scale {
+            if t.abs() <= MAX_CROSSING_DISTANCE * scale {
                 let p = add(start, along, t);
                 out.push((p, slope(p)));
             }

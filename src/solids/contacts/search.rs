@@ -17,8 +17,8 @@ use crate::solids::points::Points;
 use crate::solids::shapes::facts::Facts;
 use crate::solids::tree::{Answer, Tree};
 
-/// How near two faces must be, as a share of the smaller shape: the language's own bound.
-pub const NEAR: f64 = 1e-9;
+/// Distance at which two faces are in one place, as a share of the smaller shape: the language's own bound.
+pub const FACE_REL_GAP: f64 = 1e-9;
 
 /// Rounding of a point's coordinates on the way through two matrices, as a share of their size.
 pub const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -29,8 +29,8 @@ pub const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// the size, which is less than that distance down to radii of a hundred-thousandth of the size.
 const AROUND: f64 = 100.0;
 
-/// How thick a skin may be, as a share of what it is a skin of: more than a hair.
-const SKIN: f64 = 0.01;
+/// Thickness of a skin, as a share of what it is a skin of, at most: more than a hair.
+const SKIN_REL_THICKNESS: f64 = 0.01;
 
 /// One of two faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -249,7 +249,7 @@ impl<'a> Search<'a> {
                     0 => (b.min[i], b.max[i]),
                     _ => (b.max[i], b.min[i]),
                 };
-                from + SKIN * (to - from)
+                from + SKIN_REL_THICKNESS * (to - from)
             });
             self.points.in_leaf(pair.faces[tool].leaf, corner) == Some(true)
         });
@@ -322,7 +322,7 @@ impl<'a> Search<'a> {
     /// Whether the two faces meet at a point and at three points around it.
     fn shows(&mut self, pair: &Pair, p: Vec3, n: Vec3) -> bool {
         let magnitude = p.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-        let reach = NEAR * pair.size(p) + ROUNDING * magnitude;
+        let reach = FACE_REL_GAP * pair.size(p) + ROUNDING * magnitude;
         // Both shapes first: that is quick.
         if !self.change_sides(pair, p, n, reach) {
             return false;

@@ -14,8 +14,9 @@ pub struct Revolution<'a> {
     pub colours: &'a [Rgb],
 }
 
-/// Profiles longer than this are bounded before they are moved, to keep the work linear; and have no hull.
-pub const LONG: usize = 64;
+/// Most points of a profile that is examined point by point. A longer one is bounded before it is moved, to keep the
+/// work linear, and has no hull.
+pub const MAX_EXAMINED_POINTS: usize = 64;
 
 impl Facts for Revolution<'_> {
     fn character(&self) -> Character {
@@ -28,7 +29,7 @@ impl Facts for Revolution<'_> {
     }
 
     fn is_convex(&self) -> bool {
-        self.profile.len() <= LONG && profile::is_convex(self.profile)
+        self.profile.len() <= MAX_EXAMINED_POINTS && profile::is_convex(self.profile)
     }
 
     fn bounds(&self, m: &Matrix) -> Aabb {
@@ -36,7 +37,7 @@ impl Facts for Revolution<'_> {
             let each = self.profile.iter();
             each.fold(around, |all, p| all.ring(p[1], p[0])).boxed()
         };
-        match self.profile.len() <= LONG {
+        match self.profile.len() <= MAX_EXAMINED_POINTS {
             true => rings(Around::new(m)),
             false => rings(Around::new(&Matrix::IDENTITY)).transformed(m),
         }
@@ -71,7 +72,7 @@ impl Facts for Revolution<'_> {
     }
 
     fn faces(&self, out: &mut Faces) {
-        if self.profile.len() <= LONG {
+        if self.profile.len() <= MAX_EXAMINED_POINTS {
             out.revolution(self.profile);
         }
     }

@@ -26,11 +26,12 @@ const NODES: usize = 700_000;
 /// Rays for one of them at least, as long as there are any: enough to look at one box.
 const RAYS_EACH: usize = 75;
 
-/// What the closer look may cost where nothing has been met, for one volume and for all together: some
-/// tenths of a second. Objects of more nodes are not looked at.
-const CLOSE: usize = 60_000;
-const CLOSE_ALL: usize = 6_000_000;
-const CLOSE_NODES: usize = 128;
+/// Most steps of the closer look for one volume in which nothing has been met.
+const MAX_CLOSE_LOOK_STEPS: usize = 60_000;
+/// Most steps of closer looks for all volumes together: some tenths of a second.
+const MAX_CLOSE_LOOK_STEPS_IN_ALL: usize = 6_000_000;
+/// Most nodes of an object that gets a closer look.
+const MAX_CLOSE_LOOK_NODES: usize = 128;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -40,7 +41,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let bounds = context.bounds();
     let mut rays = RAYS;
     let mut nodes = NODES;
-    let mut close = CLOSE_ALL;
+    let mut close = MAX_CLOSE_LOOK_STEPS_IN_ALL;
     let directions = Cell::new(DIRECTIONS);
     let mut bare = Bare::new(scene);
     for (i, promise) in scene.promises.iter().enumerate() {
@@ -54,7 +55,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let still = scene.promises.len() - i;
         let mut share = (rays / still).max(RAYS_EACH).min(rays);
         rays -= share;
-        let copy = (part.nodes.len() <= CLOSE_NODES).then(|| part.clone());
+        let copy = (part.nodes.len() <= MAX_CLOSE_LOOK_NODES).then(|| part.clone());
         let (mut met, reach) = search(part, promise, &whole, &mut share, &directions);
         if met.is_none()
             && let Some(part) = &copy
@@ -183,7 +184,7 @@ fn closely(part: &Scene, volume: &Volume, whole: &Aabb, left: &mut usize) -> Opt
         false => whole.intersection(&around(volume)),
     };
     let regions = regions(volume, &place);
-    let share = CLOSE.min(*left) / object.cost.max(1) / regions.len().max(1);
+    let share = MAX_CLOSE_LOOK_STEPS.min(*left) / object.cost.max(1) / regions.len().max(1);
     let mut holds = |p: Vec3| inside.node(root, p) == Some(true);
     let found = regions.iter().find_map(|region| {
         let mut points = share;
@@ -273,13 +274,13 @@ fn enlarged(p: &Params, promise: &Promise, whole: &Aabb, reach: f64) -> Option<F
 /// 1e-15, and what is a whole number but for that shall be one, which is a thousand times less than
 /// the language lets pass.
 fn outwards(x: f64, up: bool, size: f64) -> String {
-    const HAIR: f64 = 1e-9;
+    const WHOLE_NUMBER_EPS: f64 = 1e-9;
     let digits = 5 - size.max(f64::MIN_POSITIVE).log10().floor() as i32;
     if !(0..=15).contains(&digits) {
         return spelled(x);
     }
     let steps = 10f64.powi(digits);
-    let hair = HAIR * size * steps;
+    let hair = WHOLE_NUMBER_EPS * size * steps;
     let whole = match up {
         true => (x * steps - hair).ceil(),
         false => (x * steps + hair).floor(),

@@ -9,8 +9,9 @@ use crate::solids::contacts::face::FaceId;
 use crate::solids::contacts::search::ContactSide;
 use crate::solids::shapes::{AnyShape, profile};
 
-/// How much longer a tool becomes: too little to be seen, and a million times what counts as flush.
-const HAIR: f64 = 1e-3;
+/// Share of the workpiece by which a tool becomes longer: too little to be seen, and a million times what counts as
+/// flush.
+const TOOL_REL_EXTENSION: f64 = 1e-3;
 
 /// Moves the given faces of a tool outwards. `workpiece` is the size of what it cuts.
 pub fn lengthen(
@@ -22,8 +23,8 @@ pub fn lengthen(
     // What each parameter becomes, and how far it is moved.
     let mut moved: Vec<Moved> = Vec::new();
     for side in tool {
-        let room = HAIR * workpiece / side.stretch;
-        moved.extend(geometry.moved_out(side.part, HAIR, room)?);
+        let room = TOOL_REL_EXTENSION * workpiece / side.stretch;
+        moved.extend(geometry.moved_out(side.part, TOOL_REL_EXTENSION, room)?);
     }
     moved.sort_by_key(|m| m.0);
     moved.dedup_by_key(|m| m.0);

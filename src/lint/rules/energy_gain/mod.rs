@@ -110,7 +110,7 @@ fn is_within(texts: &[String]) -> bool {
 /// Three parts divided by their sum, in as many digits as show each to a thousandth of the whole. Their decimals are 1
 /// at most.
 fn shares(k: &[f64], sum: f64) -> Vec<String> {
-    const NEAR: f64 = 5e-4;
+    const MAX_SHARE_ERROR: f64 = 5e-4;
     const FINEST: i32 = 9;
     let parts = |digits: i32| {
         let one = 10f64.powi(digits);
@@ -119,7 +119,7 @@ fn shares(k: &[f64], sum: f64) -> Vec<String> {
     };
     let is_right = |(one, parts): &(f64, Vec<f64>)| {
         let off = |(part, x): (&f64, &f64)| (part / one - x / sum).abs();
-        let near = parts.iter().zip(k).all(|each| off(each) < NEAR);
+        let near = parts.iter().zip(k).all(|each| off(each) < MAX_SHARE_ERROR);
         near && parts.iter().sum::<f64>() <= *one
     };
     let (one, mut parts) = (1..FINEST)

@@ -73,8 +73,12 @@ fn finding(
 fn extremes(geometry: &Geometry, m: &Matrix) -> Option<(Length, Length)> {
     if let (Geometry::Sphere { centre, radius }, true) = (geometry, m.is_translation()) {
         // Nearly all spheres are not far away in any direction.
-        const FAR: f64 = RATIO_MAX / 2.0;
-        if *radius > 0.0 && m.point(*centre).iter().all(|x| x.abs() < FAR * radius) {
+        const MAX_CENTRE_RADII: f64 = RATIO_MAX / 2.0;
+        if *radius > 0.0
+            && m.point(*centre)
+                .iter()
+                .all(|x| x.abs() < MAX_CENTRE_RADII * radius)
+        {
             return None;
         }
     }

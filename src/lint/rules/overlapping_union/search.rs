@@ -16,24 +16,25 @@ use crate::solids::lowest::lowest;
 use crate::solids::shapes::AnyShape;
 use crate::solids::shapes::quadric::Quadric;
 
-/// Boxes looked at and points tried, for all parts together: some tenths of a second.
-const STEPS: usize = 10_000_000;
+/// Most boxes looked at and points tried, for all parts together: some tenths of a second.
+const MAX_STEPS: usize = 10_000_000;
 
 /// Points tried for a pair of parts whose boxes overlap.
-const POINTS: u32 = 24;
+const POINTS_PER_PAIR: u32 = 24;
 
-/// How far inside of both parts a point must be, as a share of the smaller one: what overlaps by less
-/// is meant to touch, and written with six or seven digits.
-const DEPTH: f64 = 1e-6;
+/// Depth of a point inside of both parts, as a share of the smaller one, at least: what overlaps by less is meant to
+/// touch, and written with six or seven digits.
+const MIN_REL_DEPTH: f64 = 1e-6;
 
-/// What the closer look at pairs of which no point was found may cost, for one pair and for all together:
-/// some tenths of a second.
-const CLOSE: usize = 40_000;
-const CLOSE_ALL: usize = 6_000_000;
+/// Most steps of the closer look at one pair of which no point was found.
+const MAX_CLOSE_LOOK_STEPS: usize = 40_000;
+/// Most steps of closer looks at all pairs together: some tenths of a second.
+const MAX_CLOSE_LOOK_STEPS_IN_ALL: usize = 6_000_000;
 
-/// How many pairs are remembered for a closer look, and of how many both may be without end.
-const PAIRS: usize = 100_000;
-const ENDLESS: usize = 2_000;
+/// Most pairs that are remembered for a closer look.
+const MAX_PAIRS_REMEMBERED: usize = 100_000;
+/// Most of these pairs of which both may be without end.
+const MAX_ENDLESS_PAIRS: usize = 2_000;
 
 /// Two parts that overlap.
 pub(super) struct Overlap {
@@ -74,10 +75,10 @@ impl<'a> Search<'a> {
             scene,
             unions,
             inside: Inside::new(scene, bounds),
-            left: STEPS,
+            left: MAX_STEPS,
             done: FxHashSet::default(),
             bounds,
-            close: CLOSE_ALL,
+            close: MAX_CLOSE_LOOK_STEPS_IN_ALL,
             nested: FxHashSet::default(),
         }
     }
@@ -113,13 +114,13 @@ impl<'a> Search<'a> {
                 let Some(pair) = self.differ(i, j) else {
                     continue;
                 };
-                let Some(left) = self.left.checked_sub(POINTS as usize) else {
+                let Some(left) = self.left.checked_sub(POINTS_PER_PAIR as usize) else {
                     break 'parts;
                 };
                 self.left = left;
                 match self.pair(pair) {
                     Some(one) => found.push(one),
-                    None if rest.len() < PAIRS => rest.push(pair),
+                    None if rest.len() < MAX_PAIRS_REMEMBERED => rest.push(pair),
                     None => {}
                 }
             }
@@ -127,7 +128,7 @@ impl<'a> Search<'a> {
         let endless = |i: &u32| !unions.parts[*i as usize].bounds.is_finite();
         let endless: Vec<u32> = (0..unions.parts.len() as u32).filter(endless).collect();
         let pairs = (endless.iter()).flat_map(|&i| endless.iter().map(move |&j| (i, j)));
-        let pairs = pairs.filter(|(i, j)| i < j).take(ENDLESS);
+        let pairs = pairs.filter(|(i, j)| i < j).take(MAX_ENDLESS_PAIRS);
         rest.extend(pairs.filter_map(|(i, j)| self.differ(i, j).or_else(|| self.differ(j, i))));
         for pair in rest {
             found.extend(self.closely(pair));
@@ -177,7 +178,7 @@ impl<'a> Search<'a> {
         let union = self.union(parts)?;
         let both = parts[0].bounds.intersection(&parts[1].bounds);
         let longest = |b: &Aabb| (0..3).fold(0.0f64, |m, i| m.max(b.max[i] - b.min[i]));
-        let depth = DEPTH * longest(&parts[0].bounds).min(longest(&parts[1].bounds));
+        let depth = MIN_REL_DEPTH * longest(&parts[0].bounds).min(longest(&parts[1].bounds));
         if !both.is_finite() || (0..3).any(|i| both.max[i] - both.min[i] <= depth) {
             return None;
         }
@@ -186,7 +187,7 @@ impl<'a> Search<'a> {
         };
         let both_parts = [(parts[0], &a), (parts[1], &b)];
         let mut halves = [None, None];
-        for k in 0..POINTS {
+        for k in 0..POINTS_PER_PAIR {
             // Multiples of the powers of the root of x⁴ = x + 1, modulo 1: spread evenly, the
             // middle first.
             const STEP: [f64; 3] = [
@@ -277,7 +278,7 @@ impl<'a> Search<'a> {
         let cut = inner.cut.filter(|_| !open);
         let mut left = cut.and_then(|root| Field::new(self.scene, root, &Matrix::IDENTITY));
         let cost = one.cost + two.cost + left.as_ref().map_or(0, |f| f.cost);
-        let share = CLOSE.min(self.close) / cost.max(1);
+        let share = MAX_CLOSE_LOOK_STEPS.min(self.close) / cost.max(1);
         if share == 0 {
             return None;
         }
@@ -314,7 +315,7 @@ impl<'a> Search<'a> {
             let b = if b.is_finite() { b } else { &within };
             (0..3).fold(0.0f64, |m, i| m.max(b.max[i] - b.min[i]))
         };
-        let depth = DEPTH * size(&parts[0].bounds).min(size(&parts[1].bounds));
+        let depth = MIN_REL_DEPTH * size(&parts[0].bounds).min(size(&parts[1].bounds));
         if (0..3).any(|i| within.max[i] - within.min[i] <= depth) {
             return None;
         }
@@ -330,7 +331,7 @@ impl<'a> Search<'a> {
         let cut = parts[0].cut;
         let mut left = cut.and_then(|root| Field::new(self.scene, root, &Matrix::IDENTITY));
         let cost = one.cost + two.cost + left.as_ref().map_or(0, |f| f.cost);
-        let share = CLOSE.min(self.close) / cost.max(1);
+        let share = MAX_CLOSE_LOOK_STEPS.min(self.close) / cost.max(1);
         let mut points = share;
         let slopes = |p: Vec3| {
             let [a, b] = [one.at(p), two.at(p)];

@@ -11,8 +11,8 @@ use crate::solids::shapes::facts::Facts;
 use crate::solids::{Named, named};
 use crate::trace::plan::unseen::{self, LeftOut};
 
-/// Nodes gone through more often than once, in scenes that share parts.
-const REPEATED: usize = 200_000;
+/// Most nodes gone through more often than once, in scenes that share parts.
+const MAX_REPEATED_NODES: usize = 200_000;
 
 /// A part of a union that is none itself.
 pub(super) struct UnionOperand {
@@ -79,7 +79,7 @@ impl Unions {
             clipped: false,
         };
         let mut todo: Vec<Task> = roots.iter().rev().map(start).collect();
-        let mut left = scene.nodes.len() + REPEATED;
+        let mut left = scene.nodes.len() + MAX_REPEATED_NODES;
         let mut parents = Vec::new();
         while let Some(mut task) = todo.pop() {
             match left.checked_sub(1) {

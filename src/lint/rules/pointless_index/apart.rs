@@ -9,7 +9,7 @@ use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Node, NodeId, Optics, Scene};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::shapes::facts::Facts;
-use crate::solids::within::CLEAR;
+use crate::solids::within::CLEARANCE_REL;
 use crate::trace::plan::unseen::Starts;
 
 /// Nodes gone through, and pairs of shapes compared: some hundredths of a second.
@@ -57,7 +57,7 @@ impl Apart {
         let clip = clip.map(|(min, max)| Aabb::new(min, max));
         let is_whole = |b: &Aabb| {
             clip.is_none_or(|clip| {
-                let hair = CLEAR * clip.far().max(b.far());
+                let hair = CLEARANCE_REL * clip.far().max(b.far());
                 (0..3).all(|i| clip.min[i] + hair < b.min[i] && b.max[i] + hair < clip.max[i])
             })
         };
@@ -82,7 +82,7 @@ impl Apart {
             }
             let apart = |other: &Leaf| {
                 let (a, b) = (&leaf.bounds, &other.bounds);
-                let hair = CLEAR * a.far().max(b.far());
+                let hair = CLEARANCE_REL * a.far().max(b.far());
                 (0..3).any(|i| a.max[i] + hair < b.min[i] || b.max[i] + hair < a.min[i])
             };
             let meets = |other: &Leaf| {

@@ -20,7 +20,7 @@ use crate::geometry::boxes::Boxes;
 use crate::parallel;
 use crate::scene::Scene;
 use crate::solids::shapes::facts::Facts;
-use crate::solids::within::{CLEAR, PlacedShape};
+use crate::solids::within::{CLEARANCE_REL, PlacedShape};
 use rustc_hash::FxHashMap;
 
 /// So many opaque shapes are asked what they hold, the largest.
@@ -232,6 +232,6 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
 
 /// A box and what may touch it but for rounding.
 fn grown(b: &Aabb) -> Aabb {
-    let hair = 4.0 * CLEAR * b.far();
+    let hair = 4.0 * CLEARANCE_REL * b.far();
     Aabb::new(b.min.map(|x| x - hair), b.max.map(|x| x + hair))
 }

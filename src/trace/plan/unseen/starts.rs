@@ -7,7 +7,7 @@ use crate::scene::sight::Sight;
 use crate::scene::{Camera, Scene, Vec3, View};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::staging::{Basis, automatic_camera};
-use crate::solids::within::{CLEAR, PlacedShape, far};
+use crate::solids::within::{CLEARANCE_REL, PlacedShape, far};
 
 /// Where rays may start.
 enum Start {
@@ -48,7 +48,7 @@ impl Starts {
 
     /// Whether none of them is in something that lies in a box; `shape`: what it is, where it is one.
     pub fn are_clear_of(&self, thing: &Aabb, shape: Option<&PlacedShape>) -> bool {
-        let apart = |b: &Aabb| is_apart(thing, b, CLEAR * thing.far().max(b.far()));
+        let apart = |b: &Aabb| is_apart(thing, b, CLEARANCE_REL * thing.far().max(b.far()));
         self.0.iter().all(|start| match start {
             Start::Point(p) => {
                 apart(&Aabb::new(*p, *p)) || shape.is_some_and(|s| s.is_clear_of(*p))
@@ -111,6 +111,6 @@ fn beside_plane(corners: &[Vec3; 4], b: &Aabb) -> bool {
         .chain([&b.min, &b.max])
         .map(far)
         .fold(0.0, f64::max);
-    let clear = CLEAR * size;
+    let clear = CLEARANCE_REL * size;
     flat.iter().all(|f| f + clear < low) || flat.iter().all(|f| high + clear < *f)
 }

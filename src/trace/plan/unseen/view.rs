@@ -15,7 +15,7 @@ use crate::solids::bounds::NodeBounds;
 use crate::solids::inside::Inside;
 use crate::solids::shapes::facts::Facts;
 use crate::solids::staging::Basis;
-use crate::solids::within::{CLEAR, far};
+use crate::solids::within::{CLEARANCE_REL, far};
 use crate::solids::{Named, named};
 use crate::trace::camera::View;
 use crate::trace::shapes::{Primitive, Roots};
@@ -129,7 +129,7 @@ impl Field {
                 .map(|i| (n[i] * b.min[i]).max(n[i] * b.max[i]))
                 .sum();
             let size = self.starts.iter().map(far).fold(b.far(), f64::max);
-            most + CLEAR * size < least
+            most + CLEARANCE_REL * size < least
         })
     }
 }
@@ -312,7 +312,7 @@ fn near_parts<T: Clone + Default>(
 ) -> Vec<T> {
     let mut out = vec![T::default(); points.len()];
     let around = |point: &Vec3| {
-        let by = CLEAR * far(point).max(1.0);
+        let by = CLEARANCE_REL * far(point).max(1.0);
         Aabb::new(point.map(|x| x - by), point.map(|x| x + by))
     };
     // Most points are outside of everything.
@@ -418,7 +418,7 @@ fn around(point: &Vec3, part: &Member) -> f64 {
         true => part.bounds.radius(),
         false => 1.0,
     };
-    CLEAR * far(point).max(size)
+    CLEARANCE_REL * far(point).max(size)
 }
 
 /// A part that a point is in, or on the surface of.
@@ -432,7 +432,7 @@ struct Met {
 /// the coordinates of the shape.
 fn is_on_sheet(shape: &Primitive, back: &Matrix, point: Vec3, around: f64) -> bool {
     // A ray from this far away is exact enough.
-    let away = around / CLEAR;
+    let away = around / CLEARANCE_REL;
     (0..3).any(|i| {
         let (mut from, mut way) = (point, [0.0; 3]);
         from[i] -= away;
@@ -482,7 +482,7 @@ pub fn pixels(scene: &Scene, bounds: &[NodeBounds], root: NodeId, camera: &Camer
         });
         let v = sub(p, camera.position);
         let depth = dot(v, basis.forward);
-        if depth <= CLEAR * far(&p).max(far(&camera.position)) {
+        if depth <= CLEARANCE_REL * far(&p).max(far(&camera.position)) {
             return None;
         }
         for (range, axis) in picture.iter_mut().zip([basis.right, basis.up]) {
