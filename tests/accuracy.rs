@@ -100,7 +100,7 @@ fn the_independent_tracer_agrees_and_sees_what_is_off() {
     let checked = checked.unwrap().unwrap();
     assert_eq!(
         (checked.pixels, checked.wrong),
-        (check::FEWEST, 0),
+        (check::MIN_PIXELS, 0),
         "{checked:?}"
     );
     assert!(checked.rays > 300 && checked.largest < 1e-12, "{checked:?}");

@@ -21,7 +21,7 @@ use crate::diagnostics::{Complaint, Error, Language};
 use crate::study::accuracy::advice::in_language;
 use crate::study::accuracy::configurations::Axis;
 use crate::study::accuracy::print::terminal;
-use crate::study::accuracy::{self, Options, Report, run::BUDGET, shapes};
+use crate::study::accuracy::{self, Options, Report, run::DEFAULT_SECONDS, shapes};
 use crate::trace::Images;
 
 /// Tell what accuracy costs in time: what each setting brings to the picture of a scene, and what it takes
@@ -191,7 +191,7 @@ fn study(
         size: [width, height],
         axes,
         runs: args.runs,
-        budget: args.budget.map_or(BUDGET, |b| b.0),
+        budget: args.budget.map_or(DEFAULT_SECONDS, |b| b.0),
         goal: args.goal,
         stop: stop_on_interrupt(look),
     };

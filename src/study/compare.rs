@@ -164,10 +164,10 @@ impl Comparison {
 
 /// The colour of a pixel that differs by so much of what is allowed: dark green where it does not differ at all.
 pub fn alike(share: f64) -> [u8; 3] {
-    const LEAST: f64 = 55.0;
+    const DARKEST_GREEN: f64 = 55.0;
     [
         0,
-        (LEAST + (f64::from(ALIKE[1]) - LEAST) * share.min(1.0)) as u8,
+        (DARKEST_GREEN + (f64::from(ALIKE[1]) - DARKEST_GREEN) * share.min(1.0)) as u8,
         0,
     ]
 }

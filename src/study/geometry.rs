@@ -80,9 +80,9 @@ pub fn seen(
 
 /// Positions may differ by so much of the scene's size on exact shapes.
 const EXACT: f64 = 1e-4;
-/// What is so many sizes of the scene away is rounded more. Together they are 28 units of single
+/// Distance in sizes of the scene from which on positions are rounded more. Together they are 28 units of single
 /// precision (2^-23): a place is transformed, met and transformed back, some operations each way.
-const FAR: f64 = 30.0;
+const FAR_SIZES: f64 = 30.0;
 /// What is seen beyond this part of the way to where parts without end are cut off is not compared: a
 /// neighbouring pixel may show what is cut off.
 const HORIZON: f64 = 0.9;
@@ -99,8 +99,8 @@ const FOLDED: f64 = 0.9;
 /// of its cosine in single precision.
 const TURNED: f64 = 3e-3;
 
-/// Folds of a mesh may be so many pixels from ours.
-const NEAR: usize = 2;
+/// Distance of a mesh's folds from ours, in pixels, at most.
+const FOLD_DISTANCE_PIXELS: usize = 2;
 
 /// How two sights compare.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -317,7 +317,7 @@ impl Sight<'_> {
         }
         let cosine = here.cosine(normal);
         // Rounded as places are.
-        let sine = TURNED * f64::max(1.0, here.distance / (FAR * self.size));
+        let sine = TURNED * f64::max(1.0, here.distance / (FAR_SIZES * self.size));
         // Where roundings turn a normal by more than a right angle, it may point anywhere.
         let exact = match sine < 1.0 {
             true => (1.0 - sine * sine).sqrt(),
@@ -374,7 +374,7 @@ impl Sight<'_> {
 
     /// How far their place may be from ours.
     fn allowed(&self, distance: f64, info: &ShapeInfo) -> f64 {
-        let rounding = EXACT * self.size.max(distance / FAR);
+        let rounding = EXACT * self.size.max(distance / FAR_SIZES);
         match info.exact {
             true => rounding,
             false => self.translation.extent.tolerance + rounding,
@@ -462,7 +462,7 @@ impl Sight<'_> {
 
     /// Whether a pixel not far from one shows a face of the same shape with such a normal.
     fn is_near(&self, i: usize, here: &VisiblePoint, normal: Vec3) -> bool {
-        self.around(i, NEAR).any(|j| {
+        self.around(i, FOLD_DISTANCE_PIXELS).any(|j| {
             self.ours[j].is_some_and(|seen| {
                 let same = (seen.shape, seen.object) == (here.shape, here.object);
                 same && seen.cosine(normal) > FOLDED

@@ -10,12 +10,12 @@ use crate::scene::Camera;
 use crate::trace::camera::View;
 use crate::trace::{Picture, Settings, Tracer, Walkers};
 
-/// How far from a sample an edge counts, in pixels: far more than programs differ in where they send
-/// their rays, and too little to make many pixels uncertain.
-const NEAR: f64 = 0.03;
+/// Distance of an edge that counts from a sample, in pixels: far more than programs differ in where they send their
+/// rays, and too little to make many pixels uncertain.
+const EDGE_DISTANCE_PIXELS: f64 = 0.03;
 
 /// Samples of the ring around the middle of a pixel that are taken first.
-const FIRST: usize = 4;
+const FIRST_RING_SAMPLES: usize = 4;
 /// All samples of the ring, where an edge is to be told from noise: of rings of two colours at random, 94 of 100 go up
 /// and down more often than an edge and another one that crosses it make them.
 const RING: usize = 16;
@@ -69,8 +69,8 @@ pub fn study(
         tracer.render(camera, &settings, || ())
     };
     let mut changes = vec![false; pixels.len()];
-    for k in 0..FIRST {
-        let moved = moved(&asked, place(k, FIRST))?;
+    for k in 0..FIRST_RING_SAMPLES {
+        let moved = moved(&asked, place(k, FIRST_RING_SAMPLES))?;
         for i in (0..pixels.len()).filter(|&i| asked[i]) {
             changes[i] |= distance(pixels[i], moved.film.pixels[i]) > bar;
             total_reflection[i] |= moved.total_reflection[i];
@@ -105,7 +105,10 @@ pub fn study(
 /// that follow the rows and columns.
 fn place(k: usize, of: usize) -> [f64; 2] {
     let angle = TAU * (k as f64 + 0.5) / of as f64;
-    [NEAR * libm::cos(angle), NEAR * libm::sin(angle)]
+    [
+        EDGE_DISTANCE_PIXELS * libm::cos(angle),
+        EDGE_DISTANCE_PIXELS * libm::sin(angle),
+    ]
 }
 
 /// Whether other objects are seen first on the ring around a pixel than at its middle, for each of these pixels.

@@ -1,21 +1,21 @@
 //! File names that every program can open.
 
-/// The longest name that is left as it is, in characters: what is put behind it must fit as well.
-const LONGEST: usize = 100;
+/// Most characters of a name that is left as it is: what is put behind it must fit as well.
+const MAX_NAME_CHARS: usize = 100;
 
 /// A name of letters, digits and `-_.` alone, which stands for one that other programs may not be able to
 /// open: POV-Ray opens no file whose name is not ASCII, and spaces end names in Wavefront files. A name that
 /// is not plain, or too long, is cut and ends with a number made of all of it, so that two names stay two.
 pub fn plain(name: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
-    if name.len() <= LONGEST && name.chars().all(is_plain) {
+    if name.len() <= MAX_NAME_CHARS && name.chars().all(is_plain) {
         return name.to_owned();
     }
     // FNV-1a, of characters (http://www.isthe.com/chongo/tech/comp/fnv).
     let number = (name.chars()).fold(0x811c_9dc5_u32, |hash, c| {
         (hash ^ u32::from(c)).wrapping_mul(0x0100_0193)
     });
-    let start = name.chars().take(LONGEST - 9);
+    let start = name.chars().take(MAX_NAME_CHARS - 9);
     let start: String = start.map(|c| if is_plain(c) { c } else { '_' }).collect();
     format!("{start}_{number:08x}")
 }
@@ -53,7 +53,7 @@ mod tests {
         let plains: HashSet<String> = names.iter().map(|n| plain(n)).collect();
         assert_eq!(plains.len(), names.len(), "{plains:?}");
         for name in plains {
-            assert!(name.len() <= LONGEST && name.bytes().all(|b| b.is_ascii_graphic()));
+            assert!(name.len() <= MAX_NAME_CHARS && name.bytes().all(|b| b.is_ascii_graphic()));
             assert!(
                 !name.contains(['%', '"', '\\', '\'', '$', '#', '/']),
                 "{name}"

@@ -12,11 +12,12 @@ use crate::trace::camera::View;
 use crate::trace::pixels::VisibleObject;
 use std::time::Instant;
 
-/// The fewest pixels that are checked.
-pub const FEWEST: usize = 120;
-const MOST: usize = 960;
-/// So many are followed before the clock is looked at.
-const BATCH: usize = 40;
+/// Fewest pixels that are checked.
+pub const MIN_PIXELS: usize = 120;
+/// Most pixels that are checked.
+const MAX_PIXELS: usize = 960;
+/// Pixels that are followed before the clock is looked at.
+const BATCH_PIXELS: usize = 40;
 
 /// Channels that differ by more, linear, and of what is above 1 by a larger share, are wrong: a tenth of a
 /// thousandth of a step. Doubles and double-double come within 1e-10.
@@ -101,7 +102,7 @@ fn unfit(unfit: Unfit) -> &'static str {
     }
 }
 
-/// Follows whole pixels: [`FEWEST`] unless they take more than `most` seconds, and more while `seconds` last. `colours`
+/// Follows whole pixels: [`MIN_PIXELS`] unless they take more than `most` seconds, and more while `seconds` last. `colours`
 /// are those of the reference, in the order of the tiles' pixels. In place of an answer comes the name of the message that
 /// says why there is none.
 pub fn check(
@@ -127,7 +128,7 @@ pub fn check(
         Err(why) => return Ok(Err(unfit(why))),
     };
     let mut checked = Checked::default();
-    for batch in pixels[..pixels.len().min(MOST)].chunks(BATCH) {
+    for batch in pixels[..pixels.len().min(MAX_PIXELS)].chunks(BATCH_PIXELS) {
         let places: Vec<[u32; 2]> = batch.iter().map(|p| p.1).collect();
         let found = match naive.pixels(&places) {
             Ok(found) => found,
@@ -156,8 +157,8 @@ pub fn check(
         // The next batch must fit, too.
         let spent = start.elapsed().as_secs_f64();
         let done = checked.pixels;
-        let next = spent * (1.0 + BATCH as f64 / done.max(1) as f64);
-        let allowed = if done < FEWEST { most } else { seconds };
+        let next = spent * (1.0 + BATCH_PIXELS as f64 / done.max(1) as f64);
+        let allowed = if done < MIN_PIXELS { most } else { seconds };
         if next > allowed {
             break;
         }

@@ -181,14 +181,13 @@ pub struct RowError {
     pub max_ulp: Option<f64>,
 }
 
-/// Differences that are smaller, linear, are far below what a film of single precision rounds: the pictures
-/// are the same.
-const SAME: f64 = 1e-9;
+/// Largest linear difference of pictures that are the same: far below what a film of single precision rounds.
+const SAME_PICTURE_DIFFERENCE: f64 = 1e-9;
 
 impl RowError {
     /// Whether the picture is the same as the reference's.
     pub fn is_same(&self) -> bool {
-        self.pixels_differ == 0 || self.max <= SAME
+        self.pixels_differ == 0 || self.max <= SAME_PICTURE_DIFFERENCE
     }
 }
 

@@ -17,9 +17,9 @@ use crate::syntax::table::{RecordKind, RecordType};
 /// The largest ID.
 pub const ID_MAX: u32 = i32::MAX as u32;
 
-/// How far a matrix may be from a rotation to be written as one without more ado: less than what is
-/// found fault with (W303).
-const TURN: f64 = 1e-7;
+/// Distance of a matrix from a rotation, at most, to be written as one without more ado: less than what is found fault
+/// with (W303).
+const ROTATION_EPS: f64 = 1e-7;
 
 /// A part of the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -295,7 +295,7 @@ impl<'a> Speller<'a> {
             self.record(id, RecordKind::Scaling, &reals(&[factors]));
             self.record(id, RecordKind::Translation, &reals(&[step]));
         } else {
-            self.any_matrix |= !m.is_rotation(TURN);
+            self.any_matrix |= !m.is_rotation(ROTATION_EPS);
             self.record(id, RecordKind::RotationMatrix, &reals(&[*matrix]));
         }
     }

@@ -17,13 +17,13 @@ use crate::scene::Scene;
 use crate::solids::shapes::facts::Facts;
 use crate::trace::graph::{self, Graph, Part, Target};
 
-/// The fewest triangles of a shape: those of a triangle as a slab.
-const FEWEST: f64 = 8.0;
+/// Fewest triangles of a shape: those of a triangle as a slab.
+const MIN_SHAPE_TRIANGLES: f64 = 8.0;
 
-/// In scenes of so many shapes each keeps its form, however small it is.
-const FEW: usize = 1000;
-/// It is within such a part of its own length.
-const ROUND: f64 = 40.0;
+/// Most shapes of a scene in which each keeps its form, however small it is.
+const MAX_SHAPES_KEEPING_FORM: usize = 1000;
+/// Length of such a shape, in tolerances, at least.
+const MIN_LENGTH_TOLERANCES: f64 = 40.0;
 
 /// A solid with one inside, or a surface.
 #[derive(Debug, Clone)]
@@ -147,7 +147,7 @@ impl<'a> Assembly<'a> {
     /// There would be too many triangles.
     pub fn pieces(&mut self, region: &Aabb, boxed: bool) -> Result<Thing, TooMany> {
         // Before any is made.
-        let needed = FEWEST * self.shapes;
+        let needed = MIN_SHAPE_TRIANGLES * self.shapes;
         self.budget.foresee(needed)?;
         for object in 0..self.graph.objects.len() {
             if self.uses[object] > 0 {
@@ -269,10 +269,10 @@ impl<'a> Assembly<'a> {
         let back = m.inverse().unwrap_or(Matrix::IDENTITY);
         let region = self.regions[object].transformed(&back);
         let mut tolerance = self.tolerances[object] / shape::stretch(m);
-        if self.scene.shapes.len() <= FEW {
+        if self.scene.shapes.len() <= MAX_SHAPES_KEEPING_FORM {
             let own = record.geometry.bounds(&Matrix::IDENTITY);
             let longest = (0..3).fold(0.0f64, |l, i| l.max(own.max[i] - own.min[i]));
-            tolerance = tolerance.min(longest / ROUND);
+            tolerance = tolerance.min(longest / MIN_LENGTH_TOLERANCES);
         }
         let solid = tessellate(&record.geometry, tolerance, &region, &mut self.budget)?;
         self.troubles.endless += u64::from(!solid.bounded);

@@ -22,8 +22,8 @@ pub struct Medium {
     pub clear: bool,
 }
 
-/// So many pairs of different media are told apart at most.
-const MOST_PAIRS: usize = 20_000;
+/// Most pairs of different media that are told apart.
+const MAX_MEDIA_PAIRS: usize = 20_000;
 
 impl Parts {
     /// Leaves out what is where the same is already: the same triangles, or the whole of the same shape,
@@ -54,7 +54,7 @@ impl Parts {
             };
             (a.optics, a.index) != (b.optics, b.index) && (within || a.clear)
         };
-        let Some(pairs) = unite::pairs(&boxes, MOST_PAIRS, wanted) else {
+        let Some(pairs) = unite::pairs(&boxes, MAX_MEDIA_PAIRS, wanted) else {
             self.troubles.unjoined += 1;
             return;
         };

@@ -9,9 +9,9 @@ pub const MOST_TRIANGLES: u64 = 1 << 25;
 /// The most triangles that operations are given, each as often as it is given to one: some minutes.
 const MOST_WORK: f64 = (1u64 << 24) as f64;
 
-/// What is expected to take so many times the limit is not begun: where solids lie in heaps, more goes in
-/// later rounds than in the first.
-const MARGIN: f64 = 1.5;
+/// Factor over the limit at which work that is expected is not begun: where solids lie in heaps, more goes in later
+/// rounds than in the first.
+const WORK_OVERRUN: f64 = 1.5;
 
 /// So many bytes are taken for each triangle on the way to a file: measured on a geodesic sphere of five
 /// million, which takes 440 for each.
@@ -119,7 +119,7 @@ impl Budget {
             work += there;
             there *= left;
         }
-        work > MARGIN * MOST_WORK
+        work > WORK_OVERRUN * MOST_WORK
     }
 
     /// Asks for operations on so many triangles.

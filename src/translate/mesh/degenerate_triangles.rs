@@ -10,8 +10,8 @@ use crate::geometry::array::{cross, length, sub};
 use crate::geometry::exact;
 use crate::scene::Vec3;
 
-/// So often is each triangle looked at, in the worst case.
-const ROUNDS: usize = 16;
+/// Most times that each triangle is looked at.
+const MAX_ROUNDS: usize = 16;
 
 /// The numbers that points are written in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,14 +53,14 @@ fn is_needle(corners: [Vec3; 3], precision: Precision) -> bool {
     let away = |i: usize, j: usize| length(sub(p[i], p[j]));
     let longest = away(0, 1).max(away(1, 2)).max(away(2, 0));
     // Where products underflow, single precision says nothing of a shape.
-    const TINY: f64 = 1e-15;
+    const MIN_EDGE_LENGTH: f64 = 1e-15;
     let single = |i: usize| {
         let way = |j: usize| [0, 1, 2].map(|k| p[j % 3][k] as f32 - p[i][k] as f32);
         let (a, b) = (way(i + 1), way(i + 2));
         let part = |j: usize, k: usize| a[j] * b[k] - a[k] * b[j];
         part(1, 2) == 0.0 && part(2, 0) == 0.0 && part(0, 1) == 0.0
     };
-    if precision == Precision::Single && longest > TINY && (0..3).any(single) {
+    if precision == Precision::Single && longest > MIN_EDGE_LENGTH && (0..3).any(single) {
         return true;
     }
     let (u, v) = (sub(p[1], p[0]), sub(p[2], p[0]));
@@ -79,7 +79,7 @@ impl Mesh {
             return 0.0;
         }
         let mut net = Net::new(self, precision, most);
-        for _ in 0..ROUNDS {
+        for _ in 0..MAX_ROUNDS {
             for t in std::mem::take(&mut todo) {
                 if net.is_there(t) && is_needle(net.corners(t), precision) {
                     net.mend(t, &mut todo);

@@ -12,15 +12,15 @@ use crate::solids::staging::seen_box;
 /// reaches beyond what stands on it.
 const AROUND: f64 = 2.0;
 
-/// How many times as far parts without end go on where that costs nothing, since they are flat, and a camera looks
+/// Factor by which parts without end go on farther where that costs nothing, since they are flat, and a camera looks
 /// along them.
-const FLAT: f64 = 16.0;
+const FLAT_EXTENT_FACTOR: f64 = 16.0;
 
 /// Half the side of that region in a scene without bounded parts.
 const NOTHING_BOUNDED: f64 = 5.0;
 
-/// What encloses a scene, or bounds it, is looked for so many times as far away as the scene is large.
-const FAR: f64 = 100.0;
+/// Distance up to which what encloses a scene, or bounds it, is looked for, in sizes of the scene.
+const MAX_ENCLOSURE_SIZES: f64 = 100.0;
 
 /// Where the mesh is made, and how finely.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,7 +49,7 @@ impl Extent {
         }
         let times = match self.cut == self.region {
             true => AROUND,
-            false => AROUND * FLAT,
+            false => AROUND * FLAT_EXTENT_FACTOR,
         };
         Complaint::new("fidelity-cut").with("times", times.to_string())
     }
@@ -73,7 +73,7 @@ impl Extent {
         Extent {
             region,
             cut: match options.eye {
-                Some(_) if !boxed && is_flat(scene) => grown(&region, FLAT),
+                Some(_) if !boxed && is_flat(scene) => grown(&region, FLAT_EXTENT_FACTOR),
                 _ => region,
             },
             boxed,
@@ -120,7 +120,7 @@ fn around(seen: &Aabb) -> Aabb {
 }
 
 /// A box around the faces of what has no end itself: walls of rooms, skies, the nearest points of planes. What is
-/// farther away than [`FAR`] sizes of what is seen is not looked for.
+/// farther away than [`MAX_ENCLOSURE_SIZES`] sizes of what is seen is not looked for.
 fn faces(scene: &Scene, bounds: &[NodeBounds], seen: &Aabb) -> Aabb {
     let Some(root) = scene.render.map(|r| r.root) else {
         return Aabb::EMPTY;
@@ -144,7 +144,7 @@ fn faces(scene: &Scene, bounds: &[NodeBounds], seen: &Aabb) -> Aabb {
         };
         all.intersection(&bounds.all)
     });
-    let far = FAR * seen.radius();
+    let far = MAX_ENCLOSURE_SIZES * seen.radius();
     let c = seen.centre();
     let near = Aabb::new(c.map(|x| x - far), c.map(|x| x + far));
     match boxes.pop() {
@@ -186,7 +186,7 @@ mod tests {
             extent.cut.radius() / extent.region.radius()
         };
         let water = "2 9 1\n3 4 0 1 0 0\n4 -103 3 2\n1 9999 4 0";
-        assert!((seen(water) - FLAT).abs() < 1e-9);
+        assert!((seen(water) - FLAT_EXTENT_FACTOR).abs() < 1e-9);
         // Something curved without end would take many triangles, and so would a texture in space.
         let curved = "2 18 1\n3 4 0 1 0 0\n4 -103 3 2\n1 9999 4 0";
         assert_eq!(seen(curved), 1.0);

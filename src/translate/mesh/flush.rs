@@ -14,9 +14,9 @@ use crate::scene::Vec3;
 /// differ by what rotations were rounded, some tens of roundings.
 const ROUNDED: f64 = 1e-14;
 
-/// Normals of length 1, and offsets by the size of the operands, that are nearer than this are the same:
-/// the normals of narrow triangles are rounded by more.
-const SAME: f64 = 1e-13;
+/// Difference up to which normals of length 1 are the same, and offsets by the size of the operands: the normals of
+/// narrow triangles are rounded by more.
+const PLANE_EPS: f64 = 1e-13;
 
 /// As near are a triangle and what is left of it when its sides were cut, even where that is narrow.
 const CUT: f64 = 1e-9;
@@ -75,7 +75,7 @@ fn axes(a: &Mesh, b: &Mesh, size: f64) -> Option<[Vec3; 3]> {
             .map(|p| p.normal)
     };
     let first = largest(&shared)?;
-    let upright = |p: &Plane| dot(p.normal, first).abs() < SAME;
+    let upright = |p: &Plane| dot(p.normal, first).abs() < PLANE_EPS;
     let second = largest(&|p| upright(p) && shared(p))
         .or_else(|| largest(&upright))
         .unwrap_or_else(|| across(first));
@@ -130,7 +130,7 @@ fn planes_of(mesh: &Mesh, size: f64) -> impl Iterator<Item = (usize, Plane)> {
 
 impl Plane {
     fn same(&self, other: &Plane) -> bool {
-        self.near(other, SAME)
+        self.near(other, PLANE_EPS)
     }
 
     fn near(&self, other: &Plane, within: f64) -> bool {
@@ -150,10 +150,10 @@ impl Plane {
     /// Whether one of these, in the order of their keys, is the same.
     fn is_among(&self, planes: &[Plane]) -> bool {
         let key = self.key;
-        let from = planes.partition_point(|p| p.key < key - 2.0 * SAME);
+        let from = planes.partition_point(|p| p.key < key - 2.0 * PLANE_EPS);
         let mut near = planes[from..]
             .iter()
-            .take_while(|p| p.key < key + 2.0 * SAME);
+            .take_while(|p| p.key < key + 2.0 * PLANE_EPS);
         near.any(|p| self.same(p))
     }
 }
@@ -181,12 +181,12 @@ fn snap(a: &mut Mesh, b: &mut Mesh, least: f64) {
     }
 }
 
-/// More planes than this are not moved: they belong to round things.
-const MOST: usize = 16;
+/// Most planes that are moved: more belong to round things.
+const MAX_PLANES: usize = 16;
 
-/// By how much faces are moved, by the size of the operands: far more than points are rounded, and a
+/// Distance that faces are moved by, by the size of the operands: far more than points are rounded, and a
 /// hundred-millionth of the default tolerance.
-const HAIR: f64 = 1e-11;
+const FACE_REL_SHIFT: f64 = 1e-11;
 
 /// `b` with its faces in planes of faces of `a` a hair further on or back, so that what is meant by the
 /// operation is left: nothing of what the two have in common if that is a face, and no skin where a tool ends
@@ -195,8 +195,8 @@ const HAIR: f64 = 1e-11;
 pub fn apart(a: &Mesh, b: &Mesh, size: f64, operation: Operation) -> Option<(Mesh, Vec<Plane>)> {
     let by = match operation {
         Operation::Union => return None,
-        Operation::Intersection => -HAIR * size,
-        Operation::Difference => HAIR * size,
+        Operation::Intersection => -FACE_REL_SHIFT * size,
+        Operation::Difference => FACE_REL_SHIFT * size,
     };
     let (of_a, of_b) = (sorted(a, size), sorted(b, size));
     let wanted = |p: &Plane| {
@@ -208,10 +208,10 @@ pub fn apart(a: &Mesh, b: &Mesh, size: f64, operation: Operation) -> Option<(Mes
         right && !p.reversed().is_among(&of_b)
     };
     let planes: Vec<Plane> = of_b.iter().copied().filter(wanted).collect();
-    if planes.is_empty() || planes.len() > MOST {
+    if planes.is_empty() || planes.len() > MAX_PLANES {
         return None;
     }
-    let mut on = vec![[false; MOST]; b.points.len()];
+    let mut on = vec![[false; MAX_PLANES]; b.points.len()];
     for (t, plane) in planes_of(b, size) {
         let Some(k) = planes.iter().position(|p| p.same(&plane)) else {
             continue;
@@ -236,15 +236,15 @@ pub fn put_back(mesh: &mut Mesh, planes: &[Plane], size: f64) {
     for point in &mut mesh.points {
         for plane in planes {
             let off = dot(plane.normal, *point) - plane.offset * size;
-            if off.abs() < 2.0 * HAIR * size {
+            if off.abs() < 2.0 * FACE_REL_SHIFT * size {
                 *point = sub(*point, plane.normal.map(|n| off * n));
             }
         }
     }
 }
 
-/// So many times triangles are compared with others in their planes at most.
-const PATIENCE: usize = 4_000_000;
+/// Most comparisons of triangles with others in their planes.
+const MAX_TRIANGLE_COMPARISONS: usize = 4_000_000;
 
 /// Gives triangles of what was made of `a` and `b` the labels of those of `a` that they lie in: of faces in one
 /// place the first one's is seen. What has been dropped stays so, and what is beyond patience.
@@ -273,7 +273,7 @@ pub fn first_seen(mesh: &mut Mesh, a: &Mesh, b: &Mesh, size: f64) {
         if let Some((i, _)) = near.find(|(i, p)| p.near(&plane, CUT) && holds(a, *i, p, middle)) {
             mesh.labels[t] = a.labels[*i];
         }
-        if compared > PATIENCE {
+        if compared > MAX_TRIANGLE_COMPARISONS {
             return;
         }
     }

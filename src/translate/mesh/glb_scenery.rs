@@ -14,12 +14,12 @@ use crate::translate::names::Names;
 /// The extension that lights are written in.
 pub const LIGHTS: &str = "KHR_lights_punctual";
 
-/// Nothing nearer to a camera than this part of the scene's radius is drawn: the format asks for a number above 0.
-const NEAR: f64 = 1e-3;
-/// The farthest that parallel rays go, in radii beyond the scene's farthest side.
-const FAR: f64 = 2.0;
-/// A light nearer to the middle of the scene than this part of its radius is as bright as from there.
-const CLOSE: f64 = 0.1;
+/// Distance from a camera, in radii of the scene, below which nothing is drawn: the format asks for a number above 0.
+const NEAR_PLANE_RADII: f64 = 1e-3;
+/// Distance that parallel rays go beyond the scene's farthest side, in radii.
+const PARALLEL_RAY_RADII: f64 = 2.0;
+/// Distance from the middle of the scene, in radii, below which a light is as bright as from there.
+const MIN_LIGHT_RADII: f64 = 0.1;
 /// How far the middle of a picture may be from the axis, by half its size, and an axis from a right angle.
 const STRAIGHT: f64 = 1e-6;
 
@@ -146,7 +146,11 @@ fn view(camera: &Camera, extent: &Extent) -> Option<(Value, [f64; 16])> {
             aspect,
             near,
         } => {
-            let near = if near > 0.0 { near } else { NEAR * radius };
+            let near = if near > 0.0 {
+                near
+            } else {
+                NEAR_PLANE_RADII * radius
+            };
             let mut lens = json!({ "yfov": angle, "znear": near });
             if let Some(aspect) = aspect {
                 lens["aspectRatio"] = json!(aspect);
@@ -155,7 +159,7 @@ fn view(camera: &Camera, extent: &Extent) -> Option<(Value, [f64; 16])> {
         }
         Counterpart::Parallel { half: [x, y] } => {
             let away = length(sub(extent.region.centre(), position));
-            let lens = json!({ "xmag": x, "ymag": y, "znear": 0.0, "zfar": away + FAR * radius });
+            let lens = json!({ "xmag": x, "ymag": y, "znear": 0.0, "zfar": away + PARALLEL_RAY_RADII * radius });
             json!({ "type": "orthographic", "orthographic": lens })
         }
     };
@@ -174,7 +178,8 @@ fn view(camera: &Camera, extent: &Extent) -> Option<(Value, [f64; 16])> {
 /// A light in candela that at the middle of the scene is as bright as ours: those of the format fade with distance, and
 /// a surface sends a π-th of what it receives each way.
 fn lamp(light: &PointLight, extent: &Extent) -> Option<Value> {
-    let distance = length(sub(light.position, extent.region.centre())).max(CLOSE * extent.radius);
+    let distance =
+        length(sub(light.position, extent.region.centre())).max(MIN_LIGHT_RADII * extent.radius);
     let colour = light.colour.map(|c| (c * light.intensity).max(0.0));
     let brightest = colour.iter().fold(0.0f64, |most, &c| most.max(c));
     let intensity = brightest * PI * distance * distance;

@@ -6,8 +6,8 @@ use super::triangle_mesh::Mesh;
 use crate::geometry::array::{dot, sub};
 use crate::scene::Vec3;
 
-/// At this many triangles no more are made.
-const MOST: usize = 1 << 22;
+/// Number of triangles at which no more are made.
+const MAX_TRIANGLES: usize = 1 << 22;
 
 /// The middle between two points.
 fn middle(p: Vec3, q: Vec3) -> Vec3 {
@@ -34,7 +34,7 @@ impl Mesh {
                 }
             }
             // Each of them makes two triangles more, on a surface that is closed.
-            if middles.is_empty() || self.triangles.len() + 2 * middles.len() > MOST {
+            if middles.is_empty() || self.triangles.len() + 2 * middles.len() > MAX_TRIANGLES {
                 return;
             }
             let mut edges: Vec<(u32, u32)> = middles.keys().copied().collect();

@@ -9,10 +9,10 @@ use crate::trace::shapes::{Located, Primitive, Roots};
 
 /// Cosines of angles up to which faces face the same way: that of a triangle and the face that it stands for,
 /// and of triangles that are as large as they may be.
-const ALIKE: [f64; 2] = [0.9, 0.5];
+const SAME_FACING_COSINES: [f64; 2] = [0.9, 0.5];
 
-/// So many faces near a point are looked at.
-const FACES: usize = 8;
+/// Most faces near a point that are looked at.
+const MAX_FACES_EXAMINED: usize = 8;
 
 /// A texture, and the matrix from the coordinates it was given in to those at hand.
 #[derive(Debug, Clone, PartialEq)]
@@ -228,7 +228,7 @@ impl SurfaceLabel {
         shape.crossings(&line, &mut roots);
         let mut all = roots.list;
         all.sort_by(|a, b| a.t.abs().total_cmp(&b.t.abs()));
-        all.truncate(FACES);
+        all.truncate(MAX_FACES_EXAMINED);
         let faces = |located: &Located<f64>| {
             let n = located.normal.0;
             (dot(n, facing) / length(n) / length(facing)).abs()
@@ -237,7 +237,7 @@ impl SurfaceLabel {
             .iter()
             .map(|root| (shape.locate(&line, *root), root.face));
         let found: Vec<_> = found.collect();
-        let alike = ALIKE
+        let alike = SAME_FACING_COSINES
             .iter()
             .find_map(|cosine| found.iter().find(|f| faces(&f.0) > *cosine));
         let (located, face) = *alike.or(found.first())?;

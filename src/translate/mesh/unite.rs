@@ -106,24 +106,26 @@ fn round(group: Vec<Member>) -> (Vec<Member>, u64) {
     (made.into_iter().map(|(m, _)| m).collect(), failures)
 }
 
-/// So many blocks of so many neighbours show what will become of a group, if it is many times larger.
-const BLOCKS: usize = 16;
-const BLOCK: usize = 16;
-const MANY: usize = 4 * BLOCKS * BLOCK;
+/// Blocks of a sample.
+const SAMPLE_BLOCKS: usize = 16;
+/// Neighbours of a block.
+const MEMBERS_PER_BLOCK: usize = 16;
+/// Least members of a group of which a sample shows what will become of it.
+const MIN_MEMBERS_TO_SAMPLE: usize = 4 * SAMPLE_BLOCKS * MEMBERS_PER_BLOCK;
 
 /// What share of its triangles each of the first rounds will leave of a group; nothing of a small one,
 /// whose first round is done as soon.
 fn trial(group: &[Member]) -> Vec<f64> {
-    if group.len() < MANY {
+    if group.len() < MIN_MEMBERS_TO_SAMPLE {
         return Vec::new();
     }
-    let last = group.len() - BLOCK;
-    let mut blocks: Vec<Vec<Member>> = (0..BLOCKS)
-        .map(|i| group[i * last / (BLOCKS - 1)..][..BLOCK].to_vec())
+    let last = group.len() - MEMBERS_PER_BLOCK;
+    let mut blocks: Vec<Vec<Member>> = (0..SAMPLE_BLOCKS)
+        .map(|i| group[i * last / (SAMPLE_BLOCKS - 1)..][..MEMBERS_PER_BLOCK].to_vec())
         .collect();
     let triangles = |blocks: &[Vec<Member>]| blocks.iter().flatten().map(Member::triangles).sum();
     let mut before: usize = triangles(&blocks);
-    (0..BLOCK.ilog2())
+    (0..MEMBERS_PER_BLOCK.ilog2())
         .map(|_| {
             blocks = parallel::map_each(std::mem::take(&mut blocks), |block| round(block).0);
             let after: usize = triangles(&blocks);
@@ -255,8 +257,8 @@ mod tests {
                 mesh,
             }
         };
-        let mut group: Vec<Member> = (0..2 * MANY).map(at).collect();
-        assert!(trial(&group[1..MANY]).is_empty());
+        let mut group: Vec<Member> = (0..2 * MIN_MEMBERS_TO_SAMPLE).map(at).collect();
+        assert!(trial(&group[1..MIN_MEMBERS_TO_SAMPLE]).is_empty());
         for told in trial(&group) {
             let triangles = |group: &[Member]| group.iter().map(Member::triangles).sum::<usize>();
             let before = triangles(&group);

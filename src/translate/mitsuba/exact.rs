@@ -33,9 +33,9 @@ pub struct RequiredExtent {
     pub far: f64,
 }
 
-/// What is near of something without end, by how far it reaches: that is a thousand times the scene's
-/// size, so that it holds the scene with room around.
-const NEAR: f64 = 1.0 / 32.0;
+/// Share of something without end that is near, by how far it reaches: that is a thousand times the scene's size, so
+/// that it holds the scene with room around.
+const NEAR_PART: f64 = 1.0 / 32.0;
 
 /// Whether the shape of a skin is a plane or a half-space.
 pub fn is_endless(scene: &Scene, graph: &Graph, skin: &SurfaceLabel) -> bool {
@@ -170,7 +170,7 @@ fn around(plane: &Facing, m: &Matrix, scale: f64, view: &RequiredExtent) -> Vec<
     let seen = back.point(view.centre);
     let along = |axis: Vec3| (0..3).map(|i| (seen[i] - foot[i]) * axis[i]).sum::<f64>();
     let far = view.far / scale;
-    let near = NEAR * far;
+    let near = NEAR_PART * far;
     // Near the origin there is no need to move.
     let from = [u, v]
         .map(along)

@@ -3,9 +3,9 @@
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Camera, Vec3};
 
-/// The scene is moved when it lies this many times its size from the origin: seven digits are enough
-/// up to there.
-const FAR: f64 = 100.0;
+/// Distance from the origin, in sizes of the scene, beyond which the scene is moved: seven digits are enough up to
+/// there.
+const MAX_ORIGIN_SIZES: f64 = 100.0;
 
 /// Sizes at which nothing is scaled. Mitsuba leaves surfaces by lengths of about 1e-4, a thousandth of the
 /// smallest; of the largest, a thousandfold, squares and their products fit single precision.
@@ -27,7 +27,7 @@ impl SceneFrame {
             return SceneFrame::PLAIN;
         }
         let unit = power.exp2();
-        let away = centre.iter().any(|x| x.abs() > FAR * radius);
+        let away = centre.iter().any(|x| x.abs() > MAX_ORIGIN_SIZES * radius);
         let origin = centre.map(|x| match away {
             // A round number, for those who read the file.
             true => (x / unit).round() * unit,

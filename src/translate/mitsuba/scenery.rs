@@ -29,9 +29,10 @@ pub fn reach(region: &Aabb, cameras: &[Camera]) -> f64 {
     HORIZON * all.hull(&origin).radius()
 }
 
-/// What hides nothing: a ten-millionth of the scene's size, and a thousandth of how near it is seen.
-const NOTHING: f64 = 1e-7;
-const CLOSE: f64 = 1e-3;
+/// Distance to a camera that hides nothing, as a share of the scene's size.
+const NEAR_PLANE_SIZES: f64 = 1e-7;
+/// The same, as a share of the distance to the nearest that is drawn.
+const NEAR_PLANE_SHARE: f64 = 1e-3;
 
 /// The integrator and the camera; `all` holds everything that is drawn, of which `nearest` is how near
 /// something is seen.
@@ -68,7 +69,9 @@ pub fn view(
         }
     };
     // It must be more than 0, also as a number of single precision.
-    let close = (CLOSE * nearest).min(NOTHING * reach / HORIZON).max(1e-30);
+    let close = (NEAR_PLANE_SHARE * nearest)
+        .min(NEAR_PLANE_SIZES * reach / HORIZON)
+        .max(1e-30);
     let start = || before(all, camera, &basis).max(close);
     let (width, height) = options.size;
     Ok(format!(
@@ -167,8 +170,8 @@ pub fn is_exact(camera: &Camera, (width, height): (u32, u32)) -> bool {
         || !matches!(Lens::of(camera, width, height), Some(Lens::Pinhole(p)) if !p.is_exact())
 }
 
-/// Longer sides of pictures are not proposed.
-const LONGEST: u32 = 4096;
+/// Longest side of a picture that is proposed, in pixels.
+const MAX_PICTURE_SIDE: u32 = 4096;
 
 /// The size next in height to the one given at which the pixels of all cameras are squares, if there is one.
 pub fn square_size(cameras: &[Camera], (width, height): (u32, u32)) -> Option<(u32, u32)> {
@@ -177,9 +180,9 @@ pub fn square_size(cameras: &[Camera], (width, height): (u32, u32)) -> Option<(u
         return None;
     };
     let aspect = pinhole.pixel? * f64::from(width) / f64::from(height);
-    (1..=LONGEST)
+    (1..=MAX_PICTURE_SIDE)
         .map(|h| ((aspect * f64::from(h)).round() as u32, h))
-        .filter(|size| (1..=LONGEST).contains(&size.0))
+        .filter(|size| (1..=MAX_PICTURE_SIDE).contains(&size.0))
         .filter(|size| cameras.iter().all(|c| is_exact(c, *size)))
         .min_by_key(|size| size.1.abs_diff(height))
 }

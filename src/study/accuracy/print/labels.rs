@@ -38,8 +38,8 @@ pub struct Placed {
 const HEIGHT: f64 = 11.0;
 const MARK: f64 = 5.5;
 
-/// How far the name is from the middle of its mark: beside it, or up to this much farther, and higher or lower.
-const BESIDE: f64 = 9.5;
+/// Distance of a name from the middle of its mark: beside it, or up to this much farther, and higher or lower.
+const LABEL_OFFSET: f64 = 9.5;
 const FARTHER: [f64; 5] = [0.0, 9.0, 19.0, 31.0, 45.0];
 const HIGHER: [f64; 6] = [0.0, 8.0, 15.0, 23.0, 32.0, 42.0];
 
@@ -53,11 +53,11 @@ fn places([x, y]: [f64; 2], width: f64) -> Vec<(f64, LabelBox)> {
     let mut out = Vec::new();
     for farther in FARTHER {
         let cost = farther / 9.0;
-        let out_to = BESIDE + farther;
+        let out_to = LABEL_OFFSET + farther;
         for higher in HIGHER {
             // Diagonally the corner comes as near as an edge does elsewhere.
             let across = if higher > 0.0 {
-                out_to - 0.3 * BESIDE
+                out_to - 0.3 * LABEL_OFFSET
             } else {
                 out_to
             };
@@ -176,7 +176,7 @@ fn judged(
     if is_astray {
         cost += ASTRAY;
     }
-    let leader = (is_astray || distance > 2.0 * BESIDE).then(|| {
+    let leader = (is_astray || distance > 2.0 * LABEL_OFFSET).then(|| {
         // From the edge of the mark on.
         let end = frame.nearest(own);
         let share = MARK / distance.max(MARK);

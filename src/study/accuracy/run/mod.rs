@@ -44,10 +44,10 @@ pub struct Options {
 }
 
 /// The share by which the goal may be missed: 1.01 must not cost twice as much as 1.00.
-pub const SLACK: f64 = 0.15;
+pub const GOAL_SLACK: f64 = 0.15;
 
-/// Seconds that are spent if nothing is said.
-pub const BUDGET: f64 = 120.0;
+/// Seconds that are spent unless another time is given.
+pub const DEFAULT_SECONDS: f64 = 120.0;
 
 /// The shortest run that is worth ranking.
 const LEAST_SECONDS: f64 = 0.05;
@@ -66,8 +66,8 @@ const TIMES: f64 = 0.4;
 const OBJECTS: f64 = 0.05;
 const PICTURES: f64 = 0.08;
 
-/// What takes a smaller share of the budget is done even where the time is up.
-const CHEAP: f64 = 0.005;
+/// Share of the budget below which a step is done even where the time is up.
+const CHEAP_SHARE: f64 = 0.005;
 
 /// Who is told how far it is: what is done now, the name of a message, and the share of all that is
 /// behind.
@@ -144,7 +144,7 @@ pub fn run(
 ) -> Result<Report, Error> {
     let before = load();
     let runner = Runner::new(scene.clone(), images, camera, options.size)?;
-    let share = (options.budget / BUDGET).ceil().clamp(1.0, 16.0) as usize;
+    let share = (options.budget / DEFAULT_SECONDS).ceil().clamp(1.0, 16.0) as usize;
     let [width, height] = options.size;
     let tiles = chosen(options.size, share);
     let mut run = Run {
@@ -209,7 +209,7 @@ impl Run<'_> {
 
     /// Whether so many CPU seconds are little even where the time is up.
     fn is_cheap(&self, seconds: f64) -> bool {
-        seconds < self.on_one(self.seconds(CHEAP))
+        seconds < self.on_one(self.seconds(CHEAP_SHARE))
     }
 
     /// Draws tiles on one thread, and takes the time.

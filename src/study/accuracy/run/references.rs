@@ -15,8 +15,8 @@ use crate::trace::Numbers;
 use std::ops::Range;
 use std::time::Instant;
 
-/// The share of the steps behind the references, at the least.
-const LATER: f64 = ERRORS / 2.0 + TIMES / 2.0 + OBJECTS + PICTURES;
+/// Share of the steps behind the references, at the least.
+const SHARE_AFTER_REFERENCES: f64 = ERRORS / 2.0 + TIMES / 2.0 + OBJECTS + PICTURES;
 
 impl Run<'_> {
     /// Double-double, and its check by the independent tracer.
@@ -36,7 +36,7 @@ impl Run<'_> {
             true => self.cost(&settings),
             false => 10.0 * self.cost(&Settings::default()),
         };
-        let behind = LIGHT + EDGES + LATER;
+        let behind = LIGHT + EDGES + SHARE_AFTER_REFERENCES;
         let seconds = self.on_all(self.allotted(NUMBERS, behind + NUMBERS));
         let tiles = self.tiles_for(seconds, cost, LEAST_PIXELS);
         let drawn = self.draw(&settings, tiles)?;
@@ -100,7 +100,7 @@ impl Run<'_> {
         };
         let pixels = self.pixels(few) as f64;
         let mut cost = pilot(self, &best)?.cpu / pixels;
-        let seconds = self.on_all(self.allotted(LIGHT, EDGES + LATER));
+        let seconds = self.on_all(self.allotted(LIGHT, EDGES + SHARE_AFTER_REFERENCES));
         let allowed = seconds / LEAST_PIXELS;
         for (depth, cutoff) in [(64, 1e-7), (128, 1e-8)] {
             if cost * 3.0 > allowed || self.is_stopped() {
@@ -148,7 +148,7 @@ impl Run<'_> {
         }
         let base = Settings::default();
         let each = self.cost(&base);
-        let seconds = self.allotted(EDGES, LATER);
+        let seconds = self.allotted(EDGES, SHARE_AFTER_REFERENCES);
         let allowed = self.on_all(seconds) / each;
         let start = Instant::now();
         // At least so many pixels, rather than more samples.

@@ -1,7 +1,7 @@
 //! The report of what was found.
 
 use super::sample::{Sample, least};
-use super::{Run, SLACK, load, rays};
+use super::{GOAL_SLACK, Run, load, rays};
 use crate::diagnostics::{Error, Language};
 use crate::study::accuracy::advice;
 use crate::study::accuracy::report::{
@@ -108,7 +108,7 @@ impl Run<'_> {
             advice_parts: Vec::new(),
             goal: Goal {
                 steps: options.goal,
-                tolerance: SLACK,
+                tolerance: GOAL_SLACK,
             },
             noise: Noise {
                 relative: noise,

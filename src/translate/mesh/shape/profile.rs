@@ -6,8 +6,8 @@ use super::turned::Profile;
 
 type Point = [f64; 2];
 
-/// Points that are this near, as a part of their numbers, are one: what a few roundings may do.
-const SAME: f64 = 1e-14;
+/// Distance of points that are one, as a part of their numbers: what a few roundings may do.
+const POINT_REL_EPS: f64 = 1e-14;
 
 /// The boundary of what a profile (radius, height) surrounds when it is closed over the axis, or by
 /// itself where its last point is its first.
@@ -54,13 +54,13 @@ struct Slices {
 }
 
 impl Slices {
-    const MOST: usize = 4096;
+    const MAX_SLICES: usize = 4096;
 
     fn of(edges: &[[Point; 2]]) -> Slices {
         let ys = || edges.iter().flatten().map(|p| p[1]);
         let low = ys().fold(f64::INFINITY, f64::min);
         let high = ys().fold(f64::NEG_INFINITY, f64::max);
-        let n = edges.len().clamp(1, Slices::MOST);
+        let n = edges.len().clamp(1, Slices::MAX_SLICES);
         let mut out = Slices {
             low,
             height: ((high - low) / n as f64).max(f64::MIN_POSITIVE),
@@ -138,7 +138,7 @@ fn crossing([p, q]: &[Point; 2], [r, s]: &[Point; 2]) -> Option<Point> {
         .into_iter()
         .flatten()
         .fold(0.0, |m: f64, x| m.max(x.abs()));
-    let near = |x: f64, y: f64| (x - y).abs() <= SAME * size;
+    let near = |x: f64, y: f64| (x - y).abs() <= POINT_REL_EPS * size;
     let mut ends = ends.into_iter().copied();
     let end = ends.find(|x| near(x[0], at[0]) && near(x[1], at[1]));
     within.then(|| end.unwrap_or(at))

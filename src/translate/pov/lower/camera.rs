@@ -163,8 +163,8 @@ fn projecting(sight: &Sight, camera: &Camera, basis: &Basis) -> Option<Lens> {
 /// what to do.
 fn shift(lens: &Lens) -> Vec3 {
     // By the size of the picture: a millionth of a pixel, and a million times what is rounded.
-    const HAIR: f64 = 1e-9;
-    let shift: Vec3 = std::array::from_fn(|i| HAIR * (0.6 * lens.right[i] + lens.up[i]));
+    const CAMERA_SHIFT: f64 = 1e-9;
+    let shift: Vec3 = std::array::from_fn(|i| CAMERA_SHIFT * (0.6 * lens.right[i] + lens.up[i]));
     clean(shift.map(|x| format!("{x:.1e}").parse().unwrap_or(x)))
 }
 

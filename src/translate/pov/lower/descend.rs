@@ -8,8 +8,8 @@ use crate::translate::pov::model::state::{Appearance, Key, Layer, Medium, State}
 use crate::translate::pov::model::tables::{DEFAULT, TextureUse};
 use crate::translate::pov::tree::Modifier;
 
-/// Unions of more parts are left together.
-const FEW: usize = 32;
+/// Most parts of a union that is taken apart.
+const MAX_UNION_PARTS_SPLIT: usize = 32;
 
 /// What lies at the end of the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -225,7 +225,7 @@ impl<'a> Model<'a> {
                 Node::Union(a, b) => todo.extend([a, b]),
                 _ => parts += 1,
             }
-            if parts + todo.len() > FEW {
+            if parts + todo.len() > MAX_UNION_PARTS_SPLIT {
                 return false;
             }
         }

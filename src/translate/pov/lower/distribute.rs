@@ -12,10 +12,10 @@ use crate::translate::pov::model::Model;
 use crate::translate::pov::model::materials::{Material, materials};
 use crate::translate::pov::model::tables::Tables;
 
-/// Unions of more parts are left as they are.
-const MANY: usize = 512;
-/// Groups of more parts, too.
-const FEW: usize = 32;
+/// Half the most unions and parts, taken together, of a union that is not left as it is.
+const MAX_UNION_PARTS: usize = 512;
+/// Most parts of a group that is not left as it is.
+const MAX_GROUP_PARTS: usize = 32;
 
 /// The same scene with such groups spread, if there are any.
 pub fn distributed(scene: &Scene) -> Option<Scene> {
@@ -110,7 +110,7 @@ fn whole(scene: &Scene, union: NodeId) -> Option<Whole> {
         } else {
             whole.parts.push(node);
         }
-        if whole.parts.len() + whole.unions.len() > 2 * MANY {
+        if whole.parts.len() + whole.unions.len() > 2 * MAX_UNION_PARTS {
             return None;
         }
     }
@@ -138,7 +138,7 @@ fn members(scene: &Scene, group: NodeId) -> Option<Vec<(Modifications, NodeId)>>
     let mut todo = vec![(Vec::new(), group)];
     let mut members = Vec::new();
     while let Some((mut way, node)) = todo.pop() {
-        if members.len() + todo.len() > FEW {
+        if members.len() + todo.len() > MAX_GROUP_PARTS {
             return None;
         }
         if let Some((more, a, b)) = union(scene, node) {

@@ -14,14 +14,14 @@ use crate::translate::pov::tree::Frame;
 /// limits, 1e7, far away.
 const SIZE: f64 = 32.0;
 
-/// How far apart faces are put that are one: a few times POV-Ray's tolerances.
-const HAIR: f64 = 1.0 / 512.0;
+/// Distance at which faces are put that were in one place: a few times POV-Ray's tolerances.
+const FACE_GAP: f64 = 1.0 / 512.0;
 
 /// Shadow rays overlook what is closer than this.
 const OVERLOOKED: f64 = 1e-3;
 
-/// The camera may be this far away at most: nothing is seen beyond 1e7.
-const FAR: f64 = 1e6;
+/// Largest distance of the camera: nothing is seen beyond 1e7.
+const MAX_CAMERA_DISTANCE: f64 = 1e6;
 
 /// What is seen is brought no farther away than this to make room for what is near.
 const FAR_FOR_NEAR: f64 = 262_144.0;
@@ -43,7 +43,7 @@ pub fn frame(seen: Aabb, eyes: &[Eye], range: Option<SightRange>, report: &mut R
         true => distance,
         false => seen.radius(),
     };
-    let mut unit = power_of_two_about((SIZE / size).min(FAR / distance));
+    let mut unit = power_of_two_about((SIZE / size).min(MAX_CAMERA_DISTANCE / distance));
     if let Some(range) = range {
         let wanted = (SIZE / range.near).max(SIZE * OVERLOOKED / range.gap);
         if wanted > unit {
@@ -81,5 +81,5 @@ pub fn frame(seen: Aabb, eyes: &[Eye], range: Option<SightRange>, report: &mut R
 /// How far apart faces are put in the scene's coordinates that are one: less than can be seen, more than POV-Ray's
 /// tolerances.
 pub fn hair(frame: &Frame) -> f64 {
-    HAIR / frame.unit
+    FACE_GAP / frame.unit
 }

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use crate::scene::{Node, NodeId, Scene};
 
-/// So many steps are taken down a chain of transformations, properties and copies.
-const PATIENCE: usize = 64;
+/// Most steps down a chain of transformations, properties and copies.
+const MAX_CHAIN_STEPS: usize = 64;
 
 /// What is done to a node, the last first.
 pub type Modifications = Vec<NodeId>;
@@ -14,8 +14,10 @@ pub type Modifications = Vec<NodeId>;
 pub fn below(scene: &Scene, node: NodeId) -> (Modifications, NodeId) {
     let states = || scene.states(node);
     // Only the names of its parts are a copy's.
-    let done = states().take(PATIENCE).filter(|(_, n)| n.is_change());
-    let last = states().take(PATIENCE + 1).last();
+    let done = states()
+        .take(MAX_CHAIN_STEPS)
+        .filter(|(_, n)| n.is_change());
+    let last = states().take(MAX_CHAIN_STEPS + 1).last();
     (
         done.map(|(id, _)| id).collect(),
         last.map_or(node, |(id, _)| id),

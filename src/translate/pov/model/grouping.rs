@@ -5,8 +5,8 @@ use std::hash::Hash;
 
 use crate::geometry::Aabb;
 
-/// So many pairs of boxes are looked at before two sets are taken to meet.
-const PATIENCE: usize = 1 << 20;
+/// Most pairs of boxes that are looked at before two sets are taken to meet.
+const MAX_BOX_PAIRS: usize = 1 << 20;
 
 /// Groups the operands of a union by key, in order of first appearance; operands without a key stay
 /// alone. Where two operands overlap the first owns the overlap, so an operand joins an older group
@@ -23,7 +23,8 @@ pub fn in_order<K: Eq + Hash>(operands: &[(Option<K>, Aabb)]) -> Vec<Vec<usize>>
         let mut meets = |group: &Grouped| {
             group.hull.overlaps(this) && {
                 compared += group.members.len();
-                compared > PATIENCE || group.members.iter().any(|m| operands[*m].1.overlaps(this))
+                compared > MAX_BOX_PAIRS
+                    || group.members.iter().any(|m| operands[*m].1.overlaps(this))
             }
         };
         let known = key.as_ref().and_then(|k| newest.get(k).copied());
@@ -62,7 +63,7 @@ pub fn pairs(sets: &[&[Aabb]]) -> Vec<(usize, usize)> {
     let mut open: Vec<(usize, Aabb)> = Vec::new();
     let mut pairs = Vec::new();
     // Sorted out now and then: many boxes may make few pairs.
-    let mut limit = PATIENCE;
+    let mut limit = MAX_BOX_PAIRS;
     for (i, this) in all {
         open.retain(|(_, o)| o.max[0] >= this.min[0]);
         let touching = open.iter().filter(|(j, o)| i != *j && o.overlaps(&this));
@@ -71,7 +72,7 @@ pub fn pairs(sets: &[&[Aabb]]) -> Vec<(usize, usize)> {
         if pairs.len() > limit {
             pairs.sort_unstable();
             pairs.dedup();
-            limit = PATIENCE.max(2 * pairs.len());
+            limit = MAX_BOX_PAIRS.max(2 * pairs.len());
         }
     }
     pairs.sort_unstable();
@@ -109,7 +110,7 @@ fn sweep(a: &[Aabb], b: &[Aabb]) -> bool {
         open.retain(|(o, _)| o.max[0] >= this.min[0]);
         compared += open.len();
         let hit = |(o, t): &(Aabb, bool)| (within || *t != tag) && o.overlaps(&this);
-        if compared > PATIENCE || open.iter().any(hit) {
+        if compared > MAX_BOX_PAIRS || open.iter().any(hit) {
             return true;
         }
         open.push((this, tag));

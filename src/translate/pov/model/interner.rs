@@ -41,11 +41,11 @@ pub struct Interner {
 /// The number of the matrix that changes nothing.
 const HERE: u32 = 0;
 
-/// So many steps are taken to find out whether a solid is within others.
-const PATIENCE: u32 = 64;
+/// Most steps to find out whether a solid is within others.
+const MAX_CONTAINMENT_STEPS: u32 = 64;
 
-/// Numbers that are this near, as a part of them, are the same: a power of two about 1e-13.
-const SAME: f64 = 1.0 / (1u64 << 43) as f64;
+/// Difference of numbers that are the same, as a part of them: a power of two about 1e-13.
+const NUMBER_REL_EPS: f64 = 1.0 / (1u64 << 43) as f64;
 
 impl Interner {
     pub fn of(scene: &Scene, root: NodeId) -> Interner {
@@ -144,7 +144,7 @@ impl Interner {
         let mut steps = 0;
         while let Some(place) = todo.pop() {
             if to.insert(place)
-                && steps < PATIENCE
+                && steps < MAX_CONTAINMENT_STEPS
                 && let Core::Union(a, b) = self.core(place)
             {
                 todo.extend([a, b]);
@@ -157,7 +157,7 @@ impl Interner {
     pub fn parts(&mut self, place: Occurrence) -> Vec<Occurrence> {
         let mut out = vec![place];
         let mut at = 0;
-        while at < out.len() && out.len() < PATIENCE as usize {
+        while at < out.len() && out.len() < MAX_CONTAINMENT_STEPS as usize {
             match self.core(out[at]) {
                 Core::Shape(_) => {}
                 Core::Complement(a) => out.push(a),
@@ -175,7 +175,7 @@ impl Interner {
         if others.is_empty() {
             return false;
         }
-        let mut fuel = PATIENCE;
+        let mut fuel = MAX_CONTAINMENT_STEPS;
         self.within(place, others, &mut fuel)
     }
 
@@ -214,7 +214,7 @@ impl Interner {
     pub fn is_empty(&mut self, members: &[NodeId]) -> bool {
         let mut inside: Vec<Occurrence> = members.iter().map(|n| self.place(*n)).collect();
         let mut outside = HashSet::new();
-        let most = inside.len() + PATIENCE as usize;
+        let most = inside.len() + MAX_CONTAINMENT_STEPS as usize;
         let mut at = 0;
         while at < inside.len() && at < most {
             match self.core(inside[at]) {
@@ -240,7 +240,7 @@ fn unturned(m: &Matrix) -> Matrix {
     let mut out = *m;
     let mut set = |j: usize, v: Vec3| (0..3).for_each(|i| out.0[i][j] = v[i]);
     let (wide, deep, high) = (length(a), length(c), length(axis));
-    let near = |x: f64, y: f64| x.abs() <= SAME * y;
+    let near = |x: f64, y: f64| x.abs() <= NUMBER_REL_EPS * y;
     let upright = near(dot(a, c), wide * deep)
         && near(dot(a, axis), wide * high)
         && near(dot(c, axis), deep * high);
@@ -271,7 +271,7 @@ fn rounded(m: &Matrix) -> Matrix {
     };
     let mut out = *m;
     for (from, to, most) in [(0, 3, largest(0, 3)), (3, 4, largest(0, 4))] {
-        let unit = 2f64.powi(most.log2().ceil() as i32) * SAME;
+        let unit = 2f64.powi(most.log2().ceil() as i32) * NUMBER_REL_EPS;
         if unit.is_normal() {
             for row in out.0.iter_mut().take(3) {
                 (row[from..to].iter_mut()).for_each(|x| *x = (*x / unit).round() * unit);

@@ -4,8 +4,8 @@ use crate::geometry::Aabb;
 use crate::scene::Geometry;
 use crate::solids::shapes::AnyShape;
 
-/// Faces that are this near, as a part of the numbers, are in one place: what a few hundred roundings may do.
-pub const HAIR: f64 = 1e-13;
+/// Distance of faces that are in one place, as a part of the numbers: what a few hundred roundings may do.
+pub const FACE_REL_EPS: f64 = 1e-13;
 
 /// The part of its own length that a tool is made longer by, where nothing is in the way.
 pub const HALF: f64 = 0.5;
@@ -32,7 +32,7 @@ impl Cut {
         let heights = || profile.iter().map(|p| p[1]);
         let low = heights().fold(f64::INFINITY, f64::min);
         let high = heights().fold(f64::NEG_INFINITY, f64::max);
-        let hair = HAIR * (high - low);
+        let hair = FACE_REL_EPS * (high - low);
         let step = self.step(high - low);
         // A ring begins anywhere: only profiles from the axis to the axis, one flat piece at each end.
         if profile.first() == profile.last() || low == high {
@@ -134,7 +134,7 @@ impl Geometry {
                 }
                 let (cut, height, radius) = (&longer.around, s.height, s.radius);
                 let size = height.abs();
-                let near = |y: f64| (height - y).abs() <= HAIR * size;
+                let near = |y: f64| (height - y).abs() <= FACE_REL_EPS * size;
                 let flush =
                     (height > 0.0 && near(cut.max[1])) || (height < 0.0 && near(cut.min[1]));
                 let by = 1.0 + longer.step(height.abs()) / height.abs();
@@ -149,7 +149,7 @@ impl Geometry {
                 let mut any = false;
                 for i in 0..3 {
                     let size = s.max[i] - s.min[i];
-                    let hair = HAIR * size;
+                    let hair = FACE_REL_EPS * size;
                     let step = longer.step(size);
                     for end in [&mut low[i], &mut high[i]] {
                         if let Some(by) = outward(*end, (cut.min[i], cut.max[i]), hair, step) {

@@ -37,8 +37,8 @@ use visibility::camera_is_walled_in;
 /// What the report calls faces that POV-Ray cannot tell apart.
 const FACES: &str = "faces in one place";
 
-/// So many nodes are looked at to find out whether a solid can be made smaller.
-const PATIENCE: usize = 4096;
+/// Most nodes that are looked at to find out whether a solid can be made smaller.
+const MAX_NODES_EXAMINED: usize = 4096;
 
 /// The scene, what is known of its nodes, and what its objects have in common, by number.
 pub struct Model<'a> {
@@ -162,7 +162,7 @@ impl<'a> Model<'a> {
     /// it is negative.
     pub fn has_offset(&self, node: NodeId, by: f64) -> bool {
         let mut todo = vec![(node, by)];
-        for _ in 0..PATIENCE {
+        for _ in 0..MAX_NODES_EXAMINED {
             let Some((node, by)) = todo.pop() else {
                 return true;
             };

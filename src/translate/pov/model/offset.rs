@@ -8,8 +8,8 @@ use crate::solids::shapes::ball;
 /// as far as its sides.
 const SHARP: f64 = 16.0;
 
-/// Of profiles with more points nobody finds out whether they cross themselves.
-const LONG: usize = 512;
+/// Most points of a profile that is asked whether it crosses itself.
+const MAX_PROFILE_POINTS: usize = 512;
 
 /// Twice the area that a closed polygon runs around, negative where it does so clockwise.
 pub fn twice_area(polygon: &[[f64; 2]]) -> f64 {
@@ -42,7 +42,7 @@ fn offset_profile(profile: &[[f64; 2]], by: f64) -> Option<Vec<[f64; 2]>> {
     let ring = profile.first()? == profile.last()?;
     let closed = closed(profile);
     let n = closed.len();
-    if !(3..=LONG).contains(&n) || crosses_itself(&closed) {
+    if !(3..=MAX_PROFILE_POINTS).contains(&n) || crosses_itself(&closed) {
         return None;
     }
     // To the right of the way if that runs counter-clockwise.

@@ -5,10 +5,10 @@ use crate::geometry::array::{length, sub};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Vec3};
 
-/// Normals that are this near are one: what rotations may do.
-const FLAT: f64 = 1e-9;
-/// Planes that are nearer than this part of what they are moved by are one.
-const NEAR: f64 = 1e-3;
+/// Distance of normals that are one: what rotations may do.
+const NORMAL_EPS: f64 = 1e-9;
+/// Distance of planes that are one, as a part of what they are moved by.
+const OFFSET_REL_EPS: f64 = 1e-3;
 
 /// A plane n·x + d = 0 whose normal has the length 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,18 +48,18 @@ pub fn with_planes_moved(geometry: &Geometry, planes: &[(Plane, f64)]) -> Option
     let mut out: Option<Geometry> = None;
     for (plane, by) in planes {
         let now = out.as_ref().unwrap_or(geometry);
-        let near = |a: f64, b: f64| (a - b).abs() <= NEAR * by.abs();
+        let near = |a: f64, b: f64| (a - b).abs() <= OFFSET_REL_EPS * by.abs();
         if let (Some([a, b, c, d]), true) = (now.plane(), now.is_solid()) {
             let n = [a, b, c];
             let here = Plane::of(n, d)?;
-            if length(sub(here.n, plane.n)) <= FLAT && near(here.d, plane.d) {
+            if length(sub(here.n, plane.n)) <= NORMAL_EPS && near(here.d, plane.d) {
                 let d = d - by * length(n);
                 out = Some(Geometry::HalfSpace([a, b, c, d]));
             }
             continue;
         }
         // All others have such faces across their axes only.
-        let Some(axis) = (0..3).find(|i| plane.n[*i].abs() > 1.0 - FLAT) else {
+        let Some(axis) = (0..3).find(|i| plane.n[*i].abs() > 1.0 - NORMAL_EPS) else {
             continue;
         };
         let sign = plane.n[axis].signum();

@@ -4,8 +4,8 @@
 use super::shape::{Primitive, size_unit};
 use super::text::number;
 
-/// The largest coefficient: the tolerance is 1e-10 of it.
-const LARGE: f64 = 1e6;
+/// Largest coefficient: the tolerance is 1e-10 of it.
+const MAX_COEFFICIENT: f64 = 1e6;
 
 /// Q of xᵀQx ≤ 0: the factors of x², y², z² and y, and a constant.
 pub fn diagonal(x: f64, y: f64, z: f64, linear: f64, constant: f64) -> [f64; 16] {
@@ -55,7 +55,10 @@ pub fn quadric(q: &[f64; 16]) -> Primitive {
         };
     }
     let most = scaled.iter().fold(0.0f64, |m, c| m.max(c.abs()));
-    let list: Vec<String> = scaled.iter().map(|c| number(c / most * LARGE)).collect();
+    let list: Vec<String> = scaled
+        .iter()
+        .map(|c| number(c / most * MAX_COEFFICIENT))
+        .collect();
     Primitive::new("poly", format!("2, <{}>", list.join(", "))).scaled(unit)
 }
 
@@ -77,7 +80,7 @@ pub fn quartic_torus(major: f64, minor: f64) -> Primitive {
     ];
     let list: Vec<String> = terms
         .iter()
-        .map(|([x, y, z], c)| format!("xyz({x}, {y}, {z}): {}", number(c * LARGE)))
+        .map(|([x, y, z], c)| format!("xyz({x}, {y}, {z}): {}", number(c * MAX_COEFFICIENT)))
         .collect();
     Primitive::new("polynomial", format!("4, {} sturm", list.join(", ")))
 }

@@ -182,9 +182,9 @@ fn cone_parameters(height: f64, radius: f64) -> String {
 /// is not.
 fn torus(major: f64, minor: f64) -> Primitive {
     // However thin the tube, it has to be thicker than the tolerances: 1e-3, sixteen times.
-    const THIN: f64 = 1.0 / 64.0;
+    const MIN_TUBE_RADIUS: f64 = 1.0 / 64.0;
     let unit = match size_unit(major + minor) {
-        unit if minor < THIN * unit => power_of_two(minor / THIN),
+        unit if minor < MIN_TUBE_RADIUS * unit => power_of_two(minor / MIN_TUBE_RADIUS),
         unit => unit,
     };
     let (major, minor) = (major / unit, minor / unit);

@@ -61,14 +61,16 @@ pub fn holders(scene: &Scene, facts: &[Material], turned: &HashMap<u32, bool>) -
 
 /// The eye, and where it seems to be in the mirrors that planes may be.
 fn mirrored(scene: &Scene, eye: V) -> Vec<V> {
-    const MOST: usize = 8;
+    const MAX_MIRRORED_EYES: usize = 8;
     let planes = scene.shapes.iter().filter_map(|s| {
         let [a, b, c, d] = s.geometry.plane()?;
         let n = V::new(a, b, c);
         Some(eye - n * (2.0 * (n.dot(eye) + d) / n.dot(n)))
     });
     let finite = planes.filter(|p| p.is_finite());
-    std::iter::once(eye).chain(finite.take(MOST)).collect()
+    std::iter::once(eye)
+        .chain(finite.take(MAX_MIRRORED_EYES))
+        .collect()
 }
 
 /// Whether the normals are on the far side of a triangle on whose near side some of them turn away.

@@ -16,10 +16,10 @@ const MAX_NODES: usize = 256;
 /// Faces that are this near, as a part of the coordinates, are in one place: what a few hundred roundings may do. Thicker
 /// walls are walls.
 const FACE_GAP: f64 = 1e-13;
-/// Faces that have no more than this in common, as a part of the coordinates, have an edge in common.
-const EDGE: f64 = 1e-9;
-/// Normals, sizes and quadrics that are this near, as a part of them, are one: what turning may do.
-const SAME: f64 = 1e-12;
+/// Overlap of faces that have only an edge in common, as a part of the coordinates.
+const EDGE_REL_OVERLAP: f64 = 1e-9;
+/// Difference of normals, sizes and quadrics that are one, as a part of them: what turning may do.
+const SURFACE_REL_EPS: f64 = 1e-12;
 
 /// A face of an operand, in the coordinates of the operation.
 pub struct Face {
@@ -65,7 +65,7 @@ impl Face {
         let ends = [&self.around, &other.around];
         let ends = ends.into_iter().flat_map(|b| [b.min, b.max]).flatten();
         let size = (ends.filter(|x| x.is_finite())).fold(0.0f64, |m, x| m.max(x.abs()));
-        let (gap, edge) = (FACE_GAP * size, EDGE * size);
+        let (gap, edge) = (FACE_GAP * size, EDGE_REL_OVERLAP * size);
         // Along an axis that they lie across they are as thick as nothing; along others more than an edge has to be in
         // common.
         let over = |i: usize| {
@@ -80,12 +80,12 @@ impl Face {
         let same_side = match (&self.surface, &other.surface) {
             (Surface::Flat(a), Surface::Flat(b)) => {
                 let along = dot(a.n, b.n).signum();
-                let same = length(sub(a.n, b.n.map(|x| x * along))) <= SAME
+                let same = length(sub(a.n, b.n.map(|x| x * along))) <= SURFACE_REL_EPS
                     && (a.d - b.d * along).abs() <= gap;
                 same.then_some(along > 0.0)?
             }
             (Surface::Quadric(a), Surface::Quadric(b)) => {
-                ((a - b).abs() <= SAME * a.abs()).then_some(true)?
+                ((a - b).abs() <= SURFACE_REL_EPS * a.abs()).then_some(true)?
             }
             (
                 Surface::Other {
@@ -99,8 +99,8 @@ impl Face {
                     class: c,
                 },
             ) => {
-                let same = class == c && (scale - s).abs() <= SAME * scale;
-                (same && length(sub(*anchor, *p)) <= SAME * size).then_some(true)?
+                let same = class == c && (scale - s).abs() <= SURFACE_REL_EPS * scale;
+                (same && length(sub(*anchor, *p)) <= SURFACE_REL_EPS * size).then_some(true)?
             }
             _ => return None,
         };

@@ -24,9 +24,9 @@ use crate::translate::pov::tree::{Modifier, Object, Operation};
 /// A group of a union may have so many parts of its skin that look different.
 const LOOKS: usize = 16;
 
-/// Groups that touch are written again for each other. With more parts than this in all of these together,
-/// nobody could read or render them: groups are then written as they are.
-const MANY: usize = 1 << 18;
+/// Most parts, in all together, of groups that touch and are written again for each other. Nobody could read or render
+/// more: groups are then written as they are.
+const MAX_REWRITTEN_PARTS: usize = 1 << 18;
 
 /// Operands of a union that are one medium.
 pub struct Members {
@@ -162,7 +162,7 @@ impl<'a> Model<'a> {
             });
         }
         let parts = |m: &Meeting| groups[m.earlier].nodes.len() + groups[m.later].nodes.len();
-        if meetings.iter().map(parts).sum::<usize>() > MANY {
+        if meetings.iter().map(parts).sum::<usize>() > MAX_REWRITTEN_PARTS {
             meetings.clear();
             let plain = Fidelity::approximate("light goes through the faces within them, too");
             let crowds = "crowds of overlapping parts of many media";
