@@ -38,13 +38,13 @@ fn main() {
     let dir = dir.path();
     fs::create_dir(dir.join("whole")).expect("the folder is new");
     let whole = ["render", "a.zpg", "-o", "whole/a.png"];
-    jobs::zpg(dir, &[&whole[..], &SIZE].concat(), 0);
+    jobs::says(dir, &[&whole[..], &SIZE].concat(), 0);
     let slurm = Slurm::start(4);
     long_array(&slurm, dir);
     let farm = [
         "farm", "a.zpg", "--for", "slurm", "--tiles", TILES, "-o", "job",
     ];
-    jobs::zpg(dir, &[&farm[..], &SIZE].concat(), 0);
+    jobs::says(dir, &[&farm[..], &SIZE].concat(), 0);
     let calls = dir.join("calls");
     let wrapper = dir.join("wrapper");
     let script = WRAPPER.replace("ZPG", program::PATH);
@@ -111,7 +111,7 @@ fn long_array(slurm: &Slurm, dir: &Path) {
     let farm = [
         "farm", "a.zpg", "--for", "slurm", "--tiles", "2500", "-o", "long",
     ];
-    jobs::zpg(dir, &[&farm[..], &["--size", "8x2500"]].concat(), 0);
+    jobs::says(dir, &[&farm[..], &["--size", "8x2500"]].concat(), 0);
     let takes = |arguments: &[&str]| {
         let mut command = slurm.command("sbatch");
         command.arg("--test-only").args(arguments).arg("draw.slurm");

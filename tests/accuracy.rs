@@ -1,5 +1,6 @@
 //! What accuracy costs in time: on scenes so small that the answers can be known.
 
+use crate::support::program::{text, zpg};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -308,14 +309,10 @@ fn effects_that_are_taken_out_do_no_work() {
     assert_eq!(counts(&mut runner, none), all);
 }
 
-fn zpg(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
-    let run = crate::support::program::command()
-        .args(args)
-        .current_dir(folder)
-        .output()
-        .unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (run.status.code(), text(run.stdout), text(run.stderr))
+/// Runs zpg in a folder: its exit status, standard output and standard error.
+fn ends(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
+    let run = zpg(folder, args);
+    (run.status.code(), text(&run.stdout), text(&run.stderr))
 }
 
 /// A page without what encodes its pictures: the picture of times differs from run to run, and letters follow each
@@ -347,7 +344,7 @@ fn a_report_says_what_to_set() {
         let args = [
             "accuracy", "a.zpg", "--size", "32x24", "--runs", "3", "-o", "out", "--budget", budget,
         ];
-        let (status, out, error) = zpg(dir.path(), &args);
+        let (status, out, error) = ends(dir.path(), &args);
         assert_eq!((status, error.as_str()), (Some(0), ""), "{out}");
         assert!(
             out.lines().count() < 60
@@ -449,7 +446,7 @@ fn the_budget_is_kept() {
         "--json",
     ];
     let start = Instant::now();
-    let (status, out, error) = zpg(dir.path(), &args);
+    let (status, out, error) = ends(dir.path(), &args);
     let spent = start.elapsed().as_secs_f64();
     assert_eq!((status, error.as_str()), (Some(0), ""), "{out}");
     // There is a least that is done: without any optimisation, and with half a dozen others at work, it took 23 s.
@@ -467,7 +464,7 @@ fn a_report_in_czech_on_one_axis() {
     let args = [
         "accuracy", "a.zpg", "--size", "16x16", "--budget", "1s", "--runs", "1", "--lang", "cs",
     ];
-    let (status, out, _) = zpg(
+    let (status, out, _) = ends(
         dir.path(),
         &[&args[..], &["--axes", "samples,depth"]].concat(),
     );
@@ -495,7 +492,7 @@ fn wrong_usage_is_refused() {
         &["accuracy", "a.zpg", "--runs", "0"],
         &["accuracy", "none.zpg"],
     ] {
-        let (status, out, error) = zpg(dir.path(), args);
+        let (status, out, error) = ends(dir.path(), args);
         assert_eq!((status, out.as_str()), (Some(2), ""), "{args:?}");
         assert!(
             !error.is_empty() && !error.contains("panicked"),

@@ -9,7 +9,7 @@ use zpg::internals::diagnostics::{Code, Language, SourceFile, Span, fixes};
 use zpg::internals::features::actions::{self, What};
 
 use crate::rng::Rng;
-use crate::support::program::{folder, text, zpg};
+use crate::support::program::{folder, text, zpg, zpg_with};
 
 /// All samples of the rules, and all scenes.
 fn scenes() -> Vec<PathBuf> {
@@ -84,7 +84,7 @@ const REST: &str = "9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -401 1\n1 9999 2 0\n";
 fn made(scene: &str, args: &[&str]) -> String {
     let dir = tempfile::tempdir().unwrap();
     let args = [&["check", "--add-allow", "-"], args].concat();
-    text(&zpg(dir.path(), &args, scene).stdout)
+    text(&zpg_with(dir.path(), &args, scene).stdout)
 }
 
 #[test]
@@ -147,11 +147,7 @@ fn files_are_changed_and_errors_stay() {
     let good = format!("2 11 0 0 0 1\n{REST}");
     let dir = folder(&[("a.zpg", warned.as_bytes()), ("b.zpg", good.as_bytes())]);
     let read = |name: &str| fs::read_to_string(dir.path().join(name)).unwrap();
-    let run = zpg(
-        dir.path(),
-        &["check", "--add-allow", "--ignore", "W310"],
-        "",
-    );
+    let run = zpg(dir.path(), &["check", "--add-allow", "--ignore", "W310"]);
     assert_eq!(run.status.code(), Some(1));
     let out = text(&run.stdout);
     assert!(
@@ -168,14 +164,12 @@ fn files_are_changed_and_errors_stay() {
     let run = zpg(
         dir.path(),
         &["check", "--add-allow", "--ignore", "W310", "--lang", "cs"],
-        "",
     );
     assert!(!text(&run.stdout).contains("Povoleno"));
     assert_eq!(read("a.zpg"), after);
     let run = zpg(
         dir.path(),
         &["check", "--format", "short", "--ignore", "W310"],
-        "",
     );
     assert_eq!(
         text(&run.stdout).lines().count(),
@@ -192,18 +186,17 @@ fn files_are_changed_and_errors_stay() {
     let run = zpg(
         dir.path(),
         &["check", "--add-allow", "--deny", "W301", "a.zpg"],
-        "",
     );
     assert_eq!(run.status.code(), Some(0));
     let out = text(&run.stdout);
     assert_eq!(out, "Allowed 1 finding in 1 file.\nAll checks passed!\n");
     for other in ["--fix", "--diff", "--watch"] {
-        let run = zpg(dir.path(), &["check", "--add-allow", other], "");
+        let run = zpg(dir.path(), &["check", "--add-allow", other]);
         assert_eq!(run.status.code(), Some(2));
     }
     // What is no scene is left alone.
     fs::write(dir.path().join("c.zpg"), "no scene\n").unwrap();
-    let run = zpg(dir.path(), &["check", "--add-allow", "c.zpg"], "");
+    let run = zpg(dir.path(), &["check", "--add-allow", "c.zpg"]);
     assert_eq!(
         (run.status.code(), read("c.zpg")),
         (Some(2), "no scene\n".to_owned())
@@ -229,7 +222,7 @@ fn one_line_takes_no_longer_than_many() {
 fn the_encoding_stays() {
     let scene = b"2 11 0 0 0 1\r\n2 -701 2 0 0 # \xe8erven\xe1 #\r\n9 -501 0 0 5 0 0 -1 0 1 0 45\r\n50 -401 1\r\n1 9999 2 0\r\n";
     let dir = folder(&[("a.zpg", scene)]);
-    let run = zpg(dir.path(), &["check", "--add-allow", "a.zpg"], "");
+    let run = zpg(dir.path(), &["check", "--add-allow", "a.zpg"]);
     assert_eq!(run.status.code(), Some(0));
     let after = fs::read(dir.path().join("a.zpg")).unwrap();
     let comment = b" # zpg: allow(W301, N601) #";

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::thread;
 use std::time::Duration;
 
-use crate::support::program::{folder, text, zpg};
+use crate::support::program::{folder, text, zpg, zpg_with};
 
 /// A decimal comma (a safe fix), a torus that runs through itself and energy gain (guesses).
 const SCENE: &str = "2 9 0,5\n3 14 1 3\n35 -201 0.7 0.7 0.7\n4 -101 2 3\n4 -299 0 35\n\
@@ -13,11 +13,7 @@ const SCENE: &str = "2 9 0,5\n3 14 1 3\n35 -201 0.7 0.7 0.7\n4 -101 2 3\n4 -299 
 
 /// The codes and severities that `--format short` prints.
 fn short(folder: &Path, args: &[&str]) -> (Vec<String>, Option<i32>) {
-    let run = zpg(
-        folder,
-        &[&["check", "--format", "short"], args].concat(),
-        "",
-    );
+    let run = zpg(folder, &[&["check", "--format", "short"], args].concat());
     let words = |line: &str| {
         line.split(' ')
             .skip(1)
@@ -32,7 +28,7 @@ fn short(folder: &Path, args: &[&str]) -> (Vec<String>, Option<i32>) {
 #[test]
 fn fixes_are_written_and_the_rest_is_reported() {
     let dir = folder(&[("a.zpg", SCENE), ("b.zpg", "1 9999 2 0\n")]);
-    let run = zpg(dir.path(), &["check", "--fix", "a.zpg"], "");
+    let run = zpg(dir.path(), &["check", "--fix", "a.zpg"]);
     assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
     let out = text(&run.stdout);
     assert!(out.contains("W302") && out.contains("W320") && !out.contains("E003"));
@@ -43,7 +39,7 @@ fn fixes_are_written_and_the_rest_is_reported() {
     let fixed = SCENE.replace("0,5", "0.5");
     assert_eq!(fs::read_to_string(dir.path().join("a.zpg")).unwrap(), fixed);
     // Guesses on demand only; what has nothing to mend is not touched.
-    let run = zpg(dir.path(), &["check", "--fix", "--unsafe-fixes", "."], "");
+    let run = zpg(dir.path(), &["check", "--fix", "--unsafe-fixes", "."]);
     let out = text(&run.stdout);
     assert!(out.contains("a.zpg:2: `1 3` → `3 1`\n"), "{out}");
     assert!(
@@ -64,11 +60,7 @@ fn fixes_are_written_and_the_rest_is_reported() {
 fn changes_are_listed_by_lines_of_the_file() {
     let scene = "50 -402 1 4 6 5\n2 9 0,5\n3 14 1 3\n4 -101 2 3\n1 9999 4 0\n";
     let dir = folder(&[("a.zpg", scene)]);
-    let run = zpg(
-        dir.path(),
-        &["check", "--fix", "--unsafe-fixes", "a.zpg"],
-        "",
-    );
+    let run = zpg(dir.path(), &["check", "--fix", "--unsafe-fixes", "a.zpg"]);
     let out = text(&run.stdout);
     let now = fs::read_to_string(dir.path().join("a.zpg")).unwrap();
     let listed: Vec<&str> = out
@@ -101,7 +93,7 @@ fn changes_are_listed_by_lines_of_the_file() {
 #[test]
 fn a_difference_changes_nothing() {
     let dir = folder(&[("a.zpg", SCENE)]);
-    let run = zpg(dir.path(), &["check", "--diff", "a.zpg"], "");
+    let run = zpg(dir.path(), &["check", "--diff", "a.zpg"]);
     assert_eq!(run.status.code(), Some(1));
     let out = text(&run.stdout);
     assert!(out.starts_with("--- a.zpg\n+++ a.zpg\n"));
@@ -109,7 +101,7 @@ fn a_difference_changes_nothing() {
     assert_eq!(text(&run.stderr), "Would fix 1 finding in 1 file.\n");
     assert_eq!(fs::read_to_string(dir.path().join("a.zpg")).unwrap(), SCENE);
     let clean = folder(&[("a.zpg", &SCENE.replace("0,5", "0.5"))]);
-    let run = zpg(clean.path(), &["check", "--diff", "a.zpg"], "");
+    let run = zpg(clean.path(), &["check", "--diff", "a.zpg"]);
     assert_eq!(
         (run.status.code(), text(&run.stdout)),
         (Some(0), String::new())
@@ -120,12 +112,12 @@ fn a_difference_changes_nothing() {
 fn standard_input_is_mended_to_standard_output() {
     let dir = folder(&[("zpg.toml", "[lint]\nW302 = \"off\"\n")]);
     let args = ["check", "--fix", "--stdin-filename", "in/scene.zpg", "-"];
-    let run = zpg(dir.path(), &args, SCENE);
+    let run = zpg_with(dir.path(), &args, SCENE);
     assert_eq!(text(&run.stdout), SCENE.replace("0,5", "0.5"));
     let findings = text(&run.stderr);
     assert!(findings.contains("in/scene.zpg:2:") && !findings.contains("W302"));
     assert_eq!(run.status.code(), Some(0));
-    let run = zpg(
+    let run = zpg_with(
         dir.path(),
         &["check", "--fix", "--format", "json", "-"],
         SCENE,
@@ -142,7 +134,7 @@ fn a_file_that_cannot_be_written_is_said() {
     let mut permissions = fs::metadata(&path).unwrap().permissions();
     permissions.set_readonly(true);
     fs::set_permissions(&path, permissions).unwrap();
-    let run = zpg(dir.path(), &["check", "--fix", "a.zpg"], "");
+    let run = zpg(dir.path(), &["check", "--fix", "a.zpg"]);
     assert_eq!(run.status.code(), Some(2));
     assert!(text(&run.stderr).contains("cannot write a.zpg: it is read-only"));
 }
@@ -188,7 +180,7 @@ fn settings_of_a_folder() {
     let selected = short(dir.path(), &["--select", "W320", "a.zpg"]).0;
     assert_eq!(selected, ["E003 error:", "W320 warning:"]);
     fs::write(dir.path().join("zpg.toml"), "[lint]\nW399 = \"off\"\n").unwrap();
-    let run = zpg(dir.path(), &["check", "a.zpg"], "");
+    let run = zpg(dir.path(), &["check", "a.zpg"]);
     assert_eq!(run.status.code(), Some(2));
     let message = text(&run.stderr);
     assert!(
@@ -199,14 +191,14 @@ fn settings_of_a_folder() {
     fs::write(dir.path().join("zpg.toml"), "[lint]\nW3 = \"error\"\n").unwrap();
     fs::write(dir.path().join("a.zpg"), SCENE.replace("0,5", "0.5")).unwrap();
     assert_eq!(short(dir.path(), &["a.zpg"]).1, Some(1));
-    let run = zpg(dir.path(), &["render", "a.zpg", "--size", "4x3"], "");
+    let run = zpg(dir.path(), &["render", "a.zpg", "--size", "4x3"]);
     assert_eq!(run.status.code(), Some(0));
 }
 
 #[test]
 fn statistics_count() {
     let dir = folder(&[("a.zpg", SCENE), ("b.zpg", SCENE)]);
-    let run = zpg(dir.path(), &["check", "--statistics", "."], "");
+    let run = zpg(dir.path(), &["check", "--statistics", "."]);
     assert_eq!(
         text(&run.stdout),
         "2  E003  malformed-number  [--fix]\n2  W302  energy-gain\n2  W320  self-intersecting\n"
@@ -219,7 +211,7 @@ fn statistics_for_programs() {
     let dir = folder(&[("a.zpg", SCENE), ("b.zpg", SCENE)]);
     let ask = |format: &str| {
         let args = ["check", "--statistics", "--format", format, "./a.zpg", "."];
-        zpg(dir.path(), &args, "")
+        zpg(dir.path(), &args)
     };
     let run = ask("json");
     let out: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
@@ -238,7 +230,7 @@ fn statistics_for_programs() {
 #[test]
 fn messages_in_czech() {
     let dir = folder(&[("a.zpg", "2 9 -1\n1 9999 2 0\n")]);
-    let run = zpg(dir.path(), &["check", "--lang", "cs", "a.zpg"], "");
+    let run = zpg(dir.path(), &["check", "--lang", "cs", "a.zpg"]);
     let out = text(&run.stdout);
     assert!(
         out.starts_with(
@@ -248,13 +240,12 @@ fn messages_in_czech() {
     let run = zpg(
         dir.path(),
         &["check", "--lang", "cs", "--format", "json", "a.zpg"],
-        "",
     );
     let json: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
     let first = &json["files"][0]["diagnostics"][0];
     assert_eq!(first["severity"], "error");
     assert_eq!(first["labels"].as_array().unwrap().len(), 0);
-    let run = zpg(dir.path(), &["render", "--lang", "cs", "a.zpg"], "");
+    let run = zpg(dir.path(), &["render", "--lang", "cs", "a.zpg"]);
     assert!(text(&run.stderr).contains("Nalezeno: 1 chyba"));
 }
 
@@ -284,7 +275,7 @@ fn complaints_in_czech() {
             "žádný nález ani typ záznamu se nejmenuje `W999`",
         ),
     ] {
-        let run = zpg(dir.path(), &[args, &["--lang", "cs"]].concat(), "");
+        let run = zpg(dir.path(), &[args, &["--lang", "cs"]].concat());
         let said = text(&run.stderr);
         assert!(
             said.starts_with("chyba: ") && said.contains(complaint),
@@ -302,7 +293,7 @@ fn what_cannot_be_translated_in_both_languages() {
         ("en", "choose a larger --tolerance"),
         ("cs", "zvolte větší --tolerance"),
     ] {
-        let run = zpg(dir.path(), &[&["--lang", language], &args[..]].concat(), "");
+        let run = zpg(dir.path(), &[&["--lang", language], &args[..]].concat());
         let said = text(&run.stderr);
         assert!(said.contains(expected), "{said}");
         assert_eq!(run.status.code(), Some(1));
@@ -381,7 +372,7 @@ fn wrong_usage_in_both_languages() {
         ),
     ] {
         for (language, expected) in [("en", english), ("cs", czech)] {
-            let run = zpg(dir.path(), &[&["--lang", language], args].concat(), "");
+            let run = zpg(dir.path(), &[&["--lang", language], args].concat());
             let said = text(&run.stderr);
             assert!(said.contains(expected), "{args:?}: {said}");
             assert_eq!(run.status.code(), Some(2));
@@ -390,7 +381,7 @@ fn wrong_usage_in_both_languages() {
     }
     // Help is no complaint.
     for args in [&["--help"][..], &["check", "--help"], &["--version"]] {
-        let run = zpg(dir.path(), args, "");
+        let run = zpg(dir.path(), args);
         assert_eq!(run.status.code(), Some(0));
         assert!(run.stderr.is_empty() && !run.stdout.is_empty());
     }
@@ -420,6 +411,6 @@ fn watching_checks_again() {
         fs::write(dir.path().join("a.zpg"), SCENE).unwrap();
         thread::sleep(Duration::from_millis(300));
     }
-    let run = zpg(dir.path(), &["check", "--watch", "-"], "");
+    let run = zpg(dir.path(), &["check", "--watch", "-"]);
     assert_eq!(run.status.code(), Some(2));
 }

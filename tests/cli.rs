@@ -1,34 +1,12 @@
 //! The command line from outside: what is printed where, and the exit status.
 
 use std::fs;
-use std::io::Write;
-use std::path::Path;
-use std::process::{Output, Stdio};
+use std::process::Stdio;
 
-use crate::support::program::{folder, text};
+use crate::support::program::{folder, text, zpg, zpg_with};
 
 const GOOD: &str =
     "2 11 0 0 0 1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 2 0\n";
-
-/// Runs zpg in a folder.
-fn zpg(folder: &Path, args: &[&str]) -> Output {
-    zpg_with(folder, args, b"")
-}
-
-fn zpg_with(folder: &Path, args: &[&str], input: &[u8]) -> Output {
-    let mut child = crate::support::program::command()
-        .args(args)
-        .current_dir(folder)
-        .env_remove("NO_COLOR")
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    // A command that does not read closes the pipe.
-    let _ = child.stdin.take().unwrap().write_all(input);
-    child.wait_with_output().unwrap()
-}
 
 #[test]
 fn a_good_scene_is_clean() {

@@ -21,7 +21,7 @@ fn converted(folder: &Path, scene: &Path) -> Value {
         "-o",
         "out.glb",
     ];
-    let run = zpg(folder, &to, "");
+    let run = zpg(folder, &to);
     assert!(
         run.status.success(),
         "{}",
@@ -87,7 +87,6 @@ fn cameras_have_our_rays() {
             let run = zpg(
                 dir.path(),
                 &["probe", path, "--size", "640x480", "--pixel", &pixel],
-                "",
             );
             let first = run.stdout.split(|b| *b == b'\n').next().unwrap();
             let said: Value = serde_json::from_slice(first).unwrap();
@@ -147,7 +146,7 @@ fn lights_and_several_cameras() {
         0 0 -1.01 -1.005 0 0 -1 0\n1 9999 2 0\n";
     fs::write(&scene, askew).unwrap();
     assert_eq!(converted(dir.path(), &scene)["cameras"], Value::Null);
-    let run = zpg(dir.path(), &["convert", "a.zpg", "--to", "glb"], "");
+    let run = zpg(dir.path(), &["convert", "a.zpg", "--to", "glb"]);
     let report = String::from_utf8(run.stderr).unwrap();
     assert!(
         report.contains("dropped      projection matrix: glTF has none that look askew"),

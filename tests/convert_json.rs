@@ -1,16 +1,8 @@
 //! `zpg convert` to JSON and back, from outside: the same scene, bit for bit where it is seen.
 
+use crate::support::program::zpg;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Output;
-
-fn zpg(folder: &Path, args: &[&str]) -> Output {
-    crate::support::program::command()
-        .args(args)
-        .current_dir(folder)
-        .output()
-        .unwrap()
-}
 
 fn scenes() -> Vec<PathBuf> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use crate::support::program::zpg;
+use crate::support::program::{zpg, zpg_with};
 
 /// A glass ball beside a box with a hole, under a triangle, and a coloured vase.
 const SCENE: &str = "\
@@ -50,24 +50,20 @@ fn the_ending_says_what_it_is_to_be() {
         ("a.json", b"{"),
         ("a.zpg", b""),
     ] {
-        let output = zpg(folder.path(), &["convert", "thing.zpg", "-o", name], "");
+        let output = zpg(folder.path(), &["convert", "thing.zpg", "-o", name]);
         assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
         let said = errors(&output);
         assert!(said.contains(&format!("Wrote {name}\n")), "{said}");
         let bytes = std::fs::read(folder.path().join(name)).expect("a file");
         assert!(bytes.starts_with(begins), "{name}");
-        let quiet = zpg(
-            folder.path(),
-            &["convert", "thing.zpg", "-o", name, "-q"],
-            "",
-        );
+        let quiet = zpg(folder.path(), &["convert", "thing.zpg", "-o", name, "-q"]);
         assert!(!errors(&quiet).contains("Wrote"));
     }
     for arguments in [
         &["convert", "thing.zpg"][..],
         &["convert", "thing.zpg", "-o", "a.png"],
     ] {
-        let output = zpg(folder.path(), arguments, "");
+        let output = zpg(folder.path(), arguments);
         assert_eq!(output.status.code(), Some(2));
         assert!(
             errors(&output).contains("which format?"),
@@ -86,7 +82,7 @@ fn meshes_are_named_after_the_scene() {
         ("glb", &["thing.glb"]),
         ("stl", &["thing.stl"]),
     ] {
-        let output = zpg(folder.path(), &["convert", "thing.zpg", "--to", format], "");
+        let output = zpg(folder.path(), &["convert", "thing.zpg", "--to", format]);
         assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
         assert!(output.stdout.is_empty());
         assert!(errors(&output).contains("approximate"));
@@ -99,11 +95,11 @@ fn meshes_are_named_after_the_scene() {
 #[test]
 fn a_scene_without_a_name_needs_one() {
     let folder = folder();
-    let output = zpg(folder.path(), &["convert", "-", "--to", "ply"], SCENE);
+    let output = zpg_with(folder.path(), &["convert", "-", "--to", "ply"], SCENE);
     assert_eq!(output.status.code(), Some(2));
     assert!(errors(&output).contains("-o"), "{}", errors(&output));
     let named = ["convert", "-", "--to", "ply", "-o", "here.ply"];
-    let output = zpg(folder.path(), &named, SCENE);
+    let output = zpg_with(folder.path(), &named, SCENE);
     assert_eq!(output.status.code(), Some(0));
     assert!(folder.path().join("here.ply").exists());
 }
@@ -123,7 +119,7 @@ fn meshes_go_to_standard_output() {
             "-o",
             output,
         ];
-        zpg(folder.path(), &arguments, input)
+        zpg_with(folder.path(), &arguments, input)
     };
     for (scene, input, format) in [
         ("thing.zpg", "", "ply"),
@@ -169,12 +165,11 @@ fn tolerances_that_cannot_be() {
         let output = zpg(
             folder.path(),
             &["convert", "thing.zpg", "--to", "ply", &tolerance],
-            "",
         );
         assert_eq!(output.status.code(), Some(2), "{wrong}");
     }
     let fine = ["convert", "thing.zpg", "--to", "ply", "--tolerance", "1e-9"];
-    let output = zpg(folder.path(), &fine, "");
+    let output = zpg(folder.path(), &fine);
     assert_eq!(output.status.code(), Some(1));
     assert!(
         errors(&output).contains("--tolerance"),
@@ -184,7 +179,7 @@ fn tolerances_that_cannot_be() {
     assert!(!folder.path().join("thing.ply").exists());
     // More than there are numbers for.
     let beyond = ["convert", "thing.zpg", "--to", "ply", "--tolerance=1e-300"];
-    let output = zpg(folder.path(), &beyond, "");
+    let output = zpg(folder.path(), &beyond);
     assert_eq!(output.status.code(), Some(1));
     let said = errors(&output);
     assert!(said.contains("too small for the triangles"), "{said}");
@@ -205,7 +200,6 @@ fn ply_reads_back_closed() {
             "--tolerance",
             "0.002",
         ],
-        "",
     );
     let bytes = fs::read(folder.path().join("thing.ply")).unwrap();
     let end = b"end_header\n";
@@ -280,7 +274,6 @@ fn obj_uses_what_its_library_defines() {
     zpg(
         folder.path(),
         &["convert", "thing.zpg", "--to", "obj", "-o", "a b.obj"],
-        "",
     );
     let text = fs::read_to_string(folder.path().join("a b.obj")).unwrap();
     // A name without spaces, which end names in such files.
@@ -330,7 +323,7 @@ fn obj_and_glb_have_the_names_of_the_scene() {
 ";
     fs::write(folder.path().join("moon.zpg"), scene).unwrap();
     for format in ["obj", "glb"] {
-        let output = zpg(folder.path(), &["convert", "moon.zpg", "--to", format], "");
+        let output = zpg(folder.path(), &["convert", "moon.zpg", "--to", format]);
         assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
     }
     let text = fs::read_to_string(folder.path().join("moon.obj")).unwrap();
@@ -400,7 +393,7 @@ fn obj_has_its_pictures() {
     let folder = folder();
     let board = "2 9 1\n3 -701 1 0 0\n4 -701 0 0 1\n2 -399 4 2 3 4\n1 9999 2 0\n";
     fs::write(folder.path().join("ball.zpg"), board).unwrap();
-    let output = zpg(folder.path(), &["convert", "ball.zpg", "--to", "obj"], "");
+    let output = zpg(folder.path(), &["convert", "ball.zpg", "--to", "obj"]);
     assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
     let library = fs::read_to_string(folder.path().join("ball.mtl")).unwrap();
     let name = library.lines().find_map(|l| l.strip_prefix("map_Kd "));
@@ -460,7 +453,7 @@ fn pictures_of_the_scene_stay() {
             .into_iter()
             .chain(arguments.split(' '));
         let arguments: Vec<&str> = arguments.collect();
-        let output = zpg(folder.path(), &arguments, "");
+        let output = zpg(folder.path(), &arguments);
         assert_eq!(output.status.code(), Some(2), "{}", errors(&output));
         assert!(errors(&output).contains("ball_texture_0.png"));
         assert_eq!(fs::read(path("ball_texture_0.png")).unwrap(), before);
@@ -469,7 +462,6 @@ fn pictures_of_the_scene_stay() {
     let output = zpg(
         folder.path(),
         &["convert", "ball.zpg", "--to", "obj", "-o", "other.obj"],
-        "",
     );
     assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
     let copy = image::open(path("other_texture_0.png")).unwrap();
@@ -510,7 +502,7 @@ fn glb_is_valid() {
     let mut files = Vec::new();
     for scene in scenes {
         let path = scene.to_str().unwrap();
-        let output = zpg(folder.path(), &["convert", path, "--to", "glb"], "");
+        let output = zpg(folder.path(), &["convert", path, "--to", "glb"]);
         assert_eq!(output.status.code(), Some(0), "{path}: {}", errors(&output));
         let name = Path::new(scene.file_name().unwrap()).with_extension("glb");
         files.push(folder.path().join(name));
@@ -536,11 +528,7 @@ const validator = require(process.argv[1]), fs = require('fs');
 #[test]
 fn mitsuba_needs_a_place_for_meshes() {
     let folder = folder();
-    let output = zpg(
-        folder.path(),
-        &["convert", "thing.zpg", "--to", "mitsuba"],
-        "",
-    );
+    let output = zpg(folder.path(), &["convert", "thing.zpg", "--to", "mitsuba"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(
         errors(&output).contains("-o scene.xml"),
@@ -548,7 +536,7 @@ fn mitsuba_needs_a_place_for_meshes() {
         errors(&output)
     );
     let said = ["convert", "thing.zpg", "--to", "mitsuba", "-o", "to.xml"];
-    assert_eq!(zpg(folder.path(), &said, "").status.code(), Some(0));
+    assert_eq!(zpg(folder.path(), &said).status.code(), Some(0));
     let text = fs::read_to_string(folder.path().join("to.xml")).unwrap();
     let named: Vec<&str> = text.split('"').filter(|s| s.ends_with(".ply")).collect();
     assert!(!named.is_empty());
@@ -557,7 +545,7 @@ fn mitsuba_needs_a_place_for_meshes() {
     }
     // A ball alone fits on one sheet.
     let ball = "2 9 1\n1 9999 2 0\n";
-    let output = zpg(folder.path(), &["convert", "-", "--to", "mitsuba"], ball);
+    let output = zpg_with(folder.path(), &["convert", "-", "--to", "mitsuba"], ball);
     assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
     assert!(String::from_utf8_lossy(&output.stdout).contains("<shape type=\"sphere\""));
 }

@@ -59,13 +59,12 @@ fn steps() -> BTreeMap<String, String> {
 fn scenes_are_right_and_draw() {
     let dir = copied();
     for check in [&["check", "--deny", "all"][..], &["fmt", "--check"]] {
-        let run = zpg(dir.path(), check, "");
+        let run = zpg(dir.path(), check);
         assert_eq!(run.status.code(), Some(0), "{}", text(&run.stdout));
     }
     let run = zpg(
         dir.path(),
         &["render", "scenes", "-o", "p", "--size", "64x48"],
-        "",
     );
     assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
     let mut count = 0;
@@ -82,7 +81,7 @@ fn scenes_are_right_and_draw() {
         "2 9 1\n50 -401 1\n1 9999 2 0\n",
     )
     .unwrap();
-    let run = zpg(dir.path(), &["check", "--format", "short"], "");
+    let run = zpg(dir.path(), &["check", "--format", "short"]);
     assert_eq!(run.status.code(), Some(1));
     assert!(
         text(&run.stdout).contains("N602 error"),
@@ -209,7 +208,6 @@ fn names_are_those_of_zpg() {
         let run = zpg(
             dir.path(),
             &[&words[..], &["scenes/1-snowman.zpg"]].concat(),
-            "",
         );
         assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
     }
@@ -218,7 +216,7 @@ fn names_are_those_of_zpg() {
         let in_block = page.lines().filter(|line| line.starts_with("zpg "));
         for line in in_block.filter(|line| !line.contains("--watch")) {
             let words = line.split('#').next().unwrap().split_whitespace().skip(1);
-            let run = zpg(dir.path(), &words.collect::<Vec<_>>(), "");
+            let run = zpg(dir.path(), &words.collect::<Vec<_>>());
             assert_eq!(run.status.code(), Some(0), "{line}: {}", text(&run.stderr));
         }
         fs::remove_file(dir.path().join("scenes/4-own.zpg")).unwrap();

@@ -1,16 +1,12 @@
 //! `zpg crosscheck` from outside, with the real POV-Ray.
 
+use crate::support::program::zpg;
 use std::fs;
 use std::path::Path;
-use std::process::Output;
 
 #[cfg(unix)]
 use crate::support::endless::Endless;
 use crate::support::{mitsuba, program};
-
-fn zpg(folder: &Path, args: &[&str]) -> Output {
-    program::zpg(folder, args, "")
-}
 
 /// A ball on a checkered floor, seen from above.
 const SCENE: &str = "2 11 0 1 0 1\n2 -701 0.9 0.2 0.1\n3 12 -5 -1 -5 5 0 5\n4 -701 0.2 0.4 0.9\n\
@@ -437,7 +433,7 @@ fn a_scene_from_standard_input() {
     for (with, path) in programs() {
         let args = ["crosscheck", "-", "--with", with, "--program", &path];
         let args = [&args[..], &["--size", "16x12"]].concat();
-        let run = program::zpg(dir.path(), &args, SCENE);
+        let run = program::zpg_with(dir.path(), &args, SCENE);
         assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
         let out = dir.path().join(format!("scene-{with}"));
         assert!(out.join("theirs.png").exists());

@@ -56,7 +56,7 @@ const MENDED: &str =
     "2 9 0,5 # koule\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 2 0\n";
 
 /// Runs zpg for somebody whose system is Czech.
-fn zpg(folder: &Path, arguments: &[&str]) -> Output {
+fn in_czech(folder: &Path, arguments: &[&str]) -> Output {
     let mut command = program::command();
     command.env("LC_ALL", "cs_CZ.UTF-8").args(arguments);
     command.current_dir(folder).output().expect("zpg runs")
@@ -86,7 +86,7 @@ fn english(text: &str) -> Option<String> {
 
 #[track_caller]
 fn is_czech(dir: &Path, arguments: &[&str], status: i32) -> String {
-    let run = zpg(dir, arguments);
+    let run = in_czech(dir, arguments);
     let said = text(&run.stdout) + &text(&run.stderr);
     assert_eq!(run.status.code(), Some(status), "{arguments:?}: {said}");
     if let Some(found) = english(&said) {
@@ -482,7 +482,7 @@ fn services_show_messages_in_the_language() {
     let dir = folder(&[("b.zpg", "2 9 1\n1 9999 7 0\n")]);
     let out = |language: &str, format: &str| {
         let arguments = ["check", "--format", format, "b.zpg", "--lang", language];
-        text(&program::zpg(dir.path(), &arguments, "").stdout)
+        text(&program::zpg(dir.path(), &arguments).stdout)
     };
     for format in ["github", "gitlab", "junit"] {
         let (english, czech) = (out("en", format), out("cs", format));
@@ -513,7 +513,7 @@ fn services_show_messages_in_the_language() {
 fn machines_are_spoken_to_in_one_language() {
     let dir = folder(&[("a.zpg", GOOD), ("b.zpg", BROKEN)]);
     let out = |language: &str, arguments: &[&str]| {
-        let run = program::zpg(dir.path(), &[arguments, &["--lang", language]].concat(), "");
+        let run = program::zpg(dir.path(), &[arguments, &["--lang", language]].concat());
         text(&run.stdout)
     };
     for arguments in [
@@ -590,7 +590,7 @@ fn numbers_of_reports_have_a_comma() {
         ],
         &["render", "a.zpg", "--size", "16x12", "--cost"],
     ] {
-        let run = program::zpg(dir.path(), &[arguments, &["--lang", "cs"]].concat(), "");
+        let run = program::zpg(dir.path(), &[arguments, &["--lang", "cs"]].concat());
         let said = [run.stdout, run.stderr].concat();
         let said = String::from_utf8(said).unwrap();
         assert!(run.status.success(), "{said}");

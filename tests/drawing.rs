@@ -11,7 +11,7 @@ const LAMP: &str = "50 -402 0.9\n50 -1 0 0 30\n";
 
 /// Standard output and standard error of a run that ends well.
 fn render(dir: &Path, options: &[&str]) -> [String; 2] {
-    let out = zpg(dir, &[&["render"], &SMALL[..], options].concat(), "");
+    let out = zpg(dir, &[&["render"], &SMALL[..], options].concat());
     let said = [text(&out.stdout), text(&out.stderr)];
     assert_eq!(out.status.code(), Some(0), "{said:?}");
     said
@@ -228,11 +228,7 @@ fn jpeg_and_webp_are_the_same_picture() {
         assert!(f64::from(sum) / 3600.0 < 2.0, "{sum}");
     }
     for (name, size) in [("a.jpg", "70000x1"), ("a.webp", "1x16385")] {
-        let out = zpg(
-            dir.path(),
-            &["render", "a.zpg", "-o", name, "--size", size],
-            "",
-        );
+        let out = zpg(dir.path(), &["render", "a.zpg", "-o", name, "--size", size]);
         assert_eq!(out.status.code(), Some(2));
         assert!(
             text(&out.stderr).contains("at most"),
@@ -269,7 +265,7 @@ fn several_scenes_go_into_a_folder() {
     let [said, _] = render(dir.path(), &["a.zpg", "./a.zpg", "-o", "twice"]);
     assert_eq!(said, "Wrote twice/a.png: 40 × 30 pixels\n");
     let refused = |arguments: &[&str]| {
-        let out = zpg(dir.path(), &[&["render"], arguments].concat(), "");
+        let out = zpg(dir.path(), &[&["render"], arguments].concat());
         assert_eq!(out.status.code(), Some(2));
         text(&out.stderr)
     };

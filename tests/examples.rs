@@ -23,7 +23,7 @@ const LONG: [&str; 2] = ["--watch", "--shapes"];
 
 /// The names of all commands.
 fn commands(dir: &Path) -> Vec<String> {
-    let help = text(&zpg(dir, &["--help"], "").stdout);
+    let help = text(&zpg(dir, &["--help"]).stdout);
     let lines = help.lines().skip_while(|line| *line != "Commands:").skip(1);
     let names = lines.take_while(|line| !line.is_empty());
     let names = names.filter_map(|line| line.split_whitespace().next().map(str::to_owned));
@@ -77,7 +77,7 @@ fn folder_for(example: &str) -> tempfile::TempDir {
         .collect();
     let dir = folder(&files);
     let run = |arguments: &[&str]| {
-        let run = zpg(dir.path(), arguments, "");
+        let run = zpg(dir.path(), arguments);
         assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
     };
     if example.starts_with("zpg new") {
@@ -155,7 +155,7 @@ fn run_all(lang: &str) {
     {
         let help = [command, "--help", "--lang", lang];
         let help = &help[usize::from(command.is_empty())..];
-        let all = examples(&text(&zpg(nowhere.path(), help, "").stdout));
+        let all = examples(&text(&zpg(nowhere.path(), help).stdout));
         assert!(!all.is_empty(), "{help:?} has no example");
         for example in all {
             let dir = folder_for(&example);

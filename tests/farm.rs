@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use crate::support::program::{self, folder};
-use jobs::{MONO, STEREO, are_those_of, class, one, pictures, zpg};
+use jobs::{MONO, STEREO, are_those_of, class, one, pictures, says};
 use slurm::Slurm;
 
 /// What a class asks for: a name with brackets, two frames.
@@ -29,14 +29,14 @@ fn class_job(engine: &str) -> tempfile::TempDir {
     let job = [
         "farm", "one", "two", "--tiles", "3", "-o", "the job", "--for", engine,
     ];
-    let said = zpg(dir.path(), &[&job[..], &CLASS].concat(), 0);
+    let said = says(dir.path(), &[&job[..], &CLASS].concat(), 0);
     assert!(said.contains("18 tasks of about "), "{said}");
     // The job has the scenes of each folder in a folder.
     for (from, place) in [("one/žlutý kůň", "1"), ("one/a", "1"), ("two/a", "2")] {
         let scene = format!("{from}.zpg");
         let whole = format!("whole/{place}");
         fs::create_dir_all(dir.path().join(&whole)).unwrap();
-        zpg(
+        says(
             dir.path(),
             &[&["render", &scene, "-o", &whole], &CLASS[..]].concat(),
             0,
@@ -99,9 +99,9 @@ fn make_that_was_killed_goes_on() {
     let farm = [
         "farm", "a.zpg", "--tiles", "12", "-o", "job", "--for", "shell",
     ];
-    zpg(dir.path(), &[&farm[..], &options].concat(), 0);
+    says(dir.path(), &[&farm[..], &options].concat(), 0);
     fs::create_dir(dir.path().join("whole")).unwrap();
-    zpg(
+    says(
         dir.path(),
         &[&["render", "a.zpg", "-o", "whole/a.png"], &options[..]].concat(),
         0,
@@ -184,9 +184,9 @@ fn slurm_draws_frames() {
     let farm = [
         "farm", "a.zpg", "--tiles", "2", "-o", "job", "--for", "slurm",
     ];
-    zpg(dir.path(), &[&farm[..], &options].concat(), 0);
+    says(dir.path(), &[&farm[..], &options].concat(), 0);
     fs::create_dir(dir.path().join("whole")).unwrap();
-    zpg(
+    says(
         dir.path(),
         &[&["render", "a.zpg", "-o", "whole/a.png"], &options[..]].concat(),
         0,
@@ -216,7 +216,7 @@ fn an_array_of_slurm_has_at_most_1000_elements() {
     let farm = [
         "farm", "a.zpg", "--size", "8x2500", "--tiles", "2500", "-o", "job", "--for",
     ];
-    let said = zpg(dir.path(), &[&farm[..], &["slurm"]].concat(), 0);
+    let said = says(dir.path(), &[&farm[..], &["slurm"]].concat(), 0);
     assert!(
         said.contains("2500 tasks") && said.contains("3 tasks are drawn in one go"),
         "{said}"
@@ -226,7 +226,7 @@ fn an_array_of_slurm_has_at_most_1000_elements() {
     assert!(script.contains("--array=0-833%64\n"), "{script}");
     assert!(script.contains("* 3 + 1))\n"), "{script}");
     // Others have no such limit. What Slurm starts is gone: it would draw other tasks.
-    zpg(dir.path(), &[&farm[..], &["shell"]].concat(), 0);
+    says(dir.path(), &[&farm[..], &["shell"]].concat(), 0);
     let makefile = fs::read_to_string(dir.path().join("job/Makefile")).unwrap();
     assert!(makefile.contains("seq 0 2499"), "{makefile}");
     assert!(!dir.path().join("job/draw.slurm").exists());
@@ -247,7 +247,7 @@ fn joining_many_large_pictures_has_its_time() {
         "slurm",
     ];
     let time = |options: &[&str]| {
-        zpg(dir.path(), &[&farm[..], options].concat(), 0);
+        says(dir.path(), &[&farm[..], options].concat(), 0);
         let script = fs::read_to_string(dir.path().join("job/join.slurm")).unwrap();
         let time = script
             .lines()
@@ -276,7 +276,7 @@ fn tasks_have_the_processors_that_they_ask_for() {
         let farm = [
             "farm", "a.zpg", "--size", "8x6", "--tiles", "2", "--cores", "3", "-o", engine,
         ];
-        zpg(dir.path(), &[&farm[..], &["--for", engine]].concat(), 0);
+        says(dir.path(), &[&farm[..], &["--for", engine]].concat(), 0);
         let file = |name: &str| fs::read_to_string(dir.path().join(engine).join(name)).unwrap();
         // Where nobody says anything else, such as with xargs.
         assert!(file("draw.sh").contains("--threads \"${THREADS:-3}\""));
@@ -329,7 +329,7 @@ fn bad_input_leaves_nothing_behind() {
         "twice/b.json",
     ];
     fs::remove_file(dir.path().join("twice/b.json")).unwrap();
-    zpg(dir.path(), &convert, 0);
+    says(dir.path(), &convert, 0);
     fs::write(dir.path().join("two\nlines.zpg"), jobs::SCENE).unwrap();
     let before = names(dir.path());
     for (arguments, status, message) in [
@@ -418,7 +418,7 @@ fn bad_input_leaves_nothing_behind() {
         ),
     ] {
         let words: Vec<&str> = ["farm"].into_iter().chain(arguments.split(' ')).collect();
-        let said = zpg(dir.path(), &words, status);
+        let said = says(dir.path(), &words, status);
         assert!(said.contains(message), "{arguments}: {said}");
         assert!(!said.contains("panicked"), "{said}");
         assert_eq!(names(dir.path()), before, "{arguments}");
@@ -444,7 +444,7 @@ fn a_job_is_written_anew() {
         "--tiles",
     ];
     for tiles in ["2", "3"] {
-        let said = zpg(dir.path(), &[&farm[..], &[tiles]].concat(), 0);
+        let said = says(dir.path(), &[&farm[..], &[tiles]].concat(), 0);
         assert!(said.contains(&format!("{tiles} tasks")), "{said}");
         let is_again = tiles == "3";
         assert_eq!(said.contains("was a job already"), is_again, "{said}");
@@ -452,7 +452,7 @@ fn a_job_is_written_anew() {
         assert_eq!(list, "a.zpg\n");
     }
     let own = ["farm", "scenes/job", "-o", "scenes/job", "--for", "shell"];
-    let said = zpg(dir.path(), &own, 2);
+    let said = says(dir.path(), &own, 2);
     assert!(said.contains("would be overwritten"), "{said}");
 }
 
@@ -467,10 +467,10 @@ fn a_single_frame_is_drawn_in_bands() {
             let farm = [
                 "farm", "a.zpg", "-o", "job", "--for", "shell", "--tiles", tiles,
             ];
-            let said = zpg(dir.path(), &[&farm[..], &options].concat(), 0);
+            let said = says(dir.path(), &[&farm[..], &options].concat(), 0);
             let tasks = ["One task", "2 tasks"][usize::from(tiles == "2")];
             assert!(said.contains(tasks), "{said}");
-            zpg(
+            says(
                 dir.path(),
                 &[&["render", "a.zpg", "-o", "whole/a.png"], &options[..]].concat(),
                 0,
@@ -492,8 +492,8 @@ fn bands_of_an_earlier_job_are_not_taken() {
         let farm = [
             "farm", "a.zpg", "-o", "job", "--for", "shell", "--tiles", tiles,
         ];
-        zpg(dir.path(), &[&farm[..], &["--size", size]].concat(), 0);
-        zpg(
+        says(dir.path(), &[&farm[..], &["--size", size]].concat(), 0);
+        says(
             dir.path(),
             &["render", "a.zpg", "-o", "whole/a.png", "--size", size],
             0,

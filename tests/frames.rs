@@ -22,7 +22,7 @@ fn usual() -> String {
 /// Draws, and gives what was printed.
 #[track_caller]
 fn render(dir: &Path, args: &[&str]) -> String {
-    let run = program::zpg(dir, &[&["render"], args, &SIZE].concat(), "");
+    let run = program::zpg(dir, &[&["render"], args, &SIZE].concat());
     let said = text(&run.stderr);
     assert_eq!(run.status.code(), Some(0), "{args:?}: {said}");
     text(&run.stdout)
@@ -205,7 +205,7 @@ fn two_cameras_go_around_together() {
     // Of one eye alone the other one stays behind.
     let stays = |orbit: &str| {
         let args = ["render", "a.zpg", "--frames", "0-1", "--orbit", orbit];
-        let said = text(&program::zpg(dir.path(), &[&args[..], &SIZE].concat(), "").stderr);
+        let said = text(&program::zpg(dir.path(), &[&args[..], &SIZE].concat()).stderr);
         said.contains("camera 8 takes the picture and stays where it is")
     };
     assert!(stays("9,180") && !stays("60,180"));
@@ -273,7 +273,7 @@ fn frames_are_drawn_in_tiles_and_not_twice() {
         "-o",
         "whole.png",
     ];
-    let run = program::zpg(dir.path(), &join, "");
+    let run = program::zpg(dir.path(), &join);
     assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
     assert!(bytes(dir.path(), "whole.png") == bytes(dir.path(), "a.0001.png"));
     // The second frame of other numbers is another picture.
@@ -288,7 +288,7 @@ fn what_the_pictures_lack_is_said_once() {
     let dark = usual().replace("50 -401 0.3\n51 -402 0.7\n51 -1 4 6 5\n", "");
     let dir = folder(&[("a.zpg", dark)]);
     let args = ["render", "a.zpg", "--frames", "0-2", "--set", "2.r=1..2"];
-    let run = program::zpg(dir.path(), &[&args[..], &SIZE].concat(), "");
+    let run = program::zpg(dir.path(), &[&args[..], &SIZE].concat());
     let said = text(&run.stderr);
     assert_eq!(said.matches("the scene has no light").count(), 1, "{said}");
 }
@@ -297,7 +297,7 @@ fn what_the_pictures_lack_is_said_once() {
 #[track_caller]
 fn refuses(dir: &Path, args: &[&str], status: i32, says: &[&str]) {
     let before = fs::read_dir(dir).unwrap().count();
-    let run = program::zpg(dir, &[&["render"], args, &SIZE].concat(), "");
+    let run = program::zpg(dir, &[&["render"], args, &SIZE].concat());
     let said = text(&run.stderr);
     assert_eq!(run.status.code(), Some(status), "{args:?}: {said}");
     assert!(
@@ -451,7 +451,7 @@ fn what_cannot_vary_is_told() {
 #[test]
 fn a_scene_in_json_has_no_records() {
     let dir = folder(&[("a.zpg", usual())]);
-    let run = program::zpg(dir.path(), &["convert", "a.zpg", "-o", "a.json"], "");
+    let run = program::zpg(dir.path(), &["convert", "a.zpg", "-o", "a.json"]);
     assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
     let args = ["a.json", "--frames", "0-1", "--set", "2.r=1..2"];
     refuses(
@@ -563,7 +563,7 @@ fn films_are_made_by_ffmpeg() {
     let run = [
         "render", "a.zpg", "--frames", "0-9", "--set", "2.r=1..2", "-o", "b.mp4", "--lang", "cs",
     ];
-    let run = program::zpg(dir.path(), &run, "");
+    let run = program::zpg(dir.path(), &run);
     assert!(text(&run.stderr).starts_with("chyba: soubor b.mp4 zpg nezapisuje: vykreslete snímky"));
 }
 

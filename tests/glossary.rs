@@ -266,7 +266,7 @@ fn comments_of_czech_examples_are_czech() {
 #[test]
 fn topics_of_several_words() {
     let page = |arguments: &[&str]| {
-        let out = zpg(Path::new("."), &[&["explain"], arguments].concat(), "");
+        let out = zpg(Path::new("."), &[&["explain"], arguments].concat());
         assert_eq!(out.status.code(), Some(0), "{arguments:?}");
         text(&out.stdout)
     };

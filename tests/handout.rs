@@ -75,7 +75,7 @@ fn the_ball_before_the_camera_is_orange() {
         "1",
     ];
     assert!(
-        crate::support::program::zpg(folder.path(), &args, "")
+        crate::support::program::zpg(folder.path(), &args)
             .status
             .success()
     );

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 /// Runs zpg with so much address space, in MiB.
-fn zpg(mebibytes: u64, folder: &Path, arguments: &[&str]) -> Output {
+fn limited(mebibytes: u64, folder: &Path, arguments: &[&str]) -> Output {
     Command::new("sh")
         .arg("-c")
         .arg(format!("ulimit -v {}; exec \"$0\" \"$@\"", mebibytes << 10))
@@ -58,7 +58,7 @@ fn copies_that_overlap_are_refused_before_they_fill_the_memory() {
             &["convert", "a.zpg", "--to", "glb"],
             &["convert", "a.zpg", "--to", "mitsuba", "-o", "a.xml"],
         ] {
-            let output = zpg(3000, dir.path(), arguments);
+            let output = limited(3000, dir.path(), arguments);
             let said = said(&output);
             assert_eq!(output.status.code(), Some(1), "{arguments:?}: {said}");
             if !said.contains("triangles") {
@@ -74,7 +74,7 @@ fn copies_that_overlap_are_refused_before_they_fill_the_memory() {
             &["probe", "a.zpg", "--point", "0 0 0"],
             &["plan", "a.zpg"],
         ] {
-            let output = zpg(3000, dir.path(), arguments);
+            let output = limited(3000, dir.path(), arguments);
             assert_eq!(
                 output.status.code(),
                 Some(0),
@@ -99,7 +99,7 @@ fn what_is_begun_keeps_to_the_memory() {
             let arguments = ["render", "a.zpg", "--size", "4x3", "--memory", "300M"];
             let arguments = [&arguments[..], &["--precision", precision]].concat();
             let stats = [&arguments[..], &["--stats", "s.json", "--threads", "2"]].concat();
-            let output = zpg(4000, dir.path(), &stats);
+            let output = limited(4000, dir.path(), &stats);
             match output.status.code() {
                 Some(0) => {
                     let stats = std::fs::read(dir.path().join("s.json")).unwrap();
@@ -128,7 +128,7 @@ fn shared_parts_that_do_not_overlap_are_drawn() {
         "--memory",
         "100M",
     ];
-    let output = zpg(3000, dir.path(), &arguments);
+    let output = limited(3000, dir.path(), &arguments);
     assert_eq!(output.status.code(), Some(0), "{}", said(&output));
 }
 
@@ -162,7 +162,7 @@ fn sizes_that_need_too_much_are_refused() {
         (&["check", "b.zpg", "--memory", "100M"], "it is so long"),
         (&["check", "a.zpg", "--memory", "much"], "800M or 12G"),
     ] {
-        let output = zpg(3000, dir.path(), arguments);
+        let output = limited(3000, dir.path(), arguments);
         assert_eq!(
             output.status.code(),
             Some(2),
@@ -175,7 +175,7 @@ fn sizes_that_need_too_much_are_refused() {
             said(&output)
         );
     }
-    let output = zpg(3000, dir.path(), &["check", "b.zpg"]);
+    let output = limited(3000, dir.path(), &["check", "b.zpg"]);
     assert_eq!(output.status.code(), Some(1));
 }
 
@@ -197,7 +197,7 @@ fn threads_are_four_for_each_processor_at_most() {
             "--threads",
             threads,
         ];
-        let output = zpg(3000, dir.path(), &arguments);
+        let output = limited(3000, dir.path(), &arguments);
         assert_eq!(output.status.code(), Some(0), "{}", said(&output));
         let stats = std::fs::read(dir.path().join("s.json")).unwrap();
         let stats: serde_json::Value = serde_json::from_slice(&stats).unwrap();

@@ -131,7 +131,7 @@ fn converted(folder: &Path, to: &str, scene: &str, more: &[&str]) -> Found {
     let arguments = [
         "convert", "a.zpg", "--to", to, "-o", &file, "--report", "r.json",
     ];
-    let run = zpg(folder, &[&arguments[..], more].concat(), "");
+    let run = zpg(folder, &[&arguments[..], more].concat());
     assert_eq!(run.status.code(), Some(0), "{run:?}");
     let bytes = fs::read(folder.join(file)).unwrap();
     let (points, triangles) = match to {

@@ -121,7 +121,7 @@ fn scenes() -> Vec<String> {
 
 /// The errors of each file of a folder: codes and the text of the line.
 fn errors(folder: &Path) -> BTreeMap<String, Vec<(String, String)>> {
-    let run = zpg(folder, &["check", "--format", "json", "."], "");
+    let run = zpg(folder, &["check", "--format", "json", "."]);
     let said = String::from_utf8_lossy(&run.stderr);
     let report = serde_json::from_slice(&run.stdout);
     let report: Value = report.unwrap_or_else(|e| panic!("{e}: {said}"));
@@ -172,7 +172,7 @@ fn no_file_has_more_errors_after_its_fixes() {
             false => &["check", "--fix", "."],
             true => &["check", "--fix", "--unsafe-fixes", "."],
         };
-        zpg(dir.path(), fix, "");
+        zpg(dir.path(), fix);
         let after = errors(dir.path());
         let mut wrong = String::new();
         let mut fixed = 0;

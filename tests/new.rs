@@ -25,19 +25,19 @@ fn scenes_pass_all_checks_and_are_drawn() {
         let dir = folder::<&str>(&[]);
         for lang in ["en", "cs"] {
             let file = format!("{lang}.zpg");
-            let run = zpg(dir.path(), &arguments(&file, template, lang), "");
+            let run = zpg(dir.path(), &arguments(&file, template, lang));
             assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
             assert!(text(&run.stdout).contains(&format!("`zpg render {file}`")));
             let written = fs::read_to_string(dir.path().join(&file)).unwrap();
-            let printed = zpg(dir.path(), &arguments("-", template, lang), "");
+            let printed = zpg(dir.path(), &arguments("-", template, lang));
             assert_eq!(text(&printed.stdout), written);
             assert_eq!(text(&printed.stderr), "");
         }
         for check in [&["check", "--deny", "all"][..], &["fmt", "--check"]] {
-            let run = zpg(dir.path(), check, "");
+            let run = zpg(dir.path(), check);
             assert_eq!(run.status.code(), Some(0), "{}", text(&run.stdout));
         }
-        let run = zpg(dir.path(), &["render", "en.zpg", "--size", "64x48"], "");
+        let run = zpg(dir.path(), &["render", "en.zpg", "--size", "64x48"]);
         assert_eq!(run.status.code(), Some(0));
         let name = if template == Some("stereo") {
             "en_left.png"
@@ -70,7 +70,7 @@ fn nothing_is_written_over() {
         ("glass", "write glass.zpg"),
         ("no/such/folder.zpg", "No such file or directory"),
     ] {
-        let run = zpg(dir.path(), &["new", file], "");
+        let run = zpg(dir.path(), &["new", file]);
         let said = text(&run.stderr);
         assert_eq!(run.status.code(), Some(2), "{said}");
         assert!(said.contains(says), "{said}");
@@ -78,14 +78,14 @@ fn nothing_is_written_over() {
     }
     assert_eq!(fs::read(dir.path().join("a.zpg")).unwrap(), b"");
     assert!(!dir.path().join("glass").exists());
-    let run = zpg(dir.path(), &["new", "a.zpg", "--force", "-q"], "");
+    let run = zpg(dir.path(), &["new", "a.zpg", "--force", "-q"]);
     assert_eq!(
         (run.status.code(), text(&run.stdout)),
         (Some(0), String::new())
     );
     assert!(!fs::read(dir.path().join("a.zpg")).unwrap().is_empty());
     // What is to be run can be copied into a shell.
-    let run = zpg(dir.path(), &["new", "my scene.zpg"], "");
+    let run = zpg(dir.path(), &["new", "my scene.zpg"]);
     assert!(text(&run.stdout).contains("`zpg render 'my scene.zpg'`"));
 }
 
@@ -94,7 +94,7 @@ fn nothing_is_written_over() {
 fn the_program_alone_says_how_to_start() {
     for lang in ["en", "cs"] {
         let dir = folder::<&str>(&[]);
-        let run = zpg(dir.path(), &["--lang", lang], "");
+        let run = zpg(dir.path(), &["--lang", lang]);
         assert_eq!(
             (run.status.code(), text(&run.stdout)),
             (Some(2), String::new())
@@ -107,7 +107,7 @@ fn the_program_alone_says_how_to_start() {
         assert_eq!(commands.len(), 5, "{said}");
         for command in commands {
             let words: Vec<&str> = command.split(' ').chain(["--lang", lang]).collect();
-            let run = zpg(dir.path(), &words, "");
+            let run = zpg(dir.path(), &words);
             assert_eq!(
                 run.status.code(),
                 Some(0),
@@ -125,7 +125,7 @@ fn the_program_alone_says_how_to_start() {
         });
         assert_eq!(drawn.count(), 1);
         if lang == "en" {
-            assert_eq!(text(&zpg(dir.path(), &[], "").stderr), said);
+            assert_eq!(text(&zpg(dir.path(), &[]).stderr), said);
         }
     }
 }

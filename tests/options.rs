@@ -2,19 +2,14 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Output;
 
-use crate::support::program::{self, folder, text};
+use crate::support::program::{self, folder, text, zpg};
 
 const GOOD: &str = "2 11 0 0 0 1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -401 1\n1 9999 2 0\n";
 /// A warning and a remark on style: a colour out of range, two records on a line.
 const WARNED: &str =
     "2 11 0 0 0 1 2 -701 2 0 0\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -401 1\n1 9999 2 0\n";
 const BAD: &str = "2 11 0 0 0 -1\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -401 1\n1 9999 2 0\n";
-
-fn zpg(folder: &Path, args: &[&str]) -> Output {
-    program::zpg(folder, args, "")
-}
 
 /// `a.zpg W301`, a line for each finding.
 fn found(dir: &Path, args: &[&str]) -> (Vec<String>, Option<i32>) {
@@ -156,7 +151,7 @@ fn findings_go_to_a_file() {
     assert!(read("out").starts_with("1  E201"));
     // A scene that is mended on its way goes on to standard output.
     let scene = read("b.zpg");
-    let run = program::zpg(dir.path(), &["check", "--fix", "-o", "out", "-"], &scene);
+    let run = program::zpg_with(dir.path(), &["check", "--fix", "-o", "out", "-"], &scene);
     assert_eq!(text(&run.stdout), scene.replace("0,5", "0.5"));
     assert_eq!(text(&run.stderr), "");
     assert!(
@@ -209,7 +204,7 @@ fn files_that_are_left_out() {
     let stdin = ["--stdin-filename", "old/b.zpg", "-"];
     let fmt = |more: &[&str]| {
         let args = [&["fmt"], more, &stdin].concat();
-        text(&program::zpg(dir.path(), &args, "2   9 1\n").stdout)
+        text(&program::zpg_with(dir.path(), &args, "2   9 1\n").stdout)
     };
     assert_eq!(
         (fmt(&[]), fmt(&["--force-exclude"])),
@@ -221,7 +216,7 @@ fn files_that_are_left_out() {
         (&["--fix", "--diff"], ""),
     ] {
         let args = [&["check", "--force-exclude"], changes, &stdin].concat();
-        let run = program::zpg(dir.path(), &args, "2   9 0,5\n");
+        let run = program::zpg_with(dir.path(), &args, "2   9 0,5\n");
         assert_eq!(
             (text(&run.stdout), run.status.code()),
             (passed.into(), Some(0))
@@ -270,7 +265,7 @@ fn codes_that_files_may_have() {
         "old/b.zpg",
         "-",
     ];
-    let run = program::zpg(dir.path(), &args, WARNED);
+    let run = program::zpg_with(dir.path(), &args, WARNED);
     assert!(!text(&run.stdout).contains("W301"));
     let chosen = ["--config", "lint.per-file-ignores={\"!a.zpg\" = [\"all\"]}"];
     let refusal = [&["check"], &chosen[..]].concat();

@@ -29,7 +29,7 @@ const OUTPUTS: [(&str, &str); 15] = [
     ("txt", "check a.zpg -o"),
 ];
 
-fn zpg(folder: &Path, args: &str) -> Command {
+fn zpg_command(folder: &Path, args: &str) -> Command {
     let mut command = command();
     command.args(args.split_whitespace()).current_dir(folder);
     command
@@ -46,7 +46,10 @@ fn runs(command: &mut Command) -> Output {
 /// What a command writes into a new file. Some outputs name files beside them after it.
 fn plain(ending: &str, args: &str) -> Vec<u8> {
     let dir = folder(&[("a.zpg", SCENE)]);
-    runs(&mut zpg(dir.path(), &format!("{args} link.{ending}")));
+    runs(&mut zpg_command(
+        dir.path(),
+        &format!("{args} link.{ending}"),
+    ));
     fs::read(dir.path().join(format!("link.{ending}"))).unwrap()
 }
 
@@ -86,7 +89,7 @@ fn links_are_followed_and_modes_stay() {
             symlink("real", at("far/link")).unwrap();
             let link = format!("link.{ending}");
             symlink("far/link", at(&link)).unwrap();
-            runs(&mut zpg(dir.path(), &format!("{args} {link}")));
+            runs(&mut zpg_command(dir.path(), &format!("{args} {link}")));
             assert!(is_same(&real), "{args}");
             for link in [&link, "far/link"] {
                 let kind = fs::symlink_metadata(at(link)).unwrap().file_type();
@@ -103,7 +106,7 @@ fn links_are_followed_and_modes_stay() {
         let name = format!("link.{ending}");
         fs::write(at(&name), "old").unwrap();
         fs::set_permissions(at(&name), Permissions::from_mode(0o640)).unwrap();
-        let run = || runs(&mut zpg(dir.path(), &format!("{args} {name}")));
+        let run = || runs(&mut zpg_command(dir.path(), &format!("{args} {name}")));
         let number = || fs::metadata(at(&name)).unwrap().ino();
         let before = number();
         run();
@@ -129,7 +132,7 @@ fn links_that_lead_to_no_file_are_refused() {
         ("folder", "is a directory"),
     ] {
         let args = format!("convert a.zpg --to json -o {link}");
-        let run = zpg(dir.path(), &args).output().unwrap();
+        let run = zpg_command(dir.path(), &args).output().unwrap();
         let said = String::from_utf8(run.stderr).unwrap();
         assert_eq!(run.status.code(), Some(2), "{said}");
         assert!(said.to_lowercase().contains(&why.to_lowercase()), "{said}");
@@ -149,7 +152,7 @@ fn links_to_what_is_read_are_refused() {
         "render a.zpg --size 4x4 -o x.png --stats link.json",
         "check a.zpg -o link.json",
     ] {
-        let run = zpg(dir.path(), args).output().unwrap();
+        let run = zpg_command(dir.path(), args).output().unwrap();
         assert_eq!(run.status.code(), Some(2), "{args}");
         assert_eq!(fs::read(dir.path().join("a.zpg")).unwrap(), SCENE);
     }
@@ -160,7 +163,10 @@ fn devices_and_pipes_are_written_to() {
     let dir = folder(&[("a.zpg", SCENE)]);
     let at = |name: &str| dir.path().join(name);
     let expected = plain("json", "convert a.zpg --to json -o");
-    runs(&mut zpg(dir.path(), "convert a.zpg --to json -o /dev/null"));
+    runs(&mut zpg_command(
+        dir.path(),
+        "convert a.zpg --to json -o /dev/null",
+    ));
     let kind = fs::metadata("/dev/null").unwrap().file_type();
     assert!(kind.is_char_device());
     // A pipe, itself and through a link.
@@ -173,7 +179,7 @@ fn devices_and_pipes_are_written_to() {
             .stdout(Stdio::piped())
             .spawn()
             .unwrap();
-        runs(&mut zpg(
+        runs(&mut zpg_command(
             dir.path(),
             &format!("convert a.zpg --to json -o {name}"),
         ));
@@ -187,12 +193,12 @@ fn devices_and_pipes_are_written_to() {
     }
     let args = "convert a.zpg --to json -o /dev/stdout";
     let before = fs::symlink_metadata("/dev/stdout").unwrap().ino();
-    assert_eq!(runs(&mut zpg(dir.path(), args)).stdout, expected);
+    assert_eq!(runs(&mut zpg_command(dir.path(), args)).stdout, expected);
     let out = fs::File::create(at("out")).unwrap();
-    runs(zpg(dir.path(), args).stdout(out));
+    runs(zpg_command(dir.path(), args).stdout(out));
     assert_eq!(fs::read(at("out")).unwrap(), expected);
     let out = fs::File::options().append(true).open(at("out")).unwrap();
-    runs(zpg(dir.path(), args).stdout(out));
+    runs(zpg_command(dir.path(), args).stdout(out));
     assert_eq!(fs::read(at("out")).unwrap(), expected.repeat(2));
     let after = fs::symlink_metadata("/dev/stdout").unwrap().ino();
     assert_eq!(before, after);
@@ -206,7 +212,7 @@ fn a_hyphen_is_standard_output() {
         if args.contains("--heatmap") || ending == "obj" || ["exr", "pfm"].contains(&ending) {
             continue;
         }
-        let run = runs(&mut zpg(dir.path(), &format!("{args} -")));
+        let run = runs(&mut zpg_command(dir.path(), &format!("{args} -")));
         let said = &run.stdout;
         match args.contains("--stats") {
             true => assert!(serde_json::from_slice::<serde_json::Value>(said).is_ok()),
@@ -220,7 +226,7 @@ fn a_hyphen_is_standard_output() {
         "convert a.zpg --to pov -o - --report -",
         "convert a.zpg --to json --report -",
     ] {
-        let run = zpg(dir.path(), args).output().unwrap();
+        let run = zpg_command(dir.path(), args).output().unwrap();
         assert_eq!(
             (run.status.code(), run.stdout.len()),
             (Some(2), 0),
@@ -269,7 +275,9 @@ fn names_that_say_something_else_are_refused() {
         let dir = folder(&[("a.zpg", SCENE)]);
         let path = dir.path().join(name);
         fs::write(&path, "made by hand").unwrap();
-        let run = zpg(dir.path(), &format!("{args} {name}")).output().unwrap();
+        let run = zpg_command(dir.path(), &format!("{args} {name}"))
+            .output()
+            .unwrap();
         let said = String::from_utf8(run.stderr).unwrap();
         assert_eq!(run.status.code(), Some(2), "{args} {name}: {said}");
         assert!(
@@ -289,7 +297,7 @@ fn a_scene_is_not_written_over() {
     let dir = folder(&[("a.zpg", SCENE), ("b.zpg", b"# by hand # 2 9 1")]);
     let at = |name: &str| dir.path().join(name);
     let refused = |args: &str, why: &str| {
-        let run = zpg(dir.path(), args).output().unwrap();
+        let run = zpg_command(dir.path(), args).output().unwrap();
         let said = String::from_utf8(run.stderr).unwrap();
         assert_eq!(run.status.code(), Some(2), "{said}");
         assert!(said.contains(why), "{said}");
@@ -299,7 +307,10 @@ fn a_scene_is_not_written_over() {
     assert_eq!(fs::read(at("b.zpg")).unwrap(), b"# by hand # 2 9 1");
     fs::write(at("empty.zpg"), "").unwrap();
     for args in ["-o c.zpg", "-o empty.zpg", "-o b.zpg --force"] {
-        runs(&mut zpg(dir.path(), &format!("convert a.zpg {args}")));
+        runs(&mut zpg_command(
+            dir.path(),
+            &format!("convert a.zpg {args}"),
+        ));
     }
     let made = fs::read(at("c.zpg")).unwrap();
     assert_eq!(

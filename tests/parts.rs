@@ -2,11 +2,11 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use crate::farm::jobs::floor;
-use crate::support::program::{self, folder};
+use crate::support::program::{self, folder, words, zpg};
 
 /// A glass ball, a box and a textured floor, seen by two cameras.
 const SCENE: &str = "2 11 0 0 0 1\n2 -201 0.2 0.2 0.6\n2 -203 1.5 1.5 1.5\n3 12 1.5 -1 0 2.5 1 0.1\n8 3 0 1 0 1\n8 -301 floor.png\n\
@@ -19,16 +19,10 @@ fn scene(more: &str) -> tempfile::TempDir {
     folder(&[("a.zpg", text.as_bytes()), ("floor.png", &floor())])
 }
 
-fn zpg(folder: &Path, args: &str) -> Output {
-    let mut command = program::command();
-    command.args(args.split_whitespace()).current_dir(folder);
-    command.output().unwrap()
-}
-
 /// Runs a command that ends with this status, and gives what it says.
 #[track_caller]
 fn says(folder: &Path, args: &str, status: i32) -> String {
-    let run = zpg(folder, args);
+    let run = zpg(folder, &words(args));
     let said = [run.stdout, run.stderr].concat();
     let said = String::from_utf8(said).unwrap();
     assert_eq!(run.status.code(), Some(status), "{args}: {said}");

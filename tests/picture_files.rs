@@ -210,7 +210,7 @@ fn povray_draws_the_same() {
             "-o",
             "out",
         ];
-        let run = program::zpg(folder.path(), &args, "");
+        let run = program::zpg(folder.path(), &args);
         let said = String::from_utf8_lossy(&run.stderr);
         assert_eq!(
             run.status.code(),
@@ -249,7 +249,7 @@ fn povray_draws_the_same() {
             "away/čau.pov",
             "--verbose",
         ];
-        let run = program::zpg(folder.path(), &args, "");
+        let run = program::zpg(folder.path(), &args);
         let said = String::from_utf8_lossy(&run.stderr).into_owned();
         assert!(said.contains("exact        image texture"), "{said}");
         let pov = fs::read_to_string(folder.path().join("away/čau.pov")).unwrap();
@@ -353,7 +353,7 @@ fn what_povray_is_to_open_itself_is_said() {
         let text = format!("2 5 0 0 1 1\n2 -301 {picture}\n1 9999 2 0\n");
         fs::write(folder.path().join("a.zpg"), text).unwrap();
         let args = [&["convert", "a.zpg", "--to", "pov"], more].concat();
-        let run = program::zpg(folder.path(), &args, "");
+        let run = program::zpg(folder.path(), &args);
         assert_eq!(run.status.code(), Some(0));
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
         (text(&run.stdout), text(&run.stderr))
@@ -396,7 +396,6 @@ fn what_povray_is_to_open_itself_is_said() {
     let run = program::zpg(
         folder.path(),
         &["convert", "a.zpg", "--to", "pov", "-o", "b.pov"],
-        "",
     );
     assert_eq!(run.status.code(), Some(2));
     assert!(fs::read(folder.path().join("b_image_1.png")).unwrap() == find("rgb8.png").bytes);
@@ -423,7 +422,7 @@ fn wavefront_files_name_what_is_there() {
     ];
     for name in names {
         let args = ["convert", "a.zpg", "--to", "obj", "-o", name];
-        let run = program::zpg(folder.path(), &args, "");
+        let run = program::zpg(folder.path(), &args);
         assert_eq!(
             run.status.code(),
             Some(0),

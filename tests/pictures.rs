@@ -56,7 +56,7 @@ fn drawn(arguments: &[&str]) -> RgbImage {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("drawn.png");
     let output = ["-o", path.to_str().unwrap()];
-    let run = zpg(root(), &[&["render"], arguments, &output].concat(), "");
+    let run = zpg(root(), &[&["render"], arguments, &output].concat());
     assert!(
         run.status.success(),
         "{arguments:?}: {}",

@@ -28,7 +28,7 @@ fn translated(folder: &Path, lamps: f64) -> (String, String) {
         "80x60",
         "--verbose",
     ];
-    let run = zpg(folder, &args, "");
+    let run = zpg(folder, &args);
     let report = String::from_utf8(run.stderr).unwrap();
     assert!(run.status.success(), "{report}");
     (
@@ -78,7 +78,7 @@ fn the_report_names_light_above_white() {
         "--samples",
         "1",
     ];
-    assert!(zpg(dir.path(), &args, "").status.success());
+    assert!(zpg(dir.path(), &args).status.success());
     let bytes = std::fs::read(dir.path().join("a.pfm")).unwrap();
     let values = &bytes[bytes.len() - 80 * 60 * 12..];
     let above = values.chunks_exact(12).filter(|p| {
@@ -119,7 +119,7 @@ fn the_picture_is_as_bright_as_ours() {
             "--samples",
             "1",
         ];
-        assert!(zpg(dir.path(), &args, "").status.success());
+        assert!(zpg(dir.path(), &args).status.success());
         let [ours, theirs] = ["ours.png", "theirs.png"]
             .map(|name| image::open(dir.path().join(name)).unwrap().to_rgb8());
         let alike = ours.pixels().zip(theirs.pixels());

@@ -1,5 +1,6 @@
 //! `zpg probe` from outside: what it says about rays, pixels and points.
 
+use crate::support::program::zpg_with;
 use crate::trace_support;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -21,15 +22,8 @@ fn command(folder: &Path, args: &[&str]) -> Command {
     command
 }
 
-fn zpg(folder: &Path, args: &[&str], input: &str) -> Output {
-    let mut child = command(folder, args).spawn().unwrap();
-    let mut stdin = child.stdin.take().unwrap();
-    let input = input.as_bytes().to_vec();
-    // A command that does not read closes the pipe.
-    let writer = std::thread::spawn(move || stdin.write_all(&input).is_ok());
-    let out = child.wait_with_output().unwrap();
-    writer.join().unwrap();
-    out
+fn probe(folder: &Path, args: &[&str], input: &str) -> Output {
+    zpg_with(folder, &[&["probe"], args].concat(), input)
 }
 
 fn folder(scene: &str) -> tempfile::TempDir {
@@ -49,7 +43,7 @@ fn lines(out: &Output) -> Vec<Value> {
 fn ask(scene: &str, args: &[&str], input: &str) -> Vec<Value> {
     let dir = folder(scene);
     let args: Vec<&str> = ["a.zpg"].iter().chain(args).copied().collect();
-    let out = zpg(dir.path(), &args, input);
+    let out = probe(dir.path(), &args, input);
     let errors = String::from_utf8_lossy(&out.stderr);
     assert_eq!(out.status.code(), Some(0), "{errors}");
     lines(&out)
@@ -166,7 +160,7 @@ fn errors_alone_are_said() {
     let said = |scene: &str, args: &[&str]| {
         let dir = folder(scene);
         let args: Vec<&str> = ["a.zpg"].iter().chain(args).copied().collect();
-        let out = zpg(dir.path(), &args, "0 0 9 0 0 -1\n");
+        let out = probe(dir.path(), &args, "0 0 9 0 0 -1\n");
         let error = String::from_utf8(out.stderr).unwrap();
         assert_eq!(out.status.code(), Some(0), "{error}");
         error
@@ -187,7 +181,7 @@ fn errors_alone_are_said() {
     assert_eq!(said(odd, &DOWN), "");
     // Without warnings errors are not fewer.
     let dir = folder("2 11 0 0 0 -1 2 -701 9 0 0\n1 9999 2 0\n");
-    let out = zpg(dir.path(), &["a.zpg", "--pixel", "0,0"], "");
+    let out = probe(dir.path(), &["a.zpg", "--pixel", "0,0"], "");
     let error = String::from_utf8(out.stderr).unwrap();
     assert_eq!(out.status.code(), Some(1));
     assert!(
@@ -210,7 +204,7 @@ fn commas_between_numbers() {
     let point = one(&scene, &["--point", "0.5, 0,0"]);
     assert_eq!(point, one(&scene, &["--point", "0.5 0 0"]));
     let dir = folder(&scene);
-    let out = zpg(
+    let out = probe(
         dir.path(),
         &["a.zpg", "--rays", "-"],
         "0,0,9,0,0,-1\n0 0 9 0 0 -1\n",
@@ -219,7 +213,7 @@ fn commas_between_numbers() {
     let lines: Vec<&str> = lines.lines().collect();
     assert_eq!((lines.len(), lines[0]), (2, lines[1]));
     // Decimal commas make too many numbers.
-    let out = zpg(dir.path(), &["a.zpg", "--ray", "0,5 0 9 0 0 -1"], "");
+    let out = probe(dir.path(), &["a.zpg", "--ray", "0,5 0 9 0 0 -1"], "");
     assert_eq!(out.status.code(), Some(2));
     let error = String::from_utf8(out.stderr).unwrap();
     assert!(error.contains("expected 6 numbers, found 7"), "{error}");
@@ -268,9 +262,9 @@ fn many_rays_keep_their_order() {
 fn files_of_rays_may_begin_with_a_mark() {
     let dir = folder(&scene("2 11 0 0 0 2", 2));
     let rays = "\u{feff}0 0 9 0 0 -1\n1 0 9 0 0 -1\n";
-    let out = zpg(dir.path(), &["a.zpg", "--rays", "-"], rays);
+    let out = probe(dir.path(), &["a.zpg", "--rays", "-"], rays);
     assert_eq!((lines(&out).len(), out.status.code()), (2, Some(0)));
-    let out = zpg(
+    let out = probe(
         dir.path(),
         &["a.zpg", "--rays", "-"],
         &rays[3..].replace("\n1", "\n\u{feff}1"),
@@ -286,7 +280,7 @@ fn origins_and_complaints(scene: &str, args: &[&str], rays: &str) -> (Vec<f64>, 
         .chain(args)
         .copied()
         .collect();
-    let out = zpg(dir.path(), &args, rays);
+    let out = probe(dir.path(), &args, rays);
     let error = String::from_utf8(out.stderr.clone()).unwrap();
     assert_eq!(out.status.code(), Some(2), "{error}");
     let origins = lines(&out)
@@ -414,14 +408,14 @@ fn wrong_usage() {
         (&["b.zpg", "--point", "0 0 0"], "cannot read b.zpg"),
         (&["a.zpg", "--rays", "b.txt"], "cannot read b.txt"),
     ] {
-        let out = zpg(dir.path(), args, "");
+        let out = probe(dir.path(), args, "");
         let error = String::from_utf8_lossy(&out.stderr);
         assert_eq!(out.status.code(), Some(2), "{args:?}: {error}");
         assert!(error.contains(words), "{args:?}: {error}");
         assert!(out.stdout.is_empty());
     }
     let dir = folder("2 11 0 0 0\n");
-    let out = zpg(
+    let out = probe(
         dir.path(),
         &["a.zpg", "--point", "0 0 0", "--object", "2"],
         "",
@@ -554,7 +548,7 @@ fn membership_is_the_parity_of_crossings() {
             let inside = member["in_scene"] == true;
             let has_root = member["inside"].as_array().unwrap().contains(&json!(last));
             assert_eq!(has_root, inside);
-            let out = zpg(dir.path(), &["a.zpg", "--rays", "-"], &rays);
+            let out = probe(dir.path(), &["a.zpg", "--rays", "-"], &rays);
             for answer in lines(&out) {
                 check(&answer, inside, &scene);
             }
@@ -674,7 +668,7 @@ fn shallow_crossings_are_those_of_double_double() {
         let [double, exact] = ["f64", "dd"].map(|precision| {
             let args = ["a.zpg", "--ray", ray, "--precision", precision];
             let answer: serde_json::Value =
-                serde_json::from_slice(&zpg(dir.path(), &args, "").stdout).unwrap();
+                serde_json::from_slice(&probe(dir.path(), &args, "").stdout).unwrap();
             let hits = answer["hits"].as_array().unwrap().clone();
             let t = hits.iter().map(|h| match &h["t"] {
                 serde_json::Value::String(digits) => digits.parse().unwrap(),

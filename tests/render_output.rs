@@ -3,25 +3,17 @@
 use std::fs;
 use std::io::Cursor;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 
-use crate::support::program::folder;
+use crate::support::program::{folder, words, zpg};
 
 /// A ball and a thin box on black.
 const SCENE: &str = "2 11 0 0 0 1\n3 12 1.5 -1 0 1.52 1 0.1\n4 -101 2 3\n9 -501 0 0 8 0 0 -1 0 1 0 30\n\
                      50 -401 1\n1 9999 4 0\n";
 
-fn zpg(folder: &Path, args: &str) -> Output {
-    crate::support::program::command()
-        .args(args.split_whitespace())
-        .current_dir(folder)
-        .output()
-        .unwrap()
-}
-
 #[track_caller]
 fn render(folder: &Path, args: &str) -> String {
-    let run = zpg(folder, &format!("render {args}"));
+    let run = zpg(folder, &words(&format!("render {args}")));
     let errors = String::from_utf8(run.stderr).unwrap();
     assert_eq!(run.status.code(), Some(0), "{errors}");
     errors
@@ -121,7 +113,7 @@ fn a_heatmap_is_brighter_where_there_is_more_to_test() {
     let dir = folder(&[("a.zpg", SCENE.as_bytes())]);
     let run = zpg(
         dir.path(),
-        "render a.zpg -o a.png --size 64x48 --heatmap h.png",
+        &words("render a.zpg -o a.png --size 64x48 --heatmap h.png"),
     );
     let wrote = "Wrote a.png: 64 × 48 pixels\nWrote h.png: 64 × 48 pixels\n";
     assert_eq!(String::from_utf8(run.stdout).unwrap(), wrote);
@@ -147,7 +139,7 @@ fn a_heatmap_is_brighter_where_there_is_more_to_test() {
     );
     let part = image::open(dir.path().join("part.png")).unwrap();
     assert_eq!((part.width(), part.height()), (20, 10));
-    let wrong = zpg(dir.path(), "render a.zpg --heatmap h.exr");
+    let wrong = zpg(dir.path(), &words("render a.zpg --heatmap h.exr"));
     assert_eq!(wrong.status.code(), Some(2));
 }
 
@@ -227,7 +219,7 @@ fn bad_pictures_are_errors_of_the_scene() {
     for bytes in [truncated, &gigantic, &broad, text] {
         let scene = SQUARE.replace("FILE", "p.png");
         let dir = folder(&[("a.zpg", scene.as_bytes()), ("p.png", bytes)]);
-        let run = zpg(dir.path(), "render a.zpg");
+        let run = zpg(dir.path(), &words("render a.zpg"));
         let said = String::from_utf8(run.stderr).unwrap();
         assert_eq!(run.status.code(), Some(1), "{said}");
         assert!(
@@ -286,7 +278,7 @@ fn what_is_read_is_spared() {
         "convert a.zpg --to json -o x.json --report x.json",
         "check a.zpg ball.zpg -o ball.zpg",
     ] {
-        let run = zpg(dir.path(), args);
+        let run = zpg(dir.path(), &words(args));
         let said = String::from_utf8(run.stderr).unwrap();
         assert_eq!(run.status.code(), Some(2), "{args}: {said}");
         let reasons = [
@@ -307,7 +299,7 @@ fn what_is_read_is_spared() {
     fs::write(dir.path().join("m.obj"), "old").unwrap();
     fs::create_dir(dir.path().join("m.mtl")).unwrap();
     assert_eq!(
-        zpg(dir.path(), "convert a.zpg --to obj -o m.obj")
+        zpg(dir.path(), &words("convert a.zpg --to obj -o m.obj"))
             .status
             .code(),
         Some(2)

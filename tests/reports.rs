@@ -17,7 +17,6 @@ fn check(files: &[(&str, &str)], format: &str, arguments: &[&str]) -> (Option<i3
     let run = program::zpg(
         dir.path(),
         &[&["check", "--format", format], arguments].concat(),
-        "",
     );
     (run.status.code(), text(&run.stdout))
 }

@@ -7,7 +7,7 @@ use crate::support::program::{self, folder, text};
 const SCENE: &str = "1 9999 2 0\n2 11 0 0 0 -1\n";
 
 fn said(folder: &Path, arguments: &[&str]) -> String {
-    let run = program::zpg(folder, arguments, "");
+    let run = program::zpg(folder, arguments);
     text(&run.stdout) + &text(&run.stderr)
 }
 
@@ -43,7 +43,6 @@ fn patterns_leave_out_files() {
         let run = program::zpg(
             dir.path(),
             &[&["check", "--show-files"], arguments].concat(),
-            "",
         );
         let names = text(&run.stdout);
         let name = |line: &str| Path::new(line).file_name().unwrap().to_owned();
@@ -134,7 +133,7 @@ fn other_words_of_ruff_have_an_answer() {
             "`--config 'lint.per-file-ignores={\"*\" = [\"W310\"]}'`",
         ),
     ] {
-        let run = program::zpg(dir.path(), arguments, "");
+        let run = program::zpg(dir.path(), arguments);
         assert_eq!(run.status.code(), Some(2), "{arguments:?}");
         let error = text(&run.stderr);
         assert!(error.contains(answer), "{arguments:?}: {error}");
@@ -150,7 +149,7 @@ fn other_words_of_ruff_have_an_answer() {
         &["fmt", "--check", "--config", "format.width=100"],
         &["--version"],
     ] {
-        let run = program::zpg(dir.path(), proposal, "");
+        let run = program::zpg(dir.path(), proposal);
         assert_ne!(run.status.code(), Some(2), "{proposal:?}");
     }
 }

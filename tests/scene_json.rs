@@ -1,16 +1,10 @@
 //! Scenes in JSON, taken by all commands that read: findings are about the JSON.
 
 use std::fs;
-use std::path::Path;
-use std::process::Output;
 
 use serde_json::{Value, json};
 
-use crate::support::program::{self, folder, text};
-
-fn zpg(folder: &Path, args: &[&str]) -> Output {
-    program::zpg(folder, args, "")
-}
+use crate::support::program::{self, folder, text, zpg};
 
 const GOOD: &str = r#"{"version": 1,
  "nodes": [
@@ -214,11 +208,11 @@ fn commands_that_read_take_it() {
         .find(|r| r["text"].as_str().unwrap().contains("light"));
     assert_eq!(light.unwrap()["line"], 6, "{reasons:?}");
     // From standard input it is known by how it begins.
-    let stdin = program::zpg(dir.path(), &["plan", "-"], GOOD);
+    let stdin = program::zpg_with(dir.path(), &["plan", "-"], GOOD);
     assert_eq!(stdin.status.code(), Some(0), "{}", text(&stdin.stderr));
     let named = ["check", "--stdin-filename", "x.json", "-"];
     assert_eq!(
-        program::zpg(dir.path(), &named, GOOD).status.code(),
+        program::zpg_with(dir.path(), &named, GOOD).status.code(),
         Some(0)
     );
     // A file of records that holds JSON is still no scene.
@@ -253,7 +247,7 @@ fn nothing_is_written_into_it() {
         );
         assert_eq!(fs::read_to_string(dir.path().join("a.json")).unwrap(), GOOD);
     }
-    let run = program::zpg(dir.path(), &["fmt", "-"], GOOD);
+    let run = program::zpg_with(dir.path(), &["fmt", "-"], GOOD);
     assert_eq!(
         (run.status.code(), text(&run.stdout)),
         (Some(2), String::new())

@@ -2,20 +2,14 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Output;
 
 use image::{ImageFormat, RgbImage};
 
-use crate::support::program::{self, folder, text};
-
-fn zpg(folder: &Path, args: &str) -> Output {
-    let args: Vec<&str> = args.split_whitespace().collect();
-    program::zpg(folder, &args, "")
-}
+use crate::support::program::{folder, text, words, zpg};
 
 #[track_caller]
 fn runs(folder: &Path, args: &str, status: i32) -> String {
-    let run = zpg(folder, args);
+    let run = zpg(folder, &words(args));
     let said = text(&run.stderr);
     assert_eq!(run.status.code(), Some(status), "{args}: {said}");
     said
@@ -96,7 +90,7 @@ fn embedded(page: &str) -> Vec<(String, RgbImage)> {
 
 /// What `zpg check` says of the scenes in `in`, beside the pictures in `out`.
 fn check(dir: &Path) {
-    let run = zpg(dir, "check --isolated --format json in");
+    let run = zpg(dir, &words("check --isolated --format json in"));
     fs::write(dir.join("out/findings.json"), run.stdout).unwrap();
 }
 
@@ -288,7 +282,7 @@ fn a_sheet_is_no_picture_of_a_sheet() {
     runs(dir.path(), "sheet . -o other.html", 0);
     let page = fs::read_to_string(dir.path().join("other.html")).unwrap();
     assert_eq!(embedded(&page).len(), 1);
-    let run = zpg(dir.path(), "sheet . -o -");
+    let run = zpg(dir.path(), &words("sheet . -o -"));
     assert!(run.stdout == first && run.stderr.is_empty());
 }
 

@@ -18,7 +18,7 @@ fn radius() -> f64 {
 fn pixels(scene: &str, options: &[&str]) -> Vec<u8> {
     let dir = folder(&[("a.zpg", scene)]);
     let arguments = ["render", "a.zpg", "-o", "a.png", "--size", SIZE];
-    let out = zpg(dir.path(), &[&arguments, options].concat(), "");
+    let out = zpg(dir.path(), &[&arguments, options].concat());
     assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
     let picture = image::open(dir.path().join("a.png")).expect("a picture");
     picture.to_rgb8().into_raw()
@@ -128,7 +128,7 @@ fn a_camera_is_chosen_everywhere() {
     .concat();
     let dir = folder(&[("a.zpg", &scene)]);
     let said = |arguments: &[&str]| {
-        let out = zpg(dir.path(), arguments, "");
+        let out = zpg(dir.path(), arguments);
         assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
         text(&out.stdout)
     };
@@ -149,7 +149,6 @@ fn a_camera_is_chosen_everywhere() {
     let out = zpg(
         dir.path(),
         &["convert", "a.zpg", "--to", "pov", "--camera", "9"],
-        "",
     );
     assert_eq!(out.status.code(), Some(2));
     assert!(text(&out.stderr).contains("7, 8"), "{}", text(&out.stderr));
@@ -165,7 +164,7 @@ fn which_eye_is_measured_is_said() {
         "accuracy", "a.zpg", "--size", "16x12", "--axes", "samples", "--budget", "1s",
     ];
     for (arguments, other) in [(&probe[..], "8"), (&accuracy, "8")] {
-        let said = |more: &[&str]| text(&zpg(dir.path(), &[arguments, more].concat(), "").stderr);
+        let said = |more: &[&str]| text(&zpg(dir.path(), &[arguments, more].concat()).stderr);
         let note =
             "note: of the two cameras, 7 is taken, the left one; `--camera` takes the other\n";
         assert!(said(&[]).contains(note), "{}", said(&[]));

@@ -1,8 +1,8 @@
 //! Files that are no scenes are never written to, and scenes keep their encoding and every token.
 
+use crate::support::program::{zpg, zpg_with};
 use std::fs;
 use std::path::Path;
-use std::process::{Output, Stdio};
 
 use crate::any_files::{self, Pool};
 use crate::support::cases;
@@ -10,20 +10,6 @@ use crate::support::cases;
 const SCENE: &str = "2 11 0 0 0 1.50\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n1 9999 2 0\n";
 const FORMATTED: &str =
     "2 11  0 0 0  1.5\n9 -501  0 0 5  0 0 -1  0 1 0  45\n50 -402 1\n1 9999 2 0\n";
-
-fn zpg(folder: &Path, args: &[&str], input: &[u8]) -> Output {
-    use std::io::Write;
-    let mut child = crate::support::program::command()
-        .args(args)
-        .current_dir(folder)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let _ = child.stdin.take().unwrap().write_all(input);
-    child.wait_with_output().unwrap()
-}
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
@@ -38,12 +24,12 @@ fn png() -> Vec<u8> {
 
 /// Files that are no scenes, and what is said of them.
 fn strangers() -> Vec<(Vec<u8>, &'static str)> {
-    let json = zpg(
+    let json = zpg_with(
         Path::new("."),
         &["convert", "-", "--to", "json"],
         SCENE.as_bytes(),
     );
-    let pov = zpg(
+    let pov = zpg_with(
         Path::new("."),
         &["convert", "-", "--to", "pov"],
         SCENE.as_bytes(),
@@ -89,7 +75,7 @@ fn nothing_is_written_to_what_is_no_scene() {
             &["plan", "a.zpg"],
             &["convert", "a.zpg", "--to", "pov"],
         ] {
-            let run = zpg(dir.path(), args, b"");
+            let run = zpg(dir.path(), args);
             let all = text(&run.stdout) + &text(&run.stderr);
             assert_eq!(run.status.code(), Some(2), "{args:?}: {all}");
             assert!(
@@ -100,13 +86,13 @@ fn nothing_is_written_to_what_is_no_scene() {
         }
         // Standard input goes nowhere.
         for args in [&["fmt", "-"][..], &["check", "--fix", "-"]] {
-            let run = zpg(dir.path(), args, &bytes);
+            let run = zpg_with(dir.path(), args, &bytes);
             assert_eq!(
                 (run.status.code(), text(&run.stdout)),
                 (Some(2), String::new())
             );
         }
-        let run = zpg(dir.path(), &["fmt", "--lang", "cs", "a.zpg"], b"");
+        let run = zpg(dir.path(), &["fmt", "--lang", "cs", "a.zpg"]);
         assert!(text(&run.stderr).contains("chyba"), "{run:?}");
     }
 }
@@ -117,16 +103,12 @@ fn the_other_files_of_a_run_are_treated_as_ever() {
     let at = |name: &str| dir.path().join(name);
     fs::write(at("a.zpg"), png()).unwrap();
     fs::write(at("b.zpg"), SCENE).unwrap();
-    let run = zpg(dir.path(), &["fmt", "."], b"");
+    let run = zpg(dir.path(), &["fmt", "."]);
     assert_eq!(run.status.code(), Some(2));
     assert_eq!(text(&run.stdout), "1 file reformatted\n");
     assert_eq!(fs::read_to_string(at("b.zpg")).unwrap(), FORMATTED);
     fs::write(at("b.zpg"), "2 11 0 0 0 0,5\n1 9999 2 0\n").unwrap();
-    let run = zpg(
-        dir.path(),
-        &["check", "--fix", "--format", "json", "."],
-        b"",
-    );
+    let run = zpg(dir.path(), &["check", "--fix", "--format", "json", "."]);
     assert_eq!(run.status.code(), Some(2));
     let json: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
     assert_eq!(json["files"][0]["diagnostics"][0]["code"], "E014");
@@ -156,16 +138,16 @@ fn utf_16_stays_utf_16() {
         let file = |text: &str| utf16(&text.replace('\n', "\r\n"), little, mark);
         let scene = "0 # příliš žluťoučký kůň 😀 #\n".to_owned() + SCENE;
         fs::write(&path, file(&scene)).unwrap();
-        let run = zpg(dir.path(), &["fmt", "a.zpg"], b"");
+        let run = zpg(dir.path(), &["fmt", "a.zpg"]);
         assert_eq!(run.status.code(), Some(0), "{run:?}");
         let formatted = file(&("0 # příliš žluťoučký kůň 😀 #\n".to_owned() + FORMATTED));
         assert_eq!(fs::read(&path).unwrap(), formatted);
-        let run = zpg(dir.path(), &["fmt", "-"], &file(&scene));
+        let run = zpg_with(dir.path(), &["fmt", "-"], file(&scene));
         assert_eq!(run.stdout, formatted);
 
         let faulty = scene.replace("1.50", "1,5");
         fs::write(&path, file(&faulty)).unwrap();
-        let run = zpg(dir.path(), &["check", "--format", "json", "a.zpg"], b"");
+        let run = zpg(dir.path(), &["check", "--format", "json", "a.zpg"]);
         let json: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
         let found = json["files"][0]["diagnostics"].as_array().unwrap();
         let codes: Vec<_> = found.iter().map(|d| d["code"].as_str().unwrap()).collect();
@@ -176,7 +158,7 @@ fn utf_16_stays_utf_16() {
         let old = &file(&faulty)[place("start")..place("end")];
         assert_eq!(old, utf16("1,5", little, false));
         assert_eq!(edit["text"], "1.5");
-        zpg(dir.path(), &["check", "--fix", "a.zpg"], b"");
+        zpg(dir.path(), &["check", "--fix", "a.zpg"]);
         assert_eq!(
             fs::read(&path).unwrap(),
             file(&faulty.replace("1,5", "1.5"))
@@ -187,11 +169,11 @@ fn utf_16_stays_utf_16() {
             let broken = [&file(&faulty), lost].concat();
             fs::write(&path, &broken).unwrap();
             for command in [&["fmt", "a.zpg"][..], &["check", "--fix", "a.zpg"]] {
-                let run = zpg(dir.path(), command, b"");
+                let run = zpg(dir.path(), command);
                 assert_eq!(run.status.code(), Some(2), "{run:?}");
                 assert!(fs::read(&path).unwrap() == broken);
             }
-            let run = zpg(dir.path(), &["check", "a.zpg"], b"");
+            let run = zpg(dir.path(), &["check", "a.zpg"]);
             assert!(text(&run.stdout).contains("not a character"), "{run:?}");
         }
     }
@@ -204,11 +186,11 @@ fn line_breaks_stay() {
     for line_break in ["\n", "\r\n", "\r"] {
         let file = |text: &str| text.replace('\n', line_break);
         fs::write(&path, file(SCENE)).unwrap();
-        zpg(dir.path(), &["fmt", "a.zpg"], b"");
+        zpg(dir.path(), &["fmt", "a.zpg"]);
         assert_eq!(fs::read_to_string(&path).unwrap(), file(FORMATTED));
         // A fix breaks a line.
         fs::write(&path, file("2 9 1 3 9 2\n4 -101 2 3\n1 9999 4 0\n")).unwrap();
-        zpg(dir.path(), &["check", "--fix", "a.zpg"], b"");
+        zpg(dir.path(), &["check", "--fix", "a.zpg"]);
         let fixed = fs::read_to_string(&path).unwrap();
         assert!(fixed.starts_with(&file("2 9 1\n3 9 2\n")), "{fixed:?}");
     }
@@ -283,7 +265,7 @@ fn endings_of_other_tools_protect_a_file() {
             &["check", "--diff"],
             &["check", "--add-allow"],
         ] {
-            let run = zpg(dir.path(), &[args, &[name]].concat(), b"");
+            let run = zpg(dir.path(), &[args, &[name]].concat());
             assert_eq!(run.status.code(), Some(2), "{run:?}");
             assert!(text(&run.stderr).contains("--force changes it"), "{run:?}");
         }
@@ -291,17 +273,14 @@ fn endings_of_other_tools_protect_a_file() {
             fs::read_to_string(&path).unwrap(),
             SCENE.replace("1.50", "1,50")
         );
-        zpg(dir.path(), &["check", "--fix", "--force", name], b"");
-        zpg(dir.path(), &["fmt", "--force", name], b"");
+        zpg(dir.path(), &["check", "--fix", "--force", name]);
+        zpg(dir.path(), &["fmt", "--force", name]);
         assert_eq!(fs::read_to_string(&path).unwrap(), FORMATTED);
         // What is only read may have any name.
-        assert_ne!(
-            zpg(dir.path(), &["check", name], b"").status.code(),
-            Some(2)
-        );
+        assert_ne!(zpg(dir.path(), &["check", name]).status.code(), Some(2));
     }
     // Nothing is written to a file.
-    let run = zpg(
+    let run = zpg_with(
         dir.path(),
         &["fmt", "--stdin-filename", "a.md", "-"],
         SCENE.as_bytes(),
@@ -325,14 +304,14 @@ fn what_follows_the_text_stays() {
             |t: &str| utf16(t, true, true),
         ] {
             fs::write(&path, encode(&format!("{SCENE}{tail}"))).unwrap();
-            let run = zpg(dir.path(), &["check", "--format", "short", "a.zpg"], b"");
+            let run = zpg(dir.path(), &["check", "--format", "short", "a.zpg"]);
             assert_eq!(
                 run.status.code(),
                 Some(0),
                 "{tail:?}: {}",
                 text(&run.stdout)
             );
-            let run = zpg(dir.path(), &["fmt", "a.zpg"], b"");
+            let run = zpg(dir.path(), &["fmt", "a.zpg"]);
             assert_eq!(run.status.code(), Some(0), "{tail:?}: {run:?}");
             assert!(
                 fs::read(&path).unwrap() == encode(&format!("{FORMATTED}{tail}")),
@@ -343,19 +322,16 @@ fn what_follows_the_text_stays() {
                 encode(&format!("{}{tail}", SCENE.replace("1.50", "1,5"))),
             )
             .unwrap();
-            zpg(dir.path(), &["check", "--fix", "a.zpg"], b"");
+            zpg(dir.path(), &["check", "--fix", "a.zpg"]);
             let fixed = format!("{}{tail}", SCENE.replace("1.50", "1.5"));
             assert!(fs::read(&path).unwrap() == encode(&fixed), "{tail:?}");
         }
     }
     // Files that were joined, and a page break.
     fs::write(&path, format!("\u{feff}# a #\n\u{feff}{SCENE}\u{c}\n")).unwrap();
-    let run = zpg(dir.path(), &["fmt", "a.zpg"], b"");
+    let run = zpg(dir.path(), &["fmt", "a.zpg"]);
     assert_eq!(run.status.code(), Some(0), "{run:?}");
     let formatted = fs::read_to_string(&path).unwrap();
     assert_eq!(formatted, format!("\u{feff}# a #\n{FORMATTED}"));
-    assert_eq!(
-        zpg(dir.path(), &["check", "a.zpg"], b"").status.code(),
-        Some(0)
-    );
+    assert_eq!(zpg(dir.path(), &["check", "a.zpg"]).status.code(), Some(0));
 }

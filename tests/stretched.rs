@@ -137,7 +137,7 @@ fn a_probe_of_a_needle() {
     ];
     for precision in ["f64", "dd"] {
         let arguments = ["probe", "a.zpg", "--precision", precision, "--ray", &ray];
-        let out = zpg(dir.path(), &arguments, "");
+        let out = zpg(dir.path(), &arguments);
         let answer: Value = serde_json::from_str(&text(&out.stdout)).expect("an answer");
         let hits = answer["hits"].as_array().expect("hits");
         assert_eq!(hits.len(), 2, "{answer}");

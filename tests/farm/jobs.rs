@@ -47,8 +47,8 @@ pub fn class() -> tempfile::TempDir {
 
 /// Runs `zpg`, which ends with this status, and gives what it says.
 #[track_caller]
-pub fn zpg(folder: &Path, arguments: &[&str], status: i32) -> String {
-    let run = program::zpg(folder, arguments, "");
+pub fn says(folder: &Path, arguments: &[&str], status: i32) -> String {
+    let run = program::zpg(folder, arguments);
     let said = text(&[run.stdout, run.stderr].concat());
     assert_eq!(run.status.code(), Some(status), "{arguments:?}: {said}");
     said

@@ -8,6 +8,7 @@ use std::process::{Child, Command, Output, Stdio};
 pub fn command() -> Command {
     let mut command = Command::new(PATH);
     command.env("LC_ALL", "C").env("COLUMNS", "1000");
+    command.env_remove("NO_COLOR");
     command
 }
 
@@ -33,8 +34,13 @@ pub fn started(folder: &Path, arguments: &[&str]) -> (Child, [Lines; 2]) {
     (child, pipes.map(|pipe| BufReader::new(pipe).lines()))
 }
 
+/// Runs it in a folder.
+pub fn zpg(folder: &Path, arguments: &[&str]) -> Output {
+    zpg_with(folder, arguments, "")
+}
+
 /// Runs it in a folder, with something on its standard input.
-pub fn zpg(folder: &Path, arguments: &[&str], input: &str) -> Output {
+pub fn zpg_with(folder: &Path, arguments: &[&str], input: impl AsRef<[u8]>) -> Output {
     let mut child = command()
         .args(arguments)
         .current_dir(folder)
@@ -43,12 +49,17 @@ pub fn zpg(folder: &Path, arguments: &[&str], input: &str) -> Output {
         .stderr(Stdio::piped())
         .spawn()
         .expect("zpg starts");
-    // It need not read all of it.
-    let _ = child
-        .stdin
-        .take()
-        .map(|mut i| i.write_all(input.as_bytes()));
-    child.wait_with_output().expect("zpg ends")
+    let (mut stdin, input) = (child.stdin.take().expect("a pipe"), input.as_ref());
+    std::thread::scope(|scope| {
+        // It need not read all of it.
+        scope.spawn(move || stdin.write_all(input));
+        child.wait_with_output().expect("zpg ends")
+    })
+}
+
+/// The words of a command line without quotes.
+pub fn words(line: &str) -> Vec<&str> {
+    line.split_whitespace().collect()
 }
 
 /// What it has printed.
