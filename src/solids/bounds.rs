@@ -9,7 +9,8 @@ use crate::scene::{Node, Scene};
 pub struct NodeBounds {
     /// Holds every point of the node's solids and surfaces.
     pub all: Aabb,
-    /// Of what is bounded in part, the box of that part: there may be millions of nodes, and few are.
+    /// The box of the bounded parts, where it is not the finite part of `all`: there may be millions of nodes, and few
+    /// are bounded in part.
     in_part: Option<Box<Aabb>>,
 }
 
@@ -28,8 +29,8 @@ impl NodeBounds {
     }
 }
 
-/// What a node is, as far as its bounds can be told from a shape's own: bounding the moved shape itself keeps chains of
-/// rotations from blowing its box up.
+/// The kind of a node, as far as its bounds can be told from a shape's own: bounding the moved shape itself keeps
+/// chains of rotations from blowing its box up.
 #[derive(Clone, Copy)]
 enum Placed {
     /// One shape, as it was defined.

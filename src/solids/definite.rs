@@ -5,7 +5,7 @@ use dashu_int::IBig;
 
 use crate::geometry::exact::{sign, whole};
 
-/// What the set xᵀQx ≤ 0 is.
+/// The kind of the set xᵀQx ≤ 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum QuadricSet {
     /// The form is positive everywhere: no point at all.
@@ -16,7 +16,7 @@ pub enum QuadricSet {
     Flat(u32),
     /// All 16 numbers cancel: the form is zero everywhere.
     Zero,
-    /// It has an inside and an outside.
+    /// A set with an inside and an outside.
     Other,
 }
 
@@ -33,7 +33,7 @@ pub fn is_ellipsoid(q: &[f64; 16]) -> bool {
     matches!(lowest(form(q)), Some((_, 3)))
 }
 
-/// What the quadric with these 16 numbers, row by row, is.
+/// The kind of the quadric with these 16 numbers, row by row.
 pub fn judge(q: &[f64; 16]) -> QuadricSet {
     let diagonal = [0, 5, 10, 15].map(|i| q[i]);
     // Most have an inside and an outside: along one axis it goes up, along another one down.
@@ -192,8 +192,8 @@ mod tests {
         assert_eq!(judge(&q), QuadricSet::Other);
     }
 
-    /// What a form is by its minors (Sylvester's criterion: nowhere negative where no principal minor
-    /// is), in fractions.
+    /// The kind of a form by its minors (Sylvester's criterion: nowhere negative where no principal minor is), in
+    /// fractions.
     fn by_minors(q: &[f64; 16]) -> QuadricSet {
         let exact = |x: f64| RBig::try_from(x).unwrap();
         let entry = |i: usize, j: usize| exact(q[4 * i + j]) + exact(q[4 * j + i]);
@@ -270,7 +270,7 @@ mod tests {
         }
     }
 
-    /// Of these random forms there are many of each kind.
+    /// Random forms are of each kind many times.
     #[test]
     fn oblique_forms_are_of_all_kinds() {
         use proptest::strategy::ValueTree;

@@ -13,9 +13,9 @@ const PROFILE_MAX: usize = 128;
 /// A solid in its place, as the steps of a calculation.
 pub struct Field<'a> {
     steps: Vec<FieldOperation<'a>>,
-    /// What the steps have come to, kept from one point to the next.
+    /// The results of the steps, kept from one point to the next.
     values: Vec<Slope>,
-    /// What one point costs, in steps.
+    /// Cost of one point, in steps.
     pub cost: usize,
 }
 
@@ -32,7 +32,7 @@ impl Slope {
         up: [0.0; 3],
     };
 
-    /// Of two that are both to be below zero the one that is further from it.
+    /// The larger of two distances that are both to be below zero.
     pub fn both(self, other: Slope) -> Slope {
         if self.distance > other.distance {
             self
@@ -41,7 +41,7 @@ impl Slope {
         }
     }
 
-    /// Of the complement.
+    /// The slope of the complement.
     pub fn turned(self) -> Slope {
         Slope {
             distance: -self.distance,

@@ -8,8 +8,8 @@ use super::tree::Tree;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Scene, Vec3, Volume};
 
-/// What is outside by less than this share of a volume's size is not reported: numbers in scenes
-/// are often written with six or seven digits.
+/// Share of a volume's size up to which a thing may reach out of it without a report: numbers in scenes are often
+/// written with six or seven digits.
 pub const WRITTEN: f64 = 1e-6;
 
 /// By how much a point is outside of a volume; below zero inside.

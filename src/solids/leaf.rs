@@ -8,7 +8,7 @@ use crate::solids::{Named, named};
 /// A shape where it occurs, or something that is known as a whole only.
 #[derive(Debug, Clone)]
 pub struct Leaf {
-    /// Its own node.
+    /// The leaf's own node.
     pub node: NodeId,
     /// Index into the scene's shapes; `None` for what is known as a whole.
     pub shape: Option<u32>,
@@ -46,7 +46,7 @@ impl Leaf {
         Leaf::within(node, bounds.transformed(&matrix), matrix, place)
     }
 
-    /// What the shape is called, and where it is written; `None` for what is known as a whole.
+    /// The shape's name and place in the file; `None` for what is known as a whole.
     pub fn written(&self, scene: &Scene) -> Option<Named> {
         self.shape.and_then(|_| named(scene, self.node))
     }

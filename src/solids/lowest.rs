@@ -10,7 +10,7 @@ use crate::scene::Vec3;
 
 /// A part of the region.
 struct Cell {
-    /// What is looked at first: the lowest.
+    /// The rank of the cell: the one with the lowest key is looked at first.
     key: f64,
     centre: Vec3,
     half: Vec3,

@@ -7,7 +7,7 @@ use crate::scene::{Camera, Vec3};
 /// A turn around an axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Orbit {
-    /// Of length 1.
+    /// A unit vector.
     axis: Vec3,
     /// A point of the axis.
     pivot: Vec3,

@@ -12,8 +12,8 @@ use crate::solids::bounds::NodeBounds;
 /// Boxes looked at, for all points together: some tenths of a second.
 const STEPS: usize = 12_000_000;
 
-/// What placing a point in the coordinates of a shape costs, in steps, and what it costs that it is
-/// inside: the operations above are gone through.
+/// Cost of placing a point in the coordinates of a shape, in steps, and the cost where the point is inside: the
+/// operations above are gone through.
 const SHAPE_COST: usize = 4;
 const HELD_COST: usize = 12;
 
@@ -51,8 +51,7 @@ impl<'a> Points<'a> {
         Some(near)
     }
 
-    /// Those of some leaves that hold a point or may do so, as their places; `None` when no steps are
-    /// left.
+    /// The leaves among `near` that hold a point or may do so, as their places; `None` when no steps are left.
     pub fn at(&mut self, p: Vec3, near: &[u32]) -> Option<Vec<(u32, Answer)>> {
         self.spend(near.len())?;
         let mut out = Vec::new();

@@ -106,7 +106,7 @@ impl<'a> Proofs<'a> {
         }
     }
 
-    /// What is left of all of space without an object, as far as that is a list.
+    /// The rest of all of space without an object, as far as that is a list.
     pub fn complement(&mut self, node: NodeId, list: &[Literal]) -> Vec<Literal> {
         match *list {
             [(n, true)] => vec![(n, false)],
@@ -212,7 +212,7 @@ impl<'a> Proofs<'a> {
         parts.len() > 1 && parts.iter().all(apart)
     }
 
-    /// What a union is made of; where that is more than is looked at, some of it in larger parts.
+    /// The parts of a union; where there are more than are looked at, some of them in larger parts.
     fn parts(&mut self, node: NodeId) -> Vec<NodeId> {
         let most = if self.left > 0 { PARTS } else { KEPT };
         let mut out = Vec::new();
@@ -368,7 +368,7 @@ fn corners_of(b: &Aabb, to: &Placed) -> Option<[Vec3; 8]> {
     }))
 }
 
-/// What something is, below its transformations and properties.
+/// A node below its transformations and properties.
 struct Placed {
     node: NodeId,
     core: NodeId,

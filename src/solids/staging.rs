@@ -19,7 +19,7 @@ const LAMP_LEFT: f64 = 70.0;
 const LAMP_HEIGHT: f64 = 45.0;
 const LAMP_RADII: f64 = 10.0;
 
-/// Who takes the picture.
+/// The choice of the camera.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Viewpoint {
     /// The cameras that the render record chooses; without any, the automatic one.

@@ -44,7 +44,7 @@ pub struct TreeNode {
     pub cuts: bool,
     /// The topmost difference or intersection that this is part of, or [`NONE`].
     pub group: u32,
-    /// What it comes to where none of its shapes is.
+    /// The value of the node at a point outside of all its shapes.
     outside: bool,
     /// The depth of the lowest place above that comes to the same whatever this one comes to, as long as the
     /// point is outside of the shapes of all other operands on the way; −1 where there is none.
@@ -58,12 +58,12 @@ pub struct Tree {
     /// Parents stand before their children, and what first operands are made of before second ones.
     pub places: Vec<TreeNode>,
     ancestry: Ancestry,
-    /// Of each place the highest one reached by way of unions alone.
+    /// The highest node reached from each by way of unions alone.
     components: Vec<u32>,
     pub leaves: Vec<Leaf>,
 }
 
-/// What is still to be placed.
+/// A node that is still to be placed.
 struct Task {
     node: NodeId,
     matrix: Matrix,
@@ -75,9 +75,9 @@ struct Task {
     paid: bool,
 }
 
-/// What nodes cost when they are gone through again.
+/// Costs of nodes that are gone through again.
 struct Costs {
-    /// Of each node, with everything below, shared nodes as often as they occur.
+    /// Cost of each node with everything below, shared nodes as often as they occur.
     weights: Vec<u32>,
     seen: Vec<bool>,
     left: u32,
@@ -212,7 +212,7 @@ impl Tree {
         }
     }
 
-    /// What follows from the places below, and then from those above.
+    /// Computes what follows from the places below, and then from those above.
     fn finish(&mut self) {
         for i in (0..self.places.len()).rev() {
             let place = self.places[i];
@@ -283,7 +283,7 @@ impl Tree {
         (depth > self.places[operation as usize].depth).then_some(id)
     }
 
-    /// What a place above comes to if this one comes to `x` and everything else there outside.
+    /// The value of a place above if this one has the value `x` and everything else there is outside.
     fn lift(&self, from: u32, to: u32, x: Answer) -> Answer {
         let (from, to) = (&self.places[from as usize], &self.places[to as usize]);
         if from.absorbing_depth >= i64::from(to.depth) {
@@ -292,8 +292,8 @@ impl Tree {
         x.map(|x| x != (from.turned != to.turned))
     }
 
-    /// What a place comes to, where these places come to these answers, in their order and none
-    /// part of another, and all other leaves are out. What is not part of it is passed over.
+    /// The value of a place where these places have these values and all other leaves are out. The places stand in
+    /// their order, and none is part of another. Places that are no part of `top` are passed over.
     pub fn value(&self, top: u32, answers: &[(u32, Answer)]) -> Answer {
         let end = self.places[top as usize].end;
         let start = answers.partition_point(|a| a.0 < top);
@@ -384,7 +384,7 @@ mod tests {
     use crate::testing::random;
     use crate::{scene, syntax};
 
-    /// What a node comes to where these leaves hold the point, one operation after the other.
+    /// The value of a node where these leaves hold the point, one operation after the other.
     fn plainly(tree: &Tree, held: &[(u32, Answer)], forced: Option<(u32, Answer)>) -> Vec<Answer> {
         let mut out = vec![Some(false); tree.places.len()];
         for i in (0..tree.places.len()).rev() {

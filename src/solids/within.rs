@@ -237,8 +237,8 @@ mod tests {
         assert!(standing.is_clear_of([0.0, 0.0, 1.0001]));
     }
 
-    /// What is held has all of its points inside, and what is not has one outside or close to it: random
-    /// shapes in random places, against many points of the inner one.
+    /// A shape that is held has all of its points inside, and one that is not has a point outside or close to it:
+    /// random shapes in random places, against many points of the inner one.
     #[test]
     fn proofs_are_right_and_few_are_missed() {
         let mut state = 7u64;

@@ -10,7 +10,7 @@ pub fn turn(i: u32) -> (f64, f64) {
     (f64::from(i) * 2.399_963 + 0.3).sin_cos()
 }
 
-/// Of `count` directions all around one.
+/// The `i`-th of `count` unit vectors spread evenly over the sphere.
 pub fn direction(i: u32, count: u32) -> Vec3 {
     let y = 1.0 - (2.0 * f64::from(i) + 1.037) / f64::from(count);
     let (sin, cos) = turn(i);

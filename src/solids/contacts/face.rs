@@ -7,20 +7,20 @@ use crate::geometry::array::{add, cross, dot, sub, unit};
 use crate::scene::Vec3;
 use crate::solids::shapes::profile;
 
-/// Which part of a shape's surface.
+/// A face of a shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum FaceId {
     /// The whole of it.
     All,
-    /// Of a box: at right angles to an axis, at its lower or upper end.
+    /// A side of a box: at right angles to an axis, at its lower or upper end.
     Side { axis: usize, upper: bool },
-    /// Of a cone, the base, of a double cone the upper or lower one.
+    /// The base of a cone; of a double cone the upper or lower one.
     Base { upper: bool },
-    /// Of a cone or double cone.
+    /// The lateral surface of a cone or double cone.
     Mantle,
-    /// Of a profile, the piece from this point to the next.
+    /// The piece of a profile from this point to the next.
     Piece(usize),
-    /// Of a profile, the disc that closes this point's end.
+    /// The disc that closes a profile at this point's end.
     Cap(usize),
 }
 
@@ -33,7 +33,7 @@ pub enum FaceShape {
         point: Vec3,
         /// The way from there to the middles of two sides that meet; `None` where it has no end.
         sides: Option<[Vec3; 2]>,
-        /// Of a disc or ring, where its middle line is, as a share of the sides.
+        /// The middle line of a disc or ring, as a share of the sides.
         ring: Option<f64>,
     },
     Round {
@@ -109,7 +109,7 @@ pub const BALL: u8 = 0;
 pub const TORUS: u8 = 1;
 pub const CONE: u8 = 2;
 const CYLINDER: u8 = 3;
-/// These have a number that stands for their matrix in the place of an anchor.
+/// The class of quadrics, which have a number that stands for their matrix in the place of an anchor.
 pub const QUADRIC: u8 = 4;
 
 /// How far a flat face goes.
@@ -215,7 +215,7 @@ impl Faces<'_> {
         });
     }
 
-    /// Those of a profile.
+    /// Adds the faces of a solid of revolution with this profile.
     pub fn revolution(&mut self, points: &[[f64; 2]]) {
         let n = points.len();
         let top = points.iter().fold(0.0f64, |m, p| m.max(p[1].abs()));

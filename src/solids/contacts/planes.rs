@@ -17,7 +17,7 @@ const STEPS: usize = 20_000_000;
 /// Pairs at most: several times what there are points for.
 const PAIRS: usize = 500_000;
 
-/// What it costs to find the operation that joins two shapes, in steps.
+/// Cost of finding the operation that joins two shapes, in steps.
 const JOIN_COST: usize = 8;
 
 /// Most faces in one plane that are compared one by one.
@@ -25,7 +25,7 @@ const MAX_FACES_COMPARED_SINGLY: usize = 16;
 
 type Cell = [i16; 3];
 
-/// What a face is filed by. Those of all faces are sorted, and most are thrown away then.
+/// The key that a face is sorted by. The keys of all faces are sorted, and most are thrown away then.
 #[derive(Clone, Copy)]
 struct Filed {
     cell: Cell,
@@ -73,7 +73,7 @@ struct SortedFace {
     flat: bool,
     /// See [`Face::own`].
     own: bool,
-    /// Of the shape, and of the numbers that the face is made of.
+    /// Size of the shape, and of the numbers that the face is made of.
     size: f64,
     magnitude: f64,
     bounds: Aabb,
@@ -281,8 +281,7 @@ impl<'a> Planes<'a> {
         parallel::map(filed.len(), |i| entry(&filed[i]))
     }
 
-    /// Of sorted faces the round ones, and those flat ones that may have a flat one against them: in
-    /// most scenes few.
+    /// The round faces among sorted ones, and the flat ones that may have a flat one against them: in most scenes few.
     fn opposed(&self, filed: Vec<Filed>) -> Vec<Filed> {
         let flats = filed.partition_point(|f| f.cell[0] < i16::MAX);
         // Further than any of them is from one that lies in its plane.

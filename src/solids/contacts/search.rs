@@ -147,13 +147,13 @@ struct Search<'a> {
     scene: &'a Scene,
     tree: &'a Tree,
     points: Points<'a>,
-    /// What has been found.
+    /// The contacts found so far.
     done: FxHashSet<Done>,
 }
 
 /// Two faces to be compared, one from each operand.
 struct Pair<'a> {
-    /// Its place.
+    /// The operation's place in the tree.
     operation: u32,
     faces: [&'a Face; 2],
     leaves: [&'a Leaf; 2],
@@ -256,7 +256,7 @@ impl<'a> Search<'a> {
         held && self.tree.only_cuts_between(other.place, pair.operation)
     }
 
-    /// Which of a pair is the tool: the second, unless only the first one cuts.
+    /// The index of a pair's tool: the second, unless only the first one cuts.
     fn tool(&self, pair: &Pair) -> usize {
         match pair.leaves.map(|leaf| self.cuts(pair, leaf)) {
             [true, false] => 0,

@@ -4,8 +4,8 @@ use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
 use crate::solids::contacts::face::Faces;
 
-/// What every shape is asked, in its own coordinates. No method has a default: whoever adds a shape gives an answer
-/// to each question, and nobody else has to ask which shape it is.
+/// The questions that every shape answers, in its own coordinates. No method has a default: whoever adds a shape gives
+/// an answer to each question, and nobody else has to ask which shape it is.
 pub trait Facts {
     fn character(&self) -> Character;
 
@@ -15,8 +15,8 @@ pub trait Facts {
     /// A box around it, moved by an affine matrix, that is never too small.
     fn bounds(&self, m: &Matrix) -> Aabb;
 
-    /// Its point that is furthest in a direction; of a geodesic sphere the corner that lies next to it.
-    /// `None` for shapes without end.
+    /// The shape's point that is furthest in a direction; of a geodesic sphere the corner that lies next to it. `None`
+    /// for shapes without end.
     fn support(&self, d: Vec3) -> Option<Support>;
 
     /// Whether a point of finite coordinates is in the solid or on its boundary, decided exactly on the numbers
@@ -30,7 +30,7 @@ pub trait Facts {
     fn faces(&self, out: &mut Faces);
 }
 
-/// What a shape is like.
+/// The traits of a shape that do not depend on a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Character {
     /// Whether it is a solid of revolution about the y axis.
@@ -64,7 +64,7 @@ impl Character {
 pub struct Ball {
     pub centre: Vec3,
     pub semi_axes: Vec3,
-    /// Which part of it a shape holds that is a little less.
+    /// Factor by which the ellipsoid shrinks to one that the shape surely holds; 1 where the shape is the ellipsoid.
     pub held: f64,
 }
 
@@ -102,7 +102,7 @@ pub struct Taylor {
 }
 
 impl Taylor {
-    /// Of the first order.
+    /// A function of the first order.
     pub fn flat(f: f64, g: Vec3) -> Taylor {
         Taylor { f, g, bend: 0.0 }
     }
@@ -112,12 +112,12 @@ impl Taylor {
         if self.f > other.f { self } else { other }
     }
 
-    /// Of a surface, which has no inside.
+    /// The function of a surface, which has no inside.
     pub fn nowhere() -> Taylor {
         Taylor::flat(f64::MAX, [1.0, 0.0, 0.0])
     }
 
-    /// Of a function of the distance from the y axis and the height, from its two slopes.
+    /// A function of the distance from the y axis and the height, from its two slopes.
     pub fn turned([x, _, z]: Vec3, f: f64, out: f64, up: f64) -> Taylor {
         let around = x.hypot(z);
         let (cos, sin) = match around > 0.0 {
@@ -127,7 +127,7 @@ impl Taylor {
         Taylor::flat(f, [out * cos, up, out * sin])
     }
 
-    /// Of a sum of squares with factors, a part that is linear in y, and a constant.
+    /// A sum of squares with factors, a part that is linear in y, and a constant.
     pub fn sum([x, y, z]: Vec3, s: [f64; 3], constant: f64, linear: f64) -> Taylor {
         Taylor {
             f: s[0] * x * x + s[1] * y * y + s[2] * z * z + linear * y + constant,

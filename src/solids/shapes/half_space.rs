@@ -26,7 +26,7 @@ impl HalfSpace {
         })
     }
 
-    /// It bounds a coordinate only where it is at right angles to that axis.
+    /// The bounds, which are finite only on an axis that the plane is at right angles to.
     fn local_bounds(&self) -> Aabb {
         let mut all = Aabb::ALL;
         let p = &self.abcd;

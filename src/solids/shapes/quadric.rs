@@ -23,7 +23,7 @@ pub enum Quadric<'a> {
 }
 
 impl Quadric<'_> {
-    /// Its polynomial, without divisions.
+    /// The quadric's polynomial, without divisions.
     fn form_at<N: Scalar>(&self, p: Vec3) -> N {
         let square = |x: f64| N::of(x).square();
         let [x, y, z] = p;
