@@ -10,8 +10,8 @@ pub struct OpticsParts {
     pub index: Option<Rgb>,
 }
 
-/// What an ID stands for. The number in `Object` is a node. The other numbers are indices into the lists of [`Values`].
-/// No two IDs share a value.
+/// The value of an ID. The number in `Object` is a node. The other numbers are indices into the lists of [`Values`]. No
+/// two IDs share a value.
 #[derive(Debug, Clone, Copy)]
 pub enum State {
     Undefined,
@@ -26,7 +26,7 @@ pub enum State {
     Render,
     /// Defined by a record that could not be read: references to it are no errors.
     Broken(Option<Kind>),
-    /// It is in the scene already.
+    /// An ID whose value is in the scene already.
     Stored,
 }
 

@@ -28,7 +28,7 @@ pub struct Scene {
     pub point_lights: Vec<PointLight>,
     /// Cameras as they stand at the end of the file, in file order.
     pub cameras: Vec<Camera>,
-    /// Which cameras take the picture.
+    /// The cameras that take the picture.
     pub view: View,
     pub render: Option<Render>,
     pub promises: Vec<Promise>,
@@ -36,7 +36,7 @@ pub struct Scene {
     pub entities: Vec<Entity>,
     /// A number for every ID that is defined, from 0 on in the order of first definition.
     pub ids: IdTable,
-    /// Of transformations and paints that go on from one which others need as it is: how they do so.
+    /// The earlier state of each transformation or paint that goes on from one which others need as it is.
     pub steps: FxHashMap<NodeId, Derivation>,
 }
 
@@ -44,7 +44,7 @@ pub struct Scene {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Derivation {
     pub from: NodeId,
-    /// Of a transformation what it does after the earlier one; index into [`Scene::matrices`].
+    /// The matrix that a transformation applies after the earlier one; index into [`Scene::matrices`].
     pub matrix: Option<u32>,
 }
 
@@ -75,7 +75,7 @@ pub enum Node {
 }
 
 impl Node {
-    /// What the node is made of; two for an operation with two operands.
+    /// The nodes that the node is made of; two for an operation with two operands.
     pub fn children(self) -> impl DoubleEndedIterator<Item = NodeId> + Clone {
         let [first, second] = match self {
             Node::Shape(_) => [None; 2],
@@ -147,7 +147,7 @@ impl Shape {
     }
 }
 
-/// What a surface looks like before light falls on it.
+/// The look of a surface before light falls on it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Texture {
     Colour(Rgb),
@@ -174,7 +174,7 @@ pub enum Texture {
 pub const CELL_NUDGE: f64 = 1e-9;
 
 impl Texture {
-    /// Which of the two colours of a pattern a place has, given in cells along each coordinate.
+    /// The colour of a pattern's two at a place, given in cells along each coordinate.
     pub fn cell_colour(colours: &[Rgb; 2], cells: &[f64]) -> Rgb {
         let sum: f64 = cells.iter().map(|x| (x + CELL_NUDGE).floor()).sum();
         colours[usize::from(sum.rem_euclid(2.0) >= 1.0)]
@@ -245,7 +245,7 @@ pub struct Camera {
     pub projection: Option<Matrix>,
 }
 
-/// Who takes the picture; indices into [`Scene::cameras`].
+/// The cameras of a picture; indices into [`Scene::cameras`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum View {
     /// There is no camera: the scene is framed automatically.
@@ -297,7 +297,7 @@ pub enum Volume {
     Sphere { centre: Vec3, radius: f64 },
 }
 
-/// What an ID stands for at the end of the file.
+/// The value of an ID at the end of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Entity {
     pub id: u32,

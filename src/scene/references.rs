@@ -19,9 +19,9 @@ const COMPARISONS_MAX: usize = 2_000_000;
 /// A record that lost its ID.
 pub struct Lost {
     pub ty: Option<&'static RecordType>,
-    /// Its first token, where the parser's finding points.
+    /// The record's first token, where the parser's finding points.
     pub span: Span,
-    /// What it may refer to: its ID is none of these.
+    /// The IDs that the record may refer to: its own ID is none of these.
     pub names: Vec<u32>,
 }
 
@@ -34,7 +34,7 @@ struct Dangling {
 
 #[derive(Default)]
 pub struct References {
-    /// So many IDs have the number of the entity that they define.
+    /// Number of IDs, from the first on, that have the number of the entity that they define.
     numbered: usize,
     /// For each number of an ID the index of the entity that it defines, from the first one on that differ.
     entity: Vec<u32>,

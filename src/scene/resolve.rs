@@ -81,10 +81,10 @@ pub(super) struct Resolver<'a> {
     pub(super) text: &'a str,
     pub(super) folder: Option<&'a Path>,
     pub(super) scene: Scene,
-    /// What each ID stands for, by its number in [`Scene::ids`].
+    /// The value of each ID, by its number in [`Scene::ids`].
     states: Vec<State>,
     pub(super) values: Values,
-    /// Of each node whether something needs it as it is.
+    /// Whether something needs each node as it is.
     pub(super) taken: Vec<bool>,
     pub(super) references: References,
     /// The render record, once its references can be followed.
@@ -136,7 +136,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// What an ID stands for.
+    /// The value of an ID.
     pub(super) fn state(&self, id: u32) -> Option<State> {
         self.states.get(self.scene.ids.get(id)? as usize).copied()
     }
