@@ -20,7 +20,7 @@ pub struct Slack<R = f64> {
 pub struct Affine<R = f64> {
     pub rows: [Vec3<R>; 3],
     pub offset: Vec3<R>,
-    /// Which rows take one coordinate as it is, or times a power of two: these round no product.
+    /// Rows that take one coordinate as it is, or times a power of two: these round no product.
     plain: [bool; 3],
     /// The greatest of the sums Σⱼ|mᵢⱼ|: how much longer, at most, the largest component of a
     /// vector becomes.
@@ -151,7 +151,7 @@ impl<R: Real> Affine<R> {
         self.carried(point, vector, before)
     }
 
-    /// What the map rounds, and the slack before it, carried along.
+    /// The roundings of the map, and the slack before it, carried along.
     #[inline]
     fn carried(&self, mut point: R, mut vector: R, before: Slack<R>) -> Slack<R> {
         if before != Slack::default() {

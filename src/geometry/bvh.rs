@@ -9,8 +9,8 @@ use std::ops::ControlFlow;
 const LEAF: usize = 4;
 /// Bins of the surface area heuristic.
 const BINS: usize = 16;
-/// So many boxes are worth two threads, and their halves again. Of more than these the nodes would take too much memory
-/// while they are put together.
+/// Numbers of boxes whose two halves are built on two threads. More boxes would take too much memory while their nodes
+/// are put together.
 const SHARED: std::ops::RangeInclusive<usize> = 1024..=131_072;
 
 #[derive(Debug, Clone, Copy)]

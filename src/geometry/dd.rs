@@ -227,7 +227,7 @@ impl Real for Dd {
         self.high.is_finite()
     }
 
-    /// That of two doubles is.
+    /// Whether the sum is exact in double-double: that of two doubles is.
     #[inline]
     fn adds_exactly(self, other: Dd) -> bool {
         self.low == 0.0 && other.low == 0.0 && (self.high + other.high).is_finite()

@@ -17,7 +17,7 @@ use std::fmt::Debug;
 #[derive(Debug, Clone, Copy)]
 pub struct Line<R: Traced = f64> {
     pub origin: Vec3<R>,
-    /// Of any length but zero.
+    /// A vector of any length but zero.
     pub direction: Vec3<R>,
     /// 1 / direction, component by component; infinite where that is zero.
     pub inverse: Vec3<R>,
@@ -27,7 +27,7 @@ pub struct Line<R: Traced = f64> {
 
 /// A number that lines are traced in.
 pub trait Traced: Real {
-    /// What a line keeps of the space it comes from.
+    /// The part of the space it comes from that a line keeps.
     type History: Copy + Debug + Default + Send + Sync;
 
     /// The history of the image of a line under a map.
@@ -109,7 +109,7 @@ impl Traced for Dd {
         })
     }
 
-    /// What maps before the last one have rounded stays in the slack.
+    /// The line in quad-double, taken through the last map anew. The roundings of earlier maps stay in the slack.
     fn closer(line: &Line<Dd>) -> Line<Qd> {
         let Some(before) = line.history.filter(|_| line.slack != Slack::default()) else {
             return line.cast();

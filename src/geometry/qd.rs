@@ -92,8 +92,8 @@ impl Sub for Qd {
 
 impl Mul for Qd {
     type Output = Qd;
-    /// Of the products of parts those down to u³ of the result are exact and those of u⁴ rounded;
-    /// those of u⁵, at most three, and the roundings, at most nine, are below u⁴ by far.
+    /// The product. Products of parts down to u³ of the result are exact, and those of u⁴ rounded. Those of u⁵, at most
+    /// three, and the roundings, at most nine, are below u⁴ by far.
     fn mul(self, other: Qd) -> Qd {
         let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (self.0, other.0);
         let (p00, e00) = two_product(a0, b0);
@@ -261,7 +261,7 @@ mod tests {
         })
     }
 
-    /// What a number is times 2^1000, exactly.
+    /// A number times 2^1000, exactly.
     fn exact(x: Qd) -> IBig {
         x.0.iter().fold(IBig::ZERO, |sum, part| {
             let field = (part.to_bits() >> 52 & 0x7ff) as i32;

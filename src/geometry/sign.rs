@@ -7,7 +7,7 @@ use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// What polynomials are made of.
+/// A number that polynomials are computed with.
 pub trait Scalar:
     Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {

@@ -19,7 +19,7 @@ pub const WIDTH: usize = 8;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Child(u32);
 
-/// What a child is.
+/// The kinds of children.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Is {
     /// The number of a node.
@@ -100,7 +100,7 @@ pub(super) fn power(above: f64) -> Option<(f64, f64)> {
     (0 < exponent && exponent < 2044).then(|| (of(exponent + 1), of(2045 - exponent)))
 }
 
-/// What the coordinates of a tree's boxes are reckoned in.
+/// The units of the coordinates of a tree's boxes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Frame {
     /// The largest coordinate of a box, in size.
@@ -161,7 +161,7 @@ impl BvhChild {
         &bvh.nodes[node as usize].bounds
     }
 
-    /// Its two halves; `None`: it is a single item.
+    /// The two halves of the child; `None` for a single item.
     fn halves(self, bvh: &Bvh) -> Option<[BvhChild; 2]> {
         match self {
             BvhChild::Inner(node) => {
@@ -400,8 +400,8 @@ impl Beam {
         f64::from(t) * self.unpace
     }
 
-    /// Which boxes of a node the line may be in, for some parameter of the beam in [from, to], and bounds from below on
-    /// where it comes into each.
+    /// The boxes of a node that the line may be in, for some parameter of the beam in [from, to], and bounds from below
+    /// on where it comes into each.
     ///
     /// A parameter has four rounded operations behind it, and the ends are widened by twice as much, so that no box that
     /// the exact line meets is missed (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
