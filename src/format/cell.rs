@@ -9,7 +9,7 @@ use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{ParamKind, RecordType};
 use crate::syntax::{Document, Record};
 
-/// What all of the printing looks at.
+/// The text, the tree and the options, which all of the printing looks at.
 #[derive(Clone, Copy)]
 pub struct Context<'a> {
     pub text: &'a str,
@@ -90,7 +90,7 @@ impl<'a> Context<'a> {
     }
 }
 
-/// What the `i`-th value of a record is, counting the ID and the type.
+/// The kind of a record's `i`-th value, counting the ID and the type.
 fn kind(record: &Record, i: usize) -> ParamKind {
     let ty = record.ty();
     let Some(i) = i.checked_sub(HEAD) else {

@@ -10,7 +10,7 @@ use crate::syntax::{Document, Item, commas};
 /// A record, or a comment between records.
 pub struct Element<'a> {
     pub piece: Fragment<'a>,
-    /// Its tokens.
+    /// The first and the last token.
     pub first: u32,
     pub last: u32,
     /// To be printed as it is: it could not be read in full.
@@ -54,7 +54,7 @@ impl<'a> Chunk<'a> {
         })
     }
 
-    /// Its lines with all white space, but for the last line break.
+    /// The whole lines of the chunk with all white space, but for the last line break.
     pub fn whole_lines(&self, text: &str, document: &Document) -> Range<usize> {
         let Range { start, end } = self.span(document);
         let mark = match text.starts_with(super::BYTE_ORDER_MARK) {

@@ -11,7 +11,7 @@ use crate::syntax::commented_out::is_commented_out;
 use crate::syntax::lexer::Token;
 use crate::syntax::{Item, is_directive};
 
-/// What of the file's own layout is kept, besides the lines with something that could not be read.
+/// The parts of the file's own layout that are kept, besides the lines with something that could not be read.
 #[derive(Debug, Default)]
 pub struct Care {
     /// The first tokens of items whose lines stay as they are.

@@ -51,8 +51,8 @@ pub fn format(text: &str, document: &Document, options: &Options) -> String {
     attempt(text, document, options, None).map_or_else(|| text.to_owned(), |(printed, _)| printed)
 }
 
-/// What is to be done so that the records that touch some lines, counted from 1, look as they do when
-/// the whole scene is formatted; nothing if they do.
+/// The edit after which the records that touch some lines, counted from 1, look as they do when the whole scene is
+/// formatted; `None` if they do already.
 pub fn format_range(
     text: &str,
     document: &Document,

@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 use std::fmt::{self, Write};
 
-/// So many digits are always the shortest that stand for their value.
+/// Most digits that are always the shortest that stand for their value.
 const CERTAIN_DIGITS: usize = 15;
 
 /// The spelling of a number where any number may stand. `value` is what `text` reads as. A number that is not finite
@@ -200,7 +200,7 @@ mod tests {
     }
 
     proptest::proptest! {
-        /// What is taken as it is would not be spelled otherwise.
+        /// A number that is taken as it is would not be spelled otherwise.
         #[test]
         fn canonical_numbers_stay_as_they_are(text in "-?[0-9]{1,8}(\\.[0-9]{1,9})?") {
             if canonical(&text).is_some() {

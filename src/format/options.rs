@@ -22,7 +22,7 @@ pub enum Numbers {
 }
 
 impl Options {
-    /// What a width may be.
+    /// The widths that can be set.
     pub const WIDTHS: std::ops::RangeInclusive<usize> = 20..=1000;
 }
 

@@ -9,7 +9,7 @@ use super::cell::spaces;
 use super::options::Options;
 use super::width::display_width;
 
-/// What was printed last.
+/// The kind of the line that was printed last.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Last {
     /// Nothing, or a blank line.
@@ -36,13 +36,13 @@ pub struct Page<'a> {
 
 /// A comment behind a line.
 struct Comment {
-    /// Its place in the text.
+    /// The comment's offset in the text.
     at: usize,
     /// The width of what stands before it.
     code: u32,
     /// How far to the right it may begin.
     most: u32,
-    /// It starts a new column.
+    /// Whether the comment starts a new column.
     apart: bool,
 }
 
@@ -77,7 +77,7 @@ impl<'a> Page<'a> {
         self.last = Last::Record;
     }
 
-    /// What begins the file without being a line.
+    /// Writes a mark that begins the file without being a line.
     pub fn mark(&mut self, mark: char) {
         self.text.push(mark);
         self.line = self.text.len();

@@ -13,7 +13,7 @@ const INDENT: usize = 2;
 /// A matrix has as many rows as columns.
 const MATRIX: usize = 4;
 
-/// What a record in rows is made of.
+/// A part of a record in rows.
 enum RowPart<'a> {
     Cell(Cell<'a>),
     /// Comments with nothing but spaces between them.

@@ -72,14 +72,14 @@ pub struct Run<'a> {
     entries: Vec<RecordLine<'a>>,
     /// The values of the first records, one record after another; at most so many as [`KEPT`] says.
     cells: Vec<Cell<'a>>,
-    /// What all of them need.
+    /// The widths that all of them need.
     columns: Vec<Column>,
     /// The widest without columns, and the most spaces between the values.
     unaligned: usize,
     spaces: usize,
 }
 
-/// Of so many values the spelling is kept until they are written.
+/// Most values whose spelling is kept until they are written.
 const KEPT: usize = 1 << 12;
 
 impl<'a> Run<'a> {

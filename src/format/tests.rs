@@ -377,7 +377,7 @@ fn lines_are_those_of_an_editor() {
     assert_eq!((of(1..=usize::MAX), of(7..=8)), (Some(text), None));
 }
 
-/// What scenes are made of, and what goes wrong in them.
+/// Pieces that scenes are made of, and what goes wrong in them.
 const PIECES: &[&str] = &[
     "2",
     "3",
