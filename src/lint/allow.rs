@@ -57,14 +57,14 @@ struct FindingsByCode {
 struct OfCode {
     /// Where they begin.
     starts: Vec<u32>,
-    /// Their indices among all.
+    /// Indices of the findings among all.
     indices: Vec<u32>,
     /// How many more comments allow this one than the one before it; one more entry at the end.
     steps: Vec<i32>,
 }
 
 impl FindingsByCode {
-    /// Of sorted findings.
+    /// Sorts findings by their codes.
     fn new(all: &[Diagnostic]) -> FindingsByCode {
         let mut codes: BTreeMap<Code, OfCode> = BTreeMap::new();
         let may_be_allowed = |d: &&Diagnostic| !d.code.is_never_allowed();
@@ -118,9 +118,9 @@ struct Directive {
     comment: Span,
     /// The comment with what belongs to nothing else once it is gone: its line, its `0`.
     removal: Span,
-    /// What stands in its place: a space between two words that it keeps apart.
+    /// The text that takes the comment's place: a space between two words that it keeps apart.
     gap: &'static str,
-    /// What stands between the brackets, and where; `None` if it is no `allow(…)`.
+    /// The entries between the brackets, and their span; `None` if the comment is no `allow(…)`.
     entries: Option<(Vec<String>, Span)>,
     /// Where findings begin that it may allow.
     covers: Option<Span>,

@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use crate::diagnostics::{Code, Complaint, Diagnostic, Language, Severity};
 
-/// What becomes of a finding.
+/// The way a finding is reported, or not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Level {
     Error,
@@ -16,7 +16,7 @@ pub enum Level {
 }
 
 impl Level {
-    /// What the levels are called.
+    /// The names of the levels.
     pub const NAMES: [&str; 4] = ["error", "warning", "note", "off"];
 
     pub fn parse(text: &str) -> Option<Level> {
@@ -33,7 +33,7 @@ impl Level {
         Level::NAMES[self as usize]
     }
 
-    /// What a finding of this severity has; nothing for a remark on style, which is none of the levels.
+    /// The level of findings of this severity; `None` for a remark on style, which is none of the levels.
     pub fn of(severity: Severity) -> Option<Level> {
         match severity {
             Severity::Error => Some(Level::Error),
@@ -57,7 +57,7 @@ const GROUPS: [&str; 4] = ["all", "notes", "style", "warnings"];
 pub struct UnknownCode(String);
 
 impl UnknownCode {
-    /// What to say about it.
+    /// The message, with the code or name that may have been meant.
     pub fn complaint(&self) -> Complaint {
         // Of a code one character may be wrong.
         let codes = Code::ALL.iter().map(|c| (c.as_str(), 1));
@@ -136,7 +136,7 @@ impl Selector {
         self.0.iter().all(|c| c.is_never_allowed())
     }
 
-    /// What it selects.
+    /// The codes that the selector selects.
     pub fn codes(&self) -> &[Code] {
         &self.0
     }
@@ -146,16 +146,16 @@ impl Selector {
     }
 }
 
-/// What a run is to report. Of several that select one code, that which selects the fewest codes
-/// counts; of equal ones what is not to be reported.
+/// The codes that a run is to report. Of several selectors of one code, the one that selects the fewest codes counts;
+/// of equal ones the one that turns reports off.
 #[derive(Debug, Clone, Default)]
 pub struct Choice {
     /// If not empty, only these.
     pub select: Vec<Selector>,
-    /// These are reported, too, even if the settings turn them off.
+    /// Selectors of codes that are reported even if the settings turn them off.
     pub extend: Vec<Selector>,
     pub ignore: Vec<Selector>,
-    /// These are errors.
+    /// Selectors of codes that are errors.
     pub deny: Vec<Selector>,
 }
 
@@ -163,7 +163,7 @@ pub struct Choice {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Levels {
     own: Vec<(Code, Level)>,
-    /// What is not reported, whatever is asked for.
+    /// The codes that are not reported, whatever is asked for.
     ignored: Vec<Code>,
 }
 

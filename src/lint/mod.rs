@@ -24,7 +24,7 @@ use crate::scene::{Node, NodeId, Scene};
 use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::syntax::{Document, Item};
 
-/// What a rule may look at.
+/// The file, the scene and what is computed of them, for all rules.
 pub struct Context<'a> {
     pub text: &'a str,
     pub document: &'a Document,
@@ -62,7 +62,7 @@ impl<'a> Context<'a> {
         self.proven.get_or_init(|| operations::proven(self))
     }
 
-    /// Who names whom; nothing if something is named that is not there.
+    /// The names by which records refer to each other; `None` if something is named that is not there.
     fn names(&self) -> Option<&Names> {
         let names = || Names::new(self.document, self.scene);
         self.names.get_or_init(names).as_ref()
@@ -82,8 +82,8 @@ impl<'a> Context<'a> {
     }
 }
 
-/// Which nodes an ID stands for at the end of the file, or something made of them: not the steps
-/// between two records that change one object.
+/// Whether an ID stands for each node at the end of the file, or for something made of it: not for the steps between
+/// two records that change one object.
 fn live_nodes(scene: &Scene) -> Vec<bool> {
     let mut live = vec![false; scene.nodes.len()];
     for node in scene.entities.iter().filter_map(|e| e.node()) {
@@ -106,7 +106,7 @@ fn live_nodes(scene: &Scene) -> Vec<bool> {
     live
 }
 
-/// What is drawn; without a render record all objects that are part of no other.
+/// The objects that are drawn; without a render record all that are part of no other.
 pub fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
     if let Some(render) = &scene.render {
         return vec![render.root];

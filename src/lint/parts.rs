@@ -2,7 +2,7 @@
 
 use crate::scene::{Node, NodeId, Scene, fold_up};
 
-/// What an object is made of.
+/// The sorts of parts that an object is made of.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Parts {
     /// The node of a surface that is part of it.
@@ -11,8 +11,7 @@ pub struct Parts {
     pub solid: bool,
 }
 
-/// What each node is made of. What came out of an operation with a surface is not asked about
-/// again: the finding there says what it is.
+/// The parts of each node. A result of an operation with a surface has none: the finding there says what it is.
 pub fn parts(scene: &Scene) -> Vec<Parts> {
     fold_up(&scene.nodes, |i, node, parts: &[Parts]| {
         let of = |n: NodeId| parts[n as usize];

@@ -10,7 +10,7 @@ use crate::syntax::table::{Effect, Family};
 /// Texture, optics, refractive index.
 pub const ASPECTS: usize = 3;
 
-/// Which aspects a paint overrides.
+/// Whether a paint overrides each aspect.
 pub fn sets(paint: &Paint) -> [bool; ASPECTS] {
     [
         paint.texture.is_some(),

@@ -34,8 +34,7 @@ impl<'a> Bare<'a> {
         }
     }
 
-    /// What an object is made of and nothing else, itself last; `None` if that is more nodes than are
-    /// left.
+    /// An object with all that it is made of and nothing else, itself last; `None` if that is more nodes than are left.
     pub fn of(&mut self, root: NodeId, left: &mut usize) -> Option<Scene> {
         let scene = self.scene;
         let mut nodes = Vec::new();

@@ -46,7 +46,7 @@ impl<'a> Context<'a> {
         Some(ids.max()? + 1).filter(|&id| id <= LARGEST)
     }
 
-    /// What each ID is called: the title of the record that defines it.
+    /// The name of each ID: the title of the record that defines it.
     pub fn titles(&self) -> FxHashMap<u32, &'static str> {
         let mut titles = FxHashMap::default();
         for record in self.records() {

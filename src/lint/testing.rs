@@ -3,7 +3,7 @@
 use crate::diagnostics::{self, Code, Diagnostic, Language, SourceFile};
 use crate::{scene, syntax};
 
-/// What is found in a few records, but for the lack of a render record, a camera and a light.
+/// The findings of a few records, but for the lack of a render record, a camera and a light.
 fn findings(text: &str) -> (SourceFile, Vec<Diagnostic>) {
     let source = SourceFile::new("t.zpg", text.into());
     let (document, mut all) = syntax::parse(&source.text);
@@ -22,7 +22,7 @@ fn findings(text: &str) -> (SourceFile, Vec<Diagnostic>) {
     (source, all)
 }
 
-/// What is found, as `CODE line:column`.
+/// The findings, as `CODE line:column`.
 pub fn found(scene: &str) -> Vec<String> {
     let (source, all) = findings(scene);
     all.iter()

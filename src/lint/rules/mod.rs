@@ -79,7 +79,7 @@ const INDICES: &[RecordKind] = &[R::RefractiveIndex];
 const ROTATION_MATRICES: &[RecordKind] = &[R::RotationMatrix];
 const QUADRICS: &[RecordKind] = &[R::Shape(S::Quadric)];
 const CAMERAS: &[RecordKind] = &[R::Camera];
-/// What defines cameras.
+/// The records that define cameras.
 const CAMERA_RECORDS: &[RecordKind] = &[R::Camera, R::ProjectionMatrix];
 const LAMPS: &[RecordKind] = &[R::PointLight];
 const TRANSFORMATIONS: &[RecordKind] =

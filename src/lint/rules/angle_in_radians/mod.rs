@@ -13,8 +13,8 @@ const BY_HEART: [u32; 4] = [30, 45, 60, 90];
 /// The smallest angle of view, in degrees, that someone who writes radians is believed to mean.
 const SMALLEST: f64 = 10.0;
 
-/// What is drawn fits into a picture that was meant to be as narrow as it is: it is seen under an angle of no more
-/// than this many times that of the picture. In radians it would be 57 times.
+/// Most times that the angle of the picture is exceeded by the angle under which its objects are seen where the picture
+/// was meant to be as narrow as it is. In radians it would be 57 times.
 const FITS: f64 = 4.0;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {

@@ -294,7 +294,7 @@ mod tests {
 
     use crate::lint::testing::{self};
 
-    /// What this rule finds.
+    /// The findings of this rule.
     fn found(scene: &str) -> Vec<String> {
         let all = testing::found(scene).into_iter();
         all.filter(|f| f.starts_with("W311")).collect()

@@ -24,7 +24,7 @@ use crate::solids::contacts::search::{ContactSide, FaceContact, search};
 use crate::solids::named;
 use crate::solids::shapes::AnyShape;
 
-/// What the two shapes are to each other.
+/// The relation of the two shapes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Case {
     /// A tool ends flush with what it cuts.
@@ -153,7 +153,7 @@ fn place(p: &Params, geometry: &Geometry, part: FaceId) -> (Span, &'static str, 
     (span, written.what, named.map_or("", |(i, _)| name(i)))
 }
 
-/// Who is made of what.
+/// The nodes that each node is a part of.
 struct Parents {
     /// For each node the highest one of which it is part, once, and by way of which alone it is part
     /// of anything else.
@@ -199,7 +199,7 @@ impl Parents {
 struct Written {
     /// The first parameter and how many; `None` for the whole record.
     params: Option<(usize, usize)>,
-    /// What it is, as messages say it.
+    /// The name of the shape, as messages say it.
     what: &'static str,
     /// Whether the name of the parameter names it, too.
     is_named: bool,

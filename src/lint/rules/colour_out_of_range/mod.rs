@@ -93,7 +93,7 @@ fn finding(p: &Params, first: usize) -> Diagnostic {
     }
 }
 
-/// What whole numbers of colours are written in, rather than in parts of 1.
+/// The scale of colours written in whole numbers rather than in parts of 1.
 enum Scale {
     Bytes,
     PerCent,

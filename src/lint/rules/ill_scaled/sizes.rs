@@ -71,7 +71,7 @@ impl<'a> Sizes<'a> {
 }
 
 impl Geometry {
-    /// Its lengths, moved, by the names that people have for them.
+    /// Adds the shape's lengths, moved, by the names that people have for them.
     pub(super) fn sizes(&self, sizes: &mut Sizes) {
         match AnyShape::of(self) {
             AnyShape::Cone(s) => {

@@ -69,7 +69,7 @@ enum Source {
     Mixed,
 }
 
-/// What each node looks like, aspect by aspect.
+/// The source of each node's look, aspect by aspect.
 fn looks(scene: &Scene) -> Vec<[Source; ASPECTS]> {
     fold_up(&scene.nodes, |_, node, looks: &[[Source; ASPECTS]]| {
         let of = |n: NodeId| looks[n as usize];
@@ -129,8 +129,8 @@ fn same(scene: &Scene, aspect: usize, a: Source, b: Source) -> bool {
     }
 }
 
-/// Which aspects of each node, as bits, can be seen in what is drawn: nothing that holds it overrides
-/// them. Of what a difference takes away none can.
+/// The aspects of each node, as bits, that can be seen in what is drawn: nothing that holds the node overrides them.
+/// What a difference takes away has none.
 fn seen(scene: &Scene) -> Vec<u8> {
     const ALL: u8 = (1 << ASPECTS) - 1;
     let mut seen = vec![0; scene.nodes.len()];

@@ -181,7 +181,7 @@ mod tests {
     use super::*;
 
     proptest::proptest! {
-        /// What passes without further ado is within the tolerance of the nearest rotation.
+        /// A matrix that passes without further ado is within the tolerance of the nearest rotation.
         #[test]
         fn what_is_plainly_a_rotation_is_one(
             angles in proptest::array::uniform3(-180.0..180.0),

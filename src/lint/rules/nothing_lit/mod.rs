@@ -11,7 +11,7 @@ use crate::scene::{AmbientLight, Camera, Scene};
 use crate::syntax::table::Kind;
 use std::ops::ControlFlow;
 
-/// What is lit by more mirrors and panes than this is as good as black.
+/// Most mirrors and panes on a path of light: a surface lit by more is as good as black.
 const DEPTH: u32 = 4;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {

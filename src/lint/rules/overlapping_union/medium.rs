@@ -3,7 +3,7 @@
 use crate::scene::{DEFAULT_INDEX, Node, NodeId, Optics, Rgb, Scene, Texture};
 use crate::solids::shapes::facts::Facts;
 
-/// What light notices of a part.
+/// The optics and the refractive index of a part, as light notices them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Medium {
     pub(super) optics: Optics,
@@ -22,7 +22,7 @@ impl Medium {
     }
 }
 
-/// What was given to the whole, which overrides what its parts have.
+/// The properties given to the whole, which override those of its parts.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Coat {
     pub(super) optics: Option<Optics>,
@@ -49,11 +49,11 @@ impl Coat {
     }
 }
 
-/// What is seen of a part that lets no light through.
+/// The visible colours of a part that lets no light through.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Colouring {
     White,
-    /// Of the scene's paint with this index.
+    /// The colours of the scene's paint with this index.
     Paint(u32),
     /// The profile's own.
     Own,

@@ -56,7 +56,7 @@ pub(super) struct Search<'a> {
     /// Unions that have been spoken of.
     done: FxHashSet<NodeId>,
     bounds: &'a [NodeBounds],
-    /// What is left for closer looks.
+    /// Steps that are left for closer looks.
     close: usize,
     /// Pairs of which the first part lies within the second.
     nested: FxHashSet<[u32; 2]>,
@@ -218,7 +218,7 @@ impl<'a> Search<'a> {
         witness: Vec3,
         (within, depth): (&Aabb, f64),
     ) -> Option<Overlap> {
-        /// What overlaps by less than a millionth is not spoken of.
+        /// Most digits of a point: an overlap of less than a millionth is not spoken of.
         const FINER: usize = 7;
         if self.is_nested((parts, open), both_parts, (within, depth)) {
             self.nested.insert(parts);
@@ -384,7 +384,7 @@ impl<'a> Search<'a> {
         depth: f64,
         halves: &mut [Option<Vec3>; 2],
     ) -> Option<Vec3> {
-        /// So often is the way between two points halved.
+        /// Times that the way between two points is halved.
         const HALVINGS: u32 = 40;
         let root = parts[0].0.cut?;
         if !self.deep(parts, p, depth, false) {

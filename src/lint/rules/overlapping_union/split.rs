@@ -13,7 +13,7 @@ use crate::solids::shapes::facts::Facts;
 /// The largest ID that the language knows.
 const ID_MAX: u32 = i32::MAX as u32;
 
-/// Which pieces unions are written anew with; each fix of a file has IDs of its own.
+/// Writes unions anew as pieces; each fix of a file has IDs of its own.
 pub struct Splitter<'a> {
     scene: &'a Scene,
     proofs: Proofs<'a>,
@@ -34,7 +34,7 @@ pub struct Pieces {
 enum Rest {
     OnlyA(u32),
     OnlyB(u32),
-    /// These two and the union of them.
+    /// Two pieces and their union.
     Either([u32; 3]),
 }
 

@@ -2,7 +2,7 @@
 
 use crate::lint::testing::{self};
 
-/// What this rule finds.
+/// The findings of this rule.
 fn found(scene: &str) -> Vec<String> {
     let all = testing::found(scene).into_iter();
     all.filter(|f| f.starts_with("W307")).collect()

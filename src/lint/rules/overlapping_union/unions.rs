@@ -24,7 +24,7 @@ pub(super) struct UnionOperand {
     pub(super) medium: u32,
     pub(super) colouring: Option<Colouring>,
     pub(super) union: u32,
-    /// What it is part of altogether, where an intersection or a difference may cut something off.
+    /// The outermost object that the operand is part of, where an intersection or a difference may cut something off.
     pub(super) cut: Option<NodeId>,
     /// Whether that is done by differences alone: their cut faces look like what they cut through.
     pub(super) opened: bool,
@@ -45,7 +45,7 @@ struct Task {
 pub(super) struct Unions {
     /// Unions where they occur, as nodes: those above before those below.
     pub(super) places: Vec<NodeId>,
-    /// Of each place the one that it is an operand of.
+    /// The place that each place is an operand of.
     pub(super) ancestry: Ancestry,
     /// In the order of their operands.
     pub(super) parts: Vec<UnionOperand>,

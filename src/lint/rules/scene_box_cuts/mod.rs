@@ -116,8 +116,8 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     );
 }
 
-/// What is said of shapes that end and lie wholly outside of the box: one finding for all of them, about
-/// the first. What is taken away from something is not drawn anyway.
+/// Reports shapes that end and lie wholly outside of the box: one finding for all of them, about the first. A shape
+/// that is taken away from something is not drawn anyway.
 fn not_drawn(
     scene: &Scene,
     p: &Params,

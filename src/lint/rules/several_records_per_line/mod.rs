@@ -13,7 +13,7 @@ struct Line<'a> {
     first: Option<&'a Item>,
     /// The one before the others, if it began on an earlier line.
     torn: Option<&'a Item>,
-    /// Those that begin behind another one.
+    /// The records that begin behind another one.
     more: Vec<&'a Item>,
     /// Something on it cannot be read.
     broken: bool,

@@ -56,12 +56,13 @@ struct Late<'a> {
     more: u64,
 }
 
-/// What is known of an ID.
+/// The state of an ID.
 #[derive(Clone, Default)]
 struct IdState<'a> {
-    /// What is not there yet is not taken, and the record that defines it changes nothing.
+    /// Whether the ID is defined. An ID that is not there yet is not taken, and the record that defines it changes
+    /// nothing.
     defined: bool,
-    /// It is taken as it is at the end of the file.
+    /// Whether the ID is taken as it is at the end of the file.
     at_the_end: bool,
     taker: Option<&'a Record>,
     change: Option<&'a Record>,

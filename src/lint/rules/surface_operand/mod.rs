@@ -68,7 +68,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 
 #[derive(Clone, Copy)]
 enum Case {
-    /// Of a surface an intersection keeps what is inside the other operand.
+    /// An intersection keeps the part of a surface that is inside the other operand.
     Inside,
     /// A difference keeps what is outside.
     Outside,

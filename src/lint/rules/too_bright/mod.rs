@@ -9,7 +9,7 @@ use crate::solids::staging::{Viewpoint, staged};
 use crate::trace::film::{MAX_BRIGHT_PERCENT, is_above_white};
 use std::ops::ControlFlow;
 
-/// What more mirrors and panes than this add is of no account.
+/// Most mirrors and panes on a path of light: more add nothing that matters.
 const DEPTH: u32 = 4;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {

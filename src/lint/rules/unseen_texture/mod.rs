@@ -76,7 +76,7 @@ impl Why {
     }
 }
 
-/// What is found out about a texture.
+/// The facts about the use of a texture.
 #[derive(Default)]
 struct TextureSightings {
     /// Something is painted with it, whether it is drawn or not.
@@ -84,7 +84,7 @@ struct TextureSightings {
     is_seen: bool,
     /// Each reason once.
     reasons: Vec<Why>,
-    /// What covers it.
+    /// The paint that covers it.
     cover: Option<Span>,
 }
 
@@ -125,11 +125,11 @@ struct Views<'a> {
     scene: &'a Scene,
     /// All that is drawn.
     all: VisibleAspects,
-    /// What a ray of a camera may meet.
+    /// The aspects that a ray of a camera may meet.
     met: Option<VisibleAspects>,
-    /// What cameras may see in pictures of the usual size.
+    /// The aspects that cameras may see in pictures of the usual size.
     viewed: Option<VisibleAspects>,
-    /// Of each node that is drawn a paint above it that gives a texture.
+    /// For each node that is drawn a paint above it that gives a texture.
     covers: Vec<Option<NodeId>>,
 }
 
@@ -187,7 +187,7 @@ impl<'a> Views<'a> {
     }
 }
 
-/// Of each node that is reached the nearest paint with a texture on one of the ways to it.
+/// For each node that is reached the nearest paint with a texture on one of the ways to it.
 fn covers(scene: &Scene, root: NodeId, reach: &VisibleAspects) -> Vec<Option<NodeId>> {
     let mut covers = vec![None; root as usize + 1];
     // Children stand before their parents.

@@ -20,7 +20,7 @@ const DEFINED: IdFlags = 2;
 const USED: IdFlags = 4;
 /// An unused definition names the ID.
 const HELD: IdFlags = 8;
-/// It has been decided whether the ID is reported.
+/// Set once it is decided whether the ID is reported.
 const DECIDED: IdFlags = 16;
 
 pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -94,7 +94,7 @@ fn finding(context: &Context, entity: &Entity) -> Option<Diagnostic> {
     )
 }
 
-/// What is known of each ID, by its number.
+/// The flags of each ID, by its number.
 fn definitions(context: &Context) -> Vec<IdFlags> {
     let scene = context.scene;
     // There are at most as many IDs as entities.
