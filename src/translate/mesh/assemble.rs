@@ -34,10 +34,9 @@ pub struct MeshPart {
     /// The label of what its inside is made of.
     pub inside: u32,
     pub surface: bool,
-    /// It is one shape that no operation cut anything from, and neither did the render box.
+    /// Whether the part is one shape that no operation cut anything from, and neither did the render box.
     pub whole: bool,
-    /// What is on the other side of its boundary, if it is not empty space: the index into
-    /// [`Graph::indices`].
+    /// The medium on the other side of the boundary, if that is not empty space: the index into [`Graph::indices`].
     pub around: Option<u32>,
 }
 
@@ -48,7 +47,7 @@ pub struct Thing {
     pub skins: Vec<SurfaceLabel>,
 }
 
-/// What could not be done as it should be.
+/// The counts of things that could not be done as they should be.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Troubles {
     /// Operands that were left as they were.

@@ -11,14 +11,14 @@ use super::shape::DROPPED;
 use super::triangle_mesh::Mesh;
 use super::unite;
 
-/// What something is made of.
+/// The optics and refractive index that a part is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Medium {
     /// Index into [`crate::trace::graph::Graph::optics`].
     pub optics: u32,
     /// Index into [`crate::trace::graph::Graph::indices`].
     pub index: u32,
-    /// It lets light through.
+    /// Whether it lets light through.
     pub clear: bool,
 }
 
@@ -103,8 +103,8 @@ impl Parts {
         self.pieces = pieces.into_iter().flatten().collect();
     }
 
-    /// What of a piece's faces lies in a tool, and what outside; one that lies wholly on one side stays
-    /// as it is.
+    /// The parts of a piece whose faces lie in a tool, and outside; a piece that lies wholly on one side stays as it
+    /// is.
     fn parted(&mut self, piece: MeshPart, tool: &Mesh) -> [Option<MeshPart>; 2] {
         let shown = |m: &Mesh| m.labels.iter().any(|l| *l != DROPPED);
         let [held, left] = [Operation::Intersection, Operation::Difference]

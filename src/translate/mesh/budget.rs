@@ -13,8 +13,8 @@ const MOST_WORK: f64 = (1u64 << 24) as f64;
 /// rounds than in the first.
 const WORK_OVERRUN: f64 = 1.5;
 
-/// So many bytes are taken for each triangle on the way to a file: measured on a geodesic sphere of five
-/// million, which takes 440 for each.
+/// Bytes taken for each triangle on the way to a file: measured on a geodesic sphere of five million, which takes 440
+/// for each.
 const BYTES: u64 = 512;
 
 /// How many triangles there are so far, and how many there may be.
@@ -43,8 +43,8 @@ pub struct Crowd {
 }
 
 impl Crowd {
-    /// Of so many triangles in all: whether joining them is beyond the limit for certain. Half of what
-    /// is joined is taken to be left of each pair at the end.
+    /// Whether joining so many triangles in all is beyond the limit for certain. Half of what is joined is taken to be
+    /// left of each pair at the end.
     pub fn is_hopeless(&self, triangles: usize) -> bool {
         let rounds = (self.solids as f64).log2().max(1.0);
         triangles as f64 * rounds / 2.0 > MOST_WORK

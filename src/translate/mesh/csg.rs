@@ -15,7 +15,7 @@ use super::flush::{self, Aligned, aligned};
 use super::triangle_mesh::Mesh;
 use crate::geometry::Matrix;
 
-/// What two solids make.
+/// The operation on two solids.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Operation {
     Union,

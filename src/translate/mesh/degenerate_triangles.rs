@@ -30,7 +30,7 @@ impl Precision {
         }
     }
 
-    /// So many numbers further up, or down.
+    /// The number that is so many numbers further up, or down.
     fn stepped(self, x: f64, steps: u32, up: bool) -> f64 {
         let mut single = x as f32;
         let mut double = x;

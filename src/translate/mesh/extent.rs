@@ -27,7 +27,7 @@ const MAX_ENCLOSURE_SIZES: f64 = 100.0;
 pub struct Extent {
     /// Holds what has an end, with room around.
     pub region: Aabb,
-    /// What lies outside of it is cut off: the region, or more.
+    /// The box that meshes are cut off at: the region, or more.
     pub cut: Aabb,
     /// The region is the render record's box.
     pub boxed: bool,

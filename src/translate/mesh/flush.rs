@@ -100,7 +100,7 @@ fn across(n: Vec3) -> Vec3 {
 /// The plane of a triangle.
 #[derive(Debug, Clone, Copy)]
 pub struct Plane {
-    /// Of length 1.
+    /// A unit vector.
     normal: Vec3,
     /// How far from the origin it is along the normal, by the size of the operands.
     offset: f64,

@@ -194,7 +194,7 @@ impl Parts {
         }
     }
 
-    /// Those of some vertices; gives the accessor's number.
+    /// Writes the attribute of some vertices; gives the accessor's number.
     fn part(&mut self, attribute: &Attribute, of: &Range<u32>) -> usize {
         let Attribute { view, width } = attribute;
         self.accessors.push(json!({
@@ -221,7 +221,7 @@ impl Parts {
     }
 }
 
-/// What has no direction points upwards: the format has no normals of length 0.
+/// The unit vector, rounded; upwards where there is no direction: the format has no normals of length 0.
 fn rounded_unit(n: Vec3) -> Vec3 {
     if n == [0.0; 3] { [0.0, 1.0, 0.0] } else { n }
 }
@@ -230,7 +230,7 @@ fn asset() -> Value {
     json!({ "version": "2.0", "generator": "zpg" })
 }
 
-/// Which extensions are used.
+/// The extensions that the file uses.
 #[derive(Default)]
 struct Extensions {
     transmission: bool,

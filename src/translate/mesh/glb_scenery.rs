@@ -78,7 +78,7 @@ fn in_order(scene: &Scene) -> impl Iterator<Item = &Camera> {
     (view.cameras().chain(others)).filter_map(|i| scene.cameras.get(i))
 }
 
-/// What a camera of the format is, and where: right, up, forward, position.
+/// The counterpart of a camera in the format, and its place: right, up, forward, position.
 enum Counterpart {
     /// With the vertical angle in radians; and width by height, where the camera says that itself.
     Perspective {

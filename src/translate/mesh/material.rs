@@ -11,7 +11,7 @@ use crate::geometry::array::{cross, sub};
 use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture, Vec3};
 use crate::trace::graph::Graph;
 
-/// What some triangles have in common.
+/// The properties that some triangles have in common.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Material {
     pub optics: Optics,
@@ -21,7 +21,7 @@ pub struct Material {
     pub colour: Option<Rgb>,
     /// The number of the picture that is laid on; then the colour is white.
     pub picture: Option<u32>,
-    /// It is seen from both sides, on a surface without an inside.
+    /// Whether the material is on a surface without an inside, which is seen from both sides.
     pub surface: bool,
 }
 
@@ -30,14 +30,14 @@ pub struct Material {
 pub struct Object {
     /// The entity; 0 where there is none, and where there are too many.
     pub id: u32,
-    /// Its vertices; no others have them.
+    /// The vertices of the object; no others have them.
     pub vertices: Range<u32>,
     /// By the number of the material: indices of triangles of the mesh.
     pub triangles: BTreeMap<usize, Vec<u32>>,
 }
 
 impl Object {
-    /// What it is called.
+    /// The name of the material in a file.
     pub fn name(&self) -> String {
         match self.id {
             0 => "Scene".to_owned(),
@@ -187,7 +187,7 @@ type MaterialKey = (u32, u32, Option<[u64; 3]>, Option<u32>, bool);
 type VertexKey = (u32, [i64; 3], [u64; 3], [i64; 2]);
 
 impl Vertex {
-    /// What differs by rounding is the same.
+    /// The key of a vertex, which is the same for vertices that differ by rounding.
     fn key(&self) -> VertexKey {
         let rounded = |x: f64, steps: f64| (x * steps).round() as i64;
         (

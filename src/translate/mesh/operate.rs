@@ -11,7 +11,7 @@ use super::unite::Union;
 use crate::geometry::Aabb;
 
 impl Assembly<'_> {
-    /// What is in all operands of `kept` and in none of `taken`.
+    /// The solid in all operands of `kept` and in none of `taken`.
     pub(super) fn intersection(
         &mut self,
         kept: Vec<Operand>,
@@ -55,7 +55,7 @@ impl Assembly<'_> {
         Ok(union)
     }
 
-    /// What of a piece is in all of some solids and outside of others.
+    /// The part of a piece that is in all of some solids and outside of others.
     fn cut<'u>(
         &mut self,
         mut piece: MeshPart,

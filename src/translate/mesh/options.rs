@@ -2,7 +2,7 @@
 
 use crate::scene::Vec3;
 
-/// What the scene itself does not say.
+/// The choices that the scene itself does not make.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
     /// How far a triangle may be from the surface it stands for, in scene units; by default

@@ -157,7 +157,7 @@ pub(super) fn refusal(e: &TooMany) -> Error {
     Error::scene(e.complaint())
 }
 
-/// What became of this scene in particular.
+/// Reports on this scene in particular.
 pub(super) fn account(report: &mut Report, extent: &Extent, troubles: &Troubles) {
     for _ in 0..troubles.endless {
         let fidelity = Fidelity::Approximate(extent.cut_off());

@@ -15,7 +15,7 @@ pub struct Picture {
     pub png: Vec<u8>,
     /// Texels are squares of one colour: nothing is interpolated.
     pub cells: bool,
-    /// What surface coordinates are multiplied by.
+    /// Factors that surface coordinates are multiplied by.
     pub scale: [f64; 2],
 }
 

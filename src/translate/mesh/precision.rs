@@ -58,7 +58,7 @@ pub fn is_single_enough(mesh: &Mesh, tolerance: f64) -> bool {
     f64::from(f32::EPSILON) / 2.0 * largest <= within(tolerance)
 }
 
-/// So far off may one coordinate be.
+/// The error of one coordinate that a tolerance leaves.
 fn within(tolerance: f64) -> f64 {
     PART * tolerance / 3f64.sqrt()
 }

@@ -21,7 +21,7 @@ pub struct Texturing {
     pub matrix: Matrix,
 }
 
-/// What the triangles of one label are.
+/// The properties of the triangles of one label.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceLabel {
     /// Index into [`Graph::primitives`]; `None` where the region ends.
@@ -179,7 +179,7 @@ impl SurfaceLabel {
         Some(shape.uv(located.point, face)).filter(|uv| uv.iter().all(|x| x.is_finite()))
     }
 
-    /// Which of the surface coordinates go round from 1 to 0.
+    /// Whether each of the surface coordinates goes round from 1 to 0.
     pub fn turns(&self, graph: &Graph) -> [bool; 2] {
         match self.primitive.map(|p| &graph.primitives[p as usize]) {
             Some(Primitive::Torus(_)) => [true, true],

@@ -113,8 +113,8 @@ const MEMBERS_PER_BLOCK: usize = 16;
 /// Least members of a group of which a sample shows what will become of it.
 const MIN_MEMBERS_TO_SAMPLE: usize = 4 * SAMPLE_BLOCKS * MEMBERS_PER_BLOCK;
 
-/// What share of its triangles each of the first rounds will leave of a group; nothing of a small one,
-/// whose first round is done as soon.
+/// The share of its triangles that each of the first rounds will leave of a group; nothing for a small one, whose first
+/// round is done as soon.
 fn trial(group: &[Member]) -> Vec<f64> {
     if group.len() < MIN_MEMBERS_TO_SAMPLE {
         return Vec::new();
@@ -181,7 +181,7 @@ impl Member {
     }
 }
 
-/// Which boxes overlap another one.
+/// Whether each box overlaps another one.
 pub fn overlapping(boxes: &[Aabb]) -> Vec<bool> {
     let tree = tree(boxes);
     let overlaps = |(i, b): (usize, &Aabb)| {

@@ -16,7 +16,7 @@ pub fn within(tolerance: f64) -> Complaint {
 pub struct Bounds {
     /// As they are made.
     pub tolerance: f64,
-    /// What the numbers of the file add.
+    /// The error that the numbers of the file add.
     pub off: f64,
 }
 

@@ -24,7 +24,7 @@ pub const DROPPED: u32 = u32::MAX;
 pub struct Solid {
     /// Closed and apart from each other but for single points.
     pub meshes: Vec<Mesh>,
-    /// What is outside of the meshes is meant.
+    /// Whether the space outside of the meshes is meant.
     pub outside: bool,
     /// The meshes are all of it: the region cut nothing off.
     pub bounded: bool,

@@ -42,7 +42,7 @@ enum CanonicalQuadric {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Canonical {
     form: CanonicalQuadric,
-    /// What is outside of the form is meant.
+    /// Whether the space outside of the form is meant.
     outside: bool,
     /// From the coordinates of the form to those of the quadric.
     out: Matrix,

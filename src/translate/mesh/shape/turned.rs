@@ -69,7 +69,7 @@ pub fn turned(profiles: &[Profile], n: f64, budget: &mut Budget) -> Result<Mesh,
     Ok(mesh)
 }
 
-/// What lies between −radius and radius at each height, from z = −1 to z = 1. The profile rises.
+/// The solid between −radius and radius at each height, from z = −1 to z = 1. The profile rises.
 pub fn drawn_out(profile: &[[f64; 2]], budget: &mut Budget) -> Result<Mesh, TooMany> {
     budget.spend(8.0 * profile.len() as f64)?;
     let mut mesh = Mesh::default();
