@@ -29,11 +29,11 @@ const MAX_LINKS: usize = 40;
 pub struct Draft {
     /// As it was given.
     path: PathBuf,
-    way: Way,
+    way: WriteMethod,
 }
 
 /// How a file is written.
-enum Way {
+enum WriteMethod {
     /// This file takes the place of what is there.
     Exchange { file: NamedTempFile, place: PathBuf },
     /// What is there gets the bytes of this file, which lies in the temporary folder.
@@ -46,7 +46,7 @@ enum Way {
 
 impl Draft {
     pub fn create(path: &Path) -> Result<Draft, Complaint> {
-        let way = Way::to(path).map_err(|e| unwritable(path, &e))?;
+        let way = WriteMethod::to(path).map_err(|e| unwritable(path, &e))?;
         let path = path.to_owned();
         Ok(Draft { path, way })
     }
@@ -58,7 +58,7 @@ impl Draft {
     ) -> Result<(), Complaint> {
         let error = |e: io::Error| unwritable(&self.path, &e);
         match self.way {
-            Way::Exchange { mut file, place } => {
+            WriteMethod::Exchange { mut file, place } => {
                 fill(file.as_file_mut(), write).map_err(error)?;
                 match file.persist(&place) {
                     Ok(_) => Ok(()),
@@ -68,12 +68,12 @@ impl Draft {
                     Err(e) => Err(error(e.error)),
                 }
             }
-            Way::Over { mut file, place } => {
+            WriteMethod::Over { mut file, place } => {
                 fill(file.as_file_mut(), write).map_err(error)?;
                 copy_over(file.into_file(), &place, &self.path)
             }
-            Way::Direct(mut file) => fill(&mut file, write).map_err(error),
-            Way::Stdout => {
+            WriteMethod::Direct(mut file) => fill(&mut file, write).map_err(error),
+            WriteMethod::Stdout => {
                 let mut bytes = Vec::new();
                 let written = write(&mut bytes)
                     .and_then(|()| fill(&mut io::stdout().lock(), |out| out.write_all(&bytes)));
@@ -87,33 +87,39 @@ impl Draft {
     }
 }
 
-impl Way {
-    fn to(path: &Path) -> io::Result<Way> {
+impl WriteMethod {
+    fn to(path: &Path) -> io::Result<WriteMethod> {
         if is_stdout(path) {
-            return Ok(Way::Stdout);
+            return Ok(WriteMethod::Stdout);
         }
         let found = match fs::metadata(path) {
             Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
             Ok(found) if !found.is_file() => {
-                return File::options().write(true).open(path).map(Way::Direct);
+                return File::options()
+                    .write(true)
+                    .open(path)
+                    .map(WriteMethod::Direct);
             }
             Ok(found) => Some(found),
             Err(_) => None,
         };
         let Some(place) = place(path)? else {
             // After what others have written to it.
-            return File::options().append(true).open(path).map(Way::Direct);
+            return File::options()
+                .append(true)
+                .open(path)
+                .map(WriteMethod::Direct);
         };
         let Some(found) = found else {
             let file = temporary(folder_of(&place))?;
-            return Ok(Way::Exchange { file, place });
+            return Ok(WriteMethod::Exchange { file, place });
         };
         if let Some(file) = successor(&place, &found)? {
-            return Ok(Way::Exchange { file, place });
+            return Ok(WriteMethod::Exchange { file, place });
         }
         File::options().write(true).open(&place)?;
         let file = tempfile::Builder::new().prefix("zpg-").tempfile()?;
-        Ok(Way::Over { file, place })
+        Ok(WriteMethod::Over { file, place })
     }
 }
 

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal as _};
 
-use super::page::{Form, laid_out};
+use super::page::{PageStyle, laid_out};
 use super::topics::Topic;
 use super::{LookChoice, Status, complain, terminal};
 use crate::diagnostics::layout::hanging;
@@ -54,8 +54,8 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             let stdout = io::stdout();
             let colour = look.colour(&stdout);
             let form = match colour || stdout.is_terminal() {
-                true => Form::Text { colour },
-                false => Form::Markdown,
+                true => PageStyle::Text { colour },
+                false => PageStyle::Markdown,
             };
             let page = laid_out(&page, form, terminal::width());
             terminal::print(look, Status::Clean, |out| out.write_all(page.as_bytes()))

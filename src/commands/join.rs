@@ -38,7 +38,7 @@ pub struct Args {
 }
 
 /// A file and what it says of itself.
-struct Part {
+struct PartFile {
     path: PathBuf,
     origin: Origin,
     format: Format,
@@ -78,10 +78,10 @@ fn join(args: &Args) -> Result<Origin, Refusal> {
         .ok_or_else(|| Complaint::new("joined-format").with("path", output))
         .map_err(Refusal::Failure)?;
     let files = files(&args.parts, output).map_err(Refusal::Failure)?;
-    let mut parts = (files.into_iter().map(opened)).collect::<Result<Vec<Part>, Refusal>>()?;
+    let mut parts = (files.into_iter().map(opened)).collect::<Result<Vec<PartFile>, Refusal>>()?;
     parts.sort_by_key(|part| part.origin.span());
     let whole = whole(&parts).map_err(Refusal::No)?;
-    let is_srgb = |part: &&Part| part.format == Format::Png;
+    let is_srgb = |part: &&PartFile| part.format == Format::Png;
     if let Some(part) = parts.iter().find(is_srgb).filter(|_| format == Format::Exr) {
         let complaint = Complaint::new("exr-of-png").with("path", part.path.as_path());
         return Err(Refusal::No(complaint));
@@ -105,7 +105,7 @@ fn join(args: &Args) -> Result<Origin, Refusal> {
     }
     written.map_err(Refusal::Failure)?;
     // Linear colours are more than a PNG has.
-    let is_all = |part: &&Part| part.format == format;
+    let is_all = |part: &&PartFile| part.format == format;
     if !args.keep {
         for part in parts.iter().filter(is_all) {
             match fs::remove_file(&part.path) {
@@ -124,7 +124,7 @@ fn join(args: &Args) -> Result<Origin, Refusal> {
 type Rows<'p> = Box<dyn Iterator<Item = Result<picture_files::Row, Complaint>> + 'p>;
 
 /// The rows of a part that is still what it was.
-fn rows(part: &Part) -> Result<Rows<'_>, Complaint> {
+fn rows(part: &PartFile) -> Result<Rows<'_>, Complaint> {
     let rows = read::open(&part.path)?;
     match rows.origin == part.origin {
         true => Ok(Box::new(rows.all(&part.path))),
@@ -164,7 +164,7 @@ fn files(parts: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>, Complaint> {
 }
 
 /// What a file says of itself.
-fn opened(path: PathBuf) -> Result<Part, Refusal> {
+fn opened(path: PathBuf) -> Result<PartFile, Refusal> {
     if let Err(e) = fs::metadata(&path) {
         let complaint = Complaint::new("cannot-read").with("path", path.as_path());
         return Err(Refusal::Failure(
@@ -172,7 +172,7 @@ fn opened(path: PathBuf) -> Result<Part, Refusal> {
         ));
     }
     let rows = read::open(&path).map_err(Refusal::No)?;
-    Ok(Part {
+    Ok(PartFile {
         origin: rows.origin,
         format: rows.format,
         path,
@@ -180,7 +180,7 @@ fn opened(path: PathBuf) -> Result<Part, Refusal> {
 }
 
 /// The origin of the picture that the parts make, which are in the order of their rows.
-fn whole(parts: &[Part]) -> Result<Origin, Complaint> {
+fn whole(parts: &[PartFile]) -> Result<Origin, Complaint> {
     let unfinished = parts.iter().find(|part| part.origin.unfinished);
     if let Some(part) = unfinished {
         return Err(Complaint::new("joined-unfinished").with("path", part.path.as_path()));
@@ -200,7 +200,7 @@ fn whole(parts: &[Part]) -> Result<Origin, Complaint> {
     let height = most.origin.size[1];
     let mut end = 0;
     let mut missing = Vec::new();
-    let mut before: Option<&Part> = None;
+    let mut before: Option<&PartFile> = None;
     for part in parts {
         let [first, count] = part.origin.span();
         if let Some(before) = before.filter(|_| first < end) {
@@ -225,9 +225,9 @@ fn whole(parts: &[Part]) -> Result<Origin, Complaint> {
 }
 
 /// A part of the picture that most parts belong to.
-fn most_common(parts: &[Part]) -> &Part {
-    let of = |one: &Part| {
-        let alike = |part: &&Part| part.origin.is_of_one_picture(&one.origin);
+fn most_common(parts: &[PartFile]) -> &PartFile {
+    let of = |one: &PartFile| {
+        let alike = |part: &&PartFile| part.origin.is_of_one_picture(&one.origin);
         parts.iter().filter(alike).count()
     };
     // Whatever belongs to no more than half of the parts is found out by the first that differs.

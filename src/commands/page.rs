@@ -5,7 +5,7 @@ use crate::diagnostics::layout::{hanging, wrapped};
 
 /// How a page is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum PageStyle {
     Markdown,
     Text { colour: bool },
 }
@@ -16,7 +16,7 @@ const CODE: &str = "\u{1b}[36m";
 const PLAIN: &str = "\u{1b}[0m";
 
 /// The page in lines no wider than this. Examples stay as they are.
-pub fn laid_out(page: &str, form: Form, width: usize) -> String {
+pub fn laid_out(page: &str, form: PageStyle, width: usize) -> String {
     let mut pages = Pages {
         form,
         width,
@@ -29,11 +29,15 @@ pub fn laid_out(page: &str, form: Form, width: usize) -> String {
         if line.starts_with("```") {
             pages.end();
             is_example = !is_example;
-            if form == Form::Markdown {
+            if form == PageStyle::Markdown {
                 pages.line(line);
             }
         } else if is_example {
-            let indent = if form == Form::Markdown { "" } else { "    " };
+            let indent = if form == PageStyle::Markdown {
+                ""
+            } else {
+                "    "
+            };
             pages.line(format!("{indent}{line}").trim_end());
         } else {
             pages.add(line);
@@ -44,7 +48,7 @@ pub fn laid_out(page: &str, form: Form, width: usize) -> String {
 }
 
 struct Pages {
-    form: Form,
+    form: PageStyle,
     width: usize,
     out: String,
     /// The paragraph or the entry of a list so far, and how far its further lines are in.
@@ -65,11 +69,11 @@ impl Pages {
             self.end();
             let heading = line.trim_start_matches('#').trim_start();
             match self.form {
-                Form::Text { colour: true } if is_heading => {
+                PageStyle::Text { colour: true } if is_heading => {
                     self.line(&format!("{BOLD}{heading}{PLAIN}"));
                 }
-                Form::Text { .. } => self.line(heading),
-                Form::Markdown => self.line(line),
+                PageStyle::Text { .. } => self.line(heading),
+                PageStyle::Markdown => self.line(line),
             }
         } else if let Some(entry) = line.strip_prefix("- ") {
             self.end();
@@ -91,7 +95,7 @@ impl Pages {
         if !self.text.is_empty() {
             let text = wrapped(&std::mem::take(&mut self.text), self.width, self.indent);
             let text = match self.form {
-                Form::Text { colour: true } => coloured(&text),
+                PageStyle::Text { colour: true } => coloured(&text),
                 _ => text,
             };
             self.line(&text);
@@ -127,13 +131,13 @@ mod tests {
 
     #[test]
     fn a_page_is_text() {
-        let text = laid_out(PAGE, Form::Text { colour: false }, 30);
+        let text = laid_out(PAGE, PageStyle::Text { colour: false }, 30);
         assert_eq!(
             text,
             "undefined-id (E101)\n\nWhat it does\n\nReports a `reference` to an ID\nthat no record defines.\n\n\
              - one of two lines\n- another\n\n    1 9999   3 0\n\n    ID 14 R r\n"
         );
-        let text = laid_out(PAGE, Form::Text { colour: true }, 32);
+        let text = laid_out(PAGE, PageStyle::Text { colour: true }, 32);
         assert!(
             text.starts_with("\u{1b}[1mundefined-id (E101)\u{1b}[0m\n"),
             "{text}"
@@ -143,7 +147,7 @@ mod tests {
 
     #[test]
     fn in_a_pipe_it_is_the_same_markdown() {
-        let page = laid_out(PAGE, Form::Markdown, 80);
+        let page = laid_out(PAGE, PageStyle::Markdown, 80);
         let words = |text: &str| {
             text.split_whitespace()
                 .map(str::to_owned)
@@ -162,7 +166,7 @@ mod tests {
             let types = RECORD_TYPES.iter().map(|t| type_page(t, language));
             for page in codes.chain(types) {
                 for width in [80, 120] {
-                    let text = laid_out(&page, Form::Text { colour: false }, width);
+                    let text = laid_out(&page, PageStyle::Text { colour: false }, width);
                     for line in text.lines() {
                         assert!(
                             !line.starts_with(['#', '|', '*', '>']) && !line.starts_with("```"),

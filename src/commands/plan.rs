@@ -38,7 +38,7 @@ pub struct Args {
 struct Answer<'a> {
     effects: Vec<Effect>,
     unreached: &'a [u32],
-    unseen: Vec<Part>,
+    unseen: Vec<UnseenPart>,
     shapes: &'a BTreeMap<&'static str, u32>,
     operations: &'a BTreeMap<&'static str, u32>,
     medium_depth: u32,
@@ -46,7 +46,7 @@ struct Answer<'a> {
 
 /// A part that no ray can see.
 #[derive(Serialize)]
-struct Part {
+struct UnseenPart {
     id: u32,
     line: u32,
     why: String,
@@ -67,15 +67,15 @@ struct Because {
     text: &'static str,
 }
 
-impl Part {
-    fn new(part: &Unseen, source: &SourceFile, language: Language) -> Part {
+impl UnseenPart {
+    fn new(part: &Unseen, source: &SourceFile, language: Language) -> UnseenPart {
         let why = match part.why {
             Why::Outside => Complaint::new("unseen-outside"),
             Why::Inside(kind, id) => Complaint::new("unseen-inside")
                 .with("type", Value::Term(kind))
                 .with("id", id.to_string()),
         };
-        Part {
+        UnseenPart {
             id: part.id,
             line: source.position(part.span.start).line,
             why: why.wording(language),
@@ -113,7 +113,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         true => Language::English,
         false => look.language(),
     };
-    let part = |p| Part::new(p, &loaded.source, language);
+    let part = |p| UnseenPart::new(p, &loaded.source, language);
     let answer = Answer {
         effects: decisions.map(|d| Effect::new(d, &loaded.source)).collect(),
         unreached: &plan.unreached,

@@ -16,7 +16,7 @@ use std::sync::atomic::Ordering;
 use ignore::WalkBuilder;
 
 use self::cell::{Cell, Heading, without_picture};
-use self::entry::{Entry, entries};
+use self::entry::{SheetBox, entries};
 use self::findings::Findings;
 use super::draft::Draft;
 use super::paths::{is_stdout, unreadable_entry};
@@ -167,7 +167,7 @@ fn sheet(args: &Args, look: LookChoice) -> Result<Status, Complaint> {
     Ok(status)
 }
 
-fn read<'e>(entry: &'e Entry, size: Size) -> Cell<'e> {
+fn read<'e>(entry: &'e SheetBox, size: Size) -> Cell<'e> {
     let picture = match (&entry.picture, entry.scene) {
         (Some(path), _) => picture::shrunk(path, [size.width, size.height]),
         (None, scene) => Err(without_picture(

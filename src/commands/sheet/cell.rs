@@ -1,13 +1,13 @@
 //! What is said in a box of a sheet.
 
 use super::average::Thumbnail;
-use super::entry::Entry;
+use super::entry::SheetBox;
 use super::findings::Counts;
 use crate::diagnostics::{Complaint, Language, Value};
 
 /// A box of the sheet, whose picture has been read.
 pub struct Cell<'e> {
-    pub entry: &'e Entry<'e>,
+    pub entry: &'e SheetBox<'e>,
     /// The picture, or why there is none.
     pub picture: Result<Thumbnail, Complaint>,
 }

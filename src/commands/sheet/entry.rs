@@ -6,7 +6,7 @@ use std::path::{Component, Path, PathBuf};
 use super::findings::Scene;
 
 /// A box of the sheet.
-pub struct Entry<'f> {
+pub struct SheetBox<'f> {
     /// Of the picture, or else of the scene, within their folders.
     pub name: String,
     pub picture: Option<PathBuf>,
@@ -14,7 +14,11 @@ pub struct Entry<'f> {
 }
 
 /// Of all pictures of a folder, in the order of names.
-pub fn entries<'f>(folder: &Path, pictures: Vec<PathBuf>, scenes: &'f [Scene]) -> Vec<Entry<'f>> {
+pub fn entries<'f>(
+    folder: &Path,
+    pictures: Vec<PathBuf>,
+    scenes: &'f [Scene],
+) -> Vec<SheetBox<'f>> {
     let scenes = Scenes::new(scenes);
     let mut shown = HashSet::new();
     let mut entries = Vec::new();
@@ -22,7 +26,7 @@ pub fn entries<'f>(folder: &Path, pictures: Vec<PathBuf>, scenes: &'f [Scene]) -
         let within = picture.strip_prefix(folder).unwrap_or(&picture);
         let scene = scenes.of_picture(within);
         shown.extend(scene);
-        entries.push(Entry {
+        entries.push(SheetBox {
             name: joined(&names(within)),
             scene: scene.map(|i| &scenes.all[i]),
             picture: Some(picture),
@@ -30,7 +34,7 @@ pub fn entries<'f>(folder: &Path, pictures: Vec<PathBuf>, scenes: &'f [Scene]) -
     }
     for (i, scene) in scenes.all.iter().enumerate() {
         if !shown.contains(&i) {
-            entries.push(Entry {
+            entries.push(SheetBox {
                 name: joined(&scenes.names[i][scenes.common..]),
                 picture: None,
                 scene: Some(scene),
@@ -162,7 +166,7 @@ mod tests {
             .map(|name| Path::new("out").join(name))
             .collect();
         let all = entries(Path::new("out"), pictures, &scenes);
-        let shown = |entry: &Entry| {
+        let shown = |entry: &SheetBox| {
             let scene = entry.scene.map_or("-".into(), |s| s.path.to_string_lossy());
             format!("{} {scene}", entry.name)
         };

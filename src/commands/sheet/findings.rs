@@ -40,11 +40,11 @@ pub struct Finding {
 
 #[derive(Deserialize)]
 pub struct Span {
-    pub start: Place,
+    pub start: LineColumn,
 }
 
 #[derive(Deserialize)]
-pub struct Place {
+pub struct LineColumn {
     pub line: u64,
     pub column: u64,
 }
