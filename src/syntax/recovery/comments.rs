@@ -20,7 +20,7 @@ const NEVER: u32 = u32::MAX / 2;
 
 /// How a line was read, to walk back along the cheapest way.
 #[derive(Clone, Copy, Default)]
-struct Step {
+struct BackPointer {
     from: u8,
     /// The `#` that is given up on this line, as its offset in the text + 1; 0 is none.
     unclosed: u32,
@@ -30,15 +30,15 @@ struct Step {
 pub fn unclosed(text: &str) -> Vec<u32> {
     let mut cost = [NEVER; STATES];
     cost[0] = 0;
-    let mut steps: Vec<[Step; STATES]> = Vec::new();
+    let mut steps: Vec<[BackPointer; STATES]> = Vec::new();
     let mut start = 0;
     for line in text.split_inclusive(['\n', '\r']) {
         let mut next = [NEVER; STATES];
-        let mut step = [Step::default(); STATES];
+        let mut step = [BackPointer::default(); STATES];
         let mut offer = |to: usize, price: u32, from: usize, unclosed: Option<usize>| {
             if price < next[to] {
                 next[to] = price;
-                step[to] = Step {
+                step[to] = BackPointer {
                     from: from as u8,
                     unclosed: unclosed.map_or(0, |o| (start + o) as u32 + 1),
                 };

@@ -5,7 +5,7 @@ use rustc_hash::FxHashSet;
 use super::super::table::{Effect, ParamKind};
 use super::stretch::Stretch;
 use super::surroundings::Surroundings;
-use super::verdict::{Piece, Verdict};
+use super::verdict::{Diagnosis, RecordCandidate};
 
 /// The IDs that the record at tokens `start..end` refers to.
 pub fn of_record(stretch: &Stretch, start: usize, end: usize) -> impl Iterator<Item = i32> {
@@ -18,7 +18,7 @@ pub fn of_record(stretch: &Stretch, start: usize, end: usize) -> impl Iterator<I
 
 /// How many errors a reading of a stretch amounts to: its faults, the IDs that are defined
 /// twice, and those that are used and defined nowhere; each record that lost its ID accounts for one of these.
-pub fn damage(stretch: &Stretch, around: &Surroundings, pieces: &[Piece]) -> usize {
+pub fn damage(stretch: &Stretch, around: &Surroundings, pieces: &[RecordCandidate]) -> usize {
     let mut defined = FxHashSet::default();
     let mut used = FxHashSet::default();
     let (mut faults, mut lost, mut twice) = (0, 0, 0);
@@ -26,8 +26,8 @@ pub fn damage(stretch: &Stretch, around: &Surroundings, pieces: &[Piece]) -> usi
     for p in pieces {
         let id = stretch.sigs[p.start].int.filter(|&id| id > 0);
         match p.verdict {
-            Verdict::Void => {}
-            Verdict::Whole(r) => {
+            Diagnosis::Void => {}
+            Diagnosis::Whole(r) => {
                 let changes = matches!(r.ty.effect, Effect::Changes(_));
                 let again = !changes && id.is_some_and(|id| !defined.insert(id) || elsewhere(id));
                 match r.ty.effect {
@@ -37,11 +37,11 @@ pub fn damage(stretch: &Stretch, around: &Surroundings, pieces: &[Piece]) -> usi
                 }
                 used.extend(of_record(stretch, p.start, r.end));
             }
-            Verdict::LostId { .. } | Verdict::BadId { .. } => {
+            Diagnosis::LostId { .. } | Diagnosis::BadId { .. } => {
                 faults += 1;
                 lost += 1;
             }
-            Verdict::Surplus { id, .. } => {
+            Diagnosis::Surplus { id, .. } => {
                 faults += 1;
                 defined.insert(id as i32);
             }

@@ -5,28 +5,38 @@ use super::super::lexer::TokenKind;
 use super::super::signature::{allows, fits};
 use super::super::table::{Effect, Param, ParamKind, RecordKind, RecordType};
 use super::heads::{end_of, expected_ends, integral, point_count, type_at, type_behind_stray};
-use super::known::Known;
+use super::known::IdContext;
 use super::prices::{
     CUT_OFF, FAULT, FEW_OFF, IN_ORDER, LEAST, NOTHING_WRONG, ONE_OFF, REALS, TYPE_AS_COORDINATE,
 };
 use super::slips::LEAST_HEAD;
 use super::stretch::{LONG, Stretch};
-use super::verdict::Verdict;
+use super::verdict::Diagnosis;
 
 /// Finds what is wrong with tokens `start..end`, and its price, which is at least [`LEAST`].
-pub fn judge(stretch: &Stretch, start: usize, end: usize, known: &impl Known) -> (Verdict, u32) {
+pub fn judge(
+    stretch: &Stretch,
+    start: usize,
+    end: usize,
+    known: &impl IdContext,
+) -> (Diagnosis, u32) {
     let found = likeliest(stretch, start, end, known);
     debug_assert!(found.1 >= LEAST, "{found:?}");
     found
 }
 
-fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) -> (Verdict, u32) {
+fn likeliest(
+    stretch: &Stretch,
+    start: usize,
+    end: usize,
+    known: &impl IdContext,
+) -> (Diagnosis, u32) {
     let id = &stretch.sigs[start];
     if end == start + 1 && id.kind.is_bad() {
-        return (Verdict::BadId { ty: None }, FAULT + 10);
+        return (Diagnosis::BadId { ty: None }, FAULT + 10);
     }
     if let Some(ty) = all_but_reals(stretch, start, end) {
-        return (Verdict::Reals { ty }, REALS);
+        return (Diagnosis::Reals { ty }, REALS);
     }
     if let Some(swapped) = swapped(stretch, start, end) {
         return swapped;
@@ -43,7 +53,7 @@ fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) ->
         (Some(ty), _) => judge_params(stretch, ty, start + 2, end),
         // The error is the stray token; if the rest is right, it is the only one.
         (None, Some(ty)) if end_of(stretch, start + 3, ty) == Some(end as u64) => {
-            (Verdict::BadType, FAULT)
+            (Diagnosis::BadType, FAULT)
         }
         (None, _) => untyped(stretch, start, end),
     };
@@ -81,7 +91,7 @@ fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) ->
         ty.code <= LEAST_HEAD || matches!(ty.effect, Effect::Defines(_)) && known.misses_next(line)
     };
     let is_right = with_id.1 >= NOTHING_WRONG && ty.is_some_and(is_meant);
-    let changes = |v: &Verdict| matches!(v, Verdict::LostId { ty } if matches!(ty.effect, Effect::Changes(_)));
+    let changes = |v: &Diagnosis| matches!(v, Diagnosis::LostId { ty } if matches!(ty.effect, Effect::Changes(_)));
     if let Some(lost) = lost_id(stretch, start, end).filter(|(v, _)| !(is_right && changes(v))) {
         return lost;
     }
@@ -97,7 +107,7 @@ fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) ->
     let spelled = integral(stretch, start).is_some_and(|id| id > 0);
     let of_record = with_id.0;
     let (verdict, price) = match with_id {
-        (Verdict::Damaged { ty }, _) => {
+        (Diagnosis::Damaged { ty }, _) => {
             // A mere sign or word is likelier to stand in front of the ID than in its place.
             let extra = matches!(id.kind, TokenKind::Word | TokenKind::Invalid);
             // Nor is a number too many likely to be an undefined object's.
@@ -106,9 +116,9 @@ fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) ->
             let head = stretch.record_type(start + 2);
             let extra = extra || head.is_some_and(|t| t.code <= LEAST_HEAD);
             let price = FAULT + bad_price(stretch, start + 2, end) + if extra { 50 } else { 0 };
-            (Verdict::BadId { ty: Some(ty) }, price + void)
+            (Diagnosis::BadId { ty: Some(ty) }, price + void)
         }
-        (Verdict::CutOff { ty }, price) => (Verdict::BadId { ty }, price + FAULT + void),
+        (Diagnosis::CutOff { ty }, price) => (Diagnosis::BadId { ty }, price + FAULT + void),
         (_, price) => {
             let ty = ty.filter(|t| t.kind != RecordKind::Undefined);
             let bad = bad_price(stretch, start + 1, end);
@@ -117,13 +127,13 @@ fn likeliest(stretch: &Stretch, start: usize, end: usize, known: &impl Known) ->
             let is_more = is_text && stretch.line(end - 1) > stretch.line(start);
             let more = if is_more { 2 * FAULT } else { 0 };
             (
-                Verdict::BadId { ty },
+                Diagnosis::BadId { ty },
                 FAULT + 200 + price.min(200) + bad + void + more,
             )
         }
     };
     match of_record {
-        Verdict::CutOff { .. } => (verdict, price),
+        Diagnosis::CutOff { .. } => (verdict, price),
         of_record if spelled => (of_record, price),
         _ => (verdict, price),
     }
@@ -141,8 +151,8 @@ pub fn joined(stretch: &Stretch, at: usize) -> Option<i32> {
 }
 
 /// Whether the surplus of a record is the space in its ID.
-fn is_split(stretch: &Stretch, start: usize, verdict: Verdict) -> bool {
-    matches!(verdict, Verdict::Surplus { id, .. } if joined(stretch, start) == i32::try_from(id).ok())
+fn is_split(stretch: &Stretch, start: usize, verdict: Diagnosis) -> bool {
+    matches!(verdict, Diagnosis::Surplus { id, .. } if joined(stretch, start) == i32::try_from(id).ok())
 }
 
 /// A whole line that is a record but for a token too many in front of it or behind its ID, or for a space in its ID.
@@ -152,8 +162,8 @@ fn surplus(
     stretch: &Stretch,
     (start, end): (usize, usize),
     as_typed: u32,
-    known: &impl Known,
-) -> Option<(Verdict, u32)> {
+    known: &impl IdContext,
+) -> Option<(Diagnosis, u32)> {
     let whole_line = stretch.starts_line(start)
         && stretch.ends_line(end)
         && stretch.line(start) == stretch.line(end - 1);
@@ -221,7 +231,7 @@ fn surplus(
     ]
     .into_iter()
     .find_map(|(id, at)| Some((id.filter(|&id| id > 0)?, at)))?;
-    let verdict = Verdict::Surplus {
+    let verdict = Diagnosis::Surplus {
         ty,
         expected,
         at,
@@ -237,8 +247,8 @@ fn sign_of_known_type(
     stretch: &Stretch,
     start: usize,
     end: usize,
-    known: &impl Known,
-) -> Option<(Verdict, u32)> {
+    known: &impl IdContext,
+) -> Option<(Diagnosis, u32)> {
     let ty = stretch.record_type(start + 1).filter(|_| start + 2 < end)?;
     let meant = RecordType::by_code(-i64::from(ty.code)).filter(|t| t.code < 0)?;
     let whole_line = stretch.starts_line(start)
@@ -265,7 +275,7 @@ fn sign_of_known_type(
     let far = expected > 2 * got as u64 + 2;
     (expected > got as u64 && (far || changes)).then(|| {
         let expected = usize::try_from(expected).unwrap_or(usize::MAX);
-        let verdict = Verdict::LostSign {
+        let verdict = Diagnosis::LostSign {
             ty,
             meant,
             got,
@@ -277,7 +287,7 @@ fn sign_of_known_type(
 
 /// Whether a line begins with the next number after that which the line before begins with. Where that line changes
 /// something, it must be what is defined last.
-fn follows(stretch: &Stretch, start: usize, known: &impl Known) -> bool {
+fn follows(stretch: &Stretch, start: usize, known: &impl IdContext) -> bool {
     let line = stretch.line(start);
     if line == 0 || !stretch.starts_line(start) {
         return false;
@@ -349,7 +359,7 @@ fn all_but_reals(stretch: &Stretch, start: usize, end: usize) -> Option<&'static
 }
 
 /// A line `9999 1 …` that would be the render record with its first two numbers swapped.
-fn swapped(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
+fn swapped(stretch: &Stretch, start: usize, end: usize) -> Option<(Diagnosis, u32)> {
     let whole_line = stretch.starts_line(start) && stretch.ends_line(end);
     if !whole_line || stretch.line(start) != stretch.line(end - 1) || end < start + 2 {
         return None;
@@ -362,11 +372,11 @@ fn swapped(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)
     let right = stretch.sigs[start + 1].int == Some(1)
         && exact
         && wrong_kinds(stretch, ty, start + 2, end) == 0;
-    right.then_some((Verdict::Swapped, FAULT - 20))
+    right.then_some((Diagnosis::Swapped, FAULT - 20))
 }
 
 /// A line `7 -701 ff8000`, `7 -701 red` or `7 -201 glass`: one word in the place of all numbers of a record.
-fn one_word(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
+fn one_word(stretch: &Stretch, start: usize, end: usize) -> Option<(Diagnosis, u32)> {
     let whole_line = stretch.starts_line(start) && stretch.ends_line(end);
     if !whole_line || end != start + 3 || stretch.sigs[start].int.is_none_or(|id| id <= 0) {
         return None;
@@ -383,7 +393,7 @@ fn one_word(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32
     if !is_name && !is_colour {
         return None;
     }
-    let verdict = Verdict::WrongArity {
+    let verdict = Diagnosis::WrongArity {
         ty,
         got: 1,
         expected: ty.params.len(),
@@ -400,12 +410,12 @@ pub fn lost_sign(stretch: &Stretch, start: usize, end: usize) -> bool {
     ty.is_some_and(|ty| end_of(stretch, start + 2, ty) == Some(end as u64))
 }
 
-fn untyped(stretch: &Stretch, start: usize, end: usize) -> (Verdict, u32) {
+fn untyped(stretch: &Stretch, start: usize, end: usize) -> (Diagnosis, u32) {
     let Some(t) = stretch.sigs.get(start + 1).filter(|_| start + 1 < end) else {
         let cut = stretch.has_unclosed_comment(start, end);
         return match cut {
-            true => (Verdict::CutOff { ty: None }, CUT_OFF),
-            false => (Verdict::MissingType, FAULT + 60),
+            true => (Diagnosis::CutOff { ty: None }, CUT_OFF),
+            false => (Diagnosis::MissingType, FAULT + 60),
         };
     };
     let length = 10 * (end - start).min(20) as u32;
@@ -418,9 +428,9 @@ fn untyped(stretch: &Stretch, start: usize, end: usize) -> (Verdict, u32) {
     let bad = bad_price(stretch, start + 2, end);
     match t.int {
         // A lost sign is likelier than a lost ID.
-        Some(_) if lost_sign(stretch, start, end) => (Verdict::UnknownType, FAULT - 20 + bad),
-        Some(_) => (Verdict::UnknownType, FAULT + 30 + penalty + bad),
-        None => (Verdict::BadType, FAULT + 30 + length / 10 + penalty + bad),
+        Some(_) if lost_sign(stretch, start, end) => (Diagnosis::UnknownType, FAULT - 20 + bad),
+        Some(_) => (Diagnosis::UnknownType, FAULT + 30 + penalty + bad),
+        None => (Diagnosis::BadType, FAULT + 30 + length / 10 + penalty + bad),
     }
 }
 
@@ -430,7 +440,7 @@ fn judge_params(
     ty: &'static RecordType,
     first: usize,
     end: usize,
-) -> (Verdict, u32) {
+) -> (Diagnosis, u32) {
     let got = end - first;
     let cut_off = || stretch.has_unclosed_comment(first - 1, end.max(first));
     let mut real_type = 0;
@@ -440,8 +450,8 @@ fn judge_params(
     let n = match ty.is_counted() {
         true if got == 0 => {
             return match cut_off() {
-                true => (Verdict::CutOff { ty: Some(ty) }, CUT_OFF),
-                false => (Verdict::BadPointCount { ty }, FAULT + real_type),
+                true => (Diagnosis::CutOff { ty: Some(ty) }, CUT_OFF),
+                false => (Diagnosis::BadPointCount { ty }, FAULT + real_type),
             };
         }
         true => match point_count(stretch, first) {
@@ -449,7 +459,7 @@ fn judge_params(
             Ok(n) if ty.arity(n) == got as u64 => n,
             _ => {
                 let bad = bad_price(stretch, first + 1, end);
-                return (Verdict::BadPointCount { ty }, FAULT + real_type + bad);
+                return (Diagnosis::BadPointCount { ty }, FAULT + real_type + bad);
             }
         },
         false => 0,
@@ -464,20 +474,20 @@ fn judge_params(
             let kinds = wrong_kinds(stretch, ty, first, end);
             let mistakes = (bad.min(u64::from(BAD_MAX)) as u32).max(kinds) * FAULT + real_type;
             if mistakes > 0 {
-                return (Verdict::Damaged { ty }, mistakes);
+                return (Diagnosis::Damaged { ty }, mistakes);
             }
             if ty.optional.is_empty() {
-                return (Verdict::Damaged { ty }, NOTHING_WRONG);
+                return (Diagnosis::Damaged { ty }, NOTHING_WRONG);
             }
             // Nothing is wrong with it but where its line ends: its optional parameters are not the
             // last of the line, or they are just those that follow.
             let (got, other) = (end - first, if expected == base { full } else { base });
             let expected = usize::try_from(other).unwrap_or(usize::MAX);
-            return (Verdict::WrongArity { ty, got, expected }, 2 * FAULT);
+            return (Diagnosis::WrongArity { ty, got, expected }, 2 * FAULT);
         }
     }
     if cut_off() && (got as u64) < full {
-        return (Verdict::CutOff { ty: Some(ty) }, CUT_OFF);
+        return (Diagnosis::CutOff { ty: Some(ty) }, CUT_OFF);
     }
     let expected = match full.abs_diff(got as u64) < base.abs_diff(got as u64) {
         true => full,
@@ -486,7 +496,7 @@ fn judge_params(
     // A little more or less is a slip of the pen; hundreds are other records.
     let off = expected.abs_diff(got as u64).min(100_000) as u32;
     let off = if ty.is_counted() { off.min(40) } else { off };
-    let verdict = Verdict::WrongArity {
+    let verdict = Diagnosis::WrongArity {
         ty,
         got,
         expected: usize::try_from(expected).unwrap_or(usize::MAX),
@@ -519,7 +529,7 @@ pub fn has_lost_id(stretch: &Stretch, start: usize, end: usize) -> bool {
     lost_id(stretch, start, end).is_some()
 }
 
-fn lost_id(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)> {
+fn lost_id(stretch: &Stretch, start: usize, end: usize) -> Option<(Diagnosis, u32)> {
     let ty = stretch
         .record_type(start)
         .filter(|t| t.kind != RecordKind::Undefined)?;
@@ -551,7 +561,7 @@ fn lost_id(stretch: &Stretch, start: usize, end: usize) -> Option<(Verdict, u32)
                 })
             })
     };
-    (exact && right()).then_some((Verdict::LostId { ty }, price))
+    (exact && right()).then_some((Diagnosis::LostId { ty }, price))
 }
 
 /// How many values of a long record are looked at to judge whether it is plausible.

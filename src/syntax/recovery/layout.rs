@@ -10,11 +10,11 @@ use super::super::signature::Reading;
 use super::super::table::{Effect, RecordKind};
 use super::faults;
 use super::heads;
-use super::known::Known;
+use super::known::IdContext;
 use super::prices::{DOUBTFUL, FAULT, IMPLAUSIBLE, LEAST, OWN_LINE, TWO_SLIPS};
 use super::stretch::Stretch;
 use super::sums::Sums;
-use super::verdict::{Piece, Verdict};
+use super::verdict::{Diagnosis, RecordCandidate};
 use super::witness::Witnesses;
 
 /// So many lines of a broken stretch are asked whether they begin as records do.
@@ -30,9 +30,9 @@ const LONGEST_FIXED: usize = 20;
 pub fn cut(
     stretch: &Stretch,
     witnesses: &Witnesses,
-    strict: Option<&[Piece]>,
+    strict: Option<&[RecordCandidate]>,
     doubt_takeovers: bool,
-) -> Vec<Piece> {
+) -> Vec<RecordCandidate> {
     debug_assert!(
         witnesses.in_lines,
         "free-form text is read by another search"
@@ -57,7 +57,7 @@ struct Search<'a, 's> {
 }
 
 impl Search<'_, '_> {
-    fn run(&self) -> Vec<Piece> {
+    fn run(&self) -> Vec<RecordCandidate> {
         let n = self.stretch.len();
         let mut price = vec![u64::MAX; n + 1];
         let mut from = vec![0u32; n + 1];
@@ -96,7 +96,7 @@ impl Search<'_, '_> {
         let mut end = n;
         while end > 0 {
             let start = from[end] as usize;
-            pieces.push(Piece {
+            pieces.push(RecordCandidate {
                 start,
                 end,
                 verdict: self.verdict(start, end),
@@ -109,11 +109,11 @@ impl Search<'_, '_> {
 
     /// Whether a reading without faults costs less than any fault. Every other reading has a fault in it: a
     /// piece that begins with a `0` is a VOID and any other a record, and these end where they end.
-    fn is_cheap(&self, strict: &[Piece]) -> bool {
+    fn is_cheap(&self, strict: &[RecordCandidate]) -> bool {
         let mut total = 0;
         strict.iter().all(|piece| {
             total += match &piece.verdict {
-                Verdict::Whole(r) => self.record_price(piece.start, r),
+                Diagnosis::Whole(r) => self.record_price(piece.start, r),
                 _ => self.void_price(piece.start),
             };
             total < LEAST
@@ -121,20 +121,20 @@ impl Search<'_, '_> {
     }
 
     /// The verdict behind a step of the cheapest way.
-    fn verdict(&self, start: usize, end: usize) -> Verdict {
+    fn verdict(&self, start: usize, end: usize) -> Diagnosis {
         let fault = self.fault(start, end);
         if end == start + 1
             && self.stretch.sigs[start].int == Some(0)
             && self.void_price(start) <= fault.1
         {
-            return Verdict::Void;
+            return Diagnosis::Void;
         }
         let readings = [
             self.stretch.read(start).copied(),
             self.stretch.read_by_line(start),
         ];
         match readings.into_iter().flatten().find(|r| r.end == end) {
-            Some(r) if self.record_price(start, &r) <= fault.1 => Verdict::Whole(r),
+            Some(r) if self.record_price(start, &r) <= fault.1 => Diagnosis::Whole(r),
             _ => fault.0,
         }
     }
@@ -243,7 +243,7 @@ impl Search<'_, '_> {
     }
 
     /// The price of tokens `start..end` as one broken stretch, and what is wrong with it.
-    fn fault(&self, start: usize, end: usize) -> (Verdict, u32) {
+    fn fault(&self, start: usize, end: usize) -> (Diagnosis, u32) {
         let stretch = self.stretch;
         let (verdict, mut price) = faults::judge(stretch, start, end, self.witnesses);
         if stretch.goes_out(start + 1, end) {
@@ -266,7 +266,7 @@ impl Search<'_, '_> {
             };
         }
         // An unknown type ends with its line, unless whole records follow on it.
-        if matches!(verdict, Verdict::UnknownType | Verdict::BadType) {
+        if matches!(verdict, Diagnosis::UnknownType | Diagnosis::BadType) {
             let strong = |p: usize| {
                 self.sums.whole_from[p]
                     && stretch
@@ -278,7 +278,7 @@ impl Search<'_, '_> {
             }
             price += (end - start).saturating_sub(LONGEST_FIXED).min(100_000) as u32;
         }
-        if matches!(verdict, Verdict::BadPointCount { .. }) {
+        if matches!(verdict, Diagnosis::BadPointCount { .. }) {
             price += (end - start).min(1_000_000) as u32 / 4;
         }
         if last > first {

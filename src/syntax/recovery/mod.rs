@@ -54,7 +54,7 @@ pub use group::doubtful_group;
 pub use slips::LEAST_HEAD;
 use stretch::Stretch;
 pub use surroundings::Surroundings;
-use verdict::{Piece, Verdict};
+use verdict::{Diagnosis, RecordCandidate};
 use witness::Witnesses;
 
 /// What was made of a stretch of text.
@@ -91,10 +91,10 @@ pub fn line_break(columns: Columns, (from, to): (usize, usize), out: &mut Vec<Di
     let around = Surroundings::default();
     let witnesses = Witnesses::new(&stretch, &around);
     if let Some(&reading) = stretch.read(0) {
-        let piece = Piece {
+        let piece = RecordCandidate {
             start: 0,
             end: reading.end,
-            verdict: Verdict::Whole(reading),
+            verdict: Diagnosis::Whole(reading),
         };
         report::pieces(&stretch, &witnesses, &[piece], out);
     }
@@ -106,7 +106,7 @@ pub fn has_lost_id(columns: Columns, from: usize, to: usize) -> bool {
     faults::has_lost_id(&stretch, 0, to - from)
 }
 
-fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Vec<Piece> {
+fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Vec<RecordCandidate> {
     let strict = by_arity(stretch);
     if !witnesses.in_lines {
         return match strict {
@@ -115,8 +115,8 @@ fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Ve
         };
     }
     let mut pieces = layout::cut(stretch, witnesses, strict.as_deref(), false);
-    let takes_over = |p: &Piece| {
-        matches!(p.verdict, Verdict::Whole(_)) && witnesses.takes_over(stretch, p.start, p.end)
+    let takes_over = |p: &RecordCandidate| {
+        matches!(p.verdict, Diagnosis::Whole(_)) && witnesses.takes_over(stretch, p.start, p.end)
     };
     let mut damage = damage::damage(stretch, around, &pieces);
     if damage > 0 && pieces.iter().any(takes_over) {
@@ -149,15 +149,15 @@ fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Ve
 }
 
 /// The stretch read by arity, if that leaves nothing over.
-fn by_arity(stretch: &Stretch) -> Option<Vec<Piece>> {
+fn by_arity(stretch: &Stretch) -> Option<Vec<RecordCandidate>> {
     let mut pieces = Vec::new();
     let mut start = 0;
     while start < stretch.len() {
         let (end, verdict) = match stretch.sigs[start].int {
-            Some(0) => (start + 1, Verdict::Void),
-            _ => stretch.read(start).map(|r| (r.end, Verdict::Whole(*r)))?,
+            Some(0) => (start + 1, Diagnosis::Void),
+            _ => stretch.read(start).map(|r| (r.end, Diagnosis::Whole(*r)))?,
         };
-        pieces.push(Piece {
+        pieces.push(RecordCandidate {
             start,
             end,
             verdict,

@@ -7,7 +7,7 @@ use super::super::table::{ParamKind, RecordKind, RecordType};
 use super::super::words;
 use super::faults;
 use super::stretch::Stretch;
-use super::verdict::{Piece, Verdict};
+use super::verdict::{Diagnosis, RecordCandidate};
 use super::witness::Witnesses;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 
@@ -41,12 +41,17 @@ pub fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) {
 }
 
 /// Reports everything that is wrong with the pieces of a text.
-pub fn pieces(stretch: &Stretch, witnesses: &Witnesses, all: &[Piece], out: &mut Vec<Diagnostic>) {
+pub fn pieces(
+    stretch: &Stretch,
+    witnesses: &Witnesses,
+    all: &[RecordCandidate],
+    out: &mut Vec<Diagnostic>,
+) {
     let reporter = Reporter { stretch };
     for piece in all {
         match piece.verdict {
-            Verdict::Void => {}
-            Verdict::Whole(r) => {
+            Diagnosis::Void => {}
+            Diagnosis::Whole(r) => {
                 let last = stretch.line(r.end - 1);
                 let is_taken = witnesses.is_complete_line(stretch, last)
                     && witnesses.takes_over(stretch, piece.start, r.end);
@@ -81,7 +86,7 @@ impl Reporter<'_, '_> {
         text.trim().is_empty()
     }
 
-    fn line_break(&self, piece: &Piece, ty: &RecordType) -> Diagnostic {
+    fn line_break(&self, piece: &RecordCandidate, ty: &RecordType) -> Diagnostic {
         let last = self.stretch.line(piece.end - 1);
         let head = self.stretch.line_start(last);
         let line_end = self.stretch.line_end(last);
@@ -95,25 +100,25 @@ impl Reporter<'_, '_> {
             .label(self.span(piece.start, head), "begin")
     }
 
-    fn broken(&self, piece: &Piece, out: &mut Vec<Diagnostic>) {
+    fn broken(&self, piece: &RecordCandidate, out: &mut Vec<Diagnostic>) {
         let (start, end) = (piece.start, piece.end);
         let is_record = !matches!(
             piece.verdict,
-            Verdict::BadId { .. }
-                | Verdict::LostId { .. }
-                | Verdict::Surplus { .. }
-                | Verdict::CutOff { .. }
+            Diagnosis::BadId { .. }
+                | Diagnosis::LostId { .. }
+                | Diagnosis::Surplus { .. }
+                | Diagnosis::CutOff { .. }
         );
         if is_record && self.stretch.sigs[start].kind == TokenKind::Real {
             out.push(self.not_an_integer(start, "an ID"));
         }
         match piece.verdict {
-            Verdict::Void | Verdict::Whole(_) | Verdict::CutOff { .. } => {}
-            Verdict::Damaged { ty } | Verdict::Reals { ty } => {
+            Diagnosis::Void | Diagnosis::Whole(_) | Diagnosis::CutOff { .. } => {}
+            Diagnosis::Damaged { ty } | Diagnosis::Reals { ty } => {
                 self.real_type(start, out);
                 self.params(ty, start + 2, end, out);
             }
-            Verdict::WrongArity { ty, got, expected } => {
+            Diagnosis::WrongArity { ty, got, expected } => {
                 self.real_type(start, out);
                 let before = out.len();
                 self.bad_tokens(ty, start + 2, end, out);
@@ -133,7 +138,7 @@ impl Reporter<'_, '_> {
                     out.push(self.count(piece, ty, got, expected));
                 }
             }
-            Verdict::Surplus {
+            Diagnosis::Surplus {
                 ty,
                 expected,
                 at,
@@ -156,27 +161,27 @@ impl Reporter<'_, '_> {
                     false => d,
                 });
             }
-            Verdict::LostSign {
+            Diagnosis::LostSign {
                 ty,
                 meant,
                 got,
                 expected,
             } => out.push(self.lost_sign(piece, (ty, meant), got, expected)),
-            Verdict::BadPointCount { ty } => {
+            Diagnosis::BadPointCount { ty } => {
                 self.real_type(start, out);
                 self.bad_count(ty, start, end, out);
                 self.commas(start + 3, end, out);
             }
-            Verdict::UnknownType => {
+            Diagnosis::UnknownType => {
                 out.push(self.unknown_type(start + 1));
                 self.commas(start + 2, end, out);
             }
-            Verdict::BadType => {
+            Diagnosis::BadType => {
                 self.bad_type(start + 1, out);
                 self.commas(start + 2, end, out);
             }
-            Verdict::MissingType => out.push(self.missing_type(start)),
-            Verdict::LostId { ty } => {
+            Diagnosis::MissingType => out.push(self.missing_type(start)),
+            Diagnosis::LostId { ty } => {
                 let span = self.stretch.token(start).span();
                 let d = Diagnostic::new(Code::E005, span)
                     .case("lost")
@@ -191,7 +196,7 @@ impl Reporter<'_, '_> {
                     false => d,
                 });
             }
-            Verdict::Swapped => {
+            Diagnosis::Swapped => {
                 let span = self.span(start, start + 2);
                 let head = format!("1 {}", RecordType::of(RecordKind::Render).code);
                 out.push(
@@ -202,7 +207,7 @@ impl Reporter<'_, '_> {
                         .fix(write(Applicability::Unsafe, span, head)),
                 );
             }
-            Verdict::BadId { ty } => {
+            Diagnosis::BadId { ty } => {
                 self.bad_id(start, out);
                 let is_render = ty.is_some_and(|ty| ty.kind == RecordKind::Render);
                 if is_render
@@ -352,7 +357,13 @@ impl Reporter<'_, '_> {
         }
     }
 
-    fn count(&self, piece: &Piece, ty: &RecordType, got: usize, expected: usize) -> Diagnostic {
+    fn count(
+        &self,
+        piece: &RecordCandidate,
+        ty: &RecordType,
+        got: usize,
+        expected: usize,
+    ) -> Diagnostic {
         let (start, end) = (piece.start, piece.end);
         let count = |n: usize| Value::Count(n as u64);
         if expected > NUMBERS_MAX {
@@ -401,7 +412,7 @@ impl Reporter<'_, '_> {
 
     fn lost_sign(
         &self,
-        piece: &Piece,
+        piece: &RecordCandidate,
         (ty, meant): (&RecordType, &'static RecordType),
         got: usize,
         expected: usize,

@@ -2,11 +2,16 @@
 
 use super::super::table::RecordType;
 use super::report::Reporter;
-use super::verdict::Piece;
+use super::verdict::RecordCandidate;
 
 impl Reporter<'_, '_> {
     /// How many whole points a record has that says another number of them.
-    pub(super) fn points(&self, piece: &Piece, ty: &RecordType, got: usize) -> Option<usize> {
+    pub(super) fn points(
+        &self,
+        piece: &RecordCandidate,
+        ty: &RecordType,
+        got: usize,
+    ) -> Option<usize> {
         let each: usize = ty.repeats.iter().map(|group| group.len()).sum();
         let numbers = got.checked_sub(1).filter(|_| each > 0)?;
         if !numbers.is_multiple_of(each) || numbers < 2 * each {
@@ -20,7 +25,7 @@ impl Reporter<'_, '_> {
     }
 
     /// The numbers of a record line by line, behind its ID, its type and its number of points.
-    fn rows(&self, piece: &Piece, ty: &RecordType) -> Vec<(usize, usize)> {
+    fn rows(&self, piece: &RecordCandidate, ty: &RecordType) -> Vec<(usize, usize)> {
         let stretch = self.stretch;
         let head = piece.start + 2 + usize::from(ty.is_counted());
         let (first, last) = (stretch.line(piece.start), stretch.line(piece.end - 1));
@@ -47,7 +52,7 @@ impl Reporter<'_, '_> {
     /// the whole record deviates.
     pub(super) fn odd_row(
         &self,
-        piece: &Piece,
+        piece: &RecordCandidate,
         ty: &RecordType,
         got: usize,
         expected: usize,

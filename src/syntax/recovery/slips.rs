@@ -7,7 +7,7 @@ use super::heads::{end_of, expected_end, is_counted, type_behind_stray};
 use super::known::Unknown;
 use super::order::Order;
 use super::stretch::Stretch;
-use super::verdict::{Piece, Verdict};
+use super::verdict::{Diagnosis, RecordCandidate};
 
 /// Whether a line would be a record of its own but for a slip: a number more or less, one that is
 /// malformed, a word for the type, a lost ID or sign.
@@ -34,21 +34,21 @@ pub fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order) -> Sl
         .and_then(|s| s.int)
         .unwrap_or(0);
     let (ty, slip) = match judge(stretch, start, end, &Unknown).0 {
-        Verdict::Damaged { ty } | Verdict::Reals { ty } => (Some(ty), Slip::Yes),
-        Verdict::LostId { ty } => {
+        Diagnosis::Damaged { ty } | Diagnosis::Reals { ty } => (Some(ty), Slip::Yes),
+        Diagnosis::LostId { ty } => {
             return if in_table && ty.code > LEAST_HEAD {
                 Slip::No
             } else {
                 Slip::Yes
             };
         }
-        Verdict::Swapped => (None, Slip::Yes),
-        Verdict::Surplus { ty, .. } => (Some(ty), Slip::Yes),
-        Verdict::LostSign { meant, .. } => (Some(meant), Slip::Yes),
-        Verdict::BadId { ty: Some(ty) } if stretch.sigs[start].kind.is_bad() => {
+        Diagnosis::Swapped => (None, Slip::Yes),
+        Diagnosis::Surplus { ty, .. } => (Some(ty), Slip::Yes),
+        Diagnosis::LostSign { meant, .. } => (Some(meant), Slip::Yes),
+        Diagnosis::BadId { ty: Some(ty) } if stretch.sigs[start].kind.is_bad() => {
             (Some(ty), Slip::Yes)
         }
-        Verdict::WrongArity { ty, got, expected }
+        Diagnosis::WrongArity { ty, got, expected }
             if got.abs_diff(expected) <= most_off(expected) =>
         {
             let head = got > 0 || ty.code <= LEAST_HEAD || in_order;
@@ -56,7 +56,7 @@ pub fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order) -> Sl
         }
         // Words for numbers, as in `2 -701 red`, or a vector that lacks, as in a camera without its up vector: of a
         // table no row has those, nor such a type.
-        Verdict::WrongArity { ty, got, expected } if ty.code <= LEAST_HEAD => {
+        Diagnosis::WrongArity { ty, got, expected } if ty.code <= LEAST_HEAD => {
             let has_word = stretch.bad(start + 2, end) > 0;
             let is_short = got < expected && 2 * got > expected;
             let slip = if has_word || is_short {
@@ -66,13 +66,13 @@ pub fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order) -> Sl
             };
             (Some(ty), slip)
         }
-        Verdict::BadPointCount { ty } if end > start + 4 => (Some(ty), Slip::Yes),
-        Verdict::BadType
+        Diagnosis::BadPointCount { ty } if end > start + 4 => (Some(ty), Slip::Yes),
+        Diagnosis::BadType
             if (stretch.sigs[start + 1].kind.is_bad() || has_next_id()) && end > start + 2 =>
         {
             (None, Slip::Yes)
         }
-        Verdict::UnknownType => {
+        Diagnosis::UnknownType => {
             let signed = lost_sign(stretch, start, end);
             let meant = RecordType::by_code(-i64::from(code)).filter(|_| signed);
             let odd = code.abs() >= NO_COORDINATE && end > start + 2;
@@ -126,8 +126,8 @@ pub fn rows_expected(stretch: &Stretch, line: usize) -> usize {
 }
 
 /// Whether a piece that is no record is one slip of the pen away from one.
-pub fn is_slip(stretch: &Stretch, piece: &Piece) -> bool {
-    let Piece {
+pub fn is_slip(stretch: &Stretch, piece: &RecordCandidate) -> bool {
+    let RecordCandidate {
         start,
         end,
         verdict,
@@ -143,22 +143,22 @@ pub fn is_slip(stretch: &Stretch, piece: &Piece) -> bool {
     }
     let is_record = |ty: &RecordType| ty.kind != RecordKind::Undefined;
     match verdict {
-        Verdict::Void | Verdict::Whole(_) | Verdict::Swapped => true,
-        Verdict::Damaged { ty }
-        | Verdict::Reals { ty }
-        | Verdict::Surplus { ty, .. }
-        | Verdict::LostSign { meant: ty, .. }
-        | Verdict::LostId { ty }
-        | Verdict::CutOff { ty: Some(ty) } => is_record(ty),
-        Verdict::WrongArity { ty, got, expected } => {
+        Diagnosis::Void | Diagnosis::Whole(_) | Diagnosis::Swapped => true,
+        Diagnosis::Damaged { ty }
+        | Diagnosis::Reals { ty }
+        | Diagnosis::Surplus { ty, .. }
+        | Diagnosis::LostSign { meant: ty, .. }
+        | Diagnosis::LostId { ty }
+        | Diagnosis::CutOff { ty: Some(ty) } => is_record(ty),
+        Diagnosis::WrongArity { ty, got, expected } => {
             let is_cut_off = end == stretch.len() && got < expected;
             is_record(ty) && (is_cut_off || got.abs_diff(expected) <= most_off(expected))
         }
-        Verdict::BadPointCount { .. } => end > start + 4,
-        Verdict::BadId { ty: Some(ty) } => {
+        Diagnosis::BadPointCount { .. } => end > start + 4,
+        Diagnosis::BadId { ty: Some(ty) } => {
             is_record(ty) && end_of(stretch, start + 2, ty) == Some(end as u64)
         }
-        Verdict::BadType => {
+        Diagnosis::BadType => {
             let ty = type_behind_stray(stretch, start + 1);
             let is_right = |ty| end_of(stretch, start + 3, ty) == Some(end as u64);
             // A word for the type, and then hardly anything but numbers.
@@ -167,12 +167,12 @@ pub fn is_slip(stretch: &Stretch, piece: &Piece) -> bool {
             let has_numbers = numbers > 0 && 2 * numbers >= params.len();
             stretch.sigs[start].int.is_some() && has_numbers || ty.is_some_and(is_right)
         }
-        Verdict::UnknownType => lost_sign(stretch, start, end),
+        Diagnosis::UnknownType => lost_sign(stretch, start, end),
         // The text may end in the middle of its first record.
-        Verdict::MissingType | Verdict::CutOff { ty: None } => {
+        Diagnosis::MissingType | Diagnosis::CutOff { ty: None } => {
             end == stretch.len() && end - start < 2
         }
-        Verdict::BadId { ty: None } => false,
+        Diagnosis::BadId { ty: None } => false,
     }
 }
 

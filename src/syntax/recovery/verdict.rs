@@ -9,15 +9,15 @@ use super::stretch::Stretch;
 
 /// One piece of a stretch: tokens `start..end`.
 #[derive(Debug, Clone, Copy)]
-pub struct Piece {
+pub struct RecordCandidate {
     pub start: usize,
     pub end: usize,
-    pub verdict: Verdict,
+    pub verdict: Diagnosis,
 }
 
 /// What a piece of the text is.
 #[derive(Debug, Clone, Copy)]
-pub enum Verdict {
+pub enum Diagnosis {
     Void,
     Whole(Reading),
     /// A record with the right number of parameters, some of them reported by themselves; tokens
@@ -76,7 +76,7 @@ pub enum Verdict {
     },
 }
 
-impl Piece {
+impl RecordCandidate {
     /// The piece as an item of the tree.
     pub fn item(&self, stretch: &Stretch) -> Item {
         let sig = |i: usize| stretch.sigs[i];
@@ -92,10 +92,10 @@ impl Piece {
             is_slip: is_slip(stretch, self),
         };
         match self.verdict {
-            Verdict::Void => Item::Void {
+            Diagnosis::Void => Item::Void {
                 token: sig(self.start).token,
             },
-            Verdict::Whole(r) => Item::Record(Record {
+            Diagnosis::Whole(r) => Item::Record(Record {
                 id: stretch.sigs[self.start].int.unwrap_or(0) as u32,
                 kind: r.ty.kind,
                 first: broken.first,
@@ -103,38 +103,38 @@ impl Piece {
                 params: (r.end - self.start - 2) as u32,
                 value: stretch.value_index(self.start + 2),
             }),
-            Verdict::WrongArity { ty, .. } | Verdict::BadPointCount { ty } => {
+            Diagnosis::WrongArity { ty, .. } | Diagnosis::BadPointCount { ty } => {
                 broken.kind = Some(ty.kind);
                 broken.fault = ast::Fault::Arity;
                 Item::Broken(broken)
             }
-            Verdict::Damaged { ty }
-            | Verdict::Reals { ty }
-            | Verdict::LostSign { meant: ty, .. } => {
+            Diagnosis::Damaged { ty }
+            | Diagnosis::Reals { ty }
+            | Diagnosis::LostSign { meant: ty, .. } => {
                 broken.kind = Some(ty.kind);
                 Item::Broken(broken)
             }
-            Verdict::LostId { ty } => {
+            Diagnosis::LostId { ty } => {
                 broken.id = (ty.kind == RecordKind::Render).then_some(1);
                 broken.kind = Some(ty.kind);
                 broken.fault = ast::Fault::LostId;
                 Item::Broken(broken)
             }
-            Verdict::Surplus { ty, id, .. } => {
+            Diagnosis::Surplus { ty, id, .. } => {
                 broken.id = Some(id);
                 broken.kind = Some(ty.kind);
                 Item::Broken(broken)
             }
-            Verdict::Swapped => {
+            Diagnosis::Swapped => {
                 broken.id = Some(1);
                 broken.kind = Some(RecordKind::Render);
                 Item::Broken(broken)
             }
-            Verdict::UnknownType => {
+            Diagnosis::UnknownType => {
                 broken.fault = ast::Fault::UnknownType;
                 Item::Broken(broken)
             }
-            Verdict::BadId { ty } => {
+            Diagnosis::BadId { ty } => {
                 let spoiled = spoiled(stretch, self.start).and_then(|id| u32::try_from(id).ok());
                 broken.id = spoiled.or(broken.id).filter(|&id| id > 0);
                 broken.kind = ty.map(|ty| ty.kind);
@@ -143,11 +143,11 @@ impl Piece {
                 }
                 Item::Broken(broken)
             }
-            Verdict::CutOff { ty } => {
+            Diagnosis::CutOff { ty } => {
                 broken.kind = ty.map(|ty| ty.kind);
                 Item::Broken(broken)
             }
-            Verdict::BadType | Verdict::MissingType => Item::Broken(broken),
+            Diagnosis::BadType | Diagnosis::MissingType => Item::Broken(broken),
         }
     }
 }

@@ -12,11 +12,11 @@ use super::prices::{
 use super::slips::LEAST_HEAD;
 use super::stretch::Stretch;
 use super::surroundings::Surroundings;
-use super::verdict::{Piece, Verdict};
+use super::verdict::{Diagnosis, RecordCandidate};
 
 /// The last piece of the cheapest way to a place.
 #[derive(Debug, Clone, Copy, Default)]
-struct Step {
+struct BackPointer {
     /// Where the piece begins.
     from: u32,
     /// A place further back on the way, and how many pieces are before this one: with these, places on the way are
@@ -46,10 +46,10 @@ struct Definition {
     kind: Option<Kind>,
 }
 
-pub struct Ways<'a, 's> {
+pub struct PartialParses<'a, 's> {
     stretch: &'a Stretch<'s>,
     around: &'a Surroundings,
-    steps: Vec<Step>,
+    steps: Vec<BackPointer>,
     defined: FxHashMap<u32, Vec<Definition>>,
     /// The last places arrived at. What is far back and on none of their ways is on none any more.
     latest: [u32; STATES],
@@ -63,13 +63,17 @@ const DEFINITIONS: usize = 8;
 /// Places this far back are on all ways, or on none.
 const SETTLED: usize = 2000;
 
-impl<'a, 's> Ways<'a, 's> {
-    pub fn new(stretch: &'a Stretch<'s>, around: &'a Surroundings, places: usize) -> Ways<'a, 's> {
-        let mut steps = vec![Step::default(); places];
+impl<'a, 's> PartialParses<'a, 's> {
+    pub fn new(
+        stretch: &'a Stretch<'s>,
+        around: &'a Surroundings,
+        places: usize,
+    ) -> PartialParses<'a, 's> {
+        let mut steps = vec![BackPointer::default(); places];
         // The first record of a text has the ID 2, mostly.
         steps[0].top = u32::from(!stretch.is_behind(0));
         steps[0].lost = around.others;
-        Ways {
+        PartialParses {
             stretch,
             around,
             steps,
@@ -85,7 +89,7 @@ impl<'a, 's> Ways<'a, 's> {
         let further = self.steps[back.jump as usize];
         let furthest = self.steps[further.jump as usize];
         let far = back.depth - further.depth == further.depth - furthest.depth;
-        self.steps[end] = Step {
+        self.steps[end] = BackPointer {
             from: from as u32,
             jump: if far { further.jump } else { from as u32 },
             depth: back.depth + 1,
@@ -238,10 +242,10 @@ impl<'a, 's> Ways<'a, 's> {
 
 /// Whether a reading by arity has no error of meaning: no ID that is defined twice, no reference to nothing, no value
 /// that is not allowed.
-pub fn is_sound(stretch: &Stretch, around: &Surroundings, pieces: &[Piece]) -> bool {
-    let mut ways = Ways::new(stretch, around, stretch.len() + 1);
+pub fn is_sound(stretch: &Stretch, around: &Surroundings, pieces: &[RecordCandidate]) -> bool {
+    let mut ways = PartialParses::new(stretch, around, stretch.len() + 1);
     pieces.iter().all(|piece| {
-        let Verdict::Whole(r) = piece.verdict else {
+        let Diagnosis::Whole(r) = piece.verdict else {
             ways.arrive((piece.start, piece.end), Id::None, None);
             return true;
         };

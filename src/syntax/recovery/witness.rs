@@ -6,12 +6,12 @@ use super::super::signature::Reading;
 use super::super::table::{Effect, RecordKind};
 use super::damage;
 use super::faults;
-use super::known::Known;
+use super::known::IdContext;
 use super::order::Order;
 use super::slips::{self, Slip};
 use super::stretch::{LONG, Stretch};
 use super::surroundings::Surroundings;
-use super::verdict::{Piece, Verdict};
+use super::verdict::{Diagnosis, RecordCandidate};
 
 /// What the lines of a text say about its layout.
 pub struct Witnesses<'a> {
@@ -261,7 +261,7 @@ impl<'a> Witnesses<'a> {
 }
 
 /// If a record begins with the number of an ID that is missing, then it is that record's ID.
-impl Known for Witnesses<'_> {
+impl IdContext for Witnesses<'_> {
     fn is_missing(&self, id: i32) -> bool {
         let used =
             self.used.contains(&id) || self.elsewhere(id).is_some_and(|id| self.around.is_used(id));
@@ -345,7 +345,7 @@ fn run_to_line_end(stretch: &Stretch, line: usize) -> bool {
 }
 
 /// Whether a line is a render record by itself, and its numbers are those of other records in a reading.
-pub fn loses_render(stretch: &Stretch, witnesses: &Witnesses, pieces: &[Piece]) -> bool {
+pub fn loses_render(stretch: &Stretch, witnesses: &Witnesses, pieces: &[RecordCandidate]) -> bool {
     let is_render = |line: usize| {
         let ty = stretch.record_type(stretch.line_start(line) + 1);
         ty.is_some_and(|t| t.kind == RecordKind::Render)
@@ -358,14 +358,14 @@ pub fn loses_render(stretch: &Stretch, witnesses: &Witnesses, pieces: &[Piece]) 
 /// Whether a reading without faults has something in it that people do not write in a text laid out
 /// in lines: a record that straddles, one that takes the line of an operation or a property, a VOID without a comment
 /// behind a record, a heading's `0` taken for a number.
-pub fn is_odd(stretch: &Stretch, witnesses: &Witnesses, pieces: &[Piece]) -> bool {
+pub fn is_odd(stretch: &Stretch, witnesses: &Witnesses, pieces: &[RecordCandidate]) -> bool {
     pieces.iter().any(|p| {
         let behind = !stretch.starts_line(p.start);
         let last = stretch.line(p.end - 1);
         let over_lines = stretch.line(p.start) != last;
         let is_record = || witnesses.is_surely_a_record(stretch, last);
         match p.verdict {
-            Verdict::Void => behind,
+            Diagnosis::Void => behind,
             _ => {
                 (behind && (over_lines || p.end == p.start + 2))
                     || over_lines

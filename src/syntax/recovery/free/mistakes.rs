@@ -9,7 +9,7 @@ use super::super::prices::{
     FITS_NO_TYPE, GARBAGE, LIKE_A_NUMBER, MORE_OR_FEWER, NO_RECORD, ONE_IS_LIKELY, OUT_OF_ORDER,
     PARTS_OF_POINTS, SIGN_IS_LIKELY, STRAY, STRAY_TYPE, UNTYPED, WHOLE_POINTS, WRONG_TYPE,
 };
-use super::super::verdict::Verdict;
+use super::super::verdict::Diagnosis;
 use super::super::way::Id;
 use super::{FEW, Head, LONGEST, Search};
 
@@ -54,7 +54,7 @@ impl Search<'_, '_> {
                 (at, at + 1),
                 FAULT + ALONE,
                 (Id::None, None),
-                Verdict::BadId { ty: None },
+                Diagnosis::BadId { ty: None },
             );
         }
         // A real number as an ID is an error by itself.
@@ -67,7 +67,7 @@ impl Search<'_, '_> {
             (at, at + 1),
             FAULT + NO_RECORD + real,
             (id, None),
-            Verdict::MissingType,
+            Diagnosis::MissingType,
         );
         let line_end = stretch.line_end(stretch.line(at));
         let ty = stretch.record_type(at + 1);
@@ -76,9 +76,9 @@ impl Search<'_, '_> {
                 let got = end - at - 2;
                 let verdict = match ty.map(|ty| (ty, ty.params.len())) {
                     None => self.type_verdict(at + 1),
-                    Some((ty, _)) if ty.is_counted() => Verdict::BadPointCount { ty },
+                    Some((ty, _)) if ty.is_counted() => Diagnosis::BadPointCount { ty },
                     Some((_, expected)) if expected == got => continue,
-                    Some((ty, expected)) => Verdict::WrongArity { ty, got, expected },
+                    Some((ty, expected)) => Diagnosis::WrongArity { ty, got, expected },
                 };
                 let price = FAULT + faults::bad_price(stretch, at, end) + NO_RECORD + real;
                 let each = if end == line_end { UNTYPED } else { GARBAGE };
@@ -88,16 +88,16 @@ impl Search<'_, '_> {
         }
         if stretch.has_unclosed_comment(at, line_end) {
             let ty = stretch.record_type(at + 1);
-            self.offer((at, line_end), CUT_OFF, (id, ty), Verdict::CutOff { ty });
+            self.offer((at, line_end), CUT_OFF, (id, ty), Diagnosis::CutOff { ty });
         }
     }
 
     /// What is wrong with a token that should be a type and is none.
-    fn type_verdict(&self, at: usize) -> Verdict {
+    fn type_verdict(&self, at: usize) -> Diagnosis {
         match self.stretch.sigs.get(at) {
-            None => Verdict::MissingType,
-            Some(sig) if sig.int.is_some() => Verdict::UnknownType,
-            Some(_) => Verdict::BadType,
+            None => Diagnosis::MissingType,
+            Some(sig) if sig.int.is_some() => Diagnosis::UnknownType,
+            Some(_) => Diagnosis::BadType,
         }
     }
 
@@ -129,7 +129,7 @@ impl Search<'_, '_> {
                     (at, end),
                     price + doubts,
                     (Id::Lost, Some(ty)),
-                    Verdict::LostId { ty },
+                    Diagnosis::LostId { ty },
                 );
             }
         }
@@ -178,7 +178,7 @@ impl Search<'_, '_> {
             let doubts = self.doubts(head, end).min(DOUBTS_OF_FAULT_MAX);
             let verdict = match stray > at && self.stretch.record_type(stray).is_none() {
                 true => self.type_verdict(stray),
-                false => Verdict::Surplus {
+                false => Diagnosis::Surplus {
                     ty: head.ty,
                     expected: end - head.first,
                     at: stray,
@@ -206,7 +206,7 @@ impl Search<'_, '_> {
         };
         for end in self.right_ends(&head) {
             let doubts = self.params(&head, end).min(DOUBTS_OF_FAULT_MAX);
-            let verdict = Verdict::BadId { ty: Some(ty) };
+            let verdict = Diagnosis::BadId { ty: Some(ty) };
             self.offer(
                 (at, end),
                 FAULT + BAD_ID + real_type + doubts,
@@ -241,12 +241,12 @@ impl Search<'_, '_> {
                             (at, end),
                             price,
                             (head.id, Some(ty)),
-                            Verdict::Damaged { ty },
+                            Diagnosis::Damaged { ty },
                         );
                     }
                     continue;
                 }
-                let verdict = Verdict::WrongArity {
+                let verdict = Diagnosis::WrongArity {
                     ty,
                     got: end - head.first,
                     expected: wanted - head.first,
@@ -272,8 +272,8 @@ impl Search<'_, '_> {
             let got = end - at - 2;
             let verdict = match expected {
                 Some(expected) if expected.abs_diff(got) <= FEW => continue,
-                Some(expected) => Verdict::WrongArity { ty, got, expected },
-                None => Verdict::BadPointCount { ty },
+                Some(expected) => Diagnosis::WrongArity { ty, got, expected },
+                None => Diagnosis::BadPointCount { ty },
             };
             // Whole points, with the count or without it.
             let per = ty.arity(1) as usize - 1;
@@ -296,7 +296,12 @@ impl Search<'_, '_> {
         };
         for end in self.right_ends(&head) {
             let price = FAULT - SIGN_IS_LIKELY + self.doubts(&head, end).min(DOUBTS_OF_FAULT_MAX);
-            self.offer((at, end), price, (head.id, Some(ty)), Verdict::UnknownType);
+            self.offer(
+                (at, end),
+                price,
+                (head.id, Some(ty)),
+                Diagnosis::UnknownType,
+            );
         }
     }
 
@@ -312,7 +317,7 @@ impl Search<'_, '_> {
             let got = end - head.first;
             let doubts = self.doubts(&head, end);
             if expected > got && doubts < DOUBTS_OF_FAULT_MAX {
-                let verdict = Verdict::LostSign {
+                let verdict = Diagnosis::LostSign {
                     ty,
                     meant: head.ty,
                     got,
@@ -336,7 +341,7 @@ impl Search<'_, '_> {
             let verdict = match ty {
                 None => self.type_verdict(at + 1),
                 Some(ty) if ty.params.len() == got || ty.is_counted() => continue,
-                Some(ty) => Verdict::WrongArity {
+                Some(ty) => Diagnosis::WrongArity {
                     ty,
                     got,
                     expected: ty.params.len(),

@@ -1,7 +1,7 @@
 //! What to make of a text whose line breaks say nothing of where records begin.
 //!
 //! As in [`layout`](super::layout), all ways to cut it into records and faults compete, and the cheapest one wins.
-//! What speaks for a way are IDs and parameters: [`Ways`] knows at each place which IDs are defined on the cheapest
+//! What speaks for a way are IDs and parameters: [`PartialParses`] knows at each place which IDs are defined on the cheapest
 //! way to it. A fault is a record with one mistake ([`mistakes`]): a number too few or too many, or one that is spoiled.
 
 mod mistakes;
@@ -13,8 +13,8 @@ use super::heads;
 use super::prices::{DOUBTS_MAX, HEAD_WITHIN, HOPELESS, LONE_VOID, OTHER_WAY};
 use super::stretch::Stretch;
 use super::surroundings::Surroundings;
-use super::verdict::{Piece, Verdict};
-use super::way::{Id, STATES, Ways};
+use super::verdict::{Diagnosis, RecordCandidate};
+use super::way::{Id, PartialParses, STATES};
 
 /// How many numbers more or less are a slip.
 const FEW: usize = 2;
@@ -31,11 +31,11 @@ const FAULTS: usize = 1;
 const LOST: usize = 2;
 
 /// The reading with the least damage.
-pub fn cut(stretch: &Stretch, around: &Surroundings) -> Vec<Piece> {
+pub fn cut(stretch: &Stretch, around: &Surroundings) -> Vec<RecordCandidate> {
     let n = stretch.len();
     let mut search = Search {
         stretch,
-        ways: Ways::new(stretch, around, STATES * (n + 1)),
+        ways: PartialParses::new(stretch, around, STATES * (n + 1)),
         types: types_by_arity(),
         heads_before: heads_before(stretch),
         best: vec![None; STATES * (n + 1)],
@@ -46,7 +46,7 @@ pub fn cut(stretch: &Stretch, around: &Surroundings) -> Vec<Piece> {
         price: 0,
         id: Id::None,
         ty: None,
-        verdict: Verdict::Void,
+        verdict: Diagnosis::Void,
     });
     for at in 0..n {
         let ahead = |at: usize| STATES * at.min(n + 1);
@@ -71,7 +71,7 @@ pub fn cut(stretch: &Stretch, around: &Surroundings) -> Vec<Piece> {
     let mut node = ends.min_by_key(price).unwrap_or(0);
     let mut pieces = Vec::new();
     while let Some(offer) = search.best[node].filter(|_| node > 0) {
-        pieces.push(Piece {
+        pieces.push(RecordCandidate {
             start: offer.from / STATES,
             end: node / STATES,
             verdict: offer.verdict,
@@ -117,7 +117,7 @@ struct Offer {
     price: u64,
     id: Id,
     ty: Option<&'static RecordType>,
-    verdict: Verdict,
+    verdict: Diagnosis,
 }
 
 /// The ID and the type of a record.
@@ -133,7 +133,7 @@ struct Head {
 
 struct Search<'a, 's> {
     stretch: &'a Stretch<'s>,
-    ways: Ways<'a, 's>,
+    ways: PartialParses<'a, 's>,
     types: Vec<Vec<&'static RecordType>>,
     heads_before: Vec<u32>,
     /// For each place and state the cheapest way to it.
@@ -149,13 +149,13 @@ impl Search<'_, '_> {
         (start, end): (usize, usize),
         price: u32,
         (id, ty): (Id, Option<&'static RecordType>),
-        verdict: Verdict,
+        verdict: Diagnosis,
     ) {
         let Some(before) = self.best[self.here] else {
             return;
         };
         let mut state = self.here % STATES;
-        if !matches!(verdict, Verdict::Whole(_) | Verdict::Void) {
+        if !matches!(verdict, Diagnosis::Whole(_) | Diagnosis::Void) {
             state ^= FAULTS;
         }
         if matches!(id, Id::Lost) {
@@ -282,7 +282,7 @@ impl Search<'_, '_> {
                 true => 0,
                 false => LONE_VOID,
             };
-            self.offer((at, at + 1), price, (Id::None, None), Verdict::Void);
+            self.offer((at, at + 1), price, (Id::None, None), Diagnosis::Void);
         }
         let (Some(&r), Some(id)) = (stretch.read(at), self.id_at(at)) else {
             return;
@@ -297,7 +297,7 @@ impl Search<'_, '_> {
                 continue;
             }
             let price = doubts + if end == r.end { 0 } else { OTHER_WAY };
-            let verdict = Verdict::Whole(Reading { end, ..r });
+            let verdict = Diagnosis::Whole(Reading { end, ..r });
             self.offer((at, end), price, (head.id, Some(r.ty)), verdict);
         }
     }
