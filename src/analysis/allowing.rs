@@ -50,7 +50,7 @@ pub const TRIED_BYTES: usize = 1_000_000;
 
 /// Where a comment or a part of it is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Place {
+enum CommentSlot {
     /// Into a comment, as its first entry or behind others.
     List { at: u32, first: bool },
     /// Behind what stands on the line.
@@ -61,16 +61,16 @@ enum Place {
     AboveFirst(u32),
 }
 
-impl Place {
+impl CommentSlot {
     fn edit(self, codes: &BTreeSet<Code>, text: &str) -> Edit {
         let codes: Vec<&str> = codes.iter().map(|c| c.as_str()).collect();
         let codes = codes.join(", ");
         let (at, text) = match self {
-            Place::List { at, first: true } => (at, codes),
-            Place::List { at, first: false } => (at, format!(", {codes}")),
-            Place::Line(at) => (at, format!(" # zpg: allow({codes}) #")),
-            Place::Own(at) => (at, format!("# zpg: allow({codes}) #{}", line_break(text))),
-            Place::AboveFirst(at) => {
+            CommentSlot::List { at, first: true } => (at, codes),
+            CommentSlot::List { at, first: false } => (at, format!(", {codes}")),
+            CommentSlot::Line(at) => (at, format!(" # zpg: allow({codes}) #")),
+            CommentSlot::Own(at) => (at, format!("# zpg: allow({codes}) #{}", line_break(text))),
+            CommentSlot::AboveFirst(at) => {
                 let end = line_break(text);
                 (at, format!("# zpg: allow-next({codes}) #{end}"))
             }
@@ -220,7 +220,7 @@ impl<'a> Finder<'a> {
 
     /// What is to be written for all findings at places of a kind.
     fn edits(&self, kind: Kind) -> Vec<Edit> {
-        let mut all: BTreeMap<Place, BTreeSet<Code>> = BTreeMap::new();
+        let mut all: BTreeMap<CommentSlot, BTreeSet<Code>> = BTreeMap::new();
         for finding in self.analysis.findings() {
             if let Some(place) = self.place(finding, kind) {
                 all.entry(place).or_default().insert(finding.code);
@@ -235,7 +235,7 @@ impl<'a> Finder<'a> {
         edits
     }
 
-    fn place(&self, finding: &Diagnostic, kind: Kind) -> Option<Place> {
+    fn place(&self, finding: &Diagnostic, kind: Kind) -> Option<CommentSlot> {
         if finding.code.is_never_allowed() {
             return None;
         }
@@ -258,8 +258,8 @@ impl<'a> Finder<'a> {
         };
         match kind {
             Kind::Merged => self.merged(record, finding.code),
-            Kind::EndOfLine => self.end_of_line(record).map(Place::Line),
-            Kind::BehindRecord => Some(Place::Line(self.span(record).end)),
+            Kind::EndOfLine => self.end_of_line(record).map(CommentSlot::Line),
+            Kind::BehindRecord => Some(CommentSlot::Line(self.span(record).end)),
             Kind::LineAbove => self.line_above(record),
             Kind::Head => self.of_file(finding.code, kind),
         }
@@ -304,7 +304,7 @@ impl<'a> Finder<'a> {
     }
 
     /// A comment on the lines of a record, or alone above it.
-    fn merged(&self, record: usize, code: Code) -> Option<Place> {
+    fn merged(&self, record: usize, code: Code) -> Option<CommentSlot> {
         let lines = self.lines(record);
         let line = |i: u32| self.line(self.token(i).start);
         let first = self
@@ -337,14 +337,14 @@ impl<'a> Finder<'a> {
     }
 
     /// Behind the last entry between the brackets of a comment, unless the code is there.
-    fn list(&self, directive: u32, code: Code) -> Option<Place> {
+    fn list(&self, directive: u32, code: Code) -> Option<CommentSlot> {
         let token = self.token(directive);
         let Allow { list, entries, .. } = Allow::read(token, &self.analysis.source.text)?;
         let has = |entry: &&str| entry.eq_ignore_ascii_case(code.as_str());
         if entries.iter().any(has) {
             return None;
         }
-        Some(Place::List {
+        Some(CommentSlot::List {
             at: list.end,
             first: entries.iter().all(|entry| entry.is_empty()),
         })
@@ -378,20 +378,20 @@ impl<'a> Finder<'a> {
     }
 
     /// Above the line that a record begins on, if nothing stands before it there.
-    fn line_above(&self, record: usize) -> Option<Place> {
+    fn line_above(&self, record: usize) -> Option<CommentSlot> {
         let source = &self.analysis.source;
         let start = self.span(record).start;
         let line = source.line_span(self.line(start)).start;
         let before = &source.text[line as usize..start as usize];
         let place = match record {
-            0 => Place::AboveFirst(line),
-            _ => Place::Own(line),
+            0 => CommentSlot::AboveFirst(line),
+            _ => CommentSlot::Own(line),
         };
         before.trim().is_empty().then_some(place)
     }
 
     /// At the head of the file.
-    fn of_file(&self, code: Code, kind: Kind) -> Option<Place> {
+    fn of_file(&self, code: Code, kind: Kind) -> Option<CommentSlot> {
         let of_file = |i: &u32| !self.is_about_next(*i);
         let first = self.directives.iter().copied().find(of_file);
         let head =
@@ -400,7 +400,7 @@ impl<'a> Finder<'a> {
             (Kind::Merged, Some(head)) => self.list(head, code),
             (Kind::Head, _) => {
                 let mark = self.analysis.source.text.starts_with('\u{feff}');
-                Some(Place::Own(u32::from(mark) * 3))
+                Some(CommentSlot::Own(u32::from(mark) * 3))
             }
             _ => None,
         }

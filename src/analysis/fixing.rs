@@ -123,7 +123,7 @@ fn is_guess(fix: &Fix) -> bool {
 }
 
 /// A round of fixes.
-struct Step {
+struct FixRound {
     analysis: Analysis,
     count: usize,
     edits: Vec<Edit>,
@@ -137,10 +137,10 @@ fn step(
     all: &[Fix],
     again: &impl Fn(SourceFile) -> Analysis,
     left: &mut usize,
-) -> Option<Step> {
+) -> Option<FixRound> {
     let mut chosen = vec![false; all.len()];
     let guesses = all.iter().any(is_guess);
-    let mut best: Option<Step> = None;
+    let mut best: Option<FixRound> = None;
     let mut lightest = weight(analysis);
     // Larger stretches first, so that what does harm in one place holds up nothing in others.
     let mut stretches = VecDeque::new();
@@ -164,7 +164,7 @@ fn step(
                 && recognise::is_scene(&fixed.source.text)
                 && !(guesses && repair::draws_nothing(&fixed) && !repair::draws_nothing(before))
             {
-                best = Some(Step {
+                best = Some(FixRound {
                     analysis: fixed,
                     count,
                     edits,

@@ -213,10 +213,10 @@ pub struct Configs {
     /// What is said on the command line counts more than any file.
     over: Vec<Written>,
     only: Option<Arc<Config>>,
-    found: Mutex<HashMap<PathBuf, Found>>,
+    found: Mutex<HashMap<PathBuf, ConfigResult>>,
 }
 
-type Found = Result<Arc<Config>, ConfigError>;
+type ConfigResult = Result<Arc<Config>, ConfigError>;
 
 impl Configs {
     /// Settings with those of a command line: files of settings and single settings, in any order, and patterns
@@ -276,7 +276,7 @@ impl Configs {
     /// # Errors
     ///
     /// The nearest `zpg.toml` cannot be read or understood.
-    pub fn for_file(&self, file: &Path) -> Found {
+    pub fn for_file(&self, file: &Path) -> ConfigResult {
         if let Some(only) = &self.only {
             return Ok(only.clone());
         }
@@ -293,7 +293,7 @@ impl Configs {
         found
     }
 
-    fn nearest(&self, folder: &Path) -> Found {
+    fn nearest(&self, folder: &Path) -> ConfigResult {
         let config = |path, root, written: &Written| {
             let config = Config::new(path, root, written, &self.over);
             Ok(Arc::new(config))

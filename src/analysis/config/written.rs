@@ -35,7 +35,7 @@ const FORMAT: &str = "format";
 const TOP: [&str; 4] = [EXCLUDE, FORMAT, LINT, PER_FILE_IGNORES];
 const OF_FORMAT: [&str; 4] = ["align", "group", "numbers", "width"];
 
-type Entry<'t, 'i> = (
+type KeyValue<'t, 'i> = (
     &'t Spanned<std::borrow::Cow<'i, str>>,
     &'t Spanned<DeValue<'i>>,
 );
@@ -71,7 +71,7 @@ impl Written {
 }
 
 /// What a table has, in the order of the text.
-fn entries<'t, 'i>(table: &'t DeTable<'i>) -> Vec<Entry<'t, 'i>> {
+fn entries<'t, 'i>(table: &'t DeTable<'i>) -> Vec<KeyValue<'t, 'i>> {
     let mut all: Vec<_> = table.iter().collect();
     all.sort_by_key(|(key, _)| key.span().start);
     all
@@ -240,7 +240,7 @@ impl Reader<'_> {
         &mut self,
         key: &str,
         value: &'v Spanned<DeValue<'i>>,
-    ) -> Vec<Entry<'v, 'i>> {
+    ) -> Vec<KeyValue<'v, 'i>> {
         match value.get_ref().as_table() {
             Some(table) => entries(table),
             None => {

@@ -3,7 +3,7 @@
 
 use rustc_hash::FxHashSet;
 
-use super::candidates::{Candidate, Habit, Place};
+use super::candidates::{Candidate, Habit, LineContext};
 use super::whole::records;
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
@@ -40,7 +40,7 @@ fn taking(analysis: &Analysis) -> impl Iterator<Item = Suspect> {
     spans
         .filter(move |span| line(span.start) != line(span.end))
         .filter_map(move |span| {
-            let place = Place::both(analysis, span.start).into_iter().next()?;
+            let place = LineContext::both(analysis, span.start).into_iter().next()?;
             let mut candidates = Vec::new();
             place.siblings(&mut candidates);
             candidates.retain(|c| c.ty.is_some());
@@ -65,7 +65,7 @@ fn exchanged(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
     let mut lines = FxHashSet::default();
     let mut out = Vec::new();
     for d in findings.iter().filter(|d| d.is_error()) {
-        let place = Place::both(analysis, d.span.start).into_iter().next();
+        let place = LineContext::both(analysis, d.span.start).into_iter().next();
         let Some(place) = place.filter(|place| lines.insert(place.line().start)) else {
             continue;
         };
@@ -108,7 +108,9 @@ fn copy(analysis: &Analysis, record: &Record) -> Option<Suspect> {
         .with("kinds", Value::OneOf(vec![Kind::Object.name()]))
         .with("parameter", Value::Term(record.ty().params.first()?.doc))
         .label(original.span, "defined-here");
-    let place = Place::both(analysis, operand.start).into_iter().next()?;
+    let place = LineContext::both(analysis, operand.start)
+        .into_iter()
+        .next()?;
     let mut candidates = place.candidates(&finding, &[], &[]);
     candidates.retain(|c| matches!(c.habit, Habit::Shifted | Habit::Reference));
     Some(Suspect {

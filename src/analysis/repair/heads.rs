@@ -1,6 +1,6 @@
 //! Records that look as if their IDs were lost, since the ID is the number of a type, too: another number is wrong.
 
-use super::candidates::Place;
+use super::candidates::LineContext;
 use super::whole::{records, references};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Diagnostic};
@@ -12,7 +12,7 @@ pub fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
     // The lost ID may be one of these.
     let has_undefined = findings.iter().any(|d| d.code == Code::E101);
     for d in findings.iter_mut().filter(|d| is_lost(d)) {
-        let places = Place::both(analysis, d.span.start);
+        let places = LineContext::both(analysis, d.span.start);
         let Some((place, id)) = places.first().and_then(|p| Some((p, p.id()?))) else {
             continue;
         };

@@ -20,7 +20,7 @@ use super::Analysis;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span, Value, fixes};
 use crate::scene::names;
 use crate::syntax::Item;
-use candidates::{Candidate, Habit, Place};
+use candidates::{Candidate, Habit, LineContext};
 use judge::Left;
 
 /// So many texts are tried for one file at most.
@@ -209,7 +209,7 @@ impl Engine<'_> {
             if is_tried(finding)
                 && !done
                 && !settled
-                && let Some(place) = (Place::both(self.analysis, finding.span.start).iter())
+                && let Some(place) = (LineContext::both(self.analysis, finding.span.start).iter())
                     .find(|place| self.mend(at, place))
             {
                 let end = place.line().end;
@@ -226,8 +226,8 @@ impl Engine<'_> {
     fn lacking(&mut self) {
         let few = |d: &&mut Diagnostic| d.code == Code::E008 && d.case.is_empty();
         for d in self.findings.iter_mut().filter(few).take(TRIALS) {
-            let places = Place::both(self.analysis, d.span.start);
-            if let Some((have, missing)) = places.first().and_then(Place::lacking) {
+            let places = LineContext::both(self.analysis, d.span.start);
+            if let Some((have, missing)) = places.first().and_then(LineContext::lacking) {
                 d.values.push(("have", have.into()));
                 d.values.push(("missing", missing.into()));
                 d.notes.push("lack");
@@ -236,7 +236,7 @@ impl Engine<'_> {
     }
 
     /// Puts the fixes of a finding into order. Whether there is one that mends the line.
-    fn mend(&mut self, at: usize, place: &Place) -> bool {
+    fn mend(&mut self, at: usize, place: &LineContext) -> bool {
         let finding = self.findings[at].clone();
         let undefined = undefined(&self.findings);
         let fixes = self.findings.iter().flat_map(|d| &d.fixes);
@@ -403,7 +403,7 @@ impl Engine<'_> {
 
 /// Gives a finding its fixes, and words that go with the first of them: those of what that one puts right, where the
 /// finding speaks of something else.
-fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &Place) {
+fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &LineContext) {
     let new = best.iter().map(|c| c.fix.clone()).collect();
     let own = std::mem::replace(&mut finding.fixes, new);
     let Some(first) = best.first() else { return };

@@ -1,6 +1,6 @@
 //! Numbers behind those of a record that make a record of their own: the place of a lamp, the colour of an object.
 
-use super::{Candidate, Habit, Place};
+use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::Token;
 use crate::syntax::quote;
@@ -20,7 +20,7 @@ enum Order {
     Either,
 }
 
-impl Place<'_> {
+impl LineContext<'_> {
     /// A light or a shape with three numbers too many, which are its colour or move it, or with six, which do both.
     /// The type may have lost its minus, too.
     pub(super) fn apart(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
@@ -89,7 +89,7 @@ impl Place<'_> {
         let mut at = 2 + self.wanted(ty);
         let (mut edits, mut last) = (Vec::new(), None);
         while at < self.tokens.len() {
-            let place = Place {
+            let place = LineContext {
                 tokens: self.tokens[at..].to_vec(),
                 named: None,
                 ..*self

@@ -1,6 +1,6 @@
 //! Where a camera looks, and which way is up.
 
-use super::{Candidate, Habit, Place};
+use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 use crate::geometry::array::{length, sub};
 use crate::lint::spelling::decimal;
@@ -13,7 +13,7 @@ const ROUNDED: f64 = 1e-3;
 /// The angle of a camera that lacks it.
 const ANGLE: &str = "45";
 
-impl Place<'_> {
+impl LineContext<'_> {
     /// The direction is the point that the camera looks at, or the up vector is along the direction.
     pub(super) fn camera(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let is_camera = self.ty().is_some_and(|ty| ty.kind == RecordKind::Camera);

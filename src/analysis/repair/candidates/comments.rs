@@ -1,11 +1,11 @@
 //! Words that were meant as a comment.
 
-use super::{Candidate, Habit, Place};
+use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Fix, Span};
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{RecordKind, RecordType};
 
-impl Place<'_> {
+impl LineContext<'_> {
     /// Words behind a record that were meant as a comment.
     pub(super) fn comments(&self, out: &mut Vec<Candidate>) {
         let is_wordy = |t: &Token| {

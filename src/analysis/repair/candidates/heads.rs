@@ -3,7 +3,7 @@
 
 use rustc_hash::FxHashSet;
 
-use super::{Candidate, Habit, Place};
+use super::{Candidate, Habit, LineContext};
 use crate::analysis::colours;
 use crate::analysis::repair::whole::{records, references};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
@@ -16,7 +16,7 @@ use crate::syntax::words;
 /// The render record always has this ID.
 const RENDER: u32 = 1;
 
-impl Place<'_> {
+impl LineContext<'_> {
     /// The name of a type before all numbers, as other programs have it: `sphere 4 0 1 0 0.5`. Without an ID it gets the
     /// only one that is undefined.
     pub(super) fn keyword(&self, out: &mut Vec<Candidate>) {
@@ -254,7 +254,7 @@ impl Place<'_> {
         };
         let numbers = params.iter().filter(|t| !is_colour(t)).copied();
         let numbers: Vec<Token> = numbers.collect();
-        let place = Place {
+        let place = LineContext {
             tokens: [&[self.tokens[0], word], numbers.as_slice()].concat(),
             named: Some(ty),
             ..*self

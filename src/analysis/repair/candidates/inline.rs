@@ -46,7 +46,7 @@ pub(super) fn is_inline(fix: &Fix) -> bool {
     [TITLE, ID_TITLE].contains(&fix.title)
 }
 
-impl Place<'_> {
+impl LineContext<'_> {
     /// The colours that stand in the places of their IDs become records of their own above this one. IDs that are
     /// `used` get none of them.
     pub(super) fn inline(&self, used: &[u32], out: &mut Vec<Candidate>) {

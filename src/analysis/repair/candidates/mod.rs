@@ -78,7 +78,7 @@ impl Habit {
         matches!(self, Habit::Shifted | Habit::Reference | Habit::Proposed)
     }
 
-    /// Whether a finding speaks of what this puts right. If not, [`Place::matter`] does.
+    /// Whether a finding speaks of what this puts right. If not, [`LineContext::matter`] does.
     pub fn is_said_by(self, finding: &Diagnostic) -> bool {
         use Code::*;
         match self {
@@ -124,7 +124,7 @@ pub struct Candidate {
 const MOST: usize = 16;
 
 /// A line of the text, or all of a record that begins on it.
-pub struct Place<'a> {
+pub struct LineContext<'a> {
     analysis: &'a Analysis,
     text: &'a str,
     /// From the first token to the end of the line, white space left out.
@@ -137,18 +137,18 @@ pub struct Place<'a> {
     named: Option<&'static RecordType>,
 }
 
-impl<'a> Place<'a> {
+impl<'a> LineContext<'a> {
     /// Where a finding is: the line, and the record that begins it where that goes on behind its end.
-    pub fn both(analysis: &'a Analysis, at: u32) -> Vec<Place<'a>> {
-        let Some(line) = Place::of(analysis, at, false) else {
+    pub fn both(analysis: &'a Analysis, at: u32) -> Vec<LineContext<'a>> {
+        let Some(line) = LineContext::of(analysis, at, false) else {
             return Vec::new();
         };
-        let record = Place::of(analysis, at, true);
+        let record = LineContext::of(analysis, at, true);
         let longer = record.filter(|r| r.tokens.len() > line.tokens.len());
         std::iter::once(line).chain(longer).collect()
     }
 
-    fn of(analysis: &'a Analysis, at: u32, goes_on: bool) -> Option<Place<'a>> {
+    fn of(analysis: &'a Analysis, at: u32, goes_on: bool) -> Option<LineContext<'a>> {
         let source = &analysis.source;
         let line = source.line_span(source.line_index(source.floor(at)));
         let document = &analysis.document;
@@ -176,7 +176,7 @@ impl<'a> Place<'a> {
         let text = &source.text;
         brackets::strip(&mut tokens, text);
         let end = line.start + text[line.range()].trim_end().len() as u32;
-        Some(Place {
+        Some(LineContext {
             analysis,
             text,
             line: Span::new(all[head].start, end),

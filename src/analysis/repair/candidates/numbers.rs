@@ -1,6 +1,6 @@
 //! How numbers and names are spelled, and numbers that stand there twice.
 
-use super::{Candidate, Habit, Place};
+use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::characters;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::lint::spelling::{decimal, with_point};
@@ -11,7 +11,7 @@ use crate::syntax::table::{RecordKind, RecordType};
 /// Words before the point that a camera of other programs looks at.
 const LOOK_AT: [&str; 4] = ["look_at", "lookat", "target", "at"];
 
-impl Place<'_> {
+impl LineContext<'_> {
     /// Words between the numbers of a record, as in `look_at 0 0 0`: they go, and the point that a camera looks at becomes
     /// a direction.
     pub(super) fn labelled(&self) -> Option<Candidate> {

@@ -1,7 +1,7 @@
 //! An ID of its own for a record that has another one's.
 
 use super::inline::{FREE_TITLE, OWN_TITLE};
-use super::{Candidate, Habit, Place};
+use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::whole::{records, references};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::Item;
@@ -9,7 +9,7 @@ use crate::syntax::ast::Record;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Effect, Kind, ParamKind, RecordKind, RecordType};
 
-impl Place<'_> {
+impl LineContext<'_> {
     /// What this record defines and what its ID is, where these are properties of different kinds.
     pub(super) fn other_property(&self) -> Option<(Kind, Kind)> {
         let is_property = |kind: &Kind| matches!(kind, Kind::Optics | Kind::Texture | Kind::Colour);

@@ -2,14 +2,14 @@
 
 use rustc_hash::FxHashSet;
 
-use super::{Candidate, Habit, MOST, Place};
+use super::{Candidate, Habit, LineContext, MOST};
 use crate::diagnostics::{Code, Diagnostic, Edit};
 use crate::scene::{Entity, names};
 use crate::syntax::Item;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Effect, Family, Kind, Param, ParamKind, RecordKind, RecordType};
 
-impl Place<'_> {
+impl LineContext<'_> {
     /// The parameters that are references, and what they may refer to.
     fn referring(&self) -> Vec<(Token, &'static [Kind])> {
         let Some(ty) = self.ty().filter(|ty| self.fits(ty)) else {

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::{Candidate, Habit, MOST, Place};
+use super::{Candidate, Habit, LineContext, MOST};
 use crate::analysis::materials;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::{Token, TokenKind};
@@ -49,7 +49,7 @@ const SIBLINGS: &[(i32, &[i32])] = &[
 /// A cone from one circle to another has so many numbers.
 const CONE: usize = 8;
 
-impl Place<'_> {
+impl LineContext<'_> {
     /// A word, or several, in the place of a type's number.
     pub(super) fn words(&self, out: &mut Vec<Candidate>) {
         let behind = self.tokens.get(1..).unwrap_or(&[]);
