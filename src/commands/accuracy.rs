@@ -8,13 +8,13 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
+use super::atomic_file::{self, try_folder, unwritable};
 use super::camera::{CameraArgs, one_camera};
-use super::draft::{self, try_folder, unwritable};
 use super::help;
 use super::size::Size;
 use super::terminal::{print, progress_bar, stop_on_interrupt, width};
 use super::time::Seconds;
-use super::{LookChoice, Status, complain, load_sound, refuse, usage};
+use super::{LookChoice, Status, complain, load_valid, refuse, usage};
 use crate::analysis::Analysis;
 use crate::analysis::file::STDIN;
 use crate::diagnostics::{Complaint, Error, Language};
@@ -142,7 +142,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &complaint);
         return Status::Failure;
     }
-    let loaded = match load_sound(file, look) {
+    let loaded = match load_valid(file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
@@ -204,7 +204,7 @@ fn study(
     progress.bar.finish_and_clear();
     for (name, text) in accuracy::print::files(&report, look.language()) {
         let path = folder.join(name);
-        draft::write(&path, |out| out.write_all(text.as_bytes()))?;
+        atomic_file::write(&path, |out| out.write_all(text.as_bytes()))?;
     }
     let path = folder.join("accuracy.html").to_string_lossy().into_owned();
     let page = look
@@ -288,7 +288,7 @@ fn shapes(args: &Args, look: LookChoice) -> Status {
         let write = |name: &str, text: &str| -> Result<(), Complaint> {
             let path = folder.join(name);
             fs::create_dir_all(folder).map_err(|e| unwritable(&path, &e))?;
-            draft::write(&path, |out| out.write_all(text.as_bytes()))
+            atomic_file::write(&path, |out| out.write_all(text.as_bytes()))
         };
         let written = write("shapes.json", &json).and_then(|()| write("shapes.md", &table));
         if let Err(complaint) = written {

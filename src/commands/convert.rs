@@ -3,14 +3,14 @@
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
+use super::atomic_file::{self, try_file};
 use super::camera::CameraArgs;
-use super::draft::{self, try_file};
 use super::endings;
 use super::help;
 use super::memory::Memory;
 use super::paths::is_stdout;
+use super::refuse_overwrite::refuse_overwrite;
 use super::size::Size;
-use super::spare::spare;
 use super::terminal::{tell, width};
 use super::{LookChoice, Needs, Status, complain, load_for, refuse, usage};
 use crate::analysis::file::STDIN;
@@ -171,7 +171,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         .map(on_stdout_if_asked);
     let spared = made.and_then(|made| {
         let files = made.files.iter().filter_map(|(path, _)| path.as_deref());
-        spare(
+        refuse_overwrite(
             &args.file,
             &loaded,
             files.chain(args.report.as_deref().filter(|path| !is_stdout(path))),
@@ -267,7 +267,7 @@ fn write<'f>(
     paths.try_for_each(try_file)?;
     for (path, bytes) in files {
         let path = path.as_deref().unwrap_or(Path::new(STDIN));
-        draft::write(path, |out| out.write_all(bytes))?;
+        atomic_file::write(path, |out| out.write_all(bytes))?;
     }
     Ok(())
 }

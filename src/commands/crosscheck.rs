@@ -9,13 +9,13 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
+use super::atomic_file::{self, try_folder, unwritable};
 use super::camera::CameraArgs;
-use super::draft::{self, try_folder, unwritable};
 use super::help;
+use super::refuse_overwrite::refuse_overwrite;
 use super::size::Size;
-use super::spare::spare;
 use super::time::Seconds;
-use super::{LookChoice, Status, complain, convert, load_sound, terminal, usage};
+use super::{LookChoice, Status, complain, convert, load_valid, terminal, usage};
 use crate::analysis::Analysis;
 use crate::analysis::file::STDIN;
 use crate::commands::refuse;
@@ -218,7 +218,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &complaint);
         return Status::Failure;
     }
-    let loaded = match load_sound(&args.file, look) {
+    let loaded = match load_valid(&args.file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };
@@ -261,7 +261,7 @@ fn answer<T: Outcome>(
     let folder = folder(args);
     let json = serde_json::to_vec_pretty(&answer).unwrap_or_default();
     let json = [&json[..], b"\n"].concat();
-    draft::write(&folder.join("crosscheck.json"), |out| out.write_all(&json))?;
+    atomic_file::write(&folder.join("crosscheck.json"), |out| out.write_all(&json))?;
     if args.json {
         return Ok((answer.agrees, json));
     }
@@ -372,7 +372,7 @@ impl Folder {
         let ours = pictures.iter().flatten().map(|name| path.join(name));
         let files = files.into_iter().map(|name| path.join(name));
         let paths: Vec<PathBuf> = ours.chain(files).collect();
-        spare(&args.file, loaded, paths.iter().map(PathBuf::as_path))?;
+        refuse_overwrite(&args.file, loaded, paths.iter().map(PathBuf::as_path))?;
         let is_new = !path.exists();
         match fs::create_dir_all(&path) {
             Ok(()) => Ok(Folder { path, is_new }),
@@ -505,7 +505,7 @@ fn write_pictures(
     ];
     for (name, (size, rgb)) in PICTURES.into_iter().zip(files) {
         let path = folder.join(format!("{name}{suffix}.png"));
-        draft::write(&path, |out| write_rgb8(out, size, rgb, Packing::Quick))?;
+        atomic_file::write(&path, |out| write_rgb8(out, size, rgb, Packing::Quick))?;
     }
     Ok(())
 }

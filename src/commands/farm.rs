@@ -17,7 +17,7 @@ use super::render::frames::check_each;
 use super::render::options::PictureArgs;
 use super::terminal::{self, LookChoice, complain};
 use super::time::Seconds;
-use super::{Status, load_sound, refuse, usage};
+use super::{Status, load_valid, refuse, usage};
 use crate::analysis::config::Configs;
 use crate::diagnostics::layout::wrapped;
 use crate::diagnostics::{Complaint, Error, Value};
@@ -118,7 +118,7 @@ pub fn run(args: &Args, command: Command, look: LookChoice) -> Status {
     let mut broken = Vec::new();
     for (path, place) in places {
         let start = Instant::now();
-        match load_sound(&path, look) {
+        match load_valid(&path, look) {
             Ok(loaded) => scenes.push(Scene {
                 path,
                 place,

@@ -4,10 +4,10 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::draft::{Draft, unwritable};
+use super::atomic_file::{AtomicFile, unwritable};
 use super::render::output::wrote;
 use super::terminal::{self, LookChoice, complain};
-use super::{Status, spare};
+use super::{Status, refuse_overwrite};
 use crate::diagnostics::Complaint;
 use crate::picture_files::{self, Format, Origin, read};
 
@@ -97,7 +97,7 @@ fn join(args: &Args) -> Result<Origin, Refusal> {
             io::Error::other("a part cannot be read")
         })
     });
-    let draft = Draft::create(output).map_err(Refusal::Failure)?;
+    let draft = AtomicFile::create(output).map_err(Refusal::Failure)?;
     let written = draft.finish(|out| picture_files::write(format, out, &whole, &mut rows));
     drop(rows);
     if let Some(complaint) = fault {
@@ -141,7 +141,7 @@ fn files(parts: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>, Complaint> {
     let mut files = Vec::new();
     for part in parts {
         if !part.is_dir() {
-            spare::spare_scenes(std::slice::from_ref(part), output)?;
+            refuse_overwrite::refuse_overwrite_of_scenes(std::slice::from_ref(part), output)?;
             files.push(part.clone());
             continue;
         }

@@ -37,11 +37,11 @@ pub fn analyse(path: &Path, bytes: Vec<u8>) -> Analysis {
 
 /// Reads a scene for a command that draws a sound one: says which errors it has, and gives the exit
 /// status where there are some or there is nothing to draw. All else is for `zpg check` to say.
-pub fn load_sound(path: &Path, look: LookChoice) -> Result<Analysis, Status> {
+pub fn load_valid(path: &Path, look: LookChoice) -> Result<Analysis, Status> {
     load_for(Needs::Render, path, look)
 }
 
-/// As [`load_sound`], for a command that may need less.
+/// As [`load_valid`], for a command that may need less.
 pub fn load_for(needs: Needs, path: &Path, look: LookChoice) -> Result<Analysis, Status> {
     let bytes = file::read(path).map_err(|e| {
         complain(look, &e);

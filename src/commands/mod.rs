@@ -3,15 +3,16 @@
 //!
 //! What they share: [`belongings`] of files stay theirs, [`camera`] says who takes the picture, [`canvas`] has text on
 //! pictures, [`load`] loads a scene and says why a command refuses, [`paths`] expands folders, [`difference`] shows how
-//! a file would change, [`draft`] writes files that appear when they are complete, [`endings`] refuses names that say
+//! a file would change, [`atomic_file`] writes files that appear when they are complete, [`endings`] refuses names that say
 //! something else than what is written, [`frames`] says which pictures a scene with varying numbers has, [`help`] gives
 //! `--help` in other languages, [`language`] chooses one, [`memory`] says how much memory and how many threads may be
 //! taken, [`rewrite`] changes files, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`,
-//! [`shell`] quotes words, [`spare`] keeps what is read from being written over, [`terminal`] knows about colour and about output that nobody
+//! [`shell`] quotes words, [`refuse_overwrite`] keeps files that are read from being written over, [`terminal`] knows about colour and about output that nobody
 //! reads any more, [`time`] reads `90s`, [`topics`] are pages of `explain`, [`usage`] says what is wrong with
 //! arguments, [`watch`] does something again when a scene changes.
 
 pub mod accuracy;
+pub mod atomic_file;
 mod belongings;
 mod camera;
 mod canvas;
@@ -21,7 +22,6 @@ pub mod completions;
 pub mod convert;
 pub mod crosscheck;
 mod difference;
-pub mod draft;
 mod endings;
 pub mod explain;
 pub mod farm;
@@ -41,20 +41,20 @@ mod page;
 pub mod paths;
 pub mod plan;
 pub mod probe;
+mod refuse_overwrite;
 pub mod render;
 mod rewrite;
 pub mod settings;
 pub mod sheet;
 mod shell;
 pub mod size;
-mod spare;
 pub mod terminal;
 mod time;
 mod topics;
 pub mod usage;
 mod watch;
 
-pub use load::{Needs, load_for, load_sound, refuse};
+pub use load::{Needs, load_for, load_valid, refuse};
 pub use terminal::{LookChoice, complain, report};
 
 /// How a command ended; its number is the exit status.

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use super::terminal::{unprintable, width};
-use super::{LookChoice, Status, complain, load_sound, refuse};
+use super::{LookChoice, Status, complain, load_valid, refuse};
 use crate::diagnostics::layout::hanging;
 use crate::diagnostics::{Complaint, Error, Language, SourceFile, Value};
 use crate::trace::plan::unseen::{Unseen, Why};
@@ -100,7 +100,7 @@ impl Effect {
 }
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
-    let loaded = match load_sound(&args.file, look) {
+    let loaded = match load_valid(&args.file, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };

@@ -22,7 +22,7 @@ use super::help;
 use super::memory::{self, Memory};
 use super::paths::{self, is_stdout};
 use super::terminal::{self, stop_on_interrupt, tell};
-use super::{LookChoice, Status, complain, load_sound, refuse, usage, watch};
+use super::{LookChoice, Status, complain, load_valid, refuse, usage, watch};
 use crate::analysis::config::Configs;
 use crate::diagnostics::Complaint;
 use crate::parallel;
@@ -192,7 +192,7 @@ fn one(args: &Args, job: &Job, stop: &Arc<AtomicBool>, look: LookChoice) -> Stat
         complain(look, &complaint);
         return Status::Failure;
     }
-    let mut loaded = match load_sound(&job.scene, look) {
+    let mut loaded = match load_valid(&job.scene, look) {
         Ok(loaded) => loaded,
         Err(status) => return status,
     };

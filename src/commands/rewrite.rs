@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fs;
 use std::path::Path;
 
-use super::draft::{self, unwritable};
+use super::atomic_file::{self, unwritable};
 use crate::diagnostics::{Complaint, SourceFile};
 use crate::syntax::{self, in_records, recognise};
 
@@ -62,7 +62,7 @@ pub fn bytes_of<'t>(
     }
 }
 
-/// Replaces a file as [`draft`] does.
+/// Replaces a file as [`atomic_file`] does.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
     let found = fs::metadata(path).map_err(|e| unwritable(path, &e))?;
     if !found.is_file() {
@@ -71,5 +71,5 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
     if found.permissions().readonly() {
         return Err(refused(path, "read-only-file"));
     }
-    draft::write(path, |out| out.write_all(bytes))
+    atomic_file::write(path, |out| out.write_all(bytes))
 }

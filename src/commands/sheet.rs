@@ -18,7 +18,7 @@ use ignore::WalkBuilder;
 use self::cell::{Cell, Heading, without_picture};
 use self::entry::{SheetBox, entries};
 use self::findings::Findings;
-use super::draft::Draft;
+use super::atomic_file::AtomicFile;
 use super::paths::{is_stdout, unreadable_entry};
 use super::size::Size;
 use super::terminal::{progress_bar, stop_on_interrupt, tell};
@@ -116,7 +116,7 @@ fn sheet(args: &Args, look: LookChoice) -> Result<Status, Complaint> {
     let format = Format::of(&args.output)?;
     let mut status = Status::Clean;
     let pictures = pictures_in(&args.folder, look, &mut status)?;
-    spare(&pictures, &args.output)?;
+    refuse_overwrite(&pictures, &args.output)?;
     let findings = Findings::of_folder(&args.folder)?;
     let scenes = findings.as_ref().map_or(&[][..], |found| &found.scenes);
     let heading = Heading {
@@ -132,7 +132,7 @@ fn sheet(args: &Args, look: LookChoice) -> Result<Status, Complaint> {
     let line = heading.line(language);
     let layout = image::Layout::new(entries.len(), args.columns, args.size, &line);
     let layout = (format == Format::Png).then_some(layout).transpose()?;
-    let draft = Draft::create(&args.output)?;
+    let draft = AtomicFile::create(&args.output)?;
     let bar = progress_bar(entries.len() as u64, look);
     let stop = stop_on_interrupt(look);
     let unread = RefCell::new(Vec::new());
@@ -228,7 +228,7 @@ fn is_picture(path: &Path) -> bool {
 }
 
 /// Refuses to write over a picture of the sheet.
-fn spare(pictures: &[PathBuf], output: &Path) -> Result<(), Complaint> {
+fn refuse_overwrite(pictures: &[PathBuf], output: &Path) -> Result<(), Complaint> {
     let Ok(there) = output.canonicalize() else {
         return Ok(());
     };

@@ -9,16 +9,16 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use super::atomic_file::{self, try_file_in_new_folder, unwritable};
 use super::difference::{Change, changes, diff};
-use super::draft::{self, try_file_in_new_folder, unwritable};
 use super::endings;
 use super::help;
 use super::load::{analyse, is_json};
 use super::memory::Memory;
 use super::paths::{is_stdin, is_stdout};
+use super::refuse_overwrite::refuse_overwrite_of_scenes;
 use super::rewrite::{allow, bytes_of, replace};
 use super::settings::{Chosen, Scenes, pass_through};
-use super::spare::spare_scenes;
 use super::terminal::Complaints;
 use super::{LookChoice, Status, complain, terminal, watch};
 use crate::analysis::config::{ConfigError, Configs, whole};
@@ -228,7 +228,7 @@ fn once(args: &Args, look: LookChoice) -> Status {
     };
     let named = args.output_file.iter().filter(|path| !is_stdout(path));
     let mut tried = named.map(|path| {
-        spare_scenes(&files.files, path)?;
+        refuse_overwrite_of_scenes(&files.files, path)?;
         endings::fits(path, args.endings())?;
         try_file_in_new_folder(path)
     });
@@ -328,7 +328,7 @@ impl Checker<'_> {
         let folder = path.parent().unwrap_or(Path::new(""));
         let written = std::fs::create_dir_all(folder)
             .map_err(|e| unwritable(path, &e))
-            .and_then(|()| draft::write(path, write));
+            .and_then(|()| atomic_file::write(path, write));
         match written {
             Ok(()) => status,
             Err(complaint) => {

@@ -3,7 +3,7 @@
 use super::{Args, Compared, Outcome, Pictures};
 use super::{Asked, Folder, each_camera, images, program, stem};
 use crate::analysis::Analysis;
-use crate::commands::{LookChoice, draft, terminal};
+use crate::commands::{LookChoice, atomic_file, terminal};
 use crate::diagnostics::{Complaint, Error, Language, Value};
 use crate::scene::Camera;
 use crate::solids::staging::Viewpoint;
@@ -54,7 +54,7 @@ pub fn compare(
     };
     let folder = Folder::made(args, loaded, copies.iter().map(|(name, _)| name.as_str()))?;
     for (name, png) in &copies {
-        draft::write(&folder.path.join(name), |out| out.write_all(png))?;
+        atomic_file::write(&folder.path.join(name), |out| out.write_all(png))?;
     }
     let program = program(args, PROGRAM);
     let cameras: Vec<Camera> = scene.chosen_cameras().copied().collect();

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::commands::draft;
+use crate::commands::atomic_file;
 use crate::diagnostics::{Complaint, Language};
 
 /// Who runs the tasks.
@@ -148,7 +148,7 @@ impl Engine {
             }
         }
         for (name, text) in files {
-            draft::write(&folder.join(name), |out| out.write_all(text.as_bytes()))?;
+            atomic_file::write(&folder.join(name), |out| out.write_all(text.as_bytes()))?;
         }
         Ok(())
     }

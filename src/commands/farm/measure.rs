@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::scenes::Scene;
-use crate::commands::draft::folder_of;
+use crate::commands::atomic_file::folder_of;
 use crate::commands::render::options::{PictureArgs, bytes_of_pixels};
 use crate::commands::render::stats::peak_memory;
 use crate::diagnostics::{Complaint, Error};

@@ -5,7 +5,7 @@ use std::path::Path;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command};
 
-use crate::commands::draft;
+use crate::commands::atomic_file;
 use crate::commands::frames::FrameArgs;
 use crate::commands::render::options::PictureArgs;
 use crate::commands::shell::quoted;
@@ -55,5 +55,5 @@ pub fn copy_table(frames: &FrameArgs, job: &Path) -> Result<(), Complaint> {
             .with("path", table)
             .with("reason", Complaint::from(&e))
     })?;
-    draft::write(&job.join(TABLE), |out| out.write_all(&bytes))
+    atomic_file::write(&job.join(TABLE), |out| out.write_all(&bytes))
 }

@@ -6,9 +6,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::analysis::Analysis;
-use crate::commands::draft::{self, folder_of, unwritable};
+use crate::commands::atomic_file::{self, folder_of, unwritable};
 use crate::commands::paths::{is_stdin, place_below};
-use crate::commands::spare::spare_scenes;
+use crate::commands::refuse_overwrite::refuse_overwrite_of_scenes;
 use crate::diagnostics::Complaint;
 use crate::scene::Texture;
 
@@ -131,15 +131,15 @@ pub fn copy(job: &Path, scenes: &[Scene], broken: &[(PathBuf, PathBuf)]) -> Resu
     let list: String = (scenes.iter())
         .map(|scene| format!("{}\n", scene.place.display()))
         .collect();
-    draft::write(&job.join(LIST), |out| out.write_all(list.as_bytes()))
+    atomic_file::write(&job.join(LIST), |out| out.write_all(list.as_bytes()))
 }
 
 fn copy_file(from: &Path, to: &Path) -> Result<(), Complaint> {
     let fail = |e: io::Error| unwritable(to, &e);
     fs::create_dir_all(folder_of(to)).map_err(fail)?;
-    spare_scenes(&[from.to_owned()], to)?;
+    refuse_overwrite_of_scenes(&[from.to_owned()], to)?;
     let mut file = fs::File::open(from).map_err(fail)?;
-    draft::write(to, |out| {
+    atomic_file::write(to, |out| {
         io::copy(&mut file, &mut io::BufWriter::new(out)).map(drop)
     })
 }

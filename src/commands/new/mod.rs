@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::paths::is_stdout;
 use super::shell::quoted;
 use super::terminal::{self, LookChoice, complain};
-use super::{Status, draft, endings};
+use super::{Status, atomic_file, endings};
 use crate::diagnostics::{Complaint, Language};
 
 /// Write a scene to start with
@@ -75,7 +75,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     let language = look.language();
     let text = scene(args.from, language);
     let written = may_write(args)
-        .and_then(|()| draft::write(&args.file, |out| out.write_all(text.as_bytes())));
+        .and_then(|()| atomic_file::write(&args.file, |out| out.write_all(text.as_bytes())));
     if let Err(complaint) = written {
         complain(look, &complaint);
         return Status::Failure;

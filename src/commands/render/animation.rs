@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, BufReader, Write};
 use std::path::{Path, PathBuf};
 
-use crate::commands::draft;
+use crate::commands::atomic_file;
 use crate::diagnostics::Complaint;
 use crate::trace::film::{Packing, encoder};
 
@@ -12,7 +12,7 @@ use crate::trace::film::{Packing, encoder};
 /// size.
 pub fn write(path: &Path, pictures: &[PathBuf], fps: u16) -> Result<[u32; 2], Complaint> {
     let mut size = [0; 2];
-    draft::write(path, |out| {
+    atomic_file::write(path, |out| {
         size = animated(out, pictures, fps)?;
         Ok(())
     })?;

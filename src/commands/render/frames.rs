@@ -7,12 +7,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::output::{Output, left_and_right};
 use super::{Args, Job, animation, notes, picture};
 use crate::analysis::{Analysis, repair};
-use crate::commands::draft::{try_file, unwritable};
+use crate::commands::atomic_file::{try_file, unwritable};
 use crate::commands::frames::Frames;
 use crate::commands::paths::is_stdout;
-use crate::commands::spare::spare;
+use crate::commands::refuse_overwrite::refuse_overwrite;
 use crate::commands::terminal::{self, LookChoice, complain, note, report};
-use crate::commands::{Status, load_sound, refuse};
+use crate::commands::{Status, load_valid, refuse};
 use crate::diagnostics::{Complaint, Diagnostic, Error, Value};
 
 /// How names end of films that other programs make.
@@ -117,7 +117,7 @@ fn prepared(args: &Args, job: &Job, stop: &AtomicBool, look: LookChoice) -> Resu
         complain(look, &why);
         return Err(Status::Failure);
     }
-    let loaded = load_sound(&job.scene, look)?;
+    let loaded = load_valid(&job.scene, look)?;
     let frames = Frames::of(&args.picture.frames, &loaded).and_then(|frames| {
         writable(args, job, &loaded, &frames)?;
         let staged = args
@@ -191,7 +191,7 @@ fn writable(args: &Args, job: &Job, loaded: &Analysis, frames: &Frames) -> Resul
     // A stereo camera makes a pair of each.
     let pairs: Vec<PathBuf> = pictures.iter().flat_map(|p| left_and_right(p)).collect();
     let written = pictures.iter().chain(&pairs);
-    spare(&job.scene, loaded, written.map(PathBuf::as_path))
+    refuse_overwrite(&job.scene, loaded, written.map(PathBuf::as_path))
 }
 
 /// Draws the frames into files, and hands on the file and what was said of each.

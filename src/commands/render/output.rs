@@ -5,7 +5,7 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::commands::draft::{Draft, folder_of, unwritable};
+use crate::commands::atomic_file::{AtomicFile, folder_of, unwritable};
 use crate::commands::paths::is_stdout;
 use crate::diagnostics::Complaint;
 use crate::picture_files::{self, Origin, Row};
@@ -47,7 +47,7 @@ impl Format {
 /// A picture to be.
 pub struct Output {
     path: PathBuf,
-    draft: Draft,
+    draft: AtomicFile,
     format: Format,
 }
 
@@ -70,7 +70,7 @@ impl Output {
         }
         Ok(Output {
             path: path.to_owned(),
-            draft: Draft::create(path)?,
+            draft: AtomicFile::create(path)?,
             format,
         })
     }

@@ -14,10 +14,10 @@ use super::unfinished::Unfinished;
 use super::{Args, Job, cost, notes};
 use crate::analysis::Analysis;
 use crate::commands::LookChoice;
-use crate::commands::draft::try_file;
+use crate::commands::atomic_file::try_file;
 use crate::commands::endings;
 use crate::commands::paths::{is_stdin, is_stdout};
-use crate::commands::spare::spare;
+use crate::commands::refuse_overwrite::refuse_overwrite;
 use crate::commands::terminal::{complain, note, progress_bar, tell};
 use crate::diagnostics::{Complaint, Error, Span};
 use crate::parallel;
@@ -77,7 +77,7 @@ pub fn draw(
         .filter(|path| !is_stdout(path))
         .chain(&maps)
         .chain(args.stats.iter().filter(|path| !is_stdout(path)));
-    spare(&job.scene, loaded, written.map(PathBuf::as_path))?;
+    refuse_overwrite(&job.scene, loaded, written.map(PathBuf::as_path))?;
     let across = match stereo {
         Stereo::SideBySide if cameras.len() > 1 => width.saturating_mul(2),
         _ => width,

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use crate::commands::draft;
+use crate::commands::atomic_file;
 use crate::diagnostics::Error;
 use crate::trace::stats::{Intersections, Rays, Work};
 
@@ -49,7 +49,7 @@ pub fn write_stats(path: &Path, stats: &Stats) -> Result<(), Error> {
         serde_json::to_writer_pretty(&mut *out, stats)?;
         writeln!(out)
     };
-    Ok(draft::write(path, write)?)
+    Ok(atomic_file::write(path, write)?)
 }
 
 /// The most memory the process has held, in bytes; 0 where the system does not tell.

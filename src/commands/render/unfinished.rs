@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::path::PathBuf;
 
 use crate::commands::LookChoice;
-use crate::commands::draft;
+use crate::commands::atomic_file;
 use crate::commands::terminal::note;
 use crate::diagnostics::{Complaint, Error};
 use crate::picture_files::{self, Format, Origin, Row, read};
@@ -99,7 +99,7 @@ impl Unfinished {
             let write = |out: &mut dyn std::io::Write| {
                 picture_files::write(Format::Exr, out, &origin, &mut rows)
             };
-            draft::write(&self.path, write)?;
+            atomic_file::write(&self.path, write)?;
         }
         Ok(origin.rows.iter().map(|rows| rows[1]).sum())
     }

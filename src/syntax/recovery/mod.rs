@@ -18,7 +18,7 @@
 //! ```
 //!
 //! A missing, lost or surplus number is decided on in `judge_params` in [`faults`], which says what is wrong with a piece
-//! and what that costs (`Verdict::WrongArity`), and in [`layout`], which chooses the pieces; where line breaks say
+//! and what that costs (`Diagnosis::WrongArity`), and in [`layout`], which chooses the pieces; where line breaks say
 //! nothing, in `wrong_arity` in `free/mistakes.rs`. Whether a short record goes on in the next line is decided earlier, by
 //! `Plan::agrees` in the parser, then by `sums::may_begin` and the prices of [`layout`]. A line that may be the optional group of the record before
 //! it or a broken record is found in [`group`] and decided on in [`layout`]. The message is made in [`report`].

@@ -1,4 +1,4 @@
-//! What a command writes must spare what it reads.
+//! Refuses outputs that would write over the scene or over pictures that it names.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ fn place(path: &Path) -> PathBuf {
 }
 
 /// Refuses to write over a scene or a picture that it names, or to write two things to one file.
-pub fn spare<'p>(
+pub fn refuse_overwrite<'p>(
     file: &Path,
     loaded: &Analysis,
     written: impl IntoIterator<Item = &'p Path>,
@@ -51,7 +51,7 @@ pub fn spare<'p>(
 }
 
 /// Refuses to write over one of these scenes.
-pub fn spare_scenes(scenes: &[PathBuf], written: &Path) -> Result<(), Complaint> {
+pub fn refuse_overwrite_of_scenes(scenes: &[PathBuf], written: &Path) -> Result<(), Complaint> {
     let Ok(there) = written.canonicalize() else {
         return Ok(());
     };

@@ -26,7 +26,7 @@ const NAME: (&str, &str) = (".zpg-", ".draft");
 const MAX_LINKS: usize = 40;
 
 /// A file under way.
-pub struct Draft {
+pub struct AtomicFile {
     /// As it was given.
     path: PathBuf,
     way: WriteMethod,
@@ -44,11 +44,11 @@ enum WriteMethod {
     Stdout,
 }
 
-impl Draft {
-    pub fn create(path: &Path) -> Result<Draft, Complaint> {
+impl AtomicFile {
+    pub fn create(path: &Path) -> Result<AtomicFile, Complaint> {
         let way = WriteMethod::to(path).map_err(|e| unwritable(path, &e))?;
         let path = path.to_owned();
-        Ok(Draft { path, way })
+        Ok(AtomicFile { path, way })
     }
 
     /// Writes the file and puts it in its place, complete or not at all.
@@ -128,7 +128,7 @@ pub fn write(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Complaint> {
-    Draft::create(path)?.finish(write)
+    AtomicFile::create(path)?.finish(write)
 }
 
 fn fill(
@@ -241,7 +241,7 @@ pub fn try_file(path: &Path) -> Result<(), Complaint> {
     let is_special = fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
     match is_special {
         true => Ok(()),
-        false => Draft::create(path).map(drop),
+        false => AtomicFile::create(path).map(drop),
     }
 }
 
@@ -326,7 +326,7 @@ mod tests {
         let theirs = File::create(at(".zpg-def.draft")).unwrap();
         theirs.lock().unwrap();
         let path = at("picture.png");
-        let draft = Draft::create(&path).unwrap();
+        let draft = AtomicFile::create(&path).unwrap();
         let there = |name| at(name).exists();
         assert!(!there(".zpg-abc.draft"));
         assert!(there(".zpg-abc.other") && there("zpg-abc.draft") && there(".zpg-def.draft"));
