@@ -3,9 +3,9 @@
 use rustc_hash::FxHashSet;
 
 use super::super::table::{Effect, ParamKind};
+use super::diagnosis::{Diagnosis, RecordCandidate};
 use super::stretch::Stretch;
 use super::surroundings::Surroundings;
-use super::verdict::{Diagnosis, RecordCandidate};
 
 /// The IDs that the record at tokens `start..end` refers to.
 pub fn of_record(stretch: &Stretch, start: usize, end: usize) -> impl Iterator<Item = i32> {

@@ -4,14 +4,14 @@ use super::super::hex;
 use super::super::lexer::TokenKind;
 use super::super::signature::{allows, fits};
 use super::super::table::{Effect, Param, ParamKind, RecordKind, RecordType};
+use super::diagnosis::Diagnosis;
 use super::heads::{end_of, expected_ends, integral, point_count, type_at, type_behind_stray};
-use super::known::IdContext;
+use super::id_context::IdContext;
 use super::prices::{
     CUT_OFF, FAULT, FEW_OFF, IN_ORDER, LEAST, NOTHING_WRONG, ONE_OFF, REALS, TYPE_AS_COORDINATE,
 };
 use super::slips::LEAST_HEAD;
 use super::stretch::{LONG, Stretch};
-use super::verdict::Diagnosis;
 
 /// Finds what is wrong with tokens `start..end`, and its price, which is at least [`LEAST`].
 pub fn judge(

@@ -8,13 +8,13 @@
 
 use super::super::signature::Reading;
 use super::super::table::{Effect, RecordKind};
+use super::diagnosis::{Diagnosis, RecordCandidate};
 use super::faults;
 use super::heads;
-use super::known::IdContext;
+use super::id_context::IdContext;
 use super::prices::{DOUBTFUL, FAULT, IMPLAUSIBLE, LEAST, OWN_LINE, TWO_SLIPS};
 use super::stretch::Stretch;
 use super::sums::Sums;
-use super::verdict::{Diagnosis, RecordCandidate};
 use super::witness::Witnesses;
 
 /// So many lines of a broken stretch are asked whether they begin as records do.

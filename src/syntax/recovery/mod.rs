@@ -8,8 +8,9 @@
 //!                     │
 //!            is it laid out in lines?
 //!              yes │        │ no
-//!                  │        └──► free      the reading by arity if nothing speaks against it (way::is_sound), else the
-//!                  │              │        cheapest way to cut it into pieces    ◄─ way: which IDs are defined by then
+//!                  │        └──► free      the reading by arity if nothing speaks against it
+//!                  │              │        (`partial_parses::is_sound`), else the cheapest way to cut it into pieces
+//!                  │              │                                              ◄─ partial_parses: which IDs are defined by then
 //!               layout            │        the cheapest way, line by line        ◄─ faults: what a piece costs
 //!                  │              │                                              ◄─ sums: where a piece may begin
 //!               damage            │        against the reading by arity, if there is one without errors
@@ -28,13 +29,15 @@
 
 pub mod comments;
 mod damage;
+mod diagnosis;
 mod faults;
 mod free;
 mod group;
 mod heads;
-mod known;
+mod id_context;
 mod layout;
 mod order;
+mod partial_parses;
 mod prices;
 pub mod report;
 pub mod respell;
@@ -43,18 +46,16 @@ mod slips;
 mod stretch;
 mod sums;
 mod surroundings;
-mod verdict;
-mod way;
 mod witness;
 
 use super::ast::Item;
 use super::signature::Columns;
 use crate::diagnostics::Diagnostic;
+use diagnosis::{Diagnosis, RecordCandidate};
 pub use group::doubtful_group;
 pub use slips::LEAST_HEAD;
 use stretch::Stretch;
 pub use surroundings::Surroundings;
-use verdict::{Diagnosis, RecordCandidate};
 use witness::Witnesses;
 
 /// What was made of a stretch of text.
@@ -110,7 +111,7 @@ fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Ve
     let strict = by_arity(stretch);
     if !witnesses.in_lines {
         return match strict {
-            Some(strict) if way::is_sound(stretch, around, &strict) => strict,
+            Some(strict) if partial_parses::is_sound(stretch, around, &strict) => strict,
             _ => free::cut(stretch, around),
         };
     }
@@ -136,7 +137,7 @@ fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Ve
         // it stands against two errors, and against one where no line was crossed. A reading that cuts up the line of
         // the render record is not what anybody meant.
         let sound = damage::damage(stretch, around, &strict) == 0
-            && way::is_sound(stretch, around, &strict);
+            && partial_parses::is_sound(stretch, around, &strict);
         let may_be_meant = match damage {
             1 => !witness::is_odd(stretch, witnesses, &strict),
             _ => !witness::loses_render(stretch, witnesses, &strict),

@@ -7,7 +7,6 @@ use super::super::table::{ParamKind, RecordKind, RecordType};
 use super::super::words;
 use super::faults;
 use super::stretch::Stretch;
-use super::verdict::{Diagnosis, RecordCandidate};
 use super::witness::Witnesses;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 

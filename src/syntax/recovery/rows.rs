@@ -1,8 +1,8 @@
 //! A broken record line by line: which line has too few numbers or too many.
 
 use super::super::table::RecordType;
+use super::diagnosis::RecordCandidate;
 use super::report::Reporter;
-use super::verdict::RecordCandidate;
 
 impl Reporter<'_, '_> {
     /// How many whole points a record has that says another number of them.

@@ -2,12 +2,12 @@
 //! same mistake stands on many lines, no line is right, and these are the witnesses.
 
 use super::super::table::{RecordKind, RecordType};
+use super::diagnosis::{Diagnosis, RecordCandidate};
 use super::faults::{has_lost_id, judge, lost_sign};
 use super::heads::{end_of, expected_end, is_counted, type_behind_stray};
-use super::known::Unknown;
+use super::id_context::Unknown;
 use super::order::Order;
 use super::stretch::Stretch;
-use super::verdict::{Diagnosis, RecordCandidate};
 
 /// Whether a line would be a record of its own but for a slip: a number more or less, one that is
 /// malformed, a word for the type, a lost ID or sign.

@@ -5,13 +5,13 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use super::super::signature::Reading;
 use super::super::table::{Effect, RecordKind};
 use super::damage;
+use super::diagnosis::{Diagnosis, RecordCandidate};
 use super::faults;
-use super::known::IdContext;
+use super::id_context::IdContext;
 use super::order::Order;
 use super::slips::{self, Slip};
 use super::stretch::{LONG, Stretch};
 use super::surroundings::Surroundings;
-use super::verdict::{Diagnosis, RecordCandidate};
 
 /// What the lines of a text say about its layout.
 pub struct Witnesses<'a> {

@@ -2,15 +2,15 @@
 
 use super::super::super::lexer::TokenKind;
 use super::super::super::table::{RecordKind, RecordType};
+use super::super::diagnosis::Diagnosis;
 use super::super::faults::{self, BAD_MAX};
 use super::super::heads::type_at;
+use super::super::partial_parses::Id;
 use super::super::prices::{
     A_TYPE_AFTER_ALL, ALONE, BAD_ID, COULD_BE_ID, CUT_OFF, DOUBTS_OF_FAULT_MAX, FAULT,
     FITS_NO_TYPE, GARBAGE, LIKE_A_NUMBER, MORE_OR_FEWER, NO_RECORD, ONE_IS_LIKELY, OUT_OF_ORDER,
     PARTS_OF_POINTS, SIGN_IS_LIKELY, STRAY, STRAY_TYPE, UNTYPED, WHOLE_POINTS, WRONG_TYPE,
 };
-use super::super::verdict::Diagnosis;
-use super::super::way::Id;
 use super::{FEW, Head, LONGEST, Search};
 
 /// So many tokens of what is no record are counted.

@@ -8,13 +8,13 @@ mod mistakes;
 
 use super::super::signature::Reading;
 use super::super::table::{RECORD_TYPES, RecordKind, RecordType};
+use super::diagnosis::{Diagnosis, RecordCandidate};
 use super::faults;
 use super::heads;
+use super::partial_parses::{Id, PartialParses, STATES};
 use super::prices::{DOUBTS_MAX, HEAD_WITHIN, HOPELESS, LONE_VOID, OTHER_WAY};
 use super::stretch::Stretch;
 use super::surroundings::Surroundings;
-use super::verdict::{Diagnosis, RecordCandidate};
-use super::way::{Id, PartialParses, STATES};
 
 /// How many numbers more or less are a slip.
 const FEW: usize = 2;

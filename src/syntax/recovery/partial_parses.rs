@@ -5,6 +5,7 @@ use rustc_hash::FxHashMap;
 
 use super::super::signature::{allows, fits};
 use super::super::table::{Effect, Kind, Param, ParamKind, RecordKind, RecordType};
+use super::diagnosis::{Diagnosis, RecordCandidate};
 use super::prices::{
     CHANGES_NOTHING, DEFINED_TWICE, LIKE_A_TYPE, LIKE_AN_ID, MAY_BE_LOST, NOT_ALLOWED,
     OUT_OF_ORDER, REFERS_TO_NOTHING, RENDER_ID, WRONG_KIND,
@@ -12,7 +13,6 @@ use super::prices::{
 use super::slips::LEAST_HEAD;
 use super::stretch::Stretch;
 use super::surroundings::Surroundings;
-use super::verdict::{Diagnosis, RecordCandidate};
 
 /// The last piece of the cheapest way to a place.
 #[derive(Debug, Clone, Copy, Default)]
