@@ -28,7 +28,7 @@ use crate::lint;
 use crate::lint::levels::{Choice, Levels};
 use crate::scene::{self, Scene};
 use crate::solids::bounds::{NodeBounds, node_bounds};
-use crate::syntax::recognise::{self, Stranger};
+use crate::syntax::recognise::{self, NotAScene};
 use crate::syntax::table::{Effect, RecordKind};
 use crate::syntax::{self, Document, Item, Record, in_records, lexer};
 
@@ -113,12 +113,12 @@ impl Analysis {
     pub fn new(path: impl Into<String>, bytes: Vec<u8>) -> Analysis {
         match recognise::read(path, bytes) {
             Ok(source) => Analysis::of(source),
-            Err(stranger) => Analysis::stranger(*stranger),
+            Err(stranger) => Analysis::not_a_scene(*stranger),
         }
     }
 
     /// A scene in another notation, of which records were made.
-    pub fn foreign(source: SourceFile, records: Analysis, origin: Box<dyn Origin>) -> Analysis {
+    pub fn from_json(source: SourceFile, records: Analysis, origin: Box<dyn Origin>) -> Analysis {
         let mut scene = records.scene.clone();
         scene.move_spans(|span| origin.part(&source, &records.source, span));
         Analysis {
@@ -127,17 +127,17 @@ impl Analysis {
                 records: Box::new(records),
                 origin,
             }),
-            ..Analysis::bare(source)
+            ..Analysis::empty(source)
         }
     }
 
     /// A scene in another notation that cannot be read.
     pub fn unreadable(source: SourceFile, finding: Diagnostic) -> Analysis {
-        Analysis::bare(source).with_read(vec![finding])
+        Analysis::empty(source).with_read(vec![finding])
     }
 
     /// A scene without records and without findings.
-    fn bare(source: SourceFile) -> Analysis {
+    fn empty(source: SourceFile) -> Analysis {
         Analysis {
             source,
             document: Document::default(),
@@ -164,8 +164,8 @@ impl Analysis {
     }
 
     /// A file that is no scene.
-    pub fn stranger(stranger: Stranger) -> Analysis {
-        let Stranger { source, finding } = stranger;
+    pub fn not_a_scene(stranger: NotAScene) -> Analysis {
+        let NotAScene { source, finding } = stranger;
         let document = Document {
             tokens: lexer::lex(&source.text, &[]),
             ..Document::default()
@@ -173,7 +173,7 @@ impl Analysis {
         Analysis {
             document,
             is_scene: false,
-            ..Analysis::bare(source).with_read(vec![finding])
+            ..Analysis::empty(source).with_read(vec![finding])
         }
     }
 
@@ -182,7 +182,7 @@ impl Analysis {
         let analysis = Analysis::read(source, true);
         match in_records::by_records(&analysis.source.text, &analysis.document) {
             None => analysis,
-            Some(finding) => Analysis::stranger(Stranger {
+            Some(finding) => Analysis::not_a_scene(NotAScene {
                 source: analysis.source,
                 finding,
             }),
@@ -190,7 +190,7 @@ impl Analysis {
     }
 
     /// The same of a text that is only tried: what it says is counted, and not all proposals are made.
-    fn tried(source: SourceFile) -> Analysis {
+    fn trial(source: SourceFile) -> Analysis {
         Analysis::read(source, false)
     }
 
@@ -208,7 +208,7 @@ impl Analysis {
         Analysis {
             document,
             scene,
-            ..Analysis::bare(source).with_read(read)
+            ..Analysis::empty(source).with_read(read)
         }
     }
 

@@ -35,14 +35,14 @@ use crate::diagnostics::{Code, Diagnostic, SourceFile, Span, Value};
 
 /// A file that is no scene, and the finding that says what it is.
 #[derive(Debug)]
-pub struct Stranger {
+pub struct NotAScene {
     /// Without text where it is none.
     pub source: SourceFile,
     pub finding: Diagnostic,
 }
 
 /// Decodes the bytes of a file, if it is a scene.
-pub fn read(path: impl Into<String>, bytes: Vec<u8>) -> Result<SourceFile, Box<Stranger>> {
+pub fn read(path: impl Into<String>, bytes: Vec<u8>) -> Result<SourceFile, Box<NotAScene>> {
     let format = FileFormat::from_bytes(&bytes);
     let size = bytes.len();
     let source = SourceFile::new(path, bytes);
@@ -65,23 +65,23 @@ pub fn read(path: impl Into<String>, bytes: Vec<u8>) -> Result<SourceFile, Box<S
     } else {
         return match text(&source.text, finding) {
             None => Ok(source),
-            Some(finding) => Err(Box::new(Stranger { source, finding })),
+            Some(finding) => Err(Box::new(NotAScene { source, finding })),
         };
     };
     let source = source.with_text(String::new());
-    Err(Box::new(Stranger { source, finding }))
+    Err(Box::new(NotAScene { source, finding }))
 }
 
 /// The same, and reads the records: what is in them says as well whether it is one.
 pub fn parse(
     path: impl Into<String>,
     bytes: Vec<u8>,
-) -> Result<(SourceFile, Document), Box<Stranger>> {
+) -> Result<(SourceFile, Document), Box<NotAScene>> {
     let source = read(path, bytes)?;
     let (document, _) = super::parse(&source.text);
     match by_records(&source.text, &document) {
         None => Ok((source, document)),
-        Some(finding) => Err(Box::new(Stranger { source, finding })),
+        Some(finding) => Err(Box::new(NotAScene { source, finding })),
     }
 }
 

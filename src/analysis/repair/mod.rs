@@ -112,7 +112,7 @@ impl Engine<'_> {
             u32::try_from(i64::from(at) + grown.sum::<i64>()).unwrap_or(at)
         };
         let line = Span::new(moved(line.start), moved(line.end));
-        Some((Analysis::tried(source.with_text(text)), line))
+        Some((Analysis::trial(source.with_text(text)), line))
     }
 
     /// What is wrong with many lines at once.

@@ -244,7 +244,7 @@ fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let render = records(analysis).find(is_render)?;
     let end = analysis.document.span(render.first, render.last).end;
     let rest = analysis.source.text.get(end as usize..)?;
-    let second = Analysis::tried(analysis.source.with_text(rest.to_owned()));
+    let second = Analysis::trial(analysis.source.with_text(rest.to_owned()));
     let last = records(&second).find(is_render)?;
     if !second.is_sound() {
         return None;

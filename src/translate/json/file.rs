@@ -31,7 +31,7 @@ pub fn analyse(source: SourceFile) -> Analysis {
                 matters,
                 made_up,
             };
-            Analysis::foreign(source, Analysis::of(records), Box::new(origin))
+            Analysis::from_json(source, Analysis::of(records), Box::new(origin))
         }
     }
 }
