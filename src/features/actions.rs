@@ -29,7 +29,7 @@ pub enum What {
     Explain(Code),
 }
 
-/// What is offered for the findings that touch a stretch of text: fixes first.
+/// The actions that are offered for the findings that touch a stretch of text: fixes first.
 pub fn actions(analysis: &Analysis, span: Span, language: Language) -> Vec<Action> {
     let touches = |d: &Diagnostic| d.span.start <= span.end && span.start <= d.span.end;
     let here = || {

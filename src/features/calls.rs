@@ -42,7 +42,7 @@ fn node(analysis: &Analysis, record: &Record, language: Language) -> Option<Node
     })
 }
 
-/// What refers to an entity.
+/// The entities that refer to an entity.
 pub fn incoming(analysis: &Analysis, id: u32, language: Language) -> Vec<Call> {
     let mut out: Vec<Call> = Vec::new();
     for o in uses::occurrences(analysis, id) {
@@ -63,7 +63,7 @@ pub fn incoming(analysis: &Analysis, id: u32, language: Language) -> Vec<Call> {
     out
 }
 
-/// What the record that defines an entity refers to.
+/// The entities that the record of an entity refers to.
 pub fn outgoing(analysis: &Analysis, id: u32, language: Language) -> Vec<Call> {
     let references = (analysis.definition(id)).map(|r| uses::references_of(analysis, r));
     let mut out: Vec<Call> = Vec::new();

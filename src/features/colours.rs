@@ -59,8 +59,8 @@ fn shown(linear: f64) -> f64 {
     f64::from(srgb8(linear as f32)) / 255.0
 }
 
-/// What writes another colour over one: only the numbers that are shown differently, to 8 bits, change.
-/// `None` if no colour stands there.
+/// The edit that writes another colour over one: only the numbers that are shown differently, to 8 bits, change. `None`
+/// if no colour stands there.
 pub fn repaint(analysis: &Analysis, span: Span, picked: [f64; 3]) -> Option<Edit> {
     let items = &analysis.document.items[token_at_offset::items_in(&analysis.document, span)];
     let records = items.iter().filter_map(|item| match item {

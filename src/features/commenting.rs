@@ -11,7 +11,7 @@ use crate::analysis::Analysis;
 use crate::diagnostics::{Edit, SourceFile, Span, fixes};
 use crate::syntax::commented_out::{self, CommentedOut, END, SIGN, TILDE};
 
-/// What is asked for.
+/// The direction that is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// Out, or in where all lines are commented out.
@@ -23,7 +23,7 @@ pub enum Mode {
 /// More lines are replaced as a whole: an edit for each sign keeps the cursor at its place, but costs time.
 const LINES_WITH_EDITS_OF_THEIR_OWN: usize = 1000;
 
-/// What comments out or in the lines that some selections touch; they are one step, in one direction.
+/// The edits that comment out or in the lines that some selections touch; they are one step, in one direction.
 pub fn edits(analysis: &Analysis, selections: &[Span], mode: Mode) -> Vec<Edit> {
     let lines = Lines::of(analysis);
     let coming_in = lines.touched(selections, &|line| lines.goes_on(line));
@@ -51,7 +51,7 @@ pub fn edits(analysis: &Analysis, selections: &[Span], mode: Mode) -> Vec<Edit> 
     lines.gathered(all, |line| lines.goes_out(line, hangs(line)))
 }
 
-/// Which of the two the lines of a selection would be; nothing where nothing stands.
+/// The direction in which the lines of a selection would be commented; `None` where nothing stands.
 pub fn direction(analysis: &Analysis, selection: Span) -> Option<Mode> {
     let lines = Lines::of(analysis);
     let touched = lines.touched(&[selection], &|line| lines.goes_on(line));

@@ -21,7 +21,7 @@ pub struct Proposal {
     pub detail: String,
     /// Markdown.
     pub doc: String,
-    /// What is compared with what has been typed.
+    /// The text that is compared with what has been typed.
     pub filter: String,
     pub insert: Insert,
     pub kind: Sort,
@@ -79,7 +79,7 @@ impl Insert {
     }
 }
 
-/// What a proposal is, for its sign in the list.
+/// The sort of a proposal, for its sign in the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sort {
     Shape,
@@ -101,7 +101,7 @@ pub struct Completion {
 /// More IDs than these are not proposed; the last ones of the file are.
 const MAX_IDS: usize = 200;
 
-/// What may be typed at an offset.
+/// The proposals for the text at an offset.
 pub fn completion(analysis: &Analysis, offset: u32, language: Language) -> Completion {
     if let Some(list) = allow_codes::completion(analysis, offset) {
         return list;
@@ -209,7 +209,7 @@ fn types(analysis: &Analysis, typing: &Typing, word: &str, language: Language) -
     all.filter_map(proposal).collect()
 }
 
-/// What a parameter may be.
+/// The proposals for a parameter's value.
 fn values(analysis: &Analysis, param: &Param, offset: u32, language: Language) -> Vec<Proposal> {
     let value = |text: &str, detail: &'static str, kind| Proposal {
         label: text.to_owned(),

@@ -43,7 +43,7 @@ pub fn comment(analysis: &Analysis, record: &Record) -> Option<String> {
     said.find(|words| !words.is_empty())
 }
 
-/// What people call an entity: its comment, or the title of its record.
+/// The name of an entity for people: its comment, or the title of its record.
 pub fn name(analysis: &Analysis, id: u32, language: Language) -> Option<String> {
     let record = analysis.definition(id)?;
     Some(comment(analysis, record).unwrap_or_else(|| language.name(record.ty().title)))

@@ -8,14 +8,14 @@ use crate::analysis::Analysis;
 use crate::diagnostics::{Edit, Span};
 use crate::format::{self, Options, difference};
 
-/// What formats a scene, as few lines as possible.
+/// The edits that format a scene, in as few lines as possible.
 pub fn whole(analysis: &Analysis, options: &Options) -> Vec<Edit> {
     let text = &analysis.source.text;
     let formatted = format::format(text, &analysis.document, options);
     edits(text, &formatted)
 }
 
-/// What formats the records that touch some lines, counted from 0.
+/// The edits that format the records that touch some lines, counted from 0.
 pub fn lines(analysis: &Analysis, options: &Options, lines: RangeInclusive<usize>) -> Vec<Edit> {
     let lines = lines.start() + 1..=lines.end() + 1;
     let text = &analysis.source.text;
@@ -25,8 +25,8 @@ pub fn lines(analysis: &Analysis, options: &Options, lines: RangeInclusive<usize
         .collect()
 }
 
-/// What formats the line before the one that an offset is on, when a line has been ended. A record that goes on there is
-/// left alone: the new line is for its next numbers.
+/// The edits that format the line before the one that an offset is on, when a line has been ended. A record that goes
+/// on there is left alone: the new line is for its next numbers.
 pub fn on_line_break(analysis: &Analysis, options: &Options, offset: u32) -> Vec<Edit> {
     let at = analysis.source.line_index(offset);
     let edits = match at.checked_sub(1) {

@@ -19,20 +19,20 @@ pub struct Hint {
     pub doc: String,
 }
 
-/// What a hint is about. All but the names stand behind what they are about.
+/// The subject of a hint. All hints but names stand behind what they are about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// The name of a type, behind its number.
     Type,
     /// The name of a parameter, before it.
     Parameter,
-    /// What a reference points at.
+    /// The entity that a reference points at.
     Reference,
     /// The extent of a profile, behind its number of points.
     Profile,
 }
 
-/// Which kinds are wanted.
+/// The kinds of hints that are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub struct Wanted {
@@ -132,7 +132,7 @@ fn of_record(
     }
 }
 
-/// What stands before a parameter. Matrices have a hint a row, repeated groups their number from the second on.
+/// The label before a parameter. Matrices have a hint a row, repeated groups their number from the second on.
 fn label(
     ty: &RecordType,
     param: &Param,

@@ -25,7 +25,7 @@ pub struct Hover {
 /// How many numbers of a record are named: those of long profiles fill no screen.
 const MAX_VALUES: usize = 24;
 
-/// What there is to say about the token at an offset, and about the findings there.
+/// The text about the token at an offset, and about the findings there.
 pub fn hover(analysis: &Analysis, offset: u32, language: Language) -> Option<Hover> {
     let place = place_at(analysis, offset);
     let mut markdown = String::new();
@@ -139,7 +139,7 @@ fn about_param(
     out
 }
 
-/// What an ID stands for.
+/// The text about the entity of an ID.
 fn about_entity(analysis: &Analysis, id: u32, language: Language) -> String {
     let Some(record) = analysis.definition(id) else {
         let id = [("id", id.to_string().into())];

@@ -15,7 +15,7 @@ pub struct Lens {
     pub action: Action,
 }
 
-/// What a button does.
+/// The action of a button.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Action {
     Render,

@@ -15,10 +15,10 @@ use crate::trace::{Images, Settings, Tracer};
 
 use super::entity;
 
-/// What is to be seen.
+/// The objects that a picture shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Subject {
-    /// What the render record names, with the scene's own camera and lights.
+    /// The objects that the render record names, with the scene's own camera and lights.
     Scene,
     /// One object, with the automatic camera and lights.
     Object(u32),

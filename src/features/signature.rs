@@ -81,8 +81,8 @@ fn label(ty: &'static RecordType, language: Language) -> (String, Vec<Parameter>
     (label, params)
 }
 
-/// Which point of a profile a position of the record is about, as "point 2/5: y". The number of points is left out as
-/// long as it is not known.
+/// The point of a profile that a position of the record is about, as "point 2/5: y". The number of points is left out
+/// as long as it is not known.
 fn point(ty: &RecordType, position: usize, count: usize, language: Language) -> Option<String> {
     let mut inside = position.checked_sub(ty.params.len())?;
     for group in ty.repeats {

@@ -21,7 +21,7 @@ pub struct Symbol {
     pub sort: Sort,
     /// From the first record below it to its own.
     pub span: Span,
-    /// Its ID, or the heading.
+    /// The span of the ID, or of the heading.
     pub id_span: Span,
     pub children: Vec<Symbol>,
 }
@@ -215,7 +215,7 @@ impl<'a> Definitions<'a> {
         Definitions { records, by_id }
     }
 
-    /// What a record is made of.
+    /// The records that a record's object is made of.
     fn operands(&self, analysis: &Analysis, at: usize) -> impl Iterator<Item = usize> {
         let references = uses::references_of(analysis, self.records[at]);
         let known = |(_, id): (Span, u32)| self.by_id.get(&id).copied();
@@ -248,7 +248,7 @@ pub fn label(analysis: &Analysis, record: &Record, language: Language) -> String
     format!("{} {words}", record.id)
 }
 
-/// What a record defines, for its sign.
+/// The sort of what a record defines, for its sign.
 pub fn sort(record: &Record) -> Sort {
     match record.ty().effect {
         _ if record.ty().family == Family::Operation => Sort::Operation,

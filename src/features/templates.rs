@@ -36,8 +36,8 @@ pub fn by_use(analysis: &Analysis) -> Vec<&'static RecordType> {
     all
 }
 
-/// What an editor compares with a word that somebody types, if it begins one of the names. Accents do not count, so the
-/// word itself is the beginning of it.
+/// The text that an editor compares with a word that somebody types, if the word begins one of the names. Accents do
+/// not count, so the word itself is the beginning of the text.
 pub fn filter(word: &str, names: &[String]) -> Option<String> {
     let typed = plain(word);
     let fits = names.iter().find_map(|name| name.strip_prefix(&typed))?;
@@ -147,7 +147,7 @@ const NEW_SCENE: &str = "\
 1 9999 4 0
 ";
 
-/// What a new scene is called, as [`names`] are.
+/// The names of a new scene, as [`names`] gives them.
 const NEW_SCENE_NAMES: [&str; 4] = ["new", "scene", "nova", "scena"];
 
 /// A whole scene, where the file has no record yet.

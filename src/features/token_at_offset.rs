@@ -14,7 +14,7 @@ pub struct TokenAtOffset<'a> {
     pub role: Role,
 }
 
-/// What a token of a record is for.
+/// The role of a token in a record.
 #[derive(Debug, Clone, Copy)]
 pub enum Role {
     Id,
@@ -152,12 +152,12 @@ pub fn place_at(analysis: &Analysis, offset: u32) -> Option<TokenAtOffset<'_>> {
     })
 }
 
-/// What a person is typing: the tokens of a record that may not be complete, up to a place.
+/// The record that a person is typing: the tokens of a record that may not be complete, up to a place.
 #[derive(Debug, Clone, Copy)]
 pub struct Typing {
     /// How many significant tokens stand before the one at the place.
     pub index: usize,
-    /// What of the token at the place is there already; empty behind white space.
+    /// The part of the token at the place that is there already; empty behind white space.
     pub word: Span,
     /// The ID, once it is there.
     pub id: Option<u32>,
@@ -169,7 +169,7 @@ pub struct Typing {
     pub complete: bool,
 }
 
-/// What is being typed at an offset. `None` within comments.
+/// The record that is being typed at an offset. `None` within comments.
 ///
 /// A record that cannot be read is taken to begin where its line begins: that is how people write.
 pub fn typing(analysis: &Analysis, offset: u32) -> Option<Typing> {

@@ -6,7 +6,7 @@ use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Effect, Family, Param, ParamKind, RecordType, Unit};
 use crate::syntax::{Item, Record};
 
-/// What a token means.
+/// The meaning of a token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Role {
@@ -43,11 +43,11 @@ impl Role {
 pub struct Meaning {
     pub span: Span,
     pub role: Role,
-    /// Of an ID: whether its record defines it.
+    /// Whether the record of an ID defines it here.
     pub defines: bool,
 }
 
-/// What the tokens in a stretch of text mean, in order.
+/// The meanings of the tokens in a stretch of text, in order.
 pub fn tokens(analysis: &Analysis, within: Span) -> Vec<Meaning> {
     let document = &analysis.document;
     let all = &document.tokens;
@@ -100,7 +100,7 @@ pub fn tokens(analysis: &Analysis, within: Span) -> Vec<Meaning> {
     out
 }
 
-/// What the token at a position of an item means.
+/// The meaning of the token at a position of an item.
 fn meaning(item: &Item, token: &Token, index: usize) -> Option<Meaning> {
     let (role, defines) = match item {
         Item::Void { .. } => (Role::Void, false),
@@ -135,7 +135,7 @@ fn of_record(record: &Record, index: usize) -> Option<(Role, bool)> {
     })
 }
 
-/// What a parameter means.
+/// The meaning of a parameter.
 pub fn of_param(ty: &RecordType, param: &Param) -> Role {
     let is_colour = ty.family == Family::Colour
         || (ty.repeats.iter().flat_map(|g| g.iter()))

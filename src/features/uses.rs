@@ -135,8 +135,8 @@ pub fn definition(analysis: &Analysis, offset: u32) -> Option<(Span, Span)> {
     ))
 }
 
-/// What is highlighted at an offset: every place where the entity is named, with what each is. Another number is alone:
-/// the same digits elsewhere mean something else.
+/// The spans that are highlighted at an offset: every place where the entity is named, with the kind of each. Another
+/// number is alone: the same digits elsewhere mean something else.
 pub fn highlights(analysis: &Analysis, offset: u32) -> Vec<(Span, Option<Kind>)> {
     let named = references(analysis, offset, true);
     if named.is_empty() {
