@@ -17,7 +17,7 @@ use super::uri;
 use crate::analysis::config::Configs;
 use crate::diagnostics::Complaint;
 
-/// What a request may look at: all open files as they were when it came.
+/// The state that a request may look at: all open files as they were when it came.
 pub struct Ask {
     pub files: Snapshots,
     /// The file that the request is about, where it is not open.

@@ -8,19 +8,19 @@ use super::position::Units;
 use crate::diagnostics::Language;
 use crate::features::hints::Wanted;
 
-/// What the client can.
+/// The abilities of the client.
 #[derive(Debug, Clone, Default)]
 pub struct Client {
     pub units: Units,
     pub language: Language,
-    /// It asks for diagnostics itself, so none are sent unasked.
+    /// Whether the client asks for diagnostics itself, so that none are sent unasked.
     pub pulls: bool,
     pub snippets: bool,
     /// Symbols of a file may be a tree.
     pub symbol_trees: bool,
     pub markdown: bool,
-    /// It shows what is said of a parameter. Eglot 1.17, of Emacs 30, fails at the last parameter of a signature
-    /// if anything is said of it.
+    /// Whether the client shows the text about a parameter. Eglot 1.17, of Emacs 30, fails at the last parameter of a
+    /// signature if it has any text.
     pub shows_parameters: bool,
     /// Code actions may get their edits later.
     pub resolves_edits: bool,
@@ -28,7 +28,7 @@ pub struct Client {
     pub applies_edits: bool,
     /// Edits may name the version that they are for.
     pub versioned_edits: bool,
-    /// It shows documents when asked to.
+    /// Whether the client shows documents when asked to.
     pub shows_documents: bool,
     pub watches_files: bool,
     pub refreshes_hints: bool,
@@ -37,7 +37,7 @@ pub struct Client {
     pub process: Option<u32>,
 }
 
-/// What the user wants; the client sends it at the start and when it changes.
+/// The user's preferences; the client sends them at the start and when they change.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub struct Preferences {
@@ -89,7 +89,7 @@ impl Preferences {
 }
 
 impl Client {
-    /// What the parameters of `initialize` say. What cannot be understood counts as not said.
+    /// Reads the parameters of `initialize`. Parameters that cannot be understood count as missing.
     ///
     /// The fields are looked up one by one: a deserialiser of all parameters took half a megabyte of the program.
     pub fn of(sent: &Value, language: Language) -> Client {
@@ -143,7 +143,7 @@ mod tests {
         Client::of(&sent, Language::English)
     }
 
-    /// What has another form than the protocol's is passed over, and so is what is unknown.
+    /// A value of another form than the protocol's is passed over, and so is an unknown one.
     #[test]
     fn what_cannot_be_read_counts_as_not_said() {
         let silent = format!("{:?}", said(json!({})));

@@ -54,7 +54,7 @@ pub fn comment(ask: &Ask, p: CommentParams) -> Result<Vec<TextEdit>, Refusal> {
     Ok(convert.text_edits(&edits))
 }
 
-/// What comments out or in the lines of a selection; nothing where nothing stands.
+/// The action that comments out or in the lines of a selection; `None` where nothing stands.
 pub fn action(ask: &Ask, convert: &Convert, range: Range) -> Option<CodeAction> {
     let analysis = convert.file.analysis();
     let span = convert.places.span(range);

@@ -22,7 +22,7 @@ use crate::features::{
     tokens, uses,
 };
 
-/// What answers about one file are made with.
+/// Makes the protocol's types of answers about one file.
 pub struct Convert<'a> {
     pub file: &'a Snapshot,
     pub client: &'a Client,
@@ -80,7 +80,7 @@ impl<'a> Convert<'a> {
         }
     }
 
-    /// What is wrong with the settings of the file's folder.
+    /// The diagnostic about the settings of the file's folder.
     pub fn config_diagnostic(&self, complaint: &Complaint) -> Diagnostic {
         Diagnostic {
             range: self.places.range(Span::default()),

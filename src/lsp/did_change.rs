@@ -15,7 +15,7 @@ pub struct DidChange {
 /// A new text.
 #[derive(Deserialize)]
 pub struct Change {
-    /// What it comes in the place of; without one, of the whole file.
+    /// The range that the text takes the place of; without one it takes that of the whole file.
     pub range: Option<Range>,
     pub text: String,
 }

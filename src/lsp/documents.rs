@@ -34,7 +34,7 @@ pub struct Changes {
 struct Document {
     version: i32,
     text: Arc<String>,
-    /// What is read of this text; `None` after an edit, until somebody asks.
+    /// The analysis of this text; `None` after an edit, until somebody asks.
     snapshot: Option<Arc<Snapshot>>,
 }
 
@@ -50,14 +50,14 @@ pub struct Snapshot {
     pub number: u64,
     /// Whether it is neither open nor on disk.
     pub is_missing: bool,
-    /// What its `zpg.toml` says, or what is wrong with that.
+    /// The settings of the file's `zpg.toml`, or the fault in them.
     pub config: Result<Arc<Config>, Complaint>,
     text: Arc<String>,
     analysis: OnceLock<Analysis>,
 }
 
 impl Snapshot {
-    /// What messages call it: the path, or the URI of what is no file.
+    /// The name of the document in messages: the path, or the URI of what is no file.
     pub fn name(&self) -> String {
         let path = path_of(&self.uri);
         path.map_or_else(

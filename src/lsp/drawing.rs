@@ -69,7 +69,7 @@ pub struct Preview {
     pub height: u32,
     /// The ID of the object that is drawn alone.
     pub id: Option<u32>,
-    /// Of the file; `None` if it is not open.
+    /// The version of the file; `None` if it is not open.
     pub version: Option<i32>,
 }
 

@@ -9,11 +9,11 @@ use serde_json::Value;
 
 use crate::diagnostics::{SourceFile, Span};
 
-/// What a line's units are.
+/// The units in which columns of a line are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Units {
     Utf8,
-    /// What every client knows.
+    /// The units that every client knows.
     #[default]
     Utf16,
     Utf32,

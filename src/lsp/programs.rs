@@ -140,7 +140,8 @@ pub fn trouble(file: &Snapshot, language: Language) -> Option<Complaint> {
     Some(why)
 }
 
-/// What a report on the terminal says first, without its frame. `error` is what it begins with.
+/// The headline of a report on the terminal: its first line that begins with `error`, without the kind, or else its
+/// first line.
 fn headline<'a>(report: &'a str, error: &str) -> &'a str {
     let says_so = |line: &&str| line.starts_with(error);
     let line = report.lines().find(says_so).or(report.lines().next());

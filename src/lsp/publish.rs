@@ -13,7 +13,7 @@ use super::convert::Convert;
 use super::documents::Snapshot;
 use super::outgoing::Outgoing;
 
-/// What is to be published.
+/// The news to be published.
 pub enum News {
     Changed(Arc<Snapshot>),
     Closed(Uri),

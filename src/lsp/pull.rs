@@ -149,7 +149,7 @@ fn full(uri: &Uri, version: Option<i32>, name: Option<String>, items: Vec<Diagno
     .into()
 }
 
-/// What the findings of a file that is not open are called, if it shows pictures and if not: they are others once the
+/// The names of the findings of a file that is not open, with its pictures shown and without: they are others once the
 /// file, the settings or the pictures are.
 struct NamesOnDisk([String; 2]);
 

@@ -25,7 +25,7 @@ type Answer<T> = Result<T, Refusal>;
 /// A handler with its types taken off. It makes the whole message that answers.
 pub type Handler = Box<dyn Fn(&Ask, &RequestId, Value) -> Answer<String> + Send>;
 
-/// Who answers a request. Quick ones take their turn; slow ones have a thread of their own.
+/// The thread that answers a request. Quick ones take their turn; slow ones have a thread of their own.
 pub enum Lane {
     Quick,
     Slow,

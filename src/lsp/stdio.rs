@@ -18,8 +18,8 @@ const MAX_MESSAGE: u64 = 1 << 32;
 /// The longest line of a header.
 const MAX_LINE: u64 = 1 << 13;
 
-/// What comes over standard input, the way to standard output, and the thread that writes there. The one that reads ends
-/// with its input, or with the program.
+/// Connects to standard input and output: the messages that come in, the way for those that go out, and the thread that
+/// writes there. The thread that reads ends with its input, or with the program.
 pub fn connect() -> (
     Receiver<Message>,
     Sender<String>,

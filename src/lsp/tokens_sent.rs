@@ -47,7 +47,7 @@ impl TokensSent {
         }
     }
 
-    /// What is different from the tokens of that name; all, if the client has others.
+    /// The difference from the tokens of that name; all tokens if the client has others.
     pub fn delta(
         &self,
         uri: &Uri,

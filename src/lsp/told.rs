@@ -19,7 +19,7 @@ impl Told {
         all.entry(key(uri)).or_insert_with(|| uri.clone());
     }
 
-    /// Those that are not among these.
+    /// The URIs of files that are not among these.
     pub fn others(&self, named: &HashSet<PathBuf>) -> Vec<Uri> {
         let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let others = all.iter().filter(|(path, _)| !named.contains(*path));

@@ -11,7 +11,7 @@ pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     (url.scheme() == "file").then(|| url.to_file_path().ok())?
 }
 
-/// What tells files apart: clients do not all write the same characters in URIs as they are.
+/// The key that tells files apart: clients do not all write the same characters in URIs as they are.
 pub fn key(uri: &Uri) -> PathBuf {
     path_of(uri).unwrap_or_else(|| uri.0.clone().into())
 }

@@ -24,7 +24,7 @@ pub enum WholeFile {
 impl WholeFile {
     pub const ALL: [WholeFile; 2] = [WholeFile::FixAll, WholeFile::Renumber];
 
-    /// Its kind in the protocol.
+    /// The action's kind in the protocol.
     pub fn kind(self) -> &'static str {
         match self {
             WholeFile::FixAll => "source.fixAll.zpg",
