@@ -23,7 +23,7 @@ impl Severity {
     }
 }
 
-/// What the registry keeps of a code.
+/// The registry's entry of a code.
 struct CodeEntry {
     code: &'static str,
     name: &'static str,

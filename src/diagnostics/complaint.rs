@@ -15,7 +15,7 @@ use super::wording::Value;
 pub struct Complaint {
     message: &'static str,
     values: Vec<(&'static str, Value)>,
-    /// What else is wrong, a line each.
+    /// Further complaints, a line each.
     others: Vec<Complaint>,
 }
 

@@ -36,7 +36,7 @@ pub struct Edit {
 pub struct Fix {
     /// A phrase, what the fix does; see [`wording`](super::wording).
     pub title: &'static str,
-    /// What stands in the places of the title, where it is not what stands in those of the finding.
+    /// The values in the places of the title, where they are not those of the finding.
     pub values: Vec<(&'static str, Value)>,
     pub applicability: Applicability,
     /// In order of their spans, which do not overlap.
@@ -84,12 +84,12 @@ impl Fix {
 pub struct Diagnostic {
     pub code: Code,
     pub severity: Severity,
-    /// What the place is called in a file that is no text of records: `nodes[3].radius`.
+    /// The name of the place in a file that is no text of records: `nodes[3].radius`.
     pub at: Option<String>,
-    /// Which of the code's messages it is, where there are several: `decimal-comma` for
-    /// `E003-decimal-comma`. Empty for the message `E003`.
+    /// The case of the message, where a code has several: `decimal-comma` for `E003-decimal-comma`. Empty for the
+    /// message `E003`.
     pub case: &'static str,
-    /// What stands in the places of the message.
+    /// The values in the places of the message.
     pub values: Vec<(&'static str, Value)>,
     /// The place to look at first.
     pub span: Span,

@@ -19,7 +19,8 @@ pub fn wrapped(text: &str, width: usize, indent: &str) -> String {
 /// A space where no line ends. No text has this character, which means nothing.
 const BOUND: char = '\u{e000}';
 
-/// What stands between backquotes is a command or a record to be copied: no line ends in it, unless it is longer than this.
+/// Keeps text between backquotes together: it is a command or a record to be copied, and no line ends in it unless it
+/// is longer than `longest`.
 fn together(text: &str, longest: usize) -> String {
     let mut out = String::with_capacity(text.len());
     for (i, part) in text.split('`').enumerate() {

@@ -146,7 +146,7 @@ pub struct SourceFile {
     pub encoding: Encoding,
     /// Whether the text stands for all bytes of the file; half a character of UTF-16 is lost.
     pub is_whole: bool,
-    /// What the file has behind its text: the mark with which texts of DOS end, and what fills its last block on a disk.
+    /// The bytes behind the text: the mark with which texts of DOS end, and what fills the file's last block on a disk.
     tail: String,
     lines: OnceLock<Lines>,
 }

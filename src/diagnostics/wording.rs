@@ -26,7 +26,7 @@ use super::complaint::Complaint;
 use super::diagnostic::Diagnostic;
 use super::language::Language;
 
-/// What stands in a place of a message.
+/// A value in a place of a message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Value {
     /// As it is: text of the user's, numbers as they are spelled.
@@ -71,7 +71,7 @@ impl From<&Path> for Value {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wording {
     pub message: String,
-    /// What to write at the primary place; "here" when the message says it all.
+    /// The text at the primary place; "here" when the message says it all.
     pub label: String,
     /// One for each label.
     pub labels: Vec<String>,

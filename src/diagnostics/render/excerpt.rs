@@ -11,10 +11,10 @@ use crate::diagnostics::{SourceFile, Span};
 
 /// Lines up to this many characters are shown whole.
 const WHOLE_LINE: usize = 200;
-/// Of a longer line, so many characters before and after the start of what matters.
+/// Characters of a longer line before and after the start of what matters.
 const BEFORE: usize = 60;
 const AFTER: usize = 140;
-/// What stands for the part of a line that is left out.
+/// The sign for the part of a line that is left out.
 const ELLIPSIS: char = '…';
 
 /// Marks a section's name in ariadne's output, where the place is put in afterwards: ariadne would
@@ -175,7 +175,7 @@ fn digits(number: usize) -> usize {
     number.checked_ilog10().unwrap_or(0) as usize + 1
 }
 
-/// What is before the text on a line of ariadne's.
+/// The margin before the text on a line of ariadne's.
 struct Margin<'a> {
     text: String,
     /// Escape sequences, and how many characters of the margin are before each.
@@ -220,7 +220,7 @@ fn line(file: &SourceFile, number: usize) -> Span {
     Span::new(start, end)
 }
 
-/// What is shown of a line, given what matters in it.
+/// The part of a line that is shown, given the offset that matters in it.
 fn window(file: &SourceFile, number: usize, at: u32) -> Span {
     let whole = line(file, number);
     if file.slice(whole).chars().nth(WHOLE_LINE).is_none() {

@@ -67,7 +67,7 @@ fn command(severity: Severity) -> &'static str {
     }
 }
 
-/// What stands after the `::`. Lines stay lines; within them, foreign text cannot drive the terminal.
+/// The text after the `::`. Lines stay lines; within them, foreign text cannot drive the terminal.
 fn data(text: &str) -> String {
     let lines: Vec<_> = text.split('\n').map(visible).collect();
     encode(&lines.join("\n"), "%\r\n")

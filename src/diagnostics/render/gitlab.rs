@@ -96,7 +96,7 @@ fn print(path: &str, d: &Diagnostic, line: &str) -> u64 {
     hasher.finish()
 }
 
-/// What GitLab has: info, minor, major, critical and blocker.
+/// The severity in GitLab's words: info, minor, major, critical and blocker.
 fn severity(severity: Severity) -> &'static str {
     match severity {
         Severity::Error => "major",

@@ -89,12 +89,12 @@ pub fn write(
     Ok(())
 }
 
-/// So many findings are put into words by one thread.
+/// Findings that one thread puts into words at a time.
 const TOGETHER: usize = 512;
 
-/// So many findings of one code are shown; the others of a file become a count. Of errors only rows do.
+/// Most findings of one code that are shown; the others of a file become a count. Of errors only rows do.
 const SHOWN: usize = 9;
-/// Of those that are not shown, so many are named by their places.
+/// Most findings that are not shown and named by their places.
 const PLACES: usize = 6;
 
 /// Notes are no narrower than this, however narrow the terminal is.

@@ -58,7 +58,7 @@ struct Replacement {
     text: String,
 }
 
-/// What is written in the end.
+/// The whole of the output.
 #[derive(Serialize)]
 struct Report<'a> {
     version: u32,

@@ -93,7 +93,7 @@ impl<'l> Label<'l> {
         }
     }
 
-    /// What stands before the text on further lines: the margin, and arrows of other labels.
+    /// The text before further lines: the margin, and arrows of other labels.
     fn indent(&self, columns: usize) -> String {
         let mut out = String::new();
         let (mut count, mut is_escape) = (0, false);

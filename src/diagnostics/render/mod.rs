@@ -104,7 +104,7 @@ impl Tally {
     }
 }
 
-/// What a finding says besides its second places, as lines of one text.
+/// The texts of a finding besides its second places, as lines of one text.
 fn one_text(words: &Wording, language: Language) -> String {
     let mut lines = vec![words.message.as_str()];
     // A label that points says nothing where nothing is pointed at.

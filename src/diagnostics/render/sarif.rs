@@ -105,7 +105,7 @@ struct Configuration {
 #[derive(Serialize)]
 struct RuleProperties {
     tags: [&'static str; 1],
-    /// What GitHub sorts by.
+    /// The severity that GitHub sorts by.
     #[serde(rename = "problem.severity")]
     problem_severity: &'static str,
 }
@@ -327,7 +327,7 @@ fn section(page: &str, heading: &str) -> String {
         .join(" ")
 }
 
-/// What the hundreds of codes are about.
+/// The subject of a code's hundred.
 fn tag(code: Code) -> &'static str {
     match &code.as_str()[..2] {
         "E0" => "syntax",
