@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What a picture was drawn from, and which of its rows the file has.
+/// The scene and the settings that a picture was drawn with, as hashes, and the rows of it that the file has.
 ///
 /// It is JSON: in a PNG as the text `zpg`, in an EXR as the attribute `zpg`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -24,7 +24,7 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// What the name of the text and of the attribute is.
+    /// The name of the text and of the attribute.
     pub const NAME: &'static str = "zpg";
 
     /// The first row that the file has, and how many there are up to the last one.

@@ -57,9 +57,9 @@ pub fn is_part(path: &Path) -> bool {
 
 /// Why a file is not read.
 enum Fault {
-    /// Its origin is not said.
+    /// A picture without an origin.
     NoPart,
-    /// It ends too early, or it is damaged.
+    /// A file that ends too early, or is damaged.
     Broken,
 }
 
