@@ -41,7 +41,7 @@ static EIGHT: LazyLock<Vec<f64>> = LazyLock::new(|| table(255));
 static SIXTEEN: LazyLock<Vec<f64>> = LazyLock::new(|| table(65_535));
 
 impl Bitmap {
-    /// Of three numbers a texel.
+    /// A bitmap of three numbers a texel.
     pub fn new([width, height]: [u32; 2], texels: Pixels) -> Bitmap {
         Bitmap {
             width,

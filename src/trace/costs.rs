@@ -28,7 +28,7 @@ impl CostMap {
         }
     }
 
-    /// What two maps of one size cost together.
+    /// The sum of two maps of one size.
     pub fn plus(&self, other: &CostMap) -> CostMap {
         let both = self.tests.iter().zip(&other.tests);
         CostMap {

@@ -25,7 +25,7 @@ pub struct Limits {
     pub side: u32,
     /// Bytes that the decoded pixels take.
     pub bytes: u64,
-    /// What is said of a picture that takes more; its `width` and `height` are known to the message.
+    /// The message about a picture that takes more; its `width` and `height` are known to the message.
     pub too_large: &'static str,
 }
 
@@ -61,7 +61,8 @@ impl Limits {
     }
 }
 
-/// What decoders say names parts of the formats, which is of no use to who has drawn the scene.
+/// The complaint about a picture that cannot be decoded. The decoder's own message names parts of the formats, which is
+/// of no use to whoever has drawn the scene.
 pub fn broken(_: impl Display) -> Complaint {
     Complaint::new("picture-broken")
 }

@@ -63,7 +63,7 @@ static STEPS: LazyLock<[f32; 255]> = LazyLock::new(|| {
 /// The sign, the exponent and the first eight digits of a number tell what it is encoded as, or one less.
 const DIGITS: u32 = f32::MANTISSA_DIGITS - 1 - 8;
 
-/// What the least number of each such kind, up to 1, is encoded as.
+/// The encoding of the least number of each such kind, up to 1.
 static STARTS: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let last = 1f32.to_bits() >> DIGITS;
     let mut code = 0;
@@ -113,7 +113,7 @@ pub fn write_rgb(
     Ok(())
 }
 
-/// What writes a PNG of sRGB.
+/// An encoder of PNG in sRGB.
 pub fn encoder<W: Write>(
     out: W,
     [width, height]: [u32; 2],

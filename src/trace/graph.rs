@@ -15,7 +15,7 @@ use crate::scene::{Optics, Rgb, Texture};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// What a part is an occurrence of.
+/// The shape or object that a part is an occurrence of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Target {
     /// Index into [`Graph::primitives`].
@@ -52,7 +52,7 @@ impl Part {
     }
 }
 
-/// What is painted over a part, per aspect; `None` leaves the part's own.
+/// The paint over a part, per aspect; `None` leaves the part's own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Coat {
     /// Index into [`Graph::textures`], and the placement of the painted coordinates in the object
@@ -71,10 +71,10 @@ pub struct Group {
     pub loose: Vec<u32>,
     /// The others; its items are indices into [`Graph::parts`].
     pub tree: Tree,
-    /// Those of them that hold something transparent, if no paint above says otherwise; `None`
-    /// where there are none.
+    /// The parts among them that hold something transparent, if no paint above says otherwise; `None` where there are
+    /// none.
     pub clear: Option<Box<Group>>,
-    /// Those of them that hold something opaque, likewise; `None` where all of them do.
+    /// The parts among them that hold something opaque, likewise; `None` where all of them do.
     pub opaque: Option<Box<Group>>,
 }
 
@@ -85,7 +85,7 @@ impl Group {
     }
 }
 
-/// What the surfaces of a thing may be made of, as far as it is not painted over.
+/// The sorts of media that the surfaces of a thing may be made of, as far as it is not painted over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Holds {
     pub opaque: bool,
@@ -105,7 +105,7 @@ impl Holds {
 #[derive(Debug)]
 pub enum Operation {
     Union(Group),
-    /// What is in all of `first` and in none of `cuts`.
+    /// The points in all of `first` and in none of `cuts`.
     Intersection {
         first: Range<u32>,
         cuts: Group,
@@ -119,7 +119,7 @@ pub struct Object {
     pub operation: Operation,
     /// Holds the object.
     pub bounds: Aabb,
-    /// Of the boxes of its parts.
+    /// The units of the boxes of the object's parts.
     pub frame: Frame,
     pub holds: Holds,
 }
@@ -150,14 +150,14 @@ pub struct Graph {
     pub root: u32,
     /// How many objects a ray may enter.
     pub room: MemoryLimit,
-    /// What is taken out, for those who measure what it costs.
+    /// The effects that are taken out, for those who measure what they cost.
     pub without: Without,
-    /// What finds crossings in doubles instead of the shapes themselves, for those who compare.
+    /// A solver that finds crossings in doubles instead of the shapes themselves, for those who compare.
     pub solver: Option<Box<dyn Solver>>,
 }
 
 impl Graph {
-    /// What a part holds, unless something is painted over the object it belongs to. Objects come
+    /// The sorts of media that a part holds, unless something is painted over the object it belongs to. Objects come
     /// after those that they are made of.
     pub fn holds(&self, part: &Part) -> Holds {
         match (self.paints[part.paint as usize].optics, part.target) {
@@ -167,7 +167,7 @@ impl Graph {
         }
     }
 
-    /// What a thing with these optics holds.
+    /// The sort of medium that a thing with these optics holds.
     pub fn made_of(&self, optics: u32) -> Holds {
         let clear = self.optics[optics as usize].kt != [0.0; 3];
         Holds {
@@ -181,7 +181,7 @@ impl Graph {
     }
 }
 
-/// Of two IDs, one above the other, the upper one if there is one; 0 is none.
+/// The upper one of two IDs, one above the other, if there is one; 0 is none.
 pub fn outermost(above: u32, below: u32) -> u32 {
     if above == 0 { below } else { above }
 }

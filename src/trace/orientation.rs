@@ -12,7 +12,7 @@ pub struct Orientation {
 }
 
 impl Orientation {
-    /// What Exif data says. Where it says nothing that can be understood, the file is upright.
+    /// The orientation in Exif data; upright where the data has none that can be understood.
     pub fn of(exif: Option<&[u8]>) -> Orientation {
         let read = |data: &[u8]| Reader::new().read_raw(data.to_vec()).ok();
         let exif = exif.and_then(read);

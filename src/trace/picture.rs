@@ -49,7 +49,7 @@ pub enum Numbers {
 }
 
 impl Numbers {
-    /// What they are called on the command line.
+    /// The name of the numbers on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Numbers::F32 => "f32",
@@ -124,7 +124,7 @@ pub fn selected_camera(scene: &Scene, aspect: f64) -> Camera {
 }
 
 impl Tracer {
-    /// What the plan calls for. From inside of a lone shape its other side is in the way.
+    /// The features that the plan calls for. From inside of a lone shape its other side is in the way.
     fn features(&self, outside: bool) -> Features {
         let (plan, without) = (&self.plan, &self.graph.without);
         let inside = plan.lone_convex && !outside;
@@ -226,7 +226,7 @@ const MAX_CACHED_BODIES: usize = 1 << 18;
 /// Samples of a picture for each body in its direction caches, at least.
 const SAMPLES_PER_CACHED_BODY: usize = 4;
 
-/// What the rows of a picture have in common.
+/// The state that the rows of a picture have in common.
 pub(super) struct Drawing<'t> {
     pub(super) tracer: &'t Tracer,
     lights: &'t [Light],
@@ -241,7 +241,7 @@ pub(super) struct Drawing<'t> {
     /// See [`Tracer::seen`].
     seen: Option<usize>,
     wanted: Option<&'t [bool]>,
-    /// Of the whole picture.
+    /// The width of the whole picture.
     width: u32,
     stop: Option<&'t AtomicBool>,
 }
@@ -291,7 +291,7 @@ impl<'t> Drawing<'t> {
         picture
     }
 
-    /// What draws pixels on one thread.
+    /// A pen that draws pixels on one thread.
     pub(super) fn pen<R: Precision>(&self) -> Pen<'_, 't, R> {
         self.pen_with(self.vistas.get_or_init(|| self.vistas()))
     }
@@ -497,7 +497,7 @@ struct Pixel {
     total_reflection: bool,
 }
 
-/// What draws pixels on one thread.
+/// Draws pixels on one thread.
 pub(super) struct Pen<'d, 't, R: Precision> {
     pub(super) shader: Shader<'d, R>,
     pub(super) drawing: &'d Drawing<'t>,

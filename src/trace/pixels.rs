@@ -16,25 +16,25 @@ use crate::geometry::vec::Vec3;
 use crate::scene::{Camera, Rgb};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// What is seen first through a point of the picture.
+/// The object that is seen first through a point of the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VisibleObject {
     /// ID of the entity whose properties apply.
     pub object: u32,
-    /// Of the unit direction: the number and, for those that have it, what it is rounded by.
+    /// The distance in units of the unit direction: the number and, for those that have it, what it is rounded by.
     pub t: (f64, f64),
 }
 
-/// What draws pixels of one picture on one thread.
+/// Draws pixels of one picture on one thread.
 pub trait Pixels {
     /// The sum of samples of a pixel: linear RGB, not clipped. Sample `i` of any number above one is
     /// the same; a single one is the centre.
     fn sum(&mut self, x: u32, y: u32, samples: std::ops::Range<u32>, of: u32) -> Rgb;
 
-    /// What is seen first through the centre of a pixel; `None`: the background.
+    /// The object that is seen first through the centre of a pixel; `None`: the background.
     fn seen(&mut self, x: u32, y: u32) -> Option<VisibleObject>;
 
-    /// What has been done since the last reset.
+    /// The counts since the last reset.
     fn counts(&self) -> Counts;
 
     fn reset(&mut self);

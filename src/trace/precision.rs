@@ -7,15 +7,15 @@ use crate::geometry::line::Traced;
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-/// What becomes of a decision that is closer than the rounding errors behind it: which of two
-/// crossings comes first, whether there is one at all, on which side of a surface a ray starts.
+/// The treatment of a decision that is closer than the rounding errors behind it: which of two crossings comes first,
+/// whether there is one at all, on which side of a surface a ray starts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Doubt {
-    /// It stands as it was rounded.
+    /// The decision stands as it was rounded.
     Stands,
     /// The ray is traced again in double-double.
     GoesOn,
-    /// What cannot be told apart is in one place.
+    /// Crossings that cannot be told apart are in one place.
     Merges,
 }
 
@@ -28,7 +28,7 @@ pub trait Precision: Traced {
     /// and far below what a picture shows.
     const AT_LAMP: f64 = 1.0 / (1u64 << 27) as f64;
 
-    /// What a walker keeps of placements that it has met.
+    /// The placements that a walker has met, in its precision.
     type Maps: Default;
 
     /// The map of a placement out of the space below it.

@@ -53,8 +53,8 @@ impl<R: Precision> Probe<R> {
 }
 
 impl<R: Precision> Probe<R> {
-    /// What two rays that run side by side, closer than doubles can tell, are both in. What is no longer
-    /// than `least`, in t, is nothing.
+    /// The common part of two rays that run side by side, closer than doubles can tell. A stretch that is no longer
+    /// than `least`, in t, is left out.
     pub(super) fn common(self, other: Probe<R>, least: R) -> Probe<R> {
         let mut inside = [self.inside_at_origin, other.inside_at_origin];
         let mut rest = [self.crossings, other.crossings].map(|c| c.into_iter().peekable());
@@ -114,9 +114,8 @@ impl<R: Precision> Probe<R> {
 }
 
 impl Tracer {
-    /// What a ray meets in the region that is drawn: all crossings with t > 0, ascending, as if
-    /// every surface let it through. The region itself is no surface. `walker` is its own, without
-    /// a finer one to help.
+    /// The crossings of a ray in the region that is drawn: all with t > 0, ascending, as if every surface let it
+    /// through. The region itself is no surface. `walker` is its own, without a finer one to help.
     pub(super) fn probe_with<R: Precision>(
         &self,
         walker: &mut Walker<R>,

@@ -8,7 +8,7 @@ use crate::geometry::vec::Vec3;
 /// The surface a ray starts on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Left<R = f64> {
-    /// Which surface: the shape's geometry and the way it is placed.
+    /// The surface: the shape's geometry and the way it is placed.
     pub surface: u64,
     /// The number of its shape.
     pub primitive: u32,

@@ -90,7 +90,7 @@ impl<'t, R: Precision> Shader<'t, R> {
         self.walkers.reset();
     }
 
-    /// What was counted since the last reset.
+    /// The counts since the last reset.
     pub fn counts(&self) -> Counts {
         let Rays {
             shadow,

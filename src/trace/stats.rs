@@ -111,19 +111,19 @@ impl AddAssign for Counts {
 pub struct Samples {
     pub min: u32,
     pub max: u32,
-    /// Of all pixels.
+    /// The samples of all pixels.
     pub total: u64,
 }
 
 impl Samples {
-    /// Of no pixel.
+    /// The samples of no pixel.
     pub const NONE: Samples = Samples {
         min: u32::MAX,
         max: 0,
         total: 0,
     };
 
-    /// Of one pixel.
+    /// The samples of one pixel.
     pub fn of(samples: u32) -> Samples {
         Samples {
             min: samples,

@@ -27,7 +27,7 @@ pub struct Tracer {
     pub(super) background: Vec3,
     /// The region that is drawn, where it cuts anything.
     pub(super) clip: Option<Aabb>,
-    /// Which effects there are.
+    /// The effects that the scene calls for.
     pub plan: Plan,
 }
 

@@ -11,7 +11,7 @@ pub struct Solid {
     pub medium: Medium,
 }
 
-/// What light notices of a solid: the numbers of its optics and of its refractive index.
+/// The properties of a solid that light notices: the numbers of its optics and of its refractive index.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Medium {
     pub optics: u32,

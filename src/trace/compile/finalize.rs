@@ -10,10 +10,10 @@ use crate::trace::graph::outermost;
 use crate::trace::graph::{Coat, Graph, Group, Holds, Object, Operation, Part, Target};
 use rustc_hash::FxHashSet;
 
-/// What became of a draft.
+/// The result of finishing a draft.
 enum Finished {
     Object(u32),
-    /// It is nothing but this part.
+    /// A draft that is nothing but this part.
     Alias(Part),
     Empty,
     /// A union of these that is used once, and whose parts may become those of what uses it.
@@ -365,7 +365,7 @@ impl Compiler<'_> {
         (group, frame)
     }
 
-    /// What some of these parts hold.
+    /// The properties that some of these parts hold.
     fn holds(&self, parts: &[Part]) -> Holds {
         let each = parts.iter().map(|p| self.graph.holds(p));
         each.fold(Holds::default(), Holds::and)

@@ -50,8 +50,8 @@ pub fn compile(
     compiler.finish_all()
 }
 
-/// What a record asks for cannot be drawn. `what` is a message of the catalogues, `id` the entity of the
-/// record, 0 where there is none.
+/// The error about a record that asks for something that cannot be drawn. `what` is a message of the catalogues, `id`
+/// the entity of the record, 0 where there is none.
 pub(in crate::trace) fn cannot_draw(what: &'static str, span: Span, id: u32) -> Error {
     let what = Complaint::new(what);
     Error::at(
@@ -100,7 +100,7 @@ pub(in crate::trace) enum Kind {
 pub(in crate::trace) struct Compiler<'a> {
     scene: &'a Scene,
     images: &'a Images,
-    /// What is left out counts among the uses all the same: what is left is placed as it was.
+    /// The operands that are left out. They count among the uses all the same: they are placed as before.
     left_out: &'a LeftOut,
     uses: Vec<u32>,
     pub graph: Graph,

@@ -14,7 +14,7 @@ use std::collections::VecDeque;
 #[derive(Debug, Clone)]
 pub struct UnionMember {
     pub part: Part,
-    /// Of the part.
+    /// The bounds of the part.
     pub bounds: Aabb,
     pub cuts: Vec<Part>,
 }
@@ -79,7 +79,8 @@ impl Pieces {
         self.all.len()
     }
 
-    /// These and those behind them. The fewer ones move, so that no chain is long because it is built from one end.
+    /// Appends the members behind these. The fewer ones move, so that no chain is long because it is built from one
+    /// end.
     pub fn followed_by(mut self, mut next: Pieces) -> Pieces {
         if self.len() >= next.len() {
             next.all.into_iter().for_each(|piece| self.push_back(piece));

@@ -3,10 +3,10 @@
 use super::unseen::LeftOut;
 use crate::scene::{Node, NodeId, Optics, Scene, fold_up};
 
-/// What is at and below a node. Of pairs the second is that of its complement.
+/// The properties of a node and of all below it. Of pairs the second is that of the node's complement.
 #[derive(Clone, Copy)]
 pub struct Below {
-    /// It holds a shape with an inside.
+    /// Whether it holds a shape with an inside.
     pub solid: bool,
     /// Something of it is to be seen.
     pub shows: [bool; 2],
@@ -14,7 +14,7 @@ pub struct Below {
     pub lit: [bool; 2],
 }
 
-/// What is below each node up to `root`.
+/// The properties of each node up to `root`, with all below.
 pub fn below(scene: &Scene, root: NodeId, left_out: &LeftOut) -> Vec<Below> {
     fold_up(scene.up_to(root), |i, node, all: &[Below]| {
         let of = |n: NodeId| all[n as usize];

@@ -21,7 +21,7 @@ use std::ops::Range;
 use unseen::{LeftOut, Unseen, UnseenParts};
 use visible_aspects::VisibleAspects;
 
-/// So many of the entities that turn an effect on are named.
+/// Most of the entities that turn an effect on that are named.
 pub const MAX_SOURCES: usize = 16;
 
 /// An effect; the order is that of plans.
@@ -46,7 +46,7 @@ pub enum Effect {
     ProjectionMatrix,
 }
 
-/// Who turns an effect on.
+/// An entity that turns an effect on, and how.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Because {
     pub id: u32,
@@ -55,14 +55,14 @@ pub struct Because {
     pub text: &'static str,
 }
 
-/// What is decided about one effect.
+/// The decision about one effect.
 #[derive(Debug, Clone)]
 pub struct Decision {
     pub effect: Effect,
     pub on: bool,
     /// The first [`MAX_SOURCES`]; none for an effect that is off.
     pub because: Vec<Because>,
-    /// What it costs, or why it is off.
+    /// The cost of the effect, or why it is off.
     pub note: &'static str,
 }
 
@@ -81,7 +81,7 @@ pub struct Plan {
     pub shapes: BTreeMap<&'static str, u32>,
     /// Reached operations, by name.
     pub operations: BTreeMap<&'static str, u32>,
-    /// So many transparent solids hold one point at most.
+    /// Most transparent solids that hold one point.
     pub medium_depth: u32,
     /// The scene is one convex shape, seen from outside.
     pub lone_convex: bool,
@@ -109,7 +109,7 @@ impl Sources {
     }
 }
 
-/// What the render record does where there is no light.
+/// How the render record of a scene without any light turns lamps on.
 const UNLIT: &str = "draws a scene without any light, so automatic lights shine";
 
 /// Scenes with so many nodes are searched on two threads. For smaller ones, waking a thread takes longer than it saves.
@@ -117,13 +117,13 @@ const UNLIT: &str = "draws a scene without any light, so automatic lights shine"
 const AT_ONCE: Range<usize> = 1 << 10..1 << 17;
 
 impl Plan {
-    /// Of all that is drawn, whether a picture shows it or not: for questions about single rays, which
-    /// may start anywhere. `None` where there is no render record.
+    /// The plan for all that is drawn, whether a picture shows it or not: for questions about single rays, which may
+    /// start anywhere. `None` where there is no render record.
     pub fn new(scene: &Scene) -> Option<Plan> {
         Plan::of(scene, UnseenParts::all)
     }
 
-    /// Of a picture: parts that no ray of a camera can see are left out. `None` where there is no render
+    /// The plan for a picture: parts that no ray of a camera can see are left out. `None` where there is no render
     /// record.
     pub fn of_picture(scene: &Scene) -> Option<Plan> {
         Plan::of(scene, unseen::find)

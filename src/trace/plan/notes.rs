@@ -7,7 +7,7 @@ impl Effect {
         self.texts()[0]
     }
 
-    /// What the effect costs where it is on.
+    /// The cost of the effect where it is on.
     pub fn cost(self) -> &'static str {
         self.texts()[1]
     }

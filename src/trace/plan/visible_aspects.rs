@@ -66,9 +66,9 @@ fn map(ways: PathStates, f: impl Fn(PathState) -> PathState) -> PathStates {
 /// How much of the texture that a paint gives is to be seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Showing {
-    /// What is painted is not part of what is drawn.
+    /// The painted object is not part of what is drawn.
     Absent,
-    /// It is only taken away from something else.
+    /// The painted object is only taken away from something else.
     Removed,
     /// Other paints cover it everywhere.
     Covered,
@@ -77,7 +77,7 @@ pub enum Showing {
     Shown,
 }
 
-/// What can be seen, and who brings it in.
+/// The aspects that can be seen, and the entities that bring them in.
 #[derive(Default)]
 pub struct VisibleAspects {
     ways: Vec<PathStates>,

@@ -79,7 +79,7 @@ impl<'t, R: Precision> Walkers<'t, R> {
         all
     }
 
-    /// What has been done between rays and their hits since the last reset.
+    /// The work between rays and their hits since the last reset.
     pub fn work(&self) -> Work {
         let mut all = self.walker.work;
         if let Some(finer) = &self.finer {
@@ -207,8 +207,8 @@ impl Tracer {
         walkers.ask(&Holds, &Ray::new(point, up))
     }
 
-    /// What a ray meets in the region that is drawn: all crossings with t > 0, ascending, as if
-    /// every surface let it through. The region itself is no surface.
+    /// The crossings of a ray in the region that is drawn: all with t > 0, ascending, as if every surface let it
+    /// through. The region itself is no surface.
     pub fn probe<R: Precision>(&self, walkers: &mut Walkers<R>, ray: &Ray<R>) -> Probe<R> {
         walkers.ask(&Meets { clipped: true }, ray)
     }
@@ -251,7 +251,7 @@ impl<R: Precision> Walkers<'_, R> {
     }
 }
 
-/// What is seen first.
+/// The question for what is seen first.
 struct FirstHit<'v, const GLASS: bool> {
     end: End<'v>,
 }
@@ -282,7 +282,7 @@ impl<const GLASS: bool> Question for FirstHit<'_, GLASS> {
     }
 }
 
-/// What is behind the sheets that are seen first.
+/// The question for what is behind the sheets that are seen first.
 struct FaceBehindSheet;
 
 impl Question for FaceBehindSheet {

@@ -27,11 +27,11 @@ impl<R: Precision> RayPoint<R> {
 #[derive(Debug, Clone, Copy)]
 pub struct Crossing<R = f64> {
     pub place: RayPoint<R>,
-    /// Whose properties apply.
+    /// The leaf whose properties apply.
     pub owner: Leaf,
     /// The part of a union that it belongs to: the shape itself or an intersection.
     pub part: Leaf,
-    /// Of a boundary of an intersection, the states before and behind it.
+    /// The states before and behind a boundary of an intersection.
     pub states: Option<[State; 2]>,
 }
 
@@ -47,7 +47,7 @@ impl<R> Crossing<R> {
     }
 }
 
-/// Whose point it is: the part, and what makes its medium.
+/// The owner of a point: the part, and what makes its medium.
 #[derive(Debug, Clone, Copy)]
 pub struct Owner {
     pub leaf: Leaf,
@@ -76,7 +76,7 @@ pub struct Event<R = f64> {
     pub kind: Kind,
     /// Where the ray crosses the surface of which shape.
     pub place: RayPoint<R>,
-    /// Whose properties the surface has.
+    /// The owner whose properties the surface has.
     pub owner: Owner,
     /// The state behind it.
     pub state: State,
@@ -91,7 +91,7 @@ impl<R: Precision> Event<R> {
 /// A list of events, ending where the next one begins.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::trace) struct List {
-    /// Which operand it is of the operation it goes into.
+    /// The number of the operand in the operation that it goes into.
     pub part: u32,
     pub start: State,
     pub begin: usize,
@@ -152,8 +152,8 @@ impl<R: Precision> Spans<R> {
         self.events.clear();
     }
 
-    /// What the lists take when they are joined next: each event once more in the result, and once in
-    /// their order; each list with the states before and after an event.
+    /// Bytes that the lists take when they are joined next: each event once more in the result, and once in their
+    /// order; each list with the states before and after an event.
     pub fn bytes(&self) -> usize {
         let event = 2 * size_of::<Event<R>>() + size_of::<(R, u32, u32)>() + 1;
         let list = size_of::<List>() + 2 * size_of::<State>();

@@ -226,7 +226,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         }
     }
 
-    /// What a part of a context's object holds, with what is painted over it.
+    /// The sorts of media that a part of a context's object holds, with what is painted over it.
     fn holds(&self, leaf: Leaf) -> Holds {
         match self.contexts[leaf.context as usize].optics {
             Some(optics) => self.graph.made_of(optics),

@@ -6,7 +6,7 @@ use crate::trace::graph::Holds;
 use crate::trace::precision::Precision;
 use crate::trace::shapes::support::Passage;
 
-/// Which crossing is wanted.
+/// The crossing that is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Search {
     /// The first.
@@ -74,7 +74,7 @@ impl<R: Precision> Start<R> {
     }
 }
 
-/// What has been found about the present question besides its answer.
+/// The findings about the present question besides its answer.
 #[derive(Debug, Clone, Copy)]
 pub struct QueryStatus<R = f64> {
     /// A decision was closer than the rounding errors behind it.

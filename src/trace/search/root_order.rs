@@ -14,8 +14,8 @@ use crate::trace::ray::{Left, Ray};
 use crate::trace::shapes::{Intersect, Root, Roots};
 use std::cmp::Ordering;
 
-/// What is rounded on the way to a crossing's point, across the surface, as a share of the numbers
-/// behind it: more than any shape does, which the campaign measures at 11 units in the last place.
+/// Bound on the rounding on the way to a crossing's point, across the surface, as a share of the numbers behind it:
+/// more than any shape does, which the campaign measures at 11 units in the last place.
 fn share<R: Precision>() -> R {
     R::of(256.0) * R::ROUNDOFF * coarser()
 }
@@ -121,8 +121,8 @@ impl<R: Precision> Walker<'_, R> {
         R::of(if placed { off } else { 0.0 })
     }
 
-    /// Which of two crossings comes first. Equal are those of one surface, and those that cannot be
-    /// told apart where that is final.
+    /// The order of two crossings. Equal are those of one surface, and those that cannot be told apart where that is
+    /// final.
     pub(in crate::trace) fn order(&mut self, a: &RayPoint<R>, b: &RayPoint<R>) -> Ordering {
         let (s, t) = (a.root.t, b.root.t);
         let rounded = s.partial_cmp(&t).unwrap_or(Ordering::Equal);

@@ -13,7 +13,7 @@ use crate::trace::precision::{Doubt, Precision};
 use crate::trace::ray::Ray;
 use crate::trace::within::{Medium, Solid, Within};
 
-/// What a ray sees first of the scene's union.
+/// The boundary of the scene's union that a ray sees first.
 pub(super) struct FirstBoundary<R> {
     pub event: Event<R>,
     /// The states before and behind it.

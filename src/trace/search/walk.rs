@@ -23,10 +23,10 @@ pub struct Walker<'g, R: Precision = f64> {
     pub roots: Roots<R>,
     /// Whether the first context's beam is that of this ray.
     pub(super) aimed: bool,
-    /// Of the last shape that was met: the sizes of its numbers, and the ray in its space.
+    /// The sizes of the numbers of the last shape that was met, and the ray in its space.
     pub(in crate::trace) scale: Scale<R>,
     pub(in crate::trace) line: Line<R>,
-    /// That shape, if it was met by this ray.
+    /// The last shape, if it was met by this ray.
     met: Option<Leaf>,
     pub(in crate::trace) entries: Vec<PendingNode>,
     pub(in crate::trace) nodes: Vec<u32>,
@@ -38,10 +38,10 @@ pub struct Walker<'g, R: Precision = f64> {
     /// hides them.
     pub(super) hidden: Vec<RayPoint<R>>,
     pub counts: Intersections,
-    /// What has been done between a ray and its hit.
+    /// The work between a ray and its hit.
     pub(in crate::trace) work: Work,
     pub(in crate::trace) maps: R::Maps,
-    /// What another solver has found.
+    /// The roots that another solver has found.
     solved: Roots,
     pub(in crate::trace) status: QueryStatus<R>,
     /// Where the ray starts on the surface that it has left, where that is known better than by

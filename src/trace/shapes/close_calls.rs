@@ -242,8 +242,7 @@ fn distance(geometry: &Geometry, p: Vec3<Dd>) -> f64 {
     off.to_f64()
 }
 
-/// What is decided in doubles is decided so in double-double, and near it points are where the
-/// lines meet the surfaces.
+/// A decision in doubles is the same in double-double, and near it points are where the lines meet the surfaces.
 fn doubles_are_sure_of_what_double_double_finds(kind: Kind) {
     const LINES: usize = 40_000;
     let mut r = Random(kind as u64);

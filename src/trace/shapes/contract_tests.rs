@@ -29,7 +29,7 @@ fn any_of<T, const N: usize>(random: &mut Random, list: [T; N]) -> T {
     list.into_iter().nth(i).expect("i is below N")
 }
 
-/// What a run of lines has shown.
+/// The results of a run of lines.
 #[derive(Default, Debug)]
 struct Tally {
     lines: u32,

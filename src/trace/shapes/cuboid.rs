@@ -15,7 +15,7 @@ pub struct Cuboid {
     max: Vec3,
     /// No coordinate of a point of the box is larger.
     reach: f64,
-    /// Of no thickness along some axis, hence without inside.
+    /// Whether it has no thickness along some axis, hence no inside.
     flat: bool,
 }
 

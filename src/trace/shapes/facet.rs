@@ -111,7 +111,7 @@ fn edge<R: Traced>(p: Projected<R>, q: Projected<R>) -> R {
     (a - b) + (p.x.mul_add(q.y, -a) - p.y.mul_add(q.x, -b))
 }
 
-/// Which way a line goes through a facet whose corners run counter-clockwise around its normal.
+/// The direction in which a line goes through a facet whose corners run counter-clockwise around its normal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum PassageDirection {
     /// Along slope and normal against each other.
@@ -181,8 +181,8 @@ impl<R: Traced> Facet<R> {
         })
     }
 
-    /// What can be said about the ways in and out when every projected coordinate is off by at
-    /// most `noise`. Nothing where numbers overflow: what is not a number may be a passage.
+    /// The certainty of the ways in and out when every projected coordinate is off by at most `noise`. None is certain
+    /// where numbers overflow: a NaN may be a passage.
     ///
     /// p × q is then off by at most noise (|p|₁ + |q|₁) + 2 noise², and its own rounding adds
     /// γ₂|p|₁|q|₁ at most: less than the first term again, since `noise` exceeds γ₂ times any

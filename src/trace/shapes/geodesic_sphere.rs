@@ -49,11 +49,11 @@ struct View<R> {
     noise: R,
 }
 
-/// What is known of a line before any facet is looked at.
+/// The relation of a line to the sphere, before any facet is looked at.
 enum Sight<R> {
-    /// It certainly passes the sphere.
+    /// The line certainly passes the sphere.
     Passes,
-    /// It comes from so far that numbers overflow.
+    /// The line comes from so far that numbers overflow.
     Lost,
     Near(View<R>),
 }
@@ -62,7 +62,7 @@ enum Sight<R> {
 #[derive(Clone, Copy, Default)]
 struct PendingFacet<R> {
     corners: [Vec3<R>; 3],
-    /// Of the edges opposite to the corners of the same number.
+    /// The middles of the edges opposite to the corners of the same number.
     middles: [Vec3<R>; 3],
     face: u32,
     near: u32,
@@ -83,8 +83,9 @@ impl<R: Traced> Stretch<R> {
         [a.max(b) >= -self.tolerance, a.min(b) <= self.tolerance]
     }
 
-    /// Of a facet whose cone it meets, the quarters whose cones it may meet: a bit for each. A plane through two of the
-    /// middles and the centre cuts off the quarter at a corner; the last quarter is on the other side of all three.
+    /// The quarters of a facet, whose cone the line meets, of which it may meet the cones: a bit for each. A plane
+    /// through two of the middles and the centre cuts off the quarter at a corner; the last quarter is on the other
+    /// side of all three.
     #[inline]
     fn quarters(&self, [bc, ca, ab]: [Vec3<R>; 3]) -> u32 {
         let normals = [ab.cross(ca), bc.cross(ab), ca.cross(bc)];
@@ -263,7 +264,7 @@ fn inner_radius(edge: f64, splits: u32) -> f64 {
     (1.0 - l2 / 3.0).sqrt() * (1.0 - 1e-14)
 }
 
-/// What the search allows for rounding, in units of ROUNDOFF.
+/// Bound on the rounding in the search, in units of ROUNDOFF.
 ///
 /// A new vertex has 6 roundings of its own, and the errors of the ends of its edge, which pushing
 /// the middle out stretches: over all splits by less than 1.26. Ten levels make 76 units, stretched
@@ -367,7 +368,7 @@ impl Shape for GeodesicSphere {
         hull::of_ellipsoid(Vec3::ZERO, Vec3::ONE * self.record.radius)
     }
 
-    /// Those of the sphere in the point's direction.
+    /// The surface coordinates of the sphere in the point's direction.
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
         let p = point.unit();
         let v = libm::acos((-p[1]).clamp(-1.0, 1.0)) / PI;

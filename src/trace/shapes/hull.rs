@@ -36,7 +36,7 @@ mod tests {
     use crate::testing::{random, solids};
     use crate::trace::shapes::Primitive;
 
-    /// Those that are no usual solid.
+    /// Geometries that are no usual solid.
     fn others() -> [Geometry; 4] {
         [
             Geometry::Rectangle {

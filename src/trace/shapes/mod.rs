@@ -49,7 +49,7 @@ const BLURRED: f64 = 32.0;
 pub struct Root<R = f64> {
     /// Finite.
     pub t: R,
-    /// Which part of the surface, for shapes that have several; the shape alone reads it.
+    /// The part of the surface, for shapes that have several; the shape alone reads it.
     pub face: u32,
 }
 
@@ -130,8 +130,8 @@ pub struct Located<R = f64> {
     pub normal: Vec3<R>,
 }
 
-/// What the tracer asks of a shape, with rays of one kind of number. Everything is in the shape's
-/// own space; directions are of any length.
+/// The questions that the tracer asks of a shape, with rays of one kind of number. Everything is in the shape's own
+/// space; directions are of any length.
 pub trait Intersect<R: Traced = f64> {
     /// Appends all crossings to the cleared `roots`.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>);
@@ -155,7 +155,7 @@ pub trait Intersect<R: Traced = f64> {
     }
 }
 
-/// What a shape is, whatever the rays are made of.
+/// A shape, whatever the rays are made of.
 pub trait Shape {
     /// A box that holds the shape, rounded outwards.
     fn bounds(&self) -> Aabb;

@@ -94,10 +94,10 @@ impl Shape for Plane {
 /// How a line runs with respect to a plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PlaneRelation<R> {
-    /// It crosses the plane at t, maybe to the side that the normal points to.
+    /// The line crosses the plane at t, maybe to the side that the normal points to.
     Across { t: R, outwards: bool },
-    /// It is parallel to the plane: behind it (less), in it or in front; `close` if rounding may have
-    /// decided which.
+    /// The line is parallel to the plane: behind it (less), in it or in front; `close` if rounding may have decided
+    /// which.
     Along { side: Ordering, close: bool },
 }
 

@@ -18,9 +18,9 @@ pub const POLYNOMIAL_MARGIN: f64 = 1e-6;
 /// How a line passes a shape, as far as a cheap test can tell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pass {
-    /// It surely crosses nothing in the stretch that is asked for.
+    /// The line surely crosses nothing in the stretch that is asked for.
     Beside,
-    /// That is for the shape to say.
+    /// The shape itself has to answer.
     Perhaps,
     /// In the stretch, ahead of its origin, it surely is inside of the solid, and later surely outside.
     Through,
@@ -43,7 +43,7 @@ pub struct Approach {
     slack: f64,
 }
 
-/// What is known of a line and a ball.
+/// The relation of a line to a ball.
 #[derive(Debug, Clone, Copy)]
 pub enum Ball {
     Misses,
@@ -100,8 +100,8 @@ impl Ball {
 }
 
 impl Approach {
-    /// What is known where a polynomial of the line's points, which is negative in the solid, may not be positive: by
-    /// its value in one place, on the stretch.
+    /// Whether the line goes through: where a polynomial of the line's points, which is negative in the solid, is
+    /// negative by its value in one place, on the stretch.
     #[inline]
     pub fn through(&self, at: f64, margin: f64, value: impl FnOnce(f64) -> f64) -> Pass {
         let is_told = self.leaves && at > self.origin + self.slack && margin.is_normal();

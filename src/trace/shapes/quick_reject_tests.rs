@@ -191,7 +191,7 @@ fn what_misses_crosses_nothing_and_what_goes_through_is_in_it() {
     );
 }
 
-/// Of what has no bounds, lines from near and far.
+/// Shapes without bounds, and lines from near and far.
 #[test]
 fn unbounded_quadrics_are_not_crossed_where_they_are_missed() {
     let shapes = [
@@ -303,7 +303,7 @@ fn what_is_not_met_again_is_left_for_good() {
     }
 }
 
-/// What a search for the nearest crossing is given is the beginning of all crossings, up to the first that counts.
+/// The crossings for a search for the nearest are the beginning of all crossings, up to the first that counts.
 #[test]
 fn first_crossings_are_the_first_of_all() {
     fn compare<R: Traced>(shape: &Primitive, line: &Line, near: f64) -> usize {

@@ -63,7 +63,7 @@ impl Support {
         Support::Plane(each(abcd, |x| if turned { -x } else { x }))
     }
 
-    /// What a segment between two points (x, y) becomes as it is turned about the y axis.
+    /// The surface that a segment between two points (x, y) becomes as it is turned about the y axis.
     pub fn turned([a, b]: [[f64; 2]; 2]) -> Support {
         let axis = [0.0; 2];
         match () {

@@ -66,7 +66,7 @@ struct Scaled<R> {
     minor: R,
     /// The point of the line nearest to the centre, but for rounding along the line.
     near: Vec3<R>,
-    /// Its largest component is in [1, 2).
+    /// The direction, whose largest component is in [1, 2).
     direction: Vec3<R>,
     /// Bound on the error of each component of a point near the torus, from all but the last
     /// rounding of the point itself: that of moving the origin, and the line's own slack.

@@ -259,8 +259,8 @@ fn random_torus(s: &mut u64) -> Torus {
     Torus::new(size, size * ratio)
 }
 
-/// What is decided is decided as in double-double, and the roots agree to the rounding of t and
-/// of the point where the line meets the surface, over how steeply it does.
+/// A decision is the same as in double-double, and the roots agree to the rounding of t and of the point where the line
+/// meets the surface, over how steeply it does.
 #[test]
 fn agrees_with_double_double() {
     let (mut s, mut crossings, mut uncertain) = (1, 0, 0);

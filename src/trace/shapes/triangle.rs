@@ -16,7 +16,7 @@ use crate::trace::shapes::support::Support;
 pub struct Triangle {
     vertices: [Vec3; 3],
     normals: TriangleNormals,
-    /// Of length 1; `None` where the vertices lie on one line.
+    /// A unit vector; `None` where the vertices lie on one line.
     normal: Option<Vec3<Dd>>,
     /// The largest coordinate of a vertex, by size.
     reach: f64,

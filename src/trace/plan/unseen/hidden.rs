@@ -23,7 +23,7 @@ use crate::solids::shapes::facts::Facts;
 use crate::solids::within::{CLEARANCE_REL, PlacedShape};
 use rustc_hash::FxHashMap;
 
-/// So many opaque shapes are asked what they hold, the largest.
+/// Most opaque shapes that are asked what they hold, the largest.
 const MAX_HOLDERS: usize = 4096;
 
 /// Boxes compared, in each of the two searches: some hundredths of a second.
@@ -41,13 +41,13 @@ pub struct Hidden<'a, F: Fn(&Member) -> bool> {
     starts: &'a Starts,
     /// Whether the region that is drawn cuts nothing off.
     whole: F,
-    /// Of each part that lies strictly inside another one, that one.
+    /// The part that each part lies strictly inside, for those that do.
     holders: FxHashMap<u32, u32>,
     steps: usize,
 }
 
 impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
-    /// Of the parts `left` those that are hidden, ascending, each with a part that it lies in.
+    /// The parts among `left` that are hidden, ascending, each with a part that it lies in.
     pub fn find(
         scene: &'a Scene,
         all: &'a [Member],
@@ -155,8 +155,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
             && (self.scene.point_lights.iter()).all(|l| standing.is_clear_of(l.position))
     }
 
-    /// Of the parts that hold something, and of all that are opaque and connected with them, whether
-    /// no ray gets in.
+    /// Whether no ray gets in, for each part that holds something and for all that are opaque and connected with these.
     fn closed(&mut self, left: &[u32]) -> FxHashMap<u32, bool> {
         self.steps = MAX_STEPS;
         let boxes = Boxes::new(left.iter().map(|&i| (i, self.all[i as usize].bounds)));

@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// Where a part is written.
 #[derive(Debug, Clone, Copy)]
 pub enum Slot {
-    /// It is all there is.
+    /// The only part there is.
     Root,
     /// A union, and which of its operands.
     Operand(NodeId, usize),
@@ -25,7 +25,7 @@ pub struct Member {
     pub node: NodeId,
     /// Index into the scene's shapes, where it is one.
     pub shape: Option<u32>,
-    /// What moves it.
+    /// The matrix that moves the part.
     moved: Option<Arc<Matrix>>,
     /// Where it is, in those of the scene.
     pub bounds: Aabb,
@@ -140,8 +140,8 @@ pub fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member
     out
 }
 
-/// Of each node whether anything of it may let light through if no paint above says otherwise; the
-/// second is that of its complement.
+/// Whether anything of each node may let light through if no paint above says otherwise; the second is that of the
+/// node's complement.
 fn clear(scene: &Scene, root: NodeId) -> Vec<[bool; 2]> {
     fold_up(scene.up_to(root), |_, node, out: &[[bool; 2]]| {
         let of = |n: NodeId| out[n as usize];

@@ -22,9 +22,9 @@ pub use starts::Starts;
 /// Why nothing of a part can be seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Why {
-    /// It lies outside of the box of the render record.
+    /// Outside of the box of the render record.
     Outside,
-    /// It lies inside of this shape, which is opaque: the name of its kind, and its ID.
+    /// Inside of this shape, which is opaque: the name of its kind, and its ID.
     Inside(&'static str, u32),
 }
 
@@ -47,7 +47,7 @@ pub struct LeftOut {
 }
 
 impl LeftOut {
-    /// Of the operands of a union those that are not left out.
+    /// The operands of a union that are not left out.
     pub fn kept<T>(
         &self,
         union: NodeId,
@@ -76,7 +76,7 @@ impl LeftOut {
     }
 }
 
-/// What there is to draw.
+/// The operands that no ray can see, and what is left to draw.
 #[derive(Debug, Default)]
 pub struct UnseenParts {
     /// In the order of the operands.

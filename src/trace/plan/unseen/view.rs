@@ -134,11 +134,11 @@ impl Field {
     }
 }
 
-/// Which parts of what is drawn a camera is asked to see.
+/// The parts of what is drawn that a camera is asked to see.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parts {
     All,
-    /// Those that have an end: no planes, no half-spaces.
+    /// Parts that have an end: no planes, no half-spaces.
     Bounded,
 }
 
@@ -239,7 +239,7 @@ fn all_below(
 #[derive(Debug, Clone, Copy)]
 pub struct Held {
     pub solid: Named,
-    /// It is on the surface, as far as rounding can tell.
+    /// Whether the point is on the surface, as far as rounding can tell.
     pub on_surface: bool,
 }
 
@@ -284,8 +284,8 @@ pub fn held(
     near_parts(scene, bounds, root, points, counts, holder)
 }
 
-/// Of each point whether it lies on the surface of a part of the outermost union, as far as rounding can tell. Of what an
-/// operation cuts out of rectangles and the like, it may lie on what is cut off.
+/// Whether each point lies on the surface of a part of the outermost union, as far as rounding can tell. A point on
+/// what an operation cuts off a rectangle or the like may count, too.
 pub fn on_surfaces(
     scene: &Scene,
     bounds: &[NodeBounds],
@@ -362,7 +362,7 @@ impl Asked<'_> {
         !part.sheet && self.inside.node(node, back.point(*point)) != Some(false)
     }
 
-    /// What a part has of a point and of what is around it; `None` if nothing, or if that is not known.
+    /// The part's share in a point and in what is around it; `None` if there is none, or if that is not known.
     fn met(&mut self, point: &Vec3, part: &Member) -> Option<Met> {
         self.left = self.left.checked_sub(1)?;
         let scene = self.scene;
@@ -424,7 +424,7 @@ fn around(point: &Vec3, part: &Member) -> f64 {
 /// A part that a point is in, or on the surface of.
 struct Met {
     solid: Named,
-    /// Which of the [places around](places_around) the point are in it: of a surface none.
+    /// Whether each of the [places around](places_around) the point is in it: for a surface none is.
     holds: [bool; PLACES],
 }
 

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// Largest error of a distance, as a share of it.
 pub const DISTANCE_REL_ERROR: f64 = 1e-6;
-/// What two roundings may do to a coordinate of a face, several times over.
+/// Bound on what two roundings may do to a coordinate of a face, several times over.
 pub const ROUNDED: f64 = 16.0 * f64::EPSILON;
 
 /// A part of the scene that has bounds, and where it is.
@@ -58,7 +58,7 @@ impl Body {
         Body::of_corners(number, bounds, (corners, off))
     }
 
-    /// Of points whose convex hull holds the part, and how far each of them may be off.
+    /// A body of points whose convex hull holds the part, and of how far each of them may be off.
     pub fn of_corners(part: u32, bounds: Aabb, (mut corners, off): (Vec<Vec3>, f64)) -> Body {
         if !(off.is_finite() && corners.iter().all(|c| c.is_finite())) {
             corners.clear();

@@ -33,7 +33,7 @@ pub struct Face {
 /// A body as it is seen through a face.
 #[derive(Debug, Clone, Copy)]
 pub struct VisibleBody {
-    /// Which of the bodies of the cache.
+    /// Index of the body among those of the cache.
     pub index: u32,
     /// No point of it is nearer.
     pub near: f32,
@@ -43,7 +43,7 @@ pub struct VisibleBody {
 }
 
 impl Face {
-    /// Of bodies with their distances and octagons, the nearest first.
+    /// A face of bodies with their distances and octagons, the nearest first.
     pub fn new(bodies: &[(u32, f64, Octagon)]) -> Face {
         if bodies.is_empty() {
             return Face::default();

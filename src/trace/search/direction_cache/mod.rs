@@ -23,7 +23,7 @@ use face::Face;
 use std::iter;
 use std::sync::Arc;
 
-/// What is in which direction from a point.
+/// The bodies in each direction from a point.
 #[derive(Debug)]
 pub struct DirectionCache {
     bodies: Arc<[Body]>,
@@ -33,7 +33,7 @@ pub struct DirectionCache {
     far: f64,
 }
 
-/// What is seen from the eye and from each light, where that is known.
+/// The caches of the eye and of each light, where they are known.
 #[derive(Debug, Default)]
 pub struct DirectionCaches {
     pub eye: Option<DirectionCache>,
@@ -59,7 +59,7 @@ const BOX_WIDENING: f64 = 1e-9;
 const MAX_ORIGIN_DISTANCE: f64 = 1e3;
 
 impl DirectionCache {
-    /// What of some bodies is seen from a point; `None` where there are no numbers for it.
+    /// The cache of some bodies as seen from a point; `None` where there are no numbers for it.
     pub fn new(bodies: &Arc<[Body]>, point: Vec3) -> Option<DirectionCache> {
         let reaches = bodies.iter().map(|body| body.bounds.reach());
         let reach = reaches.fold(point.abs().max_component(), f64::max);
@@ -96,7 +96,7 @@ impl DirectionCache {
         })
     }
 
-    /// What a ray from the point may meet: each body, and its least distance.
+    /// The bodies that a ray from the point may meet, each with its least distance.
     pub fn leaving(&self, direction: Vec3) -> impl Iterator<Item = (f64, &Body)> {
         let [x, y, z] = direction.0;
         let [x_size, y_size, z_size] = direction.abs().0;
@@ -116,8 +116,8 @@ impl DirectionCache {
         })
     }
 
-    /// What a ray may meet that comes to the point by a way: as [`leaving`](Self::leaving). `None`: it comes from too
-    /// far away.
+    /// The bodies that a ray may meet that comes to the point by a way: as [`leaving`](Self::leaving). `None`: it comes
+    /// from too far away.
     #[inline]
     pub fn arriving(&self, way: Vec3) -> Option<impl Iterator<Item = (f64, &Body)>> {
         let size = way.abs().max_component();

@@ -88,7 +88,7 @@ fn bounds_at_their_edges() {
     }
 }
 
-/// What doubles hold exactly is decided at once.
+/// A case that doubles hold exactly is decided at once.
 #[test]
 fn exact_cases_are_certain() {
     let down = [0.0, 0.0, -1.0];

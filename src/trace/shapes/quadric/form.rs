@@ -16,7 +16,7 @@ pub struct QuadricForm {
     pub(super) square: [f64; 3],
     pub(super) mixed: [f64; 3],
     pub(super) linear: [f64; 3],
-    /// What the sums in the mixed and linear coefficients have lost in rounding.
+    /// The rounding errors of the sums in the mixed and linear coefficients.
     pub(super) rest: [[f64; 3]; 2],
     pub(super) constant: f64,
     pub(super) unit: [f64; 3],

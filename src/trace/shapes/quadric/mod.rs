@@ -27,14 +27,14 @@ use std::f64::consts::TAU;
 /// The solid F(x) ≤ 0 of a polynomial of second degree, bounded or not.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quadric {
-    /// What its record says.
+    /// The geometry of the record.
     geometry: Box<Geometry>,
     form: QuadricForm,
     bounds: Aabb,
     convex: bool,
     /// Bounds on the summed sizes of the terms of second, first and no degree, for coordinates up to 1.
     sizes: [f64; 3],
-    /// Of what is bounded: the centre and radius of a ball around it, and a bound on the sizes of all terms in there.
+    /// For a bounded quadric the centre and radius of a ball around it, and a bound on the sizes of all terms in there.
     ball: Option<(Vec3, f64, f64)>,
 }
 

@@ -12,7 +12,7 @@ const LAYERS: usize = 32;
 /// The bounding cylinder of a solid of revolution, and cylinders inscribed in it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cylinders {
-    /// Of the bounding cylinder and of the ball around that.
+    /// The centre of the bounding cylinder and of the ball around that.
     centre: Vec3,
     /// Half of the cylinder's height.
     half: f64,
@@ -20,13 +20,13 @@ pub struct Cylinders {
     size: f64,
     /// The square of the bounding cylinder's radius.
     outer: f64,
-    /// Of each layer, from the lowest: the square of the radius up to which all of it is in the solid. The outermost
+    /// For each layer, from the lowest, the square of the radius up to which all of it is in the solid. The outermost
     /// layers have none, since the profile begins and ends on the axis there.
     inner: [f64; LAYERS],
 }
 
 impl Cylinders {
-    /// Of a solid in its bounds, and its closed profile, which is `scale` times as large.
+    /// The cylinders of a solid in its bounds, with its closed profile, which is `scale` times as large.
     pub fn new(bounds: &Aabb, points: &[[f64; 2]], scale: f64) -> Cylinders {
         let (radius, half) = (bounds.max[0], 0.5 * (bounds.max[1] - bounds.min[1]));
         let size = (half * half + radius * radius).sqrt();
@@ -53,7 +53,8 @@ impl Cylinders {
         ((share * LAYERS as f64) as usize).min(LAYERS - 1)
     }
 
-    /// What is nearer to the axis than all of the profile in a layer is in the solid if the axis is.
+    /// The squares of the radii of the layers: a point nearer to the axis than all of the profile in a layer is in the
+    /// solid if the axis is.
     fn layers(&self, points: &[[f64; 2]], scale: f64) -> [f64; LAYERS] {
         let mut least = [f64::INFINITY; LAYERS];
         let mut inside = [false; LAYERS];

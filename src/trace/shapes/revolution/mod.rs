@@ -38,7 +38,7 @@ use tree::Run;
 pub struct Revolution {
     /// The profile and, unless it is a ring, points on the axis before and after it; times `scale`.
     points: Vec<[f64; 2]>,
-    /// What of the profile is surface.
+    /// The parts of the profile that are surface.
     pieces: Vec<Subsegment>,
     /// One a profile point, or none.
     colours: Vec<Rgb>,

@@ -42,7 +42,7 @@ pub struct Path<R> {
     /// whatever the way.
     moved: R,
     turned: R,
-    /// What these three do to along times a point's distance from the axis, at the height of p.
+    /// Bound on the effect of these three on along times a point's distance from the axis, at the height of p.
     fuzz: R,
     /// Whether a chord level with a seam belongs to the segment below it, not above.
     below: bool,
@@ -174,9 +174,9 @@ impl<R: Traced> Path<R> {
         (finite && path.error.is_finite()).then_some(path)
     }
 
-    /// What the line's slack comes to: √3 ≤ 7/4 times a component's, for the direction over its
-    /// length; the point is at |start·unit| on the line's own scale. Where the move to the closest
-    /// approach is not fused, its product is rounded, too, unless it is exact.
+    /// Adds the line's slack: √3 ≤ 7/4 times a component's, for the direction over its length; the point is at
+    /// |start·unit| on the line's own scale. Where the move to the closest approach is not fused, its product is
+    /// rounded, too, unless it is exact.
     ///
     /// A direction that turns in the plan moves s₀ and δ by at most the chord between the two unit
     /// vectors times their size: less than twice the sine of the angle, and never more than two.

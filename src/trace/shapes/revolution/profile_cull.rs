@@ -47,7 +47,7 @@ impl Units {
 /// The pieces of a profile, laid out for the test.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Beside {
-    /// Of the ball around the solid.
+    /// The centre and the radius of the ball around the solid.
     centre: f64,
     size: f64,
     /// The pieces of each leaf of the tree, four to a block, leaf after leaf.
