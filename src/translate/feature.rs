@@ -17,7 +17,7 @@ pub enum Feature {
     Effect(Effect),
 }
 
-/// What is seen of a scene beyond its records.
+/// The effects that a scene has beyond its records.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Effect {
     Diffuse,
@@ -93,8 +93,8 @@ impl Feature {
     }
 }
 
-/// What a scene uses where it can be reached from the render record, and how often; effects count
-/// as 0 times.
+/// The features that a scene uses where they can be reached from the render record, and how often; effects count as 0
+/// times.
 pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
     let mut out = BTreeMap::new();
     let (Some(render), Some(plan)) = (&scene.render, Plan::new(scene)) else {

@@ -37,7 +37,7 @@ impl Fidelity {
     }
 }
 
-/// What a target makes of a feature in general.
+/// The support of a target for a feature in general.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FeatureSupport {
     pub fidelity: Fidelity,
@@ -82,7 +82,7 @@ pub struct ReportLine {
 /// How well a feature came through, its bound in English, and its name: entries are sorted by these.
 type Key = (u8, String, &'static str);
 
-/// What became of the features a scene uses.
+/// The fate of the features that a scene uses.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Report {
     /// The program translated for, as `--to` names it.

@@ -44,7 +44,7 @@ impl Pinhole {
 }
 
 impl Lens {
-    /// Of a camera with a projection matrix; `None` where its rays neither come from one point nor are
+    /// The lens of a camera with a projection matrix; `None` where its rays neither come from one point nor are
     /// parallel.
     pub fn of(camera: &Camera, width: u32, height: u32) -> Option<Lens> {
         let sight = Sight::of(camera.projection.as_ref()?).ok()?;

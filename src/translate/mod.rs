@@ -22,7 +22,7 @@ use crate::scene::Camera;
 /// A file of a translation.
 #[derive(Debug)]
 pub struct File {
-    /// What its name has before the extension, and other files of the translation have not.
+    /// The end of the file's name before its extension, which other files of the translation do not have.
     pub suffix: &'static str,
     pub text: String,
 }

@@ -24,7 +24,7 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// What a comment says of an entity.
+    /// The words of a comment about an entity.
     pub fn words(&self, id: u32) -> Option<&str> {
         self.captions.get(id)
     }

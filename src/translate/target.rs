@@ -20,7 +20,7 @@ pub trait Target: fmt::Debug + Sync {
     /// As `--to` names it; also what the files are called after, where they are named for the target.
     fn name(&self) -> &'static str;
 
-    /// What the name of its main file ends with, without the dot.
+    /// The extension of the main file's name, without the dot.
     fn ending(&self) -> &'static str {
         self.name()
     }
@@ -36,7 +36,7 @@ pub trait Target: fmt::Debug + Sync {
     /// Whether there must be something to draw.
     fn draws(&self) -> bool;
 
-    /// What is written.
+    /// The kind of output that is written.
     fn form(&self) -> OutputKind {
         OutputKind::Text
     }
@@ -49,7 +49,7 @@ pub trait Target: fmt::Debug + Sync {
     fn write(&self, scene: &Prepared, options: &Options) -> Result<Output, Error>;
 }
 
-/// What a translation consists of.
+/// The kinds of translations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OutputKind {
     /// Text: standard output has it unless a file is named.
@@ -108,11 +108,11 @@ impl<'a> Prepared<'a> {
     }
 }
 
-/// What the scene itself does not say.
+/// The choices that the scene itself does not make.
 pub struct Options<'a> {
     /// Width and height of the picture in pixels.
     pub size: (u32, u32),
-    /// Who takes the picture.
+    /// The camera that takes the picture.
     pub viewpoint: Viewpoint,
     /// How often a ray may be mirrored or refracted.
     pub depth: u32,

@@ -152,7 +152,7 @@ fn parameter(
     }
 }
 
-/// What the texture with two colours is called.
+/// The name of the texture with two colours.
 fn pattern(node: Option<&Node>) -> &'static str {
     match node {
         Some(Node::Paint {

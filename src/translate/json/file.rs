@@ -36,7 +36,7 @@ pub fn analyse(source: SourceFile) -> Analysis {
     }
 }
 
-/// What is wrong with the JSON, as a finding.
+/// The fault in the JSON, as a finding.
 fn finding(unreadable: Unreadable) -> Diagnostic {
     let Unreadable { at, span, why } = unreadable;
     let finding = Diagnostic::new(Code::E015, span).with("why", why);

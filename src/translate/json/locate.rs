@@ -59,13 +59,13 @@ impl fmt::Display for Path {
     }
 }
 
-/// So many bytes are looked through for values inside of parts; after that the parts themselves are named.
+/// Most bytes that are looked through for values inside of parts; after that the parts themselves are named.
 const BYTES: usize = 1 << 26;
 
 /// The places of a text.
 #[derive(Debug)]
 pub struct Places {
-    /// What the whole has, by name.
+    /// The spans of the values of the whole, by name.
     top: FxHashMap<String, Span>,
     /// The items of the lists among it.
     items: FxHashMap<String, Vec<Span>>,

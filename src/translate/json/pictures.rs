@@ -9,7 +9,7 @@ use crate::syntax::table::RecordKind;
 use crate::translate::target::{Options, Prepared};
 use crate::translate::{Feature, FeatureSupport};
 
-/// What cannot be named from the new place, with a verdict on it.
+/// The pictures that cannot be named from the new place.
 #[derive(Default)]
 pub struct Left(Vec<String>);
 
@@ -47,7 +47,7 @@ pub fn follow(model: &mut Scene, scene: &Prepared, options: &Options) -> Left {
 }
 
 impl Left {
-    /// What becomes of a feature if pictures are left behind.
+    /// The support for a feature if pictures are left behind.
     pub fn verdict(&self, feature: Feature, options: &Options) -> Option<FeatureSupport> {
         let is_image = feature == Feature::Record(RecordKind::ImageTexture);
         let output = options.output.filter(|_| is_image && !self.0.is_empty())?;

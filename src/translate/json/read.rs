@@ -25,7 +25,7 @@ pub fn read(text: &str) -> Result<Scene, Unreadable> {
     Ok(scene)
 }
 
-/// What is wrong, and where.
+/// The element with a fault, and the fault.
 type Fault = (ModelElement, Complaint);
 
 fn check(scene: &Scene) -> Result<(), Fault> {

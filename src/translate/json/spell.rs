@@ -57,10 +57,10 @@ impl fmt::Display for ModelElement {
     }
 }
 
-/// What a record says of its place, where its type does not tell.
+/// The part of an element that a record spells, where the record's type does not tell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Matter {
-    /// What its type says; of a heading nothing.
+    /// The part that its type tells; of a heading none.
     Type(Option<RecordKind>),
     /// A colour that a pattern names.
     PatternColour(u8),
@@ -73,7 +73,7 @@ pub enum Matter {
 pub struct Records {
     /// One record or heading a line.
     pub text: String,
-    /// What each line stands for.
+    /// The element that each line stands for.
     pub places: Vec<ModelElement>,
     /// And what of it.
     pub matters: Vec<Matter>,
@@ -108,7 +108,7 @@ struct Speller<'a> {
     places: Vec<ModelElement>,
     matters: Vec<Matter>,
     made_up: HashMap<u32, ModelElement>,
-    /// What the next lines stand for.
+    /// The element that the next lines stand for.
     place: ModelElement,
     /// The matter of the next colour, if it is not the one of its object.
     matter: Option<Matter>,

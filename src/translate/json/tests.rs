@@ -506,7 +506,7 @@ fn random_scene(random: &mut impl FnMut(u64) -> u64) -> String {
     text
 }
 
-/// What is met along some rays, to the bit: where, and by which IDs it goes.
+/// The crossings of some rays, to the bit: their places, and the IDs they go by.
 fn met(scene: &scene::Scene) -> String {
     use crate::geometry::vec;
     use crate::trace::{Images, Ray, Tracer, members};

@@ -149,7 +149,7 @@ fn field_at_fault<'a>(node: &'a Map<String, Value>, said: &str) -> Option<&'a St
     fields.find(|field| alone(field).is_err_and(|e| e.to_string() == said))
 }
 
-/// What a message of the parser means.
+/// The meaning of a message of the parser.
 fn why(said: &str) -> Complaint {
     let quoted: Vec<&str> = said.split('`').skip(1).step_by(2).collect();
     let first = quoted.first().copied().unwrap_or_default().to_owned();

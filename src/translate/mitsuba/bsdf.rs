@@ -13,7 +13,7 @@ use crate::translate::mesh::picture::file_name;
 /// How a mesh knows its colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Colours {
-    /// They are one, the skin's.
+    /// One colour, the skin's.
     Plain,
     OfFaces,
     OfPoints,
@@ -110,8 +110,8 @@ impl<'g> Bsdfs<'g> {
         }
     }
 
-    /// What makes a picture of each channel of a document whose indices differ by channel: how to ask
-    /// for it, and the parameters with the mean of the channels.
+    /// The text that makes a picture of each channel of a document whose indices differ by channel: how to ask for it,
+    /// and the parameters with the mean of the channels.
     pub fn dispersion(&self) -> Option<String> {
         let channel = |k: usize| {
             let of = |i: &u32| {

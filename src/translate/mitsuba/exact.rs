@@ -12,8 +12,7 @@ pub struct Exact {
     kind: &'static str,
     body: String,
     shape: u32,
-    /// What surface coordinates have to be multiplied by, and what is then added, to be ours; `None`
-    /// where they are something else.
+    /// The factors and summands that make our surface coordinates of Mitsuba's; `None` where those are something else.
     pub uv: Option<[[f64; 2]; 2]>,
 }
 

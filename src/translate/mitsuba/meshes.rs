@@ -13,7 +13,7 @@ use crate::translate::mesh::picture::is_pictured;
 use crate::translate::mesh::shape::DROPPED;
 use crate::translate::mesh::{Mesh, MeshPart, Precision, SurfaceLabel};
 
-/// What triangles must have in common to be in one file.
+/// The properties that triangles must have in common to be in one file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Key {
     shape: u32,

@@ -32,7 +32,7 @@ pub use output::{Output, ShapeInfo};
 pub use scenery::{is_exact, square_size};
 use written::Written;
 
-/// Which entities a shape is of: its own, and the one that its properties come from.
+/// The entities of a shape: its own, and the one that its properties come from.
 fn described(names: &Names, shape: u32, object: u32) -> String {
     let of = |id| names.comment(id).map(|words| format!("{id}: {words}"));
     let own = of(shape);
@@ -47,7 +47,7 @@ fn described(names: &Names, shape: u32, object: u32) -> String {
 /// Pieces that are joined where they overlap.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
-    /// Those of one medium: optics and index.
+    /// Pieces of one medium: optics and index.
     Medium(u32, u32),
     /// Opaque ones that have surfaces in common.
     Opaque(u32),

@@ -16,7 +16,7 @@ use crate::translate::lens::{Lens, Pinhole};
 /// Samples a pixel of a path-traced picture.
 const SAMPLES: u32 = 64;
 
-/// What has no end is drawn this far, by the size of the scene and its distance from the camera: the
+/// Distance that shapes without end are drawn to, by the size of the scene and its distance from the camera: the
 /// horizon is then less than a pixel below where it should be.
 const HORIZON: f64 = 1e3;
 
@@ -187,7 +187,7 @@ pub fn square_size(cameras: &[Camera], (width, height): (u32, u32)) -> Option<(u
         .min_by_key(|size| size.1.abs_diff(height))
 }
 
-/// What surrounds the scene.
+/// The surroundings of the scene.
 struct Environment {
     light: [f64; 3],
     /// The background is black: it is not seen.

@@ -88,10 +88,10 @@ fn record(kind: RecordKind, tolerance: f64, counts: Counts) -> FeatureSupport {
     }
 }
 
-/// What surface coordinates are on a mesh.
+/// The fidelity of surface coordinates on a mesh.
 const STRAIGHT: &str = "straight between the points of a mesh";
 
-/// What shapes became: `2 spheres, 1 mesh`.
+/// The shapes that shapes became: `2 spheres, 1 mesh`.
 fn made(own: &'static str, counts: Counts) -> Complaint {
     match counts {
         [_, 0] => Complaint::term(own),

@@ -30,22 +30,22 @@ use pictures::Pictures;
 use simplify::simplified;
 use tree::{Document, Lens};
 
-/// What the scene itself does not say.
+/// The choices that the scene itself does not make.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Options {
     /// Width and height of the picture in pixels.
     pub size: (u32, u32),
-    /// Who takes the picture.
+    /// The camera that takes the picture.
     pub viewpoint: Viewpoint,
     /// How often a ray may be mirrored or refracted.
     pub depth: u32,
     pub pictures: Pictures,
     pub stereo: Stereo,
-    /// What comments say about the scene.
+    /// The scene's names in comments.
     pub captions: Captions,
 }
 
-/// What becomes of a pair of cameras.
+/// The treatment of a pair of cameras.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stereo {
     /// A file for each eye.

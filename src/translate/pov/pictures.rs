@@ -61,7 +61,7 @@ impl Pictures {
     }
 }
 
-/// What POV-Ray calls the kind of a picture file.
+/// POV-Ray's name for the kind of a picture file.
 fn kind(path: &str) -> &'static str {
     let mut start = [0; 3];
     let read = File::open(path).and_then(|mut file| file.read_exact(&mut start));

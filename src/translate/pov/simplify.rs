@@ -128,7 +128,7 @@ impl<'a> Simplified<'a> {
     }
 }
 
-/// What is used of all there is, in the order of its use, which gets its new numbers.
+/// The items in use, in the order of their use, which gets them their new numbers.
 fn used<T: Clone>(all: &[T], each: impl FnOnce(&mut dyn FnMut(&mut usize))) -> Vec<T> {
     let mut used = Vec::new();
     let mut numbers = vec![None; all.len()];

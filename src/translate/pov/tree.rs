@@ -8,7 +8,7 @@ use crate::scene::{Geometry, Optics, Rgb, Vec3, Volume};
 
 /// A translation that is to be printed.
 pub struct Document<'a> {
-    /// What a comment says of the whole scene.
+    /// The comment on the whole scene.
     pub title: Option<&'a str>,
     /// Width and height of the picture in pixels.
     pub size: (u32, u32),
@@ -23,11 +23,11 @@ pub struct Document<'a> {
     /// The lights lie in a group with the scene: one of them is on a surface.
     pub lights_in_group: bool,
     pub tree: Tree<'a>,
-    /// What a comment calls the scene.
+    /// The scene's name in a comment.
     pub caption: String,
     /// The box outside of which nothing is drawn.
     pub clip: Option<(Vec3, Vec3)>,
-    /// What lies inside of opaque objects can be seen.
+    /// Whether the inside of opaque objects can be seen.
     pub cut_open: bool,
 }
 
@@ -71,9 +71,9 @@ pub struct Light {
 /// A picture file.
 #[derive(Clone)]
 pub struct Image {
-    /// Its kind and path in POV-Ray's language.
+    /// The kind and path of the file in POV-Ray's language.
     pub file: String,
-    /// What the scene calls it.
+    /// The scene's name of it.
     pub caption: String,
 }
 
@@ -89,7 +89,7 @@ pub struct Tree<'a> {
     pub uses: Uses,
 }
 
-/// What the objects make use of.
+/// The declarations that the objects make use of.
 #[derive(Default)]
 pub struct Uses {
     /// Something has faces that nobody sees.
@@ -115,7 +115,7 @@ pub struct Texture<'a> {
     pub is_behind: bool,
 }
 
-/// What is drawn on a surface.
+/// The pattern on a surface.
 #[derive(Clone)]
 pub enum Pattern<'a> {
     Colour(Rgb),

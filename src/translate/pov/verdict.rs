@@ -53,7 +53,7 @@ fn record(kind: RecordKind) -> FeatureSupport {
     }
 }
 
-/// What shading normals cost.
+/// The cost of shading normals.
 const BEHIND: &str = "a light behind the triangle, but before its shading normal, is seen";
 
 /// How exact a shape is.

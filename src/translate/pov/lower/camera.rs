@@ -94,8 +94,8 @@ fn pinhole(camera: &Camera, basis: &Basis, aspect: f64) -> Lens {
     }
 }
 
-/// What is more than so many radii away is looked at in parallel: POV-Ray's numbers do not suffice for
-/// rays from there.
+/// Distance in radii beyond which a scene is looked at in parallel: POV-Ray's numbers do not suffice for rays from
+/// there.
 const TELESCOPE: f64 = 1e5;
 
 /// Parallel rays for a pinhole that is far from all of the scene, and how far off they are, as a part

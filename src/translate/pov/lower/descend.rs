@@ -11,7 +11,7 @@ use crate::translate::pov::tree::Modifier;
 /// Most parts of a union that is taken apart.
 const MAX_UNION_PARTS_SPLIT: usize = 32;
 
-/// What lies at the end of the way.
+/// The node at the end of the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum End {
     /// There is nothing to draw or to cut with.
@@ -31,7 +31,7 @@ pub enum End {
     Split(NodeId, State),
 }
 
-/// Which nodes that others use too end the way.
+/// The nodes that others use too and that end the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stop {
     AtShared,
@@ -45,7 +45,7 @@ pub enum Stop {
 
 pub struct Descent<'a> {
     pub end: End,
-    /// What was met on the way, in the order to be written: the innermost first.
+    /// The modifiers on the way, in the order to be written: the innermost first.
     pub modifiers: Vec<Modifier<'a>>,
 }
 

@@ -79,7 +79,7 @@ pub fn beside_clear(model: &Model, root: NodeId) -> HashSet<NodeId> {
 struct Whole {
     /// The unions that it is made of, itself as well.
     unions: Vec<NodeId>,
-    /// What these are made of and are no unions.
+    /// The operands of these that are no unions.
     parts: Vec<NodeId>,
 }
 
@@ -99,7 +99,7 @@ fn wholes(scene: &Scene, root: NodeId) -> Vec<Whole> {
     wholes
 }
 
-/// What a union is made of, that of the unions among its operands, too.
+/// The operands of a union, and those of the unions among its operands.
 fn whole(scene: &Scene, union: NodeId) -> Option<Whole> {
     let mut whole = Whole::default();
     let mut todo = vec![union];
@@ -117,7 +117,7 @@ fn whole(scene: &Scene, union: NodeId) -> Option<Whole> {
     Some(whole)
 }
 
-/// What is done to a union, the last first, and its operands; `None` for what is none.
+/// The modifications of a union, the last first, and its operands; `None` for a node that is no union.
 fn union(scene: &Scene, node: NodeId) -> Option<(Modifications, NodeId, NodeId)> {
     let (way, core) = below(scene, node);
     match scene.nodes[core as usize] {

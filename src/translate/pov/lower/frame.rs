@@ -23,10 +23,10 @@ const OVERLOOKED: f64 = 1e-3;
 /// Largest distance of the camera: nothing is seen beyond 1e7.
 const MAX_CAMERA_DISTANCE: f64 = 1e6;
 
-/// What is seen is brought no farther away than this to make room for what is near.
+/// Largest distance that a scene is brought to so that near things have room.
 const FAR_FOR_NEAR: f64 = 262_144.0;
 
-/// Of scenes that are farther from the origin than so many sizes the coordinates are moved.
+/// Distance from the origin, in sizes of the scene, beyond which the coordinates are moved.
 const OFF: f64 = 16.0;
 
 /// Brings the scene to about [`SIZE`], or nearer if the camera is far away; and farther apart where what is seen would

@@ -156,7 +156,7 @@ impl<'a> Lower<'a> {
         object.with(descent.modifiers)
     }
 
-    /// What the scene calls an entity.
+    /// The scene's name of an entity.
     fn caption(&self, id: u32) -> String {
         match self.captions.own(id) {
             Some(words) => format!("{id}, {words}"),

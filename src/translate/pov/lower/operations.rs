@@ -7,7 +7,7 @@ use crate::translate::pov::model::state::{Layer, State};
 use crate::translate::pov::tree::{Body, Modifier, Object, Operation};
 
 impl<'a> Model<'a> {
-    /// What is at the end of a descent, if anything is left of it.
+    /// The object at the end of a descent, if anything is left of it.
     pub fn body(&mut self, end: &End) -> Option<Object<'a>> {
         if let End::Union(part, ..)
         | End::Intersection(part, ..)

@@ -7,10 +7,11 @@ use crate::scene::{Node, NodeId, Scene};
 /// Most steps down a chain of transformations, properties and copies.
 const MAX_CHAIN_STEPS: usize = 64;
 
-/// What is done to a node, the last first.
+/// The modifications of a node, the last first.
 pub type Modifications = Vec<NodeId>;
 
-/// What is done to a node, and what it is done to: a shape or operation as far as patience goes.
+/// The modifications of a node, and the node that they modify: a shape or operation unless the chain is longer than
+/// [`MAX_CHAIN_STEPS`].
 pub fn below(scene: &Scene, node: NodeId) -> (Modifications, NodeId) {
     let states = || scene.states(node);
     // Only the names of its parts are a copy's.
@@ -45,7 +46,7 @@ impl Rewrite {
         self.scene.nodes.len() as NodeId - 1
     }
 
-    /// What was done to a node, done to another one.
+    /// A node with the modifications of another one.
     pub fn done(&mut self, way: &[NodeId], mut node: NodeId) -> NodeId {
         for &step in way.iter().rev() {
             let next = self.scene.nodes[step as usize].with_children(|_| node);
@@ -54,7 +55,7 @@ impl Rewrite {
         node
     }
 
-    /// What stands for a node now.
+    /// The node that stands for a node now.
     pub fn now(&self, node: NodeId) -> NodeId {
         self.new.get(&node).copied().unwrap_or(node)
     }

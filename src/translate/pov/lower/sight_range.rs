@@ -80,7 +80,7 @@ fn bends(scene: &Scene) -> bool {
                 .any(|p| p.index.is_some_and(|i| i != [1.0; 3]))
 }
 
-/// What one `part`-th of the values is not above.
+/// The value that one `part`-th of the values does not exceed.
 fn quantile(mut values: Vec<f64>, part: usize) -> Option<f64> {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / part).copied()

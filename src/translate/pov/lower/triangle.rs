@@ -10,7 +10,7 @@ const PARTS: usize = 24;
 /// half a step of a picture with 8 bits.
 const OFF: f64 = 1e-3;
 
-/// What the cut triangle's normals are off by at most, for the report.
+/// The bound on the error of the cut triangle's normals, for the report.
 pub const BOUND: &str = "off by less than a thousandth of the difference between two normals";
 
 /// Triangles whose interpolated normals are those of one: itself, where its normals are equally long.

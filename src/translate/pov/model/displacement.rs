@@ -10,7 +10,7 @@ use crate::scene::Geometry;
 /// How shapes are changed where nobody sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Change {
-    /// Their surface lies so far outside of where it is, or inside.
+    /// The surface lies this far outside of where it is; inside where the number is negative.
     Offset(f64),
     /// Flat faces in some planes, by their number, lie farther out.
     Planes(u32),
@@ -93,7 +93,7 @@ impl Changes {
         }
     }
 
-    /// What a comment says of a shape that is changed so.
+    /// The text of a comment on a shape that is changed so.
     pub fn note(&self, number: u32) -> &'static str {
         match self.get(number) {
             Change::Both(..) | Change::Planes(_) => {

@@ -121,7 +121,7 @@ impl Interner {
         self.places[node as usize]
     }
 
-    /// What a solid is made of.
+    /// The core that a solid is made of.
     fn core(&mut self, place: Occurrence) -> Core {
         let core = self.cores[place.core as usize];
         if place.matrix == HERE {

@@ -10,7 +10,7 @@ pub const FACE_REL_EPS: f64 = 1e-13;
 /// The part of its own length that a tool is made longer by, where nothing is in the way.
 pub const HALF: f64 = 0.5;
 
-/// What a solid may be longer than it is outside of.
+/// The box outside of which a solid may be longer than it is, and by how much.
 #[derive(Debug, Clone, Copy)]
 pub struct Cut {
     pub around: Aabb,

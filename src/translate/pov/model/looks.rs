@@ -44,7 +44,7 @@ impl<'a> Model<'a> {
         optics.zip(index)
     }
 
-    /// What all of a node consists of, if it is the same everywhere.
+    /// The substance of all of a node, if it is the same everywhere.
     pub fn substance(&self, node: NodeId, state: State) -> Option<Substance> {
         let f = &self.materials[node as usize];
         let look = match state.look {

@@ -38,7 +38,7 @@ pub struct Material {
     /// Something in it has been given a texture, or optics.
     pub has_texture: bool,
     pub has_optics: bool,
-    /// What all of its faces have, if they are alike.
+    /// The texture of all of its faces, if they are alike.
     pub face_texture: Option<TextureUse>,
     pub face_optics: Option<u32>,
     /// Some of it lets light through.

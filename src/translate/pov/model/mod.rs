@@ -34,7 +34,7 @@ use tables::{DEFAULT, Tables};
 use textures::Textures;
 use visibility::camera_is_walled_in;
 
-/// What the report calls faces that POV-Ray cannot tell apart.
+/// The report's name for faces that POV-Ray cannot tell apart.
 const FACES: &str = "faces in one place";
 
 /// Most nodes that are looked at to find out whether a solid can be made smaller.
@@ -52,7 +52,7 @@ pub struct Model<'a> {
     pub textures: Textures,
     /// How shapes are changed where nobody sees it.
     pub changes: Changes,
-    /// What is declared, by number.
+    /// The keys of what is declared, by number.
     keys: Vec<Key>,
     numbers: HashMap<Key, usize>,
     /// How far apart faces are put that are one, in the coordinates of the operation at hand.
@@ -139,7 +139,7 @@ impl<'a> Model<'a> {
         operands.iter().map(refer).collect()
     }
 
-    /// What the object with a number stands for.
+    /// The key of the object with a number.
     pub fn key(&self, number: usize) -> Key {
         self.keys[number]
     }

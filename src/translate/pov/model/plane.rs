@@ -34,7 +34,7 @@ impl Plane {
         Some((Plane::of(n, d)?, 1.0 / length(n)))
     }
 
-    /// So far out.
+    /// The plane moved outwards.
     pub fn moved(&self, by: f64) -> Plane {
         Plane {
             d: self.d - by,

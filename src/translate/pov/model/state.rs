@@ -3,7 +3,7 @@
 use super::tables::TextureUse;
 use crate::scene::NodeId;
 
-/// Which part of a node is meant: an operation treats the solids and the surfaces among its operands differently.
+/// The layer of a node that is meant: an operation treats the solids and the surfaces among its operands differently.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Layer {
     All,
@@ -11,7 +11,7 @@ pub enum Layer {
     Surface,
 }
 
-/// Who says what a node looks like.
+/// The source of a node's look.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Appearance {
     /// The node itself, except for what is painted over it from above.
@@ -23,7 +23,7 @@ pub enum Appearance {
     Above { transparent: bool },
 }
 
-/// Who says what index the inside of a node has.
+/// The source of the refractive index in a node's inside.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Medium {
     Own,

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use crate::geometry::Matrix;
 use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Optics, Rgb, Scene, Texture};
 
-/// What nobody gave a value has number 0 in every table.
+/// The number of a value that nobody gave, in every table.
 pub const DEFAULT: u32 = 0;
 /// The texture of a coloured surface of revolution that nobody gave another: the colours of its own
 /// profile. Elsewhere it is the default one.

@@ -6,7 +6,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::{Node, NodeId, Scene};
 use crate::trace::members;
 
-/// So many parts of a scene are looked at for one that holds a camera.
+/// Most parts of a scene that are looked at for one that holds a camera.
 const PARTS: usize = 256;
 
 /// Whether a camera is in a solid that lets no light through: it sees faces that are inside of others.

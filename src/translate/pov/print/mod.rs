@@ -13,7 +13,7 @@ use std::fmt::{Result, Write};
 use super::tree::{Document, Frame, Lens, Light};
 use text::{Page, number, rgb, vector};
 
-/// What faces look like that are only there for POV-Ray to know where a ray leaves an object.
+/// The look of faces that are only there for POV-Ray to know where a ray leaves an object.
 const UNSEEN: &str = "\
     // Where one medium ends in another: a hair behind the face that is seen.\n\
     #declare Unseen = texture { pigment { rgbf 1 } finish { ambient 0 diffuse 0 } };\n";
@@ -129,7 +129,7 @@ fn settings(out: &mut dyn Write, document: &Document) -> Result {
     )
 }
 
-/// What is said of everything that has a place.
+/// The modifier of everything that has a place.
 fn place(frame: &Frame) -> &'static str {
     match frame.is_moved() {
         true => "translate -Centre scale Unit",

@@ -8,7 +8,7 @@ use super::text::{number, vector};
 use crate::scene::Rgb;
 use crate::translate::pov::model::offset::twice_area;
 
-/// So many entries fit into one of POV-Ray's maps.
+/// Most entries of one of POV-Ray's maps.
 const MAP: usize = 256;
 /// Points on a line of the file.
 const PER_LINE: usize = 6;

@@ -159,7 +159,7 @@ fn smooth(vertices: &[Vec3; 3], normals: &[Vec3; 3]) -> Primitive {
     Primitive::new("smooth_triangle", [0, 1, 2].map(corner).join(", "))
 }
 
-/// Their plane is n·x = distance with a unit normal, the inside where n·x is less.
+/// A plane or half-space: n·x = distance with a unit normal, the inside where n·x is less.
 fn plane(p: &[f64; 4]) -> Primitive {
     // Squares of the numbers could leave their range.
     let largest = p[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
@@ -214,7 +214,7 @@ fn power_of_two(x: f64) -> f64 {
     x.log2().floor().clamp(-1000.0, 1000.0).exp2()
 }
 
-/// What the geodesic sphere of radius 1 with so many splits is called.
+/// The name of the geodesic sphere of radius 1 with so many splits.
 fn geodesic_name(splits: u32) -> String {
     format!("Geodesic_{splits}")
 }

@@ -26,7 +26,7 @@ pub struct Face {
     surface: Surface,
     /// The solid lies inside of the shape that has the face; it is no hole.
     pub is_outer: bool,
-    /// It is a surface, and not that of a solid.
+    /// Whether the face is a surface, and not that of a solid.
     pub is_sheet: bool,
     around: Aabb,
 }

@@ -122,7 +122,7 @@ impl Model<'_> {
         }
     }
 
-    /// What all solids of a part look like, or all surfaces, if that is the same for all.
+    /// The look of all solids of a part, or of all surfaces, if that is the same for all.
     fn look_of(&self, (node, state): (NodeId, State), sheet: bool) -> Option<Appearance> {
         let facts = &self.materials[node as usize];
         match state.look {

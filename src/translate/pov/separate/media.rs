@@ -50,14 +50,14 @@ impl Members {
     }
 }
 
-/// What is seen at the faces between two groups.
+/// The look of the faces between two groups.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum InterfaceLook {
     /// Nothing: they are one medium, with another one between them in the order.
     Nothing,
     /// The look with this number, from inside at the skin.
     Look(usize),
-    /// What cannot be said of the skin: from inside, too, the face of the earlier one.
+    /// A look that the skin cannot have: from inside, too, the face of the earlier one.
     Face,
 }
 
@@ -102,7 +102,7 @@ impl Meetings {
         apart.map(|m| m.earlier)
     }
 
-    /// Those with the groups that come before one.
+    /// The meetings of a group with the groups that come before it.
     pub fn of_later(&self, later: usize) -> &[Meeting] {
         let from = self.all.partition_point(|m| m.later < later);
         let to = self.all.partition_point(|m| m.later <= later);
@@ -125,7 +125,7 @@ impl InterfaceLook {
 }
 
 impl<'a> Model<'a> {
-    /// Which groups of a union touch, and how the faces between them are seen.
+    /// The groups of a union that touch, and how the faces between them are seen.
     pub fn meetings(&mut self, groups: &mut [Members], reaching: &SolidExtensions) -> Meetings {
         let mut meetings = Vec::new();
         let mut smaller = vec![None; groups.len()];
@@ -426,7 +426,7 @@ pub struct Neighbours {
 }
 
 impl Neighbours {
-    /// Of groups, given the pairs of those that touch.
+    /// Builds the neighbours of groups from the pairs of those that touch.
     pub fn of(
         groups: &[Members],
         pairs: &[(usize, usize)],
@@ -464,7 +464,7 @@ impl Neighbours {
 }
 
 impl<'a> Model<'a> {
-    /// What is not a group's although it would be behind the faces of those within which it ends: opaque
+    /// The parts that are not a group's although they would be behind the faces of those within which it ends: opaque
     /// groups there, and the places where those lie against each other, or against what is opaque.
     pub fn owned_by_neighbours(
         &mut self,

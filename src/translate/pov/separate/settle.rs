@@ -19,7 +19,7 @@ pub type Operands = Vec<(NodeId, State)>;
 /// The optics and index of a solid, if it is of one medium, and whether faces inside of it can be seen.
 pub type Kind = (Option<(u32, u32)>, bool);
 
-/// Which solids are longer where later ones are clipped by them.
+/// The solids that are longer where later ones are clipped by them.
 #[derive(Default)]
 pub struct SolidExtensions {
     /// The numbers of their changes.
@@ -50,7 +50,7 @@ impl SolidExtensions {
 }
 
 impl<'a> Model<'a> {
-    /// What solids are made of, and how they are settled.
+    /// The kinds of solids, and which of them are longer, once they are settled.
     pub fn settled(&mut self, solids: &mut Operands) -> (Vec<Kind>, SolidExtensions) {
         let mut kinds: Vec<Kind> = (solids.iter())
             .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
