@@ -15,12 +15,12 @@ pub fn distance(a: [f32; 3], b: [f32; 3]) -> f64 {
     (0..3).map(channel).fold(0.0, f64::max)
 }
 
-/// What a pixel counts as.
+/// The class of a pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Pixel {
-    /// It differs, and an edge goes through it.
+    /// A pixel that differs, with an edge through it.
     Edge(Edge),
-    /// It shows light that was totally reflected, where the other program differs by design.
+    /// A pixel that shows light that was totally reflected, where the other program differs by design.
     Apart,
     Alike,
     Differing,
@@ -50,7 +50,7 @@ pub struct Comparison {
 pub struct Differing {
     /// Off edges of any kind.
     pub off_silhouettes: usize,
-    /// Of all pixels.
+    /// Share of all pixels.
     pub share_off_silhouettes: f64,
     /// Where another object is seen a hair beside.
     pub on_silhouettes: usize,
@@ -172,10 +172,10 @@ pub fn alike(share: f64) -> [u8; 3] {
     ]
 }
 
-/// Of a pixel that differs by all that is allowed.
+/// The colour of a pixel that differs by all that is allowed.
 pub const ALIKE: [u8; 3] = [0, 200, 0];
 
-/// What the colours of [`Comparison::picture`] mean, as messages.
+/// The meanings of the colours of [`Comparison::picture`], as messages.
 pub const LEGEND: [([u8; 3], &str); 5] = [
     (ALIKE, "crosscheck-legend-alike"),
     ([255, 0, 0], "crosscheck-legend-differing"),

@@ -18,7 +18,7 @@ use crate::trace::ray::Ray;
 use crate::trace::{Tracer, Walkers};
 use crate::translate::mitsuba::{Output, ShapeInfo};
 
-/// What is seen first through a pixel.
+/// The point that is seen first through a pixel.
 #[derive(Debug, Clone, Copy)]
 pub struct VisiblePoint {
     pub point: Vec3,
@@ -44,7 +44,7 @@ impl VisiblePoint {
     }
 }
 
-/// What our tracer sees, row by row.
+/// The points that our tracer sees, row by row.
 pub fn seen(
     tracer: &Tracer,
     camera: &Camera,
@@ -83,8 +83,8 @@ const EXACT: f64 = 1e-4;
 /// Distance in sizes of the scene from which on positions are rounded more. Together they are 28 units of single
 /// precision (2^-23): a place is transformed, met and transformed back, some operations each way.
 const FAR_SIZES: f64 = 30.0;
-/// What is seen beyond this part of the way to where parts without end are cut off is not compared: a
-/// neighbouring pixel may show what is cut off.
+/// Part of the way to where shapes without end are cut off beyond which nothing is compared: a neighbouring pixel may
+/// show what is cut off.
 const HORIZON: f64 = 0.9;
 /// Surfaces are in one place when they are nearer to each other than this share of the largest coordinate:
 /// roundings of doubles on the way through some matrices.
@@ -115,11 +115,11 @@ pub struct Comparison {
     pub undecided: usize,
     /// Where the surfaces of two shapes are in one place, and Mitsuba shows the other one: not compared.
     pub in_one_place: usize,
-    /// Whose these are, those of the most pixels first.
+    /// The pairs of shapes that these pixels show, those of the most pixels first.
     pub shared: Vec<Shared>,
     /// Another shape, or another place or normal than allowed.
     pub wrong: usize,
-    /// Of all pixels.
+    /// Share of all pixels.
     pub share_wrong: f64,
     /// Where most of these are.
     pub mostly: Option<Whereabouts>,
@@ -154,7 +154,7 @@ enum Pixel {
     Silhouette,
     CutOff,
     Undecided,
-    /// Of these two shapes, ours and theirs.
+    /// Surfaces in one place, of these two shapes, ours and theirs.
     InOnePlace([u32; 2]),
     Wrong,
     Right {
@@ -162,7 +162,7 @@ enum Pixel {
         exact: bool,
         /// Across our surface, in units of the scene.
         distance: f64,
-        /// What the distance may be.
+        /// The distance that is allowed.
         allowed: f64,
         /// Between the shading normals, in degrees.
         angle: f64,
@@ -283,7 +283,7 @@ struct Sight<'a> {
 }
 
 impl Sight<'_> {
-    /// What of theirs is seen in a pixel: point, normal and shape.
+    /// The point, normal and shape of theirs that is seen in a pixel.
     fn other(&self, i: usize) -> (Vec3, Vec3, Option<&ShapeInfo>) {
         let c = &self.theirs[CHANNELS * i..][..CHANNELS];
         let vector = |first: usize| std::array::from_fn(|k| f64::from(c[first + k]));
@@ -338,7 +338,7 @@ impl Sight<'_> {
         }
     }
 
-    /// What to make of a pixel that shows something else.
+    /// The class of a pixel that shows something else.
     fn unlike(
         &self,
         i: usize,
@@ -530,7 +530,7 @@ const SILHOUETTE: [u8; 3] = [60; 3];
 const LEFT_OUT: [u8; 3] = [0, 90, 255];
 const WRONG: [u8; 3] = [255, 0, 0];
 
-/// What the colours of [`Comparison::picture`] mean, as messages.
+/// The meanings of the colours of [`Comparison::picture`], as messages.
 pub const LEGEND: [([u8; 3], &str); 4] = [
     (ALIKE, "crosscheck-legend-alike"),
     (WRONG, "crosscheck-legend-differing"),

@@ -20,7 +20,7 @@ pub const VARIABLES: &str = "\
 --c3:#00795a;--c4:#a8578a;--c5:#0072b2;--c6:#7a5c00;--goal:#b00020;--floor:#eee;--bar:#9cc3df}}
 ";
 
-/// What the parts look like that all pages have.
+/// The style of the parts that all pages have.
 const STYLE: &str = "\
 *{box-sizing:border-box;min-width:0}
 body{margin:0;background:var(--bg);color:var(--fg);font:15px/1.5 system-ui,'DejaVu Sans',sans-serif}

@@ -8,7 +8,7 @@ use super::program::{Program, ProgramError, run};
 use crate::trace::Film;
 use crate::translate::pov::Translation;
 
-/// What the program is called.
+/// The name of the program.
 pub const PROGRAM: &str = "povray";
 
 /// Has a file of a translation rendered, in all its passes. The scene and the picture of each pass

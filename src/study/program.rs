@@ -33,15 +33,15 @@ impl Program {
 pub enum ProgramError {
     /// There is no such program.
     Missing,
-    /// It cannot be started.
+    /// The program cannot be started.
     Start(io::Error),
-    /// Its files cannot be written or read.
+    /// The program's files cannot be written or read.
     Io(io::Error),
-    /// It has failed; the end of what it says.
+    /// The program has failed; the end of what it says.
     Failed(String),
-    /// It has taken longer than this, and was ended.
+    /// The program has taken longer than this, and was ended.
     Late(Duration),
-    /// What it has written is not what it was asked for.
+    /// The program's output is not what it was asked for.
     Unexpected(&'static str),
 }
 
@@ -176,7 +176,7 @@ fn wait(mut child: Child, limit: Option<Duration>) -> Result<Output, ProgramErro
     })
 }
 
-/// What comes out of a pipe, as far as it can be read.
+/// The bytes of a pipe, as far as they can be read.
 fn all_of(pipe: Option<impl Read>) -> Vec<u8> {
     let mut bytes = Vec::new();
     let _ = pipe.map(|mut pipe| pipe.read_to_end(&mut bytes));

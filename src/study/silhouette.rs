@@ -20,7 +20,7 @@ const FIRST_RING_SAMPLES: usize = 4;
 /// and down more often than an edge and another one that crosses it make them.
 const RING: usize = 16;
 
-/// What goes through the middle of a pixel.
+/// The edge through the middle of a pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Edge {
     /// Other objects, or nothing, are seen first beside it.
@@ -130,7 +130,7 @@ fn objects(tracer: &Tracer, camera: &Camera, settings: &Settings, pixels: &[usiz
     })
 }
 
-/// What a walk once around a ring passes.
+/// The values that a walk once around a ring passes.
 #[derive(Debug, Clone, Copy, Default)]
 struct Ring {
     first: Option<[f32; 3]>,
@@ -180,7 +180,7 @@ mod tests {
 
     const SIZE: u32 = 33;
 
-    /// What goes through the pixels of a scene of 33 by 33, all of which are in question.
+    /// The edges in the pixels of a scene of 33 by 33, all of which are in question.
     fn edges(text: &str) -> Vec<Option<Edge>> {
         let loaded = Analysis::new("scene", text.as_bytes().to_vec());
         assert!(loaded.is_sound(), "{:?}", loaded.findings());

@@ -10,10 +10,10 @@ use crate::scene::Camera;
 use crate::trace::camera::View;
 use crate::trace::{Tracer, Walkers};
 
-/// Of the shape that most of the pixels show.
+/// The place of the shape that most of the pixels show.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Whereabouts {
-    /// Its ID, or `None` where nothing is seen.
+    /// The shape's ID, or `None` where nothing is seen.
     pub shape: Option<u32>,
     /// How many of the pixels show it.
     pub pixels: usize,

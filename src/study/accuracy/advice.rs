@@ -99,7 +99,7 @@ pub fn largest(report: &Report) -> Option<&Row> {
     defaults.max_by(|a, b| a.steps().total_cmp(&b.steps()))
 }
 
-/// Of the configurations of the worst kind that reach the goal, the most accurate of the cheapest.
+/// The most accurate of the cheapest configurations of the worst kind that reach the goal.
 pub fn recommended(report: &Report) -> Option<&Row> {
     let worst = largest(report)?;
     let goal = report.goal.steps;
@@ -373,7 +373,7 @@ pub fn names(report: &Report, row: &Row) -> bool {
         .any(|part| part.text.contains(&option))
 }
 
-/// Which numbers.
+/// The advice about numbers.
 fn numbers(report: &Report, language: Language) -> Option<Advice> {
     let of = |name: &str| {
         let mut rows = report.rows.iter().filter(|r| r.is_on(Axis::Precision));

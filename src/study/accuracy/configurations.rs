@@ -6,7 +6,7 @@ use crate::trace::switches::Without;
 /// A kind of error; kinds are never mixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
-    /// What is smaller than a pixel: samples.
+    /// Errors at edges, which are smaller than a pixel: samples.
     Edges,
     /// Light that is followed no further: depth and cutoff.
     Light,
@@ -19,7 +19,7 @@ pub enum Kind {
 impl Kind {
     pub const ALL: [Kind; 4] = [Kind::Edges, Kind::Light, Kind::Numbers, Kind::Facets];
 
-    /// What it is called in JSON.
+    /// The name of the kind in JSON.
     pub fn name(self) -> &'static str {
         match self {
             Kind::Edges => "edges",
@@ -55,7 +55,7 @@ impl Axis {
         Axis::Levels,
     ];
 
-    /// What it is called on the command line and in JSON.
+    /// The name of the axis on the command line and in JSON.
     pub fn name(self) -> &'static str {
         match self {
             Axis::Samples => "samples",
@@ -79,7 +79,7 @@ impl Axis {
     }
 }
 
-/// Who computes between a ray and its hits.
+/// The program between a ray and its hits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kernel {
     /// The tracer, in these numbers.
@@ -107,14 +107,14 @@ impl Kernel {
     }
 }
 
-/// What finds the roots of tori and solids of revolution.
+/// The solver that finds the roots of tori and solids of revolution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Roots {
     /// The formula, from the ray's origin as it is.
     ClosedForm,
     /// The same, once the origin is moved next to the shape.
     Recentred,
-    /// What the tracer uses.
+    /// The tracer's own solver.
     Ours,
     /// The tracer's roots, polished in double-double.
     Polished,
@@ -153,7 +153,7 @@ pub struct Settings {
 }
 
 impl Default for Settings {
-    /// What plain `zpg render` takes.
+    /// The settings that plain `zpg render` takes.
     fn default() -> Settings {
         let default = crate::trace::Settings::default();
         Settings {

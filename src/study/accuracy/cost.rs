@@ -15,7 +15,7 @@ use std::sync::Arc;
 pub struct Cost {
     /// By the object that the centre of a pixel sees, the dearest first; 0 is the background.
     pub objects: Vec<(u32, f64)>,
-    /// What goes when an effect alone is taken out, the dearest first.
+    /// The time that goes when an effect alone is taken out, the dearest first.
     pub effects: Vec<(&'static str, f64)>,
 }
 

@@ -56,7 +56,7 @@ pub fn unfit(runner: &Runner) -> Option<&'static str> {
     }
 }
 
-/// What the configurations of these axes are measured against: settings of the true shapes.
+/// The configurations of the axes of flat pieces, and the settings of the true shapes that they are measured against.
 pub struct Facets {
     pub configurations: Vec<Configuration>,
     pub reference: Settings,

@@ -3,7 +3,7 @@
 use super::configurations::Kind;
 use crate::diagnostics::{Complaint, Language, Value};
 
-/// What fills places of a message.
+/// The values in the places of a message.
 pub type Filled<'a> = &'a [(&'static str, Value)];
 
 pub fn say(language: Language, message: &'static str, values: Filled) -> String {
@@ -75,7 +75,7 @@ pub fn count(n: usize) -> Value {
     Value::Count(n as u64)
 }
 
-/// What a kind is called: "edges", and in headings.
+/// The name of a kind: "edges", and in headings.
 pub fn kind(language: Language, kind: Kind) -> String {
     say(
         language,
@@ -89,7 +89,7 @@ pub fn kind(language: Language, kind: Kind) -> String {
     )
 }
 
-/// What an effect is called.
+/// The name of an effect.
 pub fn effect(language: Language, name: &str) -> String {
     let message = match name {
         "shadows" => "accuracy-effect-shadows",

@@ -10,7 +10,7 @@ use crate::diagnostics::Error;
 use crate::scene::{Camera, Scene};
 use crate::trace::{self, Images};
 
-/// What a picture is going to take on one thread, in seconds.
+/// The time that a picture is going to take on one thread, in seconds.
 #[derive(Debug, Clone, Copy)]
 pub struct Pilot {
     /// Until the first pixel, besides reading the scene.
@@ -19,7 +19,7 @@ pub struct Pilot {
     pub pixels: f64,
 }
 
-/// So many small tiles are drawn between two looks at the clock.
+/// Small tiles that are drawn between two looks at the clock.
 const AT_ONCE: usize = 16;
 
 /// Draws small tiles of a picture, spread evenly, for about so many seconds.

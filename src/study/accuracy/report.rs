@@ -33,7 +33,7 @@ pub struct Report {
     /// The picture, as plain `zpg render` draws it.
     #[serde(skip)]
     pub picture: Option<Raster>,
-    /// It was stopped before all was done.
+    /// Whether the run was stopped before all was done.
     pub stopped: bool,
 }
 
@@ -64,7 +64,7 @@ pub struct Noise {
 pub struct Machine {
     pub cpu: String,
     pub cores: usize,
-    /// That times were taken on.
+    /// Threads that times were taken on.
     pub threads: usize,
     /// The wall time of the timed runs as a multiple of their CPU time; `null` of no runs.
     pub wall_over_cpu: Option<f64>,
@@ -79,14 +79,14 @@ pub struct Budget {
     pub asked_seconds: f64,
     /// CPU time of the timed runs, by the pilot.
     pub predicted_seconds: f64,
-    /// What they took.
+    /// Seconds that the timed runs took.
     pub timed_seconds: f64,
     pub spent_seconds: f64,
-    /// Of the picture's pixels, those that errors are measured on.
+    /// Share of the picture's pixels that errors are measured on.
     pub pixels_share: f64,
     /// The side of a tile; `null` where the whole picture was measured.
     pub tile: Option<u32>,
-    /// What was left out to keep it.
+    /// The parts that were left out to keep it.
     pub cut: Vec<Complaint>,
 }
 
@@ -144,7 +144,7 @@ pub struct Row {
     pub pixels_timed: usize,
     /// Rays a second, by the least wall time.
     pub rays_per_second: Option<f64>,
-    /// Of the pixels that errors were measured on.
+    /// Rays of the pixels that errors were measured on.
     pub rays: u64,
     pub uncertain: u64,
     pub samples_mean: f64,
@@ -302,7 +302,7 @@ impl Report {
             .filter(|&b| !(1.0 / BUSY..=BUSY).contains(&b))
     }
 
-    /// What the independent tracer says where it comes to other pixels than the reference.
+    /// The check of the independent tracer where it comes to other pixels than the reference.
     pub fn wrong_reference(&self) -> Option<&Checked> {
         let checked = self.reference.get(Kind::Numbers.name())?.checked.as_ref();
         checked.filter(|c| c.wrong > 0)
@@ -317,7 +317,7 @@ impl Report {
         self.of_kind(kind).find(|r| r.default && r.error.is_some())
     }
 
-    /// What the reference of a kind may be off, in steps.
+    /// Bound on the error of a kind's reference, in steps.
     pub fn margin(&self, kind: Kind) -> f64 {
         let reference = self.reference.get(kind.name());
         reference.and_then(|r| r.margin.steps).unwrap_or(0.0)

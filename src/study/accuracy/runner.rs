@@ -41,7 +41,7 @@ pub struct Drawn {
     pub samples: u64,
 }
 
-/// What a run on one thread took, in seconds.
+/// The time of a run on one thread, in seconds.
 #[derive(Debug, Clone, Default)]
 pub struct Timed {
     pub cpu: f64,
@@ -212,7 +212,7 @@ impl<'i> Runner<'i> {
         Ok(parts.concat())
     }
 
-    /// What is seen first in the pixels of tiles, on all threads.
+    /// The objects that are seen first in the pixels of tiles, computed on all threads.
     ///
     /// # Errors
     ///

@@ -18,7 +18,7 @@ pub struct Tile {
 }
 
 impl Tile {
-    /// Its pixels, row by row.
+    /// The pixels of the tile, row by row.
     pub fn pixels(self) -> impl Iterator<Item = [u32; 2]> {
         let columns = self.x..self.x + self.width;
         (self.y..self.y + self.height).flat_map(move |y| columns.clone().map(move |x| [x, y]))

@@ -15,7 +15,7 @@ use serde::Serialize;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-/// What is found about one shape, one way to its crossings and one sort of lines.
+/// The results for one shape, one solver and one sort of lines.
 #[derive(Debug, Clone, Serialize)]
 pub struct ShapeResult {
     pub shape: &'static str,
@@ -26,15 +26,15 @@ pub struct ShapeResult {
     pub nanoseconds: f64,
     /// Lines of which another number of crossings was found, as a share.
     pub wrong: f64,
-    /// Of the others: the median and the largest error of a crossing, by its distance or, where that is less,
-    /// the size of the shape.
+    /// The median and the largest error of a crossing on the other lines, by its distance or, where that is less, the
+    /// size of the shape.
     pub median_error: f64,
     pub max_error: f64,
     /// Lines that the numbers could not decide; in `f64` double-double decides them, which is not timed.
     pub uncertain: f64,
 }
 
-/// So many lines of each sort.
+/// Lines of each sort.
 const LINES: usize = 400;
 
 /// The shapes that are tried, of a size of about 1.
@@ -273,7 +273,7 @@ fn ways<'w>(
     all
 }
 
-/// What is uncertain is asked of `finer`, if there is one, but not timed.
+/// Measures a solver. An uncertain line is asked of `finer`, if there is one, but not timed.
 fn measure(
     way: &CrossingSolver,
     finer: Option<&CrossingSolver>,

@@ -15,7 +15,7 @@ const BALLS: &str = "2 11 -1.5 0 0 1\n3 11 1.5 0 0 1\n4 -101 2 3\n\
 const BOXES: &str = "2 12 -2 -1 -1 0.5 1 0\n3 12 -0.5 -1 -2 2 1 0\n4 -101 2 3\n\
                      5 -501 0 0 8 0 0 -1 0 1 0 45\n1 9999 4 0\n";
 
-/// What is said of the balls once `change` was made to the channels of all pixels.
+/// The comparison of the balls once `change` was made to the channels of all pixels.
 fn compared(change: impl Fn(&Output, &mut [f32])) -> Comparison {
     compared_in(BALLS, change)
 }

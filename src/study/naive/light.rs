@@ -124,7 +124,7 @@ pub fn back<T: Number>(matrix: &Matrix) -> Option<[[T; 4]; 3]> {
     Some([a, b, c])
 }
 
-/// What a ray comes past.
+/// The world that rays go through.
 pub trait World<T: Number> {
     /// The first boundary or sheet in (from, to], if the ray is known to start outside, and nothing but
     /// that is asked. `None`: it does not know, ask for all.
@@ -139,18 +139,18 @@ pub trait World<T: Number> {
     /// seen.
     fn events(&mut self, ray: &Ray<T>, from: T, to: T) -> List<T>;
 
-    /// Of the last ray asked about.
+    /// The trail of the last ray asked about.
     fn trail(&self) -> &Trail<T>;
 
     /// The outward normal of a shape that was crossed, in its space, of any length.
     fn normal(&self, shape: u32, point: V<T>, face: u32) -> V<T>;
 }
 
-/// What a scene shows besides its geometry.
+/// The parts of a scene besides its geometry that a picture shows.
 pub struct Scenery<'s, T> {
     pub scene: &'s Scene,
     pub textures: Vec<(&'s Texture, Option<Arc<Bitmap>>)>,
-    /// Which shape record is behind a shape of the world.
+    /// The shape record behind each shape of the world.
     pub records: Vec<u32>,
     pub ambient: V<T>,
     /// Position and power.
@@ -237,7 +237,7 @@ struct SurfacePoint<T> {
     inside: [bool; 2],
 }
 
-/// What was sent on the way of light.
+/// The rays that were sent.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct RayCounts {
     /// Rays by what they are for: camera, shadow, reflection, refraction.

@@ -37,7 +37,7 @@ pub struct Naive<'s, T: Number> {
     cutoff: f64,
 }
 
-/// What a place of the picture shows.
+/// The colour of a place of the picture, and the rays that it took.
 #[derive(Debug, Clone, Copy)]
 pub struct Sample {
     /// Linear RGB.
@@ -110,7 +110,7 @@ impl<'s, T: Number> Naive<'s, T> {
         most(direction, right.direction).max(most(origin, right.origin) / far)
     }
 
-    /// What a ray shows.
+    /// The colour that a ray shows.
     ///
     /// # Errors
     ///

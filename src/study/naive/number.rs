@@ -22,7 +22,7 @@ pub trait Number:
     const OFFSET_IS_RELATIVE: bool;
     /// A lamp is as near as this share of the way to it: a surface there, which the lamp lies on, throws no shadow.
     const LAMP: Self;
-    /// What coefficients smaller than this are taken for: zero.
+    /// The bound below which coefficients are taken for zero.
     const TINY: Self;
     /// Whether roots come from formulas and ends of things are inclusive, as textbooks have it. Else roots
     /// are isolated by those of the derivative, and halved.

@@ -239,7 +239,7 @@ impl<T: Number> World<T> for Solids<'_, T> {
     }
 }
 
-/// What the paints of a scene set, after the defaults.
+/// The properties that the paints of a scene set, after the defaults.
 fn media(scene: &Scene) -> Media {
     let mut media = Media::default();
     for paint in &scene.paints {
@@ -300,7 +300,7 @@ impl<'s, T: Number> Build<'s, T> {
         })
     }
 
-    /// What has to be made before; of a union all operands of the chain that it ends.
+    /// The solids that have to be made before; for a union all operands of the chain that it ends.
     fn needs(&self, place: (NodeId, bool)) -> Vec<(NodeId, bool)> {
         let (node, negated) = place;
         match self.operation(place) {

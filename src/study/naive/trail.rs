@@ -17,7 +17,7 @@ pub struct LocalSpace<T> {
 /// Properties given on the way down: what is set first stays.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct GivenProperties {
-    /// Which texture, and the frame in which it was given.
+    /// The texture, and the space in which it was given.
     pub texture: Option<(u32, u32)>,
     /// Indices into [`Media`].
     pub optics: Option<u32>,
@@ -26,7 +26,7 @@ pub struct GivenProperties {
     pub owner: u32,
 }
 
-/// What looks are made of; the first of each is the default.
+/// The properties that looks are made of; the first of each is the default.
 #[derive(Debug, Clone)]
 pub struct Media {
     pub optics: Vec<Optics>,
@@ -247,7 +247,7 @@ impl<T: Number> Trail<T> {
         out
     }
 
-    /// What comes of the events in one place, by what was before and what is after.
+    /// The outcome of the events in one place, by what was before and what is after.
     fn judge(
         &self,
         operation: Operation,

@@ -52,7 +52,7 @@ struct Walker<'a, T> {
     forms: Vec<NaiveShape<T>>,
     solid: Vec<bool>,
     backs: Vec<[[T; 4]; 3]>,
-    /// Which textures are patterns in space.
+    /// Whether each texture is a pattern in space.
     in_space: Vec<bool>,
     glass: bool,
     trail: Trail<T>,

@@ -11,11 +11,11 @@ pub struct Label {
     pub point: usize,
     /// How wide it is.
     pub width: f64,
-    /// It stands somewhere, however crowded it is.
+    /// Whether it stands somewhere, however crowded the place is.
     pub needed: bool,
 }
 
-/// What names make room for.
+/// The things that names make room for.
 #[derive(Debug, Clone)]
 pub struct Surroundings {
     /// Names stay inside of this.
@@ -148,10 +148,10 @@ fn best(label: &Label, around: &Surroundings, taken: &[Placed]) -> Option<Placed
     (cost < COVERED || label.needed).then_some(placed)
 }
 
-/// What it costs to cover a mark or another name: more than all else together.
+/// Cost of covering a mark or another name: more than all else together.
 const COVERED: f64 = 1e3;
 
-/// What it costs that a name is nearer to another point than to its own.
+/// Cost of a name that is nearer to another point than to its own.
 const ASTRAY: f64 = 3.0;
 
 fn judged(
@@ -225,7 +225,7 @@ mod tests {
         }
     }
 
-    /// What holds wherever names are placed.
+    /// Checks the invariants of names wherever they are placed.
     fn check(labels: &[Label], around: &Surroundings) -> Vec<Option<Placed>> {
         let all = place(labels, around);
         for (label, placed) in labels.iter().zip(&all) {

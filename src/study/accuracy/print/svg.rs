@@ -9,7 +9,7 @@ use crate::diagnostics::Language;
 use crate::study::page::{VARIABLES, escaped};
 use std::fmt::Write as _;
 
-/// What the diagram's parts look like.
+/// The style of the diagram's parts.
 pub const STYLE: &str = "\
 svg.panels{width:100%;height:auto;display:block;font-family:system-ui,'DejaVu Sans',sans-serif}
 .pane{fill:none;stroke:var(--line)}.gut{fill:var(--card);stroke:var(--line);stroke-dasharray:2 2}
@@ -29,7 +29,7 @@ const WIDTH: f64 = 1080.0;
 const HEIGHT: f64 = 360.0;
 const TOP: f64 = 46.0;
 const BOTTOM: f64 = 292.0;
-/// Of the gutter, and the gaps around it.
+/// Width of the gutter, and of the gaps around it.
 const GUTTER: f64 = 27.0;
 /// Decades of the error.
 const DECADES: std::ops::RangeInclusive<i32> = -6..=2;

@@ -41,7 +41,7 @@ pub fn objects(report: &Report, language: Language) -> Table {
     table
 }
 
-/// What goes with each effect that is taken out.
+/// The table of the time that goes with each effect that is taken out.
 pub fn effects(report: &Report, language: Language) -> Table {
     let mut table = Table::new(language, "accuracy-effects-head");
     for effect in &report.effects {

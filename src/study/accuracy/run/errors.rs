@@ -144,7 +144,7 @@ impl Run<'_> {
             && before.colours[..common] == drawn.colours[..common]
     }
 
-    /// Of each configuration of numbers: pixels that see another object, and distances in units of the last place,
+    /// For each configuration of numbers the pixels that see another object, and distances in units of the last place,
     /// the median and the largest.
     pub(super) fn numbers_seen(&mut self, stopped: bool) -> Result<Vec<(usize, Distances)>, Error> {
         let mut found = Vec::new();

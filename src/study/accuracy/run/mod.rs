@@ -27,7 +27,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-/// What is asked.
+/// The request to a study.
 #[derive(Debug, Clone)]
 pub struct Options {
     pub size: [u32; 2],
@@ -53,7 +53,7 @@ pub const DEFAULT_SECONDS: f64 = 120.0;
 const LEAST_SECONDS: f64 = 0.05;
 const LEAST_PIXELS: f64 = 2000.0;
 
-/// What dear configurations make do with where time is short: eight tiles.
+/// Pixels that dear configurations make do with where time is short: eight tiles.
 const FEWEST_PIXELS: f64 = 512.0;
 
 /// Shares of the budget for the steps: the references (numbers and their check have as much each), errors, times, what
@@ -69,11 +69,11 @@ const PICTURES: f64 = 0.08;
 /// Share of the budget below which a step is done even where the time is up.
 const CHEAP_SHARE: f64 = 0.005;
 
-/// Who is told how far it is: what is done now, the name of a message, and the share of all that is
-/// behind.
+/// The function that is told how far the study is: what is done now, the name of a message, and the share of all that
+/// is behind.
 pub type Progress<'p> = &'p dyn Fn(&'static str, f64);
 
-/// What is known of a configuration's computation.
+/// The state of a configuration's computation.
 #[derive(Default)]
 struct ConfigurationState {
     /// Seconds a pixel, on one thread.
@@ -87,7 +87,7 @@ struct ConfigurationState {
     same_as: Option<usize>,
     dropped: bool,
     times: Vec<Timed>,
-    /// What was timed.
+    /// The tiles that were timed.
     sample: Sample,
 }
 
@@ -123,7 +123,7 @@ struct Run<'i> {
     predicted: f64,
     timed: f64,
     repeats: Vec<Vec<Timed>>,
-    /// What the default was timed on.
+    /// The tiles that the default was timed on.
     frame: Sample,
     /// CPU seconds of the first tiles with the default.
     weights: Vec<f64>,

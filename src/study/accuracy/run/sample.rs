@@ -70,8 +70,8 @@ impl Sample {
         self.tiles.iter().map(|(i, _)| tiles[*i].count()).sum()
     }
 
-    /// What the tiles took, as a multiple of what those of another sample took: of the least times of each tile. Only
-    /// tiles that are in both count.
+    /// The time of the tiles as a multiple of that of another sample's: of the least times of each tile. Only tiles
+    /// that are in both count.
     pub fn ratio(&self, times: &[Timed], other: &Sample, others: &[Timed]) -> Option<f64> {
         let (own, other_times) = (least(times)?, least(others)?);
         let (mut sum, mut sum_of_other) = (0.0, 0.0);
@@ -107,7 +107,8 @@ mod tests {
         }
     }
 
-    /// Of a hundred tiles the background takes 1; one in ten takes 20, and with the other setting 13 times as long.
+    /// A hundred tiles, of which the background's take 1; one in ten takes 20, and with the other setting 13 times as
+    /// long.
     #[test]
     fn a_few_tiles_say_what_all_would() {
         let is_dear = |i: usize| i % 10 == 7;

@@ -137,7 +137,8 @@ impl Run<'_> {
         self.tiles_for(seconds, cost, least_pixels(cost, seconds))
     }
 
-    /// What is timed of an entry in a run of so many CPU seconds: all that the default is timed on, or a part of it.
+    /// The sample that is timed of an item in a run of so many CPU seconds: all that the default is timed on, or a part
+    /// of it.
     fn sample_for(&self, entry: &TimedItem, seconds: f64, frame: usize) -> Sample {
         let cost = self.entry_cost(entry);
         let tiles = self.tiles_for(seconds, cost, least_pixels(cost, seconds));
@@ -171,7 +172,7 @@ impl Run<'_> {
     }
 }
 
-/// What a run should hold at the least, if the time is enough for it.
+/// Fewest pixels of a run, if the time is enough for it.
 fn least_pixels(cost: f64, seconds: f64) -> f64 {
     let least = LEAST_PIXELS.max(LEAST_SECONDS / cost.max(1e-12));
     let affordable = (1.25 * seconds / cost.max(1e-12)).max(FEWEST_PIXELS);
