@@ -33,10 +33,14 @@ use crate::syntax::table::{Effect, RecordKind};
 use crate::syntax::{self, Document, Item, Record, in_records, lexer};
 
 /// A scene read as far as it goes.
+#[warn(missing_docs)]
 #[derive(Debug)]
 pub struct Analysis {
+    /// The scene file.
     pub source: SourceFile,
+    /// The records of the text.
     pub document: Document,
+    /// The scene that the records make.
     pub scene: Scene,
     /// Whether the file is a scene. If not, one finding says so, and there is nothing else.
     is_scene: bool,
@@ -104,10 +108,13 @@ fn is_id(place: &str) -> bool {
 /// How much findings weigh: what `zpg.toml` says, and what was asked for in one run.
 #[derive(Debug, Clone, Default)]
 pub struct Settings {
+    /// The levels of the settings.
     pub levels: Levels,
+    /// The codes that this run is to report.
     pub choice: Choice,
 }
 
+#[warn(missing_docs)]
 impl Analysis {
     /// Reads a scene from the bytes of its file; never fails. `path` is what messages call it.
     pub fn new(path: impl Into<String>, bytes: Vec<u8>) -> Analysis {

@@ -1,18 +1,25 @@
 //! The registry of codes. A code is stable: its number and name never change their meaning.
 
+#![warn(missing_docs)]
+
 use super::language::Language;
 
 /// How much a finding weighs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
+    /// An error: the scene is not drawn.
     Error,
+    /// A warning: probably a mistake.
     Warning,
+    /// A note: worth knowing.
     Note,
+    /// A remark on style.
     Style,
 }
 
 impl Severity {
+    /// The name of the severity: `error`.
     pub fn as_str(self) -> &'static str {
         match self {
             Severity::Error => "error",
@@ -68,7 +75,7 @@ macro_rules! codes {
     ($($code:ident $name:literal $(of rule $rule:literal)?;)*) => {
         /// The codes of all findings.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        pub enum Code { $($code),* }
+        pub enum Code { $(#[doc = $name] $code),* }
 
         impl Code {
             /// Every code, in the order of the reference.

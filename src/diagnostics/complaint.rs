@@ -1,6 +1,8 @@
 //! What a command has to say that is about no place in a scene: a file that cannot be read, a wish
 //! that cannot be met.
 
+#![warn(missing_docs)]
+
 use std::error::Error;
 use std::fmt;
 use std::io;
@@ -56,6 +58,7 @@ impl Complaint {
         Complaint::new("quoted").with("text", Value::Term(words))
     }
 
+    /// Fills a place of the message.
     #[must_use]
     pub fn with(mut self, place: &'static str, value: impl Into<Value>) -> Complaint {
         self.values.push((place, value.into()));

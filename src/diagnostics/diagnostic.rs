@@ -1,5 +1,7 @@
 //! A finding: its code, its places, its fixes.
 
+#![warn(missing_docs)]
+
 use super::code::{Code, Severity};
 use super::span::Span;
 use super::wording::Value;
@@ -7,6 +9,7 @@ use super::wording::Value;
 /// A second place that matters, with what it has to do with the matter.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Label {
+    /// The place.
     pub span: Span,
     /// A phrase; see [`wording`](super::wording).
     pub phrase: &'static str,
@@ -27,7 +30,9 @@ pub enum Applicability {
 /// One replacement of text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edit {
+    /// The text that is replaced.
     pub span: Span,
+    /// The text that takes its place.
     pub text: String,
 }
 
@@ -38,6 +43,7 @@ pub struct Fix {
     pub title: &'static str,
     /// The values in the places of the title, where they are not those of the finding.
     pub values: Vec<(&'static str, Value)>,
+    /// Whether the edits may be made without asking.
     pub applicability: Applicability,
     /// In order of their spans, which do not overlap.
     pub edits: Vec<Edit>,
@@ -82,7 +88,9 @@ impl Fix {
 /// One finding, in no language yet: [`wording`](super::wording) says it in words.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
+    /// The code.
     pub code: Code,
+    /// The severity.
     pub severity: Severity,
     /// The name of the place in a file that is no text of records: `nodes[3].radius`.
     pub at: Option<String>,
@@ -93,9 +101,11 @@ pub struct Diagnostic {
     pub values: Vec<(&'static str, Value)>,
     /// The place to look at first.
     pub span: Span,
+    /// Second places that matter.
     pub labels: Vec<Label>,
     /// Phrases beside the message's own note.
     pub notes: Vec<&'static str>,
+    /// Proposed fixes.
     pub fixes: Vec<Fix>,
 }
 
@@ -133,21 +143,25 @@ impl Diagnostic {
         self
     }
 
+    /// Adds a note, by its message.
     pub fn note(mut self, phrase: &'static str) -> Self {
         self.notes.push(phrase);
         self
     }
 
+    /// Adds a fix.
     pub fn fix(mut self, fix: Fix) -> Self {
         self.fixes.push(fix);
         self
     }
 
+    /// Gives the finding another severity than its code has.
     pub fn severity(mut self, severity: Severity) -> Self {
         self.severity = severity;
         self
     }
 
+    /// Whether the finding is an error.
     pub fn is_error(&self) -> bool {
         self.severity == Severity::Error
     }

@@ -1,5 +1,7 @@
 //! Why something that was asked for is not done.
 
+#![warn(missing_docs)]
+
 use std::fmt;
 
 use super::complaint::Complaint;
@@ -11,6 +13,7 @@ use super::span::Span;
 pub enum Error {
     /// Something in the scene stands in the way.
     Scene {
+        /// The reason.
         why: Complaint,
         /// Where it is written; `None` for the scene as a whole.
         span: Option<Span>,

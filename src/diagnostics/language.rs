@@ -1,9 +1,14 @@
 //! The languages that messages are given in; what they say is in [`wording`](super::wording).
 
+#![warn(missing_docs)]
+
+/// A language of messages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Language {
+    /// English.
     #[default]
     English,
+    /// Czech.
     Czech,
 }
 

@@ -1,5 +1,7 @@
 //! A scene file in memory: the text the tools read, and the way back to the bytes on disk.
 
+#![warn(missing_docs)]
+
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::OnceLock;
@@ -12,6 +14,7 @@ pub const MAX_FILE_BYTES: usize = i32::MAX as usize;
 /// How the file lies on disk.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Encoding {
+    /// UTF-8.
     Utf8,
     /// Not valid UTF-8, so taken as the usual Czech encoding. One byte is one character.
     Windows1250,
@@ -44,6 +47,7 @@ impl Encoding {
         }
     }
 
+    /// Whether the encoding is UTF-16, in either order of bytes.
     pub fn is_utf16(self) -> bool {
         matches!(self, Encoding::Utf16Le | Encoding::Utf16Be)
     }
@@ -131,8 +135,11 @@ pub fn line_break(text: &str) -> &'static str {
 /// A place as people count: line and column from 1, the column in characters; and the byte on disk.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct Position {
+    /// The byte on disk.
     pub offset: u32,
+    /// The line, from 1.
     pub line: u32,
+    /// The column in characters, from 1.
     pub column: u32,
 }
 
@@ -143,6 +150,7 @@ pub struct SourceFile {
     pub path: String,
     /// The decoded text; a byte order mark stays in it, so that offsets agree with the file.
     pub text: String,
+    /// The encoding of the file.
     pub encoding: Encoding,
     /// Whether the text stands for all bytes of the file; half a character of UTF-16 is lost.
     pub is_whole: bool,
@@ -290,6 +298,7 @@ impl SourceFile {
         Span::new(start, start + text.len() as u32)
     }
 
+    /// Number of lines.
     pub fn line_count(&self) -> usize {
         self.lines().starts.len()
     }
@@ -353,6 +362,7 @@ struct Extent {
 }
 
 impl<'a> Locator<'a> {
+    /// A locator for a file.
     pub fn new(file: &'a SourceFile) -> Locator<'a> {
         Locator {
             file,

@@ -1,13 +1,18 @@
 //! Places in a text.
 
+#![warn(missing_docs)]
+
 /// A stretch of a source text: byte offsets into [`SourceFile::text`](super::source::SourceFile::text), half-open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Span {
+    /// The first byte.
     pub start: u32,
+    /// The byte after the last one.
     pub end: u32,
 }
 
 impl Span {
+    /// The span from `start` up to `end`.
     pub fn new(start: u32, end: u32) -> Span {
         Span { start, end }
     }
@@ -22,6 +27,7 @@ impl Span {
         self.start <= other.end && other.start <= self.end
     }
 
+    /// The span as a range that indexes the text.
     pub fn range(self) -> std::ops::Range<usize> {
         self.start as usize..self.end as usize
     }

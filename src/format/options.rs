@@ -1,5 +1,7 @@
 //! What can be chosen about the layout.
 
+#![warn(missing_docs)]
+
 /// The style; the default is the one to use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Options {
@@ -9,6 +11,7 @@ pub struct Options {
     pub align: bool,
     /// Whether the vectors of a record are set off by double spaces.
     pub group: bool,
+    /// How numbers are spelled.
     pub numbers: Numbers,
 }
 

@@ -1,5 +1,7 @@
 //! Vectors of three numbers, and the constants of rounding.
 
+#![warn(missing_docs)]
+
 use super::number::Real;
 use std::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
 
@@ -27,9 +29,12 @@ impl<R: PartialEq> PartialEq for Vec3<R> {
 }
 
 impl<R: Real> Vec3<R> {
+    /// (0, 0, 0).
     pub const ZERO: Vec3<R> = Vec3([R::ZERO; 3]);
+    /// (1, 1, 1).
     pub const ONE: Vec3<R> = Vec3([R::ONE; 3]);
 
+    /// The vector with these components.
     #[inline]
     pub const fn new(x: R, y: R, z: R) -> Vec3<R> {
         Vec3([x, y, z])
@@ -52,11 +57,13 @@ impl<R: Real> Vec3<R> {
         ])
     }
 
+    /// The dot product.
     #[inline]
     pub fn dot(self, other: Vec3<R>) -> R {
         self.0[0] * other.0[0] + self.0[1] * other.0[1] + self.0[2] * other.0[2]
     }
 
+    /// The cross product.
     #[inline]
     pub fn cross(self, other: Vec3<R>) -> Vec3<R> {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
@@ -69,16 +76,19 @@ impl<R: Real> Vec3<R> {
         self.zip(other, |a, b| a * b)
     }
 
+    /// The sizes of the components.
     #[inline]
     pub fn abs(self) -> Vec3<R> {
         self.map(R::abs)
     }
 
+    /// The largest component.
     #[inline]
     pub fn max_component(self) -> R {
         self.0[0].max(self.0[1]).max(self.0[2])
     }
 
+    /// The length.
     #[inline]
     pub fn length(self) -> R {
         let scale = self.abs().max_component();
@@ -101,6 +111,7 @@ impl<R: Real> Vec3<R> {
         v / v.dot(v).sqrt()
     }
 
+    /// Whether all components are finite.
     #[inline]
     pub fn is_finite(self) -> bool {
         self.0.iter().all(|x| x.is_finite())

@@ -1,5 +1,7 @@
 //! What a scene is made of.
 
+#![warn(missing_docs)]
+
 use rustc_hash::FxHashMap;
 
 use super::geometry::Geometry;
@@ -8,6 +10,7 @@ use crate::geometry::Matrix;
 use crate::syntax::ids::IdTable;
 use crate::syntax::table::{Kind, RecordKind, RecordType, ShapeKind};
 
+/// Three numbers: a point, a direction or factors.
 pub type Vec3 = [f64; 3];
 /// Linear red, green, blue.
 pub type Rgb = [f64; 3];
@@ -17,20 +20,27 @@ pub type NodeId = u32;
 /// A resolved scene.
 #[derive(Debug, Clone, Default)]
 pub struct Scene {
+    /// The arena of nodes: children stand before their parents.
     pub nodes: Vec<Node>,
     /// The record that made each node, as long as `nodes` and in file order.
     pub origins: Vec<Origin>,
+    /// The shapes of the nodes.
     pub shapes: Vec<Shape>,
+    /// The matrices of transformations.
     pub matrices: Vec<Matrix>,
+    /// The properties that are painted on.
     pub paints: Vec<Paint>,
     /// Ambient and point lights as they stand at the end of the file, in file order.
     pub ambient_lights: Vec<AmbientLight>,
+    /// Point lights, likewise.
     pub point_lights: Vec<PointLight>,
     /// Cameras as they stand at the end of the file, in file order.
     pub cameras: Vec<Camera>,
     /// The cameras that take the picture.
     pub view: View,
+    /// The render record, if there is one that can be followed.
     pub render: Option<Render>,
+    /// The bounding volumes.
     pub promises: Vec<Promise>,
     /// Every entity, in the order of definition.
     pub entities: Vec<Entity>,
@@ -43,6 +53,7 @@ pub struct Scene {
 /// How an object in the arena came of an earlier state of the same one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Derivation {
+    /// The node of the earlier state.
     pub from: NodeId,
     /// The matrix that a transformation applies after the earlier one; index into [`Scene::matrices`].
     pub matrix: Option<u32>,
@@ -53,23 +64,33 @@ pub struct Derivation {
 pub enum Node {
     /// Index into [`Scene::shapes`].
     Shape(u32),
+    /// The points in either operand.
     Union(NodeId, NodeId),
+    /// The points in both operands.
     Intersection(NodeId, NodeId),
+    /// The points in the first operand and not in the second.
     Difference(NodeId, NodeId),
+    /// The points outside of the operand.
     Complement(NodeId),
     /// The child moved by [`Scene::matrices`]`[matrix]`, which is affine and invertible.
     Transform {
+        /// The node that is moved.
         child: NodeId,
+        /// Index into [`Scene::matrices`].
         matrix: u32,
     },
     /// The child with [`Scene::paints`]`[paint]` over what its parts have of those aspects.
     Paint {
+        /// The node that is painted.
         child: NodeId,
+        /// Index into [`Scene::paints`].
         paint: u32,
     },
     /// The entity `id` is a copy of the child: what the copied entity itself owned is now `id`'s.
     Copy {
+        /// The node that is copied.
         child: NodeId,
+        /// The ID of the copy.
         id: u32,
     },
 }
@@ -127,14 +148,18 @@ impl Scene {
 pub struct Origin {
     /// The entity that the record defines or changes.
     pub id: u32,
+    /// The record's place in the text.
     pub span: Span,
 }
 
 /// One shape record. The origin of its node says where it is written.
 #[derive(Debug, Clone)]
 pub struct Shape {
+    /// The ID of the record.
     pub id: u32,
+    /// The kind of the record.
     pub kind: ShapeKind,
+    /// The numbers of the record.
     pub geometry: Geometry,
 }
 
@@ -142,6 +167,7 @@ pub struct Shape {
 const _: () = assert!(size_of::<Shape>() <= 64);
 
 impl Shape {
+    /// The entry of the record's type in the table.
     pub fn ty(&self) -> &'static RecordType {
         RecordType::of(RecordKind::Shape(self.kind))
     }
@@ -150,21 +176,29 @@ impl Shape {
 /// The look of a surface before light falls on it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Texture {
+    /// One colour.
     Colour(Rgb),
     /// n cells along u, m along v.
     Checkerboard {
+        /// Cells along u.
         n: u32,
+        /// Cells along v.
         m: u32,
+        /// The colours that alternate.
         colours: [Rgb; 2],
     },
     /// Cubes of this edge, in the coordinates of the node that is painted.
     Solid {
+        /// The colours that alternate.
         colours: [Rgb; 2],
+        /// The edge of a cube.
         size: f64,
     },
     /// A file name beside the scene, and where it is written.
     Image {
+        /// The file name as it is written.
         file: String,
+        /// Its place in the text.
         span: Span,
     },
 }
@@ -184,8 +218,11 @@ impl Texture {
 /// Diffuse, mirrored and transmitted parts, each per channel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Optics {
+    /// The diffuse part.
     pub kd: Rgb,
+    /// The mirrored part.
     pub ks: Rgb,
+    /// The transmitted part.
     pub kt: Rgb,
 }
 
@@ -210,24 +247,35 @@ pub const DEFAULT_INDEX: Rgb = [1.0; 3];
 pub struct Paint {
     /// The entity that was given these properties.
     pub owner: u32,
+    /// The texture, if it is set.
     pub texture: Option<Texture>,
+    /// The optics, if they are set.
     pub optics: Option<Optics>,
     /// Refractive index per channel.
     pub index: Option<Rgb>,
 }
 
+/// Light from everywhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AmbientLight {
+    /// The ID of the record.
     pub id: u32,
+    /// Factor of the colour.
     pub intensity: f64,
+    /// Linear RGB.
     pub colour: Rgb,
 }
 
+/// A lamp: light from a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointLight {
+    /// The ID of the record.
     pub id: u32,
+    /// The place of the lamp.
     pub position: Vec3,
+    /// Factor of the colour.
     pub intensity: f64,
+    /// Linear RGB.
     pub colour: Rgb,
 }
 
@@ -235,9 +283,13 @@ pub struct PointLight {
 /// orthogonal, but never parallel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera {
+    /// The ID of the record.
     pub id: u32,
+    /// The eye.
     pub position: Vec3,
+    /// The direction of view.
     pub direction: Vec3,
+    /// The direction that is up in the picture.
     pub up: Vec3,
     /// Vertical field of view in degrees; meaningless with a projection matrix.
     pub fovy: f64,
@@ -251,9 +303,13 @@ pub enum View {
     /// There is no camera: the scene is framed automatically.
     #[default]
     Automatic,
+    /// One camera.
     Mono(usize),
+    /// Two cameras, whose pictures stand side by side.
     Stereo {
+        /// The left eye.
         left: usize,
+        /// The right eye.
         right: usize,
     },
 }
@@ -273,33 +329,54 @@ impl View {
 /// The render record.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Render {
+    /// The node that is drawn.
     pub root: NodeId,
     /// The ID the record names.
     pub root_id: u32,
+    /// The colour where nothing is seen.
     pub background: Rgb,
     /// The region that is drawn: lower and upper corner.
     pub clip: Option<(Vec3, Vec3)>,
+    /// The record's place in the text.
     pub span: Span,
 }
 
 /// A bounding volume record: the promise that `node` lies inside.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Promise {
+    /// The ID of the record.
     pub id: u32,
+    /// The node that lies inside.
     pub node: NodeId,
+    /// The volume around it.
     pub volume: Volume,
+    /// The record's place in the text.
     pub span: Span,
 }
 
+/// A bounding volume.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Volume {
-    Box { min: Vec3, max: Vec3 },
-    Sphere { centre: Vec3, radius: f64 },
+    /// A box along the axes.
+    Box {
+        /// The lower corner.
+        min: Vec3,
+        /// The upper corner.
+        max: Vec3,
+    },
+    /// A ball.
+    Sphere {
+        /// The centre.
+        centre: Vec3,
+        /// The radius.
+        radius: f64,
+    },
 }
 
 /// The value of an ID at the end of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Entity {
+    /// The ID.
     pub id: u32,
     /// `None` where the record that defines it is broken beyond telling.
     pub kind: Option<Kind>,
@@ -332,6 +409,7 @@ impl Entity {
         (self.node != Entity::NO_NODE).then_some(self.node)
     }
 
+    /// Gives the entity another node.
     pub fn set_node(&mut self, node: NodeId) {
         self.node = node;
     }

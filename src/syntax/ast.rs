@@ -1,6 +1,8 @@
 //! The typed syntax tree. Nothing of the source is lost in it: a [`Document`] keeps all tokens, comments too, and its
 //! items are ranges of them.
 
+#![warn(missing_docs)]
+
 use super::contents::Contents;
 use super::lexed::Lexed;
 use super::lexer::Token;
@@ -31,7 +33,10 @@ pub struct Document {
 #[derive(Debug, Clone, Copy)]
 pub enum Item {
     /// A lone `0`.
-    Void { token: u32 },
+    Void {
+        /// The index of the token.
+        token: u32,
+    },
     /// A record that follows its type's signature.
     Record(Record),
     /// What could not be read as a record; an error has been reported for it.
@@ -47,9 +52,11 @@ const _: () = assert!(size_of::<Token>() == 8 && size_of::<Item>() == 24);
 pub struct Record {
     /// 1 to 2 147 483 647.
     pub id: u32,
+    /// The kind of the record.
     pub kind: RecordKind,
     /// Token indices of the ID and of the record's last token.
     pub first: u32,
+    /// The index of the record's last token.
     pub last: u32,
     /// The number of parameters (trivia not counted).
     pub params: u32,
@@ -60,12 +67,15 @@ pub struct Record {
 /// Tokens that are no record.
 #[derive(Debug, Clone, Copy)]
 pub struct Broken {
+    /// The index of the first token.
     pub first: u32,
+    /// The index of the last token.
     pub last: u32,
     /// The ID it most likely has; references to it are no errors.
     pub id: Option<u32>,
     /// Its type, if that could be told.
     pub kind: Option<RecordKind>,
+    /// The fault.
     pub fault: Fault,
     /// Whether it is one slip of the pen away from a record.
     pub is_slip: bool,
@@ -85,6 +95,7 @@ pub enum Fault {
 }
 
 impl Record {
+    /// The entry of the record's type in the table.
     #[inline]
     pub fn ty(&self) -> &'static RecordType {
         RecordType::of(self.kind)
@@ -97,6 +108,7 @@ impl Record {
 }
 
 impl Broken {
+    /// The entry of the type in the table, if the type could be told.
     #[inline]
     pub fn ty(&self) -> Option<&'static RecordType> {
         self.kind.map(RecordType::of)
@@ -193,6 +205,7 @@ impl Document {
             .to(self.tokens[last as usize].span())
     }
 
+    /// The span of an item's tokens.
     pub fn item_span(&self, item: &Item) -> Span {
         let (first, last) = item.ends();
         self.span(first, last)

@@ -1,5 +1,7 @@
 //! From pixels to rays.
 
+#![warn(missing_docs)]
+
 use super::ray::Ray;
 use crate::geometry::vec::Vec3;
 use crate::scene::Camera;
@@ -58,6 +60,7 @@ impl View {
         })
     }
 
+    /// The eye.
     pub fn position(&self) -> Vec3 {
         self.position
     }

@@ -1,5 +1,7 @@
 //! Pictures, and the files they go into.
 
+#![warn(missing_docs)]
+
 use super::bitmap;
 use crate::geometry::array::each;
 use crate::scene::Rgb;
@@ -9,7 +11,9 @@ use std::sync::LazyLock;
 /// A picture of linear RGB, row by row from the top.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Film {
+    /// Pixels in a row.
     pub width: u32,
+    /// Number of rows.
     pub height: u32,
     /// Finite, and not less than 0.
     pub pixels: Vec<[f32; 3]>,
@@ -135,6 +139,7 @@ pub fn encoder<W: Write>(
 const JPEG_QUALITY: u8 = 95;
 
 impl Film {
+    /// The linear RGB of a pixel; (0, 0) is at the top left.
     pub fn pixel(&self, x: u32, y: u32) -> [f32; 3] {
         self.pixels[y as usize * self.width as usize + x as usize]
     }

@@ -1,5 +1,7 @@
 //! A picture, row by row.
 
+#![warn(missing_docs)]
+
 mod quick;
 
 use super::adaptive::{BATCH_SAMPLES, Estimate, First, MAX_SAMPLES, contrast};
@@ -29,9 +31,13 @@ use std::sync::{Arc, OnceLock};
 /// A rectangle of pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Crop {
+    /// The first column, from 0 at the left.
     pub x: u32,
+    /// The first row, from 0 at the top.
     pub y: u32,
+    /// Number of columns.
     pub width: u32,
+    /// Number of rows.
     pub height: u32,
 }
 
@@ -64,6 +70,7 @@ impl Numbers {
 pub struct Settings {
     /// Size of the whole picture in pixels, at least 1 × 1.
     pub width: u32,
+    /// The height in pixels.
     pub height: u32,
     /// The part of it that is drawn, within the picture; all of it where there is none.
     pub crop: Option<Crop>,
@@ -81,6 +88,7 @@ pub struct Settings {
     pub depth: u32,
     /// Branches that count for less than this contribute nothing; 0: all do.
     pub cutoff: f64,
+    /// The numbers that are computed with.
     pub numbers: Numbers,
     /// Once this is set, no row is begun any more, and the picture is of no use.
     pub stop: Option<Arc<AtomicBool>>,
@@ -106,13 +114,17 @@ impl Default for Settings {
 
 /// A film and what it has cost.
 pub struct Picture {
+    /// The pixels.
     pub film: Film,
+    /// The samples that were taken.
     pub samples: Samples,
+    /// The intersection tests of each pixel.
     pub costs: CostMap,
     /// For each pixel, row by row, whether light it shows was totally reflected.
     pub total_reflection: Vec<bool>,
     /// For each row, whether it was drawn to its end before the picture was stopped.
     pub finished: Vec<bool>,
+    /// Counts of rays and of other work.
     pub counts: Counts,
 }
 

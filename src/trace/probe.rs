@@ -1,5 +1,7 @@
 //! What is on a ray, for those who ask about geometry.
 
+#![warn(missing_docs)]
+
 use super::precision::Precision;
 use super::ray::Ray;
 use super::search::events::{Event, Kind};
@@ -11,6 +13,7 @@ use crate::geometry::vec::Vec3;
 /// A crossing of a boundary or a surface.
 #[derive(Debug, Clone, Copy)]
 pub struct Crossing<R = f64> {
+    /// The place of the crossing.
     pub hit: Hit<R>,
     /// Unit geometric normal: outwards of the solid whose boundary is crossed, also where a cut
     /// made it; for a surface that of its shape.
@@ -31,6 +34,7 @@ pub struct Probe<R = f64> {
     /// Whether the ray starts in a solid: the state just behind its origin, whatever region is
     /// drawn.
     pub inside_at_origin: bool,
+    /// The crossings, ascending in t.
     pub crossings: Vec<Crossing<R>>,
 }
 

@@ -1,5 +1,7 @@
 //! Rays, with what they know about where they start.
 
+#![warn(missing_docs)]
+
 use super::shapes::support::Passage;
 use super::within::Within;
 use crate::geometry::line::{Line, Traced};
@@ -29,7 +31,9 @@ pub struct Left<R = f64> {
 /// A ray: a line from t = 0 on.
 #[derive(Debug, Clone, Copy)]
 pub struct Ray<R: Traced = f64> {
+    /// The line.
     pub line: Line<R>,
+    /// The surface that the ray starts on, if it leaves one.
     pub left: Option<Left<R>>,
     /// The solids that it starts in, as far as they are known.
     pub within: Within,

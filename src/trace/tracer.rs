@@ -1,5 +1,7 @@
 //! A scene made ready for tracing.
 
+#![warn(missing_docs)]
+
 use super::compile::compile;
 use super::graph::Graph;
 use super::image::Images;
@@ -21,6 +23,7 @@ pub struct Light {
 
 /// A scene made ready for tracing.
 pub struct Tracer {
+    /// The scene as the tracer walks it.
     pub graph: Graph,
     pub(super) ambient: Vec3,
     pub(super) lights: Vec<Light>,

@@ -4,6 +4,8 @@
 //! Its words stand in the source in English, and by them in the catalogues of other languages
 //! ([`Complaint::term`]); those with places to fill are messages.
 
+#![warn(missing_docs)]
+
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -14,6 +16,7 @@ use crate::scene::Scene;
 /// How well one feature of the scene came through.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Fidelity {
+    /// The same in the other program.
     Exact,
     /// With a bound on the error, in words or numbers.
     Approximate(Complaint),
@@ -40,12 +43,14 @@ impl Fidelity {
 /// The support of a target for a feature in general.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FeatureSupport {
+    /// How well the feature comes through.
     pub fidelity: Fidelity,
     /// How the feature is expressed, where that is worth saying.
     pub note: Complaint,
 }
 
 impl FeatureSupport {
+    /// A feature that comes through exactly.
     pub fn exact(note: impl Into<Complaint>) -> FeatureSupport {
         FeatureSupport {
             fidelity: Fidelity::Exact,
@@ -53,6 +58,7 @@ impl FeatureSupport {
         }
     }
 
+    /// A feature that comes through with an error, within a bound.
     pub fn approximate(bound: impl Into<Complaint>, note: impl Into<Complaint>) -> FeatureSupport {
         FeatureSupport {
             fidelity: Fidelity::Approximate(bound.into()),
@@ -60,6 +66,7 @@ impl FeatureSupport {
         }
     }
 
+    /// A feature that is not in the translation.
     pub fn dropped(note: impl Into<Complaint>) -> FeatureSupport {
         FeatureSupport {
             fidelity: Fidelity::Dropped,
@@ -71,7 +78,9 @@ impl FeatureSupport {
 /// One line of the report.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReportLine {
+    /// The name of the feature.
     pub feature: &'static str,
+    /// How well it came through.
     pub fidelity: Fidelity,
     /// How the feature is expressed, where that is worth saying.
     pub note: Complaint,
@@ -91,6 +100,7 @@ pub struct Report {
 }
 
 impl Report {
+    /// An empty report of a target.
     pub fn new(target: &'static str) -> Report {
         Report {
             target,
@@ -159,6 +169,7 @@ impl Report {
         (rest, exact)
     }
 
+    /// Whether a feature is not in the translation.
     pub fn has_dropped(&self) -> bool {
         self.entries().any(|e| e.fidelity == Fidelity::Dropped)
     }

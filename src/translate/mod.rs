@@ -24,6 +24,7 @@ use crate::scene::Camera;
 pub struct File {
     /// The end of the file's name before its extension, which other files of the translation do not have.
     pub suffix: &'static str,
+    /// The text of the file.
     pub text: String,
 }
 

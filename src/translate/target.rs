@@ -3,6 +3,8 @@
 //! A target is a folder beside this file with an implementation of [`Target`], and a line in
 //! [`registry`](super::registry). The command line has its name and its help from there.
 
+#![warn(missing_docs)]
+
 use std::cell::OnceCell;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -62,12 +64,15 @@ pub enum OutputKind {
 
 /// A scene, and what is known of it, computed once and only where a target asks.
 pub struct Prepared<'a> {
+    /// The scene file with its scene.
     pub analysis: &'a Analysis,
+    /// The comments that name entities.
     pub captions: Captions,
     tracer: OnceCell<Tracer>,
 }
 
 impl<'a> Prepared<'a> {
+    /// The scene of an analysis.
     pub fn new(analysis: &'a Analysis) -> Prepared<'a> {
         Prepared {
             analysis,
@@ -76,6 +81,7 @@ impl<'a> Prepared<'a> {
         }
     }
 
+    /// The scene itself.
     pub fn scene(&self) -> &'a Scene {
         &self.analysis.scene
     }
@@ -168,5 +174,6 @@ impl Options<'_> {
 pub struct Output {
     /// Where to write what; standard output where there is no path.
     pub files: Vec<(Option<PathBuf>, Vec<u8>)>,
+    /// What became of each feature of the scene.
     pub report: Report,
 }

@@ -1,5 +1,7 @@
 //! Findings for people: the lines in question with what is the matter, notes, help and fixes.
 
+#![warn(missing_docs)]
+
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
@@ -21,7 +23,9 @@ const LINES_BETWEEN_SECTIONS: usize = 50;
 /// How findings are shown to people.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Look {
+    /// Whether the text has colours of a terminal.
     pub colour: bool,
+    /// The language of the messages.
     pub language: Language,
     /// How wide lines may be; as wide as they are if not said. Lines of the scene are shown as they are.
     pub width: Option<usize>,
