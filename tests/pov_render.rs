@@ -2,8 +2,8 @@
 //! independent evaluator. They must agree pixel by pixel.
 
 use crate::support;
+use crate::trace_support::Builder;
 use std::path::Path;
-use support::make::Make;
 use support::povray;
 use zpg::internals::geometry::Matrix;
 use zpg::internals::scene::{Camera, Scene, Texture, View};
@@ -140,10 +140,10 @@ const BLUE: [f64; 3] = [0.2, 0.3, 0.9];
 #[test]
 #[ignore = "needs POV-Ray"]
 fn opaque_shapes() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     let a = m.sphere([-1.2, 0.0, 0.0], 1.0);
     let a = m.coloured(a, RED);
-    let b = m.cube([0.2, -1.0, -1.0], [1.6, 0.6, 0.5]);
+    let b = m.cuboid([0.2, -1.0, -1.0], [1.6, 0.6, 0.5]);
     let b = m.moved(b, Matrix::rotation(30.0, 1));
     let b = m.coloured(b, GREEN);
     let c = m.rectangle([-1.0, 0.0], [1.0, 1.0]);
@@ -158,11 +158,11 @@ fn opaque_shapes() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn mirrors() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     let a = m.sphere([-1.0, 0.0, 0.0], 1.2);
     let a = m.coloured(a, RED);
     let a = m.mono(a, 0.3, 0.6, 0.0);
-    let b = m.cube([0.7, -1.2, -1.0], [1.9, 0.6, 0.5]);
+    let b = m.cuboid([0.7, -1.2, -1.0], [1.9, 0.6, 0.5]);
     let b = m.optics(b, [0.1, 0.5, 0.2], [0.9, 0.3, 0.5], [0.0; 3]);
     let ab = m.union(a, b);
     let root = m.on_floor(ab);
@@ -172,7 +172,7 @@ fn mirrors() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn glass_with_index() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     let a = m.sphere([0.0; 3], 1.2);
     let a = m.coloured(a, GREEN);
     let a = m.mono(a, 0.2, 0.2, 0.6);
@@ -184,7 +184,7 @@ fn glass_with_index() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn dispersion() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     let a = m.sphere([0.0; 3], 1.2);
     let a = m.mono(a, 0.1, 0.1, 0.8);
     let a = m.index(a, [1.2, 1.35, 1.5]);
@@ -195,7 +195,7 @@ fn dispersion() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn coloured_transmission_and_shadows() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     let a = m.sphere([0.3, 0.6, 0.5], 1.0);
     let a = m.coloured(a, GREEN);
     let a = m.optics(a, [0.3, 0.1, 0.2], [0.1, 0.2, 0.0], [0.5, 0.6, 0.3]);
@@ -210,12 +210,12 @@ fn coloured_transmission_and_shadows() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn checkers_on_each_shape() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     let a = m.sphere([0.3, 0.2, 0.0], 0.9);
     let turn = Matrix::translation(-1.6, 0.0, 0.0).after(&Matrix::rotation(50.0, 2));
     let a = m.moved(a, turn);
     let a = m.checkered(a, 7, 5);
-    let b = m.cube([0.1, -0.7, -0.9], [1.3, 0.9, 0.5]);
+    let b = m.cuboid([0.1, -0.7, -0.9], [1.3, 0.9, 0.5]);
     let b = m.moved(b, Matrix::rotation(30.0, 1));
     let b = m.checkered(b, 3, 5);
     let c = m.rectangle([-1.0, 0.5], [2.0, 1.8]);
@@ -238,8 +238,8 @@ fn all_faces_of_a_box() {
         ("box_behind", Matrix::rotation(160.0, 1)),
         ("box_left", Matrix::rotation(70.0, 1)),
     ] {
-        let mut m = Make::lit();
-        let b = m.cube([-1.0, -0.7, -0.9], [1.2, 1.1, 0.9]);
+        let mut m = Builder::lit();
+        let b = m.cuboid([-1.0, -0.7, -0.9], [1.2, 1.1, 0.9]);
         let b = m.checkered(b, 3, 5);
         let b = m.moved(b, turn);
         compare(name, &m.done(b));
@@ -249,8 +249,8 @@ fn all_faces_of_a_box() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn solid_texture_stays_where_it_was_given() {
-    let mut m = Make::lit();
-    let a = m.cube([-1.0; 3], [1.0; 3]);
+    let mut m = Builder::lit();
+    let a = m.cuboid([-1.0; 3], [1.0; 3]);
     let a = m.moved(a, Matrix::rotation(25.0, 1));
     let texture = Texture::Solid {
         colours: [RED, BLUE],
@@ -273,10 +273,10 @@ fn solid_texture_stays_where_it_was_given() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn operations_on_painted_operands() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     let a = m.sphere([-1.2, 0.0, 0.0], 1.0);
     let a = m.coloured(a, RED);
-    let b = m.cube([-1.2, -0.6, -0.6], [0.6, 0.6, 0.6]);
+    let b = m.cuboid([-1.2, -0.6, -0.6], [0.6, 0.6, 0.6]);
     let b = m.coloured(b, GREEN);
     let i = m.intersection(a, b);
     let c = m.sphere([1.2, 0.2, 0.0], 1.0);
@@ -292,10 +292,10 @@ fn operations_on_painted_operands() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn a_painted_union_is_cut() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     let a = m.sphere([-0.7, 0.0, 0.0], 1.0);
     let a = m.coloured(a, RED);
-    let b = m.cube([0.0, -0.9, -0.9], [1.6, 0.5, 0.8]);
+    let b = m.cuboid([0.0, -0.9, -0.9], [1.6, 0.5, 0.8]);
     let b = m.checkered(b, 4, 4);
     let ab = m.union(a, b);
     let ab = m.moved(ab, Matrix::rotation(20.0, 1));
@@ -311,13 +311,13 @@ fn a_painted_union_is_cut() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn complements_and_half_spaces() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     let a = m.sphere([0.0; 3], 1.3);
     let a = m.coloured(a, RED);
     let h = m.half_space([0.0, -1.0, -1.0, 0.2]);
     let h = m.coloured(h, GREEN);
     let cut = m.intersection(a, h);
-    let b = m.cube([-2.0, -0.5, -0.5], [2.0, 0.5, 0.5]);
+    let b = m.cuboid([-2.0, -0.5, -0.5], [2.0, 0.5, 0.5]);
     let b = m.coloured(b, BLUE);
     let not_b = m.complement(b);
     let rest = m.intersection(cut, not_b);
@@ -328,7 +328,7 @@ fn complements_and_half_spaces() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn surfaces_in_operations() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     let s = m.rectangle([-2.0, -1.0], [2.0, 1.5]);
     let s = m.coloured(s, RED);
     let a = m.sphere([-0.8, 0.2, 0.0], 0.9);
@@ -345,7 +345,7 @@ fn surfaces_in_operations() {
     let v = m.sphere([1.4, -0.4, 0.6], 0.7);
     let v = m.coloured(v, BLUE);
     let uv = m.union(u, v);
-    let cube = m.cube([0.5, -1.0, -0.5], [1.7, 0.6, 1.0]);
+    let cube = m.cuboid([0.5, -1.0, -0.5], [1.7, 0.6, 1.0]);
     let uv = m.intersection(uv, cube);
     // A surface takes nothing away.
     let w = m.sphere([-1.6, 1.0, -0.5], 0.5);
@@ -361,7 +361,7 @@ fn surfaces_in_operations() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn transparent_unions_and_differences() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     let a = m.sphere([-0.5, 0.0, 0.0], 0.9);
     let a = m.coloured(a, RED);
     let b = m.sphere([0.5, 0.2, 0.0], 0.9);
@@ -381,7 +381,7 @@ fn transparent_unions_and_differences() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn transparent_parts_of_two_colours() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     let a = m.sphere([-0.5, 0.0, 0.0], 0.9);
     let a = m.coloured(a, RED);
     let b = m.sphere([0.5, 0.2, 0.0], 0.9);
@@ -395,7 +395,7 @@ fn transparent_parts_of_two_colours() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn media_in_each_other() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     // An opaque core in glass, and glass that bites into an opaque box.
     let core = m.sphere([-0.9, 0.0, 0.0], 0.4);
     let core = m.coloured(core, RED);
@@ -405,7 +405,7 @@ fn media_in_each_other() {
     let left = m.union(core, shell);
     let bite = m.sphere([0.7, 0.5, 0.5], 0.8);
     let bite = m.mono(bite, 0.3, 0.1, 0.6);
-    let block = m.cube([0.4, -1.0, -0.8], [1.7, 0.4, 0.5]);
+    let block = m.cuboid([0.4, -1.0, -0.8], [1.7, 0.4, 0.5]);
     let block = m.coloured(block, GREEN);
     let right = m.union(bite, block);
     let all = m.union(left, right);
@@ -416,12 +416,12 @@ fn media_in_each_other() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn coloured_and_bright_lights() {
-    let mut m = Make::default();
-    m.camera([1.0, 1.5, 6.0], [-1.0, -1.5, -6.0]);
-    m.ambient(0.3, [1.0, 0.5, 0.2]);
-    m.ambient(0.2, [0.0, 0.5, 1.0]);
-    m.light([4.0, 6.0, 5.0], 1.5, [1.0, 0.9, 0.2]);
-    m.light([-4.0, 3.0, 5.0], 0.9, [0.2, 0.4, 1.0]);
+    let mut m = Builder::default();
+    m.camera([1.0, 1.5, 6.0], [-1.0, -1.5, -6.0], [0.0, 2.0, 0.0], 40.0);
+    m.coloured_ambient(0.3, [1.0, 0.5, 0.2]);
+    m.coloured_ambient(0.2, [0.0, 0.5, 1.0]);
+    m.coloured_light([4.0, 6.0, 5.0], 1.5, [1.0, 0.9, 0.2]);
+    m.coloured_light([-4.0, 3.0, 5.0], 0.9, [0.2, 0.4, 1.0]);
     let a = m.sphere([0.0; 3], 1.2);
     let a = m.mono(a, 0.8, 0.4, 0.0);
     let root = m.on_floor(a);
@@ -431,17 +431,15 @@ fn coloured_and_bright_lights() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn automatic_camera_lights_and_box() {
-    let mut m = Make::default();
+    let mut m = Builder::default();
     let a = m.sphere([10.0, 20.0, -5.0], 30.0);
     let a = m.checkered(a, 8, 6);
     let b = m.half_space([0.0, 1.0, 0.0, 0.0]);
     let b = m.coloured(b, GREEN);
     let root = m.union(a, b);
-    let scene = m.render(
-        root,
-        [0.3, 0.1, 0.4],
-        Some(([-25.0, -12.0, -40.0], [40.0, 40.0, 10.0])),
-    );
+    let mut scene = m.render(root, [0.3, 0.1, 0.4]);
+    let record = scene.render.as_mut().expect("it was made");
+    record.clip = Some(([-25.0, -12.0, -40.0], [40.0, 40.0, 10.0]));
     compare("automatic", &scene);
 }
 
@@ -463,14 +461,14 @@ impl Dice {
 }
 
 /// A random object: shapes, operations, paints, turns; some nodes are used several times.
-fn random_object(m: &mut Make, dice: &mut Dice, transparent: bool) -> u32 {
+fn random_object(m: &mut Builder, dice: &mut Dice, transparent: bool) -> u32 {
     let mut nodes = Vec::new();
     for _ in 0..5 {
         let c = [dice.unit(), dice.unit(), dice.unit()];
         let size = 0.6 + 0.4 * dice.unit().abs();
         nodes.push(match dice.roll(5) {
             0 | 1 => m.sphere(c, size),
-            2 | 3 => m.cube(c.map(|x| x - size), c.map(|x| x + 0.7 * size)),
+            2 | 3 => m.cuboid(c.map(|x| x - size), c.map(|x| x + 0.7 * size)),
             _ => {
                 let flat = m.rectangle([c[0] - 1.0, c[1] - 1.0], [c[0] + 1.0, c[1] + 1.0]);
                 let turn = Matrix::rotation(50.0 * c[2], 1);
@@ -526,7 +524,7 @@ fn random_object(m: &mut Make, dice: &mut Dice, transparent: bool) -> u32 {
 
 fn random_scenes(name: &str, seeds: std::ops::Range<u64>, transparent: bool) {
     for seed in seeds {
-        let mut m = Make::lit();
+        let mut m = Builder::lit();
         let object = random_object(
             &mut m,
             &mut Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)),
@@ -553,7 +551,7 @@ fn random_transparent_scenes() {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn both_eyes() {
-    let mut m = Make::lit();
+    let mut m = Builder::lit();
     let a = m.sphere([0.0; 3], 1.0);
     let root = m.on_floor(a);
     let mut scene = m.done(root);
@@ -586,10 +584,10 @@ fn both_eyes() {
 #[ignore = "needs POV-Ray"]
 fn large_and_small_scenes() {
     let scene = |size: f64| {
-        let mut m = Make::default();
+        let mut m = Builder::default();
         let a = m.sphere([0.0; 3], size);
         let a = m.mono(a, 0.4, 0.2, 0.4);
-        let b = m.cube([-2.0 * size, -1.5 * size, -size], [2.0 * size, -size, size]);
+        let b = m.cuboid([-2.0 * size, -1.5 * size, -size], [2.0 * size, -size, size]);
         let b = m.checkered(b, 8, 8);
         let root = m.union(a, b);
         m.done(root)

@@ -36,15 +36,15 @@ fn checkerboard(b: &mut Builder) -> NodeId {
 fn still_life() -> Scene {
     let mut b = Builder::default();
     let floor = checkerboard(&mut b);
-    let glass = b.sphere(-1.5, 1.0, 0.0, 1.0);
+    let glass = b.sphere([-1.5, 1.0, 0.0], 1.0);
     let glass = b.made_of(glass, optics(0.0, 0.1, 0.9), 1.5);
-    let red = b.sphere(1.5, 1.0, -1.0, 1.0);
+    let red = b.sphere([1.5, 1.0, -1.0], 1.0);
     let red = b.coloured(red, [0.8, 0.1, 0.1]);
     let cube = b.cuboid([-0.5, 0.0, 1.0], [0.5, 1.0, 2.0]);
-    let hole = b.sphere(0.0, 1.0, 2.0, 0.5);
+    let hole = b.sphere([0.0, 1.0, 2.0], 0.5);
     let cut = b.difference(cube, hole);
     let cut = b.coloured(cut, [0.2, 0.6, 0.2]);
-    let mirror = b.sphere(0.0, 1.5, -3.0, 1.5);
+    let mirror = b.sphere([0.0, 1.5, -3.0], 1.5);
     let mirror = b.made_of(mirror, optics(0.1, 0.8, 0.0), 1.0);
     let root = b.all(&[floor, glass, red, cut, mirror]);
     b.ambient(0.15);
@@ -93,7 +93,7 @@ fn threads_change_nothing() {
 fn many_spheres() {
     let mut b = Builder::default();
     let mut r = Random(1);
-    let first = b.sphere(0.0, 0.0, 0.0, 0.5);
+    let first = b.sphere([0.0, 0.0, 0.0], 0.5);
     let count = if std::env::var("ZPG_TEST_PICTURES").is_ok() {
         1_000_000
     } else {
@@ -102,7 +102,7 @@ fn many_spheres() {
     let mut root = first;
     for _ in 1..count {
         let p = r.point(50.0);
-        let s = b.sphere(p[0], p[1], p[2], r.within(0.05, 0.4));
+        let s = b.sphere([p[0], p[1], p[2]], r.within(0.05, 0.4));
         root = b.union(root, s);
     }
     b.light([100.0, 200.0, 300.0], 0.9);
@@ -140,7 +140,7 @@ fn a_mirror_room_shows_the_background() {
     for _ in 0..40 {
         let p = r.point(3.0);
         let s = if r.below(2) == 0 {
-            b.sphere(p[0], p[1], p[2], r.within(0.2, 0.8))
+            b.sphere([p[0], p[1], p[2]], r.within(0.2, 0.8))
         } else {
             b.cuboid(p.0, (p + r.point(1.0).abs()).0)
         };
@@ -168,7 +168,7 @@ fn a_mirror_room_shows_the_background() {
 #[test]
 fn a_mirror_ball_shows_the_background_unchanged() {
     let mut b = Builder::default();
-    let ball = b.sphere(0.0, 0.0, 0.0, 1.0);
+    let ball = b.sphere([0.0, 0.0, 0.0], 1.0);
     let ball = b.made_of(ball, optics(0.0, 1.0, 0.0), 1.0);
     b.light([1.0, 2.0, 3.0], 1.0);
     let picture = picture(&b.render(ball, [0.25, 0.5, 0.75]), &small(40, 30));
@@ -247,7 +247,7 @@ fn refraction_through_a_sphere_by_snell() {
     use zpg::internals::trace::within::Within;
     use zpg::internals::trace::{Hit, Ray, Tracer};
     let mut b = Builder::default();
-    let ball = b.sphere(0.0, 0.0, 0.0, 1.0);
+    let ball = b.sphere([0.0, 0.0, 0.0], 1.0);
     let ball = b.made_of(ball, CLEAR, 1.5);
     let tracer = Tracer::new(&b.render(ball, [0.0; 3])).unwrap();
     let mut walker = tracer.walker();
@@ -380,8 +380,8 @@ fn straight_steps_do_not_count() {
 #[test]
 fn the_region_that_is_drawn_cuts() {
     let mut b = Builder::default();
-    let ball = b.sphere(0.0, 0.0, 0.0, 1.0);
-    let small_ball = b.sphere(0.0, 0.0, -0.2, 0.4);
+    let ball = b.sphere([0.0, 0.0, 0.0], 1.0);
+    let small_ball = b.sphere([0.0, 0.0, -0.2], 0.4);
     let root = b.union(ball, small_ball);
     b.ambient(1.0);
     look(&mut b, 5.0);

@@ -92,12 +92,12 @@ fn random_shape(b: &mut Builder, r: &mut Random) -> NodeId {
                 colours: Vec::new(),
             })
         }
-        0 | 1 => b.sphere(p[0], p[1], p[2], r.within(0.2, 1.5)),
+        0 | 1 => b.sphere([p[0], p[1], p[2]], r.within(0.2, 1.5)),
         2 | 3 => {
             let q = r.point(1.0).abs();
             b.cuboid(p.0, (p + q).0)
         }
-        _ => b.half_space(p[0], p[1], p[2], r.within(-1.0, 1.0)),
+        _ => b.half_space([p[0], p[1], p[2], r.within(-1.0, 1.0)]),
     }
 }
 
@@ -268,7 +268,7 @@ fn common_faces_of_an_intersection_are_the_first_operands() {
 fn surfaces_are_cut_and_never_cut() {
     let mut b = Builder::default();
     let plane = b.shape(Geometry::Plane([0.0, 0.0, 1.0, 0.0]));
-    let ball = b.sphere(0.0, 0.0, 0.0, 1.0);
+    let ball = b.sphere([0.0, 0.0, 0.0], 1.0);
     let disc = b.intersection(plane, ball);
     let holed = b.difference(plane, ball);
     let whole = b.difference(ball, plane);
@@ -290,7 +290,7 @@ fn surfaces_are_cut_and_never_cut() {
 #[test]
 fn sixty_doublings_are_one_sphere() {
     let mut b = Builder::default();
-    let mut a = b.sphere(0.0, 0.0, 0.0, 1.0);
+    let mut a = b.sphere([0.0, 0.0, 0.0], 1.0);
     for _ in 0..60 {
         a = b.union(a, a);
     }
@@ -303,7 +303,7 @@ fn sixty_doublings_are_one_sphere() {
 #[test]
 fn a_billion_spheres_from_thirty_moved_copies() {
     let mut b = Builder::default();
-    let mut a = b.sphere(0.0, 0.0, 0.0, 0.4);
+    let mut a = b.sphere([0.0, 0.0, 0.0], 0.4);
     for i in 0..30 {
         let step = f64::from(1 << (i / 3));
         let m = match i % 3 {
@@ -339,10 +339,10 @@ fn long_chains() {
     let settings = small(16, 12);
     let chain = |b: &mut Builder, operation: fn(&mut Builder, NodeId, NodeId) -> NodeId| {
         let mut r = Random(9);
-        let mut a = b.sphere(0.0, 0.0, 0.0, 10.0);
+        let mut a = b.sphere([0.0, 0.0, 0.0], 10.0);
         for _ in 0..N {
             let p = r.point(1.0).unit() * 10.0;
-            let s = b.sphere(p[0], p[1], p[2], 0.2);
+            let s = b.sphere([p[0], p[1], p[2]], 0.2);
             a = operation(b, a, s);
         }
         a
@@ -361,10 +361,10 @@ fn long_chains() {
     }
     // Both kinds in turn cannot be flattened: as deep as it gets.
     let mut b = Builder::default();
-    let mut a = b.sphere(0.0, 0.0, 0.0, 10.0);
+    let mut a = b.sphere([0.0, 0.0, 0.0], 10.0);
     for i in 0..20_000 {
-        let s = b.sphere(20.0, f64::from(i), 0.0, 0.2);
-        let t = b.sphere(0.0, 0.0, 10.0, 0.1 + f64::from(i) * 1e-5);
+        let s = b.sphere([20.0, f64::from(i), 0.0], 0.2);
+        let t = b.sphere([0.0, 0.0, 10.0], 0.1 + f64::from(i) * 1e-5);
         a = b.difference(a, t);
         a = b.union(a, s);
     }

@@ -184,7 +184,7 @@ fn random_scene(seed: u64) -> Scene {
     }
     if r.below(6) == 0 {
         let floor = match r.below(2) {
-            0 => b.half_space(0.0, 1.0, 0.0, 2.0),
+            0 => b.half_space([0.0, 1.0, 0.0, 2.0]),
             _ => b.shape(Geometry::Plane([0.0, 1.0, 0.0, 2.0])),
         };
         parts[0] = b.union(parts[0], floor);

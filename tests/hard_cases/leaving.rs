@@ -78,7 +78,7 @@ fn leave(
 pub fn row_18_leave_a_small_sphere(precision: Precision) {
     let mut r = Random(18);
     let mut b = Builder::default();
-    let root = b.sphere(0.0, 0.083, 0.4, 0.015);
+    let root = b.sphere([0.0, 0.083, 0.4], 0.015);
     let tracer = b.tracer(root);
     let centre = Vec3::new(0.0, 0.083, 0.4);
     let rays: Vec<_> = (0..20_000)

@@ -2,7 +2,6 @@
 
 pub mod compare;
 pub mod endless;
-pub mod make;
 pub mod mitsuba;
 pub mod picture_file;
 pub mod povray;

@@ -1,16 +1,21 @@
 //! Scenes built without a parser, and random numbers for tests.
 
+use std::collections::HashMap;
 use zpg::internals::diagnostics::Span;
 use zpg::internals::geometry::Matrix;
 use zpg::internals::geometry::vec::Vec3;
 use zpg::internals::scene::*;
 use zpg::internals::solids::staging::{Viewpoint, staged};
-use zpg::internals::syntax::table::ShapeKind;
+use zpg::internals::syntax::table::{Kind, ShapeKind};
 use zpg::internals::trace::{Picture, Ray, Settings, Tracer, selected_camera};
 
+/// A scene in the making. IDs count up from 2.
 #[derive(Default)]
 pub struct Builder {
     pub scene: Scene,
+    next: u32,
+    /// The entity that each node is the last state of, by its number.
+    owners: HashMap<NodeId, usize>,
 }
 
 pub const CLEAR: Optics = Optics {
@@ -28,15 +33,46 @@ pub fn optics(kd: f64, ks: f64, kt: f64) -> Optics {
 }
 
 impl Builder {
-    fn push(&mut self, node: Node) -> NodeId {
-        let id = match node {
-            Node::Shape(shape) => self.scene.shapes[shape as usize].id,
-            _ => 0,
-        };
+    /// A scene with a camera near the z axis, an ambient and a point light.
+    pub fn lit() -> Builder {
+        let mut b = Builder::default();
+        b.camera([1.0, 1.5, 6.0], [-1.0, -1.5, -6.0], [0.0, 2.0, 0.0], 40.0);
+        b.ambient(0.2);
+        b.light([4.0, 6.0, 5.0], 0.7);
+        b
+    }
+
+    fn id(&mut self) -> u32 {
+        self.next += 1;
+        self.next + 1
+    }
+
+    fn node(&mut self, id: u32, node: Node) -> NodeId {
         let span = Span::new(id, id + 1);
         self.scene.origins.push(Origin { id, span });
         self.scene.nodes.push(node);
-        self.scene.nodes.len() as u32 - 1
+        self.scene.nodes.len() as NodeId - 1
+    }
+
+    /// A node that is an entity of its own.
+    fn entity(&mut self, node: Node) -> NodeId {
+        let id = self.id();
+        let node = self.node(id, node);
+        let mut entity = Entity::new(id, Some(Kind::Object), Span::default());
+        entity.set_node(node);
+        self.owners.insert(node, self.scene.entities.len());
+        self.scene.entities.push(entity);
+        node
+    }
+
+    /// A node that is a later state of the entity of another one.
+    fn state(&mut self, id: u32, of: NodeId, node: Node) -> NodeId {
+        let node = self.node(id, node);
+        if let Some(entity) = self.owners.remove(&of) {
+            self.scene.entities[entity].set_node(node);
+            self.owners.insert(node, entity);
+        }
+        node
     }
 
     pub fn shape(&mut self, geometry: Geometry) -> NodeId {
@@ -48,28 +84,33 @@ impl Builder {
             Geometry::Rectangle { .. } => ShapeKind::Rectangle,
             _ => ShapeKind::Torus,
         };
-        let id = self.scene.shapes.len() as u32 + 2;
+        let id = self.next + 2;
         self.scene.shapes.push(Shape { id, kind, geometry });
-        self.push(Node::Shape(id - 2))
+        self.entity(Node::Shape(self.scene.shapes.len() as u32 - 1))
     }
 
-    pub fn sphere(&mut self, x: f64, y: f64, z: f64, radius: f64) -> NodeId {
-        self.shape(Geometry::Sphere {
-            centre: [x, y, z],
-            radius,
-        })
+    pub fn sphere(&mut self, centre: [f64; 3], radius: f64) -> NodeId {
+        self.shape(Geometry::Sphere { centre, radius })
     }
 
     pub fn cuboid(&mut self, min: [f64; 3], max: [f64; 3]) -> NodeId {
         self.shape(Geometry::Box { min, max })
     }
 
-    pub fn half_space(&mut self, a: f64, b: f64, c: f64, d: f64) -> NodeId {
-        self.shape(Geometry::HalfSpace([a, b, c, d]))
+    pub fn plane(&mut self, abcd: [f64; 4]) -> NodeId {
+        self.shape(Geometry::Plane(abcd))
+    }
+
+    pub fn half_space(&mut self, abcd: [f64; 4]) -> NodeId {
+        self.shape(Geometry::HalfSpace(abcd))
+    }
+
+    pub fn rectangle(&mut self, min: [f64; 2], max: [f64; 2]) -> NodeId {
+        self.shape(Geometry::Rectangle { min, max })
     }
 
     pub fn union(&mut self, a: NodeId, b: NodeId) -> NodeId {
-        self.push(Node::Union(a, b))
+        self.entity(Node::Union(a, b))
     }
 
     pub fn all(&mut self, parts: &[NodeId]) -> NodeId {
@@ -79,34 +120,68 @@ impl Builder {
     }
 
     pub fn intersection(&mut self, a: NodeId, b: NodeId) -> NodeId {
-        self.push(Node::Intersection(a, b))
+        self.entity(Node::Intersection(a, b))
     }
 
     pub fn difference(&mut self, a: NodeId, b: NodeId) -> NodeId {
-        self.push(Node::Difference(a, b))
+        self.entity(Node::Difference(a, b))
     }
 
     pub fn complement(&mut self, a: NodeId) -> NodeId {
-        self.push(Node::Complement(a))
+        self.entity(Node::Complement(a))
     }
 
     pub fn moved(&mut self, child: NodeId, m: Matrix) -> NodeId {
         self.scene.matrices.push(m);
         let matrix = self.scene.matrices.len() as u32 - 1;
-        self.push(Node::Transform { child, matrix })
+        self.state(0, child, Node::Transform { child, matrix })
     }
 
     pub fn paint(&mut self, child: NodeId, paint: Paint) -> NodeId {
-        self.scene.paints.push(paint);
+        let owner = self.id();
+        self.scene.paints.push(Paint { owner, ..paint });
         let paint = self.scene.paints.len() as u32 - 1;
-        self.push(Node::Paint { child, paint })
+        self.state(owner, child, Node::Paint { child, paint })
     }
 
-    pub fn coloured(&mut self, child: NodeId, colour: Rgb) -> NodeId {
+    pub fn textured(&mut self, child: NodeId, texture: Texture) -> NodeId {
         self.paint(
             child,
             Paint {
-                texture: Some(Texture::Colour(colour)),
+                texture: Some(texture),
+                ..Paint::default()
+            },
+        )
+    }
+
+    pub fn coloured(&mut self, child: NodeId, colour: Rgb) -> NodeId {
+        self.textured(child, Texture::Colour(colour))
+    }
+
+    pub fn checkered(&mut self, child: NodeId, n: u32, m: u32) -> NodeId {
+        let colours = [[0.9, 0.8, 0.2], [0.1, 0.2, 0.6]];
+        self.textured(child, Texture::Checkerboard { n, m, colours })
+    }
+
+    pub fn optics(&mut self, child: NodeId, kd: Rgb, ks: Rgb, kt: Rgb) -> NodeId {
+        self.paint(
+            child,
+            Paint {
+                optics: Some(Optics { kd, ks, kt }),
+                ..Paint::default()
+            },
+        )
+    }
+
+    pub fn mono(&mut self, child: NodeId, kd: f64, ks: f64, kt: f64) -> NodeId {
+        self.optics(child, [kd; 3], [ks; 3], [kt; 3])
+    }
+
+    pub fn index(&mut self, child: NodeId, eta: Rgb) -> NodeId {
+        self.paint(
+            child,
+            Paint {
+                index: Some(eta),
                 ..Paint::default()
             },
         )
@@ -123,26 +198,44 @@ impl Builder {
         )
     }
 
+    /// A checkered floor below, to be seen through and mirrored.
+    pub fn on_floor(&mut self, child: NodeId) -> NodeId {
+        let floor = self.plane([0.0, 2.0, 0.0, 2.6]);
+        let floor = self.checkered(floor, 1, 1);
+        self.union(child, floor)
+    }
+
     pub fn ambient(&mut self, intensity: f64) {
+        self.coloured_ambient(intensity, [1.0; 3]);
+    }
+
+    pub fn coloured_ambient(&mut self, intensity: f64, colour: Rgb) {
+        let id = self.id();
         self.scene.ambient_lights.push(AmbientLight {
-            id: 0,
+            id,
             intensity,
-            colour: [1.0; 3],
+            colour,
         });
     }
 
     pub fn light(&mut self, position: [f64; 3], intensity: f64) {
+        self.coloured_light(position, intensity, [1.0; 3]);
+    }
+
+    pub fn coloured_light(&mut self, position: [f64; 3], intensity: f64, colour: Rgb) {
+        let id = self.id();
         self.scene.point_lights.push(PointLight {
-            id: 0,
+            id,
             position,
             intensity,
-            colour: [1.0; 3],
+            colour,
         });
     }
 
     pub fn camera(&mut self, position: [f64; 3], direction: [f64; 3], up: [f64; 3], fovy: f64) {
+        let id = self.id();
         self.scene.cameras.push(Camera {
-            id: 0,
+            id,
             position,
             direction,
             up,
@@ -153,14 +246,19 @@ impl Builder {
     }
 
     pub fn render(mut self, root: NodeId, background: Rgb) -> Scene {
+        let entity = self.owners.get(&root);
         self.scene.render = Some(Render {
             root,
-            root_id: 2,
+            root_id: entity.map_or(0, |&i| self.scene.entities[i].id),
             background,
             clip: None,
             span: Span::default(),
         });
         self.scene
+    }
+
+    pub fn done(self, root: NodeId) -> Scene {
+        self.render(root, [0.1, 0.2, 0.3])
     }
 
     pub fn tracer(self, root: NodeId) -> Tracer {
@@ -177,6 +275,7 @@ impl Builder {
                 paints: self.scene.paints.clone(),
                 ..Scene::default()
             },
+            ..Builder::default()
         };
         copy.tracer(root)
     }
