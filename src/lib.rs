@@ -44,6 +44,9 @@
 //! The folder `examples` has longer programs. Errors are values with a message in two languages; no function here
 //! panics on what a scene says.
 
+// Not in Cargo.toml, whose lints hold for tests and benches, too: there, nothing is reachable.
+#![warn(unreachable_pub)]
+
 // The modules, each of which imports only what stands before it.
 
 // What becomes of freed memory.

@@ -5,7 +5,7 @@ use crate::scene::{self, Geometry, Scene};
 use crate::syntax;
 
 /// Numbers below another one, the same each time (Knuth's MMIX, The Art of Computer Programming, 3.3.4).
-pub fn random() -> impl FnMut(u64) -> u64 {
+pub(crate) fn random() -> impl FnMut(u64) -> u64 {
     let mut state = 12345u64;
     move |n| {
         state = state
@@ -16,7 +16,7 @@ pub fn random() -> impl FnMut(u64) -> u64 {
 }
 
 /// The scene of a text that has no errors.
-pub fn scene(text: &str) -> Scene {
+pub(crate) fn scene(text: &str) -> Scene {
     let source = SourceFile::new("scene.zpg", text.into());
     let (document, mut found) = syntax::parse(&source.text);
     let scene = scene::resolve(&document, &source, &mut found);
@@ -25,7 +25,7 @@ pub fn scene(text: &str) -> Scene {
 }
 
 /// Solids of most kinds that end.
-pub fn solids() -> Vec<Geometry> {
+pub(crate) fn solids() -> Vec<Geometry> {
     vec![
         Geometry::Sphere {
             centre: [1.0, 2.0, 3.0],

@@ -52,7 +52,7 @@ const CZECH: &[(&str, &str)] = &[
 const ENDINGS: [&str; 3] = ["a", "y", "e"];
 
 /// Red, green and blue of a name in sRGB, from 0 to 255.
-pub fn colour(written: &str) -> Option<[u8; 3]> {
+pub(super) fn colour(written: &str) -> Option<[u8; 3]> {
     if !written.starts_with(char::is_alphabetic) {
         return None;
     }

@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 use crate::diagnostics::{Applicability, Code, Diagnostic, SourceFile, Value};
 
 /// Joins the findings about decimal commas on each line into the first of them.
-pub fn join(source: &SourceFile, findings: &mut Vec<Diagnostic>) {
+pub(super) fn join(source: &SourceFile, findings: &mut Vec<Diagnostic>) {
     let is_comma = |d: &Diagnostic| d.code == Code::E003 && d.case == "decimal-comma";
     let line = |d: &Diagnostic| source.line_index(d.span.start);
     let mut lines: FxHashMap<usize, Vec<Diagnostic>> = FxHashMap::default();

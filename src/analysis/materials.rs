@@ -51,7 +51,7 @@ const fn opaque(names: &'static [&'static str], shares: &'static str) -> Materia
 }
 
 /// The numbers that a record has of a material.
-pub fn numbers(kind: RecordKind, word: &str) -> Option<String> {
+pub(super) fn numbers(kind: RecordKind, word: &str) -> Option<String> {
     let word = plain(word);
     let material = MATERIALS
         .iter()

@@ -17,7 +17,7 @@ use crate::syntax::{Document, Item, Record};
 const STEPS: usize = 1_000_000;
 
 /// Gives the findings about such records their fixes.
-pub fn propose(source: &SourceFile, document: &Document, findings: &mut [Diagnostic]) {
+pub(super) fn propose(source: &SourceFile, document: &Document, findings: &mut [Diagnostic]) {
     if !findings.iter().any(|d| d.code == Code::E107) {
         return;
     }

@@ -12,7 +12,7 @@ const PICTURES: usize = 16;
 const ENTRIES: usize = 1000;
 
 /// Gives the findings about pictures that are not there their fixes.
-pub fn propose(source: &SourceFile, findings: &mut [Diagnostic]) {
+pub(super) fn propose(source: &SourceFile, findings: &mut [Diagnostic]) {
     let is_one = |d: &&mut Diagnostic| d.code == Code::E210 && d.case.is_empty();
     let Some(folder) = source.folder() else {
         return;

@@ -13,7 +13,7 @@ use crate::syntax::Item;
 /// How much there is to mend, what weighs most first: how many errors there are; how many of these are
 /// malformed tokens, which hide what else is wrong with their records; how many warnings, notes and
 /// remarks on style; and of as many the codes that come first, which hide those that follow.
-pub fn weight(analysis: &Analysis) -> Vec<usize> {
+pub(super) fn weight(analysis: &Analysis) -> Vec<usize> {
     let counts = counts(analysis.findings().iter());
     let count = |code: &Code| counts.get(code).copied().unwrap_or(0);
     let malformed = [Code::E001, Code::E002, Code::E003, Code::E004, Code::E010];
@@ -28,7 +28,7 @@ pub fn weight(analysis: &Analysis) -> Vec<usize> {
 /// Whether there is an error on a line that is as it was, which it did not have. On a line that was
 /// changed there may be one in place of another that hid it, and so there may on a line that names the ID of a record
 /// which could not be read: that ID may be defined twice.
-pub fn has_new_errors(before: &Analysis, after: &Analysis) -> bool {
+pub(super) fn has_new_errors(before: &Analysis, after: &Analysis) -> bool {
     let mut numbers: FxHashMap<&str, usize> = FxHashMap::default();
     let before_lines = lines(before).map(|line| {
         let next = numbers.len();
@@ -101,7 +101,7 @@ fn errors(analysis: &Analysis, numbers: &[Option<usize>]) -> FxHashMap<(Code, us
 }
 
 /// Whether as many errors are left, and more of some warning.
-pub fn harms(before: &Analysis, after: &Analysis) -> bool {
+pub(super) fn harms(before: &Analysis, after: &Analysis) -> bool {
     let of = |severity: Severity| {
         [before, after].map(|analysis| {
             let all = analysis.findings().iter();
@@ -115,7 +115,7 @@ pub fn harms(before: &Analysis, after: &Analysis) -> bool {
 }
 
 /// How many findings there are of each code.
-pub fn counts<'a>(all: impl Iterator<Item = &'a Diagnostic>) -> BTreeMap<Code, usize> {
+pub(super) fn counts<'a>(all: impl Iterator<Item = &'a Diagnostic>) -> BTreeMap<Code, usize> {
     let mut counts = BTreeMap::new();
     all.for_each(|d| *counts.entry(d.code).or_default() += 1);
     counts

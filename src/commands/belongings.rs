@@ -1,6 +1,6 @@
 //! What belongs to a file besides its bytes.
 
-pub use system::{copy, has_other_names};
+pub(super) use system::{copy, has_other_names};
 
 #[cfg(unix)]
 mod system {
@@ -13,12 +13,12 @@ mod system {
     use xattr::FileExt;
 
     /// Whether the file has other names, hard links, which a new file would not have.
-    pub fn has_other_names(found: &Metadata) -> bool {
+    pub(crate) fn has_other_names(found: &Metadata) -> bool {
         found.nlink() > 1
     }
 
     /// Gives a new file the owner, the permissions and the attributes of another; access control lists are such ones.
-    pub fn copy(path: &Path, found: &Metadata, new: &File) -> io::Result<()> {
+    pub(crate) fn copy(path: &Path, found: &Metadata, new: &File) -> io::Result<()> {
         let owner = |file: &Metadata| (file.uid(), file.gid());
         if owner(&new.metadata()?) != owner(found) {
             fchown(new, Some(found.uid()), Some(found.gid()))?;

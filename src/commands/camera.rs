@@ -90,7 +90,7 @@ impl CameraArgs {
 /// # Errors
 ///
 /// There is none.
-pub fn one_camera(staged: &Scene, look: LookChoice) -> Result<Camera, Error> {
+pub(super) fn one_camera(staged: &Scene, look: LookChoice) -> Result<Camera, Error> {
     let mut cameras = staged.chosen_cameras();
     let camera = *cameras.next().ok_or_else(Error::nothing_to_draw)?;
     if cameras.next().is_some() {
@@ -107,7 +107,7 @@ pub fn one_camera(staged: &Scene, look: LookChoice) -> Result<Camera, Error> {
 /// # Errors
 ///
 /// There is none; the error names those that there are.
-pub fn number(scene: &Scene, id: u32) -> Result<usize, Error> {
+pub(super) fn number(scene: &Scene, id: u32) -> Result<usize, Error> {
     let cameras = &scene.cameras;
     if let Some(number) = cameras.iter().position(|c| c.id == id) {
         return Ok(number);

@@ -6,25 +6,25 @@ use embedded_graphics::prelude::{DrawTarget, Drawable, OriginDimensions, Pixel, 
 use embedded_graphics::text::{Baseline, Text};
 
 /// Of titles. Both fonts have the letters of English and Czech.
-pub const LARGE: MonoFont = iso_8859_2::FONT_10X20;
+pub(super) const LARGE: MonoFont = iso_8859_2::FONT_10X20;
 /// Of all else.
-pub const SMALL: MonoFont = iso_8859_2::FONT_7X13;
+pub(super) const SMALL: MonoFont = iso_8859_2::FONT_7X13;
 
-pub type Colour = [u8; 3];
+pub(super) type Colour = [u8; 3];
 
 /// What pictures lie on.
-pub const PAPER: Colour = [32; 3];
-pub const WHITE: Colour = [255; 3];
+pub(super) const PAPER: Colour = [32; 3];
+pub(super) const WHITE: Colour = [255; 3];
 
 /// Row by row, from the top.
-pub struct Canvas {
+pub(super) struct Canvas {
     pub width: u32,
     pub height: u32,
     pub rgb: Vec<u8>,
 }
 
 impl Canvas {
-    pub fn new([width, height]: [u32; 2], paper: Colour) -> Canvas {
+    pub(super) fn new([width, height]: [u32; 2], paper: Colour) -> Canvas {
         Canvas {
             width,
             height,
@@ -33,7 +33,14 @@ impl Canvas {
     }
 
     /// A text of one line from its upper left corner, as far as it fits.
-    pub fn write(&mut self, font: &MonoFont, [x, y]: [u32; 2], end: u32, ink: Colour, text: &str) {
+    pub(super) fn write(
+        &mut self,
+        font: &MonoFont,
+        [x, y]: [u32; 2],
+        end: u32,
+        ink: Colour,
+        text: &str,
+    ) {
         let fit = letters(font, end.saturating_sub(x));
         // A character of control would begin another line.
         let shown = |c: char| if c.is_control() { '?' } else { c };
@@ -44,7 +51,12 @@ impl Canvas {
     }
 
     /// One colour from a corner on.
-    pub fn fill(&mut self, [left, top]: [u32; 2], [width, height]: [u32; 2], colour: Colour) {
+    pub(super) fn fill(
+        &mut self,
+        [left, top]: [u32; 2],
+        [width, height]: [u32; 2],
+        colour: Colour,
+    ) {
         for y in top..top + height {
             for x in left..left + width {
                 self.dot(x, y, colour);
@@ -53,7 +65,7 @@ impl Canvas {
     }
 
     /// A picture of this width, whose right end must be within.
-    pub fn paste(&mut self, [left, top]: [u32; 2], width: u32, rgb: &[u8]) {
+    pub(super) fn paste(&mut self, [left, top]: [u32; 2], width: u32, rgb: &[u8]) {
         for (y, row) in (top..self.height).zip(rgb.chunks_exact(3 * width.max(1) as usize)) {
             let at = 3 * (y as usize * self.width as usize + left as usize);
             self.rgb[at..at + row.len()].copy_from_slice(row);
@@ -69,7 +81,7 @@ impl Canvas {
 }
 
 /// How many letters fit into a width.
-pub fn letters(font: &MonoFont, width: u32) -> usize {
+pub(super) fn letters(font: &MonoFont, width: u32) -> usize {
     (width / font.character_size.width) as usize
 }
 

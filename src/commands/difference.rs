@@ -73,7 +73,7 @@ fn place(lines: &Range<u32>) -> String {
 }
 
 /// Writes a unified diff.
-pub fn diff(out: &mut Vec<u8>, path: &str, old: &str, new: &str, colour: bool) {
+pub(super) fn diff(out: &mut Vec<u8>, path: &str, old: &str, new: &str, colour: bool) {
     let input = InternedInput::new(old, new);
     let hunks = hunks(&input, &difference::of(&input));
     // A name with spaces ends with a tab for `patch`, as git writes it.
@@ -102,7 +102,7 @@ pub fn diff(out: &mut Vec<u8>, path: &str, old: &str, new: &str, colour: bool) {
 
 /// What has changed in a line.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Change<'t> {
+pub(super) struct Change<'t> {
     /// The number of the line as it is now, from 1; of one that is gone, of what stands there now.
     pub line: usize,
     /// Without the words that both begin or end with; nothing where there was none, or is none.
@@ -111,7 +111,7 @@ pub struct Change<'t> {
 }
 
 /// What has changed, in the order of the lines.
-pub fn changes<'t>(old: &'t str, new: &'t str) -> Vec<Change<'t>> {
+pub(super) fn changes<'t>(old: &'t str, new: &'t str) -> Vec<Change<'t>> {
     let input = InternedInput::new(old, new);
     let diff = difference::of(&input);
     let (before, after): (Vec<&str>, Vec<&str>) = (old.lines().collect(), new.lines().collect());

@@ -14,7 +14,7 @@ const KNOWN: [&str; 18] = [
 
 /// Refuses a name with an ending that stands for something else than what is to be written, whose names end in `own`; the
 /// first of these is proposed. A name without an ending, or with one that zpg knows nothing of, fits everything.
-pub fn fits(path: &Path, own: &[&str]) -> Result<(), Complaint> {
+pub(super) fn fits(path: &Path, own: &[&str]) -> Result<(), Complaint> {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
     let is_one_of = |endings: &[&str]| endings.iter().any(|e| ending.eq_ignore_ascii_case(e));
     if !is_one_of(&KNOWN) || is_one_of(own) {
@@ -27,7 +27,7 @@ pub fn fits(path: &Path, own: &[&str]) -> Result<(), Complaint> {
 }
 
 /// Refuses to write a scene over one that is there already: somebody may have written it.
-pub fn is_new_scene(path: &Path) -> Result<(), Complaint> {
+pub(super) fn is_new_scene(path: &Path) -> Result<(), Complaint> {
     match path.metadata() {
         Ok(found) if found.is_file() && found.len() > 0 => {
             Err(Complaint::new("scene-is-there").with("path", path))

@@ -62,7 +62,7 @@ const HABITS: [(&str, &str); 55] = [
 ];
 
 /// The message about a word, if it is one of ruff's.
-pub fn message(word: &str) -> Option<&'static str> {
+pub(super) fn message(word: &str) -> Option<&'static str> {
     let word = word.split('=').next().unwrap_or(word);
     let habit = HABITS.iter().find(|(name, _)| *name == word);
     habit.map(|(_, message)| *message)
@@ -93,7 +93,7 @@ const SIDES: [(&str, &str); 20] = [
 ];
 
 /// The value that is meant by another word.
-pub fn value(word: &str) -> Option<&'static str> {
+pub(super) fn value(word: &str) -> Option<&'static str> {
     let word = plain(word);
     let side = SIDES.iter().find(|(name, _)| *name == word);
     side.map(|(_, value)| *value)

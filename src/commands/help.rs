@@ -40,16 +40,16 @@ const WORDS: [(&str, &str); 15] = [
 ];
 
 /// The headings of options, and the messages that say them. Options that most people need have none.
-pub const FILES: &str = "Files and settings";
-pub const CHOICE: &str = "Choice of findings";
-pub const PICTURE: &str = "Picture";
-pub const FRAMES: &str = "Frames";
-pub const ACCURACY: &str = "Accuracy and time";
-pub const REPORTS: &str = "Reports";
-pub const MACHINES: &str = "Several machines";
-pub const LIMITS: &str = "Limits";
-pub const QUESTION: &str = "Questions";
-pub const GLOBAL: &str = "Global options";
+pub(super) const FILES: &str = "Files and settings";
+pub(super) const CHOICE: &str = "Choice of findings";
+pub(super) const PICTURE: &str = "Picture";
+pub(super) const FRAMES: &str = "Frames";
+pub(super) const ACCURACY: &str = "Accuracy and time";
+pub(super) const REPORTS: &str = "Reports";
+pub(super) const MACHINES: &str = "Several machines";
+pub(super) const LIMITS: &str = "Limits";
+pub(super) const QUESTION: &str = "Questions";
+pub(super) const GLOBAL: &str = "Global options";
 
 const HEADINGS: [(&str, &str); 10] = [
     (FILES, "help-heading-files"),
@@ -65,7 +65,7 @@ const HEADINGS: [(&str, &str); 10] = [
 ];
 
 /// The command line with all texts in a language, laid out for a width.
-pub fn in_language(command: Command, language: Language, width: usize) -> Command {
+pub(super) fn in_language(command: Command, language: Language, width: usize) -> Command {
     let command = match language {
         Language::English => command,
         Language::Czech => translated(command, language),
@@ -84,14 +84,14 @@ fn fitted(command: Command, width: usize) -> Command {
 }
 
 /// What clap has laid out, with its own words in a language, and without lines that are wider than this.
-pub fn shown(text: String, language: Language, width: usize) -> String {
+pub(super) fn shown(text: String, language: Language, width: usize) -> String {
     let text = own_words(text, language);
     let lines = text.split('\n').map(|line| hanging(line, width));
     lines.collect::<Vec<_>>().join("\n")
 }
 
 /// The same, in lines of any width.
-pub fn own_words(text: String, language: Language) -> String {
+pub(super) fn own_words(text: String, language: Language) -> String {
     match language {
         Language::English => text,
         Language::Czech => {
@@ -113,7 +113,7 @@ pub fn own_words(text: String, language: Language) -> String {
 
 /// The command line with the descriptions that shells show in a language. It reads nothing: what values mean stands
 /// with the values, and their parsers are gone.
-pub fn described(mut command: Command, language: Language) -> Command {
+pub(super) fn described(mut command: Command, language: Language) -> Command {
     command.build();
     match language {
         Language::English => command,
@@ -122,7 +122,7 @@ pub fn described(mut command: Command, language: Language) -> Command {
 }
 
 /// The command with what its options for help and for the version do in a language. It has been built before.
-pub fn described_help(command: Command, language: Language) -> Command {
+pub(super) fn described_help(command: Command, language: Language) -> Command {
     command.mut_args(|arg| of_clap(arg, language))
 }
 

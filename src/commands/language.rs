@@ -26,7 +26,7 @@ impl From<LanguageChoice> for Language {
 const VARIABLES: [&str; 3] = ["LC_ALL", "LC_MESSAGES", "LANG"];
 
 /// The language of the environment.
-pub fn of_environment() -> Language {
+pub(super) fn of_environment() -> Language {
     chosen(|name| std::env::var_os(name))
 }
 
@@ -46,7 +46,7 @@ fn is_czech(locale: &OsStr) -> bool {
 }
 
 /// What `--lang` says among arguments of which the rest cannot be read.
-pub fn among(args: impl Iterator<Item = OsString>) -> Option<LanguageChoice> {
+pub(super) fn among(args: impl Iterator<Item = OsString>) -> Option<LanguageChoice> {
     let args: Vec<_> = args.map(|a| a.to_string_lossy().into_owned()).collect();
     let options = args.iter().take_while(|a| *a != "--").enumerate();
     let values = options.filter_map(|(i, arg)| match arg.strip_prefix("--lang")? {

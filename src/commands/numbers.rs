@@ -28,7 +28,7 @@ impl ValueEnum for Numbers {
 
 /// A number in an answer. Zero has no sign.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Written {
+pub(super) enum Written {
     Single(f32),
     Double(f64),
     /// Decimal digits.
@@ -47,7 +47,7 @@ impl Serialize for Written {
 
 /// A precision whose numbers can be written: the shortest decimals that read back as the same
 /// number, or for double-double a string of 32 significant digits.
-pub trait Writable: Precision {
+pub(super) trait Writable: Precision {
     fn written(self) -> Written;
 }
 

@@ -5,7 +5,7 @@ use crate::diagnostics::layout::{hanging, wrapped};
 
 /// How a page is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PageStyle {
+pub(super) enum PageStyle {
     Markdown,
     Text { colour: bool },
 }
@@ -16,7 +16,7 @@ const CODE: &str = "\u{1b}[36m";
 const PLAIN: &str = "\u{1b}[0m";
 
 /// The page in lines no wider than this. Examples stay as they are.
-pub fn laid_out(page: &str, form: PageStyle, width: usize) -> String {
+pub(super) fn laid_out(page: &str, form: PageStyle, width: usize) -> String {
     let mut pages = Pages {
         form,
         width,

@@ -18,7 +18,7 @@ fn place(path: &Path) -> PathBuf {
 }
 
 /// Refuses to write over a scene or a picture that it names, or to write two things to one file.
-pub fn refuse_overwrite<'p>(
+pub(super) fn refuse_overwrite<'p>(
     file: &Path,
     loaded: &Analysis,
     written: impl IntoIterator<Item = &'p Path>,
@@ -51,7 +51,10 @@ pub fn refuse_overwrite<'p>(
 }
 
 /// Refuses to write over one of these scenes.
-pub fn refuse_overwrite_of_scenes(scenes: &[PathBuf], written: &Path) -> Result<(), Complaint> {
+pub(super) fn refuse_overwrite_of_scenes(
+    scenes: &[PathBuf],
+    written: &Path,
+) -> Result<(), Complaint> {
     let Ok(there) = written.canonicalize() else {
         return Ok(());
     };

@@ -20,7 +20,7 @@ const OTHER_TOOLS: [&str; 59] = [
 
 /// Refuses to change a file that is another tool's by its name, unless that is forced, or is no regular file. Where nothing
 /// is written in the end, a pipe may be read.
-pub fn allow(path: &Path, force: bool, writes: bool) -> Result<(), Complaint> {
+pub(super) fn allow(path: &Path, force: bool, writes: bool) -> Result<(), Complaint> {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
     if !force && OTHER_TOOLS.iter().any(|e| ending.eq_ignore_ascii_case(e)) {
         return Err(Complaint::new("other-ending")
@@ -41,7 +41,7 @@ fn refused(path: &Path, why: &'static str) -> Complaint {
 
 /// The bytes of a scene with another text, in its encoding. Nothing may be lost, and it must be known
 /// for a scene when it is read again; `read_again` asks to look at its records, too.
-pub fn bytes_of<'t>(
+pub(super) fn bytes_of<'t>(
     scene: &SourceFile,
     text: &'t str,
     read_again: bool,
@@ -63,7 +63,7 @@ pub fn bytes_of<'t>(
 }
 
 /// Replaces a file as [`atomic_file`] does.
-pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
+pub(super) fn replace(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
     let found = fs::metadata(path).map_err(|e| unwritable(path, &e))?;
     if !found.is_file() {
         return Err(refused(path, "no-regular-file"));

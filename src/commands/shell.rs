@@ -1,7 +1,7 @@
 //! Words of command lines that zpg writes for people and scripts.
 
 /// A word as a shell reads it.
-pub fn quoted(word: &str) -> String {
+pub(super) fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./,:=+@".contains(c);
     match word.chars().all(is_plain) && !word.is_empty() {
         true => word.to_owned(),

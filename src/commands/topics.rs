@@ -4,7 +4,7 @@ use crate::diagnostics::Language;
 use crate::syntax::words::plain;
 
 /// A page.
-pub struct Topic {
+pub(super) struct Topic {
     /// In English and in Czech.
     titles: [&'static str; 2],
     /// What else leads here, without accents and in lower case.
@@ -23,7 +23,7 @@ macro_rules! texts {
     };
 }
 
-pub const TOPICS: [Topic; 5] = [
+pub(super) const TOPICS: [Topic; 5] = [
     Topic {
         titles: ["glass", "sklo"],
         words: &["transparent", "transparency", "pruhledny", "pruhlednost"],
@@ -53,7 +53,7 @@ pub const TOPICS: [Topic; 5] = [
 
 impl Topic {
     /// The topic of a word.
-    pub fn of(word: &str) -> Option<&'static Topic> {
+    pub(super) fn of(word: &str) -> Option<&'static Topic> {
         let word = plain(word);
         let is_its = |topic: &&Topic| {
             let mut titles = topic.titles.iter().map(|title| plain(title));
@@ -63,12 +63,12 @@ impl Topic {
     }
 
     /// What it is called.
-    pub fn title(&self, language: Language) -> &'static str {
+    pub(super) fn title(&self, language: Language) -> &'static str {
         self.titles[usize::from(language == Language::Czech)]
     }
 
     /// What is to be said of it, as Markdown.
-    pub fn text(&self, language: Language) -> &'static str {
+    pub(super) fn text(&self, language: Language) -> &'static str {
         self.texts[usize::from(language == Language::Czech)]
     }
 }

@@ -20,7 +20,7 @@ const QUIET: Duration = Duration::from_millis(100);
 
 /// Runs `work` now and after every change of a scene, of a picture that scenes name, or of settings, until it is stopped.
 /// Changes of files that `is_made` by the work do not count. Once `stop` is set, it ends.
-pub fn run(
+pub(super) fn run(
     paths: &[PathBuf],
     look: LookChoice,
     stop: &AtomicBool,

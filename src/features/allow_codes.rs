@@ -8,7 +8,7 @@ use crate::syntax::lexer::Token;
 use super::completion::{Completion, Insert, Proposal, SnippetPart, Sort};
 
 /// The codes that may stand at an offset: those of findings first, the nearest one at the top. `None` elsewhere.
-pub fn completion(analysis: &Analysis, offset: u32) -> Option<Completion> {
+pub(super) fn completion(analysis: &Analysis, offset: u32) -> Option<Completion> {
     let tokens = &analysis.document.tokens;
     let at = tokens
         .partition_point(|t| t.start < offset)

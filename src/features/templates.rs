@@ -21,7 +21,7 @@ const COMMON: [i32; 24] = [
 ];
 
 /// Types in the order in which people use them: what this file has most of first, then what scenes have.
-pub fn by_use(analysis: &Analysis) -> Vec<&'static RecordType> {
+pub(super) fn by_use(analysis: &Analysis) -> Vec<&'static RecordType> {
     let mut used: FxHashMap<i32, usize> = FxHashMap::default();
     for record in entity::records(analysis) {
         *used.entry(record.ty().code).or_default() += 1;
@@ -38,14 +38,19 @@ pub fn by_use(analysis: &Analysis) -> Vec<&'static RecordType> {
 
 /// The text that an editor compares with a word that somebody types, if the word begins one of the names. Accents do
 /// not count, so the word itself is the beginning of the text.
-pub fn filter(word: &str, names: &[String]) -> Option<String> {
+pub(super) fn filter(word: &str, names: &[String]) -> Option<String> {
     let typed = plain(word);
     let fits = names.iter().find_map(|name| name.strip_prefix(&typed))?;
     Some(format!("{word}{fits} {}", names.join(" ")))
 }
 
 /// Whole records whose type begins with a word: for an empty one all that may begin here.
-pub fn records(analysis: &Analysis, word: &str, before: u32, language: Language) -> Vec<Proposal> {
+pub(super) fn records(
+    analysis: &Analysis,
+    word: &str,
+    before: u32,
+    language: Language,
+) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = new_scene(analysis, word, language).into_iter().collect();
     all.extend(by_use(analysis).into_iter().filter_map(|ty| {
         let filter = filter(word, &names(ty))?;
@@ -62,11 +67,11 @@ pub fn records(analysis: &Analysis, word: &str, before: u32, language: Language)
     all
 }
 
-pub fn doc(ty: &RecordType, language: Language) -> String {
+pub(super) fn doc(ty: &RecordType, language: Language) -> String {
     format!("{}\n\n```zpg\n{}\n```\n", ty.summary(language), ty.example)
 }
 
-pub fn sort(ty: &RecordType) -> Sort {
+pub(super) fn sort(ty: &RecordType) -> Sort {
     match ty.family {
         Family::Shape => Sort::Shape,
         Family::Operation => Sort::Operation,
@@ -87,7 +92,7 @@ fn subject(analysis: &Analysis, ty: &RecordType, before: u32) -> Option<u32> {
 
 /// A record as a text with places to fill, each with a value that is right: the numbers of the type's example; for
 /// references the last entities of the file that fit.
-pub fn record(
+pub(super) fn record(
     id: Option<String>,
     ty: &'static RecordType,
     analysis: &Analysis,

@@ -11,17 +11,17 @@ use crate::syntax::{Document, Record};
 
 /// The text, the tree and the options, which all of the printing looks at.
 #[derive(Clone, Copy)]
-pub struct Context<'a> {
+pub(super) struct Context<'a> {
     pub text: &'a str,
     pub document: &'a Document,
     pub options: &'a Options,
 }
 
 /// How far the ID and the type go, before the parameters.
-pub const HEAD: usize = 2;
+pub(super) const HEAD: usize = 2;
 
 /// One value.
-pub struct Cell<'a> {
+pub(super) struct Cell<'a> {
     pub text: Cow<'a, str>,
     /// Characters in front of the decimal point, and from it on.
     before: usize,
@@ -29,21 +29,21 @@ pub struct Cell<'a> {
 }
 
 impl Cell<'_> {
-    pub fn width(&self) -> usize {
+    pub(super) fn width(&self) -> usize {
         self.before + self.after
     }
 }
 
 impl<'a> Context<'a> {
     /// The record's tokens with the comments between them, but nothing else.
-    pub fn tokens(&self, record: &Record) -> impl Iterator<Item = &'a Token> + use<'a> {
+    pub(super) fn tokens(&self, record: &Record) -> impl Iterator<Item = &'a Token> + use<'a> {
         self.document.tokens[record.first as usize..=record.last as usize]
             .iter()
             .filter(|t| !t.kind().is_trivia() || t.kind().is_comment())
     }
 
     /// The `i`-th value of a record, counting the ID and the type.
-    pub fn cell(&self, record: &Record, i: usize, token: &Token) -> Cell<'a> {
+    pub(super) fn cell(&self, record: &Record, i: usize, token: &Token) -> Cell<'a> {
         let spelled = token.text(self.text);
         let kind = kind(record, i);
         if kind == ParamKind::Real
@@ -82,7 +82,7 @@ impl<'a> Context<'a> {
     }
 
     /// How many spaces stand between the values of a record.
-    pub fn gaps(&self, record: &Record) -> Gaps {
+    pub(super) fn gaps(&self, record: &Record) -> Gaps {
         match self.options.group {
             true => Gaps::of(record),
             false => Gaps::default(),
@@ -106,7 +106,7 @@ fn kind(record: &Record, i: usize) -> ParamKind {
 
 /// Where two spaces stand in a record, and not one.
 #[derive(Clone, Copy, Default)]
-pub struct Gaps {
+pub(super) struct Gaps {
     /// A bit for each value that begins a vector, the ID being the lowest.
     wide: u32,
     /// The number of points, and the type that says how many values each has.
@@ -135,7 +135,7 @@ impl Gaps {
     }
 
     /// How many spaces stand before the `i`-th value, the ID not counted.
-    pub fn before(&self, i: usize) -> usize {
+    pub(super) fn before(&self, i: usize) -> usize {
         let wide = match self.points {
             None => i < u32::BITS as usize && self.wide >> i & 1 == 1,
             Some((count, ty)) => starts_point(ty, count, i),
@@ -160,31 +160,31 @@ fn starts_point(ty: &RecordType, count: usize, i: usize) -> bool {
 
 /// Values under each other, their decimal points in one place.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Column {
+pub(super) struct Column {
     before: usize,
     after: usize,
 }
 
 impl Column {
     #[inline]
-    pub fn widen(&mut self, cell: &Cell) {
+    pub(super) fn widen(&mut self, cell: &Cell) {
         self.before = self.before.max(cell.before);
         self.after = self.after.max(cell.after);
     }
 
-    pub fn width(&self) -> usize {
+    pub(super) fn width(&self) -> usize {
         self.before + self.after
     }
 
     /// Writes a cell in its place; how many spaces belong behind it, if something follows.
-    pub fn write(&self, out: &mut String, cell: &Cell) -> usize {
+    pub(super) fn write(&self, out: &mut String, cell: &Cell) -> usize {
         spaces(out, self.before - cell.before);
         out.push_str(&cell.text);
         self.after - cell.after
     }
 }
 
-pub fn spaces(out: &mut String, count: usize) {
+pub(super) fn spaces(out: &mut String, count: usize) {
     const SPACES: &str = "                                ";
     let mut left = count;
     while left > 0 {
@@ -196,6 +196,6 @@ pub fn spaces(out: &mut String, count: usize) {
 
 /// Whether something aligned may be so wide: within the page, or if it does not fit there anyway, not
 /// much wider than it has to be.
-pub fn may_align(aligned: usize, unaligned: usize, width: usize) -> bool {
+pub(super) fn may_align(aligned: usize, unaligned: usize, width: usize) -> bool {
     aligned <= width.max(unaligned + unaligned / 4)
 }

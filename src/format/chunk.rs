@@ -8,7 +8,7 @@ use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::{Document, Item, commas};
 
 /// A record, or a comment between records.
-pub struct Element<'a> {
+pub(super) struct Element<'a> {
     pub piece: Fragment<'a>,
     /// The first and the last token.
     pub first: u32,
@@ -18,7 +18,7 @@ pub struct Element<'a> {
 }
 
 #[derive(Clone, Copy)]
-pub enum Fragment<'a> {
+pub(super) enum Fragment<'a> {
     Item(&'a Item),
     Comment,
     /// A token that belongs to no item.
@@ -27,7 +27,7 @@ pub enum Fragment<'a> {
 
 /// Neighbours without a line break between them.
 #[derive(Default)]
-pub struct Chunk<'a> {
+pub(super) struct Chunk<'a> {
     pub elements: Vec<Element<'a>>,
     /// There is a blank line before it.
     pub after_blank_line: bool,
@@ -35,7 +35,7 @@ pub struct Chunk<'a> {
 
 impl<'a> Chunk<'a> {
     /// From its first to its last character.
-    pub fn span(&self, document: &Document) -> Range<usize> {
+    pub(super) fn span(&self, document: &Document) -> Range<usize> {
         match (self.elements.first(), self.elements.last()) {
             (Some(first), Some(last)) => document.span(first.first, last.last).range(),
             _ => 0..0,
@@ -43,11 +43,11 @@ impl<'a> Chunk<'a> {
     }
 
     /// Whether its layout may bear witness to what was meant.
-    pub fn is_frozen(&self) -> bool {
+    pub(super) fn is_frozen(&self) -> bool {
         self.elements.iter().any(|e| e.frozen)
     }
 
-    pub fn items(&self) -> impl Iterator<Item = &'a Item> {
+    pub(super) fn items(&self) -> impl Iterator<Item = &'a Item> {
         self.elements.iter().filter_map(|e| match e.piece {
             Fragment::Item(item) => Some(item),
             Fragment::Comment | Fragment::Unread => None,
@@ -55,7 +55,7 @@ impl<'a> Chunk<'a> {
     }
 
     /// The whole lines of the chunk with all white space, but for the last line break.
-    pub fn whole_lines(&self, text: &str, document: &Document) -> Range<usize> {
+    pub(super) fn whole_lines(&self, text: &str, document: &Document) -> Range<usize> {
         let Range { start, end } = self.span(document);
         let mark = match text.starts_with(super::BYTE_ORDER_MARK) {
             true => super::BYTE_ORDER_MARK.len_utf8(),
@@ -70,7 +70,7 @@ impl<'a> Chunk<'a> {
 const BREAKS: [char; 2] = ['\n', '\r'];
 
 /// Cuts a part of a scene into chunks.
-pub struct Chunks<'a> {
+pub(super) struct Chunks<'a> {
     text: &'a str,
     document: &'a Document,
     items: &'a [Item],
@@ -82,7 +82,7 @@ pub struct Chunks<'a> {
 }
 
 impl<'a> Chunks<'a> {
-    pub fn new(text: &'a str, document: &'a Document, part: &DocumentRange) -> Chunks<'a> {
+    pub(super) fn new(text: &'a str, document: &'a Document, part: &DocumentRange) -> Chunks<'a> {
         Chunks {
             text,
             document,
@@ -94,7 +94,7 @@ impl<'a> Chunks<'a> {
     }
 
     /// Makes the chunk the next one; `false` if there is none.
-    pub fn next(&mut self, chunk: &mut Chunk<'a>) -> bool {
+    pub(super) fn next(&mut self, chunk: &mut Chunk<'a>) -> bool {
         chunk.elements.clear();
         chunk.after_blank_line = false;
         let tokens = &self.document.tokens[..self.end];

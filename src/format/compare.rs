@@ -12,7 +12,7 @@ pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
 
 /// Whether a text plainly says the same as a scene: `true` means what [`same_content`] says of the two, `false`
 /// nothing. Values are compared as the parser read them, not as they are spelled.
-pub fn are_plainly_same(old: &str, document: &Document, new: &str) -> bool {
+pub(super) fn are_plainly_same(old: &str, document: &Document, new: &str) -> bool {
     let Some(other) = parser::parse_plain(new) else {
         return false;
     };
@@ -48,7 +48,7 @@ const INTEGERS: f64 = 9_007_199_254_740_992.0;
 
 /// The items of the first scene that are not the same in the second, or not in the same place among
 /// its numbers.
-pub fn differences(a: (&str, &Document), b: (&str, &Document)) -> Vec<usize> {
+pub(super) fn differences(a: (&str, &Document), b: (&str, &Document)) -> Vec<usize> {
     let same = |x: &Item, y: &Item| same_item((a.0, a.1, x), (b.0, b.1, y));
     let (mut items, mut others): (Vec<_>, Vec<_>) = (places(a.1).collect(), places(b.1).collect());
     // What is the same up to the end is no difference, however much else is read before it.
@@ -94,7 +94,9 @@ fn places(document: &Document) -> impl Iterator<Item = (usize, usize, &Item)> {
         })
 }
 
-pub fn comments<'a>((text, document): (&'a str, &'a Document)) -> impl Iterator<Item = &'a str> {
+pub(super) fn comments<'a>(
+    (text, document): (&'a str, &'a Document),
+) -> impl Iterator<Item = &'a str> {
     document.comments().map(move |t| t.text(text))
 }
 

@@ -7,13 +7,13 @@ use crate::syntax::lexer::TokenKind;
 
 /// Items and tokens of a scene that follow one another. A part that is not the first begins with a line break: the record
 /// before it, and the comments behind that record on its line, belong to the part before.
-pub struct DocumentRange {
+pub(super) struct DocumentRange {
     pub items: Range<usize>,
     pub tokens: Range<usize>,
 }
 
 impl DocumentRange {
-    pub fn whole(document: &Document) -> DocumentRange {
+    pub(super) fn whole(document: &Document) -> DocumentRange {
         DocumentRange {
             items: 0..document.items.len(),
             tokens: 0..document.tokens.len(),
@@ -21,7 +21,7 @@ impl DocumentRange {
     }
 
     /// At most `count` parts, with about as many tokens each. A part that is not the first one follows a record.
-    pub fn cut(document: &Document, count: usize) -> Vec<DocumentRange> {
+    pub(super) fn cut(document: &Document, count: usize) -> Vec<DocumentRange> {
         let Document { items, tokens, .. } = document;
         let mut rest = DocumentRange::whole(document);
         let mut parts = Vec::new();
@@ -44,12 +44,12 @@ impl DocumentRange {
         parts
     }
 
-    pub fn is_first(&self) -> bool {
+    pub(super) fn is_first(&self) -> bool {
         self.tokens.start == 0
     }
 
     /// How long it is in the text.
-    pub fn length(&self, document: &Document) -> usize {
+    pub(super) fn length(&self, document: &Document) -> usize {
         let tokens = &document.tokens[self.tokens.clone()];
         match (tokens.first(), tokens.last()) {
             (Some(first), Some(last)) => first.span().to(last.span()).range().len(),

@@ -13,7 +13,7 @@ use crate::syntax::{Item, is_directive};
 
 /// The parts of the file's own layout that are kept, besides the lines with something that could not be read.
 #[derive(Debug, Default)]
-pub struct Care {
+pub(super) struct Care {
     /// The first tokens of items whose lines stay as they are.
     pub items: HashSet<u32>,
     /// A `0` that introduces a comment behind a record stays.
@@ -21,7 +21,7 @@ pub struct Care {
 }
 
 /// Puts the chunks of a file on a page, one after another.
-pub struct Printer<'a> {
+pub(super) struct Printer<'a> {
     context: Context<'a>,
     care: &'a Care,
     pub page: Page<'a>,
@@ -42,7 +42,7 @@ struct Line<'a> {
 }
 
 impl<'a> Printer<'a> {
-    pub fn new(context: Context<'a>, care: &'a Care, page: Page<'a>) -> Printer<'a> {
+    pub(super) fn new(context: Context<'a>, care: &'a Care, page: Page<'a>) -> Printer<'a> {
         Printer {
             context,
             care,
@@ -53,19 +53,19 @@ impl<'a> Printer<'a> {
         }
     }
 
-    pub fn finish(mut self) -> Page<'a> {
+    pub(super) fn finish(mut self) -> Page<'a> {
         self.run.print(&self.context, &mut self.page);
         self.page
     }
 
-    pub fn blank_line(&mut self) {
+    pub(super) fn blank_line(&mut self) {
         self.run.print(&self.context, &mut self.page);
         self.page.blank_line();
         self.spoken_to = false;
     }
 
     /// Prints a chunk.
-    pub fn chunk(&mut self, chunk: &Chunk<'a>, wanted: bool) {
+    pub(super) fn chunk(&mut self, chunk: &Chunk<'a>, wanted: bool) {
         let mut lines = std::mem::take(&mut self.lines);
         set_lines(&mut lines, chunk, &self.context);
         let spoken_to = self.spoken_to || self.speaks(chunk);

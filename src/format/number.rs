@@ -9,7 +9,7 @@ const CERTAIN_DIGITS: usize = 15;
 
 /// The spelling of a number where any number may stand. `value` is what `text` reads as. A number that is not finite
 /// stays as it is.
-pub fn real(text: &str, value: f64) -> Cow<'_, str> {
+pub(super) fn real(text: &str, value: f64) -> Cow<'_, str> {
     match plain(text) {
         Some(spelled) => spelled,
         None if value.is_finite() => shortest(text, value),
@@ -20,7 +20,7 @@ pub fn real(text: &str, value: f64) -> Cow<'_, str> {
 /// The length of the part before the point of a number that is surely spelled as it should be; `None` says
 /// nothing.
 #[inline]
-pub fn canonical(text: &str) -> Option<usize> {
+pub(super) fn canonical(text: &str) -> Option<usize> {
     let bytes = text.as_bytes();
     let digits = |from: usize| {
         let rest = bytes.get(from..).unwrap_or_default();
@@ -48,7 +48,7 @@ pub fn canonical(text: &str) -> Option<usize> {
 
 /// A number where an integer is needed. What is no integer is left as it is, and so are `-0` and `-00`: read as reals they
 /// are −0, which `0` is not.
-pub fn integer(text: &str) -> Cow<'_, str> {
+pub(super) fn integer(text: &str) -> Cow<'_, str> {
     let digits = text.strip_prefix('-').unwrap_or(text);
     if digits.starts_with(|c: char| c.is_ascii_digit() && c != '0') || digits == "0" {
         return text.into();

@@ -18,7 +18,7 @@ enum Last {
     Record,
 }
 
-pub struct Page<'a> {
+pub(super) struct Page<'a> {
     options: &'a Options,
     line_break: &'static str,
     /// The lines, without the spaces between records and the comments behind them.
@@ -58,7 +58,7 @@ const GAP: u32 = 2;
 
 impl<'a> Page<'a> {
     /// An empty page, for about so many bytes.
-    pub fn new(options: &'a Options, line_break: &'static str, capacity: usize) -> Page<'a> {
+    pub(super) fn new(options: &'a Options, line_break: &'static str, capacity: usize) -> Page<'a> {
         Page {
             options,
             line_break,
@@ -73,17 +73,17 @@ impl<'a> Page<'a> {
     }
 
     /// The page goes on where another one ended, with a record.
-    pub fn follows_record(&mut self) {
+    pub(super) fn follows_record(&mut self) {
         self.last = Last::Record;
     }
 
     /// Writes a mark that begins the file without being a line.
-    pub fn mark(&mut self, mark: char) {
+    pub(super) fn mark(&mut self, mark: char) {
         self.text.push(mark);
         self.line = self.text.len();
     }
 
-    pub fn blank_line(&mut self) {
+    pub(super) fn blank_line(&mut self) {
         self.end_column();
         if self.last != Last::Blank {
             self.text.push_str(self.line_break);
@@ -93,7 +93,7 @@ impl<'a> Page<'a> {
     }
 
     /// Begins a heading: there is a blank line before it, unless it belongs to comments above.
-    pub fn heading(&mut self) {
+    pub(super) fn heading(&mut self) {
         self.end_column();
         if self.last == Last::Record {
             self.blank_line();
@@ -101,13 +101,13 @@ impl<'a> Page<'a> {
     }
 
     /// Lines as they are.
-    pub fn verbatim(&mut self, text: &str) {
+    pub(super) fn verbatim(&mut self, text: &str) {
         self.end_column();
         self.put(text, Last::Record);
     }
 
     /// A line of comments.
-    pub fn comment(&mut self, text: &str) {
+    pub(super) fn comment(&mut self, text: &str) {
         self.end_column();
         self.put(text, Last::Comment);
     }
@@ -118,17 +118,17 @@ impl<'a> Page<'a> {
     }
 
     /// The next comment starts a new column.
-    pub fn end_column(&mut self) {
+    pub(super) fn end_column(&mut self) {
         self.apart = true;
     }
 
     /// Where a line of a record is written, up to [`Page::end_line`].
-    pub fn line(&mut self) -> &mut String {
+    pub(super) fn line(&mut self) -> &mut String {
         &mut self.text
     }
 
     /// Ends a line of a record, with the comments behind it.
-    pub fn end_line<'t>(&mut self, comments: impl Iterator<Item = &'t str>) {
+    pub(super) fn end_line<'t>(&mut self, comments: impl Iterator<Item = &'t str>) {
         let code = self.text.len();
         for comment in comments {
             if self.text.len() > code {
@@ -178,7 +178,7 @@ impl<'a> Page<'a> {
 }
 
 /// The text of pages that follow one another, and where in it stands what is asked for.
-pub fn join(mut pages: Vec<Page>) -> (String, Option<Range<usize>>) {
+pub(super) fn join(mut pages: Vec<Page>) -> (String, Option<Range<usize>>) {
     if let [page] = pages.as_mut_slice()
         && page.comments.is_empty()
     {

@@ -50,7 +50,7 @@ struct Row {
 }
 
 /// Whether a record is printed in rows.
-pub fn is_wanted(context: &Context, record: &Record) -> bool {
+pub(super) fn is_wanted(context: &Context, record: &Record) -> bool {
     if is_matrix(record.ty()) {
         return true;
     }
@@ -142,7 +142,7 @@ fn parts<'a>(context: &Context<'a>, record: &Record) -> Vec<RowPart<'a>> {
 }
 
 /// Prints a record in rows.
-pub fn print<'a>(context: &Context<'a>, page: &mut Page, entry: &RecordLine<'a>) {
+pub(super) fn print<'a>(context: &Context<'a>, page: &mut Page, entry: &RecordLine<'a>) {
     let record = entry.record;
     let parts = parts(context, record);
     let mut sections = sections(record);

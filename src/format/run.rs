@@ -9,7 +9,7 @@ use super::width::display_width;
 use crate::syntax::Record;
 
 /// A record with the comments on its line.
-pub struct RecordLine<'a> {
+pub(super) struct RecordLine<'a> {
     pub record: &'a Record,
     /// From the first comment before the record to the last behind it, as tokens.
     pub tokens: (u32, u32),
@@ -26,7 +26,7 @@ impl<'a> RecordLine<'a> {
     }
 
     /// Comments behind the record.
-    pub fn trail(&self, context: &Context<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
+    pub(super) fn trail(&self, context: &Context<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
         let (from, to) = (self.record.last + 1, self.tokens.1 + 1);
         comments(context, from, to, self.keeps_zero)
     }
@@ -37,7 +37,7 @@ impl<'a> RecordLine<'a> {
     }
 
     /// Writes what stands before the record.
-    pub fn write_lead(&self, context: &Context<'a>, out: &mut String) {
+    pub(super) fn write_lead(&self, context: &Context<'a>, out: &mut String) {
         for comment in self.lead(context) {
             out.push_str(comment);
             out.push(' ');
@@ -60,7 +60,7 @@ fn comments<'a>(
 }
 
 /// Whether there are comments in a record.
-pub fn has_comments(context: &Context, record: &Record) -> bool {
+pub(super) fn has_comments(context: &Context, record: &Record) -> bool {
     // Most have nothing but their numbers.
     record.last - record.first > record.params + 1
         && context.tokens(record).any(|t| t.kind().is_comment())
@@ -68,7 +68,7 @@ pub fn has_comments(context: &Context, record: &Record) -> bool {
 
 /// Neighbours of one type whose lines may stand in columns.
 #[derive(Default)]
-pub struct Run<'a> {
+pub(super) struct Run<'a> {
     entries: Vec<RecordLine<'a>>,
     /// The values of the first records, one record after another; at most so many as [`KEPT`] says.
     cells: Vec<Cell<'a>>,
@@ -84,7 +84,7 @@ const KEPT: usize = 1 << 12;
 
 impl<'a> Run<'a> {
     /// Adds a record; prints those before it if it does not belong with them.
-    pub fn push(&mut self, context: &Context<'a>, page: &mut Page, entry: RecordLine<'a>) {
+    pub(super) fn push(&mut self, context: &Context<'a>, page: &mut Page, entry: RecordLine<'a>) {
         if rows::is_wanted(context, entry.record) {
             self.print(context, page);
             page.end_column();
@@ -134,7 +134,7 @@ impl<'a> Run<'a> {
     }
 
     /// Prints the records.
-    pub fn print(&mut self, context: &Context<'a>, page: &mut Page) {
+    pub(super) fn print(&mut self, context: &Context<'a>, page: &mut Page) {
         let aligned = self.may_align(context);
         let mut kept = self.cells.as_slice();
         for entry in self.entries.drain(..) {
@@ -162,7 +162,7 @@ impl<'a> Run<'a> {
 }
 
 /// The values of a record.
-pub fn cells<'a>(
+pub(super) fn cells<'a>(
     context: &Context<'a>,
     record: &'a Record,
 ) -> impl Iterator<Item = Cell<'a>> + use<'a> {
@@ -201,7 +201,7 @@ fn write<'a>(
 }
 
 /// How wide a record is on one line by itself, with the comments in it.
-pub fn natural_width(context: &Context, record: &Record) -> usize {
+pub(super) fn natural_width(context: &Context, record: &Record) -> usize {
     let mut out = String::new();
     write(context, &mut out, record, cells(context, record), None);
     display_width(&out)

@@ -14,7 +14,7 @@ use crate::syntax::directive::{Allow, is_directive};
 use crate::syntax::lexer::{Token, TokenKind};
 
 /// The comments that say so, as tokens.
-pub fn comments(context: &Context) -> Vec<u32> {
+pub(super) fn comments(context: &Context) -> Vec<u32> {
     let tokens = match context.document.contents.directives {
         true => context.document.tokens.as_slice(),
         false => &[],
@@ -25,7 +25,7 @@ pub fn comments(context: &Context) -> Vec<u32> {
 }
 
 /// Takes out what these comments allow, and adds what is wrong with them. Sorts the findings, if there are any comments.
-pub fn apply(context: &Context, comments: &[u32], out: &mut Vec<Diagnostic>) {
+pub(super) fn apply(context: &Context, comments: &[u32], out: &mut Vec<Diagnostic>) {
     if comments.is_empty() {
         return;
     }

@@ -6,17 +6,17 @@ use crate::trace::{Settings, Tracer};
 use std::ops::ControlFlow;
 
 /// The size of the picture, in pixels: a few milliseconds in all.
-pub const SIZE: [u32; 2] = [72, 54];
+pub(super) const SIZE: [u32; 2] = [72, 54];
 /// Every so many of its pixels are looked at first.
 const SCATTERED: usize = 73;
 /// Larger scenes take longer than a few milliseconds to be made ready.
-pub const MAX_NODES: usize = 1000;
+pub(super) const MAX_NODES: usize = 1000;
 /// Tests of shapes in a picture, each as dear as 80 of boxes: nothing is said of what takes longer to look at.
 const MAX_TESTS: u64 = 18_000;
 
 /// Shows the pixels of a small picture to `look`, until that breaks off: scattered ones first, then all. `None` where the
 /// picture cannot be taken or takes too long.
-pub fn glance(
+pub(super) fn glance(
     scene: &Scene,
     camera: &Camera,
     depth: u32,

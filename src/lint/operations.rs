@@ -10,12 +10,12 @@ use crate::scene::{Node, NodeId, fold_up};
 use crate::solids::proofs::{Literals, Proofs, Reason};
 
 /// An intersection or a difference of which something is known.
-pub struct Proven {
+pub(super) struct Proven {
     pub node: NodeId,
     pub what: Proof,
 }
 
-pub enum Proof {
+pub(super) enum Proof {
     /// There is nothing in it, because of two nodes.
     Empty(NodeId, NodeId, Reason),
     /// A difference whose operands have nothing in common.
@@ -23,7 +23,7 @@ pub enum Proof {
 }
 
 /// All such operations, in the order of the nodes. Those of an empty operand are left out: of that has been spoken.
-pub fn proven(context: &Context) -> Vec<Proven> {
+pub(super) fn proven(context: &Context) -> Vec<Proven> {
     let scene = context.scene;
     let bounds = context.bounds();
     let mut proofs = Proofs::new(scene, bounds);

@@ -4,7 +4,7 @@ use crate::scene::{Node, NodeId, Scene, fold_up};
 
 /// The sorts of parts that an object is made of.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Parts {
+pub(super) struct Parts {
     /// The node of a surface that is part of it.
     pub surface: Option<NodeId>,
     /// Whether something solid is.
@@ -12,7 +12,7 @@ pub struct Parts {
 }
 
 /// The parts of each node. A result of an operation with a surface has none: the finding there says what it is.
-pub fn parts(scene: &Scene) -> Vec<Parts> {
+pub(super) fn parts(scene: &Scene) -> Vec<Parts> {
     fold_up(&scene.nodes, |i, node, parts: &[Parts]| {
         let of = |n: NodeId| parts[n as usize];
         match node {

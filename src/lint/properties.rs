@@ -8,10 +8,10 @@ use crate::syntax::Record;
 use crate::syntax::table::{Effect, Family};
 
 /// Texture, optics, refractive index.
-pub const ASPECTS: usize = 3;
+pub(super) const ASPECTS: usize = 3;
 
 /// Whether a paint overrides each aspect.
-pub fn sets(paint: &Paint) -> [bool; ASPECTS] {
+pub(super) fn sets(paint: &Paint) -> [bool; ASPECTS] {
     [
         paint.texture.is_some(),
         paint.optics.is_some(),
@@ -20,14 +20,14 @@ pub fn sets(paint: &Paint) -> [bool; ASPECTS] {
 }
 
 /// The records that give properties to objects, and when properties change themselves.
-pub struct Properties<'a> {
+pub(super) struct Properties<'a> {
     given: FxHashMap<u32, Vec<&'a Record>>,
     /// The start of the last record with this ID.
     last: FxHashMap<u32, u32>,
 }
 
 impl<'a> Properties<'a> {
-    pub fn new(context: &Context<'a>) -> Self {
+    pub(super) fn new(context: &Context<'a>) -> Self {
         let mut properties = Properties {
             given: FxHashMap::default(),
             last: FxHashMap::default(),
@@ -46,7 +46,7 @@ impl<'a> Properties<'a> {
 
     /// The records that give an operand its properties, once more for the result; `None` if these do
     /// not make up all that differs, or would no longer mean the same.
-    pub fn again(
+    pub(super) fn again(
         &self,
         context: &Context,
         operand: u32,

@@ -9,7 +9,7 @@ use crate::solids::outline::Met;
 use crate::trace::{Crossing, Ray, Tracer};
 
 /// Rays for all searches of a rule together: some tenths of a second in the largest scenes.
-pub const RAYS: usize = 6000;
+pub(super) const RAYS: usize = 6000;
 
 /// How many leaves a search aims at, those first that reach furthest out.
 const AIMS: usize = 24;
@@ -20,14 +20,14 @@ const SHARES: [f64; 5] = [0.5, 0.25, 0.75, 0.004, 0.996];
 
 /// The geometry of single objects without looks, to be traced from any node: a boundary is then
 /// nothing but where a solid ends.
-pub struct Bare<'a> {
+pub(super) struct Bare<'a> {
     scene: &'a Scene,
     /// For each node its number in what is being built, or [`NONE`].
     numbers: Vec<u32>,
 }
 
 impl<'a> Bare<'a> {
-    pub fn new(scene: &'a Scene) -> Bare<'a> {
+    pub(super) fn new(scene: &'a Scene) -> Bare<'a> {
         Bare {
             scene,
             numbers: vec![NONE; scene.nodes.len()],
@@ -35,7 +35,7 @@ impl<'a> Bare<'a> {
     }
 
     /// An object with all that it is made of and nothing else, itself last; `None` if that is more nodes than are left.
-    pub fn of(&mut self, root: NodeId, left: &mut usize) -> Option<Scene> {
+    pub(super) fn of(&mut self, root: NodeId, left: &mut usize) -> Option<Scene> {
         let scene = self.scene;
         let mut nodes = Vec::new();
         let mut todo = vec![root];
@@ -88,7 +88,7 @@ impl<'a> Bare<'a> {
 }
 
 /// A bare scene made ready.
-pub fn tracer(mut bare: Scene) -> Option<Tracer> {
+pub(super) fn tracer(mut bare: Scene) -> Option<Tracer> {
     bare.render = Some(Render {
         root: bare.nodes.len().checked_sub(1)? as NodeId,
         root_id: 0,
@@ -101,7 +101,7 @@ pub fn tracer(mut bare: Scene) -> Option<Tracer> {
 
 /// The parts of a finite box that may be outside of a volume: what lies beyond each of the sides of
 /// a box, or all of it.
-pub fn regions(volume: &Volume, bounds: &Aabb) -> Vec<Aabb> {
+pub(super) fn regions(volume: &Volume, bounds: &Aabb) -> Vec<Aabb> {
     let Volume::Box { min, max } = volume else {
         return vec![*bounds];
     };
@@ -116,7 +116,7 @@ pub fn regions(volume: &Volume, bounds: &Aabb) -> Vec<Aabb> {
 }
 
 /// A search for points of a node's surface in some place.
-pub struct Search<'a> {
+pub(super) struct Search<'a> {
     pub tracer: &'a Tracer,
     /// How many rays are left.
     pub rays: &'a mut usize,
@@ -125,7 +125,7 @@ pub struct Search<'a> {
 impl Search<'_> {
     /// A point of the surface outside of a volume by more than rounding, of those that `counts` lets
     /// pass; the furthest of those met first. `aims` are finite boxes that hold what is looked for.
-    pub fn outside(
+    pub(super) fn outside(
         &mut self,
         volume: &Volume,
         mut aims: Vec<Aabb>,
@@ -149,7 +149,7 @@ impl Search<'_> {
     }
 
     /// A point of the surface inside of a box by more than rounding.
-    pub fn inside(&mut self, volume: &Volume, mut aims: Vec<Aabb>) -> Option<Met> {
+    pub(super) fn inside(&mut self, volume: &Volume, mut aims: Vec<Aabb>) -> Option<Met> {
         let Volume::Box { min, max } = volume else {
             return None;
         };

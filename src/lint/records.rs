@@ -117,7 +117,7 @@ impl<'a> Context<'a> {
 }
 
 /// The cameras that are written and take the picture, with the records that define them.
-pub fn chosen_cameras<'c>(context: &'c Context) -> Vec<(&'c Camera, Params<'c>)> {
+pub(super) fn chosen_cameras<'c>(context: &'c Context) -> Vec<(&'c Camera, Params<'c>)> {
     let scene = context.scene;
     let mut chosen: Vec<usize> = scene.view.cameras().collect();
     // One may be both.

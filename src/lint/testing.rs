@@ -23,7 +23,7 @@ fn findings(text: &str) -> (SourceFile, Vec<Diagnostic>) {
 }
 
 /// The findings, as `CODE line:column`.
-pub fn found(scene: &str) -> Vec<String> {
+pub(crate) fn found(scene: &str) -> Vec<String> {
     let (source, all) = findings(scene);
     all.iter()
         .map(|d| {
@@ -34,7 +34,7 @@ pub fn found(scene: &str) -> Vec<String> {
 }
 
 /// The messages of all findings.
-pub fn messages(scene: &str) -> Vec<String> {
+pub(crate) fn messages(scene: &str) -> Vec<String> {
     let words = |d: &Diagnostic| d.wording(Language::English).message;
     findings(scene).1.iter().map(words).collect()
 }

@@ -18,7 +18,7 @@ use crate::analysis::config::Configs;
 use crate::diagnostics::Complaint;
 
 /// The state that a request may look at: all open files as they were when it came.
-pub struct Ask {
+pub(super) struct Ask {
     pub files: Snapshots,
     /// The file that the request is about, where it is not open.
     pub not_open: OnceLock<Snapshot>,
@@ -36,7 +36,7 @@ pub struct Ask {
 impl Ask {
     /// The file that the request is about. Clients also ask about files that they have just closed, renamed or deleted:
     /// one that is not open is taken as it is on disk.
-    pub fn file(&self, document: &TextDocumentIdentifier) -> Result<&Snapshot, Refusal> {
+    pub(super) fn file(&self, document: &TextDocumentIdentifier) -> Result<&Snapshot, Refusal> {
         let uri = &document.uri;
         match self.files.get(uri) {
             Some(file) => Ok(file),
@@ -51,23 +51,26 @@ impl Ask {
         }
     }
 
-    pub fn convert<'a>(&'a self, file: &'a Snapshot) -> Convert<'a> {
+    pub(super) fn convert<'a>(&'a self, file: &'a Snapshot) -> Convert<'a> {
         Convert::new(file, &self.client)
     }
 
     /// Something cannot be done, in the client's language.
-    pub fn refuse(&self, why: &Complaint) -> Refusal {
+    pub(super) fn refuse(&self, why: &Complaint) -> Refusal {
         refusal(ErrorCode::RequestFailed, why.wording(self.client.language))
     }
 
     /// A file and the offset of a place in it.
-    pub fn place(&self, at: &TextDocumentPositionParams) -> Result<(Convert<'_>, u32), Refusal> {
+    pub(super) fn place(
+        &self,
+        at: &TextDocumentPositionParams,
+    ) -> Result<(Convert<'_>, u32), Refusal> {
         let convert = self.convert(self.file(&at.text_document)?);
         let offset = convert.places.offset(at.position);
         Ok((convert, offset))
     }
 
-    pub fn is_cancelled(&self) -> bool {
+    pub(super) fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
     }
 }

@@ -13,9 +13,9 @@ use super::whole_file::WholeFile;
 use super::{convert, programs};
 
 /// The kind of the action that comments lines out or in.
-pub const COMMENT: &str = "refactor.rewrite.comment";
+pub(super) const COMMENT: &str = "refactor.rewrite.comment";
 
-pub fn capabilities(client: &Client) -> ServerCapabilities {
+pub(super) fn capabilities(client: &Client) -> ServerCapabilities {
     let sync = TextDocumentSyncOptions {
         open_close: Some(true),
         change: Some(TextDocumentSyncKind::Incremental),

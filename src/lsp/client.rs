@@ -10,7 +10,7 @@ use crate::features::hints::Wanted;
 
 /// The abilities of the client.
 #[derive(Debug, Clone, Default)]
-pub struct Client {
+pub(super) struct Client {
     pub units: Units,
     pub language: Language,
     /// Whether the client asks for diagnostics itself, so that none are sent unasked.
@@ -40,7 +40,7 @@ pub struct Client {
 /// The user's preferences; the client sends them at the start and when they change.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
-pub struct Preferences {
+pub(super) struct Preferences {
     pub hints: Wanted,
     /// Pictures in hovers.
     pub pictures: bool,
@@ -66,7 +66,7 @@ impl Default for Preferences {
 
 impl Preferences {
     /// Reads what a client sends, as it is or under `zpg`. What cannot be understood changes nothing.
-    pub fn read(&mut self, sent: &Value) {
+    pub(super) fn read(&mut self, sent: &Value) {
         let mut merged = match sent.get("zpg") {
             Some(own) => own.clone(),
             None => sent.clone(),
@@ -92,7 +92,7 @@ impl Client {
     /// Reads the parameters of `initialize`. Parameters that cannot be understood count as missing.
     ///
     /// The fields are looked up one by one: a deserialiser of all parameters took half a megabyte of the program.
-    pub fn of(sent: &Value, language: Language) -> Client {
+    pub(super) fn of(sent: &Value, language: Language) -> Client {
         let capability = |path: &str| sent.pointer(&format!("/capabilities/{path}"));
         let can = |path: &str| capability(path) == Some(&Value::Bool(true));
         let list = |path: &str| capability(path).and_then(Value::as_array);
@@ -125,7 +125,7 @@ impl Client {
 }
 
 /// The folders that the client has open.
-pub fn folders(sent: &Value) -> Vec<Uri> {
+pub(super) fn folders(sent: &Value) -> Vec<Uri> {
     let read = |uri: &Value| uri.as_str().map(Uri::from);
     match sent["workspaceFolders"].as_array() {
         Some(all) => all.iter().filter_map(|f| read(&f["uri"])).collect(),

@@ -14,7 +14,7 @@ use crate::diagnostics::Span;
 use crate::features::commenting::{self, Mode};
 
 /// `zpg/comment`: the edits that comment out or in the lines of some selections.
-pub enum CommentRequest {}
+pub(super) enum CommentRequest {}
 
 impl Request for CommentRequest {
     const METHOD: LspRequestMethod<'static> = LspRequestMethod::new("zpg/comment");
@@ -25,7 +25,7 @@ impl Request for CommentRequest {
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct CommentParams {
+pub(super) struct CommentParams {
     pub text_document: TextDocumentIdentifier,
     pub ranges: Vec<Range>,
     #[serde(default)]
@@ -34,14 +34,14 @@ pub struct CommentParams {
 
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub enum Wanted {
+pub(super) enum Wanted {
     #[default]
     Toggle,
     Out,
     In,
 }
 
-pub fn comment(ask: &Ask, p: CommentParams) -> Result<Vec<TextEdit>, Refusal> {
+pub(super) fn comment(ask: &Ask, p: CommentParams) -> Result<Vec<TextEdit>, Refusal> {
     let file = ask.file(&p.text_document)?;
     let convert = ask.convert(file);
     let spans: Vec<Span> = p.ranges.iter().map(|r| convert.places.span(*r)).collect();
@@ -55,7 +55,7 @@ pub fn comment(ask: &Ask, p: CommentParams) -> Result<Vec<TextEdit>, Refusal> {
 }
 
 /// The action that comments out or in the lines of a selection; `None` where nothing stands.
-pub fn action(ask: &Ask, convert: &Convert, range: Range) -> Option<CodeAction> {
+pub(super) fn action(ask: &Ask, convert: &Convert, range: Range) -> Option<CodeAction> {
     let analysis = convert.file.analysis();
     let span = convert.places.span(range);
     let mode = commenting::direction(analysis, span)?;

@@ -23,14 +23,14 @@ use crate::features::{
 };
 
 /// Makes the protocol's types of answers about one file.
-pub struct Convert<'a> {
+pub(super) struct Convert<'a> {
     pub file: &'a Snapshot,
     pub client: &'a Client,
     pub places: Places<'a>,
 }
 
 impl<'a> Convert<'a> {
-    pub fn new(file: &'a Snapshot, client: &'a Client) -> Convert<'a> {
+    pub(super) fn new(file: &'a Snapshot, client: &'a Client) -> Convert<'a> {
         let places = Places::new(&file.analysis().source, client.units);
         Convert {
             file,
@@ -43,14 +43,14 @@ impl<'a> Convert<'a> {
         self.file.uri.clone()
     }
 
-    pub fn location(&self, span: Span) -> Location {
+    pub(super) fn location(&self, span: Span) -> Location {
         Location {
             uri: self.uri(),
             range: self.places.range(span),
         }
     }
 
-    pub fn diagnostic(&self, problem: &problems::Problem) -> Diagnostic {
+    pub(super) fn diagnostic(&self, problem: &problems::Problem) -> Diagnostic {
         let severity = match problem.severity {
             Severity::Error => DiagnosticSeverity::Error,
             Severity::Warning => DiagnosticSeverity::Warning,
@@ -81,7 +81,7 @@ impl<'a> Convert<'a> {
     }
 
     /// The diagnostic about the settings of the file's folder.
-    pub fn config_diagnostic(&self, complaint: &Complaint) -> Diagnostic {
+    pub(super) fn config_diagnostic(&self, complaint: &Complaint) -> Diagnostic {
         Diagnostic {
             range: self.places.range(Span::default()),
             severity: Some(DiagnosticSeverity::Error),
@@ -92,7 +92,7 @@ impl<'a> Convert<'a> {
     }
 
     /// All there is to say about the file.
-    pub fn diagnostics(&self) -> Vec<Diagnostic> {
+    pub(super) fn diagnostics(&self) -> Vec<Diagnostic> {
         if self.file.is_excluded() || self.file.is_missing {
             return Vec::new();
         }
@@ -107,18 +107,18 @@ impl<'a> Convert<'a> {
         config.into_iter().chain(all).collect()
     }
 
-    pub fn text_edit(&self, edit: &Edit) -> TextEdit {
+    pub(super) fn text_edit(&self, edit: &Edit) -> TextEdit {
         TextEdit {
             range: self.places.range(edit.span),
             new_text: edit.text.clone(),
         }
     }
 
-    pub fn text_edits(&self, edits: &[Edit]) -> Vec<TextEdit> {
+    pub(super) fn text_edits(&self, edits: &[Edit]) -> Vec<TextEdit> {
         edits.iter().map(|e| self.text_edit(e)).collect()
     }
 
-    pub fn workspace_edit(&self, edits: &[Edit]) -> WorkspaceEdit {
+    pub(super) fn workspace_edit(&self, edits: &[Edit]) -> WorkspaceEdit {
         let edits = self.text_edits(edits);
         if !self.client.versioned_edits {
             return WorkspaceEdit {
@@ -141,7 +141,7 @@ impl<'a> Convert<'a> {
         }
     }
 
-    pub fn markup(&self, markdown: String) -> MarkupContent {
+    pub(super) fn markup(&self, markdown: String) -> MarkupContent {
         let kind = match self.client.markdown {
             true => MarkupKind::Markdown,
             false => MarkupKind::PlainText,
@@ -152,14 +152,14 @@ impl<'a> Convert<'a> {
         }
     }
 
-    pub fn hover(&self, hover: hover::Hover) -> Hover {
+    pub(super) fn hover(&self, hover: hover::Hover) -> Hover {
         Hover {
             contents: Contents::MarkupContent(self.markup(hover.markdown)),
             range: Some(self.places.range(hover.span)),
         }
     }
 
-    pub fn hint(&self, hint: hints::Hint) -> InlayHint {
+    pub(super) fn hint(&self, hint: hints::Hint) -> InlayHint {
         let is_name = hint.kind == hints::Kind::Parameter;
         InlayHint {
             position: self.places.position(hint.at),
@@ -176,7 +176,7 @@ impl<'a> Convert<'a> {
         }
     }
 
-    pub fn signature(&self, signature: signature::Signature) -> SignatureHelp {
+    pub(super) fn signature(&self, signature: signature::Signature) -> SignatureHelp {
         // Labels are counted in UTF-16 whatever was agreed on.
         let units = |byte: usize| signature.label[..byte].encode_utf16().count() as u32;
         let parameters = signature.params.iter().map(|p| ParameterInformation {
@@ -200,7 +200,7 @@ impl<'a> Convert<'a> {
         }
     }
 
-    pub fn completion(&self, completion: completion::Completion) -> Vec<CompletionItem> {
+    pub(super) fn completion(&self, completion: completion::Completion) -> Vec<CompletionItem> {
         let range = self.places.range(completion.word);
         let all = completion.proposals.into_iter().enumerate();
         all.map(|(i, p)| self.proposal(i, p, range)).collect()
@@ -250,7 +250,7 @@ impl<'a> Convert<'a> {
         }
     }
 
-    pub fn highlight(&self, span: Span, kind: Option<uses::Kind>) -> DocumentHighlight {
+    pub(super) fn highlight(&self, span: Span, kind: Option<uses::Kind>) -> DocumentHighlight {
         DocumentHighlight {
             range: self.places.range(span),
             kind: Some(match kind {
@@ -262,7 +262,7 @@ impl<'a> Convert<'a> {
     }
 
     #[allow(deprecated)]
-    pub fn symbol(&self, symbol: symbols::Symbol) -> DocumentSymbol {
+    pub(super) fn symbol(&self, symbol: symbols::Symbol) -> DocumentSymbol {
         let children: Vec<_> = symbol
             .children
             .into_iter()
@@ -282,7 +282,7 @@ impl<'a> Convert<'a> {
 
     /// The symbols one after the other, each with the name of what it is in.
     #[allow(deprecated)]
-    pub fn flat_symbols(
+    pub(super) fn flat_symbols(
         &self,
         symbols: Vec<symbols::Symbol>,
         within: Option<&str>,
@@ -303,7 +303,7 @@ impl<'a> Convert<'a> {
         }
     }
 
-    pub fn call_item(&self, node: calls::Node) -> CallHierarchyItem {
+    pub(super) fn call_item(&self, node: calls::Node) -> CallHierarchyItem {
         CallHierarchyItem {
             name: node.name,
             kind: symbol_kind(node.sort),
@@ -316,7 +316,7 @@ impl<'a> Convert<'a> {
         }
     }
 
-    pub fn fold(&self, fold: &folding::Fold) -> FoldingRange {
+    pub(super) fn fold(&self, fold: &folding::Fold) -> FoldingRange {
         FoldingRange {
             start_line: fold.first as u32,
             end_line: fold.last as u32,
@@ -330,7 +330,7 @@ impl<'a> Convert<'a> {
     }
 
     /// Stretches from the smallest to the largest.
-    pub fn selection(&self, spans: &[Span]) -> SelectionRange {
+    pub(super) fn selection(&self, spans: &[Span]) -> SelectionRange {
         let mut out: Option<SelectionRange> = None;
         for span in spans.iter().rev() {
             out = Some(SelectionRange {
@@ -341,7 +341,7 @@ impl<'a> Convert<'a> {
         out.unwrap_or_default()
     }
 
-    pub fn colour(&self, colour: &colours::Colour) -> ColorInformation {
+    pub(super) fn colour(&self, colour: &colours::Colour) -> ColorInformation {
         let [red, green, blue] = colour.shown.map(|x| x as f32);
         ColorInformation {
             range: self.places.range(colour.span),
@@ -355,7 +355,7 @@ impl<'a> Convert<'a> {
     }
 
     /// Tokens, each told from the end of the one before. Those of several lines become one a line.
-    pub fn tokens(&self, all: &[tokens::Meaning]) -> Vec<SemanticToken> {
+    pub(super) fn tokens(&self, all: &[tokens::Meaning]) -> Vec<SemanticToken> {
         let source = &self.file.analysis().source;
         let mut out = Vec::with_capacity(all.len());
         let mut last = gen_lsp_types::Position::default();
@@ -395,7 +395,7 @@ impl<'a> Convert<'a> {
     }
 
     /// A button; `None` for those whose command only some clients have, and this one has not.
-    pub fn lens(&self, lens: &lenses::Lens, preferences: &Preferences) -> Option<CodeLens> {
+    pub(super) fn lens(&self, lens: &lenses::Lens, preferences: &Preferences) -> Option<CodeLens> {
         let language = self.client.language;
         let has = |command: &str| preferences.commands.iter().any(|c| c == command);
         let uri = json!(self.uri());
@@ -434,7 +434,7 @@ impl<'a> Convert<'a> {
 }
 
 /// The names of the roles of tokens, in their order.
-pub fn token_types() -> Vec<String> {
+pub(super) fn token_types() -> Vec<String> {
     let name = |role: tokens::Role| match role {
         tokens::Role::Id => "variable",
         tokens::Role::Type => "type",
@@ -453,7 +453,7 @@ pub fn token_types() -> Vec<String> {
         .collect()
 }
 
-pub fn symbol_kind(sort: symbols::Sort) -> SymbolKind {
+pub(super) fn symbol_kind(sort: symbols::Sort) -> SymbolKind {
     match sort {
         symbols::Sort::Section => SymbolKind::Namespace,
         symbols::Sort::Render => SymbolKind::Module,

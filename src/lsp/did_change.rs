@@ -7,14 +7,14 @@ use serde::Deserialize;
 /// the whole file.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct DidChange {
+pub(super) struct DidChange {
     pub text_document: VersionedTextDocumentIdentifier,
     pub content_changes: Vec<Change>,
 }
 
 /// A new text.
 #[derive(Deserialize)]
-pub struct Change {
+pub(super) struct Change {
     /// The range that the text takes the place of; without one it takes that of the whole file.
     pub range: Option<Range>,
     pub text: String,

@@ -15,7 +15,7 @@ use crate::lint::levels::Choice;
 
 /// The files that are open.
 #[derive(Default)]
-pub struct Documents {
+pub(super) struct Documents {
     open: HashMap<Uri, Document>,
     /// The `zpg.toml` files, each read once until one of them changes.
     configs: Configs,
@@ -26,7 +26,7 @@ pub struct Documents {
 
 /// How often files have changed that scenes depend on.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Changes {
+pub(super) struct Changes {
     pub settings: u64,
     pub pictures: u64,
 }
@@ -39,10 +39,10 @@ struct Document {
 }
 
 /// All files as they are at one moment, for a request.
-pub type Snapshots = HashMap<Uri, Arc<Snapshot>>;
+pub(super) type Snapshots = HashMap<Uri, Arc<Snapshot>>;
 
 /// A file as it is at one moment. It is read when its analysis is first asked for, by whoever asks.
-pub struct Snapshot {
+pub(super) struct Snapshot {
     pub uri: Uri,
     /// The version that the client has open.
     pub version: Option<i32>,
@@ -58,7 +58,7 @@ pub struct Snapshot {
 
 impl Snapshot {
     /// The name of the document in messages: the path, or the URI of what is no file.
-    pub fn name(&self) -> String {
+    pub(super) fn name(&self) -> String {
         let path = path_of(&self.uri);
         path.map_or_else(
             || self.uri.0.clone(),
@@ -67,7 +67,7 @@ impl Snapshot {
     }
 
     /// A file that is not open, as it is on disk. One that cannot be read is empty.
-    pub fn on_disk(uri: Uri, configs: &Configs) -> Snapshot {
+    pub(super) fn on_disk(uri: Uri, configs: &Configs) -> Snapshot {
         let path = path_of(&uri).filter(|path| path.is_file());
         let config = path.as_ref().map(|path| configs.for_file(path));
         let bytes = path.and_then(|path| file::read(&path).ok());
@@ -86,7 +86,7 @@ impl Snapshot {
     }
 
     /// How its findings weigh.
-    pub fn settings(&self) -> Settings {
+    pub(super) fn settings(&self) -> Settings {
         let path = path_of(&self.uri).unwrap_or_default();
         let levels = self.config.as_ref().map(|c| c.levels(&path));
         Settings {
@@ -96,13 +96,13 @@ impl Snapshot {
     }
 
     /// Whether its settings exclude it: nothing is said about it, and nothing is changed in it unasked.
-    pub fn is_excluded(&self) -> bool {
+    pub(super) fn is_excluded(&self) -> bool {
         let path = path_of(&self.uri);
         let config = self.config.as_ref().ok();
         (path.zip(config)).is_some_and(|(path, config)| config.excludes_file(&path))
     }
 
-    pub fn analysis(&self) -> &Analysis {
+    pub(super) fn analysis(&self) -> &Analysis {
         self.analysis.get_or_init(|| {
             let text = self.text.as_ref().clone();
             let source = SourceFile::of_text(self.name(), text);
@@ -112,7 +112,7 @@ impl Snapshot {
 }
 
 impl Documents {
-    pub fn open(&mut self, uri: Uri, version: i32, text: String) {
+    pub(super) fn open(&mut self, uri: Uri, version: i32, text: String) {
         let document = Document {
             version,
             text: Arc::new(text),
@@ -121,12 +121,18 @@ impl Documents {
         self.open.insert(uri, document);
     }
 
-    pub fn close(&mut self, uri: &Uri) {
+    pub(super) fn close(&mut self, uri: &Uri) {
         self.open.remove(uri);
     }
 
     /// Edits a file; one that is not open is left alone.
-    pub fn change(&mut self, uri: &Uri, version: i32, changes: &[Change], units: Units) -> bool {
+    pub(super) fn change(
+        &mut self,
+        uri: &Uri,
+        version: i32,
+        changes: &[Change],
+        units: Units,
+    ) -> bool {
         let Some(document) = self.open.get_mut(uri) else {
             return false;
         };
@@ -144,14 +150,14 @@ impl Documents {
     }
 
     /// Forgets what settings were read: one of the files has changed.
-    pub fn forget_configs(&mut self) {
+    pub(super) fn forget_configs(&mut self) {
         self.configs = Configs::default();
         self.changes.settings += 1;
         self.open.values_mut().for_each(|d| d.snapshot = None);
     }
 
     /// Forgets what was read of the files that name a picture, and gives them: it is there now, gone or another.
-    pub fn forget_picture(&mut self, name: &str) -> Vec<Uri> {
+    pub(super) fn forget_picture(&mut self, name: &str) -> Vec<Uri> {
         self.changes.pictures += 1;
         let mut shown = Vec::new();
         for (uri, document) in &mut self.open {
@@ -163,12 +169,12 @@ impl Documents {
         shown
     }
 
-    pub fn uris(&self) -> Vec<Uri> {
+    pub(super) fn uris(&self) -> Vec<Uri> {
         self.open.keys().cloned().collect()
     }
 
     /// A file as it is now.
-    pub fn snapshot(&mut self, uri: &Uri) -> Option<Arc<Snapshot>> {
+    pub(super) fn snapshot(&mut self, uri: &Uri) -> Option<Arc<Snapshot>> {
         let document = self.open.get_mut(uri)?;
         let next = &mut self.next;
         let snapshot = document.snapshot.get_or_insert_with(|| {
@@ -191,7 +197,7 @@ impl Documents {
     }
 
     /// All files as they are now.
-    pub fn snapshots(&mut self) -> Snapshots {
+    pub(super) fn snapshots(&mut self) -> Snapshots {
         let uris = self.uris();
         let now = uris
             .into_iter()

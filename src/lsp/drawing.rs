@@ -25,7 +25,7 @@ use crate::features::uses;
 use crate::syntax::table::{Kind, RecordKind};
 
 /// `zpg/preview`: a small picture of the scene, or of the object at a place.
-pub enum PreviewRequest {}
+pub(super) enum PreviewRequest {}
 
 impl Request for PreviewRequest {
     const METHOD: LspRequestMethod<'static> = LspRequestMethod::new("zpg/preview");
@@ -36,7 +36,7 @@ impl Request for PreviewRequest {
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct PreviewParams {
+pub(super) struct PreviewParams {
     pub text_document: TextDocumentIdentifier,
     /// The object at this place is drawn, fitted into view; without one the scene is, as its camera sees it.
     #[serde(default)]
@@ -62,7 +62,7 @@ fn height() -> u32 {
 /// A picture.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Preview {
+pub(super) struct Preview {
     /// A PNG in base64.
     pub png: String,
     pub width: u32,
@@ -95,7 +95,7 @@ fn draw(stage: &Stage, size: [u32; 2], stop: &Arc<AtomicBool>) -> Result<Option<
 const COARSE: u32 = 4;
 
 /// Draws what is asked for, coarse first.
-pub fn preview(ask: &Ask, p: PreviewParams) -> Result<Preview, Refusal> {
+pub(super) fn preview(ask: &Ask, p: PreviewParams) -> Result<Preview, Refusal> {
     let file = ask.file(&p.text_document)?;
     let analysis = file.analysis();
     let size = [p.width, p.height].map(|n| n.clamp(16, 1024));
@@ -153,7 +153,11 @@ const MAX_DRAWING_TIME: Duration = Duration::from_millis(400);
 const MAX_BASE64: usize = 70_000;
 
 /// A picture of an entity, in Markdown as VS Code reads it. `None` if there is none in time.
-pub fn hover_picture(analysis: &Analysis, id: u32, cancelled: &Arc<AtomicBool>) -> Option<String> {
+pub(super) fn hover_picture(
+    analysis: &Analysis,
+    id: u32,
+    cancelled: &Arc<AtomicBool>,
+) -> Option<String> {
     if analysis.scene.nodes.len() > MAX_NODES {
         return None;
     }

@@ -18,7 +18,7 @@ use super::uri;
 
 /// Sends messages, from any thread.
 #[derive(Clone)]
-pub struct Outgoing {
+pub(super) struct Outgoing {
     sender: Sender<String>,
     /// The number of the next request.
     next: Arc<AtomicI32>,
@@ -26,7 +26,7 @@ pub struct Outgoing {
 }
 
 impl Outgoing {
-    pub fn new(sender: Sender<String>, shows_documents: bool) -> Outgoing {
+    pub(super) fn new(sender: Sender<String>, shows_documents: bool) -> Outgoing {
         Outgoing {
             sender,
             next: Arc::new(AtomicI32::new(1)),
@@ -35,12 +35,12 @@ impl Outgoing {
     }
 
     /// Says something.
-    pub fn notify(&self, method: &str, params: impl Serialize) {
+    pub(super) fn notify(&self, method: &str, params: impl Serialize) {
         self.call(None, method, params);
     }
 
     /// Asks for something whose answer does not matter.
-    pub fn request(&self, method: &str, params: impl Serialize) {
+    pub(super) fn request(&self, method: &str, params: impl Serialize) {
         let id = self.next.fetch_add(1, Ordering::Relaxed);
         self.call(Some(id), method, params);
     }
@@ -67,18 +67,18 @@ impl Outgoing {
     }
 
     /// Sends a message that [`answer`] or [`refused`] has made.
-    pub fn send(&self, message: String) {
+    pub(super) fn send(&self, message: String) {
         // Nobody is left to be told when this fails.
         let _ = self.sender.send(message);
     }
 
     /// Has the client show a file, if it can.
-    pub fn show_document(&self, path: &Path) {
+    pub(super) fn show_document(&self, path: &Path) {
         self.show(path, json!({ "takeFocus": true }));
     }
 
     /// Has the client open a page in the browser, if it can.
-    pub fn show_in_browser(&self, path: &Path) {
+    pub(super) fn show_in_browser(&self, path: &Path) {
         self.show(path, json!({ "external": true }));
     }
 
@@ -89,14 +89,14 @@ impl Outgoing {
         }
     }
 
-    pub fn show_message(&self, message: &str) {
+    pub(super) fn show_message(&self, message: &str) {
         // 3: information.
         let params = json!({ "type": 3, "message": message });
         self.notify("window/showMessage", params);
     }
 
     /// Says something where people look who look for mistakes.
-    pub fn log_warning(&self, message: &str) {
+    pub(super) fn log_warning(&self, message: &str) {
         // 2: a warning.
         let params = json!({ "type": 2, "message": message });
         self.notify("window/logMessage", params);
@@ -110,7 +110,7 @@ const VERSION: &str = "2.0";
 /// # Errors
 ///
 /// The result cannot be written as JSON.
-pub fn answer(id: &RequestId, result: impl Serialize) -> Result<String, Refusal> {
+pub(super) fn answer(id: &RequestId, result: impl Serialize) -> Result<String, Refusal> {
     #[derive(Serialize)]
     struct Answer<'a, R> {
         jsonrpc: &'a str,
@@ -130,7 +130,7 @@ pub fn answer(id: &RequestId, result: impl Serialize) -> Result<String, Refusal>
 /// # Errors
 ///
 /// An item cannot be written as JSON.
-pub fn answer_list(
+pub(super) fn answer_list(
     id: &RequestId,
     all: impl Iterator<Item = impl Serialize>,
 ) -> Result<String, Refusal> {
@@ -144,6 +144,6 @@ pub fn answer_list(
 }
 
 /// The answer to a request that is not met. The ID is null where it cannot be read.
-pub fn refused(id: impl Serialize, why: &Refusal) -> String {
+pub(super) fn refused(id: impl Serialize, why: &Refusal) -> String {
     json!({ "jsonrpc": VERSION, "id": json!(id), "error": why }).to_string()
 }

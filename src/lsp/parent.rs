@@ -9,7 +9,7 @@ use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 const STEP: Duration = Duration::from_secs(1);
 
 /// Ends this program soon after the process with this number has ended, if it does not end by itself. `stop` comes first.
-pub fn end_with(process: u32, stop: impl FnOnce() + Send + 'static) {
+pub(super) fn end_with(process: u32, stop: impl FnOnce() + Send + 'static) {
     thread::spawn(move || {
         let pid = Pid::from_u32(process);
         let mut system = System::new();

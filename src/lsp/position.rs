@@ -11,7 +11,7 @@ use crate::diagnostics::{SourceFile, Span};
 
 /// The units in which columns of a line are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Units {
+pub(super) enum Units {
     Utf8,
     /// The units that every client knows.
     #[default]
@@ -21,7 +21,7 @@ pub enum Units {
 
 impl Units {
     /// The best of what a client offers, by its names in the protocol: bytes need no counting.
-    pub fn chosen(offered: &[Value]) -> Units {
+    pub(super) fn chosen(offered: &[Value]) -> Units {
         let offers = |name: &str| offered.iter().any(|o| o == name);
         match () {
             () if offers("utf-8") => Units::Utf8,
@@ -30,7 +30,7 @@ impl Units {
         }
     }
 
-    pub fn kind(self) -> PositionEncodingKind {
+    pub(super) fn kind(self) -> PositionEncodingKind {
         match self {
             Units::Utf8 => PositionEncodingKind::UTF8,
             Units::Utf16 => PositionEncodingKind::UTF16,
@@ -39,7 +39,7 @@ impl Units {
     }
 
     /// How long a text is.
-    pub fn length(self, text: &str) -> u32 {
+    pub(super) fn length(self, text: &str) -> u32 {
         let length = match self {
             _ if text.is_ascii() => text.len(),
             Units::Utf8 => text.len(),
@@ -70,7 +70,7 @@ impl Units {
 }
 
 /// Positions in a text that is read.
-pub struct Places<'a> {
+pub(super) struct Places<'a> {
     source: &'a SourceFile,
     units: Units,
     /// The line that was asked for last and where it starts and ends: what is asked for in order is found at
@@ -79,7 +79,7 @@ pub struct Places<'a> {
 }
 
 impl<'a> Places<'a> {
-    pub fn new(source: &'a SourceFile, units: Units) -> Places<'a> {
+    pub(super) fn new(source: &'a SourceFile, units: Units) -> Places<'a> {
         let last = Cell::new((0, source.line_span(0)));
         Places {
             source,
@@ -99,7 +99,7 @@ impl<'a> Places<'a> {
         found
     }
 
-    pub fn position(&self, offset: u32) -> Position {
+    pub(super) fn position(&self, offset: u32) -> Position {
         let offset = self.source.floor(offset);
         let (line, span) = self.line_of(offset);
         // Within a line break: at the end of the line.
@@ -111,7 +111,7 @@ impl<'a> Places<'a> {
         }
     }
 
-    pub fn range(&self, span: Span) -> Range {
+    pub(super) fn range(&self, span: Span) -> Range {
         Range {
             start: self.position(span.start),
             end: self.position(span.end),
@@ -119,7 +119,7 @@ impl<'a> Places<'a> {
     }
 
     /// The offset of a position: one behind the end of a line, or of the text, is that end.
-    pub fn offset(&self, position: Position) -> u32 {
+    pub(super) fn offset(&self, position: Position) -> u32 {
         if position.line as usize >= self.source.line_count() {
             return self.source.text.len() as u32;
         }
@@ -128,20 +128,20 @@ impl<'a> Places<'a> {
         span.start + self.units.byte(line, position.character) as u32
     }
 
-    pub fn span(&self, range: Range) -> Span {
+    pub(super) fn span(&self, range: Range) -> Span {
         let (start, end) = (self.offset(range.start), self.offset(range.end));
         Span::new(start.min(end), start.max(end))
     }
 
     /// How many units a span has, which is within a line.
-    pub fn length(&self, span: Span) -> u32 {
+    pub(super) fn length(&self, span: Span) -> u32 {
         self.units.length(self.source.slice(span))
     }
 }
 
 /// Edits a text that is not read yet: the range goes, the new text comes. A range that leads beyond the text
 /// ends with it.
-pub fn edit(text: &mut String, units: Units, range: Range, new: &str) {
+pub(super) fn edit(text: &mut String, units: Units, range: Range, new: &str) {
     let (start, end) = (
         offset_in(text, units, range.start),
         offset_in(text, units, range.end),

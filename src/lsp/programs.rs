@@ -28,10 +28,10 @@ use crate::syntax::table::RecordType;
 use crate::translate::registry;
 
 /// Shows the page of a code or of a type of records.
-pub const EXPLAIN: &str = "zpg.explain";
+pub(super) const EXPLAIN: &str = "zpg.explain";
 
 /// All that are programs or pages. Each but [`EXPLAIN`] takes the URI of an open file first.
-pub const COMMANDS: [&str; 6] = [
+pub(super) const COMMANDS: [&str; 6] = [
     "zpg.render",
     "zpg.convert",
     "zpg.plan",
@@ -41,7 +41,7 @@ pub const COMMANDS: [&str; 6] = [
 ];
 
 /// Runs a command. The answer says what was made: `uri` of a file, `text`.
-pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Refusal> {
+pub(super) fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Refusal> {
     let arguments = p.arguments.unwrap_or_default();
     let text = |i: usize| arguments.get(i).and_then(|a| a.as_str());
     if p.command == EXPLAIN {
@@ -121,7 +121,7 @@ pub fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Ref
 
 /// Why nothing can be done with a file, in one line: it is missing, or its scene has errors, which the client shows
 /// already.
-pub fn trouble(file: &Snapshot, language: Language) -> Option<Complaint> {
+pub(super) fn trouble(file: &Snapshot, language: Language) -> Option<Complaint> {
     if file.is_missing {
         return Some(Complaint::new("lsp-missing").with("path", file.name()));
     }
@@ -183,7 +183,7 @@ fn unsaved() -> PathBuf {
 }
 
 /// Removes these texts, when the server ends.
-pub fn remove_pages() {
+pub(super) fn remove_pages() {
     // There is none where no text was shown.
     let _ = std::fs::remove_dir_all(pages_folder());
 }

@@ -14,13 +14,13 @@ use super::documents::Snapshot;
 use super::outgoing::Outgoing;
 
 /// The news to be published.
-pub enum News {
+pub(super) enum News {
     Changed(Arc<Snapshot>),
     Closed(Uri),
 }
 
 /// Starts the thread. It ends when nobody has news any more.
-pub fn start(client: Arc<Client>, outgoing: Outgoing) -> Sender<News> {
+pub(super) fn start(client: Arc<Client>, outgoing: Outgoing) -> Sender<News> {
     let (sender, news) = unbounded();
     thread::spawn(move || publish(&client, &outgoing, &news));
     sender

@@ -26,7 +26,7 @@ use super::workspace::{self, OnDisk, PICTURES};
 use crate::analysis::config::Configs;
 
 /// The findings of an open file.
-pub fn of_file(
+pub(super) fn of_file(
     ask: &Ask,
     p: DocumentDiagnosticParams,
 ) -> Result<DocumentDiagnosticReport, Refusal> {
@@ -57,7 +57,7 @@ pub fn of_file(
 }
 
 /// The findings of all scenes in the client's folders, and of those that are open. Files that are gone have none.
-pub fn of_folders(
+pub(super) fn of_folders(
     ask: &Ask,
     p: WorkspaceDiagnosticParams,
 ) -> Result<WorkspaceDiagnosticReport, Refusal> {

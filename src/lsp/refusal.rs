@@ -2,9 +2,9 @@
 
 use lsp_server::{ErrorCode, ResponseError};
 
-pub type Refusal = ResponseError;
+pub(super) type Refusal = ResponseError;
 
-pub fn refusal(code: ErrorCode, message: impl Into<String>) -> Refusal {
+pub(super) fn refusal(code: ErrorCode, message: impl Into<String>) -> Refusal {
     ResponseError {
         code: code as i32,
         message: message.into(),

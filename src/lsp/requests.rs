@@ -23,16 +23,16 @@ use crate::syntax::recognise;
 type Answer<T> = Result<T, Refusal>;
 
 /// A handler with its types taken off. It makes the whole message that answers.
-pub type Handler = Box<dyn Fn(&Ask, &RequestId, Value) -> Answer<String> + Send>;
+pub(super) type Handler = Box<dyn Fn(&Ask, &RequestId, Value) -> Answer<String> + Send>;
 
 /// The thread that answers a request. Quick ones take their turn; slow ones have a thread of their own.
-pub enum Lane {
+pub(super) enum Lane {
     Quick,
     Slow,
 }
 
 /// The handler of a method; `None` if there is none.
-pub fn handler(method: &str) -> Option<(Lane, Handler)> {
+pub(super) fn handler(method: &str) -> Option<(Lane, Handler)> {
     #[cfg(test)]
     if method == "test/panic" {
         return Some((

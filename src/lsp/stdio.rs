@@ -20,7 +20,7 @@ const MAX_LINE: u64 = 1 << 13;
 
 /// Connects to standard input and output: the messages that come in, the way for those that go out, and the thread that
 /// writes there. The thread that reads ends with its input, or with the program.
-pub fn connect() -> (
+pub(super) fn connect() -> (
     Receiver<Message>,
     Sender<String>,
     JoinHandle<io::Result<()>>,

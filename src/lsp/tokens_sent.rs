@@ -10,7 +10,7 @@ use gen_lsp_types::{
 
 /// The last tokens that were sent for each open file.
 #[derive(Default)]
-pub struct TokensSent(Mutex<Sent>);
+pub(super) struct TokensSent(Mutex<Sent>);
 
 #[derive(Default)]
 struct Sent {
@@ -29,12 +29,12 @@ impl TokensSent {
     }
 
     /// From now on there may be something to keep.
-    pub fn open(&self, uri: &Uri) {
+    pub(super) fn open(&self, uri: &Uri) {
         self.sent().files.entry(uri.clone()).or_default();
     }
 
     /// Keeps what is sent whole, under a name, if the file is open; it may have been closed meanwhile.
-    pub fn keep(&self, uri: &Uri, data: Vec<SemanticToken>) -> SemanticTokens {
+    pub(super) fn keep(&self, uri: &Uri, data: Vec<SemanticToken>) -> SemanticTokens {
         let mut sent = self.sent();
         let name = sent.name();
         let kept = sent.files.get_mut(uri).map(|kept| {
@@ -48,7 +48,7 @@ impl TokensSent {
     }
 
     /// The difference from the tokens of that name; all tokens if the client has others.
-    pub fn delta(
+    pub(super) fn delta(
         &self,
         uri: &Uri,
         previous: &str,
@@ -68,7 +68,7 @@ impl TokensSent {
         }
     }
 
-    pub fn forget(&self, uri: &Uri) {
+    pub(super) fn forget(&self, uri: &Uri) {
         self.sent().files.remove(uri);
     }
 }

@@ -11,16 +11,16 @@ use super::uri::key;
 /// The files that the client has been told about. When one is closed and gone, Visual Studio Code's client forgets the
 /// report's name, and shows the report all the same; so it is told in each report of the folder that there is nothing.
 #[derive(Default)]
-pub struct Told(Mutex<HashMap<PathBuf, Uri>>);
+pub(super) struct Told(Mutex<HashMap<PathBuf, Uri>>);
 
 impl Told {
-    pub fn note(&self, uri: &Uri) {
+    pub(super) fn note(&self, uri: &Uri) {
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         all.entry(key(uri)).or_insert_with(|| uri.clone());
     }
 
     /// The URIs of files that are not among these.
-    pub fn others(&self, named: &HashSet<PathBuf>) -> Vec<Uri> {
+    pub(super) fn others(&self, named: &HashSet<PathBuf>) -> Vec<Uri> {
         let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let others = all.iter().filter(|(path, _)| !named.contains(*path));
         others.map(|(_, uri)| uri.clone()).collect()

@@ -6,23 +6,23 @@ use gen_lsp_types::Uri;
 use url::Url;
 
 /// The path of a file; `None` for what is no file: a text that was never saved.
-pub fn path_of(uri: &Uri) -> Option<PathBuf> {
+pub(super) fn path_of(uri: &Uri) -> Option<PathBuf> {
     let url = Url::parse(uri.as_ref()).ok()?;
     (url.scheme() == "file").then(|| url.to_file_path().ok())?
 }
 
 /// The key that tells files apart: clients do not all write the same characters in URIs as they are.
-pub fn key(uri: &Uri) -> PathBuf {
+pub(super) fn key(uri: &Uri) -> PathBuf {
     path_of(uri).unwrap_or_else(|| uri.0.clone().into())
 }
 
 /// Whether a text is a URI at all.
-pub fn is_uri(uri: &Uri) -> bool {
+pub(super) fn is_uri(uri: &Uri) -> bool {
     Url::parse(uri.as_ref()).is_ok()
 }
 
 /// The URI of a file.
-pub fn uri_of(path: &Path) -> Option<Uri> {
+pub(super) fn uri_of(path: &Path) -> Option<Uri> {
     let path = std::path::absolute(path).ok()?;
     Some(Uri(Url::from_file_path(path).ok()?.into()))
 }

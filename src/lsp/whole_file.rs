@@ -14,7 +14,7 @@ use crate::features::{actions, rename};
 
 /// An action of a whole file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum WholeFile {
+pub(super) enum WholeFile {
     /// Applies all safe fixes.
     FixAll,
     /// Numbers all IDs anew.
@@ -22,10 +22,10 @@ pub enum WholeFile {
 }
 
 impl WholeFile {
-    pub const ALL: [WholeFile; 2] = [WholeFile::FixAll, WholeFile::Renumber];
+    pub(super) const ALL: [WholeFile; 2] = [WholeFile::FixAll, WholeFile::Renumber];
 
     /// The action's kind in the protocol.
-    pub fn kind(self) -> &'static str {
+    pub(super) fn kind(self) -> &'static str {
         match self {
             WholeFile::FixAll => "source.fixAll.zpg",
             WholeFile::Renumber => "refactor.rewrite.renumber",
@@ -33,7 +33,7 @@ impl WholeFile {
     }
 
     /// The command that takes the URI of an open file and asks the client for the edit.
-    pub fn command(self) -> &'static str {
+    pub(super) fn command(self) -> &'static str {
         match self {
             WholeFile::FixAll => "zpg.fixAll",
             WholeFile::Renumber => "zpg.renumber",
@@ -48,14 +48,14 @@ impl WholeFile {
     }
 
     /// Whether it may have something to do, at a glance.
-    pub fn is_of_use(self, analysis: &Analysis) -> bool {
+    pub(super) fn is_of_use(self, analysis: &Analysis) -> bool {
         match self {
             WholeFile::FixAll => actions::has_safe_fixes(analysis),
             WholeFile::Renumber => rename::can_renumber(analysis),
         }
     }
 
-    pub fn edits(self, file: &Snapshot) -> Vec<Edit> {
+    pub(super) fn edits(self, file: &Snapshot) -> Vec<Edit> {
         match self {
             WholeFile::FixAll => actions::fix_all(file.analysis(), &file.settings()),
             WholeFile::Renumber => rename::renumber(file.analysis()).unwrap_or_default(),
@@ -64,7 +64,7 @@ impl WholeFile {
 
     /// The action as it is offered. Who asks for its kind wants its edit; else that comes when the action is chosen, by
     /// `codeAction/resolve` or by a command. A client that knows neither is offered nothing.
-    pub fn offer(self, ask: &Ask, convert: &Convert, by_kind: bool) -> Option<CodeAction> {
+    pub(super) fn offer(self, ask: &Ask, convert: &Convert, by_kind: bool) -> Option<CodeAction> {
         let uri = json!(convert.file.uri);
         let title = ask.client.language.say(self.title(), &[]);
         let mut action = CodeAction {
@@ -99,7 +99,7 @@ impl WholeFile {
     /// # Errors
     ///
     /// There is no such file, or the client makes no edits that the server asks for.
-    pub fn apply(self, ask: &Ask, file: &Snapshot) -> Result<Value, Refusal> {
+    pub(super) fn apply(self, ask: &Ask, file: &Snapshot) -> Result<Value, Refusal> {
         if file.is_missing {
             let why = Complaint::new("lsp-missing").with("path", file.name());
             return Err(ask.refuse(&why));

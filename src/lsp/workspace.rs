@@ -21,17 +21,17 @@ const MAX_FILES: usize = 2000;
 const MAX_BYTES: u64 = 32_000_000;
 
 /// How the names of pictures end that a scene may show.
-pub const PICTURES: [&str; 3] = ["png", "jpg", "jpeg"];
+pub(super) const PICTURES: [&str; 3] = ["png", "jpg", "jpeg"];
 
 /// A scene on disk.
-pub struct OnDisk {
+pub(super) struct OnDisk {
     pub uri: Uri,
     pub path: PathBuf,
     pub metadata: Metadata,
 }
 
 /// The scenes in the client's folders, open or not, as far as there are not too many.
-pub fn scenes(ask: &Ask) -> impl Iterator<Item = OnDisk> {
+pub(super) fn scenes(ask: &Ask) -> impl Iterator<Item = OnDisk> {
     let folders = ask.folders.iter().filter_map(path_of);
     let walk = folders.flat_map(|folder| WalkBuilder::new(folder).build().take(MAX_ENTRIES));
     let paths = walk.filter_map(|entry| Some(entry.ok()?.into_path()));
@@ -53,7 +53,7 @@ pub fn scenes(ask: &Ask) -> impl Iterator<Item = OnDisk> {
 }
 
 /// The entities that a query fits, of open files first.
-pub fn symbols(ask: &Ask, query: &str) -> Vec<WorkspaceSymbol> {
+pub(super) fn symbols(ask: &Ask, query: &str) -> Vec<WorkspaceSymbol> {
     let mut out = Vec::new();
     for file in ask.files.values() {
         add(ask, &file.uri, file.analysis(), query, &mut out);

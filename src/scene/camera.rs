@@ -9,7 +9,7 @@ use crate::geometry::{Matrix, exact};
 use crate::syntax::table::RecordKind;
 
 /// The camera of a -501 record.
-pub fn camera(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Camera> {
+pub(super) fn camera(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Camera> {
     let sound = p.check_constraints(out);
     let camera = Camera {
         id: p.id,
@@ -33,7 +33,7 @@ pub fn camera(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Camera> {
 }
 
 /// The camera that a projection matrix with a new ID defines: at the origin, looking along −z.
-pub fn projecting(id: u32, projection: Matrix) -> Camera {
+pub(super) fn projecting(id: u32, projection: Matrix) -> Camera {
     Camera {
         id,
         position: [0.0; 3],
@@ -45,7 +45,7 @@ pub fn projecting(id: u32, projection: Matrix) -> Camera {
 }
 
 /// A camera moved by an affine matrix; `None` where it would be no camera any more.
-pub fn moved(camera: &Camera, m: &Matrix) -> Option<Camera> {
+pub(super) fn moved(camera: &Camera, m: &Matrix) -> Option<Camera> {
     let camera = Camera {
         position: m.point(camera.position),
         direction: m.vector(camera.direction),
@@ -71,7 +71,7 @@ fn parallel(a: Vec3, b: Vec3) -> bool {
 }
 
 /// The matrix of a -1 … -4 record.
-pub fn transformation(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
+pub(super) fn transformation(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
     if !p.check_constraints(out) {
         return None;
     }

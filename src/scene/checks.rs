@@ -4,7 +4,7 @@ use super::record::Params;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 
 /// E203 unless the three parameters from `first` on make a vector with a direction.
-pub fn non_zero(
+pub(super) fn non_zero(
     p: &Params,
     first: usize,
     what: &'static str,
@@ -22,7 +22,7 @@ pub fn non_zero(
 }
 
 /// E202 unless each of `n` lower bounds from `first` on is below its upper bound, `n` further on.
-pub fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) -> Option<()> {
+pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) -> Option<()> {
     let inverted: Vec<usize> = (first..first + n)
         .filter(|&i| p.number(i) > p.number(i + n))
         .collect();

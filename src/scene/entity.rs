@@ -5,7 +5,7 @@ use crate::syntax::table::Kind;
 
 /// The parts of an optical property; what is not given stays the default.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct OpticsParts {
+pub(super) struct OpticsParts {
     pub optics: Option<Optics>,
     pub index: Option<Rgb>,
 }
@@ -13,7 +13,7 @@ pub struct OpticsParts {
 /// The value of an ID. The number in `Object` is a node. The other numbers are indices into the lists of [`Values`]. No
 /// two IDs share a value.
 #[derive(Debug, Clone, Copy)]
-pub enum State {
+pub(super) enum State {
     Undefined,
     Object(NodeId),
     Optics(u32),
@@ -35,7 +35,7 @@ const _: () = assert!(size_of::<State>() == 8);
 
 /// The values of all entities that are not objects.
 #[derive(Debug, Default)]
-pub struct Values {
+pub(super) struct Values {
     pub optics: Vec<OpticsParts>,
     pub textures: Vec<Texture>,
     pub colours: Vec<Rgb>,
@@ -45,19 +45,19 @@ pub struct Values {
 }
 
 /// Adds a value, and says where it stands.
-pub fn keep<T>(values: &mut Vec<T>, value: T) -> u32 {
+pub(super) fn keep<T>(values: &mut Vec<T>, value: T) -> u32 {
     values.push(value);
     values.len() as u32 - 1
 }
 
 /// Adds a copy of a value, and says where the copy stands.
-pub fn again<T: Clone>(values: &mut Vec<T>, at: u32) -> u32 {
+pub(super) fn again<T: Clone>(values: &mut Vec<T>, at: u32) -> u32 {
     let value = values[at as usize].clone();
     keep(values, value)
 }
 
 impl State {
-    pub fn kind(self) -> Option<Kind> {
+    pub(super) fn kind(self) -> Option<Kind> {
         Some(match self {
             State::Undefined => Kind::Undefined,
             State::Object(_) => Kind::Object,

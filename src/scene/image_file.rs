@@ -6,10 +6,15 @@ use std::path::{Component, Path};
 use crate::diagnostics::{Code, Complaint, Diagnostic, Span};
 
 /// How a JPEG picture begins.
-pub const JPEG: [u8; 3] = [0xff, 0xd8, 0xff];
+pub(crate) const JPEG: [u8; 3] = [0xff, 0xd8, 0xff];
 
 /// Checks a file name; `folder` is where the scene lies, if it is a file. `true` if it can be used.
-pub fn check(file: &str, span: Span, folder: Option<&Path>, out: &mut Vec<Diagnostic>) -> bool {
+pub(crate) fn check(
+    file: &str,
+    span: Span,
+    folder: Option<&Path>,
+    out: &mut Vec<Diagnostic>,
+) -> bool {
     let path = Path::new(file);
     let inside = path
         .components()
@@ -41,7 +46,7 @@ pub fn check(file: &str, span: Span, folder: Option<&Path>, out: &mut Vec<Diagno
 }
 
 /// Whether a file begins like a PNG or JPEG picture.
-pub fn is_picture(path: &Path) -> io::Result<bool> {
+pub(crate) fn is_picture(path: &Path) -> io::Result<bool> {
     let mut start = Vec::new();
     // Only what lies on disk: opening a pipe would wait for somebody to write.
     if std::fs::metadata(path)?.is_file() {

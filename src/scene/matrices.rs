@@ -6,7 +6,7 @@ use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::geometry::Matrix;
 
 /// E204 unless the matrix is affine (last row 0 0 0 1) and can be inverted.
-pub fn affine(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
+pub(super) fn affine(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
     let m = Matrix::from_rows(&p.numbers(0));
     if m.0[3] != [0.0, 0.0, 0.0, 1.0] {
         out.push(Diagnostic::new(Code::E204, p.span_of(12, 4)).case("row"));
@@ -17,7 +17,7 @@ pub fn affine(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
 
 /// The matrix of a -99 record: E204 unless it can be inverted, E207 unless it has a ray for every
 /// point of the picture.
-pub fn projection(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
+pub(super) fn projection(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
     let m = Matrix::from_rows(&p.numbers(0));
     match Sight::of(&m) {
         Ok(_) => Some(m),

@@ -12,7 +12,7 @@ use crate::syntax::table::{Constraint, Effect, Param, ParamKind, RECORD_TYPES, R
 impl Resolver<'_> {
     /// Completes the finding about an unknown type with the type that fits best: it takes as many
     /// parameters, of the right kinds, applies to the ID, and its number is the nearest.
-    pub fn propose_type(&self, broken: &Broken, diagnostics: &mut [Diagnostic]) {
+    pub(super) fn propose_type(&self, broken: &Broken, diagnostics: &mut [Diagnostic]) {
         let tokens: Vec<&Token> = self
             .document
             .significant(broken.first, broken.last)

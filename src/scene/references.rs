@@ -17,7 +17,7 @@ use crate::syntax::{self, Document, Item};
 const COMPARISONS_MAX: usize = 2_000_000;
 
 /// A record that lost its ID.
-pub struct Lost {
+pub(super) struct Lost {
     pub ty: Option<&'static RecordType>,
     /// The record's first token, where the parser's finding points.
     pub span: Span,
@@ -33,7 +33,7 @@ struct Dangling {
 }
 
 #[derive(Default)]
-pub struct References {
+pub(super) struct References {
     /// Number of IDs, from the first on, that have the number of the entity that they define.
     numbered: usize,
     /// For each number of an ID the index of the entity that it defines, from the first one on that differ.
@@ -70,14 +70,14 @@ fn definitions(document: &Document) -> FxHashMap<u32, (Span, Option<Kind>)> {
 
 impl References {
     /// `compares`: whether IDs are compared to find the ones that may have been meant.
-    pub fn new(compares: bool) -> References {
+    pub(super) fn new(compares: bool) -> References {
         References {
             comparisons: if compares { COMPARISONS_MAX } else { 0 },
             ..References::default()
         }
     }
 
-    pub fn defined(&mut self, number: Option<u32>, entity: usize) {
+    pub(super) fn defined(&mut self, number: Option<u32>, entity: usize) {
         let Some(number) = number.map(|n| n as usize) else {
             return;
         };
@@ -94,7 +94,7 @@ impl References {
         self.entity[number] = entity as u32;
     }
 
-    pub fn entity(&self, number: u32) -> Option<usize> {
+    pub(super) fn entity(&self, number: u32) -> Option<usize> {
         if self.entity.is_empty() {
             return ((number as usize) < self.numbered).then_some(number as usize);
         }
@@ -103,7 +103,7 @@ impl References {
     }
 
     /// At the end: each record that lost its ID accounts for one undefined ID; what is left is E101.
-    pub fn settle(resolver: &mut Resolver, diagnostics: &mut [Diagnostic]) {
+    pub(super) fn settle(resolver: &mut Resolver, diagnostics: &mut [Diagnostic]) {
         // In file order, by what they define; `None` where that is unknown.
         let mut lost: Vec<(Option<Kind>, VecDeque<Lost>)> = Vec::new();
         for l in std::mem::take(&mut resolver.references.lost) {
@@ -166,7 +166,7 @@ impl References {
 impl Resolver<'_> {
     /// Follows the reference at parameter `i`. `None`: it leads nowhere, and that was said (or need
     /// not be). `Some(None)`: it is 0, "none". With `late`, the end of the file counts.
-    pub fn reference(&mut self, p: &Params, i: usize, late: bool) -> Option<Option<u32>> {
+    pub(super) fn reference(&mut self, p: &Params, i: usize, late: bool) -> Option<Option<u32>> {
         let ParamKind::Reference { kinds, or_none } = p.param(i)?.kind else {
             return None;
         };
@@ -319,7 +319,7 @@ impl Resolver<'_> {
     }
 
     /// The state of the entity that a record changes, if it may.
-    pub fn changed(&mut self, p: &Params, kinds: &'static [Kind]) -> Option<State> {
+    pub(super) fn changed(&mut self, p: &Params, kinds: &'static [Kind]) -> Option<State> {
         let Some(state) = self.state(p.id) else {
             if !self.changes_another_kind(p, kinds) {
                 self.undefined(p.id, p.id_span(), kinds, false, &[]);
@@ -341,7 +341,7 @@ impl Resolver<'_> {
         None
     }
 
-    pub fn object(&mut self, p: &Params, i: usize) -> Option<NodeId> {
+    pub(super) fn object(&mut self, p: &Params, i: usize) -> Option<NodeId> {
         let id = self.reference(p, i, false)??;
         match self.state(id)? {
             State::Object(node) => Some(node),
@@ -349,7 +349,7 @@ impl Resolver<'_> {
         }
     }
 
-    pub fn colour(&mut self, p: &Params, i: usize) -> Option<Rgb> {
+    pub(super) fn colour(&mut self, p: &Params, i: usize) -> Option<Rgb> {
         let id = self.reference(p, i, false)??;
         match self.state(id)? {
             State::Colour(at) => Some(self.values.colours[at as usize]),
@@ -430,7 +430,7 @@ fn one_edit_away(written: &str) -> impl Iterator<Item = u32> {
 }
 
 /// The parser's finding at a place; `diagnostics` are sorted.
-pub fn finding_at(diagnostics: &mut [Diagnostic], span: Span) -> Option<&mut Diagnostic> {
+pub(super) fn finding_at(diagnostics: &mut [Diagnostic], span: Span) -> Option<&mut Diagnostic> {
     let at = diagnostics.partition_point(|d| d.span.start < span.start);
     diagnostics[at..]
         .iter_mut()

@@ -7,7 +7,7 @@ use crate::parallel;
 
 /// A text's tokens, and of the significant ones what every reader asks for, in columns.
 #[derive(Debug, Default)]
-pub struct Lexed {
+pub(super) struct Lexed {
     /// All tokens.
     pub tokens: Vec<Token>,
     /// The significant ones.
@@ -34,7 +34,7 @@ pub struct Lexed {
 
 /// A significant token: its index among all tokens, and whether it is the first one of its line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Sig(u32);
+pub(super) struct Sig(u32);
 
 impl Sig {
     /// A file has fewer than 2³¹ bytes, and so fewer tokens.
@@ -45,18 +45,18 @@ impl Sig {
     }
 
     /// The index among all tokens.
-    pub fn token(self) -> u32 {
+    pub(super) fn token(self) -> u32 {
         self.0 & !Sig::STARTS_LINE
     }
 
-    pub fn starts_line(self) -> bool {
+    pub(super) fn starts_line(self) -> bool {
         self.0 & Sig::STARTS_LINE != 0
     }
 }
 
 impl Lexed {
     /// Cuts a text and reads its numbers. `unclosed` is that of [`lex`](super::lexer::lex).
-    pub fn new(text: &str, unclosed: &[u32]) -> Lexed {
+    pub(super) fn new(text: &str, unclosed: &[u32]) -> Lexed {
         let parts = parallel::parts(text.len());
         if parts > 1
             && unclosed.is_empty()
@@ -128,7 +128,7 @@ impl Lexed {
     }
 
     /// The columns of tokens that were cut before.
-    pub fn of(text: &str, tokens: Vec<Token>) -> Lexed {
+    pub(super) fn of(text: &str, tokens: Vec<Token>) -> Lexed {
         let mut lexed = Lexed {
             tokens: Vec::with_capacity(tokens.len()),
             at_line_start: true,
@@ -180,14 +180,14 @@ impl Lexed {
     }
 
     /// Whether significant tokens `from..to` are plain numbers, all of them.
-    pub fn all_numbers(&self, from: usize, to: usize) -> bool {
+    pub(super) fn all_numbers(&self, from: usize, to: usize) -> bool {
         let next = self.odd.partition_point(|&i| (i as usize) < from);
         self.odd.get(next).is_none_or(|&i| i as usize >= to)
     }
 
     /// Whether a line that is commented out begins among significant tokens `from..to`: no record goes on there.
     #[inline]
-    pub fn goes_out(&self, from: usize, to: usize) -> bool {
+    pub(super) fn goes_out(&self, from: usize, to: usize) -> bool {
         let next = self.out.partition_point(|&i| (i as usize) < from);
         self.out.get(next).is_some_and(|&i| (i as usize) < to)
     }

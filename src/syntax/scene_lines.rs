@@ -10,7 +10,7 @@ use super::words;
 
 /// What the lines of a text begin with.
 #[derive(Debug, Default)]
-pub struct SceneLines {
+pub(super) struct SceneLines {
     /// The lines that are not blank and not comments.
     all: usize,
     /// Those with the type of a render record, an operation, a property, a light or a camera, behind an ID or where one
@@ -27,7 +27,7 @@ pub struct SceneLines {
 }
 
 impl SceneLines {
-    pub fn of(text: &str, tokens: &[Token]) -> SceneLines {
+    pub(super) fn of(text: &str, tokens: &[Token]) -> SceneLines {
         let mut names = Names::default();
         let mut lines = SceneLines::default();
         for line in tokens.split(|t| t.kind() == TokenKind::Newline) {
@@ -84,7 +84,7 @@ impl SceneLines {
     /// How many numbers are on lines with the head of a record; `None` where no line begins as those of scenes alone do.
     /// Types without their signs or with a wrong digit count for that where one line in five has one, and so do names of
     /// types.
-    pub fn headed(&self) -> Option<usize> {
+    pub(super) fn headed(&self) -> Option<usize> {
         let are_many = |n: usize| n > 1 && 5 * n >= self.all;
         let are_of_scene = self.typed > 0 || are_many(self.slipped) || are_many(self.worded);
         are_of_scene.then_some(self.numbers)

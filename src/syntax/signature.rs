@@ -13,38 +13,38 @@ use super::table::{Constraint, Param, ParamKind, RecordKind, RecordType};
 
 /// A text and the columns of its tokens.
 #[derive(Debug, Clone, Copy)]
-pub struct Columns<'s> {
+pub(super) struct Columns<'s> {
     pub text: &'s str,
     pub lexed: &'s Lexed,
 }
 
 impl Columns<'_> {
     /// How many significant tokens there are.
-    pub fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.lexed.sigs.len()
     }
 
-    pub fn token(&self, i: usize) -> &Token {
+    pub(super) fn token(&self, i: usize) -> &Token {
         &self.lexed.tokens[self.lexed.sigs[i].token() as usize]
     }
 
-    pub fn kind(&self, i: usize) -> TokenKind {
+    pub(super) fn kind(&self, i: usize) -> TokenKind {
         self.token(i).kind()
     }
 
     /// The value of an integer that fits, as IDs, types and counts do.
-    pub fn int(&self, i: usize) -> Option<i32> {
+    pub(super) fn int(&self, i: usize) -> Option<i32> {
         let value = *self.lexed.values.get(i)?;
         let int = value as i32;
         (f64::from(int) == value && self.kind(i) == TokenKind::Integer).then_some(int)
     }
 
-    pub fn starts_line(&self, i: usize) -> bool {
+    pub(super) fn starts_line(&self, i: usize) -> bool {
         self.lexed.sigs.get(i).is_some_and(|s| s.starts_line())
     }
 
     /// A token and the next one on its line, where they are integers: at the head of a line, an ID and a type.
-    pub fn head(&self, i: usize) -> [Option<i32>; 2] {
+    pub(super) fn head(&self, i: usize) -> [Option<i32>; 2] {
         [
             self.int(i),
             self.int(i + 1).filter(|_| !self.starts_line(i + 1)),
@@ -52,7 +52,7 @@ impl Columns<'_> {
     }
 
     /// Whether the render record begins at a token.
-    pub fn begins_render(&self, i: usize) -> bool {
+    pub(super) fn begins_render(&self, i: usize) -> bool {
         let is_render = |code| {
             RecordType::by_code(i64::from(code)).is_some_and(|t| t.kind == RecordKind::Render)
         };
@@ -60,12 +60,12 @@ impl Columns<'_> {
     }
 
     /// Whether what stops before token `end` stops at the end of a line.
-    pub fn ends_line(&self, end: usize) -> bool {
+    pub(super) fn ends_line(&self, end: usize) -> bool {
         end == self.len() || self.starts_line(end)
     }
 
     /// Whether the next token that is no line break is a comment.
-    pub fn before_comment(&self, i: usize) -> bool {
+    pub(super) fn before_comment(&self, i: usize) -> bool {
         let rest = &self.lexed.tokens[self.lexed.sigs[i].token() as usize + 1..];
         let next = rest.iter().find(|t| t.kind() != TokenKind::Newline);
         next.is_some_and(|t| t.kind().is_comment())
@@ -74,7 +74,7 @@ impl Columns<'_> {
 
 /// A record that can be read from some token on.
 #[derive(Debug, Clone, Copy)]
-pub struct Reading {
+pub(super) struct Reading {
     /// One past its last token.
     pub end: usize,
     pub ty: &'static RecordType,
@@ -84,7 +84,7 @@ pub struct Reading {
 }
 
 /// Whether a token can stand for a parameter of this kind.
-pub fn fits(kind: TokenKind, param: ParamKind) -> bool {
+pub(super) fn fits(kind: TokenKind, param: ParamKind) -> bool {
     match param {
         ParamKind::Real => matches!(kind, TokenKind::Integer | TokenKind::Real),
         ParamKind::Integer | ParamKind::Count | ParamKind::Reference { .. } => {
@@ -99,7 +99,7 @@ pub fn fits(kind: TokenKind, param: ParamKind) -> bool {
 
 /// Whether a value is one that the parameter may have.
 #[inline]
-pub fn allows(param: &Param, x: f64) -> bool {
+pub(super) fn allows(param: &Param, x: f64) -> bool {
     match param.constraint {
         // It is no number.
         _ if x.is_nan() => true,
@@ -116,7 +116,7 @@ pub fn allows(param: &Param, x: f64) -> bool {
 /// Reads the record that begins at token `i` and ends before token `limit`, if there is one without any fault
 /// of form.
 #[inline]
-pub fn read(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
+pub(super) fn read(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
     let mut reading = read_base(c, i, limit)?;
     if !reading.ty.optional.is_empty() {
         let base = reading;
@@ -164,7 +164,7 @@ fn read_base(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
 
 /// The record that begins at token `i` where line breaks alone decide about its optional group, which is there if it
 /// is the rest of the line. `None` too if the record does not end with a line then.
-pub fn read_by_line(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
+pub(super) fn read_by_line(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
     let mut reading = read_base(c, i, limit)?;
     let optional = reading.ty.optional;
     let with = reading.end + optional.len();
@@ -272,12 +272,12 @@ fn follow(c: &Columns, end: usize, at: usize, limit: usize) -> Result<(), usize>
 const VALUES_MAX: usize = 64;
 
 /// Whether a record that is right in form has the ID or the values of none.
-pub fn is_odd(c: &Columns, start: usize, r: &Reading) -> bool {
+pub(super) fn is_odd(c: &Columns, start: usize, r: &Reading) -> bool {
     (c.int(start) == Some(1)) != (r.ty.kind == RecordKind::Render) || !values_allowed(c, start, r)
 }
 
 /// Whether the values of a record are such as its type allows.
-pub fn values_allowed(c: &Columns, start: usize, r: &Reading) -> bool {
+pub(super) fn values_allowed(c: &Columns, start: usize, r: &Reading) -> bool {
     (start + 2..r.end.min(start + 2 + VALUES_MAX))
         .enumerate()
         .all(|(i, at)| {
@@ -287,7 +287,7 @@ pub fn values_allowed(c: &Columns, start: usize, r: &Reading) -> bool {
 
 /// Whether a record is a head alone on its line, and the line below, of which it takes its parameters, begins with the
 /// same ID and the type of a change: so begins the next record of that object.
-pub fn begins_again(columns: &Columns, head: usize, line: usize) -> bool {
+pub(super) fn begins_again(columns: &Columns, head: usize, line: usize) -> bool {
     let ty = columns
         .int(line + 1)
         .and_then(|code| RecordType::by_code(code.into()));

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 const DEFAULT_RAY_BYTES: u64 = 1 << 30;
 
 /// The capacity of a list over its length, at most: a full list doubles.
-pub const GROWTH_FACTOR: usize = 2;
+pub(super) const GROWTH_FACTOR: usize = 2;
 
 /// How much memory a walker may use for a ray, and whether one would have needed more.
 #[derive(Debug)]

@@ -24,6 +24,7 @@ mod depth_complexity;
 pub mod film;
 pub mod graph;
 pub mod image;
+#[allow(unreachable_pub)]
 mod kernel;
 pub mod membership;
 mod memory_limit;

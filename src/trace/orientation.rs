@@ -4,7 +4,7 @@ use exif::{In, Reader, Tag};
 
 /// How rows and columns of a file lie in the upright picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Orientation {
+pub(super) struct Orientation {
     /// The picture's rows are the file's columns.
     is_turned: bool,
     /// The file's columns go from right to left, and its rows from bottom to top.
@@ -13,7 +13,7 @@ pub struct Orientation {
 
 impl Orientation {
     /// The orientation in Exif data; upright where the data has none that can be understood.
-    pub fn of(exif: Option<&[u8]>) -> Orientation {
+    pub(super) fn of(exif: Option<&[u8]>) -> Orientation {
         let read = |data: &[u8]| Reader::new().read_raw(data.to_vec()).ok();
         let exif = exif.and_then(read);
         let field = exif
@@ -41,7 +41,7 @@ impl Orientation {
     }
 
     /// The upright picture of a file's, with its size; three numbers a pixel, row by row from the top.
-    pub fn upright(self, [width, height]: [u32; 2], pixels: Vec<u8>) -> ([u32; 2], Vec<u8>) {
+    pub(super) fn upright(self, [width, height]: [u32; 2], pixels: Vec<u8>) -> ([u32; 2], Vec<u8>) {
         let size = match self.is_turned {
             false => [width, height],
             true => [height, width],

@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 
 /// c₄t⁴ + c₃t³ + c₂t² + c₁t + c₀. Any of the coefficients may vanish.
 #[derive(Debug, Clone, Copy)]
-pub struct Quartic<R> {
+pub(super) struct Quartic<R> {
     /// c₄ first.
     pub c: [R; 5],
 }
@@ -19,7 +19,7 @@ pub struct Quartic<R> {
 impl<R: Real> Quartic<R> {
     /// The value and the slope.
     #[inline]
-    pub fn at(&self, t: R) -> (R, R) {
+    pub(super) fn at(&self, t: R) -> (R, R) {
         let [a, b, c, d, e] = self.c;
         let (p, q) = (a, a);
         let p = p.mul_add(t, b);
@@ -32,7 +32,7 @@ impl<R: Real> Quartic<R> {
     }
 
     /// The first three derivatives.
-    pub fn derivatives(&self, t: R) -> [R; 3] {
+    pub(super) fn derivatives(&self, t: R) -> [R; 3] {
         let [a, b, c, ..] = self.c;
         let (two, three, four) = (R::of(2.0), R::of(3.0), R::of(4.0));
         let (first, second) = self.slope_at([four * a, three * b, two * c], t);
@@ -57,7 +57,7 @@ impl<R: Real> Quartic<R> {
     /// # Inputs
     /// `from < to`, both finite. Whatever the coefficients, the points are numbers in between.
     #[inline]
-    pub fn pieces(&self, from: R, to: R, mut visit: impl FnMut(R) -> ControlFlow<()>) {
+    pub(super) fn pieces(&self, from: R, to: R, mut visit: impl FnMut(R) -> ControlFlow<()>) {
         let [a, b, c, ..] = self.c;
         let (two, three) = (R::of(2.0), R::of(3.0));
         let slope = [R::of(4.0) * a, three * b, two * c];
@@ -116,7 +116,7 @@ fn quadratic<R: Real>(a: R, b: R, c: R) -> [R; 2] {
 /// Newton's method from `start`; it bisects wherever a step would leave the bracket or exceeds half
 /// of the one before, so that every step halves either the steps or the bracket.
 #[inline]
-pub fn root_between<R: Real>(
+pub(super) fn root_between<R: Real>(
     f: impl Fn(R) -> (R, R),
     (mut low, mut high): (R, R),
     rising: bool,

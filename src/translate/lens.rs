@@ -8,7 +8,7 @@ use crate::trace::camera::View;
 
 /// A camera by its rays.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Lens {
+pub(super) enum Lens {
     /// Rays through one point.
     Pinhole(Pinhole),
     /// Parallel rays: where the one in the middle starts, and from there to the right edge and to the
@@ -18,7 +18,7 @@ pub enum Lens {
 
 /// Rays through one point, and a picture at right angles to the way it looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pinhole {
+pub(super) struct Pinhole {
     pub position: Vec3,
     /// Unit vectors: to the right and upwards in the picture, and along the optical axis.
     pub right: Vec3,
@@ -37,7 +37,7 @@ pub struct Pinhole {
 
 impl Pinhole {
     /// Whether its pixels are squares.
-    pub fn is_exact(&self) -> bool {
+    pub(super) fn is_exact(&self) -> bool {
         // Over thousands of pixels a hundredth of one is made of that: as exact as single precision.
         self.pixel.is_some_and(|p| (p - 1.0).abs() < 1e-6)
     }
@@ -46,7 +46,7 @@ impl Pinhole {
 impl Lens {
     /// The lens of a camera with a projection matrix; `None` where its rays neither come from one point nor are
     /// parallel.
-    pub fn of(camera: &Camera, width: u32, height: u32) -> Option<Lens> {
+    pub(super) fn of(camera: &Camera, width: u32, height: u32) -> Option<Lens> {
         let sight = Sight::of(camera.projection.as_ref()?).ok()?;
         let view = View::new(camera, width, height)?;
         let (w, h) = (f64::from(width), f64::from(height));

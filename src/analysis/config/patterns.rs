@@ -12,7 +12,7 @@ use crate::syntax::quote;
 
 /// A pattern, ready to be held against paths.
 #[derive(Debug, Clone)]
-pub struct Pattern {
+pub(super) struct Pattern {
     /// As it stands in the settings.
     pub written: String,
     /// Whether it is of all files that do not fit.
@@ -36,7 +36,7 @@ impl Pattern {
     /// # Errors
     ///
     /// It is none.
-    pub fn new(written: &str, root: &Path) -> Result<Pattern, Complaint> {
+    pub(super) fn new(written: &str, root: &Path) -> Result<Pattern, Complaint> {
         Pattern::build(written, false, written, root)
     }
 
@@ -45,7 +45,7 @@ impl Pattern {
     /// # Errors
     ///
     /// It is none.
-    pub fn new_or_not(written: &str, root: &Path) -> Result<Pattern, Complaint> {
+    pub(super) fn new_or_not(written: &str, root: &Path) -> Result<Pattern, Complaint> {
         match written.strip_prefix('!') {
             Some(rest) => Pattern::build(written, true, rest, root),
             None => Pattern::new(written, root),
@@ -75,7 +75,7 @@ impl Pattern {
     }
 
     /// Whether a path fits, which is a whole one.
-    pub fn matches(&self, path: &Path) -> bool {
+    pub(super) fn matches(&self, path: &Path) -> bool {
         let name = path.file_name().zip(self.name.as_ref());
         let fits = self.path.is_match(path) || name.is_some_and(|(n, glob)| glob.is_match(n));
         fits != self.negated

@@ -13,7 +13,7 @@ use crate::syntax::quote;
 
 /// Some settings; the rest is as it was.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Written {
+pub(super) struct Written {
     pub exclude: Option<Vec<Pattern>>,
     pub per_file_ignores: Option<Vec<(Pattern, Vec<Selector>)>>,
     pub levels: Vec<(Selector, Level)>,
@@ -24,7 +24,7 @@ pub struct Written {
 }
 
 /// What is wrong, and at which byte of the text.
-pub type Fault = (usize, Complaint);
+pub(super) type Fault = (usize, Complaint);
 
 const EXCLUDE: &str = "exclude";
 const PER_FILE_IGNORES: &str = "per-file-ignores";
@@ -46,7 +46,7 @@ impl Written {
     /// # Errors
     ///
     /// All that is wrong with the text, and where, in its order.
-    pub fn read(text: &str, root: &Path) -> Result<Written, Vec<Fault>> {
+    pub(super) fn read(text: &str, root: &Path) -> Result<Written, Vec<Fault>> {
         let (table, errors) = DeTable::parse_recoverable(text);
         let faults = errors.iter().map(|e| {
             let why = Complaint::new("setting-toml").with("reason", e.message().to_owned());

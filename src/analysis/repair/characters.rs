@@ -5,7 +5,7 @@
 const DASHES: [char; 8] = ['−', '–', '—', '‐', '‑', '‒', '﹣', '－'];
 
 /// The number that was meant by a word that is none. A per cent sign divides by 100, a degree sign goes.
-pub fn number(text: &str) -> Option<String> {
+pub(super) fn number(text: &str) -> Option<String> {
     // Square brackets belong to no number; other ones are no words.
     let text = text.trim_start_matches('[').trim_end_matches(']');
     let text = text.strip_suffix(['°', 'º', '˚']).unwrap_or(text);
@@ -38,7 +38,7 @@ fn without_shift(text: &str) -> Option<String> {
 }
 
 /// The degrees that an angle in parts of π is, as `pi/2`, `2*PI/3` or `-π`.
-pub fn degrees(text: &str) -> Option<String> {
+pub(super) fn degrees(text: &str) -> Option<String> {
     let text = text.to_lowercase().replace('π', "pi");
     let (above, below) = text.split_once('/').unwrap_or((&text, "1"));
     let factor = above.strip_suffix("pi")?.trim_end_matches(['*', '·']);
@@ -52,17 +52,17 @@ pub fn degrees(text: &str) -> Option<String> {
 }
 
 /// Whether a word is a sign that belongs to the number before it.
-pub fn is_unit(text: &str) -> bool {
+pub(super) fn is_unit(text: &str) -> bool {
     matches!(text, "%" | "°" | "º" | "˚" | "deg" | "degrees" | "stupňů")
 }
 
 /// Whether there is a typographic dash in a word.
-pub fn has_dash(text: &str) -> bool {
+pub(super) fn has_dash(text: &str) -> bool {
     text.contains(DASHES)
 }
 
 /// Whether a word is a minus sign that belongs to the number behind it.
-pub fn is_dash(text: &str) -> bool {
+pub(super) fn is_dash(text: &str) -> bool {
     text == "-" || text.chars().all(|c| DASHES.contains(&c)) && text.chars().count() == 1
 }
 

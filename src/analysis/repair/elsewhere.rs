@@ -11,7 +11,7 @@ use crate::syntax::Record;
 use crate::syntax::table::{Kind, RecordKind};
 
 /// A line that may be to blame.
-pub struct Suspect {
+pub(super) struct Suspect {
     /// What is wrong with the line if it is to blame.
     pub finding: Diagnostic,
     pub candidates: Vec<Candidate>,
@@ -25,7 +25,7 @@ pub struct Suspect {
 const MOST: usize = 4;
 
 /// The lines that may be to blame for errors on others.
-pub fn suspects(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
+pub(super) fn suspects(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
     let mut all: Vec<Suspect> = taking(analysis).take(MOST).collect();
     all.extend(exchanged(analysis, findings).into_iter().take(MOST));
     all.extend(copies(analysis, findings).into_iter().take(MOST));

@@ -7,7 +7,7 @@ use crate::diagnostics::{Code, Diagnostic};
 use crate::syntax::table::{Effect, RecordKind};
 
 /// Says of a record whose ID is that of something else in the scene what else is wrong with it.
-pub fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
+pub(super) fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
     let is_lost = |d: &Diagnostic| d.code == Code::E005 && d.case == "lost";
     // The lost ID may be one of these.
     let has_undefined = findings.iter().any(|d| d.code == Code::E101);

@@ -10,12 +10,12 @@ use crate::syntax::table::Effect;
 const CASE: &str = "hidden";
 
 /// Whether a finding says that a comment defines the ID which it calls undefined.
-pub fn is_told(d: &Diagnostic) -> bool {
+pub(super) fn is_told(d: &Diagnostic) -> bool {
     d.code == Code::E101 && d.case == CASE
 }
 
 /// Says of undefined IDs that a comment defines them, and proposes no others.
-pub fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
+pub(super) fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
     let mut undefined = (findings.iter_mut())
         .filter(|d| d.code == Code::E101 && d.case.is_empty())
         .peekable();

@@ -9,7 +9,7 @@ use crate::trace::plan::unseen::view::{Parts, out_of_view};
 
 /// What weighs most first.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Left {
+pub(super) struct Left {
     pub errors: usize,
     /// Objects that are empty, that nothing needs, that change nothing, or that no camera sees.
     pub in_vain: usize,
@@ -17,7 +17,7 @@ pub struct Left {
     pub notes: usize,
 }
 
-pub fn errors(analysis: &Analysis) -> usize {
+pub(super) fn errors(analysis: &Analysis) -> usize {
     analysis.errors.len()
 }
 
@@ -26,7 +26,7 @@ pub fn errors(analysis: &Analysis) -> usize {
 const LARGE: u64 = 20_000;
 
 /// Runs the rules; in a scene that is [`LARGE`] only errors count.
-pub fn left(analysis: &Analysis) -> Left {
+pub(super) fn left(analysis: &Analysis) -> Left {
     let mut left = Left::default();
     if occurrences(&analysis.scene) > LARGE {
         left.errors = errors(analysis);

@@ -12,7 +12,7 @@ use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Effect, ParamKind, RecordKind, RecordType};
 
 /// A finding about many lines, and the places of those that it stands for.
-pub struct Matter {
+pub(super) struct Matter {
     pub finding: Diagnostic,
     pub spans: Vec<Span>,
 }
@@ -28,7 +28,7 @@ const MANY: usize = 3;
 const MISUSED: usize = 8;
 
 /// Whether a finding is one of these.
-pub fn is_of_many(d: &Diagnostic) -> bool {
+pub(super) fn is_of_many(d: &Diagnostic) -> bool {
     let is_moved = d.code == Code::E107 && !d.fixes.is_empty();
     is_moved
         || matches!(
@@ -158,12 +158,12 @@ fn edit(span: Span, text: impl Into<String>) -> Edit {
     }
 }
 
-pub fn records(analysis: &Analysis) -> impl Iterator<Item = &Record> {
+pub(super) fn records(analysis: &Analysis) -> impl Iterator<Item = &Record> {
     analysis.document.items.iter().filter_map(Item::record)
 }
 
 /// The references of a record: their tokens and IDs.
-pub fn references<'a>(
+pub(super) fn references<'a>(
     analysis: &'a Analysis,
     record: &'a Record,
 ) -> impl Iterator<Item = (Token, i64)> {
@@ -311,7 +311,7 @@ fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
 const FOLLOWED: usize = 100_000;
 
 /// Says of definitions that need each other that they do.
-pub fn cycles(analysis: &Analysis, findings: &mut [Diagnostic]) {
+pub(super) fn cycles(analysis: &Analysis, findings: &mut [Diagnostic]) {
     if !findings.iter().any(|d| d.code == Code::E107) {
         return;
     }

@@ -9,7 +9,7 @@ use crate::diagnostics::{Diagnostic, SourceFile, Value};
 
 /// How to print the findings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
-pub enum Format {
+pub(super) enum Format {
     /// With the lines in question, notes and proposed fixes
     #[default]
     #[value(alias = "full")]
@@ -31,7 +31,7 @@ pub enum Format {
 
 impl Format {
     /// How the names of files in this format end, except for plain text.
-    pub fn endings(self) -> &'static [&'static str] {
+    pub(super) fn endings(self) -> &'static [&'static str] {
         match self {
             Format::Human | Format::Short | Format::Github => &[],
             Format::Json | Format::Gitlab => &["json"],
@@ -42,7 +42,7 @@ impl Format {
 }
 
 /// One file's findings, ready to be put out.
-pub enum Output {
+pub(super) enum Output {
     Text(Vec<u8>),
     Json(json::File),
     Sarif(sarif::File),
@@ -51,7 +51,7 @@ pub enum Output {
 }
 
 impl Output {
-    pub fn new(
+    pub(super) fn new(
         format: Format,
         source: &SourceFile,
         diagnostics: Vec<Diagnostic>,
@@ -79,7 +79,7 @@ impl Output {
 
 /// Writes what was found in all files. `fixes` says in a line what was mended; `complete` is whether
 /// every file could be read; with `quiet` nothing is summed up.
-pub fn write(
+pub(super) fn write(
     out: &mut dyn Write,
     format: Format,
     outputs: Vec<Output>,

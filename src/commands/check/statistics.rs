@@ -10,7 +10,7 @@ use crate::diagnostics::{Code, Diagnostic};
 
 /// For each code: how many findings, and how many of them can be fixed safely.
 #[derive(Debug, Default)]
-pub struct Statistics(BTreeMap<Code, (usize, usize)>);
+pub(super) struct Statistics(BTreeMap<Code, (usize, usize)>);
 
 /// What is written for programs.
 #[derive(Serialize)]
@@ -30,7 +30,7 @@ struct Row {
 }
 
 impl Statistics {
-    pub fn new(diagnostics: &[Diagnostic]) -> Statistics {
+    pub(super) fn new(diagnostics: &[Diagnostic]) -> Statistics {
         let mut counts = BTreeMap::new();
         for d in diagnostics {
             let (found, fixable) = counts.entry(d.code).or_insert((0, 0));
@@ -40,7 +40,7 @@ impl Statistics {
         Statistics(counts)
     }
 
-    pub fn sum<'a>(all: impl Iterator<Item = &'a Statistics>) -> Statistics {
+    pub(super) fn sum<'a>(all: impl Iterator<Item = &'a Statistics>) -> Statistics {
         let mut sum = Statistics::default();
         for (&code, &(found, fixable)) in all.flat_map(|s| &s.0) {
             let entry = sum.0.entry(code).or_insert((0, 0));
@@ -58,7 +58,7 @@ impl Statistics {
     }
 
     /// As JSON, with what the run adds up to.
-    pub fn write_json(&self, out: &mut dyn Write, total: &Tally) -> io::Result<()> {
+    pub(super) fn write_json(&self, out: &mut dyn Write, total: &Tally) -> io::Result<()> {
         let row = |(code, &(count, fixable)): (&Code, &(usize, usize))| Row {
             code: code.as_str(),
             name: code.name(),
@@ -75,7 +75,7 @@ impl Statistics {
     }
 
     /// A line for each code, the most frequent first: how many, how many of them `--fix` mends.
-    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+    pub(super) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let rows = self.rows();
         let width = |n: Option<usize>| n.unwrap_or(0).to_string().len();
         let found = width(rows.iter().map(|r| r.1.0).max());

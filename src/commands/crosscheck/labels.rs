@@ -3,13 +3,13 @@
 use crate::commands::canvas::{Canvas, LARGE, PAPER, SMALL, WHITE};
 
 /// A colour and what it means.
-pub type Meaning = ([u8; 3], String);
+pub(super) type Meaning = ([u8; 3], String);
 
 /// Room around a line of text, in pixels.
 const MARGIN: u32 = 4;
 
 /// Pictures of one size beside each other, each under its title, and under the last one what its colours mean.
-pub fn beside<const N: usize>(
+pub(super) fn beside<const N: usize>(
     [width, height]: [u32; 2],
     pictures: [(&str, &[u8]); N],
     legend: &[Meaning],

@@ -26,7 +26,7 @@ const ASKED: Asked = Asked {
 const NAMED: usize = 3;
 
 /// Looks, compares and writes what is seen.
-pub fn compare(
+pub(super) fn compare(
     args: &Args,
     loaded: &Analysis,
     look: LookChoice,

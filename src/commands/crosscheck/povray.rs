@@ -23,7 +23,7 @@ const ASKED: Asked = Asked {
 };
 
 /// Takes, compares and writes all pictures.
-pub fn compare(
+pub(super) fn compare(
     args: &Args,
     loaded: &Analysis,
     look: LookChoice,

@@ -7,7 +7,7 @@ use crate::diagnostics::{Complaint, Language};
 
 /// Who runs the tasks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum Engine {
+pub(super) enum Engine {
     /// Open Job Description: job.yaml, for render farms and `openjd run`
     Openjd,
     /// Slurm: an array that draws, and a job that joins
@@ -17,7 +17,7 @@ pub enum Engine {
 }
 
 /// What a job is made of. A task is a picture, or a band of rows of one.
-pub struct Work {
+pub(super) struct Work {
     /// Letters, digits and dashes.
     pub name: String,
     /// What people are told of it.
@@ -84,7 +84,7 @@ const STEPS: &str = "        - name: Tasks
 
 impl Engine {
     /// So many tasks are drawn in one go at least, where there are so many in all.
-    pub fn least_chunk(self, tasks: u32) -> u32 {
+    pub(super) fn least_chunk(self, tasks: u32) -> u32 {
         match self {
             Engine::Slurm => tasks.div_ceil(ARRAY),
             Engine::Openjd | Engine::Shell => 1,
@@ -139,7 +139,12 @@ impl Engine {
     }
 
     /// Writes the files of a job into its folder.
-    pub fn write(self, work: &Work, language: Language, folder: &Path) -> Result<(), Complaint> {
+    pub(super) fn write(
+        self,
+        work: &Work,
+        language: Language,
+        folder: &Path,
+    ) -> Result<(), Complaint> {
         let files = self.files(work, language);
         // What an earlier job of another engine has left would draw other tasks.
         for name in STARTED {

@@ -20,7 +20,7 @@ const JOIN: f64 = 1e-6;
 const MARGIN: f64 = 1.25;
 
 /// What the dearest picture takes.
-pub struct Measured {
+pub(super) struct Measured {
     /// Reading the scene and building, in seconds.
     pub build: f64,
     /// All pixels, in seconds on one processor.
@@ -40,7 +40,11 @@ pub struct Measured {
 /// # Errors
 ///
 /// The options do not fit the scenes, or a scene cannot be drawn.
-pub fn measure(picture: &PictureArgs, scenes: &[Scene], tile_time: f64) -> Result<Measured, Error> {
+pub(super) fn measure(
+    picture: &PictureArgs,
+    scenes: &[Scene],
+    tile_time: f64,
+) -> Result<Measured, Error> {
     let settings = picture.settings(None)?;
     let step = scenes.len().div_ceil(SCENES).max(1);
     let some = || scenes.iter().step_by(step);
@@ -80,7 +84,7 @@ impl Measured {
     /// # Errors
     ///
     /// More are wanted than there are rows.
-    pub fn tiles(&self, wanted: Option<u32>, seconds: f64) -> Result<u32, Complaint> {
+    pub(super) fn tiles(&self, wanted: Option<u32>, seconds: f64) -> Result<u32, Complaint> {
         match wanted {
             Some(count) if count > self.rows => Err(Complaint::new("more-tiles-than-rows")
                 .with("count", count.to_string())
@@ -93,12 +97,12 @@ impl Measured {
     }
 
     /// What a task takes: reading, building, and a band on so many processors.
-    pub fn seconds(&self, tiles: u32, cores: u32) -> f64 {
+    pub(super) fn seconds(&self, tiles: u32, cores: u32) -> f64 {
         self.build + self.pixels / f64::from(tiles) / f64::from(cores)
     }
 
     /// What a task takes at most, in 10⁶ bytes.
-    pub fn megabytes(&self, tiles: u32) -> u64 {
+    pub(super) fn megabytes(&self, tiles: u32) -> u64 {
         let bytes = MARGIN * self.process + self.picture / f64::from(tiles);
         let hundreds = (bytes / 1e8).ceil() as u64;
         100 * hundreds.max(2)

@@ -19,7 +19,7 @@ const OF_TASKS: [&str; 2] = ["only", "fps"];
 
 /// The options about pictures that this program was called with, as a shell reads them. `command` is that of the whole
 /// program.
-pub fn given(command: Command) -> String {
+pub(super) fn given(command: Command) -> String {
     // They have been read once, so they can be read again.
     let all = command.get_matches_from(std::env::args_os());
     let Some((_, matches)) = all.subcommand() else {
@@ -46,7 +46,7 @@ fn option(name: &str, id: &str, matches: &ArgMatches) -> String {
 }
 
 /// Copies the table of frames, if there is one.
-pub fn copy_table(frames: &FrameArgs, job: &Path) -> Result<(), Complaint> {
+pub(super) fn copy_table(frames: &FrameArgs, job: &Path) -> Result<(), Complaint> {
     let Some(table) = frames.table() else {
         return Ok(());
     };

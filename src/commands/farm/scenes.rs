@@ -13,7 +13,7 @@ use crate::diagnostics::Complaint;
 use crate::scene::Texture;
 
 /// A scene of the job.
-pub struct Scene {
+pub(super) struct Scene {
     pub path: PathBuf,
     /// Its place among the scenes of the job.
     pub place: PathBuf,
@@ -28,7 +28,7 @@ const LIST: &str = "scenes.txt";
 const SCENES: &str = "scenes";
 
 /// Those that lie in a folder, and the others.
-pub fn in_folder(folder: &Path, files: Vec<PathBuf>) -> (Vec<PathBuf>, Vec<PathBuf>) {
+pub(super) fn in_folder(folder: &Path, files: Vec<PathBuf>) -> (Vec<PathBuf>, Vec<PathBuf>) {
     let folder = folder.canonicalize().ok();
     let is_in = |file: &PathBuf| {
         let place = file.canonicalize().ok();
@@ -39,7 +39,7 @@ pub fn in_folder(folder: &Path, files: Vec<PathBuf>) -> (Vec<PathBuf>, Vec<PathB
 
 /// Where scenes lie among the scenes of the job: as below the folder that was named, or, where two have the same place,
 /// in folders with numbers.
-pub fn places(paths: &[PathBuf], files: Vec<PathBuf>) -> Vec<(PathBuf, PathBuf)> {
+pub(super) fn places(paths: &[PathBuf], files: Vec<PathBuf>) -> Vec<(PathBuf, PathBuf)> {
     let below: Vec<PathBuf> = (files.iter())
         .map(|file| place_below(paths, file))
         .collect();
@@ -58,7 +58,7 @@ pub fn places(paths: &[PathBuf], files: Vec<PathBuf>) -> Vec<(PathBuf, PathBuf)>
 }
 
 /// Makes sure that a job can name these scenes: its list has a place a line.
-pub fn check_places(places: &[(PathBuf, PathBuf)]) -> Result<(), Complaint> {
+pub(super) fn check_places(places: &[(PathBuf, PathBuf)]) -> Result<(), Complaint> {
     for (file, place) in places {
         let is_line = |place: &str| !place.contains(['\n', '\r']);
         match is_stdin(file) {
@@ -71,7 +71,7 @@ pub fn check_places(places: &[(PathBuf, PathBuf)]) -> Result<(), Complaint> {
 }
 
 /// Makes sure that each scene has a picture of its own.
-pub fn check_pictures(scenes: &[Scene]) -> Result<(), Complaint> {
+pub(super) fn check_pictures(scenes: &[Scene]) -> Result<(), Complaint> {
     let mut seen = HashSet::new();
     let twice = (scenes.iter())
         .map(|scene| scene.place.with_extension(""))
@@ -82,7 +82,7 @@ pub fn check_pictures(scenes: &[Scene]) -> Result<(), Complaint> {
 }
 
 /// A name for the job: letters, digits and dashes.
-pub fn name(place: &Path) -> String {
+pub(super) fn name(place: &Path) -> String {
     let stem = place.file_stem().unwrap_or_default().to_string_lossy();
     let plain = |c: char| match c.is_ascii_alphanumeric() {
         true => c,
@@ -111,7 +111,11 @@ pub fn check_folder(folder: &Path) -> Result<bool, Complaint> {
 }
 
 /// Copies the scenes and the textures that they name into the job, and writes the list of those that are drawn.
-pub fn copy(job: &Path, scenes: &[Scene], broken: &[(PathBuf, PathBuf)]) -> Result<(), Complaint> {
+pub(super) fn copy(
+    job: &Path,
+    scenes: &[Scene],
+    broken: &[(PathBuf, PathBuf)],
+) -> Result<(), Complaint> {
     let folder = job.join(SCENES);
     for scene in scenes {
         copy_file(&scene.path, &folder.join(&scene.place))?;

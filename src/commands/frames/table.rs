@@ -12,7 +12,7 @@ const MOST_NAMED: usize = 20;
 
 /// The numbers of a table.
 #[derive(Debug, Default)]
-pub struct Table {
+pub(super) struct Table {
     path: PathBuf,
     pub names: Vec<Name>,
     /// A row for each frame, as long as there are names.
@@ -25,13 +25,13 @@ impl Table {
     /// # Errors
     ///
     /// All mistakes, up to some, with their rows and columns.
-    pub fn read(path: &Path) -> Result<Table, Complaint> {
+    pub(super) fn read(path: &Path) -> Result<Table, Complaint> {
         let source = SourceFile::new(path.to_string_lossy(), file::read(path)?);
         parsed(path, source.text.trim_start_matches('\u{feff}'))
     }
 
     /// What is wrong with the name of a column.
-    pub fn misnamed(&self, column: usize, why: Complaint) -> Complaint {
+    pub(super) fn misnamed(&self, column: usize, why: Complaint) -> Complaint {
         in_cell(&self.path, 1, (column + 1).to_string(), why)
     }
 }

@@ -11,7 +11,7 @@ use crate::trace::{Crossing, Membership, Ray, Tracer, Walkers};
 
 /// What is on a ray.
 #[derive(Debug, Serialize)]
-pub struct RayAnswer {
+pub(super) struct RayAnswer {
     ray: RayJson,
     inside_at_origin: bool,
     hits: Vec<HitJson>,
@@ -36,7 +36,7 @@ struct HitJson {
 
 /// What is on the ray of a pixel, and its colour, linear RGB.
 #[derive(Debug, Serialize)]
-pub struct PixelAnswer {
+pub(super) struct PixelAnswer {
     pixel: [u32; 2],
     color: [f32; 3],
     #[serde(flatten)]
@@ -45,7 +45,7 @@ pub struct PixelAnswer {
 
 /// What is at a point.
 #[derive(Debug, Serialize)]
-pub struct PointAnswer {
+pub(super) struct PointAnswer {
     point: [f64; 3],
     inside: Vec<u32>,
     in_scene: bool,
@@ -58,7 +58,7 @@ fn plain<const N: usize>(numbers: [f64; N]) -> [f64; N] {
 
 impl RayAnswer {
     /// Traces a ray in some precision; the error is that numbers are out of range.
-    pub fn new<R: Writable>(
+    pub(super) fn new<R: Writable>(
         tracer: &Tracer,
         walkers: &mut Walkers<R>,
         ray: &Ray,
@@ -103,14 +103,14 @@ impl HitJson {
 }
 
 impl PixelAnswer {
-    pub fn new(pixel: [u32; 2], color: [f32; 3], ray: RayAnswer) -> PixelAnswer {
+    pub(super) fn new(pixel: [u32; 2], color: [f32; 3], ray: RayAnswer) -> PixelAnswer {
         PixelAnswer { pixel, color, ray }
     }
 }
 
 impl PointAnswer {
     /// `shown`: the point lies in the region that is drawn.
-    pub fn new(point: Vec3, found: Membership, shown: bool) -> PointAnswer {
+    pub(super) fn new(point: Vec3, found: Membership, shown: bool) -> PointAnswer {
         PointAnswer {
             point: plain(point.0),
             inside: found.inside.into_iter().collect(),
@@ -120,7 +120,7 @@ impl PointAnswer {
 }
 
 /// Writes an answer on a line of its own.
-pub fn write(out: &mut dyn Write, answer: &impl Serialize) -> io::Result<()> {
+pub(super) fn write(out: &mut dyn Write, answer: &impl Serialize) -> io::Result<()> {
     serde_json::to_writer(&mut *out, answer)?;
     writeln!(out)
 }

@@ -15,7 +15,7 @@ use crate::syntax::quote;
 use crate::trace::{Ray, Tracer};
 
 /// Bytes that are read at once.
-pub const BUFFER: usize = 1 << 20;
+pub(super) const BUFFER: usize = 1 << 20;
 /// Rays that are held at once.
 const BATCH: usize = 1 << 14;
 /// Rays that a thread takes at once.
@@ -25,14 +25,14 @@ const LINE_MAX: u64 = 1 << 16;
 
 /// A line that cannot be read, holds no ray, or one that cannot be answered.
 #[derive(Debug)]
-pub struct BadRay {
+pub(super) struct BadRay {
     line: u64,
     reason: Complaint,
 }
 
 impl BadRay {
     /// What to say about it; `path` is the file of rays.
-    pub fn complaint(self, path: &Path) -> Complaint {
+    pub(super) fn complaint(self, path: &Path) -> Complaint {
         Complaint::new("at-line")
             .with("path", path)
             .with("line", self.line.to_string())
@@ -41,7 +41,7 @@ impl BadRay {
 }
 
 /// Reads N numbers separated by white space, commas or both.
-pub fn numbers<const N: usize>(s: &str) -> Result<[f64; N], Complaint> {
+pub(super) fn numbers<const N: usize>(s: &str) -> Result<[f64; N], Complaint> {
     let mut out = [0.0; N];
     let mut count = 0;
     let words = s.split(|c: char| c.is_whitespace() || c == ',');
@@ -69,7 +69,7 @@ pub fn numbers<const N: usize>(s: &str) -> Result<[f64; N], Complaint> {
 }
 
 /// Reads a ray: origin and direction.
-pub fn parse(s: &str) -> Result<Ray, Complaint> {
+pub(super) fn parse(s: &str) -> Result<Ray, Complaint> {
     let [ox, oy, oz, dx, dy, dz] = numbers(s)?;
     let direction = Vec3::new(dx, dy, dz);
     if !direction.any() {
@@ -81,7 +81,7 @@ pub fn parse(s: &str) -> Result<Ray, Complaint> {
 /// Answers every ray of a file on standard output, in order. A line that holds no ray, or one that
 /// cannot be answered, is told to `bad` after all rays before it, and some behind, have been answered.
 /// One that cannot be read ends the file.
-pub fn stream<R: Writable>(
+pub(super) fn stream<R: Writable>(
     tracer: &Tracer,
     input: &mut Input,
     bad: impl Fn(BadRay),
@@ -126,7 +126,7 @@ pub fn stream<R: Writable>(
 }
 
 /// A file of rays.
-pub type Input = BufReader<Box<dyn Read>>;
+pub(super) type Input = BufReader<Box<dyn Read>>;
 
 /// Why a batch ends.
 enum End {

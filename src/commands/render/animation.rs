@@ -10,7 +10,7 @@ use crate::trace::film::{Packing, encoder};
 
 /// Writes an animated picture that is shown again and again; its width and height. The pictures are 8-bit sRGB of one
 /// size.
-pub fn write(path: &Path, pictures: &[PathBuf], fps: u16) -> Result<[u32; 2], Complaint> {
+pub(super) fn write(path: &Path, pictures: &[PathBuf], fps: u16) -> Result<[u32; 2], Complaint> {
     let mut size = [0; 2];
     atomic_file::write(path, |out| {
         size = animated(out, pictures, fps)?;

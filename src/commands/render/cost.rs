@@ -16,7 +16,7 @@ use crate::trace::{Images, Settings};
 const COST_SECONDS: f64 = 1.0;
 
 /// What a picture has cost, in some ten lines.
-pub fn spent(
+pub(super) fn spent(
     camera: &Camera,
     (loaded, scene): (&Analysis, &Scene),
     settings: &Settings,

@@ -36,7 +36,7 @@ impl Write for Hashed {
 }
 
 /// A hash of a scene as it is drawn, with the bytes of its textures; comments and layout do not matter.
-pub fn of_scene(scene: &Scene, folder: &Path) -> String {
+pub(super) fn of_scene(scene: &Scene, folder: &Path) -> String {
     let mut hash = of_json(&json::write(scene));
     for file in Images::files(scene) {
         // What cannot be read is said when it is to be drawn.
@@ -59,7 +59,7 @@ fn of_json(value: &impl Serialize) -> Sha256 {
 /// What a file shows of the cameras of a scene.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Content {
+pub(super) enum Content {
     /// What the only camera sees, or both as one picture.
     Picture,
     Left,
@@ -85,7 +85,7 @@ struct Options {
 }
 
 /// A hash of the options, however they are written; the band of rows is none of them.
-pub fn of_settings(args: &Args, settings: &Settings, content: Content) -> String {
+pub(super) fn of_settings(args: &Args, settings: &Settings, content: Content) -> String {
     let (samples, tolerance) = match args.picture.sampling() {
         Sampling::Fixed(samples) => (Some(samples), None),
         Sampling::Adaptive(tolerance) => (None, Some(tolerance)),

@@ -17,7 +17,7 @@ use crate::trace::{Film, Picture, Settings, Tracer};
 const PLACES: u32 = 32;
 
 /// Says what the scene lacks, and why a picture shows nothing.
-pub fn say(
+pub(super) fn say(
     args: &Args,
     tracer: &Tracer,
     (scene, cameras): (&Scene, &[Camera]),
@@ -43,7 +43,7 @@ pub fn say(
 
 /// Says what of the records is hardly meant, as long as they are there: objects that are not part of what is drawn, and
 /// commas that may be decimal ones. Nothing of a band.
-pub fn say_of_records(args: &Args, loaded: &Analysis, look: LookChoice) {
+pub(super) fn say_of_records(args: &Args, loaded: &Analysis, look: LookChoice) {
     if look.quiet || args.tile.is_some() {
         return;
     }
@@ -113,7 +113,7 @@ fn fault(
 }
 
 /// Says how much of the pictures is brighter than white, and what mends it.
-pub fn say_brightness(films: &[Film], exposure: f64, look: LookChoice) {
+pub(super) fn say_brightness(films: &[Film], exposure: f64, look: LookChoice) {
     let pixels = || films.iter().flat_map(|film| &film.pixels);
     let largest = |pixel: &[f32; 3]| pixel.iter().copied().fold(0.0, f32::max);
     let bright = pixels().filter(|&&pixel| is_above_white(pixel)).count();

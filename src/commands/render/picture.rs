@@ -28,7 +28,7 @@ use crate::trace::stats::Counts;
 use crate::trace::{CostMap, Crop, Film, Images, Numbers, Picture, Settings, Tracer};
 
 /// Draws, and says what was written and, if that is asked, what it has cost.
-pub fn draw(
+pub(super) fn draw(
     args: &Args,
     job: &Job,
     (loaded, load): (&Analysis, f64),

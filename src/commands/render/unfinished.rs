@@ -13,7 +13,7 @@ use crate::trace::stats::Counts;
 use crate::trace::{CostMap, Film, Picture, Samples};
 
 /// The rows of one camera, in a file beside the picture.
-pub struct Unfinished {
+pub(super) struct Unfinished {
     pub path: PathBuf,
     /// Of the whole picture of this camera.
     pub origin: Origin,
@@ -40,7 +40,7 @@ impl Unfinished {
     }
 
     /// Draws those of the wanted rows that are not in the file. Rows after damage are not.
-    pub fn go_on(
+    pub(super) fn go_on(
         &self,
         wanted: Range<u32>,
         look: LookChoice,
@@ -81,7 +81,7 @@ impl Unfinished {
 
     /// Writes the finished rows of a picture whose first row is this one; how many they are. Where there is none,
     /// nothing is written.
-    pub fn leave(&self, picture: &Picture, start: u32) -> Result<u32, Complaint> {
+    pub(super) fn leave(&self, picture: &Picture, start: u32) -> Result<u32, Complaint> {
         let at = |row: u32| start + row;
         let missing = gaps(&picture.finished);
         let ends = missing.iter().map(|gap| gap.start);
@@ -105,7 +105,7 @@ impl Unfinished {
     }
 
     /// The picture is there: its rows are not needed any more.
-    pub fn remove(&self) {
+    pub(super) fn remove(&self) {
         let is_ours = |rows: read::Rows| rows.origin.is_of_one_picture(&self.origin);
         if self.path.exists() && read::open(&self.path).is_ok_and(is_ours) {
             // A file that is left does no harm.

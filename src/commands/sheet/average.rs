@@ -6,7 +6,7 @@ use crate::trace::film::srgb8;
 
 /// A picture of 8-bit RGB, row by row from the top.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Thumbnail {
+pub(super) struct Thumbnail {
     /// Columns and rows of the picture itself.
     pub original: [u32; 2],
     pub size: [u32; 2],
@@ -14,7 +14,7 @@ pub struct Thumbnail {
 }
 
 /// Pixels of a picture, which come in any order.
-pub struct Average {
+pub(super) struct Average {
     from: [u32; 2],
     to: [u32; 2],
     columns: Vec<Parts>,
@@ -62,7 +62,7 @@ fn fitted([width, height]: [u32; 2], most: [u32; 2]) -> [u32; 2] {
 
 impl Average {
     /// Of a picture of some size, to fit into another one. It is not made larger.
-    pub fn new(from: [u32; 2], most: [u32; 2]) -> Average {
+    pub(super) fn new(from: [u32; 2], most: [u32; 2]) -> Average {
         let to = fitted(from, most);
         Average {
             from,
@@ -75,7 +75,7 @@ impl Average {
 
     /// Adds a pixel of the larger picture. What is brighter than white counts as white, as it looks on a screen: one
     /// bright spot does not make all around it white.
-    pub fn add(&mut self, x: usize, y: usize, colour: Rgb) {
+    pub(super) fn add(&mut self, x: usize, y: usize, colour: Rgb) {
         let (column, row) = (self.columns[x], self.rows[y]);
         // What is no number is black.
         let colour = colour.map(|c| if c > 0.0 { c.min(1.0) } else { 0.0 });
@@ -93,7 +93,7 @@ impl Average {
         }
     }
 
-    pub fn finish(self) -> Thumbnail {
+    pub(super) fn finish(self) -> Thumbnail {
         let encoded = |sum: &Rgb| -> Colour { sum.map(|c| srgb8(c as f32)) };
         Thumbnail {
             original: self.from,

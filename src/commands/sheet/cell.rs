@@ -6,14 +6,14 @@ use super::findings::Counts;
 use crate::diagnostics::{Complaint, Language, Value};
 
 /// A box of the sheet, whose picture has been read.
-pub struct Cell<'e> {
+pub(super) struct Cell<'e> {
     pub entry: &'e SheetBox<'e>,
     /// The picture, or why there is none.
     pub picture: Result<Thumbnail, Complaint>,
 }
 
 /// What is said of the whole sheet.
-pub struct Heading {
+pub(super) struct Heading {
     pub folder: String,
     pub pictures: usize,
     /// Of all scenes, if there are findings.
@@ -22,18 +22,18 @@ pub struct Heading {
 
 impl Cell<'_> {
     /// `640 × 480`.
-    pub fn size(&self) -> Option<String> {
+    pub(super) fn size(&self) -> Option<String> {
         let [width, height] = self.picture.as_ref().ok()?.original;
         Some(format!("{width} × {height}"))
     }
 
     /// Errors and warnings of the scene, if there is one.
-    pub fn counts(&self) -> Option<Counts> {
+    pub(super) fn counts(&self) -> Option<Counts> {
         self.entry.scene.map(|scene| scene.counts())
     }
 
     /// What stands in place of the picture.
-    pub fn reason(&self, language: Language) -> Option<String> {
+    pub(super) fn reason(&self, language: Language) -> Option<String> {
         let why = self.picture.as_ref().err()?;
         Some(match self.entry.picture {
             Some(_) => {
@@ -46,7 +46,7 @@ impl Cell<'_> {
 }
 
 /// Why there is no picture of a scene.
-pub fn without_picture(counts: Counts) -> Complaint {
+pub(super) fn without_picture(counts: Counts) -> Complaint {
     match counts.errors {
         0 => Complaint::new("sheet-no-picture"),
         errors => Complaint::new("sheet-errors").with("count", Value::Count(errors)),
@@ -55,7 +55,7 @@ pub fn without_picture(counts: Counts) -> Complaint {
 
 impl Heading {
     /// In one line.
-    pub fn line(&self, language: Language) -> String {
+    pub(super) fn line(&self, language: Language) -> String {
         let pictures = [("count", Value::Count(self.pictures as u64))];
         let pictures = language.say("sheet-pictures", &pictures);
         let mut parts = vec![pictures];
@@ -70,7 +70,7 @@ impl Heading {
 }
 
 /// How many errors and warnings a scene has, or that it is clean.
-pub fn found(counts: Counts, language: Language) -> Vec<String> {
+pub(super) fn found(counts: Counts, language: Language) -> Vec<String> {
     match counts == Counts::default() {
         true => vec![language.say("sheet-scene-clean", &[])],
         false => counts.parts(language).into_iter().flatten().collect(),

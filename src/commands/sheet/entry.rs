@@ -6,7 +6,7 @@ use std::path::{Component, Path, PathBuf};
 use super::findings::Scene;
 
 /// A box of the sheet.
-pub struct SheetBox<'f> {
+pub(super) struct SheetBox<'f> {
     /// Of the picture, or else of the scene, within their folders.
     pub name: String,
     pub picture: Option<PathBuf>,
@@ -14,7 +14,7 @@ pub struct SheetBox<'f> {
 }
 
 /// Of all pictures of a folder, in the order of names.
-pub fn entries<'f>(
+pub(super) fn entries<'f>(
     folder: &Path,
     pictures: Vec<PathBuf>,
     scenes: &'f [Scene],

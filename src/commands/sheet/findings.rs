@@ -11,11 +11,11 @@ use crate::diagnostics::render::json::VERSION;
 use crate::diagnostics::{Complaint, Language, Value};
 
 /// What the file is called that a folder of pictures may have.
-pub const FILE: &str = "findings.json";
+pub(super) const FILE: &str = "findings.json";
 
 /// Of all scenes.
 #[derive(Deserialize)]
-pub struct Findings {
+pub(super) struct Findings {
     version: u32,
     #[serde(rename = "files")]
     pub scenes: Vec<Scene>,
@@ -23,14 +23,14 @@ pub struct Findings {
 
 /// A scene and what was found in it, in the order of places.
 #[derive(Deserialize)]
-pub struct Scene {
+pub(super) struct Scene {
     pub path: PathBuf,
     #[serde(rename = "diagnostics")]
     pub findings: Vec<Finding>,
 }
 
 #[derive(Deserialize)]
-pub struct Finding {
+pub(super) struct Finding {
     pub code: String,
     pub severity: String,
     /// In English.
@@ -39,26 +39,26 @@ pub struct Finding {
 }
 
 #[derive(Deserialize)]
-pub struct Span {
+pub(super) struct Span {
     pub start: LineColumn,
 }
 
 #[derive(Deserialize)]
-pub struct LineColumn {
+pub(super) struct LineColumn {
     pub line: u64,
     pub column: u64,
 }
 
 /// How many errors and warnings there are.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Counts {
+pub(super) struct Counts {
     pub errors: u64,
     pub warnings: u64,
 }
 
 impl Findings {
     /// Those of a folder, if it has some.
-    pub fn of_folder(folder: &Path) -> Result<Option<Findings>, Complaint> {
+    pub(super) fn of_folder(folder: &Path) -> Result<Option<Findings>, Complaint> {
         let path = folder.join(FILE);
         let bytes = match fs::read(&path) {
             Ok(bytes) => bytes,
@@ -79,7 +79,7 @@ impl Findings {
         }
     }
 
-    pub fn counts(&self) -> Counts {
+    pub(super) fn counts(&self) -> Counts {
         let all = self.scenes.iter().map(Scene::counts);
         all.fold(Counts::default(), |a, b| Counts {
             errors: a.errors + b.errors,
@@ -89,7 +89,7 @@ impl Findings {
 }
 
 impl Scene {
-    pub fn counts(&self) -> Counts {
+    pub(super) fn counts(&self) -> Counts {
         let count = |severity: &str| {
             let such = self.findings.iter().filter(|f| f.severity == severity);
             such.count() as u64
@@ -103,7 +103,7 @@ impl Scene {
 
 impl Counts {
     /// The number of errors and that of warnings, each unless it is 0.
-    pub fn parts(self, language: Language) -> [Option<String>; 2] {
+    pub(super) fn parts(self, language: Language) -> [Option<String>; 2] {
         let part = |count: u64, message| {
             (count > 0).then(|| language.say(message, &[("count", Value::Count(count))]))
         };

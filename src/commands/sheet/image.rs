@@ -30,7 +30,7 @@ const RED: Colour = [255, 128, 128];
 const YELLOW: Colour = [240, 208, 96];
 
 /// What a sheet of boxes looks like.
-pub struct Layout {
+pub(super) struct Layout {
     pub columns: u32,
     rows: u32,
     size: Size,
@@ -40,7 +40,7 @@ pub struct Layout {
 
 impl Layout {
     /// Of so many boxes. Unless a number of columns is given, the sheet is about a third wider than high.
-    pub fn new(
+    pub(super) fn new(
         count: usize,
         columns: Option<u32>,
         size: Size,
@@ -88,7 +88,7 @@ fn box_height(size: Size) -> u32 {
 }
 
 /// Writes the sheet, for which boxes come one by one.
-pub fn write<'e>(
+pub(super) fn write<'e>(
     out: &mut dyn Write,
     layout: &Layout,
     language: Language,
@@ -177,7 +177,7 @@ fn shortened(name: &str, fit: usize) -> String {
 }
 
 /// Whether a file is a sheet from an earlier run.
-pub fn is_sheet(path: &Path) -> bool {
+pub(super) fn is_sheet(path: &Path) -> bool {
     let Ok(file) = File::open(path) else {
         return false;
     };

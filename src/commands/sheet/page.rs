@@ -50,7 +50,7 @@ fn columns(columns: Option<u32>, size: Size) -> String {
 }
 
 /// Writes the sheet, for which boxes come one by one. No row has more than `most` of them.
-pub fn write<'e>(
+pub(super) fn write<'e>(
     out: &mut dyn Write,
     heading: &Heading,
     most: Option<u32>,

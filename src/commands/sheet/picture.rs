@@ -12,7 +12,7 @@ use crate::trace::bitmap::Bitmap;
 use crate::trace::decode::{Limits, Pixels, broken, rgb};
 
 /// How files end that may be pictures.
-pub const ENDINGS: [&str; 6] = ["png", "jpg", "jpeg", "webp", "exr", "pfm"];
+pub(super) const ENDINGS: [&str; 6] = ["png", "jpg", "jpeg", "webp", "exr", "pfm"];
 
 /// A hundred million pixels.
 const LIMITS: Limits = Limits {
@@ -26,7 +26,7 @@ const LIMITS: Limits = Limits {
 /// # Errors
 ///
 /// The file cannot be read or decoded, or the picture is too large.
-pub fn shrunk(path: &Path, most: [u32; 2]) -> Result<Thumbnail, Complaint> {
+pub(super) fn shrunk(path: &Path, most: [u32; 2]) -> Result<Thumbnail, Complaint> {
     let cannot = |e: io::Error| Complaint::from(&e);
     let mut file = BufReader::new(File::open(path).map_err(cannot)?);
     let start = file.fill_buf().map_err(cannot)?;

@@ -41,7 +41,7 @@ struct Line {
 impl Excerpt {
     /// An excerpt with the lines on which these spans start. Where several spans start on one long
     /// line, the window is around the first.
-    pub fn new(file: &SourceFile, spans: impl Iterator<Item = Span>) -> Excerpt {
+    pub(super) fn new(file: &SourceFile, spans: impl Iterator<Item = Span>) -> Excerpt {
         let mut starts: Vec<(usize, u32)> = spans
             .map(|span| {
                 let at = file.floor(span.start);
@@ -97,7 +97,7 @@ impl Excerpt {
 
     /// Where a span lies in the stand-in, in characters: at least one, and cut at the end of what is
     /// shown of the line it starts on. `None` when its start is not shown.
-    pub fn place(&self, file: &SourceFile, span: Span) -> Option<std::ops::Range<usize>> {
+    pub(super) fn place(&self, file: &SourceFile, span: Span) -> Option<std::ops::Range<usize>> {
         let from = file.floor(span.start);
         let number = file.line_index(from);
         let i = self

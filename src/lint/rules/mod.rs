@@ -47,7 +47,7 @@ mod stale_operand;
 mod surface_operand;
 mod too_bright;
 mod unseen_texture;
-pub mod unused_definition;
+pub(super) mod unused_definition;
 mod up_along_view;
 
 use super::Context;
@@ -55,7 +55,7 @@ use crate::diagnostics::{Code, Diagnostic};
 use crate::syntax::table::{RecordKind, ShapeKind};
 
 /// One rule.
-pub struct Rule {
+pub(super) struct Rule {
     pub code: Code,
     /// Looks at a scene and adds its findings.
     pub check: fn(&Context, &mut Vec<Diagnostic>),
@@ -111,7 +111,7 @@ const THIN_SHAPES: &[RecordKind] = &[
 ];
 
 /// Every rule. Those that may take longest come first: they are begun in this order.
-pub const RULES: &[Rule] = &[
+pub(super) const RULES: &[Rule] = &[
     Rule {
         code: Code::W321,
         check: coincident_faces::check,
@@ -301,7 +301,7 @@ pub const RULES: &[Rule] = &[
 
 /// Rules about the picture as a whole, and about what several records make of an object. What an error leaves out of a
 /// scene may be what would be seen, or a property: they do not run then.
-pub const OF_PICTURES: &[Code] = &[
+pub(super) const OF_PICTURES: &[Code] = &[
     Code::W307,
     Code::W318,
     Code::W324,
@@ -315,7 +315,7 @@ pub const OF_PICTURES: &[Code] = &[
 
 /// Rules whose fixes take records out. Where there is an error such a record may be what is to be mended: no fix is
 /// offered then.
-pub const TAKING_OUT: &[Code] = &[Code::W327];
+pub(super) const TAKING_OUT: &[Code] = &[Code::W327];
 
 #[cfg(test)]
 mod tests {

@@ -185,7 +185,7 @@ fn cells(form: &FaceShape, turned: bool, cell: Cell) -> Vec<Cell> {
 
 /// Two faces that may lie in one another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Meeting {
+pub(super) struct Meeting {
     /// The later one first.
     leaves: [u32; 2],
     /// The later leaf's first.
@@ -195,7 +195,7 @@ pub struct Meeting {
 }
 
 /// The search for pairs in one group after the other.
-pub struct Planes<'a> {
+pub(super) struct Planes<'a> {
     tree: &'a Tree,
     /// The largest size of all shapes that end.
     largest: f64,
@@ -204,7 +204,7 @@ pub struct Planes<'a> {
 }
 
 impl<'a> Planes<'a> {
-    pub fn new(tree: &'a Tree) -> Planes<'a> {
+    pub(super) fn new(tree: &'a Tree) -> Planes<'a> {
         let sizes = tree.leaves.iter().map(|l| l.size);
         Planes {
             tree,
@@ -218,7 +218,7 @@ impl<'a> Planes<'a> {
     /// each other in one plane or are round and of one place, whose outlines overlap and whose shapes
     /// are joined by a difference or an intersection. By the later leaf, then the earlier one, which is
     /// mostly the workpiece.
-    pub fn pairs(&mut self, faces: &[Face]) -> Vec<Meeting> {
+    pub(super) fn pairs(&mut self, faces: &[Face]) -> Vec<Meeting> {
         let mut out = Vec::new();
         if self.steps > 0 && self.pairs > 0 {
             let entries = self.entries(faces);

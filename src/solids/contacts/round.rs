@@ -7,7 +7,7 @@ use crate::scene::Geometry;
 use crate::solids::shapes::{AnyShape, ball, circle};
 
 /// (radius, height) of the two ends of a piece of a cone or cylinder about the y axis.
-pub type Mantle = ((f64, f64), (f64, f64));
+pub(super) type Mantle = ((f64, f64), (f64, f64));
 
 impl Geometry {
     /// The symmetric matrix of the quadric that a round face lies in.

@@ -8,10 +8,10 @@ use crate::scene::{Geometry, Vec3};
 use crate::solids::leaf::Leaf;
 
 /// Overlaps narrower than this share of the smaller shape may be rounding: silence.
-pub const SLIVER: f64 = 1e-6;
+pub(super) const SLIVER: f64 = 1e-6;
 
 /// Where two flat faces overlap: nothing where that is less than a sliver.
-pub fn flat(one: &Face, two: &Face, size: f64) -> Vec<Sample> {
+pub(super) fn flat(one: &Face, two: &Face, size: f64) -> Vec<Sample> {
     let FaceShape::Flat { normal, point, .. } = &one.form else {
         return Vec::new();
     };
@@ -85,7 +85,7 @@ fn clipped(a: &[Vec3], by: &[Vec3], normal: Vec3) -> Vec<Vec3> {
 }
 
 /// Points of a round face, in the coordinates of the search, at angles that no scene is built with.
-pub fn round(one: (&Face, &Leaf, &Geometry), two: (&Face, &Leaf, &Geometry)) -> Vec<Sample> {
+pub(super) fn round(one: (&Face, &Leaf, &Geometry), two: (&Face, &Leaf, &Geometry)) -> Vec<Sample> {
     // The one that is a piece of its surface, if one is.
     let own = |of: (&Face, &Leaf, &Geometry)| of.2.mantle(of.0.part).is_some();
     let (one, two) = if own(two) && !own(one) {

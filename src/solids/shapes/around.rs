@@ -5,38 +5,38 @@ use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
 
 /// The convex hull of moved ellipsoids, boxed.
-pub struct Around<'a> {
+pub(super) struct Around<'a> {
     matrix: &'a Matrix,
     out: Aabb,
 }
 
 impl<'a> Around<'a> {
-    pub fn new(matrix: &'a Matrix) -> Around<'a> {
+    pub(super) fn new(matrix: &'a Matrix) -> Around<'a> {
         Around {
             matrix,
             out: Aabb::EMPTY,
         }
     }
 
-    pub fn boxed(self) -> Aabb {
+    pub(super) fn boxed(self) -> Aabb {
         self.out
     }
 
     /// An ellipsoid with axes along the coordinate axes: its image reaches |row · diag(axes)| from
     /// the image of its centre.
-    pub fn ellipsoid(self, centre: Vec3, axes: Vec3) -> Self {
+    pub(super) fn ellipsoid(self, centre: Vec3, axes: Vec3) -> Self {
         self.add(centre, |r| {
             length([r[0] * axes[0], r[1] * axes[1], r[2] * axes[2]])
         })
     }
 
     /// A circle about the y axis.
-    pub fn ring(self, y: f64, radius: f64) -> Self {
+    pub(super) fn ring(self, y: f64, radius: f64) -> Self {
         self.add([0.0, y, 0.0], |r| libm::hypot(r[0] * radius, r[2] * radius))
     }
 
     /// The Minkowski sum of a circle about the y axis and a ball.
-    pub fn torus(self, major: f64, minor: f64) -> Self {
+    pub(super) fn torus(self, major: f64, minor: f64) -> Self {
         self.add([0.0; 3], |r| {
             major * libm::hypot(r[0], r[2]) + minor * length([r[0], r[1], r[2]])
         })
@@ -65,7 +65,7 @@ const TRUSTED_RESIDUAL: f64 = 1e-10;
 
 /// xᵀAx + 2bᵀx + c ≤ 0 with a positive definite A is an ellipsoid about −A⁻¹b whose half-width
 /// along axis i is √(k·(A⁻¹)ᵢᵢ), k = bᵀA⁻¹b − c. Every other quadric may be unbounded.
-pub fn quadric_bounds(q: &[f64; 16]) -> Aabb {
+pub(super) fn quadric_bounds(q: &[f64; 16]) -> Aabb {
     let s = |i: usize, j: usize| q[4 * i + j] / 2.0 + q[4 * j + i] / 2.0;
     let mut a = Matrix::IDENTITY;
     for i in 0..3 {

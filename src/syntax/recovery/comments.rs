@@ -27,7 +27,7 @@ struct BackPointer {
 }
 
 /// The offsets of the `#` to be given up, ascending.
-pub fn unclosed(text: &str) -> Vec<u32> {
+pub(crate) fn unclosed(text: &str) -> Vec<u32> {
     let mut cost = [NEVER; STATES];
     cost[0] = 0;
     let mut steps: Vec<[BackPointer; STATES]> = Vec::new();
@@ -81,7 +81,7 @@ pub fn unclosed(text: &str) -> Vec<u32> {
 }
 
 /// Whether a `#` somewhere may be part of a colour and no comment's.
-pub fn has_colour(text: &str) -> bool {
+pub(crate) fn has_colour(text: &str) -> bool {
     memchr::memchr_iter(b'#', text.as_bytes()).any(|at| {
         let line = text[..at].rfind(['\n', '\r']).map_or(0, |end| end + 1);
         hex::at_start(&text[at..]).is_some() && begins_colour(&text[line..at])

@@ -8,7 +8,7 @@ use super::stretch::Stretch;
 use super::surroundings::Surroundings;
 
 /// The IDs that the record at tokens `start..end` refers to.
-pub fn of_record(stretch: &Stretch, start: usize, end: usize) -> impl Iterator<Item = i32> {
+pub(super) fn of_record(stretch: &Stretch, start: usize, end: usize) -> impl Iterator<Item = i32> {
     let params = stretch.record_type(start + 1).map_or(&[][..], |t| t.params);
     (start + 2..end)
         .zip(params)
@@ -18,7 +18,11 @@ pub fn of_record(stretch: &Stretch, start: usize, end: usize) -> impl Iterator<I
 
 /// How many errors a reading of a stretch amounts to: its faults, the IDs that are defined
 /// twice, and those that are used and defined nowhere; each record that lost its ID accounts for one of these.
-pub fn damage(stretch: &Stretch, around: &Surroundings, pieces: &[RecordCandidate]) -> usize {
+pub(super) fn damage(
+    stretch: &Stretch,
+    around: &Surroundings,
+    pieces: &[RecordCandidate],
+) -> usize {
     let mut defined = FxHashSet::default();
     let mut used = FxHashSet::default();
     let (mut faults, mut lost, mut twice) = (0, 0, 0);

@@ -9,7 +9,7 @@ use super::stretch::Stretch;
 
 /// One piece of a stretch: tokens `start..end`.
 #[derive(Debug, Clone, Copy)]
-pub struct RecordCandidate {
+pub(crate) struct RecordCandidate {
     pub start: usize,
     pub end: usize,
     pub verdict: Diagnosis,
@@ -17,7 +17,7 @@ pub struct RecordCandidate {
 
 /// What a piece of the text is.
 #[derive(Debug, Clone, Copy)]
-pub enum Diagnosis {
+pub(crate) enum Diagnosis {
     Void,
     Whole(Reading),
     /// A record with the right number of parameters, some of them reported by themselves; tokens
@@ -78,7 +78,7 @@ pub enum Diagnosis {
 
 impl RecordCandidate {
     /// The piece as an item of the tree.
-    pub fn item(&self, stretch: &Stretch) -> Item {
+    pub(crate) fn item(&self, stretch: &Stretch) -> Item {
         let sig = |i: usize| stretch.sigs[i];
         let mut broken = Broken {
             first: sig(self.start).token,

@@ -14,7 +14,7 @@ use super::slips::LEAST_HEAD;
 use super::stretch::{LONG, Stretch};
 
 /// Finds what is wrong with tokens `start..end`, and its price, which is at least [`LEAST`].
-pub fn judge(
+pub(super) fn judge(
     stretch: &Stretch,
     start: usize,
     end: usize,
@@ -140,7 +140,7 @@ fn likeliest(
 }
 
 /// The number that two tokens are without the space between them.
-pub fn joined(stretch: &Stretch, at: usize) -> Option<i32> {
+pub(super) fn joined(stretch: &Stretch, at: usize) -> Option<i32> {
     if at + 1 >= stretch.len() {
         return None;
     }
@@ -402,7 +402,7 @@ fn one_word(stretch: &Stretch, start: usize, end: usize) -> Option<(Diagnosis, u
 }
 
 /// Whether a record of unknown type would be right with a minus sign before the type.
-pub fn lost_sign(stretch: &Stretch, start: usize, end: usize) -> bool {
+pub(super) fn lost_sign(stretch: &Stretch, start: usize, end: usize) -> bool {
     let code = stretch.sigs[start + 1].int.map(i64::from);
     let ty = code
         .filter(|&c| c > 0)
@@ -508,7 +508,12 @@ fn judge_params(
 }
 
 /// The token that is the file name of a record that has one: a word, and no bad one.
-pub fn file_name(stretch: &Stretch, ty: &RecordType, first: usize, end: usize) -> Option<usize> {
+pub(super) fn file_name(
+    stretch: &Stretch,
+    ty: &RecordType,
+    first: usize,
+    end: usize,
+) -> Option<usize> {
     if ty.params.first()?.kind != ParamKind::FileName {
         return None;
     }
@@ -516,7 +521,12 @@ pub fn file_name(stretch: &Stretch, ty: &RecordType, first: usize, end: usize) -
 }
 
 /// How many parameters are numbers of the wrong kind (a real for an integer, a number for a name).
-pub fn wrong_kinds(stretch: &Stretch, ty: &'static RecordType, first: usize, end: usize) -> u32 {
+pub(super) fn wrong_kinds(
+    stretch: &Stretch,
+    ty: &'static RecordType,
+    first: usize,
+    end: usize,
+) -> u32 {
     stretch.sigs[first..end]
         .iter()
         .zip(ty.params.iter().chain(ty.optional))
@@ -525,7 +535,7 @@ pub fn wrong_kinds(stretch: &Stretch, ty: &'static RecordType, first: usize, end
 }
 
 /// Whether the tokens would be a whole record if an ID stood in front.
-pub fn has_lost_id(stretch: &Stretch, start: usize, end: usize) -> bool {
+pub(super) fn has_lost_id(stretch: &Stretch, start: usize, end: usize) -> bool {
     lost_id(stretch, start, end).is_some()
 }
 

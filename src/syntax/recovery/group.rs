@@ -13,7 +13,7 @@ use super::surroundings::Surroundings;
 ///
 /// Such a group begins as the render record does, or with an ID that is in order there, used and defined nowhere, or it
 /// is a record that lost such an ID.
-pub fn doubtful_group(columns: &Columns, items: &[Item]) -> Option<(usize, Range<usize>)> {
+pub(crate) fn doubtful_group(columns: &Columns, items: &[Item]) -> Option<(usize, Range<usize>)> {
     let lines = || {
         (0..)
             .zip(items)

@@ -6,14 +6,14 @@ use super::stretch::Stretch;
 
 /// The type that a token stands for, also where it is spelled as a real (`9.0`) or with a sign or
 /// letter glued to it (`11?`).
-pub fn type_at(stretch: &Stretch, i: usize) -> Option<&'static RecordType> {
+pub(super) fn type_at(stretch: &Stretch, i: usize) -> Option<&'static RecordType> {
     stretch
         .record_type(i)
         .or_else(|| RecordType::by_code(integral(stretch, i).or_else(|| spoiled(stretch, i))?))
 }
 
 /// The integer in a token with one sign or letter glued to it. An `e` is half an exponent.
-pub fn spoiled(stretch: &Stretch, i: usize) -> Option<i64> {
+pub(super) fn spoiled(stretch: &Stretch, i: usize) -> Option<i64> {
     let word = |k| matches!(k, TokenKind::MalformedNumber | TokenKind::Word);
     stretch.sigs.get(i).filter(|s| word(s.kind))?;
     let text = stretch.token(i).text(stretch.text());
@@ -25,7 +25,7 @@ pub fn spoiled(stretch: &Stretch, i: usize) -> Option<i64> {
 }
 
 /// The type that follows a sign or word that stands in its place; in a line, what is no integer.
-pub fn type_behind_stray(stretch: &Stretch, i: usize) -> Option<&'static RecordType> {
+pub(super) fn type_behind_stray(stretch: &Stretch, i: usize) -> Option<&'static RecordType> {
     let stray = |k| match stretch.is_free {
         true => matches!(k, TokenKind::Word | TokenKind::Invalid),
         false => k != TokenKind::Integer,
@@ -35,14 +35,14 @@ pub fn type_behind_stray(stretch: &Stretch, i: usize) -> Option<&'static RecordT
 }
 
 /// The value of a token that is a real with a whole value.
-pub fn integral(stretch: &Stretch, i: usize) -> Option<i64> {
+pub(super) fn integral(stretch: &Stretch, i: usize) -> Option<i64> {
     stretch.sigs.get(i).filter(|s| s.kind == TokenKind::Real)?;
     let x = stretch.value(i);
     (x.fract() == 0.0 && x.abs() < 1e9).then_some(x as i64)
 }
 
 /// The number of points of the counted record whose parameters begin at `i`: `Err` where it cannot be used.
-pub fn point_count(stretch: &Stretch, i: usize) -> Result<u64, ()> {
+pub(super) fn point_count(stretch: &Stretch, i: usize) -> Result<u64, ()> {
     let s = stretch.sigs.get(i).ok_or(())?;
     let n = s.int.map(i64::from).or_else(|| integral(stretch, i));
     u64::try_from(n.ok_or(())?)
@@ -52,12 +52,12 @@ pub fn point_count(stretch: &Stretch, i: usize) -> Result<u64, ()> {
 }
 
 /// Whether the record at `i` is of a type whose length depends on a count.
-pub fn is_counted(stretch: &Stretch, i: usize) -> bool {
+pub(super) fn is_counted(stretch: &Stretch, i: usize) -> bool {
     type_at(stretch, i + 1).is_some_and(RecordType::is_counted)
 }
 
 /// Where a record should end whose parameters begin at `first`: `None` where nobody can tell.
-pub fn end_of(stretch: &Stretch, first: usize, ty: &RecordType) -> Option<u64> {
+pub(super) fn end_of(stretch: &Stretch, first: usize, ty: &RecordType) -> Option<u64> {
     let n = match ty.is_counted() {
         true => point_count(stretch, first).ok()?,
         false => 0,
@@ -66,14 +66,14 @@ pub fn end_of(stretch: &Stretch, first: usize, ty: &RecordType) -> Option<u64> {
 }
 
 /// Where the record that begins at `i` with an ID should end, perhaps behind the end of the text.
-pub fn expected_end(stretch: &Stretch, i: usize) -> Option<usize> {
+pub(super) fn expected_end(stretch: &Stretch, i: usize) -> Option<usize> {
     let end = end_of(stretch, i + 2, type_at(stretch, i + 1)?)?;
     Some(usize::try_from(end).unwrap_or(usize::MAX))
 }
 
 /// Where the record that begins at `i` should end, by all ways to understand its head; never
 /// behind the end of the text.
-pub fn expected_ends(stretch: &Stretch, i: usize) -> Vec<usize> {
+pub(super) fn expected_ends(stretch: &Stretch, i: usize) -> Vec<usize> {
     let mut out = Vec::new();
     let mut add = |first: usize, ty: Option<&'static RecordType>| {
         let end = ty.and_then(|ty| end_of(stretch, first, ty));

@@ -3,7 +3,7 @@
 use super::stretch::Stretch;
 
 /// What is known of the text around a piece.
-pub trait IdContext {
+pub(super) trait IdContext {
     /// Whether a number is used as an ID elsewhere and defined by no line of its own.
     fn is_missing(&self, id: i32) -> bool;
     /// Whether an ID is defined elsewhere.
@@ -19,7 +19,7 @@ pub trait IdContext {
 }
 
 /// Nothing is known.
-pub struct Unknown;
+pub(super) struct Unknown;
 
 impl IdContext for Unknown {
     fn is_missing(&self, _: i32) -> bool {

@@ -27,7 +27,7 @@ const HINT_BITS: u32 = 24;
 const LONGEST_FIXED: usize = 20;
 
 /// The reading with the least damage. `strict` are the pieces of the reading without faults, if there is one.
-pub fn cut(
+pub(super) fn cut(
     stretch: &Stretch,
     witnesses: &Witnesses,
     strict: Option<&[RecordCandidate]>,

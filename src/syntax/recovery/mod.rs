@@ -27,7 +27,7 @@
 //! Before there are stretches, two things are looked at that concern tokens: which `#` closes which
 //! ([`comments`]), and which words are several numbers ([`respell`]).
 
-pub mod comments;
+pub(super) mod comments;
 mod damage;
 mod diagnosis;
 mod faults;
@@ -39,8 +39,8 @@ mod layout;
 mod order;
 mod partial_parses;
 mod prices;
-pub mod report;
-pub mod respell;
+pub(super) mod report;
+pub(super) mod respell;
 mod rows;
 mod slips;
 mod stretch;
@@ -52,14 +52,14 @@ use super::ast::Item;
 use super::signature::Columns;
 use crate::diagnostics::Diagnostic;
 use diagnosis::{Diagnosis, RecordCandidate};
-pub use group::doubtful_group;
+pub(super) use group::doubtful_group;
 pub use slips::LEAST_HEAD;
 use stretch::Stretch;
-pub use surroundings::Surroundings;
+pub(super) use surroundings::Surroundings;
 use witness::Witnesses;
 
 /// What was made of a stretch of text.
-pub struct Recovered {
+pub(super) struct Recovered {
     pub items: Vec<Item>,
     /// What cannot be read.
     pub findings: Vec<Diagnostic>,
@@ -68,7 +68,11 @@ pub struct Recovered {
 }
 
 /// Reads significant tokens `from..to`, which begin and end with lines.
-pub fn recover(columns: Columns, (from, to): (usize, usize), around: &Surroundings) -> Recovered {
+pub(super) fn recover(
+    columns: Columns,
+    (from, to): (usize, usize),
+    around: &Surroundings,
+) -> Recovered {
     let mut stretch = Stretch::new(columns, from, to);
     let witnesses = Witnesses::new(&stretch, around);
     stretch.is_free = !witnesses.in_lines;
@@ -83,7 +87,7 @@ pub fn recover(columns: Columns, (from, to): (usize, usize), around: &Surroundin
 }
 
 /// Warns of a record at significant tokens `from..to` that ends within a line which would be a record of its own.
-pub fn line_break(columns: Columns, (from, to): (usize, usize), out: &mut Vec<Diagnostic>) {
+pub(super) fn line_break(columns: Columns, (from, to): (usize, usize), out: &mut Vec<Diagnostic>) {
     let mut line_end = to;
     while !columns.ends_line(line_end) {
         line_end += 1;
@@ -102,7 +106,7 @@ pub fn line_break(columns: Columns, (from, to): (usize, usize), out: &mut Vec<Di
 }
 
 /// Whether a record that can be read would be one without its ID, too.
-pub fn has_lost_id(columns: Columns, from: usize, to: usize) -> bool {
+pub(super) fn has_lost_id(columns: Columns, from: usize, to: usize) -> bool {
     let stretch = Stretch::new(columns, from, to);
     faults::has_lost_id(&stretch, 0, to - from)
 }

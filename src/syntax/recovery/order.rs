@@ -27,20 +27,20 @@ fn type_of([_, code]: [Option<i32>; 2]) -> Option<&'static RecordType> {
 }
 
 /// For each line of a stretch the IDs that are defined before it and behind it.
-pub struct Order {
+pub(crate) struct Order {
     bounds: Vec<[i32; 2]>,
 }
 
 impl Order {
     /// Of a text that is not laid out in lines: nothing is in order.
-    pub fn none(stretch: &Stretch) -> Order {
+    pub(crate) fn none(stretch: &Stretch) -> Order {
         Order {
             bounds: vec![[0, 0]; stretch.line_count()],
         }
     }
 
     /// `is_read`: whether the record at the head of a line can be read.
-    pub fn new(stretch: &Stretch, is_read: impl Fn(usize) -> bool) -> Order {
+    pub(crate) fn new(stretch: &Stretch, is_read: impl Fn(usize) -> bool) -> Order {
         let lines = stretch.line_count();
         let known = |line: usize| is_read(line).then(|| defined(stretch.head(line))).flatten();
         let mut next = stretch.heads_behind().take(AROUND).find_map(defined);
@@ -65,20 +65,20 @@ impl Order {
     }
 
     /// Whether an ID at the head of a line would be between those around.
-    pub fn has(&self, line: usize, id: i32) -> bool {
+    pub(crate) fn has(&self, line: usize, id: i32) -> bool {
         let [before, behind] = self.bounds[line];
         before < id && id < behind
     }
 
     /// The same for any of some IDs, which are sorted.
-    pub fn has_any(&self, line: usize, sorted: &[i32]) -> bool {
+    pub(crate) fn has_any(&self, line: usize, sorted: &[i32]) -> bool {
         let [before, behind] = self.bounds[line];
         let next = sorted.partition_point(|&id| id <= before);
         sorted.get(next).is_some_and(|&id| id < behind)
     }
 
     /// The ID at the head of a line, if it is in order and a type follows. A token that is no ID may stand before it.
-    pub fn head(&self, stretch: &Stretch, line: usize) -> Option<i32> {
+    pub(crate) fn head(&self, stretch: &Stretch, line: usize) -> Option<i32> {
         let head = match stretch.head(line) {
             head @ [Some(1..), _] => head,
             _ => stretch.head_behind_first(line),

@@ -31,7 +31,7 @@ struct BackPointer {
 
 /// The ID that a piece has.
 #[derive(Debug, Clone, Copy)]
-pub enum Id {
+pub(super) enum Id {
     Is(u32),
     /// It should have one and has none.
     Lost,
@@ -46,7 +46,7 @@ struct Definition {
     kind: Option<Kind>,
 }
 
-pub struct PartialParses<'a, 's> {
+pub(super) struct PartialParses<'a, 's> {
     stretch: &'a Stretch<'s>,
     around: &'a Surroundings,
     steps: Vec<BackPointer>,
@@ -56,7 +56,7 @@ pub struct PartialParses<'a, 's> {
 }
 
 /// Of all ways to a token so many are kept apart; each is a place.
-pub const STATES: usize = 4;
+pub(super) const STATES: usize = 4;
 
 /// So many definitions of an ID are kept without asking whether they are on any way.
 const DEFINITIONS: usize = 8;
@@ -64,7 +64,7 @@ const DEFINITIONS: usize = 8;
 const SETTLED: usize = 2000;
 
 impl<'a, 's> PartialParses<'a, 's> {
-    pub fn new(
+    pub(super) fn new(
         stretch: &'a Stretch<'s>,
         around: &'a Surroundings,
         places: usize,
@@ -84,7 +84,12 @@ impl<'a, 's> PartialParses<'a, 's> {
 
     /// The cheapest way to place `end` has a last piece from `from` on, with an ID unless it lost it, which is the ID
     /// of a record of a type that may be unknown.
-    pub fn arrive(&mut self, (from, end): (usize, usize), id: Id, ty: Option<&'static RecordType>) {
+    pub(super) fn arrive(
+        &mut self,
+        (from, end): (usize, usize),
+        id: Id,
+        ty: Option<&'static RecordType>,
+    ) {
         let back = self.steps[from];
         let further = self.steps[back.jump as usize];
         let furthest = self.steps[further.jump as usize];
@@ -153,7 +158,7 @@ impl<'a, 's> PartialParses<'a, 's> {
     }
 
     /// What speaks against an ID of a record of a type, at a place.
-    pub fn id(&self, id: u32, ty: Option<&'static RecordType>, place: usize) -> u32 {
+    pub(super) fn id(&self, id: u32, ty: Option<&'static RecordType>, place: usize) -> u32 {
         if ty.is_some_and(|t| (t.kind == RecordKind::Render) != (id == 1)) {
             return RENDER_ID;
         }
@@ -177,13 +182,13 @@ impl<'a, 's> PartialParses<'a, 's> {
     }
 
     /// Whether an ID is about the next that the order of IDs asks for.
-    pub fn is_next(&self, id: u32, place: usize) -> bool {
+    pub(super) fn is_next(&self, id: u32, place: usize) -> bool {
         let top = self.steps[place].top;
         top > 0 && (top + 1..=top + 4).contains(&id)
     }
 
     /// What speaks against a token as a mere number: it could be the next ID.
-    pub fn like_an_id(&self, at: usize, place: usize) -> u32 {
+    pub(super) fn like_an_id(&self, at: usize, place: usize) -> u32 {
         let id = self.stretch.sigs[at]
             .int
             .and_then(|id| u32::try_from(id).ok());
@@ -203,7 +208,7 @@ impl<'a, 's> PartialParses<'a, 's> {
     }
 
     /// What speaks against a token as a parameter, at a place.
-    pub fn param(&self, at: usize, ty: &RecordType, param: &Param, place: usize) -> u32 {
+    pub(super) fn param(&self, at: usize, ty: &RecordType, param: &Param, place: usize) -> u32 {
         let sig = &self.stretch.sigs[at];
         if !fits(sig.kind, param.kind) {
             // A token that can be nothing is an error by itself.
@@ -242,7 +247,11 @@ impl<'a, 's> PartialParses<'a, 's> {
 
 /// Whether a reading by arity has no error of meaning: no ID that is defined twice, no reference to nothing, no value
 /// that is not allowed.
-pub fn is_sound(stretch: &Stretch, around: &Surroundings, pieces: &[RecordCandidate]) -> bool {
+pub(super) fn is_sound(
+    stretch: &Stretch,
+    around: &Surroundings,
+    pieces: &[RecordCandidate],
+) -> bool {
     let mut ways = PartialParses::new(stretch, around, stretch.len() + 1);
     pieces.iter().all(|piece| {
         let Diagnosis::Whole(r) = piece.verdict else {

@@ -4,118 +4,118 @@
 // Errors: pieces that are no records, and lines that are swallowed.
 
 /// The price of a record as a fault that has none: it is to be read as it stands.
-pub const NOTHING_WRONG: u32 = 1_000 * FAULT;
+pub(super) const NOTHING_WRONG: u32 = 1_000 * FAULT;
 /// The price of a record that ends within a line that is one of its own but for a slip: more than what the two are
 /// worth as errors.
-pub const TWO_SLIPS: u32 = 2 * FAULT + FAULT / 10;
+pub(super) const TWO_SLIPS: u32 = 2 * FAULT + FAULT / 10;
 /// The price of a line that says it is a record of its own and is swallowed by another: more than an error, as it
 /// would be one by itself at most.
-pub const OWN_LINE: u32 = FAULT + FAULT / 2;
+pub(super) const OWN_LINE: u32 = FAULT + FAULT / 2;
 /// The price of what is likelier a mistake than meant: more than one error, less than two.
-pub const IMPLAUSIBLE: u32 = 1200;
+pub(super) const IMPLAUSIBLE: u32 = 1200;
 /// The price of a record with two numbers more or less than it takes.
-pub const FEW_OFF: u32 = FAULT + 2 * ONE_OFF;
+pub(super) const FEW_OFF: u32 = FAULT + 2 * ONE_OFF;
 /// The price of one error.
-pub const FAULT: u32 = 1000;
+pub(super) const FAULT: u32 = 1000;
 /// The price of a reading that only a second look would doubt: a little less than an error.
-pub const DOUBTFUL: u32 = 900;
+pub(super) const DOUBTFUL: u32 = 900;
 /// The price of a record that was cut off by a comment which nobody closed: that comment is an error already.
-pub const CUT_OFF: u32 = FAULT / 10;
+pub(super) const CUT_OFF: u32 = FAULT / 10;
 /// What it costs more to take the type of an operation, a light, a camera or a property for a coordinate. The record
 /// that it may be the type of has up to two numbers more or less than it takes.
-pub const TYPE_AS_COORDINATE: u32 = 3 * ONE_OFF;
+pub(super) const TYPE_AS_COORDINATE: u32 = 3 * ONE_OFF;
 /// The price of a line that is a record but for integers that are spelled as reals. A program may have written all
 /// lines like that: it is less than what three numbers too many cost.
-pub const REALS: u32 = 50;
+pub(super) const REALS: u32 = 50;
 /// No fault costs less.
-pub const LEAST: u32 = REALS;
+pub(super) const LEAST: u32 = REALS;
 /// What it costs more to take the next number after the ID of the line before for a type.
-pub const IN_ORDER: u32 = 40;
+pub(super) const IN_ORDER: u32 = 40;
 /// The price of each number more or less.
-pub const ONE_OFF: u32 = 20;
+pub(super) const ONE_OFF: u32 = 20;
 
 // What speaks against a piece where it stands: its IDs and parameters.
 
 /// What an ID costs that is defined a second time.
-pub const DEFINED_TWICE: u32 = 1000;
+pub(super) const DEFINED_TWICE: u32 = 1000;
 /// What an ID costs that is changed and defined nowhere.
-pub const CHANGES_NOTHING: u32 = 1000;
+pub(super) const CHANGES_NOTHING: u32 = 1000;
 /// What it costs to use ID 1, which is the render record's, for anything else.
-pub const RENDER_ID: u32 = 1000;
+pub(super) const RENDER_ID: u32 = 1000;
 /// What a parameter costs that leads nowhere.
-pub const REFERS_TO_NOTHING: u32 = 900;
+pub(super) const REFERS_TO_NOTHING: u32 = 900;
 /// What a parameter costs that no such record may have.
-pub const NOT_ALLOWED: u32 = 900;
+pub(super) const NOT_ALLOWED: u32 = 900;
 /// What a parameter costs that is no number of its kind.
-pub const WRONG_KIND: u32 = 600;
+pub(super) const WRONG_KIND: u32 = 600;
 /// The price of a number that reads like the type of an operation or a property, perhaps without its sign, and is
 /// none.
-pub const LIKE_A_TYPE: u32 = 200;
+pub(super) const LIKE_A_TYPE: u32 = 200;
 /// What an ID costs that is new and lower than another one: files have their IDs in order, mostly.
-pub const OUT_OF_ORDER: u32 = 150;
+pub(super) const OUT_OF_ORDER: u32 = 150;
 /// What an ID that is changed or referred to costs where a record before lost its ID, which may be that one.
-pub const MAY_BE_LOST: u32 = 150;
+pub(super) const MAY_BE_LOST: u32 = 150;
 /// The price of a number that reads like the next ID and is none.
-pub const LIKE_AN_ID: u32 = 50;
+pub(super) const LIKE_AN_ID: u32 = 50;
 
 // Where line breaks say nothing: what each mistake costs more or less than another.
 
 /// So much speaks at most against a record that is not right in form.
-pub const DOUBTS_OF_FAULT_MAX: u32 = 3000;
+pub(super) const DOUBTS_OF_FAULT_MAX: u32 = 3000;
 /// Faults are looked for where no way ahead is cheaper by this.
-pub const HOPELESS: u64 = 1500;
+pub(super) const HOPELESS: u64 = 1500;
 /// So much speaks at most against a record that is right in form: less than for garbage.
-pub const DOUBTS_MAX: u32 = 1250;
+pub(super) const DOUBTS_MAX: u32 = 1250;
 /// What it costs more to take tokens for no record at all.
-pub const NO_RECORD: u32 = 300;
+pub(super) const NO_RECORD: u32 = 300;
 /// The price of a `0` that introduces no comment.
-pub const LONE_VOID: u32 = 300;
+pub(super) const LONE_VOID: u32 = 300;
 /// The price of a wrong number of points where the numbers behind do not make up whole ones.
-pub const PARTS_OF_POINTS: u32 = 200;
+pub(super) const PARTS_OF_POINTS: u32 = 200;
 /// So much speaks at most against parameters that are those of no type.
-pub const FITS_NO_TYPE: u32 = 200;
+pub(super) const FITS_NO_TYPE: u32 = 200;
 /// The price of an ID that is lost where a number could be it.
-pub const COULD_BE_ID: u32 = 150;
+pub(super) const COULD_BE_ID: u32 = 150;
 /// The price of each token of what does not end with its line: a record's are together about as dear as an error.
-pub const GARBAGE: u32 = 150;
+pub(super) const GARBAGE: u32 = 150;
 /// What a number too many before the type costs more if it could be the type itself.
-pub const STRAY_TYPE: u32 = 100;
+pub(super) const STRAY_TYPE: u32 = 100;
 /// What a lost ID costs more before a type that reads like any other number.
-pub const LIKE_A_NUMBER: u32 = 60;
+pub(super) const LIKE_A_NUMBER: u32 = 60;
 /// The price of a wrong number of points where the numbers behind make up whole ones.
-pub const WHOLE_POINTS: u32 = 60;
+pub(super) const WHOLE_POINTS: u32 = 60;
 /// The price of an optional group that is there or not against what the following records say.
-pub const OTHER_WAY: u32 = 60;
+pub(super) const OTHER_WAY: u32 = 60;
 /// The price of a place within a piece at which a record could begin.
-pub const HEAD_WITHIN: u32 = 60;
+pub(super) const HEAD_WITHIN: u32 = 60;
 /// What a number too many before the type costs more than an ID or a type with a space in it.
-pub const STRAY: u32 = 40;
+pub(super) const STRAY: u32 = 40;
 /// The price of each parameter that is missing or too many, beside that of the error.
-pub const MORE_OR_FEWER: u32 = 40;
+pub(super) const MORE_OR_FEWER: u32 = 40;
 /// What it costs more where the number is the type of other records.
-pub const A_TYPE_AFTER_ALL: u32 = 30;
+pub(super) const A_TYPE_AFTER_ALL: u32 = 30;
 /// What a token that can be no ID costs more in its place.
-pub const BAD_ID: u32 = 20;
+pub(super) const BAD_ID: u32 = 20;
 /// How much less one parameter more or fewer costs together: that is what people mistake most.
-pub const ONE_IS_LIKELY: u32 = 20;
+pub(super) const ONE_IS_LIKELY: u32 = 20;
 /// How much less a lost sign costs than another error.
-pub const SIGN_IS_LIKELY: u32 = 20;
+pub(super) const SIGN_IS_LIKELY: u32 = 20;
 /// What a wrong type costs more than another error.
-pub const WRONG_TYPE: u32 = 20;
+pub(super) const WRONG_TYPE: u32 = 20;
 /// The price of each token of a record of no known type.
-pub const UNTYPED: u32 = 10;
+pub(super) const UNTYPED: u32 = 10;
 /// What it costs more that a token which can be nothing stands for itself.
-pub const ALONE: u32 = 10;
+pub(super) const ALONE: u32 = 10;
 
 // Comments. Lines are read by prices of their own, which are not compared with the others: an error is about 100.
 
 /// The price of words behind a comment's closing sign, if the comment hides a record or the sign is the first thing on
 /// its line: comments turned inside out, as where a `#` on each line is meant to comment the rest of the line. More
 /// than two signs that are given up.
-pub const INSIDE_OUT: u32 = 2 * UNCLOSED + 5;
+pub(super) const INSIDE_OUT: u32 = 2 * UNCLOSED + 5;
 /// The price of giving a comment up at the end of its line: an error.
-pub const UNCLOSED: u32 = 110;
+pub(super) const UNCLOSED: u32 = 110;
 /// The price of a line with words where code should be: an error too, and the likelier one.
-pub const GARBAGE_LINE: u32 = 100;
+pub(super) const GARBAGE_LINE: u32 = 100;
 /// The price of a record inside a comment, for the first few of a comment; people do put whole blocks into comments.
-pub const HIDDEN: u32 = 45;
+pub(super) const HIDDEN: u32 = 45;

@@ -21,7 +21,7 @@ fn header(ty: &RecordType) -> String {
 }
 
 /// The comments that nobody closes.
-pub fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) {
+pub(crate) fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) {
     for t in tokens {
         if t.kind() == TokenKind::UnterminatedComment {
             let end = t.start + t.text(text).trim_end().len() as u32;
@@ -40,7 +40,7 @@ pub fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) {
 }
 
 /// Reports everything that is wrong with the pieces of a text.
-pub fn pieces(
+pub(crate) fn pieces(
     stretch: &Stretch,
     witnesses: &Witnesses,
     all: &[RecordCandidate],

@@ -58,7 +58,7 @@ impl Split {
 }
 
 /// The tokens of a text anew, and the places of the numbers that had lost the space between them.
-pub fn respell(text: &str, tokens: Vec<Token>) -> (Vec<Token>, Vec<Span>) {
+pub(crate) fn respell(text: &str, tokens: Vec<Token>) -> (Vec<Token>, Vec<Span>) {
     let may_be_two = |t: &Token| {
         t.kind() == TokenKind::DecimalComma
             || t.kind() == TokenKind::MalformedNumber && parts(text, t).is_some()
@@ -89,7 +89,7 @@ pub fn respell(text: &str, tokens: Vec<Token>) -> (Vec<Token>, Vec<Span>) {
 }
 
 /// Whether there is any [pair](pairs).
-pub fn has_pair(text: &str, lexed: &Lexed) -> bool {
+pub(crate) fn has_pair(text: &str, lexed: &Lexed) -> bool {
     lexed.has_separator && pairs(text, &lexed.tokens).next().is_some()
 }
 
@@ -318,7 +318,7 @@ impl<'a> Lines<'a> {
 }
 
 /// What to say of numbers that had lost the space between them, and a fix that inserts it.
-pub fn report(text: &str, tokens: &[Token], glued: &[Span], out: &mut Vec<Diagnostic>) {
+pub(crate) fn report(text: &str, tokens: &[Token], glued: &[Span], out: &mut Vec<Diagnostic>) {
     for &span in glued {
         let first = tokens.partition_point(|t| t.start <= span.start);
         let starts = tokens[first..]
@@ -381,7 +381,7 @@ fn others(word: &str) -> Vec<String> {
 }
 
 /// Records with numbers that had lost the space between them are broken: an error was reported.
-pub fn broken(items: &mut [Item], tokens: &[Token], glued: &[Span]) {
+pub(crate) fn broken(items: &mut [Item], tokens: &[Token], glued: &[Span]) {
     for item in items {
         let Item::Record(r) = item else { continue };
         let (from, to) = (

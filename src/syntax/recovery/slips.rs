@@ -12,7 +12,7 @@ use super::stretch::Stretch;
 /// Whether a line would be a record of its own but for a slip: a number more or less, one that is
 /// malformed, a word for the type, a lost ID or sign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Slip {
+pub(super) enum Slip {
     Yes,
     /// If its ID is used elsewhere and no other line defines it.
     Maybe,
@@ -21,7 +21,7 @@ pub enum Slip {
 
 /// What a line looks like by itself; a line that may be a row of a table must have a type that no row has, or begin with
 /// an ID that is in order.
-pub fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order) -> Slip {
+pub(super) fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order) -> Slip {
     let (start, end) = (stretch.line_start(line), stretch.line_end(line));
     let in_order = order.head(stretch, line).is_some();
     let has_next_id = || {
@@ -96,7 +96,7 @@ const NO_COORDINATE: i32 = 20;
 pub const LEAST_HEAD: i32 = -99;
 
 /// Whether a line begins like a record that no table of numbers would begin like.
-pub fn looks_like_a_head(stretch: &Stretch, line: usize) -> bool {
+pub(super) fn looks_like_a_head(stretch: &Stretch, line: usize) -> bool {
     let start = stretch.line_start(line);
     let id = stretch.sigs[start].int.is_some_and(|id| id > 0);
     id && stretch
@@ -109,7 +109,7 @@ const SLIP_MAX: usize = 2;
 
 /// One past the last line of the table that the record at the head of a line claims to have; the
 /// line itself where it claims none, or most of it stands on the line.
-pub fn rows_expected(stretch: &Stretch, line: usize) -> usize {
+pub(super) fn rows_expected(stretch: &Stretch, line: usize) -> usize {
     let (start, end) = (stretch.line_start(line), stretch.line_end(line));
     if stretch.sigs[start].int.is_none_or(|id| id <= 0) {
         return line;
@@ -126,7 +126,7 @@ pub fn rows_expected(stretch: &Stretch, line: usize) -> usize {
 }
 
 /// Whether a piece that is no record is one slip of the pen away from one.
-pub fn is_slip(stretch: &Stretch, piece: &RecordCandidate) -> bool {
+pub(super) fn is_slip(stretch: &Stretch, piece: &RecordCandidate) -> bool {
     let RecordCandidate {
         start,
         end,

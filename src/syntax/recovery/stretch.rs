@@ -8,7 +8,7 @@ use super::surroundings::Surroundings;
 
 /// A significant token.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sig {
+pub(crate) struct Sig {
     /// Index into the document's tokens.
     pub token: u32,
     /// Number of its line, counting only lines with significant tokens. Line breaks inside comments
@@ -22,12 +22,12 @@ pub struct Sig {
 }
 
 /// Records with at least this many parameters are often laid out over several lines.
-pub const LONG: usize = 9;
+pub(super) const LONG: usize = 9;
 
 /// The significant tokens of a stretch, from the beginning of a line to the end of one. They are counted from
 /// its beginning.
 #[derive(Debug)]
-pub struct Stretch<'s> {
+pub(crate) struct Stretch<'s> {
     columns: Columns<'s>,
     /// Its first token among the significant ones of the text.
     from: usize,
@@ -46,7 +46,7 @@ pub struct Stretch<'s> {
 
 impl<'s> Stretch<'s> {
     /// Significant tokens `from..to` of a text.
-    pub fn new(columns: Columns<'s>, from: usize, to: usize) -> Stretch<'s> {
+    pub(crate) fn new(columns: Columns<'s>, from: usize, to: usize) -> Stretch<'s> {
         let tokens = &columns.lexed.tokens;
         let mut sigs: Vec<Sig> = Vec::with_capacity(to - from);
         let mut line_starts = Vec::new();
@@ -107,28 +107,28 @@ impl<'s> Stretch<'s> {
     }
 
     /// The record that begins at token `i`, if there is one without any fault of form.
-    pub fn read(&self, i: usize) -> Option<&Reading> {
+    pub(crate) fn read(&self, i: usize) -> Option<&Reading> {
         self.readings.get(i)?.as_ref()
     }
 
     /// Whether a line that is commented out begins among tokens `from..to`.
-    pub fn goes_out(&self, from: usize, to: usize) -> bool {
+    pub(crate) fn goes_out(&self, from: usize, to: usize) -> bool {
         (self.columns.lexed).goes_out(self.from + from, self.from + to)
     }
 
     /// [`signature::begins_again`] for a record and the start of a line.
-    pub fn begins_again(&self, head: usize, line: usize) -> bool {
+    pub(crate) fn begins_again(&self, head: usize, line: usize) -> bool {
         signature::begins_again(&self.columns, self.from + head, self.from + line)
     }
 
     /// The significant token of the whole text that a token here is.
-    pub fn in_text(&self, i: usize) -> usize {
+    pub(crate) fn in_text(&self, i: usize) -> usize {
         self.from + i
     }
 
     /// The record at token `i` with its optional group where line breaks want it, if that is not how it can be read: a
     /// mistake on a line behind it may have decided that.
-    pub fn read_by_line(&self, i: usize) -> Option<Reading> {
+    pub(crate) fn read_by_line(&self, i: usize) -> Option<Reading> {
         let reading = self.read(i)?;
         let to = self.from + self.len();
         let by_line = signature::read_by_line(&self.columns, self.from + i, to)?;
@@ -137,12 +137,12 @@ impl<'s> Stretch<'s> {
     }
 
     /// The type whose number stands at a token.
-    pub fn record_type(&self, i: usize) -> Option<&'static RecordType> {
+    pub(crate) fn record_type(&self, i: usize) -> Option<&'static RecordType> {
         RecordType::by_code(self.sigs.get(i)?.int?.into())
     }
 
     /// Where the rest of the text defines an ID first, and with a record of which type.
-    pub fn defined_elsewhere(
+    pub(crate) fn defined_elsewhere(
         &self,
         around: &Surroundings,
         id: u32,
@@ -151,12 +151,12 @@ impl<'s> Stretch<'s> {
     }
 
     /// The ID and the type at the head of a line; see [`Columns::head`].
-    pub fn head(&self, line: usize) -> [Option<i32>; 2] {
+    pub(crate) fn head(&self, line: usize) -> [Option<i32>; 2] {
         self.columns.head(self.from + self.line_start(line))
     }
 
     /// The same behind the first token of a line.
-    pub fn head_behind_first(&self, line: usize) -> [Option<i32>; 2] {
+    pub(crate) fn head_behind_first(&self, line: usize) -> [Option<i32>; 2] {
         let second = self.line_start(line) + 1;
         match second < self.line_end(line) {
             true => self.columns.head(self.from + second),
@@ -165,12 +165,12 @@ impl<'s> Stretch<'s> {
     }
 
     /// The same of the lines before the stretch, the nearest first.
-    pub fn heads_before(&self) -> impl Iterator<Item = [Option<i32>; 2]> {
+    pub(crate) fn heads_before(&self) -> impl Iterator<Item = [Option<i32>; 2]> {
         self.heads((0..self.from).rev())
     }
 
     /// The same of the lines behind it.
-    pub fn heads_behind(&self) -> impl Iterator<Item = [Option<i32>; 2]> {
+    pub(crate) fn heads_behind(&self) -> impl Iterator<Item = [Option<i32>; 2]> {
         self.heads(self.from + self.len()..self.columns.len())
     }
 
@@ -180,22 +180,22 @@ impl<'s> Stretch<'s> {
     }
 
     /// Whether the stretch stands behind a significant token of the text.
-    pub fn is_behind(&self, token: usize) -> bool {
+    pub(crate) fn is_behind(&self, token: usize) -> bool {
         token < self.from
     }
 
     /// The value of a token; NaN if it is no number.
-    pub fn value(&self, i: usize) -> f64 {
+    pub(crate) fn value(&self, i: usize) -> f64 {
         self.columns.lexed.values[self.from + i]
     }
 
     /// Where the value of a token is in the text's column.
-    pub fn value_index(&self, i: usize) -> u32 {
+    pub(crate) fn value_index(&self, i: usize) -> u32 {
         (self.from + i) as u32
     }
 
     /// Whether the values of a record are such as its type allows.
-    pub fn values_allowed(&self, start: usize, r: &Reading) -> bool {
+    pub(crate) fn values_allowed(&self, start: usize, r: &Reading) -> bool {
         let r = Reading {
             end: r.end + self.from,
             ..*r
@@ -204,7 +204,7 @@ impl<'s> Stretch<'s> {
     }
 
     /// Whether a record has the ID or the values of none.
-    pub fn is_odd(&self, start: usize, r: &Reading) -> bool {
+    pub(crate) fn is_odd(&self, start: usize, r: &Reading) -> bool {
         let r = Reading {
             end: r.end + self.from,
             ..*r
@@ -212,39 +212,39 @@ impl<'s> Stretch<'s> {
         signature::is_odd(&self.columns, start + self.from, &r)
     }
 
-    pub fn text(&self) -> &'s str {
+    pub(crate) fn text(&self) -> &'s str {
         self.columns.text
     }
 
     /// Whether tokens `from..to` are plain numbers, all of them.
-    pub fn all_numbers(&self, from: usize, to: usize) -> bool {
+    pub(crate) fn all_numbers(&self, from: usize, to: usize) -> bool {
         self.bad(from, to) == 0
     }
 
     /// How many of tokens `from..to` are no plain numbers.
-    pub fn bad(&self, from: usize, to: usize) -> u32 {
+    pub(crate) fn bad(&self, from: usize, to: usize) -> u32 {
         self.odd_before[to] - self.odd_before[from.min(to)]
     }
 
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.sigs.len()
     }
 
-    pub fn line_count(&self) -> usize {
+    pub(crate) fn line_count(&self) -> usize {
         self.line_starts.len() - 1
     }
 
-    pub fn line(&self, i: usize) -> usize {
+    pub(crate) fn line(&self, i: usize) -> usize {
         self.sigs[i].line as usize
     }
 
     /// The first token of a line.
-    pub fn line_start(&self, line: usize) -> usize {
+    pub(crate) fn line_start(&self, line: usize) -> usize {
         self.line_starts[line] as usize
     }
 
     /// Whether half of a line is words or more, the first one in the place of an ID.
-    pub fn is_prose(&self, line: usize) -> bool {
+    pub(crate) fn is_prose(&self, line: usize) -> bool {
         let tokens = &self.sigs[self.line_start(line)..self.line_end(line)];
         let is_word = |kind| matches!(kind, TokenKind::Word | TokenKind::Invalid);
         let words = tokens.iter().filter(|sig| is_word(sig.kind)).count();
@@ -252,27 +252,27 @@ impl<'s> Stretch<'s> {
     }
 
     /// One past the last token of a line.
-    pub fn line_end(&self, line: usize) -> usize {
+    pub(crate) fn line_end(&self, line: usize) -> usize {
         self.line_starts[line + 1] as usize
     }
 
-    pub fn starts_line(&self, i: usize) -> bool {
+    pub(crate) fn starts_line(&self, i: usize) -> bool {
         self.line_start(self.line(i)) == i
     }
 
     /// Whether a stretch that stops before token `end` stops at the end of a line.
-    pub fn ends_line(&self, end: usize) -> bool {
+    pub(crate) fn ends_line(&self, end: usize) -> bool {
         end > 0 && self.line_end(self.line(end - 1)) == end
     }
 
     /// Whether a comment was given up on one of the lines of tokens `from..to`.
-    pub fn has_unclosed_comment(&self, from: usize, to: usize) -> bool {
+    pub(crate) fn has_unclosed_comment(&self, from: usize, to: usize) -> bool {
         let (first, last) = (self.line(from) as u32, self.line(to - 1) as u32);
         let i = self.unclosed_lines.partition_point(|&l| l < first);
         self.unclosed_lines.get(i).is_some_and(|&l| l <= last)
     }
 
-    pub fn token(&self, i: usize) -> &Token {
+    pub(crate) fn token(&self, i: usize) -> &Token {
         self.columns.token(self.from + i)
     }
 }

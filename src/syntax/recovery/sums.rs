@@ -6,7 +6,7 @@ use super::slips::looks_like_a_head;
 use super::stretch::Stretch;
 use super::witness::Witnesses;
 
-pub struct Sums {
+pub(super) struct Sums {
     /// How many lines before each one say that they are records of their own.
     pub own_before: Vec<u32>,
     /// How many of those are complete, and no row of a table of equally long lines.
@@ -24,15 +24,15 @@ pub struct Sums {
 }
 
 impl Sums {
-    pub fn is_sure(&self, line: usize) -> bool {
+    pub(super) fn is_sure(&self, line: usize) -> bool {
         self.sure_before[line + 1] > self.sure_before[line]
     }
 
-    pub fn is_own(&self, line: usize) -> bool {
+    pub(super) fn is_own(&self, line: usize) -> bool {
         self.own_before[line + 1] > self.own_before[line]
     }
 
-    pub fn new(stretch: &Stretch, witnesses: &Witnesses) -> Sums {
+    pub(super) fn new(stretch: &Stretch, witnesses: &Witnesses) -> Sums {
         let lines = 0..stretch.line_count();
         let length = |l: usize| stretch.line_end(l) - stretch.line_start(l);
         let in_order = |l: usize| witnesses.order.head(stretch, l).is_some();

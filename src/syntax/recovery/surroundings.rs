@@ -8,7 +8,7 @@ use super::super::table::{Effect, ParamKind, RecordType};
 
 /// The part of a text that was read without a doubt.
 #[derive(Default)]
-pub struct Surroundings {
+pub(crate) struct Surroundings {
     /// Of each ID its first definition there, as a significant token.
     defined: IdTable,
     /// The IDs that are used or changed there.
@@ -33,7 +33,12 @@ const DANGLING_MAX: usize = 64;
 
 impl Surroundings {
     /// `items` are what was read, `lines` how many lines they take.
-    pub fn new(columns: &Columns, items: &[Item], lines: usize, stretches: usize) -> Surroundings {
+    pub(crate) fn new(
+        columns: &Columns,
+        items: &[Item],
+        lines: usize,
+        stretches: usize,
+    ) -> Surroundings {
         let mut all = Surroundings {
             defined: IdTable::new(items.len()),
             used: IdTable::new(items.len()),
@@ -79,17 +84,21 @@ impl Surroundings {
     }
 
     /// The significant token at which an ID is defined first, and the type of the record that does.
-    pub fn definition(&self, columns: &Columns, id: u32) -> Option<(usize, &'static RecordType)> {
+    pub(crate) fn definition(
+        &self,
+        columns: &Columns,
+        id: u32,
+    ) -> Option<(usize, &'static RecordType)> {
         let at = self.defined.get(id)? as usize;
         let ty = RecordType::by_code(columns.int(at + 1)?.into())?;
         Some((at, ty))
     }
 
-    pub fn is_defined(&self, id: u32) -> bool {
+    pub(crate) fn is_defined(&self, id: u32) -> bool {
         self.defined.get(id).is_some()
     }
 
-    pub fn is_used(&self, id: u32) -> bool {
+    pub(crate) fn is_used(&self, id: u32) -> bool {
         self.used.get(id).is_some()
     }
 }

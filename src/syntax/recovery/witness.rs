@@ -14,7 +14,7 @@ use super::stretch::{LONG, Stretch};
 use super::surroundings::Surroundings;
 
 /// What the lines of a text say about its layout.
-pub struct Witnesses<'a> {
+pub(crate) struct Witnesses<'a> {
     /// For each line: it begins a record that ends at a line's end, or it is a VOID with a comment.
     /// Holds one past the record's last token, 0 where the line is no witness.
     pub ends: Vec<u32>,
@@ -43,7 +43,7 @@ pub struct Witnesses<'a> {
 
 /// The lines that define one ID.
 #[derive(Debug, Clone, Copy)]
-pub struct Head {
+pub(crate) struct Head {
     /// `None` if it stands before the stretch.
     pub first_line: Option<usize>,
     /// How many can only be definitions, so that all but one are too many; and how many of these
@@ -63,7 +63,7 @@ impl Head {
 }
 
 impl<'a> Witnesses<'a> {
-    pub fn new(stretch: &Stretch, around: &'a Surroundings) -> Witnesses<'a> {
+    pub(crate) fn new(stretch: &Stretch, around: &'a Surroundings) -> Witnesses<'a> {
         let lines = stretch.line_count();
         let mut ends = vec![0u32; lines];
         let mut heads = FxHashMap::default();
@@ -197,7 +197,7 @@ impl<'a> Witnesses<'a> {
     }
 
     /// Whether the optional group that begins at a token may be a broken record.
-    pub fn is_doubted(&self, stretch: &Stretch, group: usize) -> bool {
+    pub(crate) fn is_doubted(&self, stretch: &Stretch, group: usize) -> bool {
         self.around.doubted == Some(stretch.in_text(group))
     }
 
@@ -215,7 +215,7 @@ impl<'a> Witnesses<'a> {
     }
 
     /// What is known of the lines that define an ID.
-    pub fn head(&self, stretch: &Stretch, id: i32) -> Option<Head> {
+    pub(crate) fn head(&self, stretch: &Stretch, id: i32) -> Option<Head> {
         let here = self.heads.get(&id).copied();
         let elsewhere = u32::try_from(id).ok().filter(|_| self.in_lines);
         let Some((at, ty)) = elsewhere.and_then(|id| stretch.defined_elsewhere(self.around, id))
@@ -235,22 +235,22 @@ impl<'a> Witnesses<'a> {
     }
 
     /// Whether a line would be a complete record by itself.
-    pub fn is_complete_line(&self, stretch: &Stretch, line: usize) -> bool {
+    pub(crate) fn is_complete_line(&self, stretch: &Stretch, line: usize) -> bool {
         self.ends[line] as usize == stretch.line_end(line)
     }
 
     /// Whether it would be, and of a type whose number is hardly a parameter.
-    pub fn is_surely_a_record(&self, stretch: &Stretch, line: usize) -> bool {
+    pub(crate) fn is_surely_a_record(&self, stretch: &Stretch, line: usize) -> bool {
         self.is_complete_line(stretch, line) && slips::looks_like_a_head(stretch, line)
     }
 
-    pub fn is_void_line(&self, stretch: &Stretch, line: usize) -> bool {
+    pub(crate) fn is_void_line(&self, stretch: &Stretch, line: usize) -> bool {
         self.ends[line] > 0 && stretch.sigs[stretch.line_start(line)].int == Some(0)
     }
 
     /// Whether the record at tokens `start..end` takes its last parameters from the head of a line
     /// that says it is a record of its own. A line in a table of equally long lines says nothing.
-    pub fn takes_over(&self, stretch: &Stretch, start: usize, end: usize) -> bool {
+    pub(crate) fn takes_over(&self, stretch: &Stretch, start: usize, end: usize) -> bool {
         let (first, last) = (stretch.line(start), stretch.line(end - 1));
         if first == last || self.ends[last] == 0 {
             return first != last && self.slips[last];
@@ -345,7 +345,11 @@ fn run_to_line_end(stretch: &Stretch, line: usize) -> bool {
 }
 
 /// Whether a line is a render record by itself, and its numbers are those of other records in a reading.
-pub fn loses_render(stretch: &Stretch, witnesses: &Witnesses, pieces: &[RecordCandidate]) -> bool {
+pub(super) fn loses_render(
+    stretch: &Stretch,
+    witnesses: &Witnesses,
+    pieces: &[RecordCandidate],
+) -> bool {
     let is_render = |line: usize| {
         let ty = stretch.record_type(stretch.line_start(line) + 1);
         ty.is_some_and(|t| t.kind == RecordKind::Render)
@@ -358,7 +362,7 @@ pub fn loses_render(stretch: &Stretch, witnesses: &Witnesses, pieces: &[RecordCa
 /// Whether a reading without faults has something in it that people do not write in a text laid out
 /// in lines: a record that straddles, one that takes the line of an operation or a property, a VOID without a comment
 /// behind a record, a heading's `0` taken for a number.
-pub fn is_odd(stretch: &Stretch, witnesses: &Witnesses, pieces: &[RecordCandidate]) -> bool {
+pub(super) fn is_odd(stretch: &Stretch, witnesses: &Witnesses, pieces: &[RecordCandidate]) -> bool {
     pieces.iter().any(|p| {
         let behind = !stretch.starts_line(p.start);
         let last = stretch.line(p.end - 1);

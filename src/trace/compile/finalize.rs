@@ -22,7 +22,7 @@ enum Finished {
 
 impl Compiler<'_> {
     /// Turns the drafts into objects, operands first.
-    pub fn finish_all(mut self) -> Result<Graph, Error> {
+    pub(crate) fn finish_all(mut self) -> Result<Graph, Error> {
         self.uses = Vec::new();
         self.interner.forget_primitives();
         let drafts = std::mem::take(&mut self.drafts);

@@ -13,7 +13,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 /// Fills the tables of a [`Graph`], each value once. Values are equal if they compare equal, so
 /// that 0 and −0 are one number here.
 #[derive(Default)]
-pub struct Interner {
+pub(crate) struct Interner {
     primitives: FxHashMap<u64, u32>,
     matrices: FxHashMap<[u64; 12], u32>,
     paints: FxHashMap<Coat, u32>,
@@ -28,7 +28,7 @@ fn bits(x: f64) -> u64 {
 
 impl Interner {
     /// Numbers 0 mean: no placement, no paint, default optics, default index.
-    pub fn new(graph: &mut Graph) -> Interner {
+    pub(crate) fn new(graph: &mut Graph) -> Interner {
         let mut interner = Interner::default();
         interner.matrix(graph, &Matrix::IDENTITY);
         interner.paint(graph, Coat::default());
@@ -39,7 +39,12 @@ impl Interner {
 
     /// Shapes are found by a hash of their numbers. Should two different shapes ever have the same
     /// one, the later is entered without being findable, which costs sharing and nothing else.
-    pub fn primitive(&mut self, graph: &mut Graph, primitive: Primitive, record: u32) -> u32 {
+    pub(crate) fn primitive(
+        &mut self,
+        graph: &mut Graph,
+        primitive: Primitive,
+        record: u32,
+    ) -> u32 {
         let mut hasher = DefaultHasher::new();
         std::mem::discriminant(&primitive).hash(&mut hasher);
         primitive.shape().feed(&mut |x| bits(x).hash(&mut hasher));
@@ -55,12 +60,12 @@ impl Interner {
     }
 
     /// Forgets which shapes there are, of which there may be millions, once no more are asked for.
-    pub fn forget_primitives(&mut self) {
+    pub(crate) fn forget_primitives(&mut self) {
         self.primitives = FxHashMap::default();
     }
 
     /// `None` where the inverse is not finite.
-    pub fn matrix(&mut self, graph: &mut Graph, m: &Matrix) -> Option<u32> {
+    pub(crate) fn matrix(&mut self, graph: &mut Graph, m: &Matrix) -> Option<u32> {
         let key = std::array::from_fn(|i| bits(m.0[i / 4][i % 4]));
         if let Some(&found) = self.matrices.get(&key) {
             return Some(found);
@@ -77,14 +82,14 @@ impl Interner {
         Some(here)
     }
 
-    pub fn paint(&mut self, graph: &mut Graph, paint: Coat) -> u32 {
+    pub(crate) fn paint(&mut self, graph: &mut Graph, paint: Coat) -> u32 {
         *self.paints.entry(paint).or_insert_with(|| {
             graph.paints.push(paint);
             graph.paints.len() as u32 - 1
         })
     }
 
-    pub fn optics(&mut self, graph: &mut Graph, o: Optics) -> u32 {
+    pub(crate) fn optics(&mut self, graph: &mut Graph, o: Optics) -> u32 {
         let all = [o.kd, o.ks, o.kt];
         let key = std::array::from_fn(|i| bits(all[i / 3][i % 3]));
         *self.optics.entry(key).or_insert_with(|| {
@@ -93,7 +98,7 @@ impl Interner {
         })
     }
 
-    pub fn index(&mut self, graph: &mut Graph, index: Rgb) -> u32 {
+    pub(crate) fn index(&mut self, graph: &mut Graph, index: Rgb) -> u32 {
         *self.indices.entry(each(index, bits)).or_insert_with(|| {
             graph.indices.push(index);
             graph.indices.len() as u32 - 1

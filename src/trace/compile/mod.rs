@@ -27,7 +27,7 @@ use intern::Interner;
 use rustc_hash::FxHashMap;
 
 /// Builds the graph of what is reachable from `root`, past what is left out.
-pub fn compile(
+pub(super) fn compile(
     scene: &Scene,
     images: &Images,
     root: NodeId,
@@ -208,7 +208,7 @@ impl Compiler<'_> {
     }
 
     /// Number of a matrix.
-    pub fn matrix(&mut self, m: &Matrix) -> Result<u32, Error> {
+    pub(super) fn matrix(&mut self, m: &Matrix) -> Result<u32, Error> {
         self.interner.matrix(&mut self.graph, m).ok_or_else(|| {
             let render = self.scene.render;
             let span = render.map(|r| r.span).unwrap_or_default();

@@ -12,7 +12,7 @@ use std::collections::VecDeque;
 
 /// A part of a union, less some others.
 #[derive(Debug, Clone)]
-pub struct UnionMember {
+pub(super) struct UnionMember {
     pub part: Part,
     /// The bounds of the part.
     pub bounds: Aabb,
@@ -20,7 +20,7 @@ pub struct UnionMember {
 }
 
 /// Most boxes that are held against each other in a scene; beyond that what is drafted stays nested.
-pub const MAX_BOX_COMPARISONS: usize = 1 << 24;
+pub(super) const MAX_BOX_COMPARISONS: usize = 1 << 24;
 /// Most members that a cut may reach, on average.
 const MAX_MEMBERS_PER_CUT: usize = 8;
 /// Times that all members are looked through before they get an index.
@@ -28,7 +28,7 @@ const SCANS_BEFORE_INDEX: usize = 32;
 
 /// The pieces of a union, in the order of its operands.
 #[derive(Debug, Default)]
-pub struct Pieces {
+pub(super) struct Pieces {
     all: VecDeque<UnionMember>,
     /// The number of the first one; pieces that come before it later have numbers below.
     first: i64,
@@ -75,13 +75,13 @@ impl IntoIterator for Pieces {
 }
 
 impl Pieces {
-    pub fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.all.len()
     }
 
     /// Appends the members behind these. The fewer ones move, so that no chain is long because it is built from one
     /// end.
-    pub fn followed_by(mut self, mut next: Pieces) -> Pieces {
+    pub(super) fn followed_by(mut self, mut next: Pieces) -> Pieces {
         if self.len() >= next.len() {
             next.all.into_iter().for_each(|piece| self.push_back(piece));
             return self;
@@ -108,7 +108,7 @@ impl Pieces {
 
     /// Takes cuts, with their bounds, away from the pieces that they reach. Does nothing, and says `false`, where that
     /// would only repeat them: a single cut that reaches both of two parts is better taken away from the two together.
-    pub fn cut(&mut self, cuts: &[(Part, Aabb)], budget: &mut usize) -> bool {
+    pub(super) fn cut(&mut self, cuts: &[(Part, Aabb)], budget: &mut usize) -> bool {
         if self.len() == 1 {
             self.all[0].cuts.extend(cuts.iter().map(|(cut, _)| cut));
             return true;

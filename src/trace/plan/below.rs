@@ -5,7 +5,7 @@ use crate::scene::{Node, NodeId, Optics, Scene, fold_up};
 
 /// The properties of a node and of all below it. Of pairs the second is that of the node's complement.
 #[derive(Clone, Copy)]
-pub struct Below {
+pub(super) struct Below {
     /// Whether it holds a shape with an inside.
     pub solid: bool,
     /// Something of it is to be seen.
@@ -15,7 +15,7 @@ pub struct Below {
 }
 
 /// The properties of each node up to `root`, with all below.
-pub fn below(scene: &Scene, root: NodeId, left_out: &LeftOut) -> Vec<Below> {
+pub(super) fn below(scene: &Scene, root: NodeId, left_out: &LeftOut) -> Vec<Below> {
     fold_up(scene.up_to(root), |i, node, all: &[Below]| {
         let of = |n: NodeId| all[n as usize];
         match node {

@@ -9,7 +9,7 @@ use crate::trace::shapes::{Primitive, Roots};
 use rustc_hash::FxHashMap;
 
 /// Whether the scene is one convex shape and no camera is in it.
-pub fn lone_convex(scene: &Scene, root: NodeId, left_out: &LeftOut) -> bool {
+pub(super) fn lone_convex(scene: &Scene, root: NodeId, left_out: &LeftOut) -> bool {
     let Some((shape, matrix)) = lone(scene, root, left_out) else {
         return false;
     };

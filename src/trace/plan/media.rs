@@ -12,7 +12,7 @@ use crate::solids::bounds;
 /// scene has complements, which turn these operations into one another, every operation counts
 /// both. Each node keeps two numbers, with its own optics and as if all of it were transparent,
 /// because a paint above may make it so.
-pub fn depth(scene: &Scene, root: NodeId, complements: bool, left_out: &LeftOut) -> u32 {
+pub(super) fn depth(scene: &Scene, root: NodeId, complements: bool, left_out: &LeftOut) -> u32 {
     let boxes = match complements {
         false => bounds::node_bounds(scene),
         true => Vec::new(),

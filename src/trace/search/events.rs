@@ -146,7 +146,7 @@ pub(in crate::trace) struct Scratch<R = f64> {
 
 impl<R: Precision> Spans<R> {
     /// Forgets all lists.
-    pub fn forget(&mut self) {
+    pub(crate) fn forget(&mut self) {
         self.tasks.clear();
         self.lists.clear();
         self.events.clear();
@@ -154,14 +154,14 @@ impl<R: Precision> Spans<R> {
 
     /// Bytes that the lists take when they are joined next: each event once more in the result, and once in their
     /// order; each list with the states before and after an event.
-    pub fn bytes(&self) -> usize {
+    pub(crate) fn bytes(&self) -> usize {
         let event = 2 * size_of::<Event<R>>() + size_of::<(R, u32, u32)>() + 1;
         let list = size_of::<List>() + 2 * size_of::<State>();
         self.events.len() * event + self.lists.len() * list
     }
 
     /// The events of list `i`.
-    pub fn of(&self, i: usize) -> &[Event<R>] {
+    pub(crate) fn of(&self, i: usize) -> &[Event<R>] {
         let end = self.lists.get(i + 1).map_or(self.events.len(), |l| l.begin);
         &self.events[self.lists[i].begin..end]
     }

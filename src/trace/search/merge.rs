@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 
 impl<R: Precision> Spans<R> {
     /// Sorts the events of the lists from `base` on; operands keep their order at equal t.
-    pub fn sort(&mut self, base: usize) {
+    pub(crate) fn sort(&mut self, base: usize) {
         let Spans {
             lists,
             events,
@@ -179,7 +179,7 @@ pub(in crate::trace) fn merge_union<R: Precision>(
 impl<R: Precision> Spans<R> {
     /// Intersects the lists from `base` on without sorting. This works if each list is inside on one stretch of the ray, as
     /// a convex solid is, and the ends that matter are surely apart. Else it returns `false` and changes nothing.
-    pub fn join_stretches(&mut self, part: u32, base: usize) -> bool {
+    pub(crate) fn join_stretches(&mut self, part: u32, base: usize) -> bool {
         let Some([entry, exit]) = self.common_stretch(base) else {
             return false;
         };

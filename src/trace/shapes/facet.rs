@@ -63,7 +63,7 @@ pub(super) struct Projected<R> {
 }
 
 impl<R: Traced> Shear<R> {
-    pub fn along(direction: Vec3<R>) -> Shear<R> {
+    pub(super) fn along(direction: Vec3<R>) -> Shear<R> {
         let size = direction.abs();
         let mut z = 0;
         for i in 1..3 {
@@ -80,7 +80,7 @@ impl<R: Traced> Shear<R> {
 
     /// A point given relative to one on the line, which becomes the origin.
     #[inline]
-    pub fn project(&self, p: Vec3<R>) -> Projected<R> {
+    pub(super) fn project(&self, p: Vec3<R>) -> Projected<R> {
         let [x, y, z] = self.axes;
         let depth = p[z];
         Projected {
@@ -146,7 +146,7 @@ pub(super) struct Facet<R> {
 
 impl<R: Traced> Facet<R> {
     #[inline]
-    pub fn new(corners: [Projected<R>; 3]) -> Facet<R> {
+    pub(super) fn new(corners: [Projected<R>; 3]) -> Facet<R> {
         let [a, b, c] = corners;
         Facet {
             corners,
@@ -157,7 +157,7 @@ impl<R: Traced> Facet<R> {
     /// Where the line passes the facet, its edges and corners included. None for a facet that is
     /// seen edge-on, and where numbers overflow: every comparison with NaN fails.
     #[inline]
-    pub fn passage(&self) -> Option<Passage<R>> {
+    pub(super) fn passage(&self) -> Option<Passage<R>> {
         let e = self.edges;
         let area = e[0] + e[1] + e[2];
         let way = if area > R::ZERO && e.iter().all(|&e| e >= R::ZERO) {
@@ -187,7 +187,7 @@ impl<R: Traced> Facet<R> {
     /// p × q is then off by at most noise (|p|₁ + |q|₁) + 2 noise², and its own rounding adds
     /// γ₂|p|₁|q|₁ at most: less than the first term again, since `noise` exceeds γ₂ times any
     /// coordinate.
-    pub fn verdicts(&self, noise: R) -> [Certainty; 2] {
+    pub(super) fn verdicts(&self, noise: R) -> [Certainty; 2] {
         let two = R::of(2.0);
         let [a, b, c] = each(self.corners, |c| c.reach());
         let bounds = each([b + c, c + a, a + b], |sum| two * noise * (sum + noise));

@@ -25,7 +25,7 @@ use crate::trace::shapes::support::Support;
 use std::f64::consts::{PI, TAU};
 
 /// The language allows no more splits.
-pub const MAX_SPLITS: u32 = 9;
+pub(super) const MAX_SPLITS: u32 = 9;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct GeodesicSphere {

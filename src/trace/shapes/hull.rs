@@ -11,7 +11,7 @@ const AROUND_CIRCLE: f64 = 1.0824;
 const AROUND_BALL: f64 = 1.2585;
 
 /// Around circles about the y axis, of these radii at these heights.
-pub fn of_circles<const N: usize>(circles: [[f64; 2]; N]) -> Vec<[f64; 3]> {
+pub(super) fn of_circles<const N: usize>(circles: [[f64; 2]; N]) -> Vec<[f64; 3]> {
     let sides: [(f64, f64); 8] = std::array::from_fn(|i| libm::sincos(i as f64 * FRAC_PI_4));
     let around = |[radius, y]: [f64; 2]| {
         let out = radius * AROUND_CIRCLE;
@@ -21,7 +21,7 @@ pub fn of_circles<const N: usize>(circles: [[f64; 2]; N]) -> Vec<[f64; 3]> {
 }
 
 /// Around an ellipsoid with axes along the coordinate axes.
-pub fn of_ellipsoid(centre: Vec3, semi_axes: Vec3) -> Vec<[f64; 3]> {
+pub(super) fn of_ellipsoid(centre: Vec3, semi_axes: Vec3) -> Vec<[f64; 3]> {
     let corners = icosahedron::vertices().into_iter();
     corners
         .map(|v| (centre + semi_axes.times(Vec3(v)) * AROUND_BALL).0)

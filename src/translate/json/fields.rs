@@ -7,14 +7,14 @@ use crate::syntax::table::RecordKind;
 
 /// The parts of a record: its ID, its type, its parameters by their number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RecordField {
+pub(super) enum RecordField {
     Id,
     Type,
     Parameter(usize),
 }
 
 /// The value that a part of a record is; for what is nowhere by itself, the value around it.
-pub fn value(scene: &Scene, place: ModelElement, matter: Matter, part: RecordField) -> Path {
+pub(super) fn value(scene: &Scene, place: ModelElement, matter: Matter, part: RecordField) -> Path {
     let path = place.path();
     let kind = match matter {
         Matter::Type(None) => return path,
@@ -36,7 +36,12 @@ pub fn value(scene: &Scene, place: ModelElement, matter: Matter, part: RecordFie
 }
 
 /// The value that some parts of a record are together.
-pub fn values(scene: &Scene, place: ModelElement, matter: Matter, parts: &[RecordField]) -> Path {
+pub(super) fn values(
+    scene: &Scene,
+    place: ModelElement,
+    matter: Matter,
+    parts: &[RecordField],
+) -> Path {
     let kind = match matter {
         Matter::Type(Some(kind)) => kind,
         Matter::Type(None) => return place.path(),

@@ -64,7 +64,7 @@ const BYTES: usize = 1 << 26;
 
 /// The places of a text.
 #[derive(Debug)]
-pub struct Places {
+pub(super) struct Places {
     /// The spans of the values of the whole, by name.
     top: FxHashMap<String, Span>,
     /// The items of the lists among it.
@@ -73,7 +73,7 @@ pub struct Places {
 }
 
 impl Places {
-    pub fn new(text: &str) -> Places {
+    pub(super) fn new(text: &str) -> Places {
         let mut places = Places {
             top: FxHashMap::default(),
             items: FxHashMap::default(),
@@ -95,7 +95,7 @@ impl Places {
     }
 
     /// The value that a path leads to, or the last one on the way that is there.
-    pub fn find(&self, text: &str, path: &Path) -> Span {
+    pub(super) fn find(&self, text: &str, path: &Path) -> Span {
         let Some(PathSegment::Name(first)) = path.0.first() else {
             return whole(text);
         };

@@ -11,10 +11,10 @@ use crate::translate::{Feature, FeatureSupport};
 
 /// The pictures that cannot be named from the new place.
 #[derive(Default)]
-pub struct Left(Vec<String>);
+pub(super) struct Left(Vec<String>);
 
 /// Makes every path to a picture lead to the same one from the new place. What goes to standard output keeps them.
-pub fn follow(model: &mut Scene, scene: &Prepared, options: &Options) -> Left {
+pub(super) fn follow(model: &mut Scene, scene: &Prepared, options: &Options) -> Left {
     let mut left = Left::default();
     let Some(new) = options.output else {
         return left;
@@ -48,7 +48,7 @@ pub fn follow(model: &mut Scene, scene: &Prepared, options: &Options) -> Left {
 
 impl Left {
     /// The support for a feature if pictures are left behind.
-    pub fn verdict(&self, feature: Feature, options: &Options) -> Option<FeatureSupport> {
+    pub(super) fn verdict(&self, feature: Feature, options: &Options) -> Option<FeatureSupport> {
         let is_image = feature == Feature::Record(RecordKind::ImageTexture);
         let output = options.output.filter(|_| is_image && !self.0.is_empty())?;
         let bound = Complaint::new("fidelity-pictures")

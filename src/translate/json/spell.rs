@@ -15,7 +15,7 @@ use crate::scene::geometry::Parameter;
 use crate::syntax::table::{RecordKind, RecordType};
 
 /// The largest ID.
-pub const ID_MAX: u32 = i32::MAX as u32;
+pub(super) const ID_MAX: u32 = i32::MAX as u32;
 
 /// Distance of a matrix from a rotation, at most, to be written as one without more ado: less than what is found fault
 /// with (W303).

@@ -42,14 +42,14 @@ pub struct MeshPart {
 
 /// Pieces, the first of those that hold a point owning it, and what their labels mean.
 #[derive(Debug, Clone, Default)]
-pub struct Thing {
+pub(super) struct Thing {
     pub pieces: Vec<MeshPart>,
     pub skins: Vec<SurfaceLabel>,
 }
 
 /// The counts of things that could not be done as they should be.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Troubles {
+pub(super) struct Troubles {
     /// Operands that were left as they were.
     pub uncut: u64,
     /// Pairs of solids that overlap and were not joined.
@@ -59,7 +59,7 @@ pub struct Troubles {
 }
 
 /// Builds the scene's pieces, in its own coordinates, cut to the region.
-pub struct Assembly<'a> {
+pub(super) struct Assembly<'a> {
     scene: &'a Scene,
     graph: &'a Graph,
     pub budget: Budget,
@@ -76,14 +76,14 @@ pub struct Assembly<'a> {
 }
 
 /// One operand of an operation, in the coordinates of the result.
-pub struct Operand {
+pub(super) struct Operand {
     pub pieces: Vec<MeshPart>,
     /// Everything but the pieces is meant.
     pub outside: bool,
 }
 
 impl<'a> Assembly<'a> {
-    pub fn new(
+    pub(super) fn new(
         scene: &'a Scene,
         graph: &'a Graph,
         region: &Aabb,
@@ -144,7 +144,7 @@ impl<'a> Assembly<'a> {
     ///
     /// # Errors
     /// There would be too many triangles.
-    pub fn pieces(&mut self, region: &Aabb, boxed: bool) -> Result<Thing, TooMany> {
+    pub(super) fn pieces(&mut self, region: &Aabb, boxed: bool) -> Result<Thing, TooMany> {
         // Before any is made.
         let needed = MIN_SHAPE_TRIANGLES * self.shapes;
         self.budget.foresee(needed)?;
@@ -374,7 +374,7 @@ impl Thing {
 }
 
 /// The error for solids that are too many to be joined.
-pub fn crowded(crowd: Crowd, skins: &[SurfaceLabel]) -> TooMany {
+pub(super) fn crowded(crowd: Crowd, skins: &[SurfaceLabel]) -> TooMany {
     TooMany::Joined {
         solids: crowd.solids,
         shape: skins.get(crowd.label as usize).map_or(0, |s| s.shape),
@@ -398,7 +398,7 @@ fn group(group: &graph::Group) -> Vec<u32> {
 }
 
 /// A box about the same centre.
-pub fn enlarged(b: &Aabb, by: f64) -> Aabb {
+pub(super) fn enlarged(b: &Aabb, by: f64) -> Aabb {
     let c = b.centre();
     let half: [f64; 3] = std::array::from_fn(|i| by * (b.max[i] / 2.0 - b.min[i] / 2.0));
     Aabb::new(

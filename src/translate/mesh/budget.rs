@@ -4,7 +4,7 @@
 use crate::diagnostics::{Complaint, Value};
 
 /// The most triangles that are made: about two gigabytes of them.
-pub const MOST_TRIANGLES: u64 = 1 << 25;
+pub(super) const MOST_TRIANGLES: u64 = 1 << 25;
 
 /// The most triangles that operations are given, each as often as it is given to one: some minutes.
 const MOST_WORK: f64 = (1u64 << 24) as f64;

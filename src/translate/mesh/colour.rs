@@ -3,7 +3,7 @@
 use crate::scene::Rgb;
 
 /// A linear colour as three bytes of sRGB.
-pub fn srgb(colour: Rgb) -> [u8; 3] {
+pub(super) fn srgb(colour: Rgb) -> [u8; 3] {
     colour.map(|x| {
         let x = x.clamp(0.0, 1.0);
         let encoded = if x <= 0.003_130_8 {

@@ -17,7 +17,7 @@ use crate::geometry::Matrix;
 
 /// The operation on two solids.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Operation {
+pub(super) enum Operation {
     Union,
     Intersection,
     Difference,
@@ -25,7 +25,7 @@ pub enum Operation {
 
 /// The operation could not be carried out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Failed;
+pub(super) struct Failed;
 
 /// Parts thinner than this, by the size of the operands, are what rounding left between faces in one
 /// place: half a million roundings, and a ten-millionth of the default tolerance.
@@ -56,7 +56,7 @@ impl Mul<f64> for Tag {
 /// # Errors
 /// What came out was not closed, or had a volume that cannot be; also with one of the two moved by
 /// less than matters.
-pub fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed> {
+pub(super) fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed> {
     let (of_a, of_b) = (a.volume(), b.volume());
     let size = a.bounds().radius().max(b.bounds().radius());
     let Aligned { a, b, shared, back } = &aligned(a, b, size);

@@ -22,7 +22,7 @@ const PLANE_EPS: f64 = 1e-13;
 const CUT: f64 = 1e-9;
 
 /// Two meshes whose faces in one plane are in one plane of the numbers.
-pub struct Aligned {
+pub(super) struct Aligned {
     pub a: Mesh,
     pub b: Mesh,
     /// There are such faces.
@@ -33,7 +33,7 @@ pub struct Aligned {
 
 /// Turns the two so that faces that lie in one plane are along the axes, and makes coordinates the same that
 /// differ by roundings.
-pub fn aligned(a: &Mesh, b: &Mesh, size: f64) -> Aligned {
+pub(super) fn aligned(a: &Mesh, b: &Mesh, size: f64) -> Aligned {
     let (mut a, mut b) = (a.clone(), b.clone());
     let axes = axes(&a, &b, size);
     let mut back = None;
@@ -99,7 +99,7 @@ fn across(n: Vec3) -> Vec3 {
 
 /// The plane of a triangle.
 #[derive(Debug, Clone, Copy)]
-pub struct Plane {
+pub(super) struct Plane {
     /// A unit vector.
     normal: Vec3,
     /// How far from the origin it is along the normal, by the size of the operands.
@@ -192,7 +192,12 @@ const FACE_REL_SHIFT: f64 = 1e-11;
 /// operation is left: nothing of what the two have in common if that is a face, and no skin where a tool ends
 /// where the solid does. And the planes, which are to be [put back](put_back). `None` if there is nothing to
 /// move.
-pub fn apart(a: &Mesh, b: &Mesh, size: f64, operation: Operation) -> Option<(Mesh, Vec<Plane>)> {
+pub(super) fn apart(
+    a: &Mesh,
+    b: &Mesh,
+    size: f64,
+    operation: Operation,
+) -> Option<(Mesh, Vec<Plane>)> {
     let by = match operation {
         Operation::Union => return None,
         Operation::Intersection => -FACE_REL_SHIFT * size,
@@ -232,7 +237,7 @@ pub fn apart(a: &Mesh, b: &Mesh, size: f64, operation: Operation) -> Option<(Mes
 }
 
 /// Brings what was moved by [`apart`] back.
-pub fn put_back(mesh: &mut Mesh, planes: &[Plane], size: f64) {
+pub(super) fn put_back(mesh: &mut Mesh, planes: &[Plane], size: f64) {
     for point in &mut mesh.points {
         for plane in planes {
             let off = dot(plane.normal, *point) - plane.offset * size;
@@ -248,7 +253,7 @@ const MAX_TRIANGLE_COMPARISONS: usize = 4_000_000;
 
 /// Gives triangles of what was made of `a` and `b` the labels of those of `a` that they lie in: of faces in one
 /// place the first one's is seen. What has been dropped stays so, and what is beyond patience.
-pub fn first_seen(mesh: &mut Mesh, a: &Mesh, b: &Mesh, size: f64) {
+pub(super) fn first_seen(mesh: &mut Mesh, a: &Mesh, b: &Mesh, size: f64) {
     let both = a.bounds().intersection(&b.bounds());
     let slack = CUT * size;
     let is_shared =

@@ -12,7 +12,7 @@ use crate::translate::lens::{Lens, Pinhole};
 use crate::translate::names::Names;
 
 /// The extension that lights are written in.
-pub const LIGHTS: &str = "KHR_lights_punctual";
+pub(super) const LIGHTS: &str = "KHR_lights_punctual";
 
 /// Distance from a camera, in radii of the scene, below which nothing is drawn: the format asks for a number above 0.
 const NEAR_PLANE_RADII: f64 = 1e-3;
@@ -61,7 +61,7 @@ impl Scenery {
 }
 
 /// Whether a camera has a counterpart in the format.
-pub fn has_counterpart(camera: &Camera) -> bool {
+pub(super) fn has_counterpart(camera: &Camera) -> bool {
     lens(camera).is_some()
 }
 

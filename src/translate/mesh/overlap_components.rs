@@ -6,7 +6,7 @@ use crate::geometry::Aabb;
 use crate::geometry::bvh::Bvh;
 
 /// Boxes that hang together, one overlapping the next.
-pub struct OverlapComponents {
+pub(super) struct OverlapComponents {
     /// The items are the boxes' numbers; neighbours are near each other.
     pub tree: Bvh,
     /// For each box the number of its component, from 0.
@@ -18,7 +18,7 @@ pub struct OverlapComponents {
 const NONE: u32 = u32::MAX;
 
 impl OverlapComponents {
-    pub fn of(boxes: &[Aabb]) -> OverlapComponents {
+    pub(super) fn of(boxes: &[Aabb]) -> OverlapComponents {
         let tree = tree(boxes);
         let mut left = Left::of(&tree, boxes.len());
         let mut numbers = vec![NONE; boxes.len()];
@@ -108,7 +108,7 @@ impl Left {
     }
 }
 
-pub fn tree(boxes: &[Aabb]) -> Bvh {
+pub(super) fn tree(boxes: &[Aabb]) -> Bvh {
     let numbered = boxes.iter().enumerate();
     Bvh::new(numbered.map(|(i, b)| (i as u32, *b)).collect())
 }

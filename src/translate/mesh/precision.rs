@@ -7,7 +7,7 @@ use crate::scene::Vec3;
 const PART: f64 = 0.01;
 
 /// The places of a mesh's points as a file has them.
-pub struct Places<T> {
+pub(super) struct Places<T> {
     pub all: Vec<[T; 3]>,
     /// How far one of them is from where it should be at most.
     pub off: f64,
@@ -31,7 +31,7 @@ impl<T> Places<T> {
 }
 
 /// In single precision.
-pub fn single(mesh: &Mesh) -> Places<f32> {
+pub(super) fn single(mesh: &Mesh) -> Places<f32> {
     Places::of(mesh, |p| {
         let place = p.map(|x| x as f32);
         (place, place.map(f64::from))
@@ -39,7 +39,7 @@ pub fn single(mesh: &Mesh) -> Places<f32> {
 }
 
 /// In decimal digits: those of single precision where these are enough, else as few as are.
-pub fn decimal(mesh: &Mesh, tolerance: f64) -> Places<String> {
+pub(super) fn decimal(mesh: &Mesh, tolerance: f64) -> Places<String> {
     let within = within(tolerance);
     Places::of(mesh, |p| {
         let place = p.map(|x| digits(x, within));
@@ -49,7 +49,7 @@ pub fn decimal(mesh: &Mesh, tolerance: f64) -> Places<String> {
 }
 
 /// Whether single precision costs no more than digits may.
-pub fn is_single_enough(mesh: &Mesh, tolerance: f64) -> bool {
+pub(super) fn is_single_enough(mesh: &Mesh, tolerance: f64) -> bool {
     let largest = mesh
         .points
         .iter()

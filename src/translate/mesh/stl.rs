@@ -11,7 +11,7 @@ const TRIANGLE_BYTES: usize = 50;
 
 /// The bytes of the file. A triangle that rounding has left without an area has the normal 0, which readers take for
 /// unknown.
-pub fn write(places: &[[f32; 3]], triangles: &[[u32; 3]]) -> Vec<u8> {
+pub(super) fn write(places: &[[f32; 3]], triangles: &[[u32; 3]]) -> Vec<u8> {
     let mut out = Vec::with_capacity(HEADER_BYTES + 4 + TRIANGLE_BYTES * triangles.len());
     out.extend_from_slice(HEADER);
     out.resize(HEADER_BYTES, 0);

@@ -1,18 +1,18 @@
 //! Which things hang together.
 
 /// Disjoint sets of the numbers from 0.
-pub struct UnionFind {
+pub(super) struct UnionFind {
     parents: Vec<u32>,
 }
 
 impl UnionFind {
-    pub fn new(n: usize) -> UnionFind {
+    pub(super) fn new(n: usize) -> UnionFind {
         UnionFind {
             parents: (0..n as u32).collect(),
         }
     }
 
-    pub fn find(&mut self, mut i: u32) -> u32 {
+    pub(super) fn find(&mut self, mut i: u32) -> u32 {
         while self.parents[i as usize] != i {
             let up = self.parents[self.parents[i as usize] as usize];
             self.parents[i as usize] = up;
@@ -21,7 +21,7 @@ impl UnionFind {
         i
     }
 
-    pub fn join(&mut self, i: u32, j: u32) {
+    pub(super) fn join(&mut self, i: u32, j: u32) {
         let (i, j) = (self.find(i), self.find(j));
         self.parents[i.max(j) as usize] = i.min(j);
     }

@@ -13,7 +13,7 @@ use crate::parallel;
 
 /// Closed meshes that lie apart from each other, with their bounds.
 #[derive(Debug, Default)]
-pub struct Union {
+pub(super) struct Union {
     pub meshes: Vec<(Aabb, Mesh)>,
     /// How many times two that overlap could not be joined and are both there.
     pub failures: u64,
@@ -24,7 +24,7 @@ impl Union {
     ///
     /// # Errors
     /// Too many overlap.
-    pub fn of(meshes: Vec<Mesh>, budget: &mut Budget) -> Result<Union, Crowd> {
+    pub(super) fn of(meshes: Vec<Mesh>, budget: &mut Budget) -> Result<Union, Crowd> {
         let boxes: Vec<Aabb> = meshes.iter().map(Mesh::bounds).collect();
         let components = OverlapComponents::of(&boxes);
         let mut meshes: Vec<Option<Mesh>> = meshes.into_iter().map(Some).collect();
@@ -50,7 +50,7 @@ impl Union {
     }
 
     /// Everything of it that may touch a box, as one mesh.
-    pub fn near(&self, region: &Aabb) -> Mesh {
+    pub(super) fn near(&self, region: &Aabb) -> Mesh {
         let mut out = Mesh::default();
         for (bounds, mesh) in &self.meshes {
             if bounds.overlaps(region) {
@@ -182,7 +182,7 @@ impl Member {
 }
 
 /// Whether each box overlaps another one.
-pub fn overlapping(boxes: &[Aabb]) -> Vec<bool> {
+pub(super) fn overlapping(boxes: &[Aabb]) -> Vec<bool> {
     let tree = tree(boxes);
     let overlaps = |(i, b): (usize, &Aabb)| {
         tree.visit(b, |j| {
@@ -198,7 +198,7 @@ pub fn overlapping(boxes: &[Aabb]) -> Vec<bool> {
 
 /// The pairs of boxes that overlap and are wanted, in order: the second number larger, the pairs by
 /// the larger and then the smaller; `None` if there are too many.
-pub fn pairs(
+pub(super) fn pairs(
     boxes: &[Aabb],
     most: usize,
     wanted: impl Fn(usize, usize) -> bool,

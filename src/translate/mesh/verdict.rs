@@ -13,7 +13,7 @@ pub fn within(tolerance: f64) -> Complaint {
 
 /// How far triangles are from what they stand for at most.
 #[derive(Clone, Copy)]
-pub struct Bounds {
+pub(super) struct Bounds {
     /// As they are made.
     pub tolerance: f64,
     /// The error that the numbers of the file add.
@@ -27,7 +27,7 @@ impl Bounds {
     }
 
     /// Names that if it is so.
-    pub fn account(self, target: &str, report: &mut Report) {
+    pub(super) fn account(self, target: &str, report: &mut Report) {
         if !self.is_coarse() {
             return;
         }
@@ -43,7 +43,7 @@ impl Bounds {
 /// Why something is dropped that is no place.
 const TRIANGLES_ONLY: &str = "an STL file has triangles only";
 
-pub fn verdict(target: &str, feature: Feature, bounds: Bounds) -> FeatureSupport {
+pub(super) fn verdict(target: &str, feature: Feature, bounds: Bounds) -> FeatureSupport {
     match feature {
         Feature::Record(kind) => record(target, kind, bounds),
         Feature::Effect(effect) => of_effect(target, effect),

@@ -12,7 +12,7 @@ use crate::translate::mesh::picture::file_name;
 
 /// How a mesh knows its colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Colours {
+pub(super) enum Colours {
     /// One colour, the skin's.
     Plain,
     OfFaces,
@@ -22,7 +22,7 @@ pub enum Colours {
 }
 
 /// The materials of a scene, each written once.
-pub struct Bsdfs<'g> {
+pub(super) struct Bsdfs<'g> {
     graph: &'g Graph,
     pub text: String,
     numbers: HashMap<String, usize>,
@@ -33,7 +33,7 @@ pub struct Bsdfs<'g> {
 }
 
 impl<'g> Bsdfs<'g> {
-    pub fn new(graph: &'g Graph) -> Bsdfs<'g> {
+    pub(super) fn new(graph: &'g Graph) -> Bsdfs<'g> {
         Bsdfs {
             graph,
             text: String::new(),
@@ -44,7 +44,7 @@ impl<'g> Bsdfs<'g> {
     }
 
     /// The greatest part of a colour.
-    pub fn brightest(&self) -> f64 {
+    pub(super) fn brightest(&self) -> f64 {
         let colours = self
             .graph
             .textures
@@ -60,7 +60,7 @@ impl<'g> Bsdfs<'g> {
     }
 
     /// A reference to the material of an exact shape with an index around it.
-    pub fn exact(
+    pub(super) fn exact(
         &mut self,
         skin: &SurfaceLabel,
         shape: &Exact,
@@ -76,7 +76,7 @@ impl<'g> Bsdfs<'g> {
     }
 
     /// A reference to the material of a mesh with an index around it.
-    pub fn mesh(
+    pub(super) fn mesh(
         &mut self,
         skin: &SurfaceLabel,
         colours: Colours,
@@ -112,7 +112,7 @@ impl<'g> Bsdfs<'g> {
 
     /// The text that makes a picture of each channel of a document whose indices differ by channel: how to ask for it,
     /// and the parameters with the mean of the channels.
-    pub fn dispersion(&self) -> Option<String> {
+    pub(super) fn dispersion(&self) -> Option<String> {
         let channel = |k: usize| {
             let of = |i: &u32| {
                 let value = number(self.graph.indices[*i as usize][k]);

@@ -8,7 +8,7 @@ use crate::translate::mesh::{SurfaceLabel, picture::is_pictured, shape::flat};
 
 /// A shape of Mitsuba's.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Exact {
+pub(super) struct Exact {
     kind: &'static str,
     body: String,
     shape: u32,
@@ -17,7 +17,7 @@ pub struct Exact {
 }
 
 impl Exact {
-    pub fn xml(&self, bsdf: &str, number: usize) -> String {
+    pub(super) fn xml(&self, bsdf: &str, number: usize) -> String {
         format!(
             "  <shape type=\"{}\" id=\"Object_{}_{number}\">\n    {}\n    {bsdf}\n  </shape>\n",
             self.kind, self.shape, self.body
@@ -27,7 +27,7 @@ impl Exact {
 
 /// Where something without end is seen, and how far it has to reach from there.
 #[derive(Debug, Clone, Copy)]
-pub struct RequiredExtent {
+pub(super) struct RequiredExtent {
     pub centre: Vec3,
     pub far: f64,
 }
@@ -37,7 +37,7 @@ pub struct RequiredExtent {
 const NEAR_PART: f64 = 1.0 / 32.0;
 
 /// Whether the shape of a skin is a plane or a half-space.
-pub fn is_endless(scene: &Scene, graph: &Graph, skin: &SurfaceLabel) -> bool {
+pub(super) fn is_endless(scene: &Scene, graph: &Graph, skin: &SurfaceLabel) -> bool {
     let record = skin.primitive.map(|p| graph.records[p as usize] as usize);
     let geometry = record.map(|record| &scene.shapes[record].geometry);
     matches!(geometry, Some(Geometry::Plane(_) | Geometry::HalfSpace(_)))
@@ -46,7 +46,7 @@ pub fn is_endless(scene: &Scene, graph: &Graph, skin: &SurfaceLabel) -> bool {
 /// The shapes that make up the shape of a skin, if Mitsuba has them and its colours can be laid on
 /// them. Planes and half-spaces are rectangles: one, and four around it that reach very far. For
 /// Mitsuba's rectangles are as exact as they are small.
-pub fn shapes(
+pub(super) fn shapes(
     scene: &Scene,
     graph: &Graph,
     skin: &SurfaceLabel,

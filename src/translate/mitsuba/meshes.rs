@@ -27,12 +27,12 @@ struct Key {
 
 /// Triangles by file.
 #[derive(Default)]
-pub struct Collector {
+pub(super) struct Collector {
     meshes: BTreeMap<Key, Mesh>,
 }
 
 /// A finished file.
-pub struct File {
+pub(super) struct File {
     pub info: ShapeInfo,
     /// One that all its triangles have the material of.
     pub skin: u32,
@@ -46,7 +46,7 @@ impl Collector {
     /// Adds what is seen of a piece, with edges no longer than `grain` where it has a texture, and elsewhere no longer
     /// than that or than they are from the eye: single precision mistakes places on large triangles. Where the
     /// render box cuts it, it is open.
-    pub fn add(
+    pub(super) fn add(
         &mut self,
         piece: &MeshPart,
         skins: &[SurfaceLabel],
@@ -80,7 +80,7 @@ impl Collector {
         }
     }
 
-    pub fn finish(self, skins: &[SurfaceLabel], graph: &Graph) -> Vec<File> {
+    pub(super) fn finish(self, skins: &[SurfaceLabel], graph: &Graph) -> Vec<File> {
         let file = |(key, mesh): (Key, Mesh)| File {
             info: ShapeInfo {
                 shape: key.shape,

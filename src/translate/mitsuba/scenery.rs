@@ -21,7 +21,7 @@ const SAMPLES: u32 = 64;
 const HORIZON: f64 = 1e3;
 
 /// How far things without end reach.
-pub fn reach(region: &Aabb, cameras: &[Camera]) -> f64 {
+pub(super) fn reach(region: &Aabb, cameras: &[Camera]) -> f64 {
     let all = cameras.iter().fold(*region, |all, c| {
         all.hull(&Aabb::new(c.position, c.position))
     });
@@ -36,7 +36,7 @@ const NEAR_PLANE_SHARE: f64 = 1e-3;
 
 /// The integrator and the camera; `all` holds everything that is drawn, of which `nearest` is how near
 /// something is seen.
-pub fn view(
+pub(super) fn view(
     scene: &Scene,
     camera: &Camera,
     all: &Aabb,
@@ -215,7 +215,7 @@ fn environment(scene: &Scene) -> Option<Environment> {
 }
 
 /// The lamps. They are as bright as ours at the middle of the scene: Mitsuba's fade with distance.
-pub fn lights(scene: &Scene, frame: &SceneFrame, region: &Aabb) -> String {
+pub(super) fn lights(scene: &Scene, frame: &SceneFrame, region: &Aabb) -> String {
     let mut out = String::new();
     if let Some(e) = environment(scene) {
         // Writing to a string does not fail.

@@ -5,7 +5,7 @@ use crate::diagnostics::{Complaint, Value};
 use crate::syntax::table::{RecordKind, ShapeKind};
 use crate::translate::{Effect, Feature, FeatureSupport, mesh};
 
-pub fn verdict(feature: Feature, tolerance: f64, written: &Written) -> FeatureSupport {
+pub(super) fn verdict(feature: Feature, tolerance: f64, written: &Written) -> FeatureSupport {
     match feature {
         Feature::Record(kind) => record(kind, tolerance, written.counts(kind)),
         Feature::Effect(effect) => of_effect(effect),

@@ -8,7 +8,7 @@ use crate::trace::graph::Graph;
 use crate::translate::mesh::SurfaceLabel;
 
 /// The records of shapes that were written, by their types and those of textures on them.
-pub struct Written<'a> {
+pub(super) struct Written<'a> {
     graph: &'a Graph,
     /// The kind of each shape, by its ID.
     types: HashMap<u32, RecordKind>,
@@ -17,7 +17,7 @@ pub struct Written<'a> {
 }
 
 impl<'a> Written<'a> {
-    pub fn new(scene: &Scene, graph: &'a Graph) -> Written<'a> {
+    pub(super) fn new(scene: &Scene, graph: &'a Graph) -> Written<'a> {
         Written {
             graph,
             types: scene.shapes.iter().map(|s| (s.id, s.ty().kind)).collect(),
@@ -27,7 +27,7 @@ impl<'a> Written<'a> {
     }
 
     /// Notes that a surface was written.
-    pub fn note(&mut self, skin: &SurfaceLabel, exact: bool) {
+    pub(super) fn note(&mut self, skin: &SurfaceLabel, exact: bool) {
         let texture = skin.texture.as_ref();
         let laid = texture.and_then(|t| match &self.graph.textures[t.texture as usize] {
             Texture::Checkerboard { .. } => Some(RecordKind::Checkerboard),
@@ -44,7 +44,7 @@ impl<'a> Written<'a> {
     }
 
     /// How many of a type are Mitsuba's own, and how many are meshes; some may be both.
-    pub fn counts(&self, kind: RecordKind) -> [usize; 2] {
+    pub(super) fn counts(&self, kind: RecordKind) -> [usize; 2] {
         [&self.exact, &self.meshes].map(|list| list.iter().filter(|(k, _)| *k == kind).count())
     }
 }

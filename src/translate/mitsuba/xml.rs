@@ -5,13 +5,13 @@ use crate::geometry::Matrix;
 use crate::scene::Vec3;
 
 /// `1, 2, 3`.
-pub fn vector(v: Vec3) -> String {
+pub(super) fn vector(v: Vec3) -> String {
     let [x, y, z] = v.map(number);
     format!("{x}, {y}, {z}")
 }
 
 /// The shortest decimal that reads back as the same number.
-pub fn number(x: f64) -> String {
+pub(super) fn number(x: f64) -> String {
     let size = x.abs();
     // As people write it, where an exponent would not be shorter.
     if x == 0.0 || (1e-5..1e15).contains(&size) {
@@ -22,19 +22,19 @@ pub fn number(x: f64) -> String {
 }
 
 /// A transformation by a matrix.
-pub fn transform(name: &str, m: &Matrix) -> String {
+pub(super) fn transform(name: &str, m: &Matrix) -> String {
     let rows: Vec<String> = m.0.iter().flatten().map(|x| number(*x)).collect();
     let rows = rows.join(" ");
     format!("<transform name=\"{name}\"><matrix value=\"{rows}\"/></transform>")
 }
 
 /// A colour under a name.
-pub fn rgb(name: &str, c: Vec3) -> String {
+pub(super) fn rgb(name: &str, c: Vec3) -> String {
     format!("<rgb name=\"{name}\" value=\"{}\"/>", vector(c))
 }
 
 /// A shape from a file.
-pub fn ply(file: &str, bsdf: &str, info: &ShapeInfo, number: usize) -> String {
+pub(super) fn ply(file: &str, bsdf: &str, info: &ShapeInfo, number: usize) -> String {
     let file = escaped(file);
     format!(
         "  <shape type=\"ply\" id=\"Object_{}_{number}\">\n    <string name=\"filename\" value=\"{file}\"/>\n    {bsdf}\n  </shape>\n",
@@ -43,7 +43,7 @@ pub fn ply(file: &str, bsdf: &str, info: &ShapeInfo, number: usize) -> String {
 }
 
 /// A line for readers, in which there are no two hyphens side by side.
-pub fn comment(text: &str) -> String {
+pub(super) fn comment(text: &str) -> String {
     let mut out = String::from("  <!-- ");
     for c in text.chars() {
         if c == '-' && out.ends_with('-') {
@@ -55,7 +55,7 @@ pub fn comment(text: &str) -> String {
 }
 
 /// Text between quotes.
-pub fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

@@ -8,7 +8,7 @@ use crate::scene::Geometry;
 use crate::scene::geometry::Parameter;
 
 /// The same tree without what is empty or there twice.
-pub fn simplified<'a>(tree: Tree<'a>) -> Tree<'a> {
+pub(super) fn simplified<'a>(tree: Tree<'a>) -> Tree<'a> {
     let mut out = Simplified::default();
     for declared in tree.objects {
         let number = out

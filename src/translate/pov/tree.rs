@@ -49,7 +49,7 @@ impl Frame {
 /// The rays of a camera: direction + (x − ½)·right + (½ − y)·up, from the location or, if they are parallel, from
 /// the location moved by that. The vectors may be of any hand and need not be at right angles.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Lens {
+pub(super) struct Lens {
     pub caption: String,
     pub parallel: bool,
     pub location: Vec3,

@@ -6,7 +6,7 @@ use crate::translate::{Effect, Feature, FeatureSupport};
 
 const IMAGE_MAP: &str = "image_map through the surface coordinates";
 
-pub fn verdict(feature: Feature, pictures: &Pictures) -> FeatureSupport {
+pub(super) fn verdict(feature: Feature, pictures: &Pictures) -> FeatureSupport {
     match feature {
         Feature::Record(RecordKind::ImageTexture) if matches!(pictures, Pictures::InPlace(_)) => {
             FeatureSupport::approximate(

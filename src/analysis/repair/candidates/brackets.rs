@@ -20,7 +20,7 @@ fn around(t: &Token, text: &str) -> Option<[Span; 2]> {
 }
 
 /// Takes brackets from tokens, and tokens that are nothing else.
-pub fn strip(tokens: &mut Vec<Token>, text: &str) {
+pub(super) fn strip(tokens: &mut Vec<Token>, text: &str) {
     for t in tokens.iter_mut() {
         if let Some([open, close]) = around(t, text).filter(|[open, close]| open.end < close.start)
         {
@@ -36,7 +36,7 @@ pub fn strip(tokens: &mut Vec<Token>, text: &str) {
 }
 
 /// All brackets that belong to tokens.
-pub fn all<'t>(tokens: &'t [Token], text: &'t str) -> impl Iterator<Item = Span> + 't {
+pub(super) fn all<'t>(tokens: &'t [Token], text: &'t str) -> impl Iterator<Item = Span> + 't {
     let each = tokens.iter().filter_map(|t| around(t, text)).flatten();
     each.filter(|span| !span.range().is_empty())
 }

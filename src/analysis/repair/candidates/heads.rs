@@ -60,7 +60,7 @@ impl LineContext<'_> {
     }
 
     /// ID and type in each other's place, as a finding and what puts it right. The ID is used elsewhere.
-    pub fn exchange(&self) -> Option<(Diagnostic, Candidate)> {
+    pub(crate) fn exchange(&self) -> Option<(Diagnostic, Candidate)> {
         let [ty, id] = [self.tokens.first()?, self.tokens.get(1)?];
         let (code, number) = (ty.integer(self.text)?, id.integer(self.text)?);
         // The minus may have stayed in its place, as in `402 -50 1`.
@@ -174,14 +174,14 @@ impl LineContext<'_> {
     }
 
     /// That a record has one number too few or too many.
-    pub fn one_off(&self) -> Option<Diagnostic> {
+    pub(crate) fn one_off(&self) -> Option<Diagnostic> {
         let ty = self.ty().filter(|ty| ty.kind != RecordKind::Undefined)?;
         let is_one = self.params().len().abs_diff(self.wanted(ty)) == 1;
         self.wrong_count().filter(|_| is_one)
     }
 
     /// That a type is none, if it is nothing else that scenes have.
-    pub fn odd_type(&self) -> Option<Diagnostic> {
+    pub(crate) fn odd_type(&self) -> Option<Diagnostic> {
         let code = self.int(1).filter(|&code| code <= LEAST_HEAD.into())?;
         let is_none = RecordType::by_code(code).is_none();
         let d = Diagnostic::new(Code::E007, self.tokens[1].span())

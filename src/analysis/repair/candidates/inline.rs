@@ -35,7 +35,7 @@ pub(super) const FREE_TITLE: &str = "fix-free-id";
 pub(super) const OWN_TITLE: &str = "fix-own-id";
 
 /// The IDs that a fix gives to records.
-pub fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
+pub(crate) fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
     let is_one = [TITLE, PARTS_TITLE, FREE_TITLE, OWN_TITLE].contains(&fix.title);
     let edits = fix.edits.iter().filter(move |_| is_one);
     edits.filter_map(|edit| edit.text.parse().ok())

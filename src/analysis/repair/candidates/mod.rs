@@ -25,7 +25,7 @@ pub use inline::new_ids;
 
 /// What people do, what they do most first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Habit {
+pub(super) enum Habit {
     /// The minus of a type is lost, or there is one too many.
     Sign,
     /// A digit of a type is lost, doubled or wrong, or two are exchanged.
@@ -74,12 +74,12 @@ pub enum Habit {
 
 impl Habit {
     /// Whether this puts another ID in the place of one.
-    pub fn names_another(self) -> bool {
+    pub(super) fn names_another(self) -> bool {
         matches!(self, Habit::Shifted | Habit::Reference | Habit::Proposed)
     }
 
     /// Whether a finding speaks of what this puts right. If not, [`LineContext::matter`] does.
-    pub fn is_said_by(self, finding: &Diagnostic) -> bool {
+    pub(super) fn is_said_by(self, finding: &Diagnostic) -> bool {
         use Code::*;
         match self {
             Habit::Sign => matches!(finding.code, E007 | E103),
@@ -113,7 +113,7 @@ impl Habit {
 
 /// A text that may have been meant.
 #[derive(Debug, Clone)]
-pub struct Candidate {
+pub(super) struct Candidate {
     pub habit: Habit,
     pub fix: Fix,
     /// The type that the fix writes, if it writes one.
@@ -124,7 +124,7 @@ pub struct Candidate {
 const MOST: usize = 16;
 
 /// A line of the text, or all of a record that begins on it.
-pub struct LineContext<'a> {
+pub(super) struct LineContext<'a> {
     analysis: &'a Analysis,
     text: &'a str,
     /// From the first token to the end of the line, white space left out.
@@ -139,7 +139,7 @@ pub struct LineContext<'a> {
 
 impl<'a> LineContext<'a> {
     /// Where a finding is: the line, and the record that begins it where that goes on behind its end.
-    pub fn both(analysis: &'a Analysis, at: u32) -> Vec<LineContext<'a>> {
+    pub(super) fn both(analysis: &'a Analysis, at: u32) -> Vec<LineContext<'a>> {
         let Some(line) = LineContext::of(analysis, at, false) else {
             return Vec::new();
         };
@@ -186,7 +186,7 @@ impl<'a> LineContext<'a> {
         })
     }
 
-    pub fn line(&self) -> Span {
+    pub(super) fn line(&self) -> Span {
         self.line
     }
 
@@ -198,7 +198,7 @@ impl<'a> LineContext<'a> {
         self.tokens.get(2..).unwrap_or(&[])
     }
 
-    pub fn id(&self) -> Option<u32> {
+    pub(super) fn id(&self) -> Option<u32> {
         u32::try_from(self.int(0)?).ok().filter(|&id| id > 0)
     }
 
@@ -207,7 +207,7 @@ impl<'a> LineContext<'a> {
     }
 
     /// Whether it makes an object of others.
-    pub fn is_operation(&self) -> bool {
+    pub(super) fn is_operation(&self) -> bool {
         self.ty().is_some_and(|ty| ty.family == Family::Operation)
     }
 
@@ -234,7 +234,7 @@ impl<'a> LineContext<'a> {
 
     /// The names of the numbers that a record with too few has, and of those that it lacks, where that can be told:
     /// it ends between two vectors of its type.
-    pub fn lacking(&self) -> Option<(String, String)> {
+    pub(super) fn lacking(&self) -> Option<(String, String)> {
         let ty = self.ty().filter(|ty| !ty.is_counted())?;
         let n = self.params().len();
         let mut ends = ty.vectors.iter().scan(0, |sum, n| {
@@ -250,7 +250,7 @@ impl<'a> LineContext<'a> {
 
     /// What may have been meant, given a finding of this place. `undefined` are the IDs that are used and
     /// defined nowhere, `taken` those that other proposals define.
-    pub fn candidates(
+    pub(super) fn candidates(
         &self,
         finding: &Diagnostic,
         undefined: &[u32],
@@ -332,7 +332,7 @@ impl<'a> LineContext<'a> {
 
     /// What a candidate puts right, as a finding. Together with [`Habit::is_said_by`] it sees to it that a finding and
     /// its first proposal speak of one thing.
-    pub fn matter(&self, candidate: &Candidate) -> Option<Diagnostic> {
+    pub(super) fn matter(&self, candidate: &Candidate) -> Option<Diagnostic> {
         let edit = candidate.fix.edits.first()?;
         let written = quote(&self.text[edit.span.range()]);
         let with_type = |d: Diagnostic| {

@@ -176,7 +176,7 @@ impl LineContext<'_> {
     }
 
     /// A record with the numbers of its sibling.
-    pub fn siblings(&self, out: &mut Vec<Candidate>) {
+    pub(crate) fn siblings(&self, out: &mut Vec<Candidate>) {
         let Some(ty) = self.ty().filter(|ty| !self.fits(ty)) else {
             return;
         };
@@ -356,7 +356,7 @@ impl LineContext<'_> {
     }
 
     /// That the line has too few numbers for its type, or too many.
-    pub fn wrong_count(&self) -> Option<Diagnostic> {
+    pub(crate) fn wrong_count(&self) -> Option<Diagnostic> {
         let (ty, got) = (self.ty()?, self.params().len());
         let wanted = self.wanted(ty);
         if got == wanted {

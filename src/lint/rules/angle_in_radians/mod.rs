@@ -17,7 +17,7 @@ const SMALLEST: f64 = 10.0;
 /// was meant to be as narrow as it is. In radians it would be 57 times.
 const FITS: f64 = 4.0;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let cameras = &context.scene.cameras;
     for record in context.records().filter(|r| r.kind == RecordKind::Camera) {
         let p = context.record_params(record);
@@ -49,7 +49,11 @@ const FOVY: usize = 9;
 
 /// The angle in degrees that is meant by a camera, and by the record that defines it, whose angle of view looks like
 /// radians; and which case that is.
-pub fn meant(context: &Context, camera: &Camera, p: &Params) -> Option<(String, &'static str)> {
+pub(super) fn meant(
+    context: &Context,
+    camera: &Camera,
+    p: &Params,
+) -> Option<(String, &'static str)> {
     if p.ty.kind != RecordKind::Camera || camera.projection.is_some() {
         return None;
     }
@@ -75,7 +79,7 @@ fn usual_view(p: &Params) -> Option<u32> {
 
 /// The angle in degrees that a number is in radians, as far as its decimals go; rounded or cut off. With two decimals
 /// it is one of those that people know `by_heart`, with more any of `all`.
-pub fn usual(
+pub(super) fn usual(
     x: f64,
     written: &str,
     by_heart: &[u32],

@@ -11,7 +11,7 @@ use crate::scene::Geometry;
 /// for the entry's mirror image.
 const ROUNDED: f64 = 5.0 * f64::EPSILON;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (shape, span) in context.scene.written_shapes() {
         let Geometry::Quadric(q) = &shape.geometry else {
             continue;

@@ -5,7 +5,7 @@ use crate::lint::Context;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::{Item, is_directive};
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let tokens = &context.document.tokens;
     let mut items = context.document.items.iter().peekable();
     // The item that ended last before the token at hand.

@@ -33,7 +33,7 @@ const MAX_CLOSE_LOOK_STEPS_IN_ALL: usize = 6_000_000;
 /// Most nodes of an object that gets a closer look.
 const MAX_CLOSE_LOOK_NODES: usize = 128;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     if scene.promises.is_empty() {
         return;

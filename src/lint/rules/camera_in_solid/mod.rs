@@ -6,7 +6,7 @@ use crate::lint::records::chosen_cameras;
 use crate::scene::Vec3;
 use crate::trace::plan::unseen::view::held;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let Some(render) = scene.render else { return };
     // The rays of a projection matrix start elsewhere.

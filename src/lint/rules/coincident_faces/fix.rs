@@ -14,7 +14,7 @@ use crate::solids::shapes::{AnyShape, profile};
 const TOOL_REL_EXTENSION: f64 = 1e-3;
 
 /// Moves the given faces of a tool outwards. `workpiece` is the size of what it cuts.
-pub fn lengthen(
+pub(super) fn lengthen(
     p: &Params,
     geometry: &Geometry,
     tool: &[ContactSide],
@@ -53,7 +53,7 @@ fn short(x: f64, hair: f64) -> Option<String> {
 }
 
 /// A parameter, its new value, and by how much that differs.
-pub type Moved = (usize, f64, f64);
+pub(super) type Moved = (usize, f64, f64);
 
 impl Geometry {
     /// The record with a face farther out: by a part of the shape's own length, or where it has none by

@@ -35,7 +35,7 @@ enum Case {
     Touch,
 }
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let live = live_nodes(scene);
     // One finding for each tool of an operation, however many faces it shares.

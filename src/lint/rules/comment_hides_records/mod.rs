@@ -4,7 +4,7 @@ use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::Context;
 use crate::syntax::hidden;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (span, records) in hidden::records(context.text, context.document) {
         let first = records[0];
         let line = context.text[span.range()].lines().next().unwrap_or("");

@@ -4,14 +4,14 @@ use crate::geometry::exact;
 
 /// How points lie in one line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum InLine {
+pub(super) enum InLine {
     Exactly,
     /// For all that the written numbers say: within what these were rounded by to be doubles.
     Rounded,
 }
 
 /// Whether points lie in one line.
-pub fn in_line<const N: usize>(points: &[[f64; N]]) -> Option<InLine> {
+pub(super) fn in_line<const N: usize>(points: &[[f64; N]]) -> Option<InLine> {
     let first = points.first()?;
     let away = |p: &[f64; N]| -> [f64; N] { std::array::from_fn(|i| p[i] - first[i]) };
     // Coordinates of one size each: a line stays one.

@@ -12,7 +12,7 @@ use crate::solids::shapes::{AnyShape, profile};
 use crate::syntax::quote;
 use in_line::{InLine, in_line};
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (shape, span) in context.scene.written_shapes() {
         if let Some(why) = shape.geometry.degenerate()
             && let Some(p) = context.params(span)

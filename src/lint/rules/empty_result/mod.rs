@@ -8,7 +8,7 @@ use crate::scene::NodeId;
 use crate::solids::named;
 use crate::solids::proofs::Reason;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for Proven { node, what } in context.proven() {
         if let Proof::Empty(x, y, reason) = what {
             out.extend(finding(context, *node, (*x, *y), reason));

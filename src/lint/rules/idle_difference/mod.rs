@@ -9,7 +9,7 @@ use crate::scene::{Node, NodeId};
 use crate::solids::named;
 use crate::solids::proofs::Reason;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for Proven { node, what } in context.proven() {
         if let (Proof::Idle(reason), Node::Difference(a, b)) =
             (what, &context.scene.nodes[*node as usize])

@@ -15,7 +15,7 @@ const RATIO_MAX: f64 = 1e8;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let mut spoken = vec![false; scene.shapes.len()];
     for (i, (shape, span)) in scene.written_shapes().enumerate() {

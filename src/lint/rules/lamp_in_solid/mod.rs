@@ -9,7 +9,7 @@ use crate::scene::{Entity, Vec3};
 use crate::syntax::table::Kind;
 use crate::trace::plan::unseen::view::{Held, held};
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let Some(render) = scene.render else { return };
     let lamps = &scene.point_lights;

@@ -11,7 +11,7 @@ use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Node, NodeId, Scene, Texture, 
 use crate::solids::proofs::{Proofs, Reason};
 use crate::solids::shapes::facts::Facts;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     if !(scene.nodes.iter()).any(|n| matches!(n, Node::Intersection(..))) {
         return;

@@ -6,7 +6,7 @@ use crate::scene::View;
 use crate::syntax::Item;
 use crate::syntax::table::RecordKind;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(render) = context.scene.render else {
         return;
     };

@@ -5,7 +5,7 @@ use crate::lint::Context;
 use crate::syntax::Item;
 use crate::syntax::table::{Kind, RecordKind};
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(render) = context.scene.render else {
         return;
     };

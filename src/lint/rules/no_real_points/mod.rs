@@ -6,7 +6,7 @@ use crate::lint::spelling::spelled;
 use crate::scene::Geometry;
 use crate::solids::definite::{QuadricSet, judge};
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (shape, span) in context.scene.written_shapes() {
         let Geometry::Quadric(q) = &shape.geometry else {
             continue;

@@ -17,7 +17,7 @@ const TOLERANCE: f64 = 1e-6;
 /// Decimals written by the fix: enough to be far below [`TOLERANCE`].
 const DECIMALS: i32 = 12;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for item in &context.document.items {
         if let Item::Record(record) = item
             && record.kind == RecordKind::RotationMatrix

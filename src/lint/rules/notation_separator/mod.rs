@@ -38,7 +38,7 @@ fn is_broken(context: &Context, separator: Span) -> bool {
     on_line.any(|item| matches!(item, Item::Broken(_)))
 }
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if !context.document.contents.separators {
         return;
     }

@@ -12,7 +12,7 @@ use crate::syntax::quote;
 use crate::syntax::table::RecordKind;
 use crate::trace::plan::unseen::view::{OutOfView, Parts, USUAL, out_of_view};
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let Some(render) = scene.render else { return };
     for (camera, p) in chosen_cameras(context) {

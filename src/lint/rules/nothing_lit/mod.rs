@@ -14,7 +14,7 @@ use std::ops::ControlFlow;
 /// Most mirrors and panes on a path of light: a surface lit by more is as good as black.
 const DEPTH: u32 = 4;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let is_dark = |light: &AmbientLight| light.intensity == 0.0 || light.colour == [0.0; 3];
     if scene.nodes.len() > MAX_NODES || !scene.ambient_lights.iter().all(is_dark) {

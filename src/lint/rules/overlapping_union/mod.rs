@@ -22,7 +22,7 @@ use search::{Overlap, Search};
 use split::{Pieces, Splitter};
 use unions::Unions;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let glass = |o: &Optics| o.kt.iter().any(|&k| k > 0.0);
     let opens = |n: &Node| matches!(n, Node::Difference(..));

@@ -14,7 +14,7 @@ use crate::solids::shapes::facts::Facts;
 const ID_MAX: u32 = i32::MAX as u32;
 
 /// Writes unions anew as pieces; each fix of a file has IDs of its own.
-pub struct Splitter<'a> {
+pub(super) struct Splitter<'a> {
     scene: &'a Scene,
     proofs: Proofs<'a>,
     parts: Vec<Parts>,
@@ -24,7 +24,7 @@ pub struct Splitter<'a> {
 
 /// The pieces of a union by their IDs; those that are empty for certain are left out.
 #[derive(Debug, Clone, Copy)]
-pub struct Pieces {
+pub(super) struct Pieces {
     first: NodeId,
     both: u32,
     rest: Rest,
@@ -39,7 +39,7 @@ enum Rest {
 }
 
 impl<'a> Splitter<'a> {
-    pub fn new(context: &'a Context<'a>, bounds: &'a [NodeBounds]) -> Splitter<'a> {
+    pub(super) fn new(context: &'a Context<'a>, bounds: &'a [NodeBounds]) -> Splitter<'a> {
         Splitter {
             scene: context.scene,
             proofs: Proofs::new(context.scene, bounds),
@@ -48,7 +48,7 @@ impl<'a> Splitter<'a> {
         }
     }
 
-    pub fn pieces(&mut self, union: NodeId) -> Option<Pieces> {
+    pub(super) fn pieces(&mut self, union: NodeId) -> Option<Pieces> {
         let Node::Union(first, second) = self.scene.nodes[union as usize] else {
             return None;
         };
@@ -82,7 +82,7 @@ impl Pieces {
     /// The pieces come in front of the union, whose record keeps its place and its comments. The
     /// common piece has the properties of A, to which it belongs in a union; there is no fix where
     /// these cannot be repeated.
-    pub fn fix(self, context: &Context, properties: &Properties, p: &Params) -> Option<Fix> {
+    pub(super) fn fix(self, context: &Context, properties: &Properties, p: &Params) -> Option<Fix> {
         let (a, b, both) = (p.text_of(0), p.text_of(1), self.both);
         let mut lines = vec![format!("{both} -102 {a} {b}")];
         lines.extend(self.looks(context, properties, u32::try_from(p.integer(0)).ok()?)?);

@@ -36,7 +36,7 @@ struct Task {
     complement: bool,
 }
 
-pub struct Apart {
+pub(super) struct Apart {
     leaves: Vec<Leaf>,
     /// Whether no ray starts within a solid. Those that do see where media meet.
     is_closed: bool,
@@ -45,7 +45,7 @@ pub struct Apart {
 
 impl Apart {
     /// `sources`: for each node that sets an index the record that says so. `None` where there is too much to look at.
-    pub fn new(
+    pub(super) fn new(
         scene: &Scene,
         bounds: &[NodeBounds],
         sources: &[Option<Span>],
@@ -72,7 +72,7 @@ impl Apart {
     }
 
     /// Whether the index that a record gives changes nothing for certain.
-    pub fn is_without_effect(&mut self, source: Span) -> bool {
+    pub(super) fn is_without_effect(&mut self, source: Span) -> bool {
         let all = &self.leaves;
         let own = |leaf: &&Leaf| leaf.source == Some(source);
         for leaf in all.iter().filter(own) {

@@ -15,7 +15,7 @@ use apart::Apart;
 /// The refractive index of a vacuum: nothing is thinner.
 const VACUUM: f64 = 1.0;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut any = false;
     for record in context
         .records()

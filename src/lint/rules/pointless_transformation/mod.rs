@@ -9,7 +9,7 @@ use crate::scene::record::Params;
 use crate::syntax::Record;
 use crate::syntax::table::{Kind, RecordKind};
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let all = || {
         let records = context.records().filter(|r| KINDS.contains(&r.kind));
         records.map(|r| (r, context.record_params(r)))

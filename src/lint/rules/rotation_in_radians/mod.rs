@@ -10,7 +10,7 @@ use crate::syntax::table::RecordKind;
 /// The angles that people know by heart in radians, as parts of π: they are known with two decimals.
 const BY_HEART: [u32; 11] = [15, 30, 45, 60, 90, 120, 135, 150, 180, 270, 360];
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let titles = LazyCell::new(|| context.titles());
     for record in context.records().filter(|r| r.kind == RecordKind::Rotation) {
         let p = context.record_params(record);

@@ -20,7 +20,7 @@ use crate::solids::leaf::Leaf;
 use crate::solids::outline::{DIRECTIONS, Outline};
 use crate::solids::tree::Tree;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let Some(render) = scene.render else { return };
     let Some((min, max)) = render.clip else {

@@ -4,7 +4,7 @@ type Point = [f64; 2];
 
 /// Where a surface runs through itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Crossing {
+pub(super) enum Crossing {
     /// A tube, around the axis of its ring.
     Tube,
     /// Two pieces of a profile, at (x, y). Piece i runs from point i to the next; the piece after the last
@@ -21,7 +21,7 @@ const COMPARISONS: usize = 32;
 
 /// Some crossing of two pieces in their inner points, if there is one for certain. A profile that
 /// merely touches itself has none.
-pub fn first_crossing(profile: &[Point]) -> Option<Crossing> {
+pub(super) fn first_crossing(profile: &[Point]) -> Option<Crossing> {
     let (&first, &last) = (profile.first()?, profile.last()?);
     let mut pieces: Vec<(usize, Point, Point)> = (0..profile.len() - 1)
         .map(|i| (i, profile[i], profile[i + 1]))

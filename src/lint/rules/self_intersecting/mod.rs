@@ -10,7 +10,7 @@ use crate::scene::{Geometry, Shape};
 use crate::solids::shapes::AnyShape;
 use crossing::{Crossing, first_crossing};
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (shape, span) in context.scene.written_shapes() {
         let Some(crossing) = shape.geometry.crossing() else {
             continue;

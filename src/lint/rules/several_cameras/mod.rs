@@ -6,7 +6,7 @@ use crate::scene::{Entity, View};
 use crate::syntax::Item;
 use crate::syntax::table::{Kind, RecordKind};
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let cameras = &context.scene.cameras;
     let View::Mono(used) = context.scene.view else {
         return;

@@ -19,7 +19,7 @@ struct Line<'a> {
     broken: bool,
 }
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let document = context.document;
     let mut line = Line::default();
     for pair in document.items.windows(2) {

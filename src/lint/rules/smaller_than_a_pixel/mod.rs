@@ -7,7 +7,7 @@ use crate::lint::spelling::rough;
 use crate::syntax::table::RecordKind;
 use crate::trace::plan::unseen::view::{Parts, USUAL, out_of_view, pixels};
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let bounds = context.bounds();
     let Some(render) = scene.render else { return };

@@ -12,7 +12,7 @@ use crate::lint::Context;
 use crate::syntax::Record;
 use crate::syntax::table::{Effect, Family, RecordKind, RecordType};
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if context.has_broken() || !context.document.contents.any(changes) {
         return;
     }

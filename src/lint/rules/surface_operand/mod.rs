@@ -6,7 +6,7 @@ use crate::lint::parts::parts;
 use crate::scene::{Node, NodeId};
 use crate::solids::named;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let parts = parts(scene);
     let surface = |n: NodeId| parts[n as usize].surface.is_some();

@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 /// Most mirrors and panes on a path of light: more add nothing that matters.
 const DEPTH: u32 = 4;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(render) = context.scene.render else {
         return;
     };

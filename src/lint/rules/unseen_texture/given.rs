@@ -8,14 +8,14 @@ use crate::scene::{Node, NodeId, Texture};
 use crate::syntax::table::RecordKind;
 
 /// A record that makes a texture.
-pub struct Given<'a> {
+pub(super) struct Given<'a> {
     pub params: Params<'a>,
     /// Index of the record that replaces the texture under the same ID.
     pub replaced: Option<usize>,
 }
 
 /// A node that paints, and what it has its texture from, where that is no colour.
-pub struct Painting {
+pub(super) struct Painting {
     pub node: NodeId,
     /// Index into all that is given.
     pub texture: Option<usize>,
@@ -24,7 +24,7 @@ pub struct Painting {
 }
 
 /// All textures, and all that paints, in file order.
-pub fn textures<'a>(context: &Context<'a>) -> (Vec<Given<'a>>, Vec<Painting>) {
+pub(super) fn textures<'a>(context: &Context<'a>) -> (Vec<Given<'a>>, Vec<Painting>) {
     let scene = context.scene;
     let mut given: Vec<Given> = Vec::new();
     let mut paintings: Vec<Painting> = Vec::new();

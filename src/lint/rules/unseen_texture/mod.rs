@@ -14,7 +14,7 @@ use crate::trace::plan::visible_aspects::{Showing, VisibleAspects};
 use crate::trace::plan::{Effect, Plan};
 use given::{Given, Painting, textures};
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let (given, paintings) = textures(context);
     let Some(views) = (!given.is_empty()).then(|| Views::new(context)).flatten() else {
         return;

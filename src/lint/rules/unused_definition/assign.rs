@@ -11,7 +11,7 @@ use crate::syntax::quote;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
 
 /// The assignment of a property to the only shape that has none of its kind.
-pub fn to_the_only_one(context: &Context, property: &Entity) -> Option<Fix> {
+pub(super) fn to_the_only_one(context: &Context, property: &Entity) -> Option<Fix> {
     let kind = property.kind?;
     let gives = |ty: &RecordType| match ty.effect {
         Effect::DefinesOrChanges(own, _) => own == kind,

@@ -23,7 +23,7 @@ const HELD: IdFlags = 8;
 /// Set once it is decided whether the ID is reported.
 const DECIDED: IdFlags = 16;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(render) = context.scene.render.filter(|_| !context.has_broken()) else {
         return;
     };
@@ -74,7 +74,7 @@ pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 }
 
 /// Whether a finding is about an object.
-pub fn is_of_object(finding: &Diagnostic) -> bool {
+pub(crate) fn is_of_object(finding: &Diagnostic) -> bool {
     finding.code == Code::W310 && ["object", "whole"].contains(&finding.case)
 }
 

@@ -9,7 +9,7 @@ use crate::scene::names::Names;
 use crate::syntax::quote;
 
 /// The numbers of the IDs that contain what is drawn, at any depth.
-pub fn holders(context: &Context, names: &Names) -> FxHashSet<u32> {
+pub(super) fn holders(context: &Context, names: &Names) -> FxHashSet<u32> {
     let mut holders = FxHashSet::default();
     let ids = &context.scene.ids;
     let Some(root) = context.scene.render.and_then(|r| ids.get(r.root_id)) else {
@@ -30,7 +30,7 @@ pub fn holders(context: &Context, names: &Names) -> FxHashSet<u32> {
 }
 
 /// The render record draws an object instead of what it draws.
-pub fn drawn(context: &Context, object: &Entity) -> Option<Fix> {
+pub(super) fn drawn(context: &Context, object: &Entity) -> Option<Fix> {
     let p = context.params(context.scene.render?.span)?;
     let place = p.span_of(ROOT, 1);
     let record = format!(

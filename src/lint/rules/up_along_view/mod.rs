@@ -13,7 +13,7 @@ use crate::syntax::table::RecordKind;
 /// The sine of the angle between the two below which nobody has chosen it.
 const SINE: f64 = 1e-3;
 
-pub fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (camera, p) in chosen_cameras(context) {
         let (Some(direction), Some(up)) = (unit(camera.direction), unit(camera.up)) else {
             continue;

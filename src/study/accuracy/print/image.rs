@@ -5,7 +5,7 @@ use super::super::report::Raster;
 use crate::study::page::address;
 use crate::trace::film::srgb8;
 
-pub fn picture(raster: &Raster) -> String {
+pub(super) fn picture(raster: &Raster) -> String {
     let bytes: Vec<u8> = raster
         .pixels
         .iter()
@@ -17,7 +17,7 @@ pub fn picture(raster: &Raster) -> String {
 
 /// The difference of two pictures, times a factor that makes it visible; few wrong pixels are framed. Also
 /// the factor, the largest difference in steps and how many pixels are off by more than one.
-pub fn difference(a: &Raster, b: &Raster) -> (String, f64, f64, usize) {
+pub(super) fn difference(a: &Raster, b: &Raster) -> (String, f64, f64, usize) {
     let off: Vec<f64> = a
         .pixels
         .iter()
@@ -57,7 +57,7 @@ pub fn difference(a: &Raster, b: &Raster) -> (String, f64, f64, usize) {
 }
 
 /// Values in the colours of cividis, from 0 or the least to the largest; grey where there is none.
-pub fn map(width: u32, height: u32, values: &[f64]) -> (String, f64) {
+pub(super) fn map(width: u32, height: u32, values: &[f64]) -> (String, f64) {
     // A single dear pixel must not make all others dark.
     let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);

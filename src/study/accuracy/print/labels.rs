@@ -2,11 +2,11 @@
 
 /// A part of the picture: left, top, right and bottom.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LabelBox(pub [f64; 4]);
+pub(super) struct LabelBox(pub [f64; 4]);
 
 /// A name to be placed.
 #[derive(Debug, Clone)]
-pub struct Label {
+pub(super) struct Label {
     /// The number of its point.
     pub point: usize,
     /// How wide it is.
@@ -17,7 +17,7 @@ pub struct Label {
 
 /// The things that names make room for.
 #[derive(Debug, Clone)]
-pub struct Surroundings {
+pub(super) struct Surroundings {
     /// Names stay inside of this.
     pub within: LabelBox,
     /// Where the points' marks are.
@@ -28,7 +28,7 @@ pub struct Surroundings {
 
 /// Where a name stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Placed {
+pub(super) struct Placed {
     pub frame: LabelBox,
     /// A line that leads from the point to the name, where it would be taken for another point's, or far away.
     pub leader: Option<[[f64; 2]; 2]>,
@@ -122,7 +122,7 @@ impl LabelBox {
 }
 
 /// Places names one after the other, those first that are needed; `None` for one that finds no room.
-pub fn place(labels: &[Label], around: &Surroundings) -> Vec<Option<Placed>> {
+pub(super) fn place(labels: &[Label], around: &Surroundings) -> Vec<Option<Placed>> {
     let mut out: Vec<Option<Placed>> = vec![None; labels.len()];
     let mut order: Vec<usize> = (0..labels.len()).collect();
     order.sort_by_key(|&i| !labels[i].needed);

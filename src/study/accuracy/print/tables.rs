@@ -5,7 +5,7 @@ use super::super::report::Report;
 use crate::diagnostics::Language;
 
 /// The first column is text, the others are numbers.
-pub struct Table {
+pub(super) struct Table {
     pub head: Vec<String>,
     pub rows: Vec<Vec<String>>,
 }
@@ -22,7 +22,7 @@ impl Table {
 }
 
 /// Time and error by what is seen first, the dearest objects first.
-pub fn objects(report: &Report, language: Language) -> Table {
+pub(super) fn objects(report: &Report, language: Language) -> Table {
     let mut table = Table::new(language, "accuracy-objects-head");
     let percent = |share: f64| number_format::percent(language, share) + " %";
     for object in report.objects.iter().take(8) {
@@ -42,7 +42,7 @@ pub fn objects(report: &Report, language: Language) -> Table {
 }
 
 /// The table of the time that goes with each effect that is taken out.
-pub fn effects(report: &Report, language: Language) -> Table {
+pub(super) fn effects(report: &Report, language: Language) -> Table {
     let mut table = Table::new(language, "accuracy-effects-head");
     for effect in &report.effects {
         let saved = match (effect.saved, effect.within_noise) {

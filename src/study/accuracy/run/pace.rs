@@ -13,7 +13,7 @@ pub(super) struct Pace {
 const PRIOR: f64 = 0.05;
 
 impl Pace {
-    pub fn new(threads: f64) -> Pace {
+    pub(super) fn new(threads: f64) -> Pace {
         Pace {
             one: [PRIOR, PRIOR],
             all: [PRIOR * threads, PRIOR],
@@ -21,22 +21,22 @@ impl Pace {
     }
 
     /// Counts in work on one thread.
-    pub fn one(&mut self, cpu: f64, wall: f64) {
+    pub(super) fn one(&mut self, cpu: f64, wall: f64) {
         self.one = [self.one[0] + cpu, self.one[1] + wall];
     }
 
     /// Counts in work on all threads.
-    pub fn all(&mut self, cpu: f64, wall: f64) {
+    pub(super) fn all(&mut self, cpu: f64, wall: f64) {
         self.all = [self.all[0] + cpu, self.all[1] + wall];
     }
 
     /// CPU seconds that one thread gets in a second.
-    pub fn of_one(self) -> f64 {
+    pub(super) fn of_one(self) -> f64 {
         (self.one[0] / self.one[1]).clamp(0.05, 1.0)
     }
 
     /// CPU seconds that all threads together get in a second.
-    pub fn of_all(self) -> f64 {
+    pub(super) fn of_all(self) -> f64 {
         (self.all[0] / self.all[1]).max(self.of_one())
     }
 }

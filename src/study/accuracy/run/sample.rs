@@ -12,7 +12,7 @@ pub(super) struct Sample {
 
 impl Sample {
     /// The first tiles, which are spread evenly.
-    pub fn first(count: usize) -> Sample {
+    pub(super) fn first(count: usize) -> Sample {
         Sample {
             tiles: (0..count).map(|i| (i, 1.0)).collect(),
         }
@@ -21,7 +21,7 @@ impl Sample {
     /// Few tiles of many, chosen so that what takes long is among them: where `times` are the default's, one of twice
     /// the time is chosen twice as often and counts for half (Hansen and Hurwitz, "On the theory of sampling from finite
     /// populations", 1943). Of each stretch of equal time one is chosen, the quickest tiles first.
-    pub fn by_time(times: &[f64], count: usize) -> Sample {
+    pub(super) fn by_time(times: &[f64], count: usize) -> Sample {
         let total: f64 = times.iter().sum();
         let stretch = total / count.max(1) as f64;
         let mut tiles = Vec::new();
@@ -45,7 +45,7 @@ impl Sample {
     }
 
     /// How much longer a tile takes that is chosen by its time than one that is not.
-    pub fn skew(times: &[f64]) -> f64 {
+    pub(super) fn skew(times: &[f64]) -> f64 {
         let sum: f64 = times.iter().sum();
         let squares: f64 = times.iter().map(|t| t * t).sum();
         let skew = squares * times.len() as f64 / (sum * sum);
@@ -53,7 +53,7 @@ impl Sample {
     }
 
     /// The default's time on its tiles as a multiple of what as many others take, as far as times are known.
-    pub fn share_of(&self, times: &[f64]) -> f64 {
+    pub(super) fn share_of(&self, times: &[f64]) -> f64 {
         let known: Vec<f64> = (self.tiles.iter())
             .filter_map(|(i, _)| times.get(*i).copied())
             .collect();
@@ -62,17 +62,17 @@ impl Sample {
         if share.is_finite() { share } else { 1.0 }
     }
 
-    pub fn of(&self, tiles: &[Tile]) -> Vec<Tile> {
+    pub(super) fn of(&self, tiles: &[Tile]) -> Vec<Tile> {
         self.tiles.iter().map(|(i, _)| tiles[*i]).collect()
     }
 
-    pub fn pixels(&self, tiles: &[Tile]) -> usize {
+    pub(super) fn pixels(&self, tiles: &[Tile]) -> usize {
         self.tiles.iter().map(|(i, _)| tiles[*i].count()).sum()
     }
 
     /// The time of the tiles as a multiple of that of another sample's: of the least times of each tile. Only tiles
     /// that are in both count.
-    pub fn ratio(&self, times: &[Timed], other: &Sample, others: &[Timed]) -> Option<f64> {
+    pub(super) fn ratio(&self, times: &[Timed], other: &Sample, others: &[Timed]) -> Option<f64> {
         let (own, other_times) = (least(times)?, least(others)?);
         let (mut sum, mut sum_of_other) = (0.0, 0.0);
         for ((tile, weight), time) in self.tiles.iter().zip(own) {

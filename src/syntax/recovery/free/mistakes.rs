@@ -20,7 +20,7 @@ const REACH: usize = 64;
 
 impl Search<'_, '_> {
     /// The records with one mistake that may begin at a token.
-    pub fn faults(&mut self, at: usize) {
+    pub(super) fn faults(&mut self, at: usize) {
         self.garbage(at);
         self.lost_id(at);
         self.too_many_in_front(at);

@@ -31,7 +31,7 @@ const FAULTS: usize = 1;
 const LOST: usize = 2;
 
 /// The reading with the least damage.
-pub fn cut(stretch: &Stretch, around: &Surroundings) -> Vec<RecordCandidate> {
+pub(super) fn cut(stretch: &Stretch, around: &Surroundings) -> Vec<RecordCandidate> {
     let n = stretch.len();
     let mut search = Search {
         stretch,

@@ -35,7 +35,7 @@ const MAX_PROOFS: usize = 200_000;
 /// Parts whose surroundings are looked for by all threads at a time.
 const BATCH: usize = 1024;
 
-pub struct Hidden<'a, F: Fn(&Member) -> bool> {
+pub(super) struct Hidden<'a, F: Fn(&Member) -> bool> {
     scene: &'a Scene,
     all: &'a [Member],
     starts: &'a Starts,
@@ -48,7 +48,7 @@ pub struct Hidden<'a, F: Fn(&Member) -> bool> {
 
 impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
     /// The parts among `left` that are hidden, ascending, each with a part that it lies in.
-    pub fn find(
+    pub(super) fn find(
         scene: &'a Scene,
         all: &'a [Member],
         left: &[u32],

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// Where a part is written.
 #[derive(Debug, Clone, Copy)]
-pub enum Slot {
+pub(super) enum Slot {
     /// The only part there is.
     Root,
     /// A union, and which of its operands.
@@ -19,7 +19,7 @@ pub enum Slot {
 /// A part of the outermost union: a shape or anything that is no union, or a union that occurs more
 /// than once.
 #[derive(Debug, Clone)]
-pub struct Member {
+pub(super) struct Member {
     pub slot: Slot,
     /// The operand as it is written.
     pub node: NodeId,
@@ -37,16 +37,16 @@ pub struct Member {
 
 impl Member {
     /// From the coordinates of what is below its transformations into those of the scene.
-    pub fn matrix(&self) -> &Matrix {
+    pub(super) fn matrix(&self) -> &Matrix {
         self.moved.as_deref().unwrap_or(&Matrix::IDENTITY)
     }
 
-    pub fn geometry<'s>(&self, scene: &'s Scene) -> Option<&'s Geometry> {
+    pub(super) fn geometry<'s>(&self, scene: &'s Scene) -> Option<&'s Geometry> {
         Some(&scene.shapes[self.shape? as usize].geometry)
     }
 
     /// The ID by which it is written.
-    pub fn id(&self, scene: &Scene) -> u32 {
+    pub(super) fn id(&self, scene: &Scene) -> u32 {
         match named(scene, self.node) {
             Some(named) => named.id,
             None => scene.origins.get(self.node as usize).map_or(0, |o| o.id),
@@ -69,7 +69,7 @@ struct PathToPart {
 }
 
 /// All of them, in the order of the operands.
-pub fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member> {
+pub(super) fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member> {
     let uses = scene.uses(root);
     let clear = clear(scene, root);
     let mut out = Vec::new();

@@ -7,9 +7,9 @@ use crate::trace::graph::{Graph, Operation, Target};
 use std::sync::Arc;
 
 /// Largest error of a distance, as a share of it.
-pub const DISTANCE_REL_ERROR: f64 = 1e-6;
+pub(super) const DISTANCE_REL_ERROR: f64 = 1e-6;
 /// Bound on what two roundings may do to a coordinate of a face, several times over.
-pub const ROUNDED: f64 = 16.0 * f64::EPSILON;
+pub(super) const ROUNDED: f64 = 16.0 * f64::EPSILON;
 
 /// A part of the scene that has bounds, and where it is.
 #[derive(Debug)]

@@ -17,7 +17,7 @@ const MAX_CELLS_PER_ROW: f64 = 256.0;
 /// One face of the cube. Its own coordinates, u and v, are the other two components of a direction over the largest one.
 /// Places on it are measured from the lower corner of what is seen, in units of the longer side.
 #[derive(Debug, Default)]
-pub struct Face {
+pub(super) struct Face {
     lower: [f64; 2],
     /// Units per 1 of u and v.
     scale: f64,
@@ -32,7 +32,7 @@ pub struct Face {
 
 /// A body as it is seen through a face.
 #[derive(Debug, Clone, Copy)]
-pub struct VisibleBody {
+pub(super) struct VisibleBody {
     /// Index of the body among those of the cache.
     pub index: u32,
     /// No point of it is nearer.
@@ -44,7 +44,7 @@ pub struct VisibleBody {
 
 impl Face {
     /// A face of bodies with their distances and octagons, the nearest first.
-    pub fn new(bodies: &[(u32, f64, Octagon)]) -> Face {
+    pub(super) fn new(bodies: &[(u32, f64, Octagon)]) -> Face {
         if bodies.is_empty() {
             return Face::default();
         }
@@ -121,7 +121,7 @@ impl Face {
 
     /// The bodies behind a point of the face, the nearest first.
     #[inline]
-    pub fn behind(&self, uv: [f64; 2]) -> impl Iterator<Item = &VisibleBody> {
+    pub(super) fn behind(&self, uv: [f64; 2]) -> impl Iterator<Item = &VisibleBody> {
         let [x, y] = each([0, 1], |i| ((uv[i] - self.lower[i]) * self.scale) as f32);
         let list = match self.side {
             0 => &[][..],

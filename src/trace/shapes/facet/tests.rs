@@ -2,34 +2,34 @@ use super::*;
 use crate::geometry::line::{Line, Traced};
 
 /// Random numbers (splitmix64; Steele, Lea and Flood, 2014).
-pub struct Random(pub u64);
+pub(crate) struct Random(pub u64);
 
 impl Random {
-    pub fn next(&mut self) -> u64 {
+    pub(crate) fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
     }
 
-    pub fn within(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn within(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * (self.next() >> 11) as f64 / (1u64 << 53) as f64
     }
 
     /// A point of the cube (−size … size)³.
-    pub fn point(&mut self, size: f64) -> Vec3 {
+    pub(crate) fn point(&mut self, size: f64) -> Vec3 {
         Vec3([0; 3].map(|_| self.within(-size, size)))
     }
 
     /// Lengths from 10^low to 10^high.
-    pub fn length(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn length(&mut self, low: f64, high: f64) -> f64 {
         10f64.powf(self.within(low, high))
     }
 }
 
 /// The crossing of a line with a triangle by solving for the barycentric weights (Möller and
 /// Trumbore, 1997) in double-double: t, and the least of the three weights.
-pub fn solve(line: &Line, [a, b, c]: [Vec3<Dd>; 3]) -> Option<(Dd, Dd)> {
+pub(crate) fn solve(line: &Line, [a, b, c]: [Vec3<Dd>; 3]) -> Option<(Dd, Dd)> {
     let (o, d) = (lift::<Dd>(line.origin), lift::<Dd>(line.direction));
     let (e1, e2, s) = (b - a, c - a, o - a);
     let p = d.cross(e2);
@@ -44,7 +44,7 @@ pub fn solve(line: &Line, [a, b, c]: [Vec3<Dd>; 3]) -> Option<(Dd, Dd)> {
 }
 
 /// Lines that no formula likes: components from nothing to everything.
-pub fn wild_line<R: Traced>(random: &mut Random) -> Line<R> {
+pub(crate) fn wild_line<R: Traced>(random: &mut Random) -> Line<R> {
     let mut component = || match random.next() % 8 {
         0 => 0.0,
         1 => 1.0,

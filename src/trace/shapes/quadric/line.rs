@@ -23,13 +23,13 @@ const UNDERFLOW: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 impl<R: Traced> Bounded<R> {
     /// Whether the sign may be another than the value's.
     #[inline]
-    pub fn is_doubtful(self) -> bool {
+    pub(super) fn is_doubtful(self) -> bool {
         self.error > R::ZERO && self.value.abs() <= self.error
     }
 
     /// Whether to take it for zero: where it is, and, where decisions are final, where it may be.
     #[inline]
-    pub fn is_zero(self) -> bool {
+    pub(super) fn is_zero(self) -> bool {
         self.value == R::ZERO || (is_final::<R>() && self.is_doubtful())
     }
 }
@@ -55,7 +55,7 @@ impl<R: Traced> Quotient<R> {
 
     /// With its error: that of x over y, and y's relative one, both by the least that y may be; where that is zero
     /// there is no bound.
-    pub fn bounded(self) -> Bounded<R> {
+    pub(super) fn bounded(self) -> Bounded<R> {
         let Quotient { value, error, y } = self;
         let least = y.value.abs() - y.error;
         let error = if least > R::ZERO {
@@ -110,7 +110,7 @@ impl<R: Traced> Chord<R> {
     /// the line had started there. The leading coefficient decides what is inside at infinity and
     /// vanishes along generators and asymptotes; it is summed in twice the working precision. The
     /// discriminant is Kahan's difference of products; the roots are q/a and c/q.
-    pub fn new(form: &QuadricForm, line: &Line<R>) -> Chord<R> {
+    pub(super) fn new(form: &QuadricForm, line: &Line<R>) -> Chord<R> {
         let unit = form.units::<R>();
         let (d, length) = normalised(line.direction, 0.0);
         let (direction, stretch) = normalised(d.zip(unit, |x, s| x / s), 0.0);
@@ -162,7 +162,7 @@ impl<R: Traced> Chord<R> {
     }
 
     /// Solves it once more, with bounds on errors that cost more; no if that has been done.
-    pub fn sharpen(&mut self, form: &QuadricForm) -> bool {
+    pub(super) fn sharpen(&mut self, form: &QuadricForm) -> bool {
         if !self.rough {
             return false;
         }
@@ -337,12 +337,12 @@ impl<R: Traced> Chord<R> {
 
     /// The line's t at τ.
     #[inline]
-    pub fn t(&self, tau: R) -> R {
+    pub(super) fn t(&self, tau: R) -> R {
         (self.start + tau / self.w / self.stretch) / self.length
     }
 
     /// The vertex of the parabola, −b/2a; zero where a is.
-    pub fn middle(&self) -> Bounded<R> {
+    pub(super) fn middle(&self) -> Bounded<R> {
         let Some([a, b]) = self.vertex else {
             return Bounded {
                 value: R::ZERO,
@@ -362,7 +362,7 @@ impl<R: Traced> Chord<R> {
     }
 
     /// The crossings of the whole solid.
-    pub fn append(&self, roots: &mut Roots<R>) {
+    pub(super) fn append(&self, roots: &mut Roots<R>) {
         roots.uncertain |= self.uncertain;
         match self.inside {
             Inside::Nowhere => {}

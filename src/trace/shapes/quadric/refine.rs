@@ -29,7 +29,7 @@ pub(super) struct Sum<R> {
 }
 
 impl<R: Traced> Sum<R> {
-    pub fn new() -> Sum<R> {
+    pub(super) fn new() -> Sum<R> {
         Sum {
             sum: R::ZERO,
             lost: R::ZERO,
@@ -40,7 +40,7 @@ impl<R: Traced> Sum<R> {
 
     /// Adds k·x·y; returns the size of that.
     #[inline(always)]
-    pub fn add(&mut self, k: R, x: R, y: R) -> R {
+    pub(super) fn add(&mut self, k: R, x: R, y: R) -> R {
         let half = k * x;
         let half_error = k.mul_add(x, -half);
         let term = half * y;
@@ -57,13 +57,13 @@ impl<R: Traced> Sum<R> {
     }
 
     #[inline(always)]
-    pub fn value(&self) -> R {
+    pub(super) fn value(&self) -> R {
         self.sum + self.lost
     }
 
     /// γₙ² of the sizes of the terms, or γₙ of them where products are not fused.
     #[inline(always)]
-    pub fn noise(&self) -> R {
+    pub(super) fn noise(&self) -> R {
         let gamma = R::gamma(OPERATIONS);
         let noise = if !is_final::<R>() {
             gamma * gamma

@@ -11,7 +11,7 @@ const LAYERS: usize = 32;
 
 /// The bounding cylinder of a solid of revolution, and cylinders inscribed in it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Cylinders {
+pub(super) struct Cylinders {
     /// The centre of the bounding cylinder and of the ball around that.
     centre: Vec3,
     /// Half of the cylinder's height.
@@ -27,7 +27,7 @@ pub struct Cylinders {
 
 impl Cylinders {
     /// The cylinders of a solid in its bounds, with its closed profile, which is `scale` times as large.
-    pub fn new(bounds: &Aabb, points: &[[f64; 2]], scale: f64) -> Cylinders {
+    pub(super) fn new(bounds: &Aabb, points: &[[f64; 2]], scale: f64) -> Cylinders {
         let (radius, half) = (bounds.max[0], 0.5 * (bounds.max[1] - bounds.min[1]));
         let size = (half * half + radius * radius).sqrt();
         let mut cylinders = Cylinders {
@@ -93,7 +93,7 @@ impl Cylinders {
 
     /// Beside: the line is outside of the bounding cylinder wherever it is in the cylinder's slab. Through: where it is
     /// nearest to the axis it is inside of an inscribed cylinder.
-    pub fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
+    pub(super) fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
         let approach = match Ball::meets(line, stretch, self.centre, self.size) {
             Ball::Misses => return Pass::Beside,
             Ball::Unknown => return Pass::Perhaps,

@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 /// A part of a segment, from one point of the profile to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Subsegment {
+pub(super) struct Subsegment {
     pub from: u32,
     pub to: u32,
     /// The segment begins at this point and ends at the next.
@@ -25,7 +25,7 @@ const LINE_ABS_EPS: f64 = 64.0 * f64::EPSILON;
 
 /// The segments between neighbouring points with what lies in each other taken out in pairs; all
 /// coordinates must be below 2. In the order of the profile.
-pub fn pieces(points: &[[f64; 2]]) -> Vec<Subsegment> {
+pub(super) fn pieces(points: &[[f64; 2]]) -> Vec<Subsegment> {
     let mut all = Vec::new();
     for line in lines(points) {
         if overlaps(points, &line) {

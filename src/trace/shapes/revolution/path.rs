@@ -12,7 +12,7 @@
 
 mod cut;
 
-pub use cut::Cut;
+pub(super) use cut::Cut;
 
 use super::tree::Run;
 use crate::geometry::affine::Slack;
@@ -24,7 +24,7 @@ use crate::trace::shapes::quad_double::is_last;
 
 /// A line relative to the axis, in scaled coordinates.
 #[derive(Debug, Clone, Copy)]
-pub struct Path<R> {
+pub(super) struct Path<R> {
     /// The line's own parameter at τ = 0, as a multiple of `unit`, a power of two; τ is in units of
     /// length, of which one of `unit` holds `length`.
     start: R,
@@ -52,7 +52,7 @@ pub struct Path<R> {
 }
 
 /// Where a line is close to its closest approach to a shape's centre, in scaled coordinates: see [`Path`].
-pub struct ClosestApproach<R> {
+pub(super) struct ClosestApproach<R> {
     start: R,
     unit: R,
     length: R,
@@ -64,7 +64,7 @@ pub struct ClosestApproach<R> {
 
 /// The ring of a profile point and how the line passes it.
 #[derive(Debug, Clone, Copy)]
-pub struct Ring<R> {
+pub(super) struct Ring<R> {
     pub radius: R,
     pub y: R,
     /// along · s where the line is at the ring's height; equally the distance of the line from
@@ -78,7 +78,7 @@ pub struct Ring<R> {
 
 /// The power of two 2⁻ᵉ that brings a finite number |x| with 2ᵉ ≤ |x| < 2ᵉ⁺¹ into [1, 2), as far
 /// as it and its inverse are normal numbers.
-pub fn normaliser(x: f64) -> f64 {
+pub(super) fn normaliser(x: f64) -> f64 {
     const EXPONENTS: u64 = 2046;
     let exponent = (x.abs().to_bits() >> 52).clamp(1, EXPONENTS - 1);
     f64::from_bits((EXPONENTS - exponent) << 52)
@@ -87,7 +87,7 @@ pub fn normaliser(x: f64) -> f64 {
 impl<R: Traced> ClosestApproach<R> {
     /// As a shape with the centre (0, `centre`, 0) sees a line, in coordinates scaled by the power of two `scale`.
     #[inline(always)]
-    pub fn new(line: &Line<R>, scale: f64, centre: f64) -> ClosestApproach<R> {
+    pub(super) fn new(line: &Line<R>, scale: f64, centre: f64) -> ClosestApproach<R> {
         let origin = line.origin * R::of(scale);
         // In two steps, since the inverse of a subnormal length is no number.
         let first = normaliser(line.direction.abs().max_component().to_f64());
@@ -120,7 +120,7 @@ impl<R: Traced> ClosestApproach<R> {
     }
 
     /// The point at a parameter of the line, in scaled coordinates, and the unit direction.
-    pub fn at(&self, t: R) -> (Vec3<R>, Vec3<R>) {
+    pub(super) fn at(&self, t: R) -> (Vec3<R>, Vec3<R>) {
         let tau = (t / self.unit - self.start) * self.length;
         let point = self.point.zip(self.direction, |o, d| tau.mul_add(d, o));
         (point, self.direction)
@@ -130,7 +130,7 @@ impl<R: Traced> ClosestApproach<R> {
 impl<R: Traced> Path<R> {
     /// The path of a line past a shape with the centre (0, `centre`, 0) in coordinates scaled by
     /// the power of two `scale`. `None` where the line is out of the numbers' reach.
-    pub fn new(line: &Line<R>, scale: f64, centre: f64) -> Option<Path<R>> {
+    pub(super) fn new(line: &Line<R>, scale: f64, centre: f64) -> Option<Path<R>> {
         let ClosestApproach {
             start,
             unit,
@@ -206,7 +206,7 @@ impl<R: Traced> Path<R> {
     }
 
     /// The line's own parameter.
-    pub fn t(&self, tau: R) -> R {
+    pub(super) fn t(&self, tau: R) -> R {
         (self.start + tau / self.length) * self.unit
     }
 
@@ -223,7 +223,7 @@ impl<R: Traced> Path<R> {
     /// How the line passes a ring: along² (ρ² − r²) = offset² − along² (r − δ)(r + δ), which needs
     /// no division, is negative inside. A line that is level with the ring is outside, and so is,
     /// where decisions are final, one that cannot be told from a touch.
-    pub fn ring(&self, [radius, y]: [f64; 2]) -> Ring<R> {
+    pub(super) fn ring(&self, [radius, y]: [f64; 2]) -> Ring<R> {
         let (radius, y) = (R::of(radius), R::of(y));
         let offset = self.offset(y);
         let along2 = self.along.square();
@@ -275,7 +275,7 @@ impl<R: Traced> Path<R> {
 
     /// Whether the line surely passes all rings of a run on the same side, and so crosses none of
     /// its segments. Sure is here: [`Path::ring`] says so too.
-    pub fn misses(&self, run: &Run) -> bool {
+    pub(super) fn misses(&self, run: &Run) -> bool {
         let [inner, outer] = each(run.radius, R::of);
         if self.is_beyond(outer) {
             return true;
@@ -307,7 +307,7 @@ impl<R: Traced> Path<R> {
     }
 
     /// The same path, with what is level with a seam counted to the segment below it.
-    pub fn seams_below(self) -> Path<R> {
+    pub(super) fn seams_below(self) -> Path<R> {
         Path {
             below: true,
             ..self
@@ -315,18 +315,18 @@ impl<R: Traced> Path<R> {
     }
 
     /// Whether a level line may be at a height.
-    pub fn may_be_at(&self, y: f64) -> bool {
+    pub(super) fn may_be_at(&self, y: f64) -> bool {
         (self.point[1] - R::of(y)).abs() <= self.rounded + self.moved
     }
 
     /// Whether it is known which of two heights the line reaches first.
-    pub fn climbs(&self) -> bool {
+    pub(super) fn climbs(&self) -> bool {
         self.along.abs() > self.turned
     }
 }
 
 impl<R> Ring<R> {
-    pub fn is_uncertain(&self) -> bool {
+    pub(super) fn is_uncertain(&self) -> bool {
         self.uncertain
     }
 }

@@ -46,7 +46,7 @@ impl Units {
 
 /// The pieces of a profile, laid out for the test.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Beside {
+pub(super) struct Beside {
     /// The centre and the radius of the ball around the solid.
     centre: f64,
     size: f64,
@@ -60,7 +60,7 @@ pub struct Beside {
 
 /// A line in units of the solid's size, from the centre.
 #[derive(Debug, Clone, Copy)]
-pub struct Passing {
+pub(super) struct Passing {
     /// along · s₀, where the height is y₀.
     turn: f64,
     height: f64,
@@ -80,7 +80,12 @@ impl Passing {
 
 impl Beside {
     /// For a profile whose points are `scale` times as large, and the tree over its pieces.
-    pub fn new(points: &[[f64; 2]], pieces: &[Subsegment], tree: &[Run], scale: f64) -> Beside {
+    pub(super) fn new(
+        points: &[[f64; 2]],
+        pieces: &[Subsegment],
+        tree: &[Run],
+        scale: f64,
+    ) -> Beside {
         let Some(all) = tree.first() else {
             return Beside::default();
         };
@@ -131,7 +136,7 @@ impl Beside {
     /// A line in units of the solid's size; `None` where the line misses the ball around the solid or is not known well
     /// enough. With `ahead` only what lies ahead of the line's origin matters: the heights from there on, upwards or
     /// downwards as the line goes.
-    pub fn passing(&self, line: &Line, ahead: bool) -> Option<Passing> {
+    pub(super) fn passing(&self, line: &Line, ahead: bool) -> Option<Passing> {
         let all = [f64::NEG_INFINITY, f64::INFINITY];
         let centre = Vec3::new(0.0, self.centre, 0.0);
         let Ball::Meets(approach) = Ball::meets(line, all, centre, self.size) else {
@@ -166,7 +171,7 @@ impl Beside {
     /// The runs of a tree that are leaves, with those of their pieces that a line may cross: a bit each, from the
     /// lowest.
     #[inline]
-    pub fn met<'a>(
+    pub(super) fn met<'a>(
         &'a self,
         tree: &'a [Run],
         line: &'a Passing,

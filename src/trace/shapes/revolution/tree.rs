@@ -7,7 +7,7 @@ const LEAF: usize = 12;
 
 /// A run of consecutive pieces.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Run {
+pub(super) struct Run {
     /// The pieces `first .. end`.
     pub first: u32,
     pub end: u32,
@@ -19,12 +19,12 @@ pub struct Run {
 }
 
 impl Run {
-    pub fn is_leaf(&self) -> bool {
+    pub(super) fn is_leaf(&self) -> bool {
         (self.end - self.first) as usize <= LEAF
     }
 
     /// All of its pieces, a bit each from the lowest. For leaves.
-    pub fn all(&self) -> u32 {
+    pub(super) fn all(&self) -> u32 {
         u32::MAX >> (u32::BITS - (self.end - self.first))
     }
 
@@ -36,7 +36,7 @@ impl Run {
 }
 
 /// The leaves of a tree with their numbers, without those in runs that are missed.
-pub fn leaves(
+pub(super) fn leaves(
     tree: &[Run],
     mut misses: impl FnMut(usize, &Run) -> bool,
 ) -> impl Iterator<Item = (usize, &Run)> {
@@ -58,7 +58,7 @@ pub fn leaves(
 }
 
 /// The tree over the pieces between points, in preorder: runs are halved until they are leaves.
-pub fn build(points: &[[f64; 2]], pieces: &[Subsegment]) -> Vec<Run> {
+pub(super) fn build(points: &[[f64; 2]], pieces: &[Subsegment]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     // Runs whose `next` is not known yet, the innermost last.
     let mut open: Vec<usize> = Vec::new();

@@ -11,7 +11,7 @@ const POINT_REL_EPS: f64 = 1e-14;
 
 /// The boundary of what a profile (radius, height) surrounds when it is closed over the axis, or by
 /// itself where its last point is its first.
-pub fn simple(written: &[Point]) -> Vec<Profile> {
+pub(super) fn simple(written: &[Point]) -> Vec<Profile> {
     let mut around: Vec<Point> = written.to_vec();
     if written.first() == written.last() {
         around.pop();

@@ -53,7 +53,7 @@ struct Canonical {
 const ROUNDING: f64 = 1e-13;
 
 /// The solid xᵀQx ≤ 0 as far as the region reaches.
-pub fn quadric(
+pub(super) fn quadric(
     q: &[f64; 16],
     tolerance: f64,
     region: &Aabb,

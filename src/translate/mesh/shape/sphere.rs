@@ -12,7 +12,7 @@ use crate::scene::Vec3;
 const FACET: f64 = 0.763_932_022_500_210_3;
 
 /// The unit sphere, nowhere farther than `tolerance` from its facets; all corners lie on it.
-pub fn sphere(tolerance: f64, budget: &mut Budget) -> Result<Mesh, TooMany> {
+pub(super) fn sphere(tolerance: f64, budget: &mut Budget) -> Result<Mesh, TooMany> {
     // A facet whose corners are at an angle ρ from its middle sinks by 1 − cos ρ. Those at the
     // middle of an icosahedron's facet, flattest to the centre, are the largest.
     let widest = (1.0 - tolerance.min(0.5)).acos().tan();
@@ -96,7 +96,7 @@ fn unit(v: Vec3) -> Vec3 {
 }
 
 /// The geodesic sphere of radius 1: each facet in four, so many times, its own facets exactly.
-pub fn geodesic(splits: u32, budget: &mut Budget) -> Result<Mesh, TooMany> {
+pub(super) fn geodesic(splits: u32, budget: &mut Budget) -> Result<Mesh, TooMany> {
     budget.spend(20.0 * 4f64.powi(splits as i32))?;
     let mut mesh = divided(1);
     for _ in 0..splits {

@@ -7,7 +7,7 @@ use std::f64::consts::{PI, TAU};
 /// A profile in (radius, height): what it bounds lies to its left. It leads from the axis to the
 /// axis, or back to its first point, which is not repeated.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Profile {
+pub(super) struct Profile {
     pub points: Vec<[f64; 2]>,
     pub ring: bool,
 }
@@ -18,7 +18,7 @@ const FEWEST_SIDES: f64 = 6.0;
 const MOST_SIDES: f64 = 1e9;
 
 /// How many sides keep a circle within the tolerance of its polygon.
-pub fn sides(radius: f64, tolerance: f64) -> f64 {
+pub(super) fn sides(radius: f64, tolerance: f64) -> f64 {
     if radius <= 0.0 {
         return FEWEST_SIDES;
     }
@@ -33,7 +33,7 @@ pub fn sides(radius: f64, tolerance: f64) -> f64 {
 }
 
 /// Turns profiles about the y axis, all with the same number of sides.
-pub fn turned(profiles: &[Profile], n: f64, budget: &mut Budget) -> Result<Mesh, TooMany> {
+pub(super) fn turned(profiles: &[Profile], n: f64, budget: &mut Budget) -> Result<Mesh, TooMany> {
     let segments: usize = profiles.iter().map(|p| p.points.len()).sum();
     budget.spend(2.0 * n * segments as f64)?;
     let n = n as usize;
@@ -70,7 +70,7 @@ pub fn turned(profiles: &[Profile], n: f64, budget: &mut Budget) -> Result<Mesh,
 }
 
 /// The solid between −radius and radius at each height, from z = −1 to z = 1. The profile rises.
-pub fn drawn_out(profile: &[[f64; 2]], budget: &mut Budget) -> Result<Mesh, TooMany> {
+pub(super) fn drawn_out(profile: &[[f64; 2]], budget: &mut Budget) -> Result<Mesh, TooMany> {
     budget.spend(8.0 * profile.len() as f64)?;
     let mut mesh = Mesh::default();
     // Left back, right back, right front, left front.
@@ -99,7 +99,7 @@ pub fn drawn_out(profile: &[[f64; 2]], budget: &mut Budget) -> Result<Mesh, TooM
 }
 
 /// Points on a curve, ends included, whose chords are nowhere farther from it than the tolerance.
-pub fn flattened(
+pub(super) fn flattened(
     curve: impl Fn(f64) -> [f64; 2],
     [from, to]: [f64; 2],
     tolerance: f64,

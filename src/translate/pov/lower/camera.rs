@@ -12,7 +12,7 @@ use crate::translate::pov::Options;
 use crate::translate::pov::tree::Lens;
 
 /// A camera that takes the picture, and its rays.
-pub struct Eye {
+pub(super) struct Eye {
     pub camera: Camera,
     pub lens: Lens,
 }
@@ -21,7 +21,7 @@ pub struct Eye {
 ///
 /// # Errors
 /// A camera whose rays are not those of a pinhole or parallel.
-pub fn eyes(
+pub(super) fn eyes(
     scene: &Scene,
     whole: Aabb,
     options: &Options,

@@ -13,7 +13,7 @@ const MAX_UNION_PARTS_SPLIT: usize = 32;
 
 /// The node at the end of the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum End {
+pub(crate) enum End {
     /// There is nothing to draw or to cut with.
     Nothing,
     /// All of space.
@@ -33,7 +33,7 @@ pub enum End {
 
 /// The nodes that others use too and that end the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Stop {
+pub(crate) enum Stop {
     AtShared,
     /// As `AtShared`, and small unions that light goes through, or that touch what it goes through, are not
     /// given their look as a whole: each part has to be seen among those of the union around it.
@@ -43,7 +43,7 @@ pub enum Stop {
     Never,
 }
 
-pub struct Descent<'a> {
+pub(crate) struct Descent<'a> {
     pub end: End,
     /// The modifiers on the way, in the order to be written: the innermost first.
     pub modifiers: Vec<Modifier<'a>>,
@@ -51,21 +51,21 @@ pub struct Descent<'a> {
 
 impl Descent<'_> {
     /// The union at the end, if nothing stands before it.
-    pub fn bare_union(&self) -> Option<(NodeId, NodeId, State)> {
+    pub(crate) fn bare_union(&self) -> Option<(NodeId, NodeId, State)> {
         match self.end {
             End::Union(a, b, state) if self.modifiers.is_empty() => Some((a, b, state)),
             _ => None,
         }
     }
 
-    pub fn bare_intersection(&self) -> Option<(NodeId, NodeId, State)> {
+    pub(crate) fn bare_intersection(&self) -> Option<(NodeId, NodeId, State)> {
         match self.end {
             End::Intersection(a, b, state) if self.modifiers.is_empty() => Some((a, b, state)),
             _ => None,
         }
     }
 
-    pub fn bare_difference(&self) -> Option<(NodeId, NodeId, State)> {
+    pub(crate) fn bare_difference(&self) -> Option<(NodeId, NodeId, State)> {
         match self.end {
             End::Difference(a, b, state) if self.modifiers.is_empty() => Some((a, b, state)),
             _ => None,
@@ -102,7 +102,7 @@ impl<'a> ModifierStack<'a> {
 
 impl<'a> Model<'a> {
     /// Goes down from a node as far as one object reaches.
-    pub fn descend(&mut self, start: NodeId, state: State, stop: Stop) -> Descent<'a> {
+    pub(crate) fn descend(&mut self, start: NodeId, state: State, stop: Stop) -> Descent<'a> {
         let (mut node, mut state) = (start, state);
         let mut way = ModifierStack::default();
         loop {

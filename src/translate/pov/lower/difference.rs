@@ -21,7 +21,7 @@ struct Cut {
 
 impl<'a> Model<'a> {
     /// A − B, with everything that is taken from A before.
-    pub fn difference(&mut self, a: NodeId, b: NodeId, state: State) -> Option<Object<'a>> {
+    pub(crate) fn difference(&mut self, a: NodeId, b: NodeId, state: State) -> Option<Object<'a>> {
         let (base, cutters) = self.cut_chain(a, b, state);
         if self.is_within(base.0, &cutters) {
             return None;

@@ -18,7 +18,7 @@ const MAX_UNION_PARTS: usize = 512;
 const MAX_GROUP_PARTS: usize = 32;
 
 /// The same scene with such groups spread, if there are any.
-pub fn distributed(scene: &Scene) -> Option<Scene> {
+pub(super) fn distributed(scene: &Scene) -> Option<Scene> {
     let root = scene.render?.root;
     let mut unions: Vec<_> = wholes(scene, root).into_iter().map(|w| w.parts).collect();
     unions.retain(|parts| parts.iter().any(|part| union(scene, *part).is_some()));
@@ -59,7 +59,7 @@ pub fn distributed(scene: &Scene) -> Option<Scene> {
 }
 
 /// Opaque unions that touch something that light goes through in the union around them.
-pub fn beside_clear(model: &Model, root: NodeId) -> HashSet<NodeId> {
+pub(super) fn beside_clear(model: &Model, root: NodeId) -> HashSet<NodeId> {
     let is_clear = |node: &NodeId| model.materials[*node as usize].transparent;
     let box_of = |node: NodeId| model.box_of(node);
     let mut beside = HashSet::new();

@@ -31,7 +31,12 @@ const OFF: f64 = 16.0;
 
 /// Brings the scene to about [`SIZE`], or nearer if the camera is far away; and farther apart where what is seen would
 /// be too near for the tolerances. `seen` is a box around what the cameras see.
-pub fn frame(seen: Aabb, eyes: &[Eye], range: Option<SightRange>, report: &mut Report) -> Frame {
+pub(super) fn frame(
+    seen: Aabb,
+    eyes: &[Eye],
+    range: Option<SightRange>,
+    report: &mut Report,
+) -> Frame {
     let locations = || eyes.iter().map(|eye| eye.lens.location);
     let middle = match seen.is_empty() {
         true => [0.0; 3],
@@ -80,6 +85,6 @@ pub fn frame(seen: Aabb, eyes: &[Eye], range: Option<SightRange>, report: &mut R
 
 /// How far apart faces are put in the scene's coordinates that are one: less than can be seen, more than POV-Ray's
 /// tolerances.
-pub fn hair(frame: &Frame) -> f64 {
+pub(super) fn hair(frame: &Frame) -> f64 {
     FACE_GAP / frame.unit
 }

@@ -7,7 +7,7 @@ use crate::trace::plan::unseen::view::on_surfaces;
 use crate::translate::pov::tree::Light;
 
 /// The point lights.
-pub fn point_lights(scene: &Scene, captions: &Captions) -> Vec<Light> {
+pub(super) fn point_lights(scene: &Scene, captions: &Captions) -> Vec<Light> {
     let light = |light: &PointLight| Light {
         caption: captions.entity(light.id),
         position: light.position,
@@ -18,13 +18,13 @@ pub fn point_lights(scene: &Scene, captions: &Captions) -> Vec<Light> {
 }
 
 /// Whether any lamp lies on a surface.
-pub fn is_any_on_surface(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> bool {
+pub(super) fn is_any_on_surface(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> bool {
     let places: Vec<_> = scene.point_lights.iter().map(|l| l.position).collect();
     on_surfaces(scene, bounds, root, &places).contains(&true)
 }
 
 /// The sum of the ambient lights.
-pub fn ambient(scene: &Scene) -> Rgb {
+pub(super) fn ambient(scene: &Scene) -> Rgb {
     let mut sum = [0.0; 3];
     for light in &scene.ambient_lights {
         for (s, c) in sum.iter_mut().zip(light.colour) {

@@ -32,7 +32,7 @@ use crate::translate::fidelity::Report;
 use nodes::Lower;
 
 /// The same scene, said in another way where that is needed.
-pub fn rewritten(scene: &Scene) -> Cow<'_, Scene> {
+pub(super) fn rewritten(scene: &Scene) -> Cow<'_, Scene> {
     let reordered = reorder::reordered(scene).map_or(Cow::Borrowed(scene), Cow::Owned);
     match distribute::distributed(&reordered) {
         Some(distributed) => Cow::Owned(distributed),
@@ -44,7 +44,7 @@ pub fn rewritten(scene: &Scene) -> Cow<'_, Scene> {
 ///
 /// # Errors
 /// Something in the scene has no translation.
-pub fn lower<'a>(
+pub(super) fn lower<'a>(
     scene: &'a Scene,
     options: &'a Options,
     mut report: Report,

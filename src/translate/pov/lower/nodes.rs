@@ -22,7 +22,7 @@ use crate::translate::pov::separate::plates;
 use crate::translate::pov::tree::{Body, Declaration, Modifier, Object};
 
 /// Makes the objects of a model.
-pub struct Lower<'a> {
+pub(super) struct Lower<'a> {
     pub model: Model<'a>,
     captions: &'a Captions,
     /// Bounding volumes that help.
@@ -34,7 +34,7 @@ pub struct Lower<'a> {
 }
 
 impl<'a> Lower<'a> {
-    pub fn new(
+    pub(super) fn new(
         model: Model<'a>,
         captions: &'a Captions,
         backward: HashMap<u32, bool>,
@@ -49,7 +49,7 @@ impl<'a> Lower<'a> {
     }
 
     /// All objects that the scene consists of: each behind those it is made of, the root's last.
-    pub fn objects(&mut self, root: NodeId) -> Vec<Declaration<'a>> {
+    pub(super) fn objects(&mut self, root: NodeId) -> Vec<Declaration<'a>> {
         enum Step<'a> {
             Visit(usize),
             Write(usize, Declaration<'a>),
@@ -260,7 +260,7 @@ impl<'a> Lower<'a> {
     }
 
     /// States what the scene has that the objects have not.
-    pub fn report_what_is_left(&mut self) {
+    pub(super) fn report_what_is_left(&mut self) {
         if self.model.unseen_twice {
             self.model.report.state(
                 "depth of rays in parts that others surround",

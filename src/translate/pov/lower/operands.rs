@@ -18,7 +18,7 @@ const MAX_COMPARED: usize = 64;
 impl<'a> Model<'a> {
     /// The operands of a union and of the unions among them, in order. What is within one that came
     /// before is left out.
-    pub fn flat_union(&mut self, roots: &[NodeId], state: State) -> Vec<(NodeId, State)> {
+    pub(crate) fn flat_union(&mut self, roots: &[NodeId], state: State) -> Vec<(NodeId, State)> {
         let mut todo: Vec<_> = roots.iter().rev().map(|&node| (node, state)).collect();
         let mut out = Vec::new();
         let mut surfaces = HashSet::new();
@@ -103,7 +103,10 @@ impl<'a> Model<'a> {
 
     /// Leaves out operands of an intersection that hold another one: they take nothing away, and have
     /// faces where that one has. Those are the first one's, unless both are of one look and medium.
-    pub fn without_wider(&mut self, mut members: Vec<(NodeId, State)>) -> Vec<(NodeId, State)> {
+    pub(crate) fn without_wider(
+        &mut self,
+        mut members: Vec<(NodeId, State)>,
+    ) -> Vec<(NodeId, State)> {
         if members.len() > MAX_COMPARED
             || members
                 .iter()
@@ -136,7 +139,7 @@ impl<'a> Model<'a> {
     }
 
     /// Whether a node's solid is certainly part of one of others.
-    pub fn is_within(&mut self, node: NodeId, others: &[NodeId]) -> bool {
+    pub(crate) fn is_within(&mut self, node: NodeId, others: &[NodeId]) -> bool {
         let mut set = HashSet::new();
         for other in others {
             let place = self.solids.place(*other);
@@ -146,7 +149,7 @@ impl<'a> Model<'a> {
         self.solids.is_within(place, &set)
     }
 
-    pub fn flat_intersection(
+    pub(crate) fn flat_intersection(
         &mut self,
         a: NodeId,
         b: NodeId,

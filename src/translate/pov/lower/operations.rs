@@ -8,7 +8,7 @@ use crate::translate::pov::tree::{Body, Modifier, Object, Operation};
 
 impl<'a> Model<'a> {
     /// The object at the end of a descent, if anything is left of it.
-    pub fn body(&mut self, end: &End) -> Option<Object<'a>> {
+    pub(crate) fn body(&mut self, end: &End) -> Option<Object<'a>> {
         if let End::Union(part, ..)
         | End::Intersection(part, ..)
         | End::Difference(part, ..)

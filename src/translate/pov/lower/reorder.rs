@@ -7,7 +7,7 @@ use crate::translate::pov::model::materials::{Material, materials};
 use crate::translate::pov::model::tables::Tables;
 
 /// The same scene with such operations in the other order, if there are any.
-pub fn reordered(scene: &Scene) -> Option<Scene> {
+pub(super) fn reordered(scene: &Scene) -> Option<Scene> {
     let root = scene.render?.root;
     if !(0..=root).any(|node| is_candidate(scene, node)) {
         return None;

@@ -8,11 +8,11 @@ use crate::scene::{Node, NodeId, Scene};
 const MAX_CHAIN_STEPS: usize = 64;
 
 /// The modifications of a node, the last first.
-pub type Modifications = Vec<NodeId>;
+pub(super) type Modifications = Vec<NodeId>;
 
 /// The modifications of a node, and the node that they modify: a shape or operation unless the chain is longer than
 /// [`MAX_CHAIN_STEPS`].
-pub fn below(scene: &Scene, node: NodeId) -> (Modifications, NodeId) {
+pub(super) fn below(scene: &Scene, node: NodeId) -> (Modifications, NodeId) {
     let states = || scene.states(node);
     // Only the names of its parts are a copy's.
     let done = states()
@@ -26,13 +26,13 @@ pub fn below(scene: &Scene, node: NodeId) -> (Modifications, NodeId) {
 }
 
 /// A scene in which some nodes stand for others.
-pub struct Rewrite {
+pub(super) struct Rewrite {
     pub scene: Scene,
     new: HashMap<NodeId, NodeId>,
 }
 
 impl Rewrite {
-    pub fn of(scene: &Scene) -> Rewrite {
+    pub(super) fn of(scene: &Scene) -> Rewrite {
         Rewrite {
             scene: scene.clone(),
             new: HashMap::new(),
@@ -40,14 +40,14 @@ impl Rewrite {
     }
 
     /// Adds a node, made by the record that made another one.
-    pub fn push(&mut self, node: Node, like: NodeId) -> NodeId {
+    pub(super) fn push(&mut self, node: Node, like: NodeId) -> NodeId {
         self.scene.nodes.push(node);
         self.scene.origins.push(self.scene.origins[like as usize]);
         self.scene.nodes.len() as NodeId - 1
     }
 
     /// A node with the modifications of another one.
-    pub fn done(&mut self, way: &[NodeId], mut node: NodeId) -> NodeId {
+    pub(super) fn done(&mut self, way: &[NodeId], mut node: NodeId) -> NodeId {
         for &step in way.iter().rev() {
             let next = self.scene.nodes[step as usize].with_children(|_| node);
             node = self.push(next, step);
@@ -56,21 +56,21 @@ impl Rewrite {
     }
 
     /// The node that stands for a node now.
-    pub fn now(&self, node: NodeId) -> NodeId {
+    pub(super) fn now(&self, node: NodeId) -> NodeId {
         self.new.get(&node).copied().unwrap_or(node)
     }
 
-    pub fn replace(&mut self, node: NodeId, by: NodeId) {
+    pub(super) fn replace(&mut self, node: NodeId, by: NodeId) {
         self.new.insert(node, by);
     }
 
     /// The same node, made of what stands for its operands now.
-    pub fn renew(&mut self, node: NodeId) -> Node {
+    pub(super) fn renew(&mut self, node: NodeId) -> Node {
         self.scene.nodes[node as usize].with_children(|child| self.now(child))
     }
 
     /// Puts a node that was renewed in its place, if anything about it has changed.
-    pub fn settle(&mut self, node: NodeId, renewed: Node) {
+    pub(super) fn settle(&mut self, node: NodeId, renewed: Node) {
         if renewed != self.scene.nodes[node as usize] {
             let by = self.push(renewed, node);
             self.replace(node, by);
@@ -78,7 +78,7 @@ impl Rewrite {
     }
 
     /// The scene, in which everything is named after what stands for it.
-    pub fn finish(self) -> Scene {
+    pub(super) fn finish(self) -> Scene {
         let Rewrite { mut scene, new } = self;
         let now = |node: &mut NodeId| *node = new.get(node).copied().unwrap_or(*node);
         scene.render.iter_mut().for_each(|r| now(&mut r.root));

@@ -16,7 +16,7 @@ const SURFACES: usize = 8;
 
 /// Distances in the scene's units.
 #[derive(Debug, Clone, Copy)]
-pub struct SightRange {
+pub(super) struct SightRange {
     /// From the eye; a tenth of what is seen is nearer.
     pub near: f64,
     /// From a surface that light goes through to the next one; for a hundredth of the picture it is
@@ -27,7 +27,7 @@ pub struct SightRange {
 }
 
 /// Looks through the eyes; nothing where there is nothing to be seen.
-pub fn sight_range(scene: &Scene, eyes: &[Eye], whole: Aabb) -> Option<SightRange> {
+pub(super) fn sight_range(scene: &Scene, eyes: &[Eye], whole: Aabb) -> Option<SightRange> {
     if scene.nodes.len() > MOST_NODES {
         return None;
     }

@@ -11,10 +11,11 @@ const PARTS: usize = 24;
 const OFF: f64 = 1e-3;
 
 /// The bound on the error of the cut triangle's normals, for the report.
-pub const BOUND: &str = "off by less than a thousandth of the difference between two normals";
+pub(super) const BOUND: &str =
+    "off by less than a thousandth of the difference between two normals";
 
 /// Triangles whose interpolated normals are those of one: itself, where its normals are equally long.
-pub fn cut(vertices: &[Vec3; 3], normals: &[Vec3; 3]) -> Vec<Geometry> {
+pub(super) fn cut(vertices: &[Vec3; 3], normals: &[Vec3; 3]) -> Vec<Geometry> {
     let parts = parts(normals);
     let at = |(i, j): (usize, usize), from: &[Vec3; 3]| -> Vec3 {
         let (u, v) = (i as f64 / parts as f64, j as f64 / parts as f64);
@@ -52,7 +53,7 @@ fn parts(normals: &[Vec3; 3]) -> usize {
 }
 
 /// Within rounding, also that of normals that were written with ten digits.
-pub fn are_equally_long(normals: &[Vec3; 3]) -> bool {
+pub(super) fn are_equally_long(normals: &[Vec3; 3]) -> bool {
     let lengths = normals.map(length);
     lengths
         .iter()

@@ -12,7 +12,7 @@ use crate::translate::pov::tree::{Modifier, Object, Operation};
 
 impl<'a> Model<'a> {
     /// The union of operands that are no unions themselves.
-    pub fn union(&mut self, members: Vec<(NodeId, State)>) -> Option<Object<'a>> {
+    pub(crate) fn union(&mut self, members: Vec<(NodeId, State)>) -> Option<Object<'a>> {
         let seen_into = |&(node, state): &(NodeId, State)| {
             self.materials[node as usize].has_solid
                 && state.layer != Layer::Surface

@@ -7,9 +7,9 @@ use crate::scene::{NodeId, Scene, Vec3, Volume};
 use crate::solids::bounds::NodeBounds;
 
 /// For each object the last of its volumes that certainly holds it, and whether that was written.
-pub type Volumes = HashMap<NodeId, (Volume, bool)>;
+pub(super) type Volumes = HashMap<NodeId, (Volume, bool)>;
 
-pub fn proved(scene: &Scene, bounds: &[NodeBounds]) -> Volumes {
+pub(super) fn proved(scene: &Scene, bounds: &[NodeBounds]) -> Volumes {
     let held = |node: NodeId, volume: &Volume| {
         let all = bounds[node as usize].all;
         all.is_finite() && holds(volume, &all)
@@ -21,7 +21,11 @@ pub fn proved(scene: &Scene, bounds: &[NodeBounds]) -> Volumes {
 }
 
 /// The IDs of the objects, among those that the predicate names, whose volumes were left out.
-pub fn left_out(scene: &Scene, volumes: &Volumes, drawn: impl Fn(NodeId) -> bool) -> Vec<u32> {
+pub(super) fn left_out(
+    scene: &Scene,
+    volumes: &Volumes,
+    drawn: impl Fn(NodeId) -> bool,
+) -> Vec<u32> {
     let written = |node| volumes.get(node).is_some_and(|(_, written)| *written);
     let promises = scene.promises.iter().filter(|p| drawn(p.node));
     let mut ids: Vec<u32> = promises

@@ -9,7 +9,7 @@ use crate::scene::Geometry;
 
 /// How shapes are changed where nobody sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Change {
+pub(crate) enum Change {
     /// The surface lies this far outside of where it is; inside where the number is negative.
     Offset(f64),
     /// Flat faces in some planes, by their number, lie farther out.
@@ -22,7 +22,7 @@ pub enum Change {
 
 /// Changes, by number.
 #[derive(Debug, Default)]
-pub struct Changes {
+pub(crate) struct Changes {
     changes: Vec<Change>,
     numbers: HashMap<[u64; 3], u32>,
     /// Planes, and how far out what lies in them is moved.
@@ -31,7 +31,7 @@ pub struct Changes {
 }
 
 impl Changes {
-    pub fn number(&mut self, change: Change) -> u32 {
+    pub(crate) fn number(&mut self, change: Change) -> u32 {
         let key = match change {
             Change::Offset(by) => [0, (by + 0.0).to_bits(), 0],
             Change::Planes(planes) => [1, u64::from(planes), 0],
@@ -47,7 +47,7 @@ impl Changes {
     }
 
     /// The number of the change that moves the faces in some planes out.
-    pub fn of_planes(&mut self, planes: Vec<(Plane, f64)>) -> u32 {
+    pub(crate) fn of_planes(&mut self, planes: Vec<(Plane, f64)>) -> u32 {
         let bits = |(p, by): &(Plane, f64)| [p.n[0], p.n[1], p.n[2], p.d, *by].map(f64::to_bits);
         let key = planes.iter().flat_map(bits).collect();
         let next = self.planes.len() as u32;
@@ -59,7 +59,7 @@ impl Changes {
     }
 
     /// The number of one change after another, if there is that.
-    pub fn both(&mut self, first: Option<u32>, second: u32) -> u32 {
+    pub(crate) fn both(&mut self, first: Option<u32>, second: u32) -> u32 {
         match first {
             Some(first) => self.number(Change::Both(first, second)),
             None => second,
@@ -67,7 +67,7 @@ impl Changes {
     }
 
     /// The part of a change that moves whole surfaces, of what is taken away, too.
-    pub fn offset(&self, number: u32) -> Option<u32> {
+    pub(crate) fn offset(&self, number: u32) -> Option<u32> {
         match self.get(number) {
             Change::Offset(_) => Some(number),
             Change::Both(a, b) => self.offset(a).or_else(|| self.offset(b)),
@@ -76,7 +76,7 @@ impl Changes {
     }
 
     /// By how much a solid is larger all around.
-    pub fn larger_by(&self, number: u32) -> f64 {
+    pub(crate) fn larger_by(&self, number: u32) -> f64 {
         match self.get(number) {
             Change::Offset(by) => by.max(0.0),
             Change::Both(a, b) => self.larger_by(a).max(self.larger_by(b)),
@@ -85,7 +85,7 @@ impl Changes {
     }
 
     /// How thick a sheet is to one side by a change, and of which index, if it is a plate.
-    pub fn plate(&self, number: u32) -> Option<(f64, u32)> {
+    pub(crate) fn plate(&self, number: u32) -> Option<(f64, u32)> {
         match self.get(number) {
             Change::Plate(by, index) => Some((by, index)),
             Change::Both(a, b) => self.plate(b).or_else(|| self.plate(a)),
@@ -94,7 +94,7 @@ impl Changes {
     }
 
     /// The text of a comment on a shape that is changed so.
-    pub fn note(&self, number: u32) -> &'static str {
+    pub(crate) fn note(&self, number: u32) -> &'static str {
         match self.get(number) {
             Change::Both(..) | Change::Planes(_) => {
                 ": made longer, since it ends flush with something"
@@ -105,12 +105,12 @@ impl Changes {
         }
     }
 
-    pub fn get(&self, number: u32) -> Change {
+    pub(crate) fn get(&self, number: u32) -> Change {
         self.changes[number as usize]
     }
 
     /// The changed shape, if there is anything to change about it.
-    pub fn changed(&self, number: u32, geometry: &Geometry) -> Option<Geometry> {
+    pub(crate) fn changed(&self, number: u32, geometry: &Geometry) -> Option<Geometry> {
         match self.get(number) {
             Change::Offset(by) => geometry.offset(by),
             // It is no shape of the language.
@@ -125,7 +125,7 @@ impl Changes {
     }
 
     /// The same change in the coordinates that a matrix leads away from, if there is one.
-    pub fn moved_back(&mut self, number: u32, m: &Matrix) -> Option<u32> {
+    pub(crate) fn moved_back(&mut self, number: u32, m: &Matrix) -> Option<u32> {
         let change = match self.get(number) {
             Change::Offset(by) => Change::Offset(by * stretched(m)?),
             Change::Plate(by, index) => Change::Plate(by * stretched(m)?, index),
@@ -149,7 +149,7 @@ impl Changes {
     }
 
     /// The change of what something is the complement of, or what is taken from it.
-    pub fn turned(&mut self, number: u32) -> u32 {
+    pub(crate) fn turned(&mut self, number: u32) -> u32 {
         match self.get(number) {
             Change::Plate(..) | Change::Planes(_) => number,
             Change::Offset(by) => self.number(Change::Offset(-by)),

@@ -11,7 +11,7 @@ const MAX_BOX_PAIRS: usize = 1 << 20;
 /// Groups the operands of a union by key, in order of first appearance; operands without a key stay
 /// alone. Where two operands overlap the first owns the overlap, so an operand joins an older group
 /// only if it meets nothing that has come since. Gives each group's operands by position.
-pub fn in_order<K: Eq + Hash>(operands: &[(Option<K>, Aabb)]) -> Vec<Vec<usize>> {
+pub(crate) fn in_order<K: Eq + Hash>(operands: &[(Option<K>, Aabb)]) -> Vec<Vec<usize>> {
     struct Grouped {
         members: Vec<usize>,
         hull: Aabb,
@@ -53,7 +53,7 @@ const MANY_GROUPS: usize = 256;
 
 /// The pairs of sets of which a box of the one touches one of the other, by position: the earlier and the
 /// later one, ordered by the later.
-pub fn pairs(sets: &[&[Aabb]]) -> Vec<(usize, usize)> {
+pub(crate) fn pairs(sets: &[&[Aabb]]) -> Vec<(usize, usize)> {
     let tagged = |(i, set): (usize, &&[Aabb])| -> Vec<(usize, Aabb)> {
         set.iter().map(|b| (i, *b)).collect()
     };
@@ -84,12 +84,12 @@ pub fn pairs(sets: &[&[Aabb]]) -> Vec<(usize, usize)> {
 }
 
 /// Whether a box of one set touches one of the other.
-pub fn meet(a: &[Aabb], b: &[Aabb]) -> bool {
+pub(crate) fn meet(a: &[Aabb], b: &[Aabb]) -> bool {
     !a.is_empty() && !b.is_empty() && sweep(a, b)
 }
 
 /// Whether two boxes of a set touch.
-pub fn meet_each_other(boxes: &[Aabb]) -> bool {
+pub(crate) fn meet_each_other(boxes: &[Aabb]) -> bool {
     sweep(boxes, &[])
 }
 

@@ -12,7 +12,7 @@ use crate::solids::shapes::facts::Facts as _;
 
 /// A solid at a place: what nodes are, whatever they look like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Occurrence {
+pub(crate) struct Occurrence {
     core: u32,
     matrix: u32,
 }
@@ -29,7 +29,7 @@ enum Core {
 
 /// The solids of a scene.
 #[derive(Debug)]
-pub struct Interner {
+pub(crate) struct Interner {
     /// For each node.
     places: Vec<Occurrence>,
     cores: Vec<Core>,
@@ -48,7 +48,7 @@ const MAX_CONTAINMENT_STEPS: u32 = 64;
 const NUMBER_REL_EPS: f64 = 1.0 / (1u64 << 43) as f64;
 
 impl Interner {
-    pub fn of(scene: &Scene, root: NodeId) -> Interner {
+    pub(crate) fn of(scene: &Scene, root: NodeId) -> Interner {
         let mut sets = Interner {
             places: Vec::with_capacity(root as usize + 1),
             cores: Vec::new(),
@@ -117,7 +117,7 @@ impl Interner {
         }
     }
 
-    pub fn place(&self, node: NodeId) -> Occurrence {
+    pub(crate) fn place(&self, node: NodeId) -> Occurrence {
         self.places[node as usize]
     }
 
@@ -139,7 +139,7 @@ impl Interner {
     }
 
     /// Adds a solid to others, and what it is the union of.
-    pub fn add(&mut self, place: Occurrence, to: &mut HashSet<Occurrence>) {
+    pub(crate) fn add(&mut self, place: Occurrence, to: &mut HashSet<Occurrence>) {
         let mut todo = vec![place];
         let mut steps = 0;
         while let Some(place) = todo.pop() {
@@ -154,7 +154,7 @@ impl Interner {
     }
 
     /// The solid and all that it is made of, as far as patience goes.
-    pub fn parts(&mut self, place: Occurrence) -> Vec<Occurrence> {
+    pub(crate) fn parts(&mut self, place: Occurrence) -> Vec<Occurrence> {
         let mut out = vec![place];
         let mut at = 0;
         while at < out.len() && out.len() < MAX_CONTAINMENT_STEPS as usize {
@@ -171,7 +171,7 @@ impl Interner {
     }
 
     /// Whether a solid is certainly part of one of others; those were [added](Self::add).
-    pub fn is_within(&mut self, place: Occurrence, others: &HashSet<Occurrence>) -> bool {
+    pub(crate) fn is_within(&mut self, place: Occurrence, others: &HashSet<Occurrence>) -> bool {
         if others.is_empty() {
             return false;
         }
@@ -199,7 +199,7 @@ impl Interner {
     }
 
     /// Whether a solid is certainly apart from another: what is taken from one of them holds the other.
-    pub fn is_apart(&mut self, a: Occurrence, b: Occurrence) -> bool {
+    pub(crate) fn is_apart(&mut self, a: Occurrence, b: Occurrence) -> bool {
         [(a, b), (b, a)].into_iter().any(|(whole, rest)| {
             let mut taken = HashSet::new();
             if let Core::Difference(_, by) = self.core(rest) {
@@ -211,7 +211,7 @@ impl Interner {
 
     /// Whether an intersection of solids is certainly empty: one is within another's opposite, or
     /// within what is taken from another.
-    pub fn is_empty(&mut self, members: &[NodeId]) -> bool {
+    pub(crate) fn is_empty(&mut self, members: &[NodeId]) -> bool {
         let mut inside: Vec<Occurrence> = members.iter().map(|n| self.place(*n)).collect();
         let mut outside = HashSet::new();
         let most = inside.len() + MAX_CONTAINMENT_STEPS as usize;

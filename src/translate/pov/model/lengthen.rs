@@ -5,14 +5,14 @@ use crate::scene::Geometry;
 use crate::solids::shapes::AnyShape;
 
 /// Distance of faces that are in one place, as a part of the numbers: what a few hundred roundings may do.
-pub const FACE_REL_EPS: f64 = 1e-13;
+pub(super) const FACE_REL_EPS: f64 = 1e-13;
 
 /// The part of its own length that a tool is made longer by, where nothing is in the way.
-pub const HALF: f64 = 0.5;
+pub(super) const HALF: f64 = 0.5;
 
 /// The box outside of which a solid may be longer than it is, and by how much.
 #[derive(Debug, Clone, Copy)]
-pub struct Cut {
+pub(super) struct Cut {
     pub around: Aabb,
     /// By this part of its length.
     pub by: f64,
@@ -22,12 +22,12 @@ pub struct Cut {
 
 impl Cut {
     /// How far the end of something of that length is moved out.
-    pub fn step(&self, length: f64) -> f64 {
+    pub(super) fn step(&self, length: f64) -> f64 {
         (self.by * length).clamp(-self.most, self.most)
     }
 
     /// A profile whose flat ends are moved out where they are flush with the box.
-    pub fn profile(&self, profile: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
+    pub(super) fn profile(&self, profile: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
         let cut = &self.around;
         let heights = || profile.iter().map(|p| p[1]);
         let low = heights().fold(f64::INFINITY, f64::min);
@@ -89,7 +89,7 @@ impl Cut {
 }
 
 /// Where a face goes that is flush with an end of what is cut: a step away from it.
-pub fn outward(at: f64, (low, high): (f64, f64), hair: f64, step: f64) -> Option<f64> {
+pub(super) fn outward(at: f64, (low, high): (f64, f64), hair: f64, step: f64) -> Option<f64> {
     if (at - high).abs() <= hair {
         Some(step)
     } else if (at - low).abs() <= hair {

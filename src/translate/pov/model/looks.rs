@@ -7,11 +7,11 @@ use crate::scene::{Node, NodeId};
 use crate::translate::pov::tree::Modifier;
 
 /// A look that is fully known, and the index behind it.
-pub type Substance = (Appearance, u32);
+pub(crate) type Substance = (Appearance, u32);
 
 impl<'a> Model<'a> {
     /// Whether any of a node lets light through.
-    pub fn is_transparent(&self, node: NodeId, look: Appearance) -> bool {
+    pub(crate) fn is_transparent(&self, node: NodeId, look: Appearance) -> bool {
         match look {
             Appearance::Above { transparent } => transparent,
             Appearance::Own {
@@ -22,13 +22,13 @@ impl<'a> Model<'a> {
     }
 
     /// Whether faces inside a node can be seen.
-    pub fn is_seen_into(&self, node: NodeId, state: State) -> bool {
+    pub(crate) fn is_seen_into(&self, node: NodeId, state: State) -> bool {
         self.cut_open || self.is_transparent(node, state.look)
     }
 
     /// The optics and index of a node that is one medium. What an object around the node gives is
     /// the same for all operands and counts as the default.
-    pub fn medium(&self, node: NodeId, state: State) -> Option<(u32, u32)> {
+    pub(crate) fn medium(&self, node: NodeId, state: State) -> Option<(u32, u32)> {
         let f = &self.materials[node as usize];
         let optics = match state.look {
             Appearance::Above { .. } => Some(DEFAULT),
@@ -45,7 +45,7 @@ impl<'a> Model<'a> {
     }
 
     /// The substance of all of a node, if it is the same everywhere.
-    pub fn substance(&self, node: NodeId, state: State) -> Option<Substance> {
+    pub(crate) fn substance(&self, node: NodeId, state: State) -> Option<Substance> {
         let f = &self.materials[node as usize];
         let look = match state.look {
             Appearance::Above { .. } => state.look,
@@ -63,7 +63,7 @@ impl<'a> Model<'a> {
 
     /// The modifier that gives a node its look, where that is the same for all of it and can be
     /// said from outside; and the look that is left to say below.
-    pub fn settle_look(
+    pub(crate) fn settle_look(
         &mut self,
         node: NodeId,
         look: Appearance,
@@ -93,7 +93,7 @@ impl<'a> Model<'a> {
     }
 
     /// A look seen from inside a transformation.
-    pub fn look_below(&mut self, look: Appearance, matrix: u32) -> Appearance {
+    pub(crate) fn look_below(&mut self, look: Appearance, matrix: u32) -> Appearance {
         match look {
             Appearance::Own {
                 texture: Some(texture),

@@ -8,7 +8,7 @@ use crate::solids::shapes::facts::Facts as _;
 /// A property of the solids of a node, taken from whoever owns a point: of several operands the
 /// first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Owned<T> {
+pub(crate) struct Owned<T> {
     pub first: T,
     /// Every point of the node has it.
     pub uniform: bool,
@@ -32,7 +32,7 @@ impl<T: Copy + PartialEq> Owned<T> {
 
 /// The facts about one node, as it is without what its parents paint over it.
 #[derive(Debug, Clone, Copy)]
-pub struct Material {
+pub(crate) struct Material {
     pub has_solid: bool,
     pub has_surface: bool,
     /// Something in it has been given a texture, or optics.
@@ -74,7 +74,7 @@ const BARE: Material = Material {
 };
 
 /// The facts about all nodes up to the root; those that the root does not reach stay bare.
-pub fn materials(scene: &Scene, tables: &mut Tables, root: NodeId) -> Vec<Material> {
+pub(crate) fn materials(scene: &Scene, tables: &mut Tables, root: NodeId) -> Vec<Material> {
     let mut out = vec![BARE; root as usize + 1];
     out[root as usize].uses = 1;
     for (_, node) in scene.below(root) {

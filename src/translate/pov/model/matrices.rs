@@ -5,13 +5,13 @@ use std::collections::HashMap;
 use crate::geometry::Matrix;
 
 #[derive(Debug, Default)]
-pub struct Matrices {
+pub(super) struct Matrices {
     all: Vec<Matrix>,
     numbers: HashMap<[u64; 16], u32>,
 }
 
 impl Matrices {
-    pub fn number(&mut self, m: &Matrix) -> u32 {
+    pub(super) fn number(&mut self, m: &Matrix) -> u32 {
         let mut key = [0; 16];
         for (k, x) in key.iter_mut().zip(m.0.iter().flatten()) {
             // Adding zero makes one of the two zeros.
@@ -25,7 +25,7 @@ impl Matrices {
         number
     }
 
-    pub fn get(&self, number: u32) -> &Matrix {
+    pub(super) fn get(&self, number: u32) -> &Matrix {
         &self.all[number as usize]
     }
 }

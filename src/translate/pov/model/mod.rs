@@ -1,19 +1,19 @@
 //! What is known of the scene before and while its objects are made: a [`Model`]. Nothing in here knows how objects are
 //! made, or what is done about faces in one place.
 
-pub mod displacement;
-pub mod grouping;
+pub(super) mod displacement;
+pub(super) mod grouping;
 mod interner;
 mod lengthen;
-pub mod looks;
-pub mod materials;
+pub(super) mod looks;
+pub(super) mod materials;
 mod matrices;
-pub mod offset;
-pub mod plane;
-pub mod state;
-pub mod stretch;
-pub mod tables;
-pub mod textures;
+pub(super) mod offset;
+pub(super) mod plane;
+pub(super) mod state;
+pub(super) mod stretch;
+pub(super) mod tables;
+pub(super) mod textures;
 mod visibility;
 
 use std::collections::{HashMap, HashSet};
@@ -41,7 +41,7 @@ const FACES: &str = "faces in one place";
 const MAX_NODES_EXAMINED: usize = 4096;
 
 /// The scene, what is known of its nodes, and what its objects have in common, by number.
-pub struct Model<'a> {
+pub(super) struct Model<'a> {
     pub scene: &'a Scene,
     pub bounds: Vec<NodeBounds>,
     pub tables: Tables,
@@ -77,7 +77,7 @@ pub struct Model<'a> {
 }
 
 impl<'a> Model<'a> {
-    pub fn new(
+    pub(super) fn new(
         scene: &'a Scene,
         bounds: Vec<NodeBounds>,
         root: NodeId,
@@ -118,12 +118,12 @@ impl<'a> Model<'a> {
     }
 
     /// Whether light goes through anything.
-    pub fn is_clear(&self) -> bool {
+    pub(super) fn is_clear(&self) -> bool {
         self.materials.iter().any(|f| f.uses > 0 && f.transparent)
     }
 
     /// An object that stands for a node in a state.
-    pub fn refer(&mut self, node: NodeId, state: State) -> Object<'a> {
+    pub(super) fn refer(&mut self, node: NodeId, state: State) -> Object<'a> {
         let key = Key { node, state };
         let next = self.keys.len();
         let number = *self.numbers.entry(key).or_insert(next);
@@ -134,33 +134,33 @@ impl<'a> Model<'a> {
     }
 
     /// Objects that stand for operands.
-    pub fn refer_all(&mut self, operands: &[(NodeId, State)]) -> Vec<Object<'a>> {
+    pub(super) fn refer_all(&mut self, operands: &[(NodeId, State)]) -> Vec<Object<'a>> {
         let refer = |&(node, state): &(NodeId, State)| self.refer(node, state);
         operands.iter().map(refer).collect()
     }
 
     /// The key of the object with a number.
-    pub fn key(&self, number: usize) -> Key {
+    pub(super) fn key(&self, number: usize) -> Key {
         self.keys[number]
     }
 
     /// Turns to the coordinates that a node is placed in.
-    pub fn turn_to(&mut self, node: NodeId) {
+    pub(super) fn turn_to(&mut self, node: NodeId) {
         self.hair = self.hair_of_scene * self.stretches[node as usize];
     }
 
-    pub fn box_of(&self, node: NodeId) -> Aabb {
+    pub(super) fn box_of(&self, node: NodeId) -> Aabb {
         self.bounds[node as usize].all
     }
 
     /// The modifier of an index by its number.
-    pub fn index(&self, number: u32) -> Modifier<'a> {
+    pub(super) fn index(&self, number: u32) -> Modifier<'a> {
         Modifier::Index(self.tables.index(number))
     }
 
     /// Whether all shapes that a solid is made of can be moved by so much, outwards or inwards where
     /// it is negative.
-    pub fn has_offset(&self, node: NodeId, by: f64) -> bool {
+    pub(super) fn has_offset(&self, node: NodeId, by: f64) -> bool {
         let mut todo = vec![(node, by)];
         for _ in 0..MAX_NODES_EXAMINED {
             let Some((node, by)) = todo.pop() else {
@@ -188,7 +188,7 @@ impl<'a> Model<'a> {
     }
 
     /// Says that faces of an object lie in those of another; 0 is nobody's object.
-    pub fn faces_in_one_place(&mut self, id: u32) {
+    pub(super) fn faces_in_one_place(&mut self, id: u32) {
         let doubt = match id {
             0 => Complaint::term("which is seen is up to rounding"),
             id => Complaint::new("fidelity-rounding").with("id", id.to_string()),
@@ -200,13 +200,13 @@ impl<'a> Model<'a> {
     }
 
     /// Says that something was too large to look for faces in one place.
-    pub fn budget_is_spent(&mut self) {
+    pub(super) fn budget_is_spent(&mut self) {
         let large = "operations of very many parts";
         let doubt = Fidelity::approximate("faces in one place are not looked for in all of them");
         self.report.state(large, doubt, "");
     }
 
-    pub fn media_are_approximate(&mut self) {
+    pub(super) fn media_are_approximate(&mut self) {
         self.report.count(
             "operations on media of different index",
             Fidelity::approximate(

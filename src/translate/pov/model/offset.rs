@@ -12,7 +12,7 @@ const SHARP: f64 = 16.0;
 const MAX_PROFILE_POINTS: usize = 512;
 
 /// Twice the area that a closed polygon runs around, negative where it does so clockwise.
-pub fn twice_area(polygon: &[[f64; 2]]) -> f64 {
+pub(crate) fn twice_area(polygon: &[[f64; 2]]) -> f64 {
     let n = polygon.len();
     let sides = (0..n).map(|i| [polygon[i], polygon[(i + 1) % n]]);
     sides.map(|[p, q]| p[0] * q[1] - q[0] * p[1]).sum()

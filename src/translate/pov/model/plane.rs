@@ -12,13 +12,13 @@ const OFFSET_REL_EPS: f64 = 1e-3;
 
 /// A plane n·x + d = 0 whose normal has the length 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plane {
+pub(crate) struct Plane {
     pub n: Vec3,
     pub d: f64,
 }
 
 impl Plane {
-    pub fn of(n: Vec3, d: f64) -> Option<Plane> {
+    pub(crate) fn of(n: Vec3, d: f64) -> Option<Plane> {
         let length = length(n);
         let plane = Plane {
             n: n.map(|x| x / length),
@@ -28,14 +28,14 @@ impl Plane {
     }
 
     /// In the coordinates that a matrix leads away from; and by how much lengths across it become longer there.
-    pub fn moved_back(&self, m: &Matrix) -> Option<(Plane, f64)> {
+    pub(crate) fn moved_back(&self, m: &Matrix) -> Option<(Plane, f64)> {
         let n = std::array::from_fn(|j| (0..3).map(|i| self.n[i] * m.0[i][j]).sum());
         let d = self.d + (0..3).map(|i| self.n[i] * m.0[i][3]).sum::<f64>();
         Some((Plane::of(n, d)?, 1.0 / length(n)))
     }
 
     /// The plane moved outwards.
-    pub fn moved(&self, by: f64) -> Plane {
+    pub(crate) fn moved(&self, by: f64) -> Plane {
         Plane {
             d: self.d - by,
             ..*self
@@ -44,7 +44,7 @@ impl Plane {
 }
 
 /// The shape with its flat faces in some planes farther out, if it has any there.
-pub fn with_planes_moved(geometry: &Geometry, planes: &[(Plane, f64)]) -> Option<Geometry> {
+pub(crate) fn with_planes_moved(geometry: &Geometry, planes: &[(Plane, f64)]) -> Option<Geometry> {
     let mut out: Option<Geometry> = None;
     for (plane, by) in planes {
         let now = out.as_ref().unwrap_or(geometry);

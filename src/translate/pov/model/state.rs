@@ -5,7 +5,7 @@ use crate::scene::NodeId;
 
 /// The layer of a node that is meant: an operation treats the solids and the surfaces among its operands differently.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Layer {
+pub(crate) enum Layer {
     All,
     Solid,
     Surface,
@@ -13,7 +13,7 @@ pub enum Layer {
 
 /// The source of a node's look.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Appearance {
+pub(crate) enum Appearance {
     /// The node itself, except for what is painted over it from above.
     Own {
         texture: Option<TextureUse>,
@@ -25,14 +25,14 @@ pub enum Appearance {
 
 /// The source of the refractive index in a node's inside.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Medium {
+pub(crate) enum Medium {
     Own,
     Above,
 }
 
 /// All that the way from the root down to a node decides about it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct State {
+pub(crate) struct State {
     pub layer: Layer,
     pub look: Appearance,
     pub medium: Medium,
@@ -42,7 +42,7 @@ pub struct State {
 
 impl State {
     /// Nothing is decided.
-    pub const ROOT: State = State {
+    pub(crate) const ROOT: State = State {
         layer: Layer::All,
         look: Appearance::Own {
             texture: None,
@@ -52,33 +52,33 @@ impl State {
         flush: None,
     };
     /// A solid that only tells inside from outside.
-    pub const GEOMETRY: State = State {
+    pub(crate) const GEOMETRY: State = State {
         layer: Layer::Solid,
         look: Appearance::Above { transparent: false },
         medium: Medium::Above,
         flush: None,
     };
 
-    pub fn layer(self, layer: Layer) -> State {
+    pub(crate) fn layer(self, layer: Layer) -> State {
         State { layer, ..self }
     }
 
-    pub fn look(self, look: Appearance) -> State {
+    pub(crate) fn look(self, look: Appearance) -> State {
         State { look, ..self }
     }
 
-    pub fn flush(self, flush: Option<u32>) -> State {
+    pub(crate) fn flush(self, flush: Option<u32>) -> State {
         State { flush, ..self }
     }
 
-    pub fn medium(self, medium: Medium) -> State {
+    pub(crate) fn medium(self, medium: Medium) -> State {
         State { medium, ..self }
     }
 }
 
 /// A node in a state: what one `#declare` is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Key {
+pub(crate) struct Key {
     pub node: NodeId,
     pub state: State,
 }

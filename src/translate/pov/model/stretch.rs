@@ -5,7 +5,7 @@ use crate::scene::{Node, NodeId, Scene};
 
 /// For each node by how much all lengths grow from the scene's coordinates to those that the node is placed
 /// in, as a power of two; where it is in several places, the most.
-pub fn stretches(scene: &Scene, root: NodeId) -> Vec<f64> {
+pub(crate) fn stretches(scene: &Scene, root: NodeId) -> Vec<f64> {
     let mut out = vec![0.0; root as usize + 1];
     out[root as usize] = 1.0;
     for id in (0..=root as usize).rev() {
@@ -31,7 +31,7 @@ pub fn stretches(scene: &Scene, root: NodeId) -> Vec<f64> {
 
 /// A length in the scene as one in the coordinates that a matrix leads away from: where the matrix
 /// stretches by several factors their mean, where these are far apart none.
-pub fn stretched(m: &Matrix) -> Option<f64> {
+pub(crate) fn stretched(m: &Matrix) -> Option<f64> {
     let squares = |m: &Matrix| {
         let rows = m.0.iter().take(3).flat_map(|row| &row[..3]);
         rows.map(|x| x * x).sum::<f64>() / 3.0
@@ -43,7 +43,7 @@ pub fn stretched(m: &Matrix) -> Option<f64> {
 }
 
 /// The largest power of two that is not above `x`; 1 for a number without one.
-pub fn power_of_two_about(x: f64) -> f64 {
+pub(crate) fn power_of_two_about(x: f64) -> f64 {
     let exponent = x.log2().floor();
     // Far within the exponents of numbers, so that neither products with it nor its inverse leave them.
     if exponent.abs() <= 900.0 {

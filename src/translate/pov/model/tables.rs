@@ -7,27 +7,27 @@ use crate::geometry::Matrix;
 use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Optics, Rgb, Scene, Texture};
 
 /// The number of a value that nobody gave, in every table.
-pub const DEFAULT: u32 = 0;
+pub(crate) const DEFAULT: u32 = 0;
 /// The texture of a coloured surface of revolution that nobody gave another: the colours of its own
 /// profile. Elsewhere it is the default one.
-pub const PROFILE: u32 = 1;
+pub(crate) const PROFILE: u32 = 1;
 
 /// A texture and the matrix from the coordinates it was given in to those of the node at hand.
 /// Only textures in space have a frame; the others have number 0, the identity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub struct TextureUse {
+pub(crate) struct TextureUse {
     pub texture: u32,
     pub frame: u32,
 }
 
 impl TextureUse {
-    pub const DEFAULT: TextureUse = TextureUse {
+    pub(crate) const DEFAULT: TextureUse = TextureUse {
         texture: DEFAULT,
         frame: DEFAULT,
     };
 
     /// A texture given to the node at hand.
-    pub fn here(texture: u32) -> TextureUse {
+    pub(crate) fn here(texture: u32) -> TextureUse {
         TextureUse {
             texture,
             frame: DEFAULT,
@@ -37,7 +37,7 @@ impl TextureUse {
 
 /// The aspects that a paint sets.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct PaintAspects {
+pub(crate) struct PaintAspects {
     pub texture: Option<u32>,
     pub optics: Option<u32>,
     pub index: Option<u32>,
@@ -45,7 +45,7 @@ pub struct PaintAspects {
 
 /// The values of all aspects in a scene.
 #[derive(Debug)]
-pub struct Tables {
+pub(crate) struct Tables {
     textures: Table<Texture>,
     optics: Table<Optics>,
     indices: Table<Rgb>,
@@ -58,7 +58,7 @@ pub struct Tables {
 }
 
 impl Tables {
-    pub fn of(scene: &Scene) -> Tables {
+    pub(crate) fn of(scene: &Scene) -> Tables {
         let mut out = Tables {
             textures: Table::with(Texture::Colour(DEFAULT_COLOUR)),
             optics: Table::with(Optics::default()),
@@ -85,47 +85,47 @@ impl Tables {
         out
     }
 
-    pub fn paint(&self, paint: u32) -> PaintAspects {
+    pub(crate) fn paint(&self, paint: u32) -> PaintAspects {
         self.paints[paint as usize]
     }
 
-    pub fn texture(&self, number: u32) -> &Texture {
+    pub(crate) fn texture(&self, number: u32) -> &Texture {
         &self.textures.values[number as usize]
     }
 
-    pub fn optics(&self, number: u32) -> &Optics {
+    pub(crate) fn optics(&self, number: u32) -> &Optics {
         &self.optics.values[number as usize]
     }
 
-    pub fn index(&self, number: u32) -> Rgb {
+    pub(crate) fn index(&self, number: u32) -> Rgb {
         self.indices.values[number as usize]
     }
 
     /// The number of the index that has the larger of two in each channel.
-    pub fn denser(&mut self, a: u32, b: u32) -> u32 {
+    pub(crate) fn denser(&mut self, a: u32, b: u32) -> u32 {
         let [a, b] = [a, b].map(|number| self.index(number));
         let most = std::array::from_fn(|i| a[i].max(b[i]));
         self.indices.number(&most)
     }
 
-    pub fn frame(&self, number: u32) -> &Matrix {
+    pub(crate) fn frame(&self, number: u32) -> &Matrix {
         &self.frames.values[number as usize]
     }
 
     /// The entity after which a look is named.
-    pub fn owner(&self, texture: u32, optics: u32) -> u32 {
+    pub(crate) fn owner(&self, texture: u32, optics: u32) -> u32 {
         match self.texture_owners[texture as usize] {
             0 => self.optics_owners[optics as usize],
             owner => owner,
         }
     }
 
-    pub fn is_transparent(&self, optics: u32) -> bool {
+    pub(crate) fn is_transparent(&self, optics: u32) -> bool {
         self.optics(optics).kt.iter().any(|k| *k > 0.0)
     }
 
     /// Whether the texture is laid on each shape by the shape's own coordinates.
-    pub fn is_laid_on_shapes(&self, texture: u32) -> bool {
+    pub(crate) fn is_laid_on_shapes(&self, texture: u32) -> bool {
         texture == PROFILE
             || matches!(
                 self.texture(texture),
@@ -134,7 +134,7 @@ impl Tables {
     }
 
     /// The use of a texture seen from coordinates that `m` leads to.
-    pub fn moved(&mut self, used: TextureUse, m: &Matrix) -> TextureUse {
+    pub(crate) fn moved(&mut self, used: TextureUse, m: &Matrix) -> TextureUse {
         if !self.lies_in_space(used) {
             return used;
         }
@@ -146,7 +146,7 @@ impl Tables {
     }
 
     /// The use of a texture seen from coordinates that `m` leads away from.
-    pub fn moved_back(&mut self, used: TextureUse, m: &Matrix) -> TextureUse {
+    pub(crate) fn moved_back(&mut self, used: TextureUse, m: &Matrix) -> TextureUse {
         let inverse = self.lies_in_space(used).then(|| m.inverse()).flatten();
         inverse.map_or(used, |inverse| self.moved(used, &inverse))
     }

@@ -19,14 +19,14 @@ struct Key {
 
 /// Textures by number.
 #[derive(Debug, Default)]
-pub struct Textures {
+pub(crate) struct Textures {
     keys: Vec<Key>,
     numbers: HashMap<Key, usize>,
 }
 
 impl Textures {
     /// The number of a texture; `None` for the one that everything has by default. The shape comes as its index.
-    pub fn number(
+    pub(crate) fn number(
         &mut self,
         texture: TextureUse,
         optics: u32,
@@ -43,7 +43,7 @@ impl Textures {
     }
 
     /// The same texture lit from the other side; nothing for one that light goes through.
-    pub fn behind(&mut self, tables: &Tables, number: usize) -> Option<usize> {
+    pub(crate) fn behind(&mut self, tables: &Tables, number: usize) -> Option<usize> {
         let front = self.keys[number];
         let behind = Key {
             behind: true,
@@ -62,12 +62,12 @@ impl Textures {
     }
 
     /// Whether light goes through a texture.
-    pub fn is_transparent(&self, tables: &Tables, number: usize) -> bool {
+    pub(crate) fn is_transparent(&self, tables: &Tables, number: usize) -> bool {
         tables.is_transparent(self.keys[number].optics)
     }
 
     /// All textures, and the images that they show.
-    pub fn values<'a>(
+    pub(crate) fn values<'a>(
         self,
         tables: &Tables,
         scene: &'a Scene,

@@ -10,7 +10,7 @@ use crate::trace::members;
 const PARTS: usize = 256;
 
 /// Whether a camera is in a solid that lets no light through: it sees faces that are inside of others.
-pub fn camera_is_walled_in(scene: &Scene, facts: &[Material], tables: &Tables) -> bool {
+pub(super) fn camera_is_walled_in(scene: &Scene, facts: &[Material], tables: &Tables) -> bool {
     let Some(render) = scene.render else {
         return false;
     };

@@ -4,7 +4,7 @@ mod objects;
 mod poly;
 mod profile;
 mod shape;
-pub mod text;
+pub(super) mod text;
 mod textures;
 mod uv;
 
@@ -27,7 +27,7 @@ const EVERYWHERE: &str = "\
 ///
 /// # Errors
 /// Those of the stream.
-pub fn print(out: &mut dyn Write, document: &Document, lenses: &[Lens]) -> Result {
+pub(super) fn print(out: &mut dyn Write, document: &Document, lenses: &[Lens]) -> Result {
     header(out, document, lenses)?;
     settings(out, document)?;
     cameras(out, lenses, &document.frame)?;

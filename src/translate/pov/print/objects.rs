@@ -11,7 +11,7 @@ use crate::translate::pov::tree::{Body, Modifier, Object, Operation, Tree};
 const LINE_WIDTH: usize = 100;
 
 /// Prints the declarations of all objects.
-pub fn print(out: &mut dyn Write, tree: &Tree) -> Result {
+pub(super) fn print(out: &mut dyn Write, tree: &Tree) -> Result {
     let mut page = Page::new(out);
     for declared in &tree.objects {
         page.write(&format!("#declare {} = ", declared.name))?;

@@ -8,13 +8,13 @@ use super::text::number;
 const MAX_COEFFICIENT: f64 = 1e6;
 
 /// Q of xᵀQx ≤ 0: the factors of x², y², z² and y, and a constant.
-pub fn diagonal(x: f64, y: f64, z: f64, linear: f64, constant: f64) -> [f64; 16] {
+pub(super) fn diagonal(x: f64, y: f64, z: f64, linear: f64, constant: f64) -> [f64; 16] {
     let mut q = [0.0; 16];
     (q[0], q[5], q[10], q[13], q[15]) = (x, y, z, linear, constant);
     q
 }
 
-pub fn quadric(q: &[f64; 16]) -> Primitive {
+pub(super) fn quadric(q: &[f64; 16]) -> Primitive {
     let largest = q.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let q = q.map(|x| x / largest);
     // Of x² xy xz x y² yz y z² z 1.
@@ -63,7 +63,7 @@ pub fn quadric(q: &[f64; 16]) -> Primitive {
 }
 
 /// (x² + y² + z² + R² − r²)² − 4R²(x² + z²) ≤ 0.
-pub fn quartic_torus(major: f64, minor: f64) -> Primitive {
+pub(super) fn quartic_torus(major: f64, minor: f64) -> Primitive {
     let k = (major - minor) * (major + minor);
     let ring = 4.0 * major * major;
     let terms = [

@@ -14,7 +14,7 @@ const MAP: usize = 256;
 const PER_LINE: usize = 6;
 
 /// The closed profile of a lathe.
-pub struct Profile {
+pub(super) struct Profile {
     /// From the axis to the axis, or a ring; no point twice in a row. Counter-clockwise, which tells POV-Ray
     /// the outer side of the lathe from the inner one.
     points: Vec<[f64; 2]>,
@@ -25,7 +25,7 @@ pub struct Profile {
 }
 
 impl Profile {
-    pub fn of(profile: &[[f64; 2]]) -> Profile {
+    pub(super) fn of(profile: &[[f64; 2]]) -> Profile {
         let ring = profile.first() == profile.last();
         let mut points: Vec<[f64; 2]> = Vec::with_capacity(profile.len() + 2);
         let mut places = Vec::with_capacity(profile.len());
@@ -66,7 +66,7 @@ impl Profile {
         }
     }
 
-    pub fn lathe(&self) -> Primitive {
+    pub(super) fn lathe(&self) -> Primitive {
         let size = self
             .points
             .iter()
@@ -90,7 +90,7 @@ impl Profile {
 
     /// A pattern over the profile, to follow `uv_mapping`: the lathe's own measure with the value
     /// at each point of the scene's profile, linear between them; discs have their point's.
-    pub fn pattern(&self, values: &[String]) -> String {
+    pub(super) fn pattern(&self, values: &[String]) -> String {
         let segments = (self.points.len() - 1).max(1) as f64;
         let mut entries = Vec::with_capacity(values.len() + 2);
         for (place, value) in self.places.iter().zip(values) {
@@ -104,7 +104,7 @@ impl Profile {
     }
 
     /// The arc length along the profile as such a pattern, in grey.
-    pub fn arc_pattern(&self) -> String {
+    pub(super) fn arc_pattern(&self) -> String {
         let values: Vec<String> = self
             .arc
             .iter()
@@ -113,7 +113,7 @@ impl Profile {
         self.pattern(&values)
     }
 
-    pub fn colour_pattern(&self, colours: &[Rgb], write: impl Fn(&Rgb) -> String) -> String {
+    pub(super) fn colour_pattern(&self, colours: &[Rgb], write: impl Fn(&Rgb) -> String) -> String {
         let values: Vec<String> = colours.iter().map(write).collect();
         self.pattern(&values)
     }

@@ -11,13 +11,13 @@ use crate::scene::{Geometry, TriangleNormals, Vec3};
 
 /// A primitive in the shape's own coordinates: a keyword, and what stands between its braces, one
 /// line each.
-pub struct Primitive {
+pub(super) struct Primitive {
     pub keyword: &'static str,
     pub lines: Vec<String>,
 }
 
 impl Primitive {
-    pub fn new(keyword: &'static str, line: String) -> Primitive {
+    pub(super) fn new(keyword: &'static str, line: String) -> Primitive {
         Primitive {
             keyword,
             lines: vec![line],
@@ -25,12 +25,12 @@ impl Primitive {
     }
 
     /// All of it on one line.
-    pub fn line(&self) -> String {
+    pub(super) fn line(&self) -> String {
         format!("{} {{ {} }}", self.keyword, self.lines.join(" "))
     }
 
     /// Scaled at the end.
-    pub fn scaled(mut self, factor: f64) -> Primitive {
+    pub(super) fn scaled(mut self, factor: f64) -> Primitive {
         if factor != 1.0 {
             self.lines.push(format!("scale {}", number(factor)));
         }
@@ -39,7 +39,7 @@ impl Primitive {
 }
 
 /// The primitive that is the shape.
-pub fn primitive(geometry: &Geometry) -> Primitive {
+pub(super) fn primitive(geometry: &Geometry) -> Primitive {
     // Divided twice, so that no square leaves the numbers' range.
     let inverse = |a: f64| 1.0 / a / a;
     match geometry {
@@ -108,7 +108,7 @@ pub fn primitive(geometry: &Geometry) -> Primitive {
 }
 
 /// The surface coordinates of a point on the shape.
-pub fn coordinates(geometry: &Geometry) -> uv::Coordinates {
+pub(super) fn coordinates(geometry: &Geometry) -> uv::Coordinates {
     let [u, v] = match geometry {
         Geometry::Sphere { centre, radius } => {
             let [x, y, z] = uv::from_centre(*centre);
@@ -200,7 +200,7 @@ fn torus(major: f64, minor: f64) -> Primitive {
 
 /// The power of two by which something of this size is written smaller, so that POV-Ray's absolute
 /// tolerances fit; 1 where they fit anyway.
-pub fn size_unit(size: f64) -> f64 {
+pub(super) fn size_unit(size: f64) -> f64 {
     // Where tolerances of 1e-6 to 1e-3 are below what is seen, and fourth powers keep their digits.
     const FITTING: std::ops::RangeInclusive<f64> = 0.25..=64.0;
     if FITTING.contains(&size) || !(size > 0.0 && size.is_finite()) {
@@ -220,7 +220,7 @@ fn geodesic_name(splits: u32) -> String {
 }
 
 /// The macro that makes geodesic spheres, and those with the given numbers of splits.
-pub fn geodesics(out: &mut dyn Write, splits: &BTreeSet<u32>) -> Result {
+pub(super) fn geodesics(out: &mut dyn Write, splits: &BTreeSet<u32>) -> Result {
     if !splits.is_empty() {
         out.write_str(GEODESIC)?;
     }

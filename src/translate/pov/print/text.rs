@@ -5,7 +5,7 @@ use std::fmt::{self, Write};
 use crate::geometry::Matrix;
 
 /// The shortest decimal that reads back as the same number.
-pub fn number(x: f64) -> String {
+pub(crate) fn number(x: f64) -> String {
     let size = x.abs();
     if x == 0.0 {
         "0".to_owned()
@@ -18,13 +18,13 @@ pub fn number(x: f64) -> String {
 }
 
 /// `<1, 2, 3>`.
-pub fn vector(v: &[f64]) -> String {
+pub(crate) fn vector(v: &[f64]) -> String {
     let parts: Vec<String> = v.iter().map(|x| number(*x)).collect();
     format!("<{}>", parts.join(", "))
 }
 
 /// `rgb 0.5` or `rgb <1, 0, 0>`.
-pub fn rgb(c: [f64; 3]) -> String {
+pub(crate) fn rgb(c: [f64; 3]) -> String {
     if c[0] == c[1] && c[1] == c[2] {
         format!("rgb {}", number(c[0]))
     } else {
@@ -33,7 +33,7 @@ pub fn rgb(c: [f64; 3]) -> String {
 }
 
 /// A matrix of ours acts on columns, POV-Ray's on rows: the transpose, without its last column.
-pub fn matrix(m: &Matrix) -> String {
+pub(crate) fn matrix(m: &Matrix) -> String {
     let r = &m.0;
     let columns: Vec<String> = (0..4)
         .map(|j| {
@@ -45,7 +45,7 @@ pub fn matrix(m: &Matrix) -> String {
 }
 
 /// A matrix as people would write it where it only scales, turns about an axis, and moves.
-pub fn transformation(m: &Matrix) -> String {
+pub(crate) fn transformation(m: &Matrix) -> String {
     let r = &m.0;
     let way = [r[0][3], r[1][3], r[2][3]];
     let straight = (0..3).all(|i| (0..3).all(|j| i == j || r[i][j] == 0.0));
@@ -96,39 +96,39 @@ fn scaled_and_turned(m: &Matrix) -> Option<([f64; 3], f64, usize)> {
 }
 
 /// Indented lines on their way to a stream.
-pub struct Page<'w> {
+pub(crate) struct Page<'w> {
     out: &'w mut dyn Write,
     depth: usize,
 }
 
 impl<'w> Page<'w> {
-    pub fn new(out: &'w mut dyn Write) -> Page<'w> {
+    pub(crate) fn new(out: &'w mut dyn Write) -> Page<'w> {
         Page { out, depth: 0 }
     }
 
     /// A whole line.
-    pub fn line(&mut self, text: fmt::Arguments) -> fmt::Result {
+    pub(crate) fn line(&mut self, text: fmt::Arguments) -> fmt::Result {
         self.begin()?;
         self.out.write_fmt(text)?;
         self.end(None)
     }
 
-    pub fn blank(&mut self) -> fmt::Result {
+    pub(crate) fn blank(&mut self) -> fmt::Result {
         self.out.write_char('\n')
     }
 
     /// The indentation of a line.
-    pub fn begin(&mut self) -> fmt::Result {
+    pub(crate) fn begin(&mut self) -> fmt::Result {
         (0..self.depth).try_for_each(|_| self.out.write_str("  "))
     }
 
     /// A part of a line.
-    pub fn write(&mut self, text: &str) -> fmt::Result {
+    pub(crate) fn write(&mut self, text: &str) -> fmt::Result {
         self.out.write_str(text)
     }
 
     /// Ends a line, after a comment.
-    pub fn end(&mut self, comment: Option<&str>) -> fmt::Result {
+    pub(crate) fn end(&mut self, comment: Option<&str>) -> fmt::Result {
         match comment {
             Some(comment) => writeln!(self.out, " // {comment}"),
             None => self.out.write_char('\n'),
@@ -136,7 +136,7 @@ impl<'w> Page<'w> {
     }
 
     /// Lines that are indented by one step more.
-    pub fn indented(&mut self, print: impl FnOnce(&mut Self) -> fmt::Result) -> fmt::Result {
+    pub(crate) fn indented(&mut self, print: impl FnOnce(&mut Self) -> fmt::Result) -> fmt::Result {
         self.depth += 1;
         let printed = print(self);
         self.depth -= 1;

@@ -15,7 +15,7 @@ use crate::scene::{CELL_NUDGE, Geometry, Rgb};
 use crate::translate::pov::tree::{Pattern, Texture, Tree};
 
 /// Prints the declarations of all images and textures.
-pub fn print(out: &mut dyn Write, tree: &Tree) -> Result {
+pub(super) fn print(out: &mut dyn Write, tree: &Tree) -> Result {
     for (i, image) in tree.images.iter().enumerate() {
         writeln!(
             out,

@@ -6,37 +6,37 @@ use crate::geometry::array::{cross, dot, length};
 use crate::scene::Vec3;
 
 /// u and v as functions of (x, y, z): of a point, and for a lathe, of what `uv_mapping` makes of it.
-pub struct Coordinates {
+pub(super) struct Coordinates {
     pub u: String,
     pub v: Along,
 }
 
 /// How v is said.
-pub enum Along {
+pub(super) enum Along {
     Expression(String),
     /// The red of a pigment.
     Pattern(String),
 }
 
 /// The distance from the y axis.
-pub const RHO: &str = "sqrt(x*x + z*z)";
+pub(super) const RHO: &str = "sqrt(x*x + z*z)";
 
 /// The angle about the y axis, from 0 to 1: never negative.
-pub fn turn(x: &str, z: &str) -> String {
+pub(super) fn turn(x: &str, z: &str) -> String {
     format!("select(-{z}, 1, 0) + atan2(-{z}, {x})/(2*pi)")
 }
 
-pub fn around() -> String {
+pub(super) fn around() -> String {
     turn("x", "z")
 }
 
 /// acos(−height)/π.
-pub fn polar(height: &str) -> String {
+pub(super) fn polar(height: &str) -> String {
     format!("acos(max(-1, min(1, -{height})))/pi")
 }
 
 /// The angle in the tube. The lemon of a tube wider than its ring lies beyond the axis.
-pub fn tube(major: f64, minor: f64) -> String {
+pub(super) fn tube(major: f64, minor: f64) -> String {
     let ring = number(major);
     let across = if minor > major {
         let square = number(minor * minor);
@@ -54,13 +54,13 @@ pub fn tube(major: f64, minor: f64) -> String {
 
 /// On the sides ρ/r is |y|/h, on the discs it is less. What is added lets
 /// the sides win where both are the same but for rounding, and takes the outermost millionth from a disc.
-pub fn double_cone(height: f64, radius: f64) -> String {
+pub(super) fn double_cone(height: f64, radius: f64) -> String {
     let (h, r) = (number(height), number(radius));
     format!("select({RHO}/{r} - abs(y)/{h} + 1e-6, {RHO}/{r}, 0.5 + 0.5*y/{h})")
 }
 
 /// The barycentric weights of the second and third vertex.
-pub fn weights([a, b, c]: &[Vec3; 3]) -> [String; 2] {
+pub(super) fn weights([a, b, c]: &[Vec3; 3]) -> [String; 2] {
     let size = [b, c]
         .iter()
         .flat_map(|p| (0..3).map(|i| (p[i] - a[i]).abs()))
@@ -96,12 +96,12 @@ fn minus(axis: &str, c: f64) -> String {
     }
 }
 
-pub fn from_centre(c: Vec3) -> [String; 3] {
+pub(super) fn from_centre(c: Vec3) -> [String; 3] {
     [minus("x", c[0]), minus("y", c[1]), minus("z", c[2])]
 }
 
 /// From 0 at `min` to 1 at `max`.
-pub fn along(axis: &str, min: f64, max: f64) -> String {
+pub(super) fn along(axis: &str, min: f64, max: f64) -> String {
     let length = max - min;
     if length > 0.0 {
         format!("{}/{}", minus(axis, min), number(length))
@@ -111,7 +111,7 @@ pub fn along(axis: &str, min: f64, max: f64) -> String {
 }
 
 /// The face is the one that the point is farthest out on, as a part of the box's half-width.
-pub fn box_faces(min: Vec3, max: Vec3) -> [String; 2] {
+pub(super) fn box_faces(min: Vec3, max: Vec3) -> [String; 2] {
     let axes = ["x", "y", "z"];
     let out: [String; 3] = std::array::from_fn(|i| {
         let half = (max[i] - min[i]) / 2.0;
@@ -146,7 +146,7 @@ pub fn box_faces(min: Vec3, max: Vec3) -> [String; 2] {
 }
 
 /// Lengths along ŷ × n and n × that, from the point nearest the origin.
-pub fn plane(p: &[f64; 4]) -> [String; 2] {
+pub(super) fn plane(p: &[f64; 4]) -> [String; 2] {
     let largest = p[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let p = [p[0] / largest, p[1] / largest, p[2] / largest];
     let far = length(p);

@@ -12,7 +12,7 @@ use crate::translate::pov::model::materials::Material;
 
 /// For each such shape that stands in one place: whether its normals have to be turned to the eye's
 /// side.
-pub fn backward(scene: &Scene, facts: &[Material], eye: Vec3) -> HashMap<u32, bool> {
+pub(crate) fn backward(scene: &Scene, facts: &[Material], eye: Vec3) -> HashMap<u32, bool> {
     let eyes = mirrored(scene, V::from(eye));
     if !scene
         .shapes
@@ -49,7 +49,7 @@ pub fn backward(scene: &Scene, facts: &[Material], eye: Vec3) -> HashMap<u32, bo
 }
 
 /// For each node whether it is made of any such shape; nothing where there are none.
-pub fn holders(scene: &Scene, facts: &[Material], turned: &HashMap<u32, bool>) -> Vec<bool> {
+pub(crate) fn holders(scene: &Scene, facts: &[Material], turned: &HashMap<u32, bool>) -> Vec<bool> {
     if turned.is_empty() {
         return Vec::new();
     }
@@ -122,7 +122,7 @@ fn turns(
 }
 
 /// A triangle with its normals on the other side.
-pub fn with_normals_turned(geometry: &Geometry) -> Option<Geometry> {
+pub(crate) fn with_normals_turned(geometry: &Geometry) -> Option<Geometry> {
     let Geometry::Triangle { vertices, normals } = geometry else {
         return None;
     };

@@ -22,7 +22,7 @@ const EDGE_REL_OVERLAP: f64 = 1e-9;
 const SURFACE_REL_EPS: f64 = 1e-12;
 
 /// A face of an operand, in the coordinates of the operation.
-pub struct Face {
+pub(crate) struct Face {
     surface: Surface,
     /// The solid lies inside of the shape that has the face; it is no hole.
     pub is_outer: bool,
@@ -45,7 +45,7 @@ enum Surface {
 
 /// How two faces in one place lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Contact {
+pub(crate) enum Contact {
     /// Both solids are on one side of it.
     Alike,
     /// One ends where the other begins.
@@ -53,7 +53,7 @@ pub enum Contact {
 }
 
 impl Face {
-    pub fn plane(&self) -> Option<Plane> {
+    pub(crate) fn plane(&self) -> Option<Plane> {
         match self.surface {
             Surface::Flat(plane) => Some(plane),
             _ => None,
@@ -61,7 +61,7 @@ impl Face {
     }
 
     /// How another face lies in this one, if it does.
-    pub fn contact(&self, other: &Face) -> Option<Contact> {
+    pub(crate) fn contact(&self, other: &Face) -> Option<Contact> {
         let ends = [&self.around, &other.around];
         let ends = ends.into_iter().flat_map(|b| [b.min, b.max]).flatten();
         let size = (ends.filter(|x| x.is_finite())).fold(0.0f64, |m, x| m.max(x.abs()));
@@ -112,7 +112,7 @@ impl Face {
 }
 
 /// The faces of two solids that are in one place.
-pub fn contacts<'f>(
+pub(super) fn contacts<'f>(
     a: &'f [Face],
     b: &'f [Face],
 ) -> impl Iterator<Item = (Contact, [&'f Face; 2])> {
@@ -122,12 +122,12 @@ pub fn contacts<'f>(
 
 impl Model<'_> {
     /// The faces of the solids that a node is made of, as far as these are looked at.
-    pub fn faces_of(&mut self, node: NodeId) -> Vec<Face> {
+    pub(crate) fn faces_of(&mut self, node: NodeId) -> Vec<Face> {
         self.faces_of_layer(node, Layer::Solid)
     }
 
     /// The faces of the solids, of the surfaces, or of both.
-    pub fn faces_of_layer(&mut self, node: NodeId, layer: Layer) -> Vec<Face> {
+    pub(crate) fn faces_of_layer(&mut self, node: NodeId, layer: Layer) -> Vec<Face> {
         let own = self.box_of(node);
         let mut faces = Vec::new();
         let mut todo = vec![(node, Matrix::IDENTITY, true)];

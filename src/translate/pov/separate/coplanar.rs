@@ -27,7 +27,7 @@ struct Flat {
 impl Model<'_> {
     /// Changes parts of a union so that of several faces in one plane the right one is seen. `kinds` are
     /// what the parts are made of.
-    pub fn level(&mut self, parts: &mut [(NodeId, State)], kinds: &[Kind]) {
+    pub(crate) fn level(&mut self, parts: &mut [(NodeId, State)], kinds: &[Kind]) {
         if parts.len() > MAX_PARTS {
             return self.budget_is_spent();
         }

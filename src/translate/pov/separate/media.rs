@@ -29,7 +29,7 @@ const LOOKS: usize = 16;
 const MAX_REWRITTEN_PARTS: usize = 1 << 18;
 
 /// Operands of a union that are one medium.
-pub struct Members {
+pub(crate) struct Members {
     /// Optics and index; `None` where the one operand is of several media by itself.
     pub medium: Option<(u32, u32)>,
     pub nodes: Operands,
@@ -42,7 +42,7 @@ pub struct Members {
 
 impl Members {
     /// The operation that joins them.
-    pub fn kind(&self) -> Operation {
+    pub(crate) fn kind(&self) -> Operation {
         match self.seen_into && self.nodes.len() > 1 && meet_each_other(&self.boxes) {
             true => Operation::Merge,
             false => Operation::Union,
@@ -63,7 +63,7 @@ enum InterfaceLook {
 
 /// Two groups of a union that touch, by position.
 #[derive(Debug, Clone, Copy)]
-pub struct Meeting {
+pub(crate) struct Meeting {
     pub earlier: usize,
     later: usize,
     /// The later one ends a hair within the earlier one.
@@ -72,7 +72,7 @@ pub struct Meeting {
 }
 
 /// All meetings.
-pub struct Meetings {
+pub(crate) struct Meetings {
     /// Ordered by the later of the two.
     all: Vec<Meeting>,
     /// By the earlier one those whose faces have two sides.
@@ -97,13 +97,13 @@ impl Meetings {
     }
 
     /// The groups within which one ends, so that it is a hair behind their faces.
-    pub fn around(&self, later: usize) -> impl Iterator<Item = usize> {
+    pub(crate) fn around(&self, later: usize) -> impl Iterator<Item = usize> {
         let apart = self.of_later(later).iter().filter(|m| m.apart);
         apart.map(|m| m.earlier)
     }
 
     /// The meetings of a group with the groups that come before it.
-    pub fn of_later(&self, later: usize) -> &[Meeting] {
+    pub(crate) fn of_later(&self, later: usize) -> &[Meeting] {
         let from = self.all.partition_point(|m| m.later < later);
         let to = self.all.partition_point(|m| m.later <= later);
         &self.all[from..to]
@@ -126,7 +126,11 @@ impl InterfaceLook {
 
 impl<'a> Model<'a> {
     /// The groups of a union that touch, and how the faces between them are seen.
-    pub fn meetings(&mut self, groups: &mut [Members], reaching: &SolidExtensions) -> Meetings {
+    pub(crate) fn meetings(
+        &mut self,
+        groups: &mut [Members],
+        reaching: &SolidExtensions,
+    ) -> Meetings {
         let mut meetings = Vec::new();
         let mut smaller = vec![None; groups.len()];
         let mut looks = vec![None; groups.len()];
@@ -207,7 +211,7 @@ impl<'a> Model<'a> {
     }
 
     /// The face that a group has within earlier ones, a hair behind theirs, but not within opaque ones.
-    pub fn skin(
+    pub(crate) fn skin(
         &mut self,
         groups: &[Members],
         meetings: &Meetings,
@@ -248,7 +252,7 @@ impl<'a> Model<'a> {
 
     /// The outer sides of the faces that a group has within later ones, whose skins are its inner sides there;
     /// and what to keep of the rest of it.
-    pub fn outer_sides(
+    pub(crate) fn outer_sides(
         &mut self,
         groups: &[Members],
         meetings: &Meetings,
@@ -367,7 +371,7 @@ impl<'a> Model<'a> {
     }
 
     /// Keeps of an object what no operand of a group holds.
-    pub fn outside_of(
+    pub(crate) fn outside_of(
         &mut self,
         group: &Members,
         reaching: &SolidExtensions,
@@ -377,7 +381,11 @@ impl<'a> Model<'a> {
     }
 
     /// The solids of a group, longer as they are where later ones are clipped by them.
-    pub fn longer(&mut self, group: &Members, reaching: &SolidExtensions) -> Vec<Object<'a>> {
+    pub(crate) fn longer(
+        &mut self,
+        group: &Members,
+        reaching: &SolidExtensions,
+    ) -> Vec<Object<'a>> {
         // What is within something opaque is not seen anyway, but for faces that are in one place with its.
         let members: Vec<_> = (group.nodes.iter())
             .map(|(node, _)| (*node, State::GEOMETRY.flush(reaching.of(*node))))
@@ -387,7 +395,7 @@ impl<'a> Model<'a> {
     }
 
     /// The bare solids of a group, changed.
-    pub fn bare(
+    pub(crate) fn bare(
         &mut self,
         group: &Members,
         change: impl Fn(NodeId, State) -> Option<u32>,
@@ -399,7 +407,7 @@ impl<'a> Model<'a> {
     }
 
     /// Says what two overlapping media cost.
-    pub fn overlap(&mut self, earlier: &Members, later: &Members) {
+    pub(crate) fn overlap(&mut self, earlier: &Members, later: &Members) {
         let index = |g: &Members| g.medium.map(|(_, index)| index);
         // What is opaque, or bends no light by itself, is no medium to POV-Ray.
         if index(later) != Some(DEFAULT) && later.transparent {
@@ -416,7 +424,7 @@ impl<'a> Model<'a> {
 }
 
 /// Neighbours of parts of a union, which are groups by position.
-pub struct Neighbours {
+pub(crate) struct Neighbours {
     /// By two groups, the earlier one first, those of their solids that lie against each other.
     contacts: BTreeMap<(usize, usize), Vec<(NodeId, NodeId)>>,
     /// For each group the opaque ones before it that it touches.
@@ -427,7 +435,7 @@ pub struct Neighbours {
 
 impl Neighbours {
     /// Builds the neighbours of groups from the pairs of those that touch.
-    pub fn of(
+    pub(crate) fn of(
         groups: &[Members],
         pairs: &[(usize, usize)],
         reaching: &SolidExtensions,
@@ -466,7 +474,7 @@ impl Neighbours {
 impl<'a> Model<'a> {
     /// The parts that are not a group's although they would be behind the faces of those within which it ends: opaque
     /// groups there, and the places where those lie against each other, or against what is opaque.
-    pub fn owned_by_neighbours(
+    pub(crate) fn owned_by_neighbours(
         &mut self,
         groups: &[Members],
         meetings: &Meetings,
@@ -521,7 +529,7 @@ impl<'a> Model<'a> {
 
     /// The layers along the faces where solids of one group lie against each other: what is a hair smaller than
     /// each of them leaves these out.
-    pub fn joints(&mut self, neighbours: &Neighbours, group: usize) -> Vec<Object<'a>> {
+    pub(crate) fn joints(&mut self, neighbours: &Neighbours, group: usize) -> Vec<Object<'a>> {
         let contacts = neighbours.contacts.get(&(group, group));
         let pairs = contacts.into_iter().flatten();
         pairs.filter_map(|(a, b)| self.contact(*a, *b)).collect()

@@ -19,7 +19,7 @@ use crate::translate::pov::model::tables::DEFAULT;
 use crate::translate::pov::tree::{Body, Object, Operation};
 
 /// For each node whether any flat surface is in it.
-pub fn holders(scene: &Scene) -> Vec<bool> {
+pub(crate) fn holders(scene: &Scene) -> Vec<bool> {
     fold_up(&scene.nodes, |_, node, holds| match node {
         Node::Shape(shape) => scene.shapes[shape as usize].geometry.character().is_flat,
         node => node.children().any(|child| holds[child as usize]),
@@ -28,7 +28,11 @@ pub fn holders(scene: &Scene) -> Vec<bool> {
 
 impl Model<'_> {
     /// The change of a surface that makes a plate of it, if light goes through it and what is around it.
-    pub fn plate(&mut self, (node, state): (NodeId, State), groups: &[Members]) -> Option<u32> {
+    pub(crate) fn plate(
+        &mut self,
+        (node, state): (NodeId, State),
+        groups: &[Members],
+    ) -> Option<u32> {
         let holds = self.holds_sheets.get(node as usize) == Some(&true);
         if !holds || !self.is_transparent(node, state.look) {
             return None;
@@ -53,7 +57,7 @@ impl Model<'_> {
 }
 
 /// A flat surface as a plate, so far from it on both sides.
-pub fn plate<'a>(geometry: &Geometry, by: f64) -> Option<Body<'a>> {
+pub(crate) fn plate<'a>(geometry: &Geometry, by: f64) -> Option<Body<'a>> {
     let shape = |geometry: Geometry| Body::Shape(Cow::Owned(geometry));
     Some(match geometry {
         Geometry::Rectangle { min, max } => shape(Geometry::Box {

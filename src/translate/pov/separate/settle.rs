@@ -14,14 +14,14 @@ use crate::translate::pov::model::state::State;
 const MAX_SOLIDS: usize = 512;
 
 /// Operands of an operation.
-pub type Operands = Vec<(NodeId, State)>;
+pub(crate) type Operands = Vec<(NodeId, State)>;
 
 /// The optics and index of a solid, if it is of one medium, and whether faces inside of it can be seen.
-pub type Kind = (Option<(u32, u32)>, bool);
+pub(crate) type Kind = (Option<(u32, u32)>, bool);
 
 /// The solids that are longer where later ones are clipped by them.
 #[derive(Default)]
-pub struct SolidExtensions {
+pub(crate) struct SolidExtensions {
     /// The numbers of their changes.
     by: HashMap<NodeId, u32>,
     /// Each with those that it is made longer into.
@@ -32,17 +32,17 @@ pub struct SolidExtensions {
 
 impl SolidExtensions {
     /// Whether any of a group is made longer.
-    pub fn any_of(&self, group: &[(NodeId, State)]) -> bool {
+    pub(crate) fn any_of(&self, group: &[(NodeId, State)]) -> bool {
         group.iter().any(|(node, _)| self.by.contains_key(node))
     }
 
     /// The change of a solid where later ones are clipped by it.
-    pub fn of(&self, node: NodeId) -> Option<u32> {
+    pub(crate) fn of(&self, node: NodeId) -> Option<u32> {
         self.by.get(&node).copied()
     }
 
     /// Whether any of a group is made longer into any of a later one.
-    pub fn has(&self, earlier: &[(NodeId, State)], later: &[(NodeId, State)]) -> bool {
+    pub(crate) fn has(&self, earlier: &[(NodeId, State)], later: &[(NodeId, State)]) -> bool {
         let mut earlier = earlier.iter().map(|n| n.0);
         let later = || later.iter().map(|n| n.0);
         !self.into.is_empty() && earlier.any(|a| later().any(|b| self.into.contains(&(a, b))))
@@ -51,7 +51,7 @@ impl SolidExtensions {
 
 impl<'a> Model<'a> {
     /// The kinds of solids, and which of them are longer, once they are settled.
-    pub fn settled(&mut self, solids: &mut Operands) -> (Vec<Kind>, SolidExtensions) {
+    pub(crate) fn settled(&mut self, solids: &mut Operands) -> (Vec<Kind>, SolidExtensions) {
         let mut kinds: Vec<Kind> = (solids.iter())
             .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
             .collect();
@@ -142,7 +142,7 @@ impl<'a> Model<'a> {
 
     /// The change of a solid that others are clipped by, so that they lose the faces that they have in one
     /// place with it.
-    pub fn reach(&mut self, node: NodeId, others: &[NodeId]) -> Option<u32> {
+    pub(crate) fn reach(&mut self, node: NodeId, others: &[NodeId]) -> Option<u32> {
         let own = self.faces_of(node);
         let by = 2.0 * self.hair;
         let touches = (others.iter()).any(|o| contacts(&own, &self.faces_of(*o)).next().is_some());

@@ -18,7 +18,7 @@ const MAX_OPERANDS: usize = 256;
 
 impl Model<'_> {
     /// The number of the change of a tool that makes it longer where it ends flush with what is cut.
-    pub fn longer_tool(&mut self, tool: NodeId, base: NodeId) -> Option<u32> {
+    pub(crate) fn longer_tool(&mut self, tool: NodeId, base: NodeId) -> Option<u32> {
         let (tool, base) = (self.faces_of(tool), self.faces_of(base));
         let by = LONGER * self.hair;
         let planes = contacts(&tool, &base).filter_map(|(contact, [face, _])| {
@@ -30,7 +30,7 @@ impl Model<'_> {
     }
 
     /// Makes tools longer that end where others begin: they would leave a skin there.
-    pub fn overlap_tools(&mut self, tools: &mut [(NodeId, State)], cut: Aabb) {
+    pub(crate) fn overlap_tools(&mut self, tools: &mut [(NodeId, State)], cut: Aabb) {
         if tools.len() > MAX_OPERANDS {
             return self.budget_is_spent();
         }
@@ -50,7 +50,7 @@ impl Model<'_> {
     }
 
     /// Makes the holes in operands of an intersection longer where they end flush with other operands.
-    pub fn longer_holes(&mut self, operands: &mut [(NodeId, State)]) {
+    pub(crate) fn longer_holes(&mut self, operands: &mut [(NodeId, State)]) {
         if operands.len() > MAX_OPERANDS {
             return self.budget_is_spent();
         }

@@ -7,7 +7,7 @@ use crate::trace::shapes::quad_double::is_last;
 
 /// A crossing of the line with one segment.
 #[derive(Debug, Clone, Copy)]
-pub struct Cut<R> {
+pub(crate) struct Cut<R> {
     pub tau: R,
     /// Bound on the error of τ.
     pub error: R,
@@ -17,7 +17,7 @@ pub struct Cut<R> {
 
 /// The crossings of a line with one segment, not in order.
 #[derive(Debug, Clone, Copy)]
-pub struct Cuts<R> {
+pub(crate) struct Cuts<R> {
     pub list: [Option<Cut<R>>; 2],
     pub uncertain: bool,
 }
@@ -36,7 +36,7 @@ impl<R: Traced> Path<R> {
     ///
     /// of which every difference is one of two products (Kahan's algorithm). The root at which the
     /// line goes in is (−b − √)/a and the other one (−b + √)/a, whatever the sign of a.
-    pub fn segment(&self, first: &Ring<R>, second: &Ring<R>) -> Cuts<R> {
+    pub(crate) fn segment(&self, first: &Ring<R>, second: &Ring<R>) -> Cuts<R> {
         let mut cuts = Cuts {
             list: [None; 2],
             uncertain: false,
@@ -208,7 +208,7 @@ impl<R: Traced> Path<R> {
     /// The line that is meant has an f that is off by `noise` at most. Where f keeps half of its
     /// slope as far as 2·noise/|slope|, it has a root no farther than that. The slope changes with
     /// ρ″ = across²·δ²/ρ³, and with the direction.
-    pub fn closer_error(&self, cut: Cut<R>, first: &Ring<R>, second: &Ring<R>) -> R {
+    pub(crate) fn closer_error(&self, cut: Cut<R>, first: &Ring<R>, second: &Ring<R>) -> R {
         let (low, high) = if first.y < second.y {
             (first, second)
         } else {
@@ -294,7 +294,7 @@ impl<R: Traced> Path<R> {
     }
 
     /// A bound on the error of a crossing's t, with a division, a sum and a product.
-    pub fn t_error(&self, cut: Cut<R>) -> R {
+    pub(crate) fn t_error(&self, cut: Cut<R>) -> R {
         let rounded = R::gamma(4) * (self.start.abs() + cut.tau.abs() / self.length);
         (cut.error / self.length + rounded) * self.unit.abs()
     }
