@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// The scene and the settings that a picture was drawn with, as hashes, and the rows of it that the file has.
 ///
-/// It is JSON: in a PNG as the text `zpg`, in an EXR as the attribute `zpg`.
+/// The origin is JSON: in a PNG as the text `zpg`, in an EXR as the attribute `zpg`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Origin {
     /// The version of zpg.

@@ -25,7 +25,7 @@ type Rows<'r> = &'r mut dyn Iterator<Item = io::Result<Row>>;
 ///
 /// # Errors
 ///
-/// Those of the rows and of writing. Rows of sRGB for an EXR, and too few or too many rows, are errors as well.
+/// The errors of the rows and of writing. Rows of sRGB for an EXR, and too few or too many rows, are errors as well.
 pub fn write(format: Format, out: &mut dyn Write, origin: &Origin, rows: Rows) -> io::Result<()> {
     match format {
         Format::Png => write_png(out, origin, rows),

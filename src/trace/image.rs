@@ -21,8 +21,8 @@ impl Images {
     ///
     /// # Errors
     ///
-    /// What is wrong with the first picture that cannot be used: it lies elsewhere, it cannot be
-    /// decoded, or it is larger than [`MAX_SIDE`] or, with those before, [`MAX_BYTES`].
+    /// The first picture that cannot be used is the finding: it lies elsewhere, it cannot be decoded, or it is larger
+    /// than [`MAX_SIDE`] or, with those before, [`MAX_BYTES`].
     pub fn load(scene: &Scene, folder: &Path) -> Result<Images, Box<Diagnostic>> {
         let mut images = Images::default();
         let mut left = MAX_BYTES;

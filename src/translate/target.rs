@@ -47,7 +47,7 @@ pub trait Target: fmt::Debug + Sync {
     ///
     /// # Errors
     ///
-    /// What in the scene or in the request has no translation.
+    /// A part of the scene or of the request has no translation.
     fn write(&self, scene: &Prepared, options: &Options) -> Result<Output, Error>;
 }
 
@@ -90,7 +90,7 @@ impl<'a> Prepared<'a> {
     ///
     /// # Errors
     ///
-    /// What in it cannot be drawn, or a picture that cannot be read.
+    /// A part of the scene cannot be drawn, or a picture cannot be read.
     pub fn tracer(&self) -> Result<&Tracer, Error> {
         if let Some(tracer) = self.tracer.get() {
             return Ok(tracer);

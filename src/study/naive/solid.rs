@@ -60,7 +60,7 @@ pub struct Solids<'s, T> {
 impl<'s, T: Number> Solids<'s, T> {
     /// # Errors
     ///
-    /// What is too much for it.
+    /// The scene is too much for it.
     pub fn new(scene: &'s Scene) -> Result<Solids<'s, T>, Unfit> {
         let render = scene.render.ok_or(Unfit::NothingDrawn)?;
         let mut build = Build {

@@ -11,7 +11,7 @@ use crate::diagnostics::Complaint;
 ///
 /// # Errors
 ///
-/// What is wrong with it, and where.
+/// The text is no scene in JSON: the fault, and its place.
 pub fn read(text: &str) -> Result<Scene, Unreadable> {
     // Some programs put a byte order mark in front.
     let json = text.strip_prefix('\u{feff}').unwrap_or(text);

@@ -54,8 +54,7 @@ impl Mul<f64> for Tag {
 /// Combines two closed meshes; triangles keep their labels. May be empty.
 ///
 /// # Errors
-/// What came out was not closed, or had a volume that cannot be; also with one of the two moved by
-/// less than matters.
+/// The result was not closed, or had a volume that cannot be; also with one of the two moved by less than matters.
 pub(super) fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed> {
     let (of_a, of_b) = (a.volume(), b.volume());
     let size = a.bounds().radius().max(b.bounds().radius());

@@ -45,7 +45,7 @@ impl Parts {
     /// others stay as they are, and so do those that are too many.
     ///
     /// # Errors
-    /// It takes too long.
+    /// The work takes too long.
     pub fn join_by<K: Ord>(
         &mut self,
         kind: impl Fn(usize, &MeshPart) -> Option<K>,

@@ -55,7 +55,7 @@ pub(super) struct Unions {
 impl Unions {
     /// Everything that is a part of a union and whose properties show.
     ///
-    /// What cannot be seen is left out: nothing in the picture depends on it.
+    /// Operands that cannot be seen are left out: nothing in the picture depends on them.
     pub(super) fn new(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Unions {
         let left_out = match scene.render {
             Some(render) => unseen::find(scene, render.root).left_out,

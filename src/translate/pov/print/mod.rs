@@ -26,7 +26,7 @@ const EVERYWHERE: &str = "\
 /// Prints a file for a camera, or for two with a switch.
 ///
 /// # Errors
-/// Those of the stream.
+/// The errors of the stream.
 pub(super) fn print(out: &mut dyn Write, document: &Document, lenses: &[Lens]) -> Result {
     header(out, document, lenses)?;
     settings(out, document)?;
