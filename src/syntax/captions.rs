@@ -22,8 +22,8 @@ pub struct Captions {
     ids: HashMap<u32, (u32, bool)>,
 }
 
-/// Longer comments are cut off.
-const LONGEST: usize = 72;
+/// Most characters of a comment; a longer one is cut off.
+const MAX_CAPTION_CHARS: usize = 72;
 
 /// What the walk along the tokens has come across.
 #[derive(Default)]
@@ -197,9 +197,9 @@ fn said(token: &Token, text: &str) -> Option<String> {
 }
 
 fn shortened(text: String) -> String {
-    match text.char_indices().nth(LONGEST) {
+    match text.char_indices().nth(MAX_CAPTION_CHARS) {
         Some(_) => {
-            let cut: String = text.chars().take(LONGEST - 1).collect();
+            let cut: String = text.chars().take(MAX_CAPTION_CHARS - 1).collect();
             cut.trim_end().to_owned() + "…"
         }
         None => text,
@@ -262,8 +262,8 @@ mod tests {
     #[test]
     fn long_comments_are_cut() {
         let all = captions(&format!("2 9 1 # {} #\n", "ž".repeat(500)));
-        assert_eq!(all.get(2).unwrap().chars().count(), LONGEST);
+        assert_eq!(all.get(2).unwrap().chars().count(), MAX_CAPTION_CHARS);
         let all = captions(&format!("0 # {} #\n\n2 9 1\n", "ž".repeat(500)));
-        assert_eq!(all.title().unwrap().chars().count(), LONGEST);
+        assert_eq!(all.title().unwrap().chars().count(), MAX_CAPTION_CHARS);
     }
 }

@@ -367,7 +367,7 @@ impl<'s> Plan<'s> {
 
     /// Whether a line is a record but for a number or two.
     fn is_nearly_a_record(&self, line: usize, end: usize) -> bool {
-        const FEW: u64 = 2;
+        const MAX_NUMBERS_OFF: u64 = 2;
         let c = &self.columns;
         let id = c.int(line).is_some_and(|id| id > 0);
         let code = c.int(line + 1).filter(|_| end > line + 2);
@@ -381,7 +381,7 @@ impl<'s> Plan<'s> {
             let off = got
                 .abs_diff(arity)
                 .min(got.abs_diff(arity + ty.optional.len() as u64));
-            off <= FEW && 2 * off <= got
+            off <= MAX_NUMBERS_OFF && 2 * off <= got
         })
     }
 

@@ -8,12 +8,13 @@ use super::diagnosis::Diagnosis;
 use super::heads::{end_of, expected_ends, integral, point_count, type_at, type_behind_stray};
 use super::id_context::IdContext;
 use super::prices::{
-    CUT_OFF, FAULT, FEW_OFF, IN_ORDER, LEAST, NOTHING_WRONG, ONE_OFF, REALS, TYPE_AS_COORDINATE,
+    CUT_OFF, FAULT, FEW_OFF, IN_ORDER, LEAST_PRICE, NOTHING_WRONG, ONE_OFF, REALS,
+    TYPE_AS_COORDINATE,
 };
 use super::slips::LEAST_HEAD;
-use super::stretch::{LONG, Stretch};
+use super::stretch::{MIN_LONG_PARAMS, Stretch};
 
-/// Finds what is wrong with tokens `start..end`, and its price, which is at least [`LEAST`].
+/// Finds what is wrong with tokens `start..end`, and its price, which is at least [`LEAST_PRICE`].
 pub(super) fn judge(
     stretch: &Stretch,
     start: usize,
@@ -21,7 +22,7 @@ pub(super) fn judge(
     known: &impl IdContext,
 ) -> (Diagnosis, u32) {
     let found = likeliest(stretch, start, end, known);
-    debug_assert!(found.1 >= LEAST, "{found:?}");
+    debug_assert!(found.1 >= LEAST_PRICE, "{found:?}");
     found
 }
 
@@ -558,7 +559,7 @@ fn lost_id(stretch: &Stretch, start: usize, end: usize) -> Option<(Diagnosis, u3
     let got = (end - start - 1) as u64;
     let exact = got == ty.arity(n) || got == ty.arity(n) + ty.optional.len() as u64;
     let over_lines = stretch.line(start) != stretch.line(end - 1);
-    if over_lines && !(ty.is_counted() || ty.params.len() >= LONG) {
+    if over_lines && !(ty.is_counted() || ty.params.len() >= MIN_LONG_PARAMS) {
         return None;
     }
     let right = || {

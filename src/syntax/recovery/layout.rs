@@ -12,7 +12,7 @@ use super::diagnosis::{Diagnosis, RecordCandidate};
 use super::faults;
 use super::heads;
 use super::id_context::IdContext;
-use super::prices::{DOUBTFUL, FAULT, IMPLAUSIBLE, LEAST, OWN_LINE, TWO_SLIPS};
+use super::prices::{DOUBTFUL, FAULT, IMPLAUSIBLE, LEAST_PRICE, OWN_LINE, TWO_SLIPS};
 use super::stretch::Stretch;
 use super::sums::Sums;
 use super::witness::Witnesses;
@@ -116,7 +116,7 @@ impl Search<'_, '_> {
                 Diagnosis::Whole(r) => self.record_price(piece.start, r),
                 _ => self.void_price(piece.start),
             };
-            total < LEAST
+            total < LEAST_PRICE
         })
     }
 

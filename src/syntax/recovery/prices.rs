@@ -27,8 +27,8 @@ pub(super) const TYPE_AS_COORDINATE: u32 = 3 * ONE_OFF;
 /// The price of a line that is a record but for integers that are spelled as reals. A program may have written all
 /// lines like that: it is less than what three numbers too many cost.
 pub(super) const REALS: u32 = 50;
-/// No fault costs less.
-pub(super) const LEAST: u32 = REALS;
+/// Price of the cheapest fault.
+pub(super) const LEAST_PRICE: u32 = REALS;
 /// What it costs more to take the next number after the ID of the line before for a type.
 pub(super) const IN_ORDER: u32 = 40;
 /// The price of each number more or less.

@@ -9,7 +9,7 @@ use super::super::lexed::Lexed;
 use super::super::lexer::{self, Token, TokenKind};
 use super::super::quote::quote;
 use super::super::table::{ParamKind, RecordType};
-use super::stretch::LONG;
+use super::stretch::MIN_LONG_PARAMS;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 
 /// Which tokens are taken for several numbers, and which several for one.
@@ -308,7 +308,7 @@ impl<'a> Lines<'a> {
                 .skip(2);
             return (!split.glued || !params.enumerate().any(negative_id)).then_some(1);
         }
-        if !ty.is_counted() && ty.params.len() < LONG {
+        if !ty.is_counted() && ty.params.len() < MIN_LONG_PARAMS {
             return None;
         }
         let end = before[line].saturating_add(wanted);

@@ -21,8 +21,8 @@ pub(crate) struct Sig {
     pub before_comment: bool,
 }
 
-/// Records with at least this many parameters are often laid out over several lines.
-pub(super) const LONG: usize = 9;
+/// Fewest parameters of a record that is often laid out over several lines.
+pub(super) const MIN_LONG_PARAMS: usize = 9;
 
 /// The significant tokens of a stretch, from the beginning of a line to the end of one. They are counted from
 /// its beginning.

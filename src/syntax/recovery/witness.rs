@@ -10,7 +10,7 @@ use super::faults;
 use super::id_context::IdContext;
 use super::order::Order;
 use super::slips::{self, Slip};
-use super::stretch::{LONG, Stretch};
+use super::stretch::{MIN_LONG_PARAMS, Stretch};
 use super::surroundings::Surroundings;
 
 /// What the lines of a text say about its layout.
@@ -301,7 +301,7 @@ impl IdContext for Witnesses<'_> {
 /// an ID 1 without the type 9999.
 fn testifies(stretch: &Stretch, start: usize, r: &Reading) -> bool {
     let one_line = stretch.line(start) == stretch.line(r.end - 1);
-    let long = r.ty.is_counted() || r.ty.params.len() >= LONG;
+    let long = r.ty.is_counted() || r.ty.params.len() >= MIN_LONG_PARAMS;
     let render = (stretch.sigs[start].int == Some(1)) == (r.ty.kind == RecordKind::Render);
     stretch.ends_line(r.end)
         && r.end - start > 2

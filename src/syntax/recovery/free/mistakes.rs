@@ -11,7 +11,7 @@ use super::super::prices::{
     FITS_NO_TYPE, GARBAGE, LIKE_A_NUMBER, MORE_OR_FEWER, NO_RECORD, ONE_IS_LIKELY, OUT_OF_ORDER,
     PARTS_OF_POINTS, SIGN_IS_LIKELY, STRAY, STRAY_TYPE, UNTYPED, WHOLE_POINTS, WRONG_TYPE,
 };
-use super::{FEW, Head, LONGEST, Search};
+use super::{Head, MAX_NUMBERS_OFF, MAX_PARAMS, Search};
 
 /// So many tokens of what is no record are counted.
 const COUNTED_MAX: usize = 10_000;
@@ -228,8 +228,8 @@ impl Search<'_, '_> {
             0
         };
         for wanted in self.ends(&head).into_iter().flatten() {
-            let nearest = wanted.saturating_sub(FEW).max(head.first);
-            for end in nearest..=(wanted + FEW).min(stretch.len()) {
+            let nearest = wanted.saturating_sub(MAX_NUMBERS_OFF).max(head.first);
+            for end in nearest..=(wanted + MAX_NUMBERS_OFF).min(stretch.len()) {
                 let bad = self.bad(ty, head.first, end);
                 let doubts = self.doubts(&head, end).min(DOUBTS_OF_FAULT_MAX);
                 if end >= wanted && end - bad as usize <= wanted {
@@ -271,7 +271,7 @@ impl Search<'_, '_> {
             }
             let got = end - at - 2;
             let verdict = match expected {
-                Some(expected) if expected.abs_diff(got) <= FEW => continue,
+                Some(expected) if expected.abs_diff(got) <= MAX_NUMBERS_OFF => continue,
                 Some(expected) => Diagnosis::WrongArity { ty, got, expected },
                 None => Diagnosis::BadPointCount { ty },
             };
@@ -333,7 +333,7 @@ impl Search<'_, '_> {
         let stretch = self.stretch;
         let ty = stretch.record_type(at + 1);
         let id_price = self.ways.id(id, None, self.here);
-        for end in at + 2..(at + 2 + LONGEST).min(stretch.len()) + 1 {
+        for end in at + 2..(at + 2 + MAX_PARAMS).min(stretch.len()) + 1 {
             if end < stretch.len() && stretch.read(end).is_none() {
                 continue;
             }

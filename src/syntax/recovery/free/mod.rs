@@ -16,10 +16,10 @@ use super::prices::{DOUBTS_MAX, HEAD_WITHIN, HOPELESS, LONE_VOID, OTHER_WAY};
 use super::stretch::Stretch;
 use super::surroundings::Surroundings;
 
-/// How many numbers more or less are a slip.
-const FEW: usize = 2;
-/// No record without a count has more parameters.
-const LONGEST: usize = 18;
+/// Most numbers more or less that are a slip.
+const MAX_NUMBERS_OFF: usize = 2;
+/// Most parameters of a record without a count.
+const MAX_PARAMS: usize = 18;
 /// How many places ahead are looked at for that.
 const AHEAD: usize = 20;
 /// How many parameters are looked at to judge whether a record is plausible.
@@ -96,7 +96,7 @@ fn heads_before(stretch: &Stretch) -> Vec<u32> {
 
 /// The types without a count, by how many parameters they take.
 fn types_by_arity() -> Vec<Vec<&'static RecordType>> {
-    let mut all = vec![Vec::new(); LONGEST + 1];
+    let mut all = vec![Vec::new(); MAX_PARAMS + 1];
     let fixed =
         (RECORD_TYPES.iter()).filter(|t| !t.is_counted() && t.kind != RecordKind::Undefined);
     for ty in fixed {
@@ -200,7 +200,7 @@ impl Search<'_, '_> {
         let base = (head.first as u64).saturating_add(head.ty.arity(head.count));
         let base = usize::try_from(base)
             .ok()
-            .filter(|&end| end <= self.stretch.len() + FEW);
+            .filter(|&end| end <= self.stretch.len() + MAX_NUMBERS_OFF);
         let group = head.ty.optional.len();
         [base, base.map(|end| end + group).filter(|_| group > 0)]
     }
