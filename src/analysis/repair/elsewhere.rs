@@ -21,14 +21,14 @@ pub(super) struct Suspect {
     pub least: usize,
 }
 
-/// No more are tried.
-const MOST: usize = 4;
+/// Most suspects of each kind that are tried.
+const MAX_SUSPECTS: usize = 4;
 
 /// The lines that may be to blame for errors on others.
 pub(super) fn suspects(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
-    let mut all: Vec<Suspect> = taking(analysis).take(MOST).collect();
-    all.extend(exchanged(analysis, findings).into_iter().take(MOST));
-    all.extend(copies(analysis, findings).into_iter().take(MOST));
+    let mut all: Vec<Suspect> = taking(analysis).take(MAX_SUSPECTS).collect();
+    all.extend(exchanged(analysis, findings).into_iter().take(MAX_SUSPECTS));
+    all.extend(copies(analysis, findings).into_iter().take(MAX_SUSPECTS));
     all
 }
 

@@ -21,14 +21,14 @@ pub(super) fn errors(analysis: &Analysis) -> usize {
     analysis.errors.len()
 }
 
-/// The rules do not run on scenes in which more shapes occur than this, copies counted: with copies of copies they
-/// take a tenth of a second, and many texts are tried.
-const LARGE: u64 = 20_000;
+/// Most shapes, copies counted, of a scene on which the rules run: with copies of copies they take a tenth of a second,
+/// and many texts are tried.
+const MAX_SHAPES_FOR_RULES: u64 = 20_000;
 
-/// Runs the rules; in a scene that is [`LARGE`] only errors count.
+/// Runs the rules; in a scene of more shapes than [`MAX_SHAPES_FOR_RULES`] only errors count.
 pub(super) fn left(analysis: &Analysis) -> Left {
     let mut left = Left::default();
-    if occurrences(&analysis.scene) > LARGE {
+    if occurrences(&analysis.scene) > MAX_SHAPES_FOR_RULES {
         left.errors = errors(analysis);
         return left;
     }

@@ -21,8 +21,8 @@ type Find = fn(&Analysis, &[Diagnostic]) -> Option<Matter>;
 
 pub const ALL: [Find; 5] = [slashes::comments, dashes, minus, scenes, reserved];
 
-/// So many records make a habit.
-const MANY: usize = 3;
+/// Fewest records that make a habit.
+const MIN_HABIT_RECORDS: usize = 3;
 
 /// So many IDs that are used as what they are not are looked at.
 const MISUSED: usize = 8;
@@ -61,7 +61,7 @@ fn dashes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
         }
     }
     lines.dedup();
-    let first = edits.first().filter(|_| lines.len() >= MANY)?;
+    let first = edits.first().filter(|_| lines.len() >= MIN_HABIT_RECORDS)?;
     let finding = Diagnostic::new(Code::E003, first.span)
         .case("dashes")
         .with("text", crate::syntax::quote(source.slice(first.span)))
@@ -125,10 +125,10 @@ fn minus(analysis: &Analysis, _: &[Diagnostic]) -> Option<Matter> {
         for (ty, ..) in &lost {
             *counts.entry(ty.code).or_default() += 1;
         }
-        lost.retain(|(ty, ..)| !signed.contains(&ty.code) && counts[&ty.code] >= MANY);
+        lost.retain(|(ty, ..)| !signed.contains(&ty.code) && counts[&ty.code] >= MIN_HABIT_RECORDS);
     }
     let count = lost.len();
-    let &(first, token, _) = lost.first().filter(|_| count >= MANY)?;
+    let &(first, token, _) = lost.first().filter(|_| count >= MIN_HABIT_RECORDS)?;
     let alike = lost.iter().all(|l| l.0.code == first.code);
     let edits = lost
         .iter()
@@ -237,7 +237,7 @@ fn misused(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<u32> {
 /// Two scenes one behind the other: what follows the first render record is a scene by itself.
 fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let doubled = || findings.iter().filter(|d| d.code == Code::E102);
-    if doubled().count() < MANY && !doubled().any(|d| d.case == "render") {
+    if doubled().count() < MIN_HABIT_RECORDS && !doubled().any(|d| d.case == "render") {
         return None;
     }
     let is_render = |r: &&Record| r.kind == RecordKind::Render;

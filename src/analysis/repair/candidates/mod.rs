@@ -120,8 +120,8 @@ pub(super) struct Candidate {
     pub ty: Option<&'static RecordType>,
 }
 
-/// No more are made for one finding.
-const MOST: usize = 16;
+/// Most candidates for one finding.
+const MAX_CANDIDATES: usize = 16;
 
 /// A line of the text, or all of a record that begins on it.
 pub(super) struct LineContext<'a> {
@@ -326,7 +326,7 @@ impl<'a> LineContext<'a> {
                 .collect()
         };
         out.retain(|c| seen.insert(edits(c)));
-        out.truncate(MOST);
+        out.truncate(MAX_CANDIDATES);
         out
     }
 

@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashSet;
 
-use super::{Candidate, Habit, LineContext, MOST};
+use super::{Candidate, Habit, LineContext, MAX_CANDIDATES};
 use crate::diagnostics::{Code, Diagnostic, Edit};
 use crate::scene::{Entity, names};
 use crate::syntax::Item;
@@ -105,7 +105,7 @@ impl LineContext<'_> {
                 .collect();
             others.sort_unstable();
             out.extend(
-                (others.iter().take(MOST))
+                (others.iter().take(MAX_CANDIDATES))
                     .filter_map(|o| self.write(Habit::Reference, &[(*t, o.3.to_string())])),
             );
         }
@@ -237,7 +237,7 @@ impl LineContext<'_> {
     pub(super) fn ids(&self, finding: &Diagnostic, undefined: &[u32], out: &mut Vec<Candidate>) {
         if finding.code == Code::E102 && finding.span == self.tokens[0].span() {
             let head = self.tokens[0];
-            let new = undefined.iter().take(MOST / 2);
+            let new = undefined.iter().take(MAX_CANDIDATES / 2);
             let changes = Vec::from_iter(self.id().into_iter().flat_map(|id| self.changes(id)));
             out.extend(new.filter_map(|id| {
                 let text = id.to_string();
@@ -273,7 +273,7 @@ impl LineContext<'_> {
             .collect();
         others.sort_unstable();
         out.extend(
-            (others.iter().take(MOST / 2))
+            (others.iter().take(MAX_CANDIDATES / 2))
                 .filter_map(|o| self.write(Habit::Id, &[(head, o.2.to_string())])),
         );
     }

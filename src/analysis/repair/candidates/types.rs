@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::{Candidate, Habit, LineContext, MOST};
+use super::{Candidate, Habit, LineContext, MAX_CANDIDATES};
 use crate::analysis::materials;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::{Token, TokenKind};
@@ -242,7 +242,7 @@ impl LineContext<'_> {
                 };
                 // The last ones first.
                 others.reverse();
-                for id in others.into_iter().take(MOST / 2) {
+                for id in others.into_iter().take(MAX_CANDIDATES / 2) {
                     out.push(new("fix-write", format!("{one} {id}")));
                     out.push(new("fix-write", format!("{id} {one}")));
                 }
@@ -295,7 +295,7 @@ impl LineContext<'_> {
         let written = self.tokens[1].text(self.text);
         let is_slip = |ty: &RecordType| is_slip(written, &ty.code.to_string());
         fitting.sort_by_key(|ty| (!is_slip(ty), i64::from(ty.code).abs_diff(code)));
-        out.extend(fitting.into_iter().take(MOST / 2).map(|ty| {
+        out.extend(fitting.into_iter().take(MAX_CANDIDATES / 2).map(|ty| {
             let habit = match is_slip(ty) {
                 true => Habit::Digit,
                 false => Habit::Type,
