@@ -139,7 +139,7 @@ impl Other {
 const MAX_PIXELS: u64 = 1 << 24;
 
 /// The largest share of pixels that may differ off silhouettes.
-const SHARE: f64 = 0.0005;
+const MAX_DIFFERING_SHARE: f64 = 0.0005;
 
 fn difference(text: &str) -> Result<f64, Complaint> {
     usage::number(text, "expected-difference", |x| x > 0.0 && x <= 255.0)
@@ -255,7 +255,7 @@ fn answer<T: Outcome>(
         size: [args.size.width, args.size.height],
         agrees: pictures
             .iter()
-            .all(|p| p.comparison.share() <= SHARE && p.comparison.tells()),
+            .all(|p| p.comparison.share() <= MAX_DIFFERING_SHARE && p.comparison.tells()),
         pictures,
     };
     let folder = folder(args);
@@ -270,7 +270,10 @@ fn answer<T: Outcome>(
         name, comparison, ..
     } in &answer.pictures
     {
-        let agrees = match (comparison.share() <= SHARE, comparison.tells()) {
+        let agrees = match (
+            comparison.share() <= MAX_DIFFERING_SHARE,
+            comparison.tells(),
+        ) {
             (true, true) => agreement(comparison.pixels()),
             (true, false) => Complaint::new("crosscheck-cannot"),
             (false, _) => Complaint::new("crosscheck-differs"),

@@ -14,9 +14,9 @@ use crate::commands::terminal::{is_unread, tell};
 use crate::commands::{LookChoice, Status, complain};
 use crate::diagnostics::Complaint;
 
-/// An editor writes a file in several steps: so long nothing must happen before it is read. So often is looked whether it
-/// is to stop, too.
-const QUIET: Duration = Duration::from_millis(100);
+/// Time in which nothing must happen before a file is read, since an editor writes it in several steps. It is also how
+/// often the command looks whether it is to stop.
+const QUIET_TIME: Duration = Duration::from_millis(100);
 
 /// Runs `work` now and after every change of a scene, of a picture that scenes name, or of settings, until it is stopped.
 /// Changes of files that `is_made` by the work do not count. Once `stop` is set, it ends.
@@ -94,7 +94,7 @@ fn wait(
     is_made: &dyn Fn(&Path) -> bool,
 ) -> Option<bool> {
     loop {
-        match changes.recv_timeout(QUIET) {
+        match changes.recv_timeout(QUIET_TIME) {
             _ if stop.load(Ordering::Relaxed) => return Some(false),
             Ok(Ok(event)) if matters(&event, is_made) => break,
             Ok(Err(e)) => complain(look, &unwatchable(&e)),
@@ -102,7 +102,7 @@ fn wait(
             Err(RecvTimeoutError::Disconnected) => return None,
         }
     }
-    while changes.recv_timeout(QUIET).is_ok() {}
+    while changes.recv_timeout(QUIET_TIME).is_ok() {}
     Some(true)
 }
 

@@ -10,14 +10,14 @@ use crate::diagnostics::{Complaint, Error};
 use crate::study::accuracy::pilot::pilot;
 use crate::trace::Images;
 
-/// So many seconds are taken to foretell how long the pictures take.
-const SECONDS: f64 = 6.0;
-/// So many scenes are looked at for that, spread evenly.
-const SCENES: usize = 6;
-/// Putting the bands of a picture together takes so many seconds a pixel at most: many times what it takes here.
-const JOIN: f64 = 1e-6;
-/// What this process takes is taken so many times, since another machine may take more.
-const MARGIN: f64 = 1.25;
+/// Seconds taken to foretell how long the pictures take.
+const MEASURING_SECONDS: f64 = 6.0;
+/// Most scenes that are looked at for that, spread evenly.
+const MAX_SCENES_MEASURED: usize = 6;
+/// Seconds a pixel to put the bands of a picture together, at most: many times what it takes here.
+const JOIN_SECONDS_PER_PIXEL: f64 = 1e-6;
+/// Factor on the memory of this process, since another machine may take more.
+const MEMORY_MARGIN: f64 = 1.25;
 
 /// What the dearest picture takes.
 pub(super) struct Measured {
@@ -46,9 +46,9 @@ pub(super) fn measure(
     tile_time: f64,
 ) -> Result<Measured, Error> {
     let settings = picture.settings(None)?;
-    let step = scenes.len().div_ceil(SCENES).max(1);
+    let step = scenes.len().div_ceil(MAX_SCENES_MEASURED).max(1);
     let some = || scenes.iter().step_by(step);
-    let seconds = SECONDS.min(tile_time) / some().count().max(1) as f64;
+    let seconds = MEASURING_SECONDS.min(tile_time) / some().count().max(1) as f64;
     let (mut build, mut pixels, mut cameras) = (0.0f64, 0.0f64, 1);
     for scene in some() {
         let staged = picture.camera.staged(&scene.loaded.scene, picture.size)?;
@@ -74,7 +74,7 @@ pub(super) fn measure(
         rows,
         process: peak_memory() as f64,
         picture: bytes_of_pixels(picture.sampling()) * count,
-        join: JOIN * count,
+        join: JOIN_SECONDS_PER_PIXEL * count,
     })
 }
 
@@ -103,7 +103,7 @@ impl Measured {
 
     /// What a task takes at most, in 10⁶ bytes.
     pub(super) fn megabytes(&self, tiles: u32) -> u64 {
-        let bytes = MARGIN * self.process + self.picture / f64::from(tiles);
+        let bytes = MEMORY_MARGIN * self.process + self.picture / f64::from(tiles);
         let hundreds = (bytes / 1e8).ceil() as u64;
         100 * hundreds.max(2)
     }

@@ -38,8 +38,8 @@ impl Table {
 
 /// A cell as it is shown in messages: what is no table may be long, and may move the cursor of a terminal.
 fn shown(cell: &str) -> String {
-    const MOST: usize = 40;
-    let mut text: String = cell.chars().take(MOST).collect();
+    const MAX_CELL_CHARS: usize = 40;
+    let mut text: String = cell.chars().take(MAX_CELL_CHARS).collect();
     if text.len() < cell.len() {
         text.push('…');
     }

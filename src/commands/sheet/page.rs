@@ -24,22 +24,27 @@ code{font-family:ui-monospace,'DejaVu Sans Mono',monospace;font-size:12px}
 @media print{main{padding:0}}
 ";
 
-/// No more findings of a scene are listed.
-const MOST: usize = 20;
+/// Most findings of a scene that are listed.
+const MAX_FINDINGS_LISTED: usize = 20;
 
-/// Narrower than a thumbnail by so much, a column is still wide enough: two have room on a small screen.
-const SPARE: u32 = 20;
-/// Columns are no narrower than this where a number of them is asked for.
-const NARROW: u32 = 140;
+/// Pixels by which a column may be narrower than a thumbnail: two have room on a small screen.
+const COLUMN_SLACK_PIXELS: u32 = 20;
+/// Least width of a column where a number of them is asked for.
+const MIN_COLUMN_PIXELS: u32 = 140;
 
 /// How boxes are set in columns.
 fn columns(columns: Option<u32>, size: Size) -> String {
     let width = match columns {
-        None => format!("{}px", size.width.saturating_sub(SPARE).max(NARROW)),
+        None => format!(
+            "{}px",
+            size.width
+                .saturating_sub(COLUMN_SLACK_PIXELS)
+                .max(MIN_COLUMN_PIXELS)
+        ),
         // The gaps between them are 12 pixels each.
         Some(n) => {
             let gaps = 12 * u64::from(n - 1);
-            format!("max({NARROW}px,calc((100% - {gaps}px)/{n}))")
+            format!("max({MIN_COLUMN_PIXELS}px,calc((100% - {gaps}px)/{n}))")
         }
     };
     format!(
@@ -117,7 +122,7 @@ fn findings(counts: Counts, findings: &[Finding], language: Language) -> String 
         return format!("<div class=\"small\">{summary}</div>");
     }
     let mut items = String::new();
-    for finding in findings.iter().take(MOST) {
+    for finding in findings.iter().take(MAX_FINDINGS_LISTED) {
         let class = match finding.severity.as_str() {
             "error" => "errors",
             "warning" => "warnings",
@@ -133,7 +138,11 @@ fn findings(counts: Counts, findings: &[Finding], language: Language) -> String 
             prose(&finding.message)
         );
     }
-    if let Some(more) = findings.len().checked_sub(MOST).filter(|&more| more > 0) {
+    if let Some(more) = findings
+        .len()
+        .checked_sub(MAX_FINDINGS_LISTED)
+        .filter(|&more| more > 0)
+    {
         let more = language.say("sheet-more", &[("count", Value::Count(more as u64))]);
         let _ = write!(items, "<li class=\"mut\">{}</li>", escaped(&more));
     }

@@ -121,10 +121,10 @@ fn pfm(mut file: BufReader<File>, most: [u32; 2]) -> Result<Thumbnail, Complaint
 
 /// A word of a header, with the one blank after it.
 fn word(file: &mut impl BufRead) -> Result<String, Complaint> {
-    /// No word of a header is longer.
-    const LONGEST: usize = 64;
+    /// Most bytes of a word in a header.
+    const MAX_WORD_BYTES: usize = 64;
     let mut word = String::new();
-    while word.len() <= LONGEST {
+    while word.len() <= MAX_WORD_BYTES {
         let mut byte = [0];
         file.read_exact(&mut byte).map_err(broken)?;
         match byte[0] {
