@@ -22,7 +22,7 @@ pub struct Document {
     /// How many significant tokens were cut into records by trying all ways: those of a text with mistakes that is not
     /// laid out in lines. It takes hundreds of times as long as reading.
     pub searched: usize,
-    /// What kinds of things there are.
+    /// The kinds of records and other things that there are.
     pub contents: Contents,
     /// The first tokens of records that take their last numbers from a line which would be a record of its own: W314
     /// says so. Another layout would hide it.
@@ -39,7 +39,7 @@ pub enum Item {
     },
     /// A record that follows its type's signature.
     Record(Record),
-    /// What could not be read as a record; an error has been reported for it.
+    /// Tokens that could not be read as a record; an error has been reported for them.
     Broken(Broken),
 }
 
@@ -73,7 +73,7 @@ pub struct Broken {
     pub last: u32,
     /// The ID it most likely has; references to it are no errors.
     pub id: Option<u32>,
-    /// Its type, if that could be told.
+    /// The type of the record, if that could be told.
     pub kind: Option<RecordKind>,
     /// The fault.
     pub fault: Fault,
@@ -81,7 +81,7 @@ pub struct Broken {
     pub is_slip: bool,
 }
 
-/// What is wrong with a [`Broken`] item, as far as it matters to what others make of it.
+/// The fault of a [`Broken`] item, as far as it matters to what others make of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fault {
     /// The form of its parameters.
@@ -90,7 +90,7 @@ pub enum Fault {
     Arity,
     /// There is no such type.
     UnknownType,
-    /// It has lost its ID: one undefined reference may mean it.
+    /// A lost ID: one undefined reference may mean it.
     LostId,
 }
 
@@ -135,7 +135,7 @@ impl Item {
 }
 
 impl Document {
-    /// Of items in the order of the text. For `searched` see [`Document::searched`].
+    /// A document of items in the order of the text. For `searched` see [`Document::searched`].
     pub(super) fn new(lexed: Lexed, mut items: Vec<Item>, searched: usize) -> Document {
         let contents = Contents::new(&items, &lexed);
         // Of the values only those of parameters are kept. They move to the front, where nothing is that is still

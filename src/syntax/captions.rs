@@ -25,7 +25,7 @@ pub struct Captions {
 /// Most characters of a comment; a longer one is cut off.
 const MAX_CAPTION_CHARS: usize = 72;
 
-/// What the walk along the tokens has come across.
+/// The state of the walk along the tokens.
 #[derive(Default)]
 struct Walk {
     captions: Captions,
@@ -63,12 +63,12 @@ impl Captions {
         walk.captions
     }
 
-    /// What the scene is, by its first comments.
+    /// The words for the scene, by its first comments.
     pub fn title(&self) -> Option<&str> {
         self.title.as_deref()
     }
 
-    /// What a comment of its own says about an entity.
+    /// The words of a comment of its own about an entity.
     pub fn own(&self, id: u32) -> Option<&str> {
         let (_, own) = self.ids.get(&id)?;
         self.get(id).filter(|_| *own)
@@ -82,7 +82,7 @@ impl Captions {
         }
     }
 
-    /// What a comment or a heading says about an entity.
+    /// The words of a comment or a heading about an entity.
     pub fn get(&self, id: u32) -> Option<&str> {
         let (text, _) = self.ids.get(&id)?;
         Some(&self.texts[*text as usize])
@@ -167,7 +167,7 @@ impl Walk {
         self.captions.texts.len() as u32 - 1
     }
 
-    /// What would be said of everything is said of the scene.
+    /// Gives words that would be about everything to the scene.
     fn settle_title(&mut self) {
         if let (Some(first), 1, None) = (self.first, self.headings, &self.captions.title) {
             self.captions.title = Some(self.captions.texts[first as usize].clone());

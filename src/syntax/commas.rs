@@ -46,7 +46,7 @@ pub fn in_doubt(text: &str, document: &Document) -> Vec<Span> {
         .collect()
 }
 
-/// Those of one record.
+/// The commas of one record that are in doubt.
 pub fn in_doubt_of(text: &str, document: &Document, record: &Record) -> Vec<Span> {
     let tokens = &document.tokens[record.first as usize..=record.last as usize];
     if !tokens.iter().any(|t| t.kind() == TokenKind::Separator) {

@@ -7,10 +7,10 @@
 
 use std::ops::Range;
 
-/// What stands for `#`.
+/// The sign that stands for `#`.
 pub const SIGN: &str = "~~";
 
-/// What stands for `~`.
+/// The sign that stands for `~`.
 pub const TILDE: &str = "~'";
 
 /// Behind the text.

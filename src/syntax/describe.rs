@@ -30,13 +30,13 @@ impl RecordType {
         fixed.chain(repeated).chain(optional)
     }
 
-    /// What the record means, in a sentence or two.
+    /// The meaning of the record, in a sentence or two.
     pub fn summary(&self, language: Language) -> Cow<'static, str> {
         let own = language.own(&format!("summary-{}", self.keyword), None);
         own.map_or(Cow::Borrowed(self.summary), Cow::Owned)
     }
 
-    /// What a record of this type does with its ID: "Defines an object."
+    /// The effect of a record of this type on its ID: "Defines an object."
     pub fn effect_text(&self, language: Language) -> String {
         let all = |place, kinds: &[Kind], form| (place, any_of(kinds, form, language).into());
         match self.effect {
@@ -51,7 +51,7 @@ impl RecordType {
 }
 
 impl Param {
-    /// What stands in its place: "number", "ID of a colour, or 0".
+    /// The kind of value in its place: "number", "ID of a colour, or 0".
     pub fn value_text(&self, language: Language) -> String {
         match self.kind {
             ParamKind::Real => language.say("record-number", &[]),
@@ -69,7 +69,7 @@ impl Param {
         }
     }
 
-    /// Its unit, where it has one.
+    /// The unit, where there is one.
     pub fn unit_text(&self, language: Language) -> String {
         match self.unit {
             Unit::None => String::new(),
@@ -79,7 +79,7 @@ impl Param {
         }
     }
 
-    /// What its value must satisfy, where there is something.
+    /// The constraint on the value, where there is one.
     pub fn constraint_text(&self, language: Language) -> String {
         let between = |message, low: f64, high: f64| {
             let values = [

@@ -3,7 +3,7 @@
 use super::lexer::Token;
 use crate::diagnostics::Span;
 
-/// What every such comment begins with, behind its `#`.
+/// The beginning of every such comment, behind its `#`.
 pub const PREFIX: &str = "zpg:";
 
 /// Whether a token is such a comment. It needs no `0` in front.
@@ -15,13 +15,13 @@ pub fn is_directive(token: &Token, text: &str) -> bool {
     without_word(inside, PREFIX).is_some()
 }
 
-/// What follows a word, in any case, at the start of a text.
+/// The text after a word, in any case, at the start of a text.
 pub fn without_word<'a>(text: &'a str, word: &str) -> Option<&'a str> {
     let start = text.get(..word.len())?;
     (start.eq_ignore_ascii_case(word)).then(|| text[word.len()..].trim_start())
 }
 
-/// What stands between the signs.
+/// The text between the signs.
 pub fn inside(comment: &str) -> &str {
     comment.trim_start_matches('#').trim_end_matches('#').trim()
 }
@@ -30,7 +30,7 @@ pub fn inside(comment: &str) -> &str {
 pub struct Allow<'a> {
     /// Where the list between the brackets is.
     pub list: Span,
-    /// What stands in it, with empty entries.
+    /// The entries, empty ones too.
     pub entries: Vec<&'a str>,
     /// Whether it is about the next record wherever it stands: `allow-next(…)`.
     pub is_about_next: bool,

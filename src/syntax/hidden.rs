@@ -10,7 +10,7 @@ use crate::diagnostics::Span;
 /// must testify, as in prose.
 const BYTES_MAX: usize = 1 << 18;
 
-/// What would be a record without the comment that it is in.
+/// Tokens that would be a record without the comment that they are in.
 #[derive(Debug, Clone, Copy)]
 pub struct Hidden {
     pub span: Span,

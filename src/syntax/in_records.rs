@@ -10,7 +10,7 @@ use crate::diagnostics::{Code, Diagnostic, Value};
 /// A text with fewer numbers may be a scene that was just begun.
 const BEGUN: usize = 12;
 
-/// What is wrong with a text as a scene of whose numbers too few are in records. Half of them must be, and a fifth where
+/// The fault of a text as a scene where too few of its numbers are in records. Half of them must be, and a fifth where
 /// lines begin as those of scenes alone do. A `0` that introduces a comment does not count.
 ///
 /// A table of integers has many rows that would be records but for a number more or less, and from the middle of a row on some

@@ -12,11 +12,11 @@ pub(super) struct Lexed {
     pub tokens: Vec<Token>,
     /// The significant ones.
     pub sigs: Vec<Sig>,
-    /// Their values, as long as `sigs`; NaN where one is no number.
+    /// The values of the tokens, as long as `sigs`; NaN where one is no number.
     pub values: Vec<f64>,
     /// The significant tokens that are no plain numbers, ascending.
     odd: Vec<u32>,
-    /// Those that begin lines that are [commented out](super::commented_out), ascending.
+    /// The tokens that begin lines that are [commented out](super::commented_out), ascending.
     out: Vec<u32>,
     /// There is a comment, a separator, a word, a comment over several lines, a comment that nobody closes, a token that
     /// can never be right.

@@ -7,7 +7,7 @@ use logos::Logos;
 
 use crate::diagnostics::Span;
 
-/// What a token is. Everything that is not [`TokenKind::is_trivia`] takes part in records.
+/// The kind of a token. Everything that is not [`TokenKind::is_trivia`] takes part in records.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum TokenKind {
@@ -231,7 +231,7 @@ enum Raw<'s> {
     Quoted,
     #[regex(r"[,;<>(){}\u{27E8}\u{27E9}\u{2329}\u{232A}\u{3008}\u{3009}\u{2039}\u{203A}\u{AB}\u{BB}\u{27EA}\u{27EB}\u{300A}\u{300B}\u{276C}\u{276D}\u{276E}\u{276F}\u{2770}\u{2771}\u{FF1C}\u{FF1E}\u{FE64}\u{FE65}\u{FF08}\u{FF09}\u{FE59}\u{FE5A}\u{FF5B}\u{FF5D}\u{FE5B}\u{FE5C}\u{FF0C}\u{FE50}\u{3001}\u{FF1B}\u{FE54}\u{37E}]")]
     Separator,
-    /// Its end is found by hand: where it is depends on the comments before.
+    /// A comment, whose end is found by hand: where it is depends on the comments before.
     #[token("#", comment)]
     Comment(bool),
     #[regex(r##"[^\p{White_Space}#,;<>(){}\u{27E8}\u{27E9}\u{2329}\u{232A}\u{3008}\u{3009}\u{2039}\u{203A}\u{AB}\u{BB}\u{27EA}\u{27EB}\u{300A}\u{300B}\u{276C}\u{276D}\u{276E}\u{276F}\u{2770}\u{2771}\u{FF1C}\u{FF1E}\u{FE64}\u{FE65}\u{FF08}\u{FF09}\u{FE59}\u{FE5A}\u{FF5B}\u{FF5D}\u{FE5B}\u{FE5C}\u{FF0C}\u{FE50}\u{3001}\u{FF1B}\u{FE54}\u{37E}"]+"##, priority = 1)]
@@ -478,7 +478,7 @@ impl Tokens<'_> {
     }
 }
 
-/// What a file in Unicode may begin with.
+/// The byte order mark that a file in Unicode may begin with.
 const MARK: char = '\u{feff}';
 
 /// Whether a file may begin behind a text: it is the first, or the files were written one behind the other.

@@ -89,7 +89,7 @@ fn may_be_unclosed(lexed: &Lexed, text: &str) -> bool {
     lexed.has_unclosed || lexed.has_long_comment && is_odd()
 }
 
-/// What was read, and where it could not be.
+/// The records that were read, and the stretches that could not be.
 struct Plan<'s> {
     columns: Columns<'s>,
     items: Vec<Item>,

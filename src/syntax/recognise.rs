@@ -120,7 +120,7 @@ fn is_binary(text: &str, characters: usize) -> bool {
     text.contains('\0') || controls * 100 > characters
 }
 
-/// What a text is that is no scene.
+/// The finding about a text that is no scene.
 fn text(text: &str, finding: Diagnostic) -> Option<Diagnostic> {
     if let Some(case) = json(text) {
         return Some(finding.case(case));
@@ -302,9 +302,9 @@ fn is_pov_ray(line: &str) -> bool {
     BEGINNINGS.iter().any(|b| line.trim_start().starts_with(b))
 }
 
-/// Which JSON a text is, if it is some.
+/// The kind of JSON that a text is, if it is some.
 fn json(text: &str) -> Option<&'static str> {
-    /// What every scene in JSON has.
+    /// The members of every scene in JSON.
     #[derive(Deserialize)]
     struct Scene {
         #[serde(rename = "version")]

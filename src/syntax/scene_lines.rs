@@ -8,19 +8,19 @@ use super::recovery::LEAST_HEAD as LEAST_OF_SCENES;
 use super::table::{RECORD_TYPES, RecordKind, RecordType};
 use super::words;
 
-/// What the lines of a text begin with.
+/// Counts of the lines of a text by what they begin with.
 #[derive(Debug, Default)]
 pub(super) struct SceneLines {
     /// The lines that are not blank and not comments.
     all: usize,
-    /// Those with the type of a render record, an operation, a property, a light or a camera, behind an ID or where one
+    /// Lines with the type of a render record, an operation, a property, a light or a camera, behind an ID or where one
     /// is lost.
     pub typed: usize,
     /// Whether a render record is among them, with its ID.
     pub is_drawn: bool,
-    /// Those of which only the minus of such a type is lost, or a digit of it wrong.
+    /// Lines of which only the minus of such a type is lost, or a digit of it wrong.
     slipped: usize,
-    /// Those with an ID, the name of a type, and numbers.
+    /// Lines with an ID, the name of a type, and numbers.
     pub worded: usize,
     /// How many numbers are on lines with an ID and a type: a number whose sign may be lost or a dash, or a name.
     numbers: usize,
@@ -105,13 +105,13 @@ fn is_nearly_a_type(code: i64, params: usize, is_first: bool) -> bool {
             .any(|ty| strsim::osa_distance(&ty.code.to_string(), &written) == 1)
 }
 
-/// Which words are names of types. A text may have millions of others, of which not all are looked up.
+/// The words that are names of types. A text may have millions of others, of which not all are looked up.
 #[derive(Default)]
 struct Names<'a> {
     known: FxHashMap<&'a str, bool>,
 }
 
-/// So many different words are looked up.
+/// Most different words that are looked up.
 const LOOKED_UP: usize = 1000;
 
 impl<'a> Names<'a> {

@@ -224,7 +224,7 @@ fn group(c: &Columns, reading: &mut Reading, limit: usize) -> Option<()> {
 /// How many records are followed, in all ways to read their own groups.
 const FOLLOWED: usize = 8;
 const FOLLOWED_IN_ALL: usize = 40;
-/// So many tokens of one line are no pieces of records that are laid out in any way.
+/// Fewest tokens of one line that are no pieces of records laid out in any way.
 const OWN_LINE: usize = 3;
 
 /// Whether a token begins a line that is not too short.

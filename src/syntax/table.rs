@@ -7,7 +7,7 @@
 
 use std::sync::OnceLock;
 
-/// What an ID stands for. The resolver gives one to every entity; references ask for some of them.
+/// The kind of an ID's value. The resolver gives one to every entity; references ask for some of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// Declared with type 0 and not defined yet.
@@ -92,7 +92,7 @@ impl Family {
     }
 }
 
-/// What a record does with its ID.
+/// The effect of a record on its ID.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Effect {
     /// Defines a new entity; an ID that exists already is E102.
@@ -103,7 +103,7 @@ pub enum Effect {
     DefinesOrChanges(Kind, &'static [Kind]),
 }
 
-/// What a parameter may be.
+/// The kind of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ParamKind {
     Real,
@@ -130,7 +130,7 @@ pub enum Unit {
     Share,
 }
 
-/// What one value alone must satisfy. Rules over several parameters are the resolver's.
+/// The constraint on one value alone. Rules over several parameters are the resolver's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Constraint {
     Any,
@@ -158,16 +158,16 @@ pub struct Param {
     pub kind: ParamKind,
     pub unit: Unit,
     pub constraint: Constraint,
-    /// What an absent optional parameter stands for, spelled as in a scene.
+    /// The value of an absent optional parameter, spelled as in a scene.
     pub default: Option<&'static str>,
-    /// What it means, for messages and help: "the tube's radius".
+    /// The meaning of the parameter, for messages and help: "the tube's radius".
     pub doc: &'static str,
 }
 
 /// One type of record.
 #[derive(Debug)]
 pub struct RecordType {
-    /// What the rest of the toolchain calls it.
+    /// The kind of the record, as the rest of the toolchain calls it.
     pub kind: RecordKind,
     /// The number that stands in the scene.
     pub code: i32,
@@ -186,7 +186,7 @@ pub struct RecordType {
     /// How many parameters make a vector each, in order, the optional ones last; empty where they
     /// are all of one, or repeated.
     pub vectors: &'static [usize],
-    /// What the record means, in a sentence or two.
+    /// The meaning of the record, in a sentence or two.
     pub summary: &'static str,
     /// A record of this type that is right.
     pub example: &'static str,

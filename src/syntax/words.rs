@@ -121,7 +121,7 @@ const NAMES: &[(&str, &[i32])] = &[
     ("scena", &[9999]),
 ];
 
-/// What else leads to types: what they are for, and the names of the course's handout.
+/// Other words that lead to types: what they are for, and the names of the course's handout.
 const TOPICS: &[(&str, &[i32])] = &[
     ("glass", &[-201, -203]),
     ("sklo", &[-201, -203]),
@@ -288,7 +288,7 @@ pub fn all() -> impl Iterator<Item = (&'static str, &'static [i32])> {
     NAMES.iter().chain(TOPICS).copied()
 }
 
-/// What a type is called in both languages, without accents and in lower case.
+/// The names of a type in both languages, without accents and in lower case.
 pub fn names(ty: &RecordType) -> Vec<String> {
     let others = NAMES.iter().filter(|n| n.1.contains(&ty.code));
     let czech = Language::Czech.name(ty.title);

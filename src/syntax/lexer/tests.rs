@@ -52,7 +52,7 @@ fn commas() {
     );
 }
 
-/// Of all characters, those that are listed are separators, and end numbers and words.
+/// Among all characters, those that are listed are separators, and end numbers and words.
 #[test]
 fn separators() {
     use TokenKind::*;

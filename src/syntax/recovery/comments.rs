@@ -11,7 +11,7 @@ use super::super::table::{RecordKind, RecordType};
 use super::super::words;
 use super::prices::{GARBAGE_LINE, HIDDEN, INSIDE_OUT, UNCLOSED};
 
-/// So many records of a comment have a price.
+/// Most records of a comment that have a price.
 const HIDDEN_MAX: usize = 2;
 
 /// States: 0 is code, 1 + h a comment that has hidden h records so far.

@@ -15,7 +15,7 @@ pub(crate) struct RecordCandidate {
     pub verdict: Diagnosis,
 }
 
-/// What a piece of the text is.
+/// The diagnosis of a piece of the text.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Diagnosis {
     Void,

@@ -2,7 +2,7 @@
 
 use super::stretch::Stretch;
 
-/// What is known of the text around a piece.
+/// The IDs of the text around a piece.
 pub(super) trait IdContext {
     /// Whether a number is used as an ID elsewhere and defined by no line of its own.
     fn is_missing(&self, id: i32) -> bool;

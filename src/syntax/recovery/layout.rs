@@ -17,7 +17,7 @@ use super::stretch::Stretch;
 use super::sums::Sums;
 use super::witness::Witnesses;
 
-/// So many lines of a broken stretch are asked whether they begin as records do.
+/// Most lines of a broken stretch that are asked whether they begin as records do.
 const HEADS: usize = 12;
 /// How many own lines are counted at most, so that prices do not overflow.
 const OWN_LINES_MAX: u32 = 1_000_000;

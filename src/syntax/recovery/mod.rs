@@ -58,10 +58,10 @@ use stretch::Stretch;
 pub(super) use surroundings::Surroundings;
 use witness::Witnesses;
 
-/// What was made of a stretch of text.
+/// The result of recovering a stretch of text.
 pub(super) struct Recovered {
     pub items: Vec<Item>,
-    /// What cannot be read.
+    /// The findings about what cannot be read.
     pub findings: Vec<Diagnostic>,
     /// How many tokens were cut by trying all ways.
     pub searched: usize,

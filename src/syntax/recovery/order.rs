@@ -32,7 +32,7 @@ pub(crate) struct Order {
 }
 
 impl Order {
-    /// Of a text that is not laid out in lines: nothing is in order.
+    /// The order of a text that is not laid out in lines: nothing is in order.
     pub(crate) fn none(stretch: &Stretch) -> Order {
         Order {
             bounds: vec![[0, 0]; stretch.line_count()],

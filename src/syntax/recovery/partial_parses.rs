@@ -33,7 +33,7 @@ struct BackPointer {
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Id {
     Is(u32),
-    /// It should have one and has none.
+    /// The record should have an ID and has none.
     Lost,
     None,
 }
@@ -55,10 +55,10 @@ pub(super) struct PartialParses<'a, 's> {
     latest: [u32; STATES],
 }
 
-/// Of all ways to a token so many are kept apart; each is a place.
+/// Most ways to a token that are kept apart; each is a place.
 pub(super) const STATES: usize = 4;
 
-/// So many definitions of an ID are kept without asking whether they are on any way.
+/// Most definitions of an ID that are kept without asking whether they are on any way.
 const DEFINITIONS: usize = 8;
 /// Places this far back are on all ways, or on none.
 const SETTLED: usize = 2000;
@@ -141,7 +141,7 @@ impl<'a, 's> PartialParses<'a, 's> {
         at == place
     }
 
-    /// What an ID stands for at a place, if it is defined; `Some(None)` if nobody can tell.
+    /// The kind of an ID's value at a place, if the ID is defined; `Some(None)` if nobody can tell.
     fn kind(&self, id: u32, place: usize) -> Option<Option<Kind>> {
         let here = self.defined.get(&id).and_then(|all| {
             let mut all = all.iter().rev();
@@ -157,7 +157,7 @@ impl<'a, 's> PartialParses<'a, 's> {
         })
     }
 
-    /// What speaks against an ID of a record of a type, at a place.
+    /// The price of doubts about an ID of a record of a type, at a place.
     pub(super) fn id(&self, id: u32, ty: Option<&'static RecordType>, place: usize) -> u32 {
         if ty.is_some_and(|t| (t.kind == RecordKind::Render) != (id == 1)) {
             return RENDER_ID;
@@ -187,7 +187,7 @@ impl<'a, 's> PartialParses<'a, 's> {
         top > 0 && (top + 1..=top + 4).contains(&id)
     }
 
-    /// What speaks against a token as a mere number: it could be the next ID.
+    /// The price of doubts about a token as a mere number: it could be the next ID.
     pub(super) fn like_an_id(&self, at: usize, place: usize) -> u32 {
         let id = self.stretch.sigs[at]
             .int
@@ -196,7 +196,7 @@ impl<'a, 's> PartialParses<'a, 's> {
         if next { LIKE_AN_ID } else { 0 }
     }
 
-    /// What speaks against a new ID at a place.
+    /// The price of doubts about a new ID at a place.
     fn order(&self, id: u32, place: usize) -> u32 {
         let elsewhere = self.around.is_defined(id);
         match self.steps[place].top {
@@ -207,7 +207,7 @@ impl<'a, 's> PartialParses<'a, 's> {
         }
     }
 
-    /// What speaks against a token as a parameter, at a place.
+    /// The price of doubts about a token as a parameter, at a place.
     pub(super) fn param(&self, at: usize, ty: &RecordType, param: &Param, place: usize) -> u32 {
         let sig = &self.stretch.sigs[at];
         if !fits(sig.kind, param.kind) {

@@ -21,7 +21,7 @@ pub(super) const FAULT: u32 = 1000;
 pub(super) const DOUBTFUL: u32 = 900;
 /// The price of a record that was cut off by a comment which nobody closed: that comment is an error already.
 pub(super) const CUT_OFF: u32 = FAULT / 10;
-/// What it costs more to take the type of an operation, a light, a camera or a property for a coordinate. The record
+/// Additional price of taking the type of an operation, a light, a camera or a property for a coordinate. The record
 /// that it may be the type of has up to two numbers more or less than it takes.
 pub(super) const TYPE_AS_COORDINATE: u32 = 3 * ONE_OFF;
 /// The price of a line that is a record but for integers that are spelled as reals. A program may have written all
@@ -29,58 +29,58 @@ pub(super) const TYPE_AS_COORDINATE: u32 = 3 * ONE_OFF;
 pub(super) const REALS: u32 = 50;
 /// Price of the cheapest fault.
 pub(super) const LEAST_PRICE: u32 = REALS;
-/// What it costs more to take the next number after the ID of the line before for a type.
+/// Additional price of taking the next number after the ID of the line before for a type.
 pub(super) const IN_ORDER: u32 = 40;
 /// The price of each number more or less.
 pub(super) const ONE_OFF: u32 = 20;
 
 // What speaks against a piece where it stands: its IDs and parameters.
 
-/// What an ID costs that is defined a second time.
+/// Price of an ID that is defined a second time.
 pub(super) const DEFINED_TWICE: u32 = 1000;
-/// What an ID costs that is changed and defined nowhere.
+/// Price of an ID that is changed and defined nowhere.
 pub(super) const CHANGES_NOTHING: u32 = 1000;
-/// What it costs to use ID 1, which is the render record's, for anything else.
+/// Price of using ID 1, which is the render record's, for anything else.
 pub(super) const RENDER_ID: u32 = 1000;
-/// What a parameter costs that leads nowhere.
+/// Price of a parameter that leads nowhere.
 pub(super) const REFERS_TO_NOTHING: u32 = 900;
-/// What a parameter costs that no such record may have.
+/// Price of a parameter that no such record may have.
 pub(super) const NOT_ALLOWED: u32 = 900;
-/// What a parameter costs that is no number of its kind.
+/// Price of a parameter that is no number of its kind.
 pub(super) const WRONG_KIND: u32 = 600;
 /// The price of a number that reads like the type of an operation or a property, perhaps without its sign, and is
 /// none.
 pub(super) const LIKE_A_TYPE: u32 = 200;
-/// What an ID costs that is new and lower than another one: files have their IDs in order, mostly.
+/// Price of an ID that is new and lower than another one: files have their IDs in order, mostly.
 pub(super) const OUT_OF_ORDER: u32 = 150;
-/// What an ID that is changed or referred to costs where a record before lost its ID, which may be that one.
+/// Price of an ID that is changed or referred to where a record before lost its ID, which may be that one.
 pub(super) const MAY_BE_LOST: u32 = 150;
 /// The price of a number that reads like the next ID and is none.
 pub(super) const LIKE_AN_ID: u32 = 50;
 
 // Where line breaks say nothing: what each mistake costs more or less than another.
 
-/// So much speaks at most against a record that is not right in form.
+/// Highest price of doubts about a record that is not right in form.
 pub(super) const DOUBTS_OF_FAULT_MAX: u32 = 3000;
 /// Faults are looked for where no way ahead is cheaper by this.
 pub(super) const HOPELESS: u64 = 1500;
-/// So much speaks at most against a record that is right in form: less than for garbage.
+/// Highest price of doubts about a record that is right in form: less than for garbage.
 pub(super) const DOUBTS_MAX: u32 = 1250;
-/// What it costs more to take tokens for no record at all.
+/// Additional price of taking tokens for no record at all.
 pub(super) const NO_RECORD: u32 = 300;
 /// The price of a `0` that introduces no comment.
 pub(super) const LONE_VOID: u32 = 300;
 /// The price of a wrong number of points where the numbers behind do not make up whole ones.
 pub(super) const PARTS_OF_POINTS: u32 = 200;
-/// So much speaks at most against parameters that are those of no type.
+/// Highest price of doubts about parameters that are those of no type.
 pub(super) const FITS_NO_TYPE: u32 = 200;
 /// The price of an ID that is lost where a number could be it.
 pub(super) const COULD_BE_ID: u32 = 150;
 /// The price of each token of what does not end with its line: a record's are together about as dear as an error.
 pub(super) const GARBAGE: u32 = 150;
-/// What a number too many before the type costs more if it could be the type itself.
+/// Additional price of a number too many before the type if it could be the type itself.
 pub(super) const STRAY_TYPE: u32 = 100;
-/// What a lost ID costs more before a type that reads like any other number.
+/// Additional price of a lost ID before a type that reads like any other number.
 pub(super) const LIKE_A_NUMBER: u32 = 60;
 /// The price of a wrong number of points where the numbers behind make up whole ones.
 pub(super) const WHOLE_POINTS: u32 = 60;
@@ -88,23 +88,23 @@ pub(super) const WHOLE_POINTS: u32 = 60;
 pub(super) const OTHER_WAY: u32 = 60;
 /// The price of a place within a piece at which a record could begin.
 pub(super) const HEAD_WITHIN: u32 = 60;
-/// What a number too many before the type costs more than an ID or a type with a space in it.
+/// Additional price of a number too many before the type over that of an ID or a type with a space in it.
 pub(super) const STRAY: u32 = 40;
 /// The price of each parameter that is missing or too many, beside that of the error.
 pub(super) const MORE_OR_FEWER: u32 = 40;
-/// What it costs more where the number is the type of other records.
+/// Additional price where the number is the type of other records.
 pub(super) const A_TYPE_AFTER_ALL: u32 = 30;
-/// What a token that can be no ID costs more in its place.
+/// Additional price of a token that can be no ID in the place of one.
 pub(super) const BAD_ID: u32 = 20;
 /// How much less one parameter more or fewer costs together: that is what people mistake most.
 pub(super) const ONE_IS_LIKELY: u32 = 20;
 /// How much less a lost sign costs than another error.
 pub(super) const SIGN_IS_LIKELY: u32 = 20;
-/// What a wrong type costs more than another error.
+/// Additional price of a wrong type over that of another error.
 pub(super) const WRONG_TYPE: u32 = 20;
 /// The price of each token of a record of no known type.
 pub(super) const UNTYPED: u32 = 10;
-/// What it costs more that a token which can be nothing stands for itself.
+/// Additional price of a token which can be nothing and stands for itself.
 pub(super) const ALONE: u32 = 10;
 
 // Comments. Lines are read by prices of their own, which are not compared with the others: an error is about 100.

@@ -12,7 +12,7 @@ use super::super::table::{ParamKind, RecordType};
 use super::stretch::MIN_LONG_PARAMS;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 
-/// Which tokens are taken for several numbers, and which several for one.
+/// The tokens that are taken for several numbers, and those of which several are taken for one.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Split {
     commas: bool,
@@ -215,8 +215,8 @@ impl<'a> Lines<'a> {
             .filter(significant)
     }
 
-    /// What a token is read as: itself, its parts, or a pair, if it is the first token of one; nothing, if it is another
-    /// one of a pair.
+    /// The tokens that a token is read as: itself, its parts, or a pair, if it is the first token of one; none, if it
+    /// is another one of a pair.
     fn read(&self, token: &Token, split: Split) -> Vec<Token> {
         let pair = match split.joined {
             true => self
@@ -317,7 +317,7 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// What to say of numbers that had lost the space between them, and a fix that inserts it.
+/// Reports numbers that had lost the space between them, with a fix that inserts it.
 pub(crate) fn report(text: &str, tokens: &[Token], glued: &[Span], out: &mut Vec<Diagnostic>) {
     for &span in glued {
         let first = tokens.partition_point(|t| t.start <= span.start);

@@ -19,8 +19,8 @@ pub(super) enum Slip {
     No,
 }
 
-/// What a line looks like by itself; a line that may be a row of a table must have a type that no row has, or begin with
-/// an ID that is in order.
+/// The slip of a line by itself; a line that may be a row of a table must have a type that no row has, or begin with an
+/// ID that is in order.
 pub(super) fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order) -> Slip {
     let (start, end) = (stretch.line_start(line), stretch.line_end(line));
     let in_order = order.head(stretch, line).is_some();

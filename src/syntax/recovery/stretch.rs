@@ -14,7 +14,7 @@ pub(crate) struct Sig {
     /// Number of its line, counting only lines with significant tokens. Line breaks inside comments
     /// do not end a line.
     pub line: u32,
-    /// Its value, if it is an integer literal that fits.
+    /// The value of the token, if it is an integer literal that fits.
     pub int: Option<i32>,
     pub kind: TokenKind,
     /// The next token that is no line break is a comment.
@@ -29,7 +29,7 @@ pub(super) const MIN_LONG_PARAMS: usize = 9;
 #[derive(Debug)]
 pub(crate) struct Stretch<'s> {
     columns: Columns<'s>,
-    /// Its first token among the significant ones of the text.
+    /// The first token of the stretch among the significant ones of the text.
     from: usize,
     pub sigs: Vec<Sig>,
     /// For each line the index of its first significant token, and one more for the end.
@@ -40,7 +40,7 @@ pub(crate) struct Stretch<'s> {
     odd_before: Vec<u32>,
     /// For each token the record that can be read from there on.
     readings: Vec<Option<Reading>>,
-    /// It is known that the text is not laid out in lines.
+    /// Whether it is known that the text is not laid out in lines.
     pub is_free: bool,
 }
 

@@ -9,11 +9,11 @@ use super::super::table::{Effect, ParamKind, RecordType};
 /// The part of a text that was read without a doubt.
 #[derive(Default)]
 pub(crate) struct Surroundings {
-    /// Of each ID its first definition there, as a significant token.
+    /// The first definition of each ID there, as a significant token.
     defined: IdTable,
     /// The IDs that are used or changed there.
     used: IdTable,
-    /// Those of them that are defined nowhere there, in order.
+    /// The IDs among them that are defined nowhere there, in order.
     pub dangling: Vec<u32>,
     /// How many lines it takes, and how many records.
     pub lines: usize,
@@ -28,7 +28,7 @@ pub(crate) struct Surroundings {
     pub doubted: Option<usize>,
 }
 
-/// So many IDs that lead nowhere are no witnesses any more.
+/// Most IDs that lead nowhere that are kept as witnesses.
 const DANGLING_MAX: usize = 64;
 
 impl Surroundings {

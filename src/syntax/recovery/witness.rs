@@ -13,7 +13,7 @@ use super::slips::{self, Slip};
 use super::stretch::{MIN_LONG_PARAMS, Stretch};
 use super::surroundings::Surroundings;
 
-/// What the lines of a text say about its layout.
+/// The evidence of a text's lines about its layout.
 pub(crate) struct Witnesses<'a> {
     /// For each line: it begins a record that ends at a line's end, or it is a VOID with a comment.
     /// Holds one past the record's last token, 0 where the line is no witness.
@@ -21,11 +21,11 @@ pub(crate) struct Witnesses<'a> {
     /// For each line: it would be a record of its own, but for a slip. Nothing is said of the lines of
     /// a longer record.
     pub slips: Vec<bool>,
-    /// Which IDs are in order there.
+    /// The IDs that are in order there.
     pub order: Order,
     /// The text is laid out with records beginning and ending with lines.
     pub in_lines: bool,
-    /// What the witness lines say about each ID they define, and the rest of the text.
+    /// The evidence of the witness lines about each ID they define, and the rest of the text.
     heads: FxHashMap<i32, Head>,
     /// The IDs that witness lines use or change.
     used: FxHashSet<i32>,
@@ -214,7 +214,7 @@ impl<'a> Witnesses<'a> {
         u32::try_from(id).ok().filter(|_| self.in_lines)
     }
 
-    /// What is known of the lines that define an ID.
+    /// The evidence of the lines that define an ID.
     pub(crate) fn head(&self, stretch: &Stretch, id: i32) -> Option<Head> {
         let here = self.heads.get(&id).copied();
         let elsewhere = u32::try_from(id).ok().filter(|_| self.in_lines);

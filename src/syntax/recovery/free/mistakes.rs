@@ -13,7 +13,7 @@ use super::super::prices::{
 };
 use super::{Head, MAX_NUMBERS_OFF, MAX_PARAMS, Search};
 
-/// So many tokens of what is no record are counted.
+/// Most tokens outside of records that are counted.
 const COUNTED_MAX: usize = 10_000;
 /// How far the end of a record is looked for that has lost its type or its number of points.
 const REACH: usize = 64;
@@ -44,7 +44,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// What can be nothing at all, up to where a record may begin or the line ends.
+    /// Tries tokens that can be nothing at all, up to where a record may begin or the line ends.
     fn garbage(&mut self, at: usize) {
         let stretch = self.stretch;
         let n = stretch.len();
@@ -92,7 +92,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// What is wrong with a token that should be a type and is none.
+    /// The diagnosis of a token that should be a type and is none.
     fn type_verdict(&self, at: usize) -> Diagnosis {
         match self.stretch.sigs.get(at) {
             None => Diagnosis::MissingType,

@@ -125,7 +125,7 @@ struct Offer {
 struct Head {
     id: Id,
     ty: &'static RecordType,
-    /// Of repeated parameters.
+    /// Number of repeated parameters.
     count: u64,
     /// Where the parameters begin.
     first: usize,
@@ -222,7 +222,7 @@ impl Search<'_, '_> {
         self.stretch.bad(first, end) - u32::from(named)
     }
 
-    /// What speaks against a record that ends at a place, as one that begins at another.
+    /// The price of doubts about a record that ends at a place, as one that begins at another.
     fn doubts(&self, head: &Head, end: usize) -> u32 {
         let id = match head.id {
             Id::Is(id) => self.ways.id(id, Some(head.ty), self.here),
@@ -231,7 +231,7 @@ impl Search<'_, '_> {
         id + self.params(head, end)
     }
 
-    /// What speaks against its parameters, of which some may be missing or too many.
+    /// The price of doubts about its parameters, of which some may be missing or too many.
     fn params(&self, head: &Head, end: usize) -> u32 {
         let got = end - head.first;
         let looked_at = got.min(PARAMS_MAX);
@@ -274,7 +274,7 @@ impl Search<'_, '_> {
         least
     }
 
-    /// What can be read from a token on.
+    /// Tries the records that can be read from a token on.
     fn records(&mut self, at: usize) {
         let stretch = self.stretch;
         if stretch.sigs[at].int == Some(0) {
