@@ -42,10 +42,10 @@ const KINDS: [Kind; 5] = [
     Kind::Head,
 ];
 
-/// So many times a scene is read again to find out which of many comments did harm.
+/// Most times that a scene is read again to find out which of many comments did harm.
 const TRIALS: usize = 64;
 
-/// So many bytes are read again for what is offered at one place.
+/// Most bytes that are read again for what is offered at one place.
 pub const TRIED_BYTES: usize = 1_000_000;
 
 /// Where a comment or a part of it is written.
@@ -170,7 +170,7 @@ pub struct Finder<'a> {
     records: Vec<u32>,
     /// Indices of the comments that allow something.
     directives: Vec<u32>,
-    /// What is known of where lines end: a file may be a single line.
+    /// The ends of lines that are known: a file may be a single line.
     ends: RefCell<FxHashMap<usize, Option<u32>>>,
     /// How many bytes may be read yet to find out what a comment does.
     left: Cell<usize>,
@@ -218,7 +218,7 @@ impl<'a> Finder<'a> {
         })
     }
 
-    /// What is to be written for all findings at places of a kind.
+    /// The edits that allow all findings at places of a kind.
     fn edits(&self, kind: Kind) -> Vec<Edit> {
         let mut all: BTreeMap<CommentSlot, BTreeSet<Code>> = BTreeMap::new();
         for finding in self.analysis.findings() {

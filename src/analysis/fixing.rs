@@ -18,11 +18,11 @@ const REFUSED: Range<usize> = 16..1000;
 /// A scene after fixes.
 pub struct Mended {
     pub analysis: Analysis,
-    /// What there is to say about it, with proposals.
+    /// The findings about the scene, with proposals.
     pub findings: Vec<Diagnostic>,
     /// How many fixes these were.
     pub count: usize,
-    /// Their edits, round by round: each of the text that the rounds before have made.
+    /// The edits, round by round: each of the text that the rounds before have made.
     pub rounds: Vec<Vec<Edit>>,
 }
 
@@ -98,7 +98,7 @@ pub fn to_fixed_point(
     }
 }
 
-/// What is left, with the guesses among which a person has to choose.
+/// The findings that are left, with the guesses among which a person has to choose.
 fn with_choices(left: &[Diagnostic], proposals: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let mut left = left.to_vec();
     let is_choice =

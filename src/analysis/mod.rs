@@ -44,7 +44,7 @@ pub struct Analysis {
     pub scene: Scene,
     /// Whether the file is a scene. If not, one finding says so, and there is nothing else.
     is_scene: bool,
-    /// What reading found: the lexer, the parser, the resolver, and the encoding.
+    /// The findings of reading: those of the lexer, the parser, the resolver, and the encoding.
     read: Vec<Diagnostic>,
     /// The code and place of each error in `read`. They stay when `read` is taken.
     errors: Vec<(Code, Span)>,
@@ -65,18 +65,18 @@ struct Foreign {
 
 /// The way from records back to the file that they were made of.
 pub trait Origin: fmt::Debug + Send + Sync {
-    /// What a stretch of the records is in the file, and what it is called there.
+    /// The place in the file of a stretch of the records, and its name there.
     fn place(&self, file: &SourceFile, records: &SourceFile, span: Span) -> (Span, Option<String>);
 
     /// The part of the file that it is in, quickly.
     fn part(&self, file: &SourceFile, records: &SourceFile, span: Span) -> Span;
 
-    /// What has an ID that the file does not have.
+    /// The name of the element with an ID that the file does not have.
     fn name(&self, id: u32) -> Option<String>;
 }
 
 impl Foreign {
-    /// What is found in the records, said of the file. The notation of the records is nobody's matter.
+    /// The findings in the records, about the file. The notation of the records is nobody's matter.
     fn findings(&self, file: &SourceFile, settings: &Settings) -> Vec<Diagnostic> {
         let records = &self.records.source;
         let mut all = self.records.find(self.records.read.clone(), settings);
@@ -327,7 +327,7 @@ impl Analysis {
         known.unwrap_or_else(|| self.find(read, &self.settings))
     }
 
-    /// What rules look at.
+    /// The context that rules look at.
     fn context(&self) -> lint::Context<'_> {
         lint::Context::new(&self.source.text, &self.document, &self.scene, &self.bounds)
     }

@@ -13,7 +13,7 @@ use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Effect, Family, RecordKind};
 use crate::syntax::{Document, Item, Record};
 
-/// So many items are gone through for one file, to see whether what moves is needed on the way: some milliseconds.
+/// Most items that are gone through for one file, to see whether what moves is needed on the way: some milliseconds.
 const STEPS: usize = 1_000_000;
 
 /// Gives the findings about such records their fixes.
@@ -112,7 +112,7 @@ impl<'a> Mover<'a> {
         mover
     }
 
-    /// What a record is about to need is defined below: moves the definition up, or else the record down.
+    /// The fix where a record's operand is defined below: moves the definition up, or else the record down.
     fn moved(&mut self, finding: &Diagnostic) -> Option<Fix> {
         let definition = finding.labels.first()?.span.start;
         let (user, defined) = (self.item(finding.span.start)?, self.item(definition)?);

@@ -75,7 +75,7 @@ impl fmt::Display for Name {
 /// A number in the text of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Number {
-    /// What it is called in messages.
+    /// The name of the parameter in messages.
     pub name: String,
     pub span: Span,
     /// Where its value is in [`Document::values`](crate::syntax::Document::values).

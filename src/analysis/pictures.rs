@@ -8,7 +8,7 @@ use crate::syntax::quote;
 
 /// For so many pictures of a scene folders are looked through.
 const PICTURES: usize = 16;
-/// So many entries of a folder are looked at.
+/// Most entries of a folder that are looked at.
 const ENTRIES: usize = 1000;
 
 /// Gives the findings about pictures that are not there their fixes.

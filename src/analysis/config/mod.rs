@@ -37,7 +37,7 @@ use patterns::Pattern;
 pub use patterns::whole;
 use written::Written;
 
-/// What the file is called.
+/// The name of the file.
 const NAME: &str = "zpg.toml";
 
 /// The settings for the scenes of a folder.
@@ -61,7 +61,7 @@ pub struct ConfigError {
     mistakes: Vec<Mistake>,
 }
 
-/// What is wrong with a file of settings, and in which line and column, both from 1 on.
+/// The fault of a file of settings, and its line and column, both from 1 on.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Mistake {
     place: Option<(usize, usize)>,
@@ -75,7 +75,7 @@ impl From<Complaint> for Mistake {
 }
 
 impl ConfigError {
-    /// What to say about it.
+    /// The message about it.
     pub fn complaint(self) -> Complaint {
         let here = whole(Path::new("."));
         let path = self.path.strip_prefix(here).unwrap_or(&self.path);
@@ -210,7 +210,7 @@ fn quoted(text: &str) -> String {
 /// The settings of many files, each `zpg.toml` read once.
 #[derive(Debug, Default)]
 pub struct Configs {
-    /// What is said on the command line counts more than any file.
+    /// The settings of the command line, which count more than any file.
     over: Vec<Written>,
     only: Option<Arc<Config>>,
     found: Mutex<HashMap<PathBuf, ConfigResult>>,

@@ -23,7 +23,7 @@ pub(super) struct Written {
     pub numbers: Option<Numbers>,
 }
 
-/// What is wrong, and at which byte of the text.
+/// The byte of the text where a fault is, and the fault.
 pub(super) type Fault = (usize, Complaint);
 
 const EXCLUDE: &str = "exclude";
@@ -70,7 +70,7 @@ impl Written {
     }
 }
 
-/// What a table has, in the order of the text.
+/// The entries of a table, in the order of the text.
 fn entries<'t, 'i>(table: &'t DeTable<'i>) -> Vec<KeyValue<'t, 'i>> {
     let mut all: Vec<_> = table.iter().collect();
     all.sort_by_key(|(key, _)| key.span().start);
@@ -84,7 +84,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// What is right; what is wrong is kept.
+    /// The value that is right; a fault is kept.
     fn keep<T>(&mut self, result: Result<T, Fault>) -> Option<T> {
         result.map_err(|fault| self.faults.push(fault)).ok()
     }
@@ -235,7 +235,7 @@ impl Reader<'_> {
         texts.collect()
     }
 
-    /// What a table has; nothing if it is none.
+    /// The entries of a table; none for a value that is no table.
     fn entries_of<'v, 'i>(
         &mut self,
         key: &str,

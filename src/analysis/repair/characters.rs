@@ -1,7 +1,7 @@
 //! Numbers in other characters than those of the language: letters that look like digits, typographic
 //! minus signs, per cent and degree signs, fractions.
 
-/// What may stand for a minus sign.
+/// Characters that may stand for a minus sign.
 const DASHES: [char; 8] = ['−', '–', '—', '‐', '‑', '‒', '﹣', '－'];
 
 /// The number that was meant by a word that is none. A per cent sign divides by 100, a degree sign goes.

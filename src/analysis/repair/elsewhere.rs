@@ -12,12 +12,12 @@ use crate::syntax::table::{Kind, RecordKind};
 
 /// A line that may be to blame.
 pub(super) struct Suspect {
-    /// What is wrong with the line if it is to blame.
+    /// The finding about the line if it is to blame.
     pub finding: Diagnostic,
     pub candidates: Vec<Candidate>,
-    /// What was misread because of it.
+    /// The span that was misread because of it.
     pub misread: Span,
-    /// So many errors a candidate has to mend.
+    /// Fewest errors that a candidate has to mend.
     pub least: usize,
 }
 

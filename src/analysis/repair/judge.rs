@@ -7,7 +7,7 @@ use crate::solids::bounds::NodeBounds;
 use crate::solids::proofs::{Literals, Proofs};
 use crate::trace::plan::unseen::view::{Parts, out_of_view};
 
-/// What weighs most first.
+/// The errors and other findings that are left, the weightiest first.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Left {
     pub errors: usize,
