@@ -3,7 +3,10 @@
 use super::aabb::Aabb;
 use super::array::each;
 use super::vec::Vec3;
-use super::wide_bvh::{FAR, Frame, LEAST, Node, SLACK, STILL, WIDTH, power};
+use super::wide_bvh::{
+    Frame, MAX_ORIGIN_DISTANCE, MIN_DIRECTION_COMPONENT, Node, PARAMETER_REL_ERROR, STILL, WIDTH,
+    power,
+};
 use wide::f32x8;
 
 /// Many rays at once: at every t their points are in a box whose corners move along lines. In single precision, with the
@@ -38,13 +41,14 @@ impl Shaft {
         let side = |corner: [f64; 3], direction: Vec3, outwards: f64| {
             let origin = (Vec3(corner) - frame.centre) * per_unit;
             let direction = direction * per_size;
-            let is_near = origin.abs().max_component() < FAR && direction.is_finite();
+            let is_near =
+                origin.abs().max_component() < MAX_ORIGIN_DISTANCE && direction.is_finite();
             let numbers = each([0, 1, 2], |i| {
                 let (o, d) = (origin[i] as f32, direction[i] as f32);
-                let off = o.abs() * (2.0 * f32::EPSILON) + LEAST;
-                let (off, d) = match d.abs() < LEAST {
+                let off = o.abs() * (2.0 * f32::EPSILON) + MIN_DIRECTION_COMPONENT;
+                let (off, d) = match d.abs() < MIN_DIRECTION_COMPONENT {
                     // As if it moved outwards.
-                    true => (off + STILL, LEAST * outwards as f32),
+                    true => (off + STILL, MIN_DIRECTION_COMPONENT * outwards as f32),
                     false => (off, d),
                 };
                 (o + off * outwards as f32, 1.0 / d)
@@ -91,8 +95,8 @@ impl Shaft {
                 }
             }
         }
-        near *= f32x8::splat(1.0 - SLACK);
-        far *= f32x8::splat(1.0 + SLACK);
+        near *= f32x8::splat(1.0 - PARAMETER_REL_ERROR);
+        far *= f32x8::splat(1.0 + PARAMETER_REL_ERROR);
         (near.simd_le(far).to_bitmask(), near.to_array())
     }
 }

@@ -320,17 +320,17 @@ pub struct Beam {
     unpace: f64,
 }
 
-/// What is rounded between a coordinate and a parameter: the difference and the product, and the direction and its
-/// reciprocal before them, once each, twice over.
-pub(super) const SLACK: f32 = 8.0 * (f32::EPSILON / 2.0);
+/// Relative error of a parameter, twice over: the difference, the product, the direction and its reciprocal are rounded
+/// once each.
+pub(super) const PARAMETER_REL_ERROR: f32 = 8.0 * (f32::EPSILON / 2.0);
 
-/// A component of a direction that is smaller, in parts of the largest, is taken for as much.
-pub(super) const LEAST: f32 = f32::from_bits((127 - 100) << 23);
+/// Least component of a direction, in parts of the largest. A smaller one is taken for as much.
+pub(super) const MIN_DIRECTION_COMPONENT: f32 = f32::from_bits((127 - 100) << 23);
 /// Where that is so, the origin is as uncertain as this: the other components take a line far out of the tree before
 /// this much of the smallest is passed.
 pub(super) const STILL: f32 = f32::from_bits((127 - 40) << 23);
-/// An origin that is farther away, in units of the tree, tells nothing in single precision.
-pub(super) const FAR: f64 = (1u64 << 50) as f64;
+/// Largest distance of an origin, in units of the tree. Beyond it single precision tells nothing.
+pub(super) const MAX_ORIGIN_DISTANCE: f64 = (1u64 << 50) as f64;
 
 impl Beam {
     /// Meets everything.

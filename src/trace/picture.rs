@@ -159,7 +159,7 @@ impl Tracer {
             .into_iter()
             .fold(width as usize, usize::saturating_mul);
         let is_known = settings.numbers == Numbers::F64 && self.clip.is_none();
-        is_known.then(|| SEEN.min(samples / SAMPLES) / (1 + lights))
+        is_known.then(|| MAX_CACHED_BODIES.min(samples / SAMPLES_PER_CACHED_BODY) / (1 + lights))
     }
 
     /// Takes a picture. `progress` is told of every finished row, from any thread.
@@ -215,7 +215,7 @@ impl Tracer {
         let features = self.features(outside);
         Ok(draw(&Drawing {
             tracer: self,
-            vistas: OnceLock::new(),
+            direction_caches: OnceLock::new(),
             seen: self.seen(settings, lights.len()),
             lights,
             limits,
@@ -249,7 +249,7 @@ pub(super) struct Drawing<'t> {
     shift: [f64; 2],
     features: Features,
     /// Set up when the first pixel asks for them.
-    vistas: OnceLock<Vistas>,
+    direction_caches: OnceLock<DirectionCaches>,
     /// See [`Tracer::seen`].
     seen: Option<usize>,
     wanted: Option<&'t [bool]>,
@@ -305,24 +305,38 @@ impl<'t> Drawing<'t> {
 
     /// A pen that draws pixels on one thread.
     pub(super) fn pen<R: Precision>(&self) -> Pen<'_, 't, R> {
-        self.pen_with(self.vistas.get_or_init(|| self.vistas()))
+        self.pen_with(
+            self.direction_caches
+                .get_or_init(|| self.direction_caches()),
+        )
     }
 
-    fn pen_with<'d, R: Precision>(&'d self, vistas: &'d Vistas) -> Pen<'d, 't, R> {
+    fn pen_with<'d, R: Precision>(
+        &'d self,
+        direction_caches: &'d DirectionCaches,
+    ) -> Pen<'d, 't, R> {
         Pen {
-            shader: Shader::new(self.tracer, self.lights, self.limits, self.features, vistas),
+            shader: Shader::new(
+                self.tracer,
+                self.lights,
+                self.limits,
+                self.features,
+                direction_caches,
+            ),
             drawing: self,
         }
     }
 
     /// What is seen from the eye and the lights.
-    fn vistas(&self) -> Vistas {
+    fn direction_caches(&self) -> DirectionCaches {
         let graph = &self.tracer.graph;
-        let bodies = self.seen.and_then(|most| vista::bodies(graph, most));
+        let bodies = self
+            .seen
+            .and_then(|most| direction_cache::bodies(graph, most));
         let Some(bodies) = bodies else {
-            return Vistas::default();
+            return DirectionCaches::default();
         };
-        let from = |point| Vista::new(&bodies, point);
+        let from = |point| DirectionCache::new(&bodies, point);
         // Light through glass is looked for in other ways.
         let lights = match self.features.shadows && !self.features.glass {
             true => (self.lights.iter())
@@ -331,7 +345,7 @@ impl<'t> Drawing<'t> {
             false => Vec::new(),
         };
         let view = &self.view;
-        Vistas {
+        DirectionCaches {
             eye: view.is_pinhole().then(|| from(view.position())).flatten(),
             lights,
         }
@@ -393,11 +407,11 @@ impl<'t> Drawing<'t> {
             ),
             Some((scene, samples)) => {
                 // A few pixels are not worth looking.
-                let no_vistas = Vistas::default();
+                let no_caches = DirectionCaches::default();
                 let draw = (samples, draw);
                 let drawn = parallel::map_each_with(
                     quick::in_bands(rows),
-                    || (self.pen_with(&no_vistas), kernel::Tile::default()),
+                    || (self.pen_with(&no_caches), kernel::Tile::default()),
                     |(pen, tile), band| self.band(pen, (scene, tile), band, part.x, progress, draw),
                 );
                 drawn.into_iter().flatten().collect()

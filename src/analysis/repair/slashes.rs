@@ -7,7 +7,7 @@ use crate::syntax::lexer::TokenKind;
 use crate::syntax::quote;
 
 /// All such comments of a text, as its own ones. What is wrong with a single one of words, its own line says.
-pub fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
+pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let is_unread = |d: &Diagnostic| matches!(d.code, Code::E001 | Code::E012);
     if !findings.iter().any(is_unread) {
         return None;

@@ -19,7 +19,7 @@ pub(super) struct Matter {
 
 type Find = fn(&Analysis, &[Diagnostic]) -> Option<Matter>;
 
-pub const ALL: [Find; 5] = [slashes::comments, dashes, minus, scenes, reserved];
+pub(super) const ALL: [Find; 5] = [slashes::comments, dashes, minus, scenes, reserved];
 
 /// Fewest records that make a habit.
 const MIN_HABIT_RECORDS: usize = 3;

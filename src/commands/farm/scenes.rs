@@ -95,11 +95,11 @@ pub(super) fn name(place: &Path) -> String {
 }
 
 /// Makes sure that nothing else is in the folder: it is not there, empty, or a job already. Whether it is a job.
-pub fn check_folder(folder: &Path) -> Result<bool, Complaint> {
+pub(super) fn check_folder(folder: &Path) -> Result<bool, Complaint> {
     let entries = match fs::read_dir(folder) {
         Ok(entries) => entries,
         Err(e) if e.kind() == io::ErrorKind::NotFound => {
-            return draft::try_folder(folder).map(|()| false);
+            return atomic_file::try_folder(folder).map(|()| false);
         }
         Err(e) => return Err(unwritable(folder, &e)),
     };

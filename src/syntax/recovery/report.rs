@@ -5,6 +5,7 @@ use super::super::quote::quote;
 use super::super::signature::fits;
 use super::super::table::{ParamKind, RecordKind, RecordType};
 use super::super::words;
+use super::diagnosis::{Diagnosis, RecordCandidate};
 use super::faults;
 use super::stretch::Stretch;
 use super::witness::Witnesses;

@@ -12,7 +12,7 @@ use crate::scene::Rgb;
 use crate::trace::search::hit::beside;
 use crate::trace::search::query::Scale;
 use crate::trace::search::root_order::{behind_left, rough};
-use crate::trace::shapes::near::Pass;
+use crate::trace::shapes::quick_reject::Pass;
 use crate::trace::shapes::{Root, Roots};
 use crate::trace::stats::Work;
 use crate::trace::texture::SurfacePoint;

@@ -1,6 +1,7 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
 use super::context::{Leaf, Painted};
+use super::direction_cache::End;
 use super::events::{Crossing, Kind, State};
 use super::query::Search;
 use super::spans::{FirstBoundary, first_of_kind};

@@ -1,6 +1,6 @@
 //! A shape with its properties in one line, as POV-Ray has them: `sphere { <0,1,0>, 1 pigment { color Red } }`.
 
-use super::{Candidate, Habit, Place};
+use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Edit, Fix, Span};
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Family, RecordKind, RecordType};
@@ -15,7 +15,7 @@ const OTHERS: [&str; 4] = ["finish", "normal", "interior", "no_shadow"];
 /// What other programs put around the properties of a surface.
 const AROUND: [&str; 2] = ["texture", "material"];
 
-impl Place<'_> {
+impl LineContext<'_> {
     /// The shape as a record, and each of its properties and moves. Without an ID it gets the only one that is undefined,
     /// or a free one.
     pub(super) fn clauses(&self, used: &[u32]) -> Option<Candidate> {

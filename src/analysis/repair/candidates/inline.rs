@@ -1,6 +1,6 @@
 //! Colours in the place of their IDs: `1 9999 2 0.2 0.3 0.4`.
 
-use super::{Candidate, Habit, Place};
+use super::{Candidate, Habit, LineContext};
 use crate::analysis::colours;
 use crate::diagnostics::{Applicability, Edit, Fix, Span, Value};
 use crate::syntax::lexer::{Token, TokenKind};

@@ -21,7 +21,7 @@ use crate::syntax::lexer::{SEPARATORS, Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{Family, Param, RecordType};
 use crate::syntax::words;
-pub use inline::new_ids;
+pub(crate) use inline::new_ids;
 
 /// What people do, what they do most first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

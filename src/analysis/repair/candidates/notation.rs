@@ -1,6 +1,6 @@
 //! What mathematics writes: `4 = 2 ∪ 3`, and names before numbers, `r = 1`.
 
-use super::{Candidate, Habit, Place};
+use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Fix, Value};
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
@@ -17,7 +17,7 @@ struct Named<'t> {
     number: &'t str,
 }
 
-impl Place<'_> {
+impl LineContext<'_> {
     /// An operation as an equation of sets: `4 = 2 - 3`.
     pub(super) fn equation(&self) -> Option<Candidate> {
         let (first, last) = (self.tokens.first()?, self.tokens.last()?);
