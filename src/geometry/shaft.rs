@@ -87,8 +87,8 @@ impl Shaft {
     pub fn meets(&self, node: &Node, [from, to]: [f32; 2]) -> (u32, [f32; WIDTH]) {
         let (mut near, mut far) = (f32x8::splat(from), f32x8::splat(to));
         for (side, boxes) in self.sides.iter().zip(&node.sides) {
-            for i in 0..3 {
-                let at = (boxes[i] - f32x8::splat(side.origin[i])) * f32x8::splat(side.inverse[i]);
+            for (i, planes) in boxes.iter().enumerate() {
+                let at = (*planes - f32x8::splat(side.origin[i])) * f32x8::splat(side.inverse[i]);
                 match side.enters[i] {
                     true => near = near.fast_max(at),
                     false => far = far.fast_min(at),

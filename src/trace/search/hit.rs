@@ -460,8 +460,8 @@ impl<R: Precision> Walker<'_, R> {
         let mut work = Work::default();
         let colour = match painted {
             Some(painted) => {
-                let into_space = || self.into_space(point, painted);
-                (self.graph).painted(painted.texture, &place, into_space, &mut work)
+                let in_space = || self.in_space(point, painted);
+                (self.graph).painted(painted.texture, &place, in_space, &mut work)
             }
             None if owner == leaf => self.graph.unpainted(&place, &mut work),
             None => DEFAULT_COLOUR,
@@ -471,7 +471,7 @@ impl<R: Precision> Walker<'_, R> {
     }
 
     /// A point of the scene in the space that a texture is painted in.
-    fn into_space(&self, point: Vec3, painted: Painted) -> Vec3 {
+    fn in_space(&self, point: Vec3, painted: Painted) -> Vec3 {
         let mut down = Vec::new();
         let mut context = painted.context;
         while context != 0 {
