@@ -573,7 +573,7 @@ fn a_single_number_is_one_frame() {
     let dir = folder(&[("a.zpg", usual())]);
     let run = |frames: &str| {
         let args = ["render", "a.zpg", "--orbit", "9,360", "--frames", frames];
-        let run = program::zpg(dir.path(), &[&args[..], &SIZE].concat(), "");
+        let run = program::zpg(dir.path(), &[&args[..], &SIZE].concat());
         (text(&run.stdout), text(&run.stderr))
     };
     let (wrote, told) = run("3");

@@ -703,9 +703,9 @@ fn numbers_as_several_arguments() {
         assert_eq!(one(scene, whole), one(scene, several));
     }
     let dir = folder(scene);
-    let run = zpg(dir.path(), &["--point", "0", "1", "0", "a.zpg"], "");
+    let run = probe(dir.path(), &["--point", "0", "1", "0", "a.zpg"], "");
     assert_eq!(run.status.code(), Some(0));
-    let run = zpg(dir.path(), &["--point", "0", "1", "a.zpg"], "");
+    let run = probe(dir.path(), &["--point", "0", "1", "a.zpg"], "");
     let said = String::from_utf8(run.stderr).unwrap();
     assert!(said.contains("expected 3 numbers"), "{said}");
 }
