@@ -34,7 +34,7 @@ impl Shaft {
     /// `start` holds the points of all rays at t = 0; its lower corner and its upper one move by these steps with t, and hold
     /// the points of all rays between them. `None` where the numbers cannot be told in single precision.
     pub fn new(start: &Aabb, steps: [Vec3; 2], frame: &Frame) -> Option<Shaft> {
-        let size = steps.map(|d| d.abs().max_component());
+        let size = each(steps, |d| d.abs().max_component());
         let (size, per_size) = power(size[0].max(size[1]))?;
         let (pace, unpace) = (size * frame.per_unit, frame.unit * per_size);
         let per_unit = frame.per_unit;

@@ -3,6 +3,7 @@
 use super::lanes::{Lanes, V3, WIDTH, is_greater};
 use super::stage::Stage;
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::shaft::Shaft;
 use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::{Child, Is, WIDTH as CHILDREN};
@@ -28,6 +29,44 @@ pub struct Along {
     /// For each of four rays.
     pub blocks: [Vec<(f64, u32)>; WIDTH],
     pending: Vec<Child>,
+}
+
+/// Fewer rays are no bundle.
+pub const BUNDLE_MIN_RAYS: usize = 8;
+
+/// The least box around some points.
+#[derive(Clone, Copy)]
+pub struct Around {
+    min: [f64; 3],
+    max: [f64; 3],
+}
+
+impl Around {
+    pub const NOTHING: Around = Around {
+        min: [f64::INFINITY; 3],
+        max: [f64::NEG_INFINITY; 3],
+    };
+
+    #[inline(always)]
+    pub fn add(&mut self, point: [f64; 3]) {
+        for i in 0..3 {
+            self.min[i] = self.min[i].min(point[i]);
+            self.max[i] = self.max[i].max(point[i]);
+        }
+    }
+
+    /// The greatest side.
+    #[inline(always)]
+    pub fn spread(&self) -> f64 {
+        (0..3).fold(0.0, |most, i| f64::max(most, self.max[i] - self.min[i]))
+    }
+
+    pub fn bounds(&self) -> Aabb {
+        Aabb {
+            min: self.min,
+            max: self.max,
+        }
+    }
 }
 
 /// With more blocks than this on the way, or more nodes, each ray is quicker by itself.
@@ -97,7 +136,7 @@ impl Along {
             return;
         }
         let splat = Lanes::splat;
-        let inverse = direction.0.map(|d| splat(1.0) / d);
+        let inverse = each(direction.0, |d| splat(1.0) / d);
         for candidate in &self.candidates {
             let Aabb { min, max } = candidate.bounds;
             let (mut near, mut far) = (Lanes::ZERO, splat(to));

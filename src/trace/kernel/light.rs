@@ -1,11 +1,13 @@
 //! The light of lamps on the places that a wave has met.
 
+use super::bundle::{Around, BUNDLE_MIN_RAYS};
 use super::lanes::{Lanes, V3, WIDTH, is_greater, is_less, mask};
 use super::query::{NONE, Start};
 use super::shade::{Four, Hits};
 use super::shadow::Light;
-use super::wave::{FEW_RAYS, Scene, Tile};
+use super::wave::{Scene, Tile};
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::vec::{UNIT_ROUNDOFF, Vec3};
 use crate::trace::tracer;
 
@@ -38,12 +40,11 @@ impl Tile {
         let points = hits.point.columns();
         let skins = hits.skin.to_array();
         let entering = hits.entering.to_bitmask();
-        let lanes = [0, 1, 2, 3];
         self.lit.push(Lit {
             live,
             point: hits.point,
             facing: hits.facing(),
-            starts: lanes.map(|lane| Start {
+            starts: each([0, 1, 2, 3], |lane: usize| Start {
                 origin: [points[0][lane], points[1][lane], points[2][lane]],
                 direction: [0.0; 3],
                 skin: skins[lane],
@@ -54,8 +55,8 @@ impl Tile {
             albedo: hits.albedo,
             weight: V3::gathered(four.rays, |ray| &ray.weight),
             light: V3::splat(scene.ambient),
-            pixels: four.rays.map(|ray| ray.pixel),
-            nodes: four.rays.map(|ray| ray.node),
+            pixels: each(four.rays, |ray| ray.pixel),
+            nodes: each(four.rays, |ray| ray.node),
         });
     }
 
@@ -63,23 +64,22 @@ impl Tile {
     #[inline(never)]
     pub(super) fn illuminate(&mut self, scene: &Scene) {
         let mut lit = std::mem::take(&mut self.lit);
-        let places = || {
-            lit.iter().flat_map(|four| {
-                let lanes = (0..WIDTH).filter(|lane| four.live >> lane & 1 != 0);
-                lanes.map(|lane| four.starts[lane].origin)
-            })
-        };
-        let is_bundle = places().nth(FEW_RAYS - 1).is_some();
-        let around = match is_bundle && scene.features.shadows {
-            true => places().fold(Aabb::EMPTY, |all, p| all.hull(&Aabb::new(p, p))),
-            false => Aabb::EMPTY,
-        };
+        let (mut around, mut count) = (Around::NOTHING, 0);
+        if scene.features.shadows {
+            for four in &lit {
+                for lane in (0..WIDTH).filter(|lane| four.live >> lane & 1 != 0) {
+                    around.add(four.starts[lane].origin);
+                    count += 1;
+                }
+            }
+        }
+        let is_bundle = count >= BUNDLE_MIN_RAYS;
+        let around = around.bounds();
         for (number, lamp) in scene.lights.iter().enumerate() {
             if !lamp.power.any() {
                 continue;
             }
-            let is_known =
-                is_bundle && scene.features.shadows && self.find_shaft(scene, &around, lamp);
+            let is_known = is_bundle && self.find_shaft(scene, &around, lamp);
             for four in &mut lit {
                 self.shine(scene, (number, lamp), four, is_known);
             }
@@ -96,7 +96,9 @@ impl Tile {
 
     /// Finds what is between a lamp and all places in a box, if that pays.
     fn find_shaft(&mut self, scene: &Scene, around: &Aabb, lamp: &tracer::Light) -> bool {
-        let steps = [around.min, around.max].map(|corner| lamp.position - Vec3(corner));
+        let steps = each([around.min, around.max], |corner| {
+            lamp.position - Vec3(corner)
+        });
         self.along.find(scene.stage, around, steps, 1.0)
     }
 

@@ -3,7 +3,7 @@
 //! All rays that a tile's pixels send, mirror and refract at one time are a wave. Each is traced by itself; what happens
 //! where they have met something is computed four at a time.
 
-use super::bundle::Along;
+use super::bundle::{Along, Around, BUNDLE_MIN_RAYS};
 use super::cuboid::Cuboids;
 use super::drawn::Drawn;
 use super::lanes::{ALL, V3, WIDTH, mask};
@@ -19,7 +19,7 @@ use super::search::{Met, Scratch};
 use super::shade::{Four, Hits};
 use super::sphere::Spheres;
 use super::stage::Stage;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::trace::shade::{Features, Limits};
@@ -94,8 +94,7 @@ fn slot(kind: Kind, is_placed: bool) -> usize {
     2 * kind as usize + usize::from(is_placed)
 }
 
-/// A wave of fewer rays, or of rays whose directions differ by more than this along some axis, is no bundle.
-pub(super) const FEW_RAYS: usize = 8;
+/// Rays whose directions differ by more than this along some axis are no bundle.
 const SPREAD: f64 = 0.3;
 
 /// More rays than this of one tile are too many to remember.
@@ -184,7 +183,8 @@ impl Tile {
         for i in 0..self.wave.len() {
             let lane = i % WIDTH;
             if is_known && lane == 0 {
-                let four = [0, 1, 2, 3].map(|k| &self.wave[(i + k).min(self.wave.len() - 1)].start);
+                let at = |k: usize| &self.wave[(i + k).min(self.wave.len() - 1)].start;
+                let four = [at(0), at(1), at(2), at(3)];
                 let origin = V3::gathered(four, |start| &start.origin);
                 let direction = V3::gathered(four, |start| &start.direction);
                 self.along.part(ALL, origin, direction, f64::INFINITY);
@@ -235,22 +235,18 @@ impl Tile {
 
     /// Finds what the rays of the wave may meet, if they go nearly the same way.
     fn find_along(&mut self, scene: &Scene) -> bool {
-        if self.wave.len() < FEW_RAYS {
+        if self.wave.len() < BUNDLE_MIN_RAYS {
             return false;
         }
-        let bounds = |of: fn(&Start) -> [f64; 3]| {
-            let all = self.wave.iter().map(|ray| of(&ray.start));
-            all.fold(Aabb::EMPTY, |all, p| all.hull(&Aabb::new(p, p)))
-        };
-        let directions = bounds(|start| start.direction);
-        if directions
-            .extent()
-            .into_iter()
-            .any(|spread| spread > SPREAD)
-        {
-            return false;
+        let (mut origins, mut directions) = (Around::NOTHING, Around::NOTHING);
+        for ray in &self.wave {
+            origins.add(ray.start.origin);
+            directions.add(ray.start.direction);
+            if directions.spread() > SPREAD {
+                return false;
+            }
         }
-        let start = bounds(|start| start.origin);
+        let (start, directions) = (origins.bounds(), directions.bounds());
         let steps = [Vec3(directions.min), Vec3(directions.max)];
         (self.along).find(scene.stage, &start, steps, f64::INFINITY)
     }
@@ -285,8 +281,7 @@ impl Tile {
             let (ray, leaf) = (four.rays[lane], four.leaves[lane]);
             places[lane] = stage.locate(&line(&ray.start), leaf, ray.met.root, &mut self.work);
         }
-        let [a, b, c, d] = four.rays;
-        let resolved = scalar::gathered(&places, [a, b, c, d].map(|ray| ray.met.root.t));
+        let resolved = scalar::gathered(&places, each(four.rays, |ray| ray.met.root.t));
         let live = self.known(four, live, &resolved);
         let mut hits = Hits::new(four, live, &resolved);
         hits.shading = V3::gathered(places.each_ref(), |place| &place.shading.0);
