@@ -2,60 +2,12 @@
 
 use super::leaf::Leaf;
 use super::probe::Probe;
-use super::query::{Ask, Crossed, Crossing, End, NONE, Query, Tests};
+use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Tests};
 use super::scalar::Raw;
-use super::search::{BENT, Scratch};
-use super::stage::{Block, Forest, Shapes, Stage, in_blocks};
-use crate::geometry::aabb::Aabb;
+use super::scratch::{Event, Scratch};
+use super::stage::{Block, Csg, Shapes, Stage};
 use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH};
 use crate::trace::shapes::Root;
-
-/// Which leaves an intersection is made of.
-#[derive(Debug)]
-pub struct Operands {
-    pub firsts: Vec<u32>,
-    /// Cuts without bounds.
-    pub loose: Vec<u32>,
-    /// The other cuts, with their boxes in the space of the intersection.
-    pub boxes: Vec<(u32, Aabb)>,
-}
-
-impl Operands {
-    pub fn all(&self) -> impl Iterator<Item = u32> {
-        let boxes = self.boxes.iter().map(|(leaf, _)| leaf);
-        self.firsts.iter().chain(&self.loose).chain(boxes).copied()
-    }
-}
-
-/// An intersection as a ray walks it.
-#[derive(Debug)]
-pub struct Csg {
-    /// Blocks of what a point must be in.
-    firsts: Vec<u32>,
-    /// How many leaves these are.
-    count: usize,
-    cuts: Forest,
-}
-
-impl Csg {
-    pub fn new(leaves: &[Leaf], operands: Operands, blocks: &mut Vec<Block>) -> Csg {
-        let first = blocks.len() as u32;
-        in_blocks(leaves, &operands.firsts, blocks);
-        Csg {
-            firsts: (first..blocks.len() as u32).collect(),
-            count: operands.firsts.len(),
-            cuts: Forest::new(leaves, &operands.loose, operands.boxes, blocks),
-        }
-    }
-}
-
-/// Where a ray goes into an operand, or comes out of it.
-#[derive(Debug, Clone, Copy)]
-pub struct Event {
-    crossing: Crossing,
-    is_cut: bool,
-    goes_in: bool,
-}
 
 /// How many of the operands a place is in.
 #[derive(Debug, Clone, Copy, Default)]
@@ -222,7 +174,9 @@ impl Stage<'_> {
             let surface = block.leaves[0];
             let leaf = &self.leaves[surface as usize];
             let mut roots = std::mem::take(&mut scratch.roots);
-            let crossed = self.cross(query, surface, [from, to], Ask::All, &mut roots);
+            // All of the line: what is crossed nowhere near may still be around the start.
+            let everywhere = [from, f64::INFINITY];
+            let crossed = self.cross(query, surface, everywhere, Ask::All, &mut roots);
             let listed = match crossed {
                 Raw::Doubt => Err(Doubt),
                 Raw::Nothing | Raw::Somewhere => Ok(()),
@@ -273,7 +227,7 @@ impl Stage<'_> {
                     goes_in: !is_exit,
                 });
             };
-            if surface == start.left {
+            if leaf.twin == start.left {
                 if start.goes_in {
                     is_inside(state);
                     note(self.way_out(probe, leaf, skin).ok_or(Doubt)?, true);
@@ -283,11 +237,15 @@ impl Stage<'_> {
             if chords.sure >> lane & 1 == 0 {
                 return Err(Doubt);
             }
-            let far = self.rough(probe, leaf, chords.far[lane], false);
+            let end = |t: f64, is_near| match t.is_finite() {
+                true => self.rough(probe, leaf, t, is_near),
+                false => End { t, error: 0.0 },
+            };
+            let far = end(chords.far[lane], false);
             if far.t < -(skin + far.error) {
                 continue;
             }
-            let near = self.rough(probe, leaf, chords.near[lane], true);
+            let near = end(chords.near[lane], true);
             if near.t < -(skin + near.error) && far.t > skin + far.error {
                 is_inside(state);
             } else if near.t > skin + near.error {

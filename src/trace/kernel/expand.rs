@@ -1,6 +1,5 @@
 //! The graph of the scene, taken apart into leaves.
 
-use super::csg::Operands;
 use super::leaf::{Colour, Kind, Leaf};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::affine::{Affine, Placement};
@@ -10,6 +9,23 @@ use crate::scene::{DEFAULT_COLOUR, Texture};
 use crate::trace::graph::{Coat, Graph, Object, Operation, Part, Target};
 use crate::trace::shapes::Primitive;
 use rustc_hash::FxHashMap;
+
+/// Which leaves an intersection is made of.
+#[derive(Debug)]
+pub struct Operands {
+    pub firsts: Vec<u32>,
+    /// Cuts without bounds.
+    pub loose: Vec<u32>,
+    /// The other cuts, with their boxes in the space of the intersection.
+    pub boxes: Vec<(u32, Aabb)>,
+}
+
+impl Operands {
+    pub fn all(&self) -> impl Iterator<Item = u32> {
+        let boxes = self.boxes.iter().map(|(leaf, _)| leaf);
+        self.firsts.iter().chain(&self.loose).chain(boxes).copied()
+    }
+}
 
 /// The leaves of a scene.
 #[derive(Default)]
@@ -22,6 +38,8 @@ pub struct Leaves {
     /// Chains of placements, the outermost first; the first one is empty.
     pub chains: Vec<Vec<u32>>,
     numbers: FxHashMap<Vec<u32>, u32>,
+    /// For each shape and each chain, the first leaf that is that shape placed so.
+    twins: FxHashMap<(u32, u32), u32>,
     /// The operands of intersections and differences.
     pub operands: Vec<Operands>,
     /// Beside `all`: from the scene down, which operand each leaf is in.
@@ -210,6 +228,7 @@ impl Leaves {
         };
         let number = self.all.len() as u32;
         let chain = self.chain(&above.chain);
+        let twin = *self.twins.entry((primitive, chain)).or_insert(number);
         self.paths.push(above.path.clone());
         self.all.push(Leaf {
             kind,
@@ -218,6 +237,7 @@ impl Leaves {
             chain,
             placement,
             solid: number,
+            twin,
             extent: graph.extents[primitive as usize],
             operand: 0,
             is_solid,
@@ -290,6 +310,7 @@ impl Leaves {
             chain,
             placement: 0,
             solid: number,
+            twin: number,
             is_convex: false,
             ..whole
         });

@@ -58,6 +58,8 @@ pub struct Leaf {
     pub placement: u32,
     /// The leaf that it bounds: itself, or what it is an operand of.
     pub solid: u32,
+    /// The first leaf with the same surface: itself, if there is none before.
+    pub twin: u32,
     /// See [`Graph::extents`](crate::trace::graph::Graph::extents).
     pub extent: f64,
     /// Which operand of the scene's union it is: the earlier of two owns what both are in.

@@ -48,7 +48,7 @@ impl Tile {
                 origin: [points[0][lane], points[1][lane], points[2][lane]],
                 direction: [0.0; 3],
                 skin: skins[lane],
-                left: four.rays[lane].met.surface,
+                left: four.leaves[lane].twin,
                 goes_in: entering >> lane & 1 == 0,
                 within: four.rays[lane].start.within,
             }),

@@ -38,6 +38,7 @@ mod query;
 mod rectangle;
 mod resolved;
 mod scalar;
+mod scratch;
 mod search;
 mod shade;
 mod shadow;

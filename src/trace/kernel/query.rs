@@ -15,7 +15,7 @@ pub struct Start {
     pub direction: [f64; 3],
     /// A bound on the distance of the origin from the surface that it is on.
     pub skin: f64,
-    /// The leaf whose surface that is, or [`NONE`].
+    /// The first leaf with that surface, or [`NONE`]: see [`Leaf::twin`](super::leaf::Leaf::twin).
     pub left: u32,
     /// Whether the ray goes against the normal of that surface.
     pub goes_in: bool,
@@ -26,6 +26,9 @@ pub struct Start {
 /// A skin tells places apart that are farther from each other than this many of it: the root of the unit roundoff, and a
 /// little.
 const SKINS: f64 = 1.2e8;
+
+/// A little more than what [`rough`](crate::trace::search::root_order::rough) says of surfaces that bend away.
+pub const BENT: f64 = 9e-7;
 
 /// A ray, set up for a search.
 #[derive(Debug)]
@@ -112,7 +115,7 @@ pub enum Crossed {
     Somewhere,
     /// Rounding may have decided something.
     Doubt,
-    /// At the places in [`Scratch::ahead`](super::search::Scratch::ahead).
+    /// At the places in [`Scratch::ahead`](super::scratch::Scratch::ahead).
     Ahead,
 }
 

@@ -4,7 +4,7 @@ use super::lanes::{Lanes, V3, WIDTH, mask};
 use super::leaf::{Colour, Kind, Leaf};
 use super::query::{Ask, Crossed, Crossing, End, Query, Tests};
 use super::resolved::Resolved;
-use super::search::Scratch;
+use super::scratch::Scratch;
 use super::stage::Stage;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
@@ -110,7 +110,7 @@ impl Stage<'_> {
         let leaf = &self.leaves[number as usize];
         let primitive = &self.graph.primitives[leaf.primitive as usize];
         let start = query.start;
-        let is_left = start.left == number;
+        let is_left = start.left == leaf.twin;
         let goes_out = is_left && !(start.goes_in && leaf.is_solid);
         if goes_out && leaf.is_convex {
             return Raw::Nothing;

@@ -3,12 +3,13 @@
 use super::bundle::Blocks;
 use super::leaf::{Kind, Leaf};
 use super::probe::{Chords, Probe};
-use super::query::{Ask, Crossed, Crossing, End, NONE, Query, Start, Tests};
+use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Start, Tests};
+use super::scratch::Scratch;
 use super::stage::{Block, Shapes, Stage};
 use super::{cuboid, plane};
 use crate::geometry::array::each;
 use crate::geometry::wide_bvh::{Beam, Child, Is, Node, WIDTH};
-use crate::trace::shapes::{Root, Roots};
+use crate::trace::shapes::Root;
 
 /// What a ray meets first.
 #[derive(Debug, Clone, Copy)]
@@ -18,26 +19,6 @@ pub enum Met {
     Doubt,
     Surface(Crossing),
 }
-
-/// What is kept from one search to the next.
-#[derive(Debug, Default)]
-pub struct Scratch {
-    /// What is still to be visited, with bounds from below on where it is met.
-    pub(super) pending: Vec<(f32, Child)>,
-    /// Transparent things on the way.
-    pub(super) passed: Vec<super::shadow::Passed>,
-    /// Crossings with later operands, which are not seen from within an earlier one, leaf by leaf.
-    hidden: Vec<(u32, End)>,
-    /// Where the last leaf without lanes is met.
-    pub(super) ahead: Vec<Crossing>,
-    pub(super) roots: Roots,
-    /// Of the last intersection.
-    pub(super) events: Vec<super::csg::Event>,
-    pub(super) inner: Vec<Child>,
-}
-
-/// A little more than what [`rough`](crate::trace::search::root_order::rough) says of surfaces that bend away.
-pub const BENT: f64 = 9e-7;
 
 /// The nearest crossing so far.
 struct Nearest {
@@ -225,10 +206,13 @@ impl Stage<'_> {
             let lane = maybe.trailing_zeros() as usize % 4;
             maybe &= maybe - 1;
             let number = block.leaves[lane];
-            if number == start.left && number != start.within {
+            let leaf = &self.leaves[number as usize];
+            if leaf.twin == start.left && number != start.within {
+                if start.goes_in && leaf.is_solid {
+                    return false;
+                }
                 continue;
             }
-            let leaf = &self.leaves[number as usize];
             if chords.sure >> lane & 1 == 0 {
                 return false;
             }

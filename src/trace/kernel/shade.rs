@@ -140,7 +140,7 @@ impl Tile {
                     origin: at(&origins),
                     direction: at(&directions),
                     skin: skins[lane],
-                    left: from.met.surface,
+                    left: four.leaves[lane].twin,
                     goes_in: is_entering == matches!(way, Way::Through { .. }),
                     within,
                 },

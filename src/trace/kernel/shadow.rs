@@ -3,8 +3,8 @@
 use super::bundle::Blocks;
 use super::leaf::{Kind, Leaf};
 use super::probe::Probe;
-use super::query::{Ask, Crossed, End, NONE, Query, Start, Tests};
-use super::search::{BENT, Scratch};
+use super::query::{Ask, BENT, Crossed, End, NONE, Query, Start, Tests};
+use super::scratch::{Passed, Scratch};
 use super::stage::{Shapes, Stage};
 use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH};
@@ -17,16 +17,6 @@ pub enum Light {
     Dark,
     /// The kernel does not know.
     Doubtful,
-}
-
-/// Something transparent that light passes.
-#[derive(Debug, Clone, Copy)]
-pub struct Passed {
-    leaf: u32,
-    near: End,
-    far: End,
-    /// How many of its faces are on the way.
-    faces: u32,
 }
 
 /// The nearest thing that lets nothing through, where something transparent may hide it.
@@ -156,10 +146,16 @@ impl Stage<'_> {
             let lane = maybe.trailing_zeros() as usize % 4;
             maybe &= maybe - 1;
             let own = block.leaves[lane];
-            if own == start.left || own == start.within {
+            let leaf = &self.leaves[own as usize];
+            if own == start.within {
                 continue;
             }
-            let leaf = &self.leaves[own as usize];
+            if leaf.twin == start.left {
+                if start.goes_in && leaf.is_solid {
+                    return Found::Doubt;
+                }
+                continue;
+            }
             if chords.sure >> lane & 1 == 0 {
                 return Found::Doubt;
             }

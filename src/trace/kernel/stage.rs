@@ -1,8 +1,7 @@
 //! A scene as the kernel sees it: shapes in blocks, blocks in a tree.
 
-use super::csg::Csg;
 use super::cuboid::Cuboids;
-use super::expand::Leaves;
+use super::expand::{Leaves, Operands};
 use super::leaf::{Kind, Leaf};
 use super::lone::find_lone;
 use super::plane::Planes;
@@ -46,6 +45,28 @@ pub struct Forest {
     /// Its items are numbers of the other blocks.
     pub tree: Tree,
     pub frame: Frame,
+}
+
+/// An intersection as a ray walks it.
+#[derive(Debug)]
+pub struct Csg {
+    /// Blocks of what a point must be in.
+    pub firsts: Vec<u32>,
+    /// How many leaves these are.
+    pub count: usize,
+    pub cuts: Forest,
+}
+
+impl Csg {
+    fn new(leaves: &[Leaf], operands: Operands, blocks: &mut Vec<Block>) -> Csg {
+        let first = blocks.len() as u32;
+        in_blocks(leaves, &operands.firsts, blocks);
+        Csg {
+            firsts: (first..blocks.len() as u32).collect(),
+            count: operands.firsts.len(),
+            cuts: Forest::new(leaves, &operands.loose, operands.boxes, blocks),
+        }
+    }
 }
 
 /// A scene as the kernel sees it.
@@ -148,7 +169,7 @@ fn clustered(
 }
 
 /// Puts shapes of one kind in one space into a block.
-pub fn in_blocks(leaves: &[Leaf], items: &[u32], blocks: &mut Vec<Block>) {
+fn in_blocks(leaves: &[Leaf], items: &[u32], blocks: &mut Vec<Block>) {
     let mut left: Vec<u32> = items.to_vec();
     while let Some(&first) = left.first() {
         let like = |i: &u32| {
