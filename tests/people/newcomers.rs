@@ -473,6 +473,17 @@ fn warnings_wait_for_errors() {
     let analysis = read(&text);
     let mut warned = analysis.findings().iter().filter(|d| d.code == Code::W318);
     assert!(warned.next().is_none());
+    // The floor that cannot be read is what covers the face in which the tool ends.
+    let text = "20 1 2 1 0 1 3\n21 12 -0.3 0 0.5 0.3 1 1.5\n22 -103 20 21\n30 4 0 1 0\n\
+                33 -101 22 30\n42 -501 1 3 10 0 -0.1 -1 0 1 0 40\n1 9999 33 0\n";
+    let codes = |text: &str| -> Vec<Code> {
+        let analysis = read(text);
+        analysis.findings().iter().map(|d| d.code).collect()
+    };
+    assert!(!codes(text).contains(&Code::W321));
+    assert!(!codes(&text.replace("4 0 1 0", "4 0 1 0 0")).contains(&Code::W321));
+    let alone = text.replace("30 4 0 1 0", "30 4 0 1 0 5");
+    assert!(codes(&alone).contains(&Code::W321));
 }
 
 /// A safe fix waits while a change of its object cannot be read.

@@ -304,6 +304,7 @@ pub(super) const RULES: &[Rule] = &[
 pub(super) const OF_PICTURES: &[Code] = &[
     Code::W307,
     Code::W318,
+    Code::W321,
     Code::W324,
     Code::W325,
     Code::W326,
