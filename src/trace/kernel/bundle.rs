@@ -49,9 +49,9 @@ impl Around {
 
     #[inline(always)]
     pub fn add(&mut self, point: [f64; 3]) {
-        for i in 0..3 {
-            self.min[i] = self.min[i].min(point[i]);
-            self.max[i] = self.max[i].max(point[i]);
+        let ends = self.min.iter_mut().zip(&mut self.max);
+        for ((min, max), x) in ends.zip(point) {
+            (*min, *max) = (min.min(x), max.max(x));
         }
     }
 
