@@ -410,7 +410,7 @@ impl<'t> Drawing<'t> {
                 let no_caches = DirectionCaches::default();
                 let draw = (samples, draw);
                 let drawn = parallel::map_each_with(
-                    quick::in_bands(rows),
+                    quick::in_bands(rows, samples),
                     || (self.pen_with(&no_caches), kernel::Tile::default()),
                     |(pen, tile), band| self.band(pen, (scene, tile), band, part.x, progress, draw),
                 );

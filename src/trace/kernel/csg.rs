@@ -50,6 +50,7 @@ impl Stage<'_> {
         let csg = &self.csgs[whole.primitive as usize];
         scratch.events.clear();
         scratch.ahead.clear();
+        scratch.merges += 1;
         let Ok(mut state) = self.events(query, whole, csg, [from, to], scratch, tests) else {
             return Crossed::Doubt;
         };

@@ -30,7 +30,7 @@ impl Drawn {
         self.total > 0
     }
 
-    /// Adds what it has cost, but for the work on surfaces: see [`Tile::work`](super::Tile::work).
+    /// Adds what it has cost, but for the work on surfaces: see [`Tile::take_work`](super::Tile::take_work).
     #[inline]
     pub fn count(&self, all: &mut Counts) {
         all.rays.camera += 1;

@@ -37,4 +37,6 @@ pub struct Scratch {
     /// Of the last intersection.
     pub events: Vec<Event>,
     pub inner: Vec<Child>,
+    /// How many lists of crossings intersections have merged.
+    pub merges: u64,
 }

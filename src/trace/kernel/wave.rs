@@ -86,7 +86,7 @@ pub struct Tile {
     /// Places of the wave that lamps may shine on.
     pub(super) lit: Vec<Lit>,
     /// The work on textures and normals of all samples since it was last taken.
-    pub work: Work,
+    pub(super) work: Work,
 }
 
 /// Where rays are kept that have met a shape of a kind, where it was defined or elsewhere.
@@ -102,6 +102,16 @@ const SPREAD: f64 = 0.3;
 const MOST: usize = 1 << 20;
 
 impl Tile {
+    /// The work on textures, normals and intersections of all samples since it was last taken.
+    pub fn take_work(&mut self) -> Work {
+        let merged = std::mem::take(&mut self.search.merges);
+        let work = std::mem::take(&mut self.work);
+        Work {
+            csg_merge: merged,
+            ..work
+        }
+    }
+
     /// Draws pixels with a camera ray each, from outside of everything; the result is in their order.
     ///
     /// Of each the origin and the direction are given, which has the length 1.

@@ -5,7 +5,7 @@ use crate::geometry::vec::Vec3;
 use crate::trace::film::developed;
 use crate::trace::kernel::{self, Drawn};
 use crate::trace::precision::Precision;
-use crate::trace::stats::{Counts, Samples, Work};
+use crate::trace::stats::{Counts, Samples};
 use crate::trace::switches::Without;
 use crate::trace::within::Within;
 
@@ -76,12 +76,13 @@ impl<'t> Drawing<'t> {
             return vec![(Samples::of(0), Counts::default(), false); band.len()];
         }
         pen.shader.reset();
-        tile.work = Work::default();
+        tile.take_work();
         let mut taken = vec![Samples::NONE; band.len()];
         let mut counts = Counts::default();
         let width = band.first().map_or(0, |row| row.film.len());
         let (mut places, mut rays) = (Vec::new(), Vec::new());
-        let across = (kernel::TILE[0] / samples as usize).max(1);
+        let rays_in_tile = kernel::TILE[0] * kernel::TILE[1];
+        let across = (rays_in_tile / (band.len() * samples as usize).max(1)).max(1);
         for from in (0..width).step_by(across) {
             places.clear();
             rays.clear();
@@ -119,7 +120,7 @@ impl<'t> Drawing<'t> {
                 band[row].put(column, pixel);
             }
         }
-        counts.work += tile.work;
+        counts.work += tile.take_work();
         counts += pen.shader.counts();
         let is_finished = !self.is_to_stop();
         let rows = taken.into_iter().enumerate().map(|(row, samples)| {
@@ -131,12 +132,14 @@ impl<'t> Drawing<'t> {
     }
 }
 
-/// The rows that the quick kernel draws together.
-pub(super) fn in_bands(rows: Vec<Row>) -> Vec<Vec<Row>> {
-    let mut bands: Vec<Vec<Row>> = Vec::with_capacity(rows.len().div_ceil(kernel::TILE[1]));
+/// The rows that the quick kernel draws together: with many samples one, so that a picture that is interrupted keeps what
+/// is done.
+pub(super) fn in_bands(rows: Vec<Row>, samples: u32) -> Vec<Vec<Row>> {
+    let height = (kernel::TILE[1] / samples as usize).max(1);
+    let mut bands: Vec<Vec<Row>> = Vec::with_capacity(rows.len().div_ceil(height));
     for row in rows {
         match bands.last_mut() {
-            Some(band) if band.len() < kernel::TILE[1] => band.push(row),
+            Some(band) if band.len() < height => band.push(row),
             _ => bands.push(vec![row]),
         }
     }
