@@ -1,6 +1,6 @@
 //! One record's parameters: their tokens, their values, and what the table says about each.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Constraint, Param, RecordType};
 use crate::syntax::{Document, Record};
@@ -123,12 +123,7 @@ impl<'a> Params<'a> {
             span: self.span_of(at, 1),
             text: self.text_of(from).to_owned(),
         };
-        Fix {
-            title: "fix",
-            values: Vec::new(),
-            applicability: Applicability::Unsafe,
-            edits: vec![edit(i, j), edit(j, i)],
-        }
+        Fix::guess("fix", vec![edit(i, j), edit(j, i)])
     }
 
     fn violation(&self, i: usize, p: &Param) -> Option<Diagnostic> {

@@ -2,7 +2,7 @@
 
 use super::whole::Matter;
 use crate::analysis::Analysis;
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::TokenKind;
 use crate::syntax::quote;
 
@@ -57,11 +57,6 @@ pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<M
         .case("slashes")
         .with("text", quote(analysis.source.slice(sign)))
         .with("count", Value::Count(edits.len() as u64))
-        .fix(Fix {
-            title: "fix",
-            values: Vec::new(),
-            applicability: Applicability::Unsafe,
-            edits,
-        });
+        .fix(Fix::guess("fix", edits));
     Some(Matter { finding, spans })
 }

@@ -66,12 +66,7 @@ fn dashes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
         .case("dashes")
         .with("text", crate::syntax::quote(source.slice(first.span)))
         .with("count", Value::Count(edits.len() as u64))
-        .fix(Fix {
-            title: "fix",
-            values: Vec::new(),
-            applicability: Applicability::Unsafe,
-            edits,
-        });
+        .fix(Fix::guess("fix", edits));
     let spans = lines.into_iter().map(|line| source.line_span(line));
     let spans = spans.collect();
     Some(Matter { finding, spans })
@@ -139,12 +134,7 @@ fn minus(analysis: &Analysis, _: &[Diagnostic]) -> Option<Matter> {
         .with("number", first.code.to_string())
         .with("type", Value::Term(first.title))
         .with("kinds", if alike { "one" } else { "many" })
-        .fix(Fix {
-            title: "fix",
-            values: Vec::new(),
-            applicability: Applicability::Unsafe,
-            edits: edits.collect(),
-        });
+        .fix(Fix::guess("fix", edits.collect()));
     Some(Matter {
         finding,
         spans: lost.into_iter().map(|l| l.2).collect(),
@@ -297,12 +287,7 @@ fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
         .with("count", Value::Count(doubled.len() as u64))
         .with("number", by.to_string())
         .label(*ids.get(&first.id).or(ids.get(&1))?, begun)
-        .fix(Fix {
-            title: "fix",
-            values: Vec::new(),
-            applicability: Applicability::Unsafe,
-            edits,
-        });
+        .fix(Fix::guess("fix", edits));
     let spans = vec![Span::new(end, end + rest.len() as u32)];
     Some(Matter { finding, spans })
 }

@@ -1,6 +1,6 @@
 //! A tool that reaches a hair further.
 
-use crate::diagnostics::{Applicability, Edit, Fix};
+use crate::diagnostics::{Edit, Fix};
 use crate::geometry::array::length;
 use crate::lint::spelling::spelled;
 use crate::scene::Geometry;
@@ -38,12 +38,7 @@ pub(super) fn lengthen(
         })
         .collect();
     let edits = edits.filter(|e| !e.is_empty())?;
-    Some(Fix {
-        title: "fix",
-        values: Vec::new(),
-        applicability: Applicability::Unsafe,
-        edits,
-    })
+    Some(Fix::guess("fix", edits))
 }
 
 /// A number with no more digits than it takes to tell by how much it was moved.

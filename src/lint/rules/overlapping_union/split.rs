@@ -1,6 +1,6 @@
 //! A union as the handout has it where media meet, (A − B) ∪ (B − A) ∪ (A ∩ B), the common piece first.
 
-use crate::diagnostics::{Applicability, Edit, Fix, Span};
+use crate::diagnostics::{Edit, Fix, Span};
 use crate::lint::Context;
 use crate::lint::parts::{Parts, parts};
 use crate::lint::properties::{ASPECTS, Properties};
@@ -104,17 +104,15 @@ impl Pieces {
         };
         let edit = |span, text| Edit { span, text };
         let front = Span::new(p.id_span().start, p.id_span().start);
-        Some(Fix {
-            title: "fix",
-            values: Vec::new(),
-            applicability: Applicability::Unsafe,
-            edits: vec![
+        Some(Fix::guess(
+            "fix",
+            vec![
                 edit(front, lines.join("\n") + "\n"),
                 // First: the faces that it shares with the others look like it.
                 edit(p.span_of(0, 1), both.to_string()),
                 edit(p.span_of(1, 1), rest.to_string()),
             ],
-        })
+        ))
     }
 
     /// The records that give the common piece what the first operand looks like.
