@@ -2,17 +2,17 @@
 
 #![warn(missing_docs)]
 
+mod pen;
 mod quick;
 
-use super::adaptive::{BATCH_SAMPLES, Estimate, First, MAX_SAMPLES, contrast};
+use super::adaptive::{First, contrast};
 use super::camera::View;
 use super::compile::cannot_draw;
 use super::costs::CostMap;
-use super::film::{Film, developed};
+use super::film::Film;
 use super::kernel;
 use super::plan::Effect;
 use super::precision::Precision;
-use super::ray::Ray;
 use super::sampling::sample;
 use super::search::direction_cache::{self, DirectionCache, DirectionCaches};
 use super::shade::{Features, Limits, Shader};
@@ -25,6 +25,8 @@ use crate::geometry::vec::Vec3;
 use crate::parallel;
 use crate::scene::{Camera, Scene};
 use crate::solids::staging;
+pub(super) use pen::Pen;
+use pen::{Draw, Pixel};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 
@@ -513,111 +515,3 @@ impl Row<'_> {
         self.total_reflection[column] = pixel.total_reflection;
     }
 }
-
-/// A finished pixel.
-#[derive(Debug, Clone, Copy, Default)]
-struct Pixel {
-    colour: [f32; 3],
-    samples: u32,
-    tests: u32,
-    total_reflection: bool,
-}
-
-/// Draws pixels on one thread.
-pub(super) struct Pen<'d, 't, R: Precision> {
-    pub(super) shader: Shader<'d, R>,
-    pub(super) drawing: &'d Drawing<'t>,
-}
-
-impl<R: Precision> Pen<'_, '_, R> {
-    /// Intersection tests since the last reset.
-    fn tests(&self) -> u64 {
-        let counted = self.shader.intersections();
-        counted.boxes + counted.shape
-    }
-
-    fn tests_since(&self, before: u64) -> u32 {
-        u32::try_from(self.tests() - before).unwrap_or(u32::MAX)
-    }
-
-    /// Times that light was totally reflected since the last reset.
-    fn total(&self) -> u64 {
-        self.shader.total()
-    }
-
-    /// The light of sample `i` of `n`; where a projection has no ray, or none in
-    /// the range of the precision, there is nothing to be seen.
-    pub(super) fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
-        let line = self.drawing.line(x, y, i, n);
-        match line.map(|[origin, direction]| Ray::new(origin, direction).cast::<R>()) {
-            Some(mut ray) if ray.line.is_sound() => {
-                ray.within = self.drawing.within;
-                Vec3(self.shader.radiance(&ray))
-            }
-            _ => Vec3::ZERO,
-        }
-    }
-
-    /// The mean of `n` samples.
-    fn fixed(&mut self, x: u32, y: u32, n: u32) -> Pixel {
-        let (before, total) = (self.tests(), self.total());
-        let mut sum = Vec3::ZERO;
-        for i in 0..n {
-            sum = sum + self.sample(x, y, i, n);
-        }
-        Pixel {
-            colour: developed((sum / f64::from(n)).0),
-            samples: n,
-            tests: self.tests_since(before),
-            total_reflection: self.total() > total,
-        }
-    }
-
-    /// The first samples of a pixel that may get more.
-    pub(super) fn first(&mut self, x: u32, y: u32) -> First {
-        let (before, total) = (self.tests(), self.total());
-        let samples = [0, 1, 2, 3].map(|i| developed(self.sample(x, y, i, MAX_SAMPLES).0));
-        First {
-            samples,
-            tests: self.tests_since(before),
-            total_reflection: self.total() > total,
-        }
-    }
-
-    /// As many samples as the tolerance asks for, given the first ones.
-    fn adaptive(&mut self, x: u32, y: u32, first: &First, contrast: f64, tolerance: f64) -> Pixel {
-        let (before, total) = (self.tests(), self.total());
-        let estimate = self.estimate(x, y, first, contrast, tolerance);
-        Pixel {
-            colour: developed(estimate.mean.0),
-            samples: estimate.samples(),
-            tests: first.tests.saturating_add(self.tests_since(before)),
-            total_reflection: first.total_reflection || self.total() > total,
-        }
-    }
-
-    pub(super) fn estimate(
-        &mut self,
-        x: u32,
-        y: u32,
-        first: &First,
-        contrast: f64,
-        tolerance: f64,
-    ) -> Estimate {
-        let mean = |batch: [Vec3; BATCH_SAMPLES as usize]| {
-            batch.into_iter().fold(Vec3::ZERO, |sum, s| sum + s) / f64::from(BATCH_SAMPLES)
-        };
-        let mut estimate = Estimate::new();
-        estimate.add(mean(first.samples.map(|s| Vec3(s.map(f64::from)))));
-        while !estimate.is_enough(contrast, tolerance) {
-            let n = estimate.samples();
-            estimate.add(mean(
-                [0, 1, 2, 3].map(|i| self.sample(x, y, n + i, MAX_SAMPLES)),
-            ));
-        }
-        estimate
-    }
-}
-
-/// Draws the pixel in a column and a row.
-type Draw<'a, R> = &'a (dyn Fn(&mut Pen<'_, '_, R>, u32, u32) -> Pixel + Sync);
