@@ -70,10 +70,10 @@ impl Around {
 }
 
 /// With more blocks than this on the way, or more nodes, each ray is quicker by itself.
-const MOST_BLOCKS: usize = 24;
-const MOST_NODES: u32 = 48;
+const MAX_BUNDLE_BLOCKS: usize = 24;
+const MAX_BUNDLE_NODES: u32 = 48;
 /// Boxes are wider by this part of all coordinates: far more than what is rounded.
-const ROOM: f64 = 1e-12;
+const REL_ROOM: f64 = 1e-12;
 
 impl Along {
     /// Finds the blocks that rays of a bundle may meet up to some t; whether that pays. The rays start in a box, whose
@@ -110,7 +110,7 @@ impl Along {
                     Is::Node(_) => self.pending.push(node.children[slot]),
                     Is::Item(block) => {
                         let bounds = &stage.blocks[block as usize].bounds;
-                        let room = ROOM * bounds.reach().max(start.reach());
+                        let room = REL_ROOM * bounds.reach().max(start.reach());
                         let room = Vec3::ONE * room;
                         self.candidates.push(Candidate {
                             near: shaft.unpace(near[slot]),
@@ -120,7 +120,7 @@ impl Along {
                     }
                 }
             }
-            if nodes > MOST_NODES || self.candidates.len() > MOST_BLOCKS {
+            if nodes > MAX_BUNDLE_NODES || self.candidates.len() > MAX_BUNDLE_BLOCKS {
                 return false;
             }
         }
@@ -147,7 +147,7 @@ impl Along {
                 far = low.fast_max(high).fast_min(far);
             }
             // Written so that what is no number is met.
-            let misses = is_greater(near, far * splat(1.0 + ROOM)).to_bitmask();
+            let misses = is_greater(near, far * splat(1.0 + REL_ROOM)).to_bitmask();
             let mut met = live & !misses;
             while met != 0 {
                 let lane = met.trailing_zeros() as usize % WIDTH;

@@ -1,6 +1,6 @@
 //! Intersections and differences: what is in all of some solids and in none of some others, the cuts.
 
-use super::leaf::Leaf;
+use super::leaf::{Kind, Leaf};
 use super::probe::Probe;
 use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Tests};
 use super::scalar::Raw;
@@ -231,7 +231,10 @@ impl Stage<'_> {
             if leaf.twin == start.left {
                 if start.goes_in {
                     is_inside(state);
-                    note(self.way_out(probe, leaf, skin).ok_or(Doubt)?, true);
+                    // There is no way out of a half-space for what has come in.
+                    if leaf.kind != Kind::HalfSpace {
+                        note(self.way_out(probe, leaf, skin).ok_or(Doubt)?, true);
+                    }
                 }
                 continue;
             }

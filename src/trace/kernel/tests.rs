@@ -201,3 +201,27 @@ fn pictures_are_those_of_the_arbiter() {
     }
     assert!(quick > all / 3, "{quick} of {all}");
 }
+
+/// The flat faces that half-spaces cut are no more in doubt than others.
+#[test]
+fn flat_cuts_are_known() {
+    let text = "2 11 0 0 0 1\n3 4 0 -1 -1 0\n4 -103 2 3\n5 11 0 0 0 1\n6 4 0 -1 -1 0\n7 -102 5 6\n7 -1 2.5 0 0\n\
+                8 -101 4 7\n8 -1 -1 0 0\n9 -402 0.8\n9 -1 2 5 9\n10 -501 0 1 8 0 0 -1 0 1 0 45\n1 9999 8 0\n";
+    let scene = scene(text);
+    let mut tracer = Tracer::new(&scene).unwrap();
+    let settings = Settings {
+        width: 60,
+        height: 45,
+        ..Settings::default()
+    };
+    let camera = selected_camera(&scene, 4.0 / 3.0);
+    let ours = tracer.render(&camera, &settings, || ()).unwrap();
+    tracer.graph.without.kernel = true;
+    let theirs = tracer.render(&camera, &settings, || ()).unwrap();
+    assert_eq!(ours.film, theirs.film);
+    assert!(
+        ours.counts.quick > 60 * 45 * 98 / 100,
+        "{}",
+        ours.counts.quick
+    );
+}

@@ -99,7 +99,7 @@ fn slot(kind: Kind, is_placed: bool) -> usize {
 const SPREAD: f64 = 0.3;
 
 /// More rays than this of one tile are too many to remember.
-const MOST: usize = 1 << 20;
+const MAX_RAYS_IN_TILE: usize = 1 << 20;
 
 impl Tile {
     /// The work on textures, normals and intersections of all samples since it was last taken.
@@ -145,7 +145,7 @@ impl Tile {
             }
         }
         while !self.wave.is_empty() {
-            if self.nodes.len() > MOST {
+            if self.nodes.len() > MAX_RAYS_IN_TILE {
                 self.pixels.iter_mut().for_each(|p| p.is_doubtful = true);
                 break;
             }
