@@ -447,7 +447,7 @@ fn a_job_is_written_anew() {
         let said = says(dir.path(), &[&farm[..], &[tiles]].concat(), 0);
         assert!(said.contains(&format!("{tiles} tasks")), "{said}");
         let is_again = tiles == "3";
-        assert_eq!(said.contains("was a job already"), is_again, "{said}");
+        assert_eq!(said.contains("holds an earlier job"), is_again, "{said}");
         let list = fs::read_to_string(dir.path().join("scenes/job/scenes.txt")).unwrap();
         assert_eq!(list, "a.zpg\n");
     }
