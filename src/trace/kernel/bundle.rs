@@ -1,6 +1,7 @@
 //! What many rays that go nearly the same way may meet.
 
-use super::lanes::{Lanes, V3, WIDTH, is_greater};
+use super::lanes::{Lanes, V3, WIDTH, gathered, is_greater};
+use super::query::{NONE, SKINS, Start};
 use super::stage::Stage;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
@@ -26,10 +27,47 @@ pub struct Along {
     candidates: Vec<Candidate>,
     /// Box tests that have been made.
     pub boxes: u32,
-    /// For each of four rays.
+    /// For each of four rays: see [`part`](Self::part).
     pub blocks: [Vec<(f64, u32)>; WIDTH],
     pending: Vec<Child>,
 }
+
+/// Four rays of a bundle.
+#[derive(Debug, Clone, Copy)]
+pub struct Rays {
+    /// Those that are asked for, as bits.
+    pub live: u32,
+    pub origin: V3,
+    pub direction: V3,
+    /// In t, how far behind a start something is that may be taken for it.
+    pub before: Lanes,
+    /// See [`Start::left`](super::query::Start::left).
+    pub left: [u32; WIDTH],
+    /// Those that are asked only whether anything opaque is on their way, as bits.
+    pub shadow: u32,
+}
+
+impl Rays {
+    #[inline(always)]
+    pub fn new(starts: [&Start; WIDTH], live: u32, is_shadow: bool) -> Rays {
+        let direction = V3::gathered(starts, |start| &start.direction);
+        let skin = gathered(starts, |start| start.skin * SKINS);
+        Rays {
+            live,
+            origin: V3::gathered(starts, |start| &start.origin),
+            direction,
+            before: skin / direction.abs().max_component(),
+            left: each(starts, |start| start.left),
+            shadow: (0..)
+                .zip(starts)
+                .filter(|(_, start)| is_shadow && start.within == NONE)
+                .fold(0, |bits, (lane, _)| bits | 1 << lane),
+        }
+    }
+}
+
+/// The rays that surely go through something opaque that is near nothing transparent, as bits.
+pub type Dark = u32;
 
 /// Fewer rays are no bundle.
 pub const BUNDLE_MIN_RAYS: usize = 8;
@@ -130,16 +168,25 @@ impl Along {
 
     /// Finds those of the blocks that four rays of the bundle may meet up to some t, into [`blocks`](Self::blocks).
     #[inline(always)]
-    pub fn part(&mut self, live: u32, origin: V3, direction: V3, to: f64) {
+    pub fn part(&mut self, stage: &Stage, rays: &Rays, to: f64) -> Dark {
+        let mut dark = 0;
         self.blocks.iter_mut().for_each(Vec::clear);
         if self.candidates.is_empty() {
-            return;
+            return dark;
         }
         let splat = Lanes::splat;
+        let &Rays {
+            live,
+            origin,
+            direction,
+            before,
+            left,
+            shadow,
+        } = rays;
         let inverse = each(direction.0, |d| splat(1.0) / d);
         for candidate in &self.candidates {
             let Aabb { min, max } = candidate.bounds;
-            let (mut near, mut far) = (Lanes::ZERO, splat(to));
+            let (mut near, mut far) = (-before, splat(to));
             for i in 0..3 {
                 let low = (splat(min[i]) - origin.0[i]) * inverse[i];
                 let high = (splat(max[i]) - origin.0[i]) * inverse[i];
@@ -148,12 +195,24 @@ impl Along {
             }
             // Written so that what is no number is met.
             let misses = is_greater(near, far * splat(1.0 + REL_ROOM)).to_bitmask();
-            let mut met = live & !misses;
+            let mut met = live & !misses & !dark;
+            let block = &stage.blocks[candidate.block as usize];
+            if let (Some(near), true) = (&block.near, met != 0) {
+                let passing = near.pass(origin, direction, before, to);
+                met &= !passing.beside;
+                let leaf = &stage.leaves[block.leaves[0] as usize];
+                let through = met & shadow & passing.through;
+                if through != 0 && leaf.is_lone && !leaf.is_clear {
+                    let others = (0..WIDTH).filter(|&lane| left[lane] != leaf.twin);
+                    dark |= through & others.fold(0, |bits, lane| bits | 1 << lane);
+                }
+            }
             while met != 0 {
                 let lane = met.trailing_zeros() as usize % WIDTH;
                 met &= met - 1;
                 self.blocks[lane].push((candidate.near, candidate.block));
             }
         }
+        dark
     }
 }

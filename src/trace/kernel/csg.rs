@@ -1,32 +1,70 @@
-//! Intersections and differences: what is in all of some solids and in none of some others, the cuts.
+//! Intersections and differences, of shapes or of other operations: the places where a ray crosses any of the shapes are
+//! put in order, and at each one it is told whether the whole begins or ends there.
 
+use super::expand::{Gate, Operands};
 use super::leaf::{Kind, Leaf};
 use super::probe::Probe;
 use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Tests};
 use super::scalar::Raw;
 use super::scratch::{Event, Scratch};
-use super::stage::{Block, Csg, Shapes, Stage};
+use super::stage::{Block, Forest, Shapes, Stage, in_blocks};
 use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH};
 use crate::trace::shapes::Root;
 
-/// How many of the operands a place is in.
-#[derive(Debug, Clone, Copy, Default)]
-struct State {
-    firsts: usize,
-    cuts: usize,
+/// An intersection as a ray walks it.
+///
+/// A place is in a gate if none of its operands is wrong: a first one is wrong where the place is not in it, a cut where it
+/// is. A union is all that is in some of its cuts.
+#[derive(Debug)]
+pub struct Csg {
+    /// Blocks of shapes that all of it is in.
+    firsts: Vec<u32>,
+    /// The other shapes.
+    others: Forest,
+    /// That of the whole comes first, each one before its operands.
+    gates: Vec<Gate>,
+    /// How many operands of each gate are wrong far from everything.
+    wrong: Vec<u32>,
 }
 
-impl State {
-    fn after(mut self, event: &Event) -> State {
-        let count = match event.is_cut {
-            true => &mut self.cuts,
-            false => &mut self.firsts,
-        };
-        match event.goes_in {
-            true => *count += 1,
-            false => *count = count.saturating_sub(1),
+impl Csg {
+    pub fn new(leaves: &[Leaf], operands: Operands, blocks: &mut Vec<Block>) -> Csg {
+        let mut wrong = vec![0; operands.gates.len()];
+        for leaf in operands.all().map(|leaf| &leaves[leaf as usize]) {
+            wrong[leaf.gate as usize] += u32::from(!leaf.is_cut);
         }
-        self
+        for (number, gate) in operands.gates.iter().enumerate().skip(1).rev() {
+            let is_in = (wrong[number] == 0) != gate.is_union;
+            wrong[gate.parent as usize] += u32::from(is_in == gate.is_cut);
+        }
+        let first = blocks.len() as u32;
+        in_blocks(leaves, &operands.firsts, blocks);
+        Csg {
+            firsts: (first..blocks.len() as u32).collect(),
+            others: Forest::new(leaves, &operands.loose, operands.boxes, blocks),
+            gates: operands.gates,
+            wrong,
+        }
+    }
+
+    /// Goes into a shape or out of it.
+    #[inline]
+    fn pass(&self, leaf: &Leaf, goes_in: bool, wrong: &mut [u32]) {
+        let (mut gate, mut is_cut, mut goes_in) = (leaf.gate as usize, leaf.is_cut, goes_in);
+        loop {
+            let was_in = wrong[gate] == 0;
+            match goes_in == is_cut {
+                true => wrong[gate] += 1,
+                false => wrong[gate] = wrong[gate].saturating_sub(1),
+            }
+            let is_in = wrong[gate] == 0;
+            if is_in == was_in || gate == 0 {
+                return;
+            }
+            let outer = self.gates[gate];
+            goes_in = is_in != outer.is_union;
+            (gate, is_cut) = (outer.parent as usize, outer.is_cut);
+        }
     }
 }
 
@@ -51,37 +89,58 @@ impl Stage<'_> {
         scratch.events.clear();
         scratch.ahead.clear();
         scratch.merges += 1;
-        let Ok(mut state) = self.events(query, whole, csg, [from, to], scratch, tests) else {
-            return Crossed::Doubt;
-        };
-        let is_in = |state: State| state.firsts == csg.count && state.cuts == 0;
-        if is_in(state) != (query.start.within == number) {
+        scratch.wrong.clear();
+        scratch.wrong.extend(&csg.wrong);
+        if let Err(Doubt) = self.events(query, whole, csg, [from, to], scratch, tests) {
             return Crossed::Doubt;
         }
-        let events = &mut scratch.events;
+        let Scratch {
+            events,
+            wrong,
+            ahead,
+            ..
+        } = scratch;
+        let mut is_in = wrong[0] == 0;
+        if is_in != (query.start.within == number) {
+            return Crossed::Doubt;
+        }
         events.sort_unstable_by(|a, b| a.crossing.end.t.total_cmp(&b.crossing.end.t));
+        let is_told = |a: &Event, b: Option<&Event>| {
+            b.is_none_or(|b| a.crossing.end.is_before(b.crossing.end))
+        };
         for (i, event) in events.iter().enumerate() {
-            let (before, after) = (state, state.after(event));
-            // Two in one place, of which the order may matter.
+            let leaf = &self.leaves[event.crossing.surface as usize];
             let next = events.get(i + 1);
-            if next.is_some_and(|next| !event.crossing.end.is_before(next.crossing.end)) {
-                return Crossed::Doubt;
+            if let Some(next) = next.filter(|next| !is_told(event, Some(next))) {
+                // Two in one place: what each of them does must not depend on which comes first.
+                let other = &self.leaves[next.crossing.surface as usize];
+                let mut after = |leaf: &Leaf, goes_in| {
+                    csg.pass(leaf, goes_in, wrong);
+                    wrong[0] == 0
+                };
+                let [one, both] = [after(leaf, event.goes_in), after(other, next.goes_in)];
+                let [two, before] = [after(leaf, !event.goes_in), after(other, !next.goes_in)];
+                let is_free = (before != one) == (two != both) && (one != both) == (before != two);
+                if !is_free || !is_told(next, events.get(i + 2)) {
+                    return Crossed::Doubt;
+                }
             }
-            if is_in(before) != is_in(after) {
-                scratch.ahead.push(event.crossing);
+            csg.pass(leaf, event.goes_in, wrong);
+            if is_in != (wrong[0] == 0) {
+                is_in = !is_in;
+                ahead.push(event.crossing);
                 if ask != Ask::All {
                     break;
                 }
             }
-            state = after;
         }
-        match scratch.ahead[..] {
+        match ahead[..] {
             [] => Crossed::Nothing,
             _ => Crossed::Ahead,
         }
     }
 
-    /// Lists where a ray crosses operands; returns which of them it starts in.
+    /// Lists where a ray crosses operands, and goes into those that it starts in.
     fn events(
         &self,
         query: &Query,
@@ -90,25 +149,18 @@ impl Stage<'_> {
         [from, to]: [f64; 2],
         scratch: &mut Scratch,
         tests: &mut Tests,
-    ) -> Result<State, Doubt> {
-        let mut state = State::default();
+    ) -> Result<(), Doubt> {
         // Beyond the way out of the first operands nothing matters.
         let mut end = to;
         for &block in &csg.firsts {
-            let before = (state.firsts, scratch.events.len());
+            let before = (scratch.wrong[0], scratch.events.len());
             let block = &self.blocks[block as usize];
-            self.operands(
-                query,
-                block,
-                [from, f64::INFINITY],
-                false,
-                (&mut state, scratch),
-            )?;
+            self.operands(query, block, [from, f64::INFINITY], csg, scratch)?;
             let met = &scratch.events[before.1..];
-            if (state.firsts, scratch.events.len()) == before {
+            if (scratch.wrong[0], scratch.events.len()) == before {
                 // Neither in it nor before it.
                 scratch.events.clear();
-                return Ok(State::default());
+                return Ok(());
             }
             let out = met.iter().filter(|event| !event.goes_in);
             let out = out.map(|event| event.crossing.end.t + event.crossing.end.error);
@@ -118,16 +170,16 @@ impl Stage<'_> {
             }
         }
         tests.shapes += csg.firsts.len() as u32;
-        for &block in &csg.cuts.loose {
+        for &block in &csg.others.loose {
             let block = &self.blocks[block as usize];
-            self.operands(query, block, [from, end], true, (&mut state, scratch))?;
+            self.operands(query, block, [from, end], csg, scratch)?;
         }
-        if csg.cuts.tree.nodes.is_empty() {
-            return Ok(state);
+        if csg.others.tree.nodes.is_empty() {
+            return Ok(());
         }
         let beam = Beam::new(
             &self.line_through(&query.line, whole.chain),
-            &csg.cuts.frame,
+            &csg.others.frame,
         );
         let ends = [0.0, beam.pace(end)];
         let mut pending = std::mem::take(&mut scratch.inner);
@@ -138,7 +190,7 @@ impl Stage<'_> {
             match child.is() {
                 Is::Node(node) => {
                     tests.boxes += WIDTH as u32;
-                    let node = &csg.cuts.tree.nodes[node as usize];
+                    let node = &csg.others.tree.nodes[node as usize];
                     let first = beam.first(node, ends, |_, child| pending.push(child));
                     pending.extend(first.map(|(_, child)| child));
                 }
@@ -146,7 +198,7 @@ impl Stage<'_> {
                     tests.shapes += 1;
                     let block = &self.blocks[block as usize];
                     let stretch = [from, end];
-                    result = self.operands(query, block, stretch, true, (&mut state, scratch));
+                    result = self.operands(query, block, stretch, csg, scratch);
                     if result.is_err() {
                         break;
                     }
@@ -154,7 +206,7 @@ impl Stage<'_> {
             }
         }
         scratch.inner = pending;
-        result.map(|()| state)
+        result
     }
 
     /// Lists where a ray crosses the operands in a block.
@@ -164,13 +216,9 @@ impl Stage<'_> {
         query: &Query,
         block: &Block,
         [from, to]: [f64; 2],
-        is_cut: bool,
-        (state, scratch): (&mut State, &mut Scratch),
+        csg: &Csg,
+        scratch: &mut Scratch,
     ) -> Result<(), Doubt> {
-        let is_inside = |state: &mut State| match is_cut {
-            true => state.cuts += 1,
-            false => state.firsts += 1,
-        };
         if let Shapes::Alone = block.shapes {
             let surface = block.leaves[0];
             let leaf = &self.leaves[surface as usize];
@@ -183,7 +231,7 @@ impl Stage<'_> {
                 Raw::Nothing | Raw::Somewhere => Ok(()),
                 Raw::Ahead { line, mut inside } => {
                     if inside {
-                        is_inside(state);
+                        csg.pass(leaf, true, &mut scratch.wrong);
                     }
                     for &root in &roots.list {
                         scratch.events.push(Event {
@@ -193,7 +241,6 @@ impl Stage<'_> {
                                 end: self.end(leaf, &line, root),
                                 is_exit: inside,
                             },
-                            is_cut,
                             goes_in: !inside,
                         });
                         inside = !inside;
@@ -215,7 +262,7 @@ impl Stage<'_> {
             maybe &= maybe - 1;
             let surface = block.leaves[lane];
             let leaf = &self.leaves[surface as usize];
-            let mut note = |end: End, is_exit: bool| {
+            let note = |end: End, is_exit: bool, scratch: &mut Scratch| {
                 let root = Root { t: end.t, face: 0 };
                 scratch.events.push(Event {
                     crossing: Crossing {
@@ -224,16 +271,16 @@ impl Stage<'_> {
                         end,
                         is_exit,
                     },
-                    is_cut,
                     goes_in: !is_exit,
                 });
             };
             if leaf.twin == start.left {
                 if start.goes_in {
-                    is_inside(state);
+                    csg.pass(leaf, true, &mut scratch.wrong);
                     // There is no way out of a half-space for what has come in.
                     if leaf.kind != Kind::HalfSpace {
-                        note(self.way_out(probe, leaf, skin).ok_or(Doubt)?, true);
+                        let out = self.way_out(probe, leaf, skin).ok_or(Doubt)?;
+                        note(out, true, scratch);
                     }
                 }
                 continue;
@@ -251,14 +298,14 @@ impl Stage<'_> {
             }
             let near = end(chords.near[lane], true);
             if near.t < -(skin + near.error) && far.t > skin + far.error {
-                is_inside(state);
+                csg.pass(leaf, true, &mut scratch.wrong);
             } else if near.t > skin + near.error {
-                note(near, false);
+                note(near, false, scratch);
             } else {
                 return Err(Doubt);
             }
             if far.t < f64::INFINITY {
-                note(far, true);
+                note(far, true, scratch);
             }
         }
         Ok(())

@@ -6,17 +6,34 @@ use crate::geometry::affine::{Affine, Placement};
 use crate::geometry::exponent::{exponent, shifted};
 use crate::geometry::vec::Vec3;
 use crate::scene::{DEFAULT_COLOUR, Texture};
-use crate::trace::graph::{Coat, Graph, Object, Operation, Part, Target};
+use crate::trace::graph::{Coat, Graph, Object, Operation, Target};
 use crate::trace::shapes::Primitive;
 use rustc_hash::FxHashMap;
+use std::ops::Range;
 
-/// Which leaves an intersection is made of.
+/// A solid within an intersection: what is in all of some operands and in none of some others, the cuts. A union is what is
+/// not in none of its operands.
+#[derive(Debug, Clone, Copy)]
+pub struct Gate {
+    /// The gate that it is an operand of, which is an earlier one. That of the whole is its own.
+    pub parent: u32,
+    /// Whether it is a cut there.
+    pub is_cut: bool,
+    pub is_union: bool,
+}
+
+/// What an intersection is made of.
 #[derive(Debug)]
 pub struct Operands {
+    /// Holds all of it, in its space.
+    pub bounds: Aabb,
+    /// The whole comes first.
+    pub gates: Vec<Gate>,
+    /// Shapes that all of the whole is in.
     pub firsts: Vec<u32>,
-    /// Cuts without bounds.
+    /// Other shapes without bounds.
     pub loose: Vec<u32>,
-    /// The other cuts, with their boxes in the space of the intersection.
+    /// The other shapes, with their boxes in the space of the intersection.
     pub boxes: Vec<(u32, Aabb)>,
 }
 
@@ -105,9 +122,10 @@ impl Leaves {
                 if leaves.all.len() > most {
                     return None;
                 }
-                let bounds = bounds.map(|bounds| in_the_scene(graph, &bounds, &above.chain));
+                let bounds = bounds.map(|bounds| moved(graph, &bounds, &above.chain));
                 let above = above.and(graph, number);
                 match graph.parts[number as usize].target {
+                    Target::Shape(_) if graph.parts[number as usize].inverted => return None,
                     Target::Shape(_) => {
                         let leaf = leaves.leaf(graph, number, &above, None)?;
                         leaves.put(leaf, bounds);
@@ -127,12 +145,6 @@ impl Leaves {
         }
         leaves.number_operands();
         Some(leaves)
-    }
-
-    /// Whether most leaves have lanes: without them, glass or intersections the arbiter is as quick.
-    pub fn have_lanes(&self) -> bool {
-        let alone = self.all.iter().filter(|leaf| leaf.kind == Kind::Other);
-        3 * alone.count() <= self.all.len()
     }
 
     /// Takes a leaf into the scene's union.
@@ -172,15 +184,9 @@ impl Leaves {
         above: &Above,
         owner: Option<&Above>,
     ) -> Option<u32> {
-        let Part {
-            target, inverted, ..
-        } = graph.parts[part as usize];
-        let Target::Shape(primitive) = target else {
+        let Target::Shape(primitive) = graph.parts[part as usize].target else {
             return None;
         };
-        if inverted {
-            return None;
-        }
         let shape = &graph.primitives[primitive as usize];
         // No other shape has colours of its own.
         let has_own = matches!(shape, Primitive::Revolution(_)) && owner.is_none();
@@ -240,6 +246,8 @@ impl Leaves {
             twin,
             extent: graph.extents[primitive as usize],
             operand: 0,
+            gate: 0,
+            is_cut: false,
             is_solid,
             is_convex: shape.shape().is_convex(),
             colour,
@@ -255,47 +263,17 @@ impl Leaves {
         Some(number)
     }
 
-    /// Adds an intersection or a difference of solid shapes, if it is for the kernel; returns its number.
+    /// Adds an intersection or a difference of solids, if it is for the kernel; returns its number.
     fn csg(&mut self, graph: &Graph, object: &Object, above: &Above) -> Option<u32> {
-        let Operation::Intersection {
-            first,
-            cuts,
-            inherit,
-        } = &object.operation
-        else {
-            return None;
-        };
-        let owner = match inherit {
-            true if first.len() == 1 => Some(above.and(graph, first.start)),
-            true => return None,
-            false => None,
-        };
-        let mut operand = |part: u32| {
-            let owner = owner.as_ref().filter(|_| !first.contains(&part));
-            self.leaf(graph, part, &above.and(graph, part), owner)
-        };
-        let firsts = first
-            .clone()
-            .map(&mut operand)
-            .collect::<Option<Vec<u32>>>()?;
-        let loose = (cuts.loose.iter().copied())
-            .map(&mut operand)
-            .collect::<Option<Vec<u32>>>()?;
-        let boxes = (cuts.tree.boxes(&object.frame))
-            .map(|(part, bounds)| Some((operand(part)?, bounds)))
-            .collect::<Option<Vec<(u32, Aabb)>>>()?;
+        let operands = self.operands(graph, object, above)?;
         let number = self.all.len() as u32;
-        let operands = Operands {
-            firsts,
-            loose,
-            boxes,
-        };
         let &one = operands.all().next().as_ref()?;
         let whole = self.all[one as usize].clone();
+        let has_unions = operands.gates.iter().any(|gate| gate.is_union);
         for leaf in operands.all() {
             let leaf = &mut self.all[leaf as usize];
             // What is in it is one medium.
-            let is_like = leaf.kt == whole.kt && leaf.ratios == whole.ratios;
+            let is_like = leaf.kt == whole.kt && leaf.ratios == whole.ratios && !has_unions;
             let is_opaque = !leaf.is_clear && !whole.is_clear;
             if !(leaf.is_solid && (is_opaque || is_like)) {
                 return None;
@@ -317,10 +295,98 @@ impl Leaves {
         self.operands.push(operands);
         Some(number)
     }
+
+    /// Adds the shapes that an intersection or a difference is made of.
+    fn operands(&mut self, graph: &Graph, object: &Object, above: &Above) -> Option<Operands> {
+        let mut operands = Operands {
+            bounds: object.bounds,
+            gates: vec![Gate {
+                parent: 0,
+                is_cut: false,
+                is_union: false,
+            }],
+            firsts: Vec::new(),
+            loose: Vec::new(),
+            boxes: Vec::new(),
+        };
+        let outer = above.chain.len();
+        // With each object its gate, what is above it, and what its shapes look like, if not like themselves.
+        let mut pending = vec![(object, 0, above.clone(), None)];
+        while let Some((object, gate, above, owner)) = pending.pop() {
+            let (firsts, cuts, cut_owner) = match &object.operation {
+                Operation::Union(all) => (0..0, all, owner.clone()),
+                Operation::Intersection {
+                    first,
+                    cuts,
+                    inherit,
+                } => {
+                    let inherited = match (&owner, inherit) {
+                        (None, true) => Some(foremost(graph, first.clone(), &above)?),
+                        _ => owner.clone(),
+                    };
+                    (first.clone(), cuts, inherited)
+                }
+            };
+            let bounds = cuts.tree.boxes(&object.frame);
+            let bounds = bounds.map(|(part, bounds)| (part, Some(bounds), true));
+            let loose = cuts.loose.iter().map(|&part| (part, None, true));
+            let firsts = firsts.map(|part| (part, None, false));
+            for (number, bounds, is_cut) in firsts.chain(loose).chain(bounds) {
+                let owner = if is_cut { &cut_owner } else { &owner };
+                let part = &graph.parts[number as usize];
+                let own = above.and(graph, number);
+                let shape = match part.target {
+                    Target::Shape(primitive) => graph.primitives[primitive as usize].shape(),
+                    Target::Object(object) => {
+                        let object = &graph.objects[object as usize];
+                        let inner = operands.gates.len() as u32;
+                        operands.gates.push(Gate {
+                            parent: gate,
+                            is_cut,
+                            is_union: matches!(object.operation, Operation::Union(_)),
+                        });
+                        pending.push((object, inner, own, owner.clone()));
+                        continue;
+                    }
+                };
+                let is_cut = is_cut != part.inverted;
+                let leaf = self.leaf(graph, number, &own, owner.as_ref())?;
+                (self.all[leaf as usize].gate, self.all[leaf as usize].is_cut) = (gate, is_cut);
+                let bounds = match bounds {
+                    Some(bounds) if gate == 0 => bounds,
+                    _ => moved(graph, &shape.bounds(), &own.chain[outer..]),
+                };
+                match bounds.is_bounded() {
+                    _ if gate == 0 && !is_cut => operands.firsts.push(leaf),
+                    true => operands.boxes.push((leaf, bounds)),
+                    false => operands.loose.push(leaf),
+                }
+            }
+        }
+        Some(operands)
+    }
 }
 
-/// A box around what is in a box, in the scene's space, with room for what maps round.
-fn in_the_scene(graph: &Graph, bounds: &Aabb, chain: &[u32]) -> Aabb {
+/// What is above the shape that owns all that is in all of some parts: the first one of the first part. `None` where that
+/// is not everywhere one shape.
+fn foremost(graph: &Graph, parts: Range<u32>, above: &Above) -> Option<Above> {
+    let mut above = above.clone();
+    let mut parts = parts;
+    while let Some(part) = parts.next() {
+        above = above.and(graph, part);
+        let Target::Object(object) = graph.parts[part as usize].target else {
+            return Some(above);
+        };
+        match &graph.objects[object as usize].operation {
+            Operation::Intersection { first, .. } => parts = first.clone(),
+            Operation::Union(_) => return None,
+        }
+    }
+    None
+}
+
+/// A box around what is in a box, in the space that a chain leads from, with room for what maps round.
+fn moved(graph: &Graph, bounds: &Aabb, chain: &[u32]) -> Aabb {
     let out = |bounds: Aabb, &m: &u32| bounds.image(&graph.placements[m as usize].out).padded();
     chain.iter().rev().fold(*bounds, out)
 }

@@ -58,6 +58,10 @@ pub struct Leaf {
     pub placement: u32,
     /// The leaf that it bounds: itself, or what it is an operand of.
     pub solid: u32,
+    /// Of an operand: which of the gates of that it is an operand of, and whether it is a cut there. See
+    /// [`Gate`](super::expand::Gate).
+    pub gate: u32,
+    pub is_cut: bool,
     /// The first leaf with the same surface: itself, if there is none before.
     pub twin: u32,
     /// See [`Graph::extents`](crate::trace::graph::Graph::extents).

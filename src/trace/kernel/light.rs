@@ -1,6 +1,6 @@
 //! The light of lamps on the places that a wave has met.
 
-use super::bundle::{Around, BUNDLE_MIN_RAYS};
+use super::bundle::{Around, BUNDLE_MIN_RAYS, Rays};
 use super::lanes::{Lanes, V3, WIDTH, is_greater, is_less, mask};
 use super::query::{NONE, Start};
 use super::shade::{Four, Hits};
@@ -124,25 +124,32 @@ impl Tile {
             return;
         }
         let ways = way.columns();
-        if is_known {
-            self.along.part(faces, four.point, way, 1.0);
+        for (lane, start) in four.starts.iter_mut().enumerate() {
+            start.direction = [ways[0][lane], ways[1][lane], ways[2][lane]];
         }
-        let mut seen = [[0.0; WIDTH]; 3];
-        for lane in 0..WIDTH {
+        let mut dark = 0;
+        if is_known {
+            let rays = Rays::new(four.starts.each_ref(), faces, true);
+            dark = self.along.part(scene.stage, &rays, 1.0);
+        }
+        let mut seen = [Vec3::ZERO; WIDTH];
+        for (lane, seen) in seen.iter_mut().enumerate() {
             if faces >> lane & 1 == 0 {
                 continue;
             }
-            let start = &mut four.starts[lane];
+            let start = &four.starts[lane];
             let is_seen = !scene.features.shadows || (scene.is_alone && start.within == NONE);
-            let share = if is_seen {
+            *seen = if is_seen {
                 Vec3::ONE
             } else {
-                start.direction = [ways[0][lane], ways[1][lane], ways[2][lane]];
                 let pixel = &mut self.pixels[four.pixels[lane] as usize];
                 pixel.shadow += 1;
                 let last = &mut self.last[number];
                 let along = is_known.then_some(&self.along.blocks[lane][..]);
                 let scratch = &mut self.search;
+                if dark >> lane & 1 != 0 {
+                    continue;
+                }
                 match (scene.stage).light(start, along, last, scratch, &mut pixel.tests) {
                     Light::Dark => Vec3::ZERO,
                     Light::Seen(share) => {
@@ -156,15 +163,8 @@ impl Tile {
                     }
                 }
             };
-            for i in 0..3 {
-                seen[i][lane] = share[i];
-            }
         }
-        let seen = V3([
-            Lanes::new(seen[0]),
-            Lanes::new(seen[1]),
-            Lanes::new(seen[2]),
-        ]);
+        let seen = V3::gathered(seen.each_ref(), |share| &share.0);
         let visible = mask(faces & seen.any());
         let brighter = four.light + V3::splat(lamp.power).times(seen) * cosine;
         four.light = V3::either(visible, brighter, four.light);

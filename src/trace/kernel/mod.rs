@@ -1,8 +1,8 @@
 //! A quick way to draw pictures.
 //!
 //! Pictures have the bits of those that [`search`](super::search) and [`shade`](super::shade) draw, who are called the
-//! arbiter here. The kernel takes on scenes that are seen from outside, of shapes in unions and of intersections and
-//! differences of shapes, placed anywhere. It knows of each ray whether rounding may have decided anything about it. A
+//! arbiter here. The kernel takes on scenes that are seen from outside: unions of shapes, intersections and differences,
+//! placed anywhere. It knows of each ray whether rounding may have decided anything about it. A
 //! pixel with such a ray is in doubt, and the arbiter draws it. So it does a whole picture of which the kernel does not
 //! know enough.
 //!
@@ -14,7 +14,8 @@
 //! 1. [`search`] finds the leaf that each ray meets first, with bounds that are far wider than any rounding. Spheres, boxes,
 //!    planes and rectangles have lanes ([`sphere`], [`cuboid`], [`plane`], [`rectangle`]): a ray is held against four at
 //!    once. Other shapes are asked one by one by the arbiter's own formulas ([`scalar`]). [`csg`] merges what a ray meets of
-//!    an intersection. Rays that go nearly the same way share one walk through the tree: [`bundle`].
+//!    an intersection. Rays that go nearly the same way share one walk through the tree ([`bundle`]), and four of them at
+//!    a time are held against a shape before it is asked ([`near`]).
 //! 2. Where a leaf is met is computed with the operations of the arbiter in the arbiter's order, for four rays at once;
 //!    [`place`] takes rays into the spaces of shapes. [`shade`] sends on what is mirrored and refracted: the next wave.
 //! 3. [`light`] adds up the light of the lamps, one lamp after the other for all places of the wave; [`shadow`] says how much
@@ -31,6 +32,7 @@ mod lanes;
 mod leaf;
 mod light;
 mod lone;
+mod near;
 mod place;
 mod plane;
 mod probe;

@@ -25,7 +25,7 @@ pub struct Start {
 
 /// A skin tells places apart that are farther from each other than this many of it: the root of the unit roundoff, and a
 /// little.
-const SKINS: f64 = 1.2e8;
+pub const SKINS: f64 = 1.2e8;
 
 /// A little more than what [`rough`](crate::trace::search::root_order::rough) says of surfaces that bend away.
 pub const BENT: f64 = 9e-7;

@@ -18,7 +18,6 @@ pub struct Passed {
 #[derive(Debug, Clone, Copy)]
 pub struct Event {
     pub crossing: Crossing,
-    pub is_cut: bool,
     pub goes_in: bool,
 }
 
@@ -36,6 +35,8 @@ pub struct Scratch {
     pub roots: Roots,
     /// Of the last intersection.
     pub events: Vec<Event>,
+    /// Of each gate of it, how many operands keep the place from being in it: see [`Csg`](super::csg::Csg).
+    pub wrong: Vec<u32>,
     pub inner: Vec<Child>,
     /// How many lists of crossings intersections have merged.
     pub merges: u64,

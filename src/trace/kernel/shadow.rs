@@ -3,7 +3,7 @@
 use super::bundle::Blocks;
 use super::leaf::{Kind, Leaf};
 use super::probe::Probe;
-use super::query::{Ask, BENT, Crossed, End, NONE, Query, Start, Tests};
+use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Start, Tests};
 use super::scratch::{Passed, Scratch};
 use super::stage::{Shapes, Stage};
 use crate::geometry::vec::Vec3;
@@ -71,7 +71,7 @@ impl Stage<'_> {
         let query = Query::new(start);
         scratch.passed.clear();
         let mut blocked = None;
-        if start.within != NONE && !self.leaves_own(&query, scratch, tests) {
+        if start.within != NONE && !self.leaves_own(&query, &mut blocked, scratch, tests) {
             return Light::Doubtful;
         }
         match along {
@@ -248,6 +248,20 @@ impl Stage<'_> {
             Crossed::Ahead => {}
         }
         let ahead = std::mem::take(&mut scratch.ahead);
+        let found = self.met_all(number, &ahead, blocked, scratch);
+        scratch.ahead = ahead;
+        found
+    }
+
+    /// Notes a leaf that light meets from outside, and where it crosses that.
+    fn met_all(
+        &self,
+        number: u32,
+        ahead: &[Crossing],
+        blocked: &mut Option<Blocked>,
+        scratch: &mut Scratch,
+    ) -> Found {
+        let leaf = &self.leaves[number as usize];
         let chords = ahead.chunks(if leaf.is_solid { 2 } else { 1 });
         let mut ends = chords.map(|chord| match chord {
             [near, far] => [near.end, far.end],
@@ -255,27 +269,34 @@ impl Stage<'_> {
             _ => [chord[0].end; 2],
         });
         let met = |ends| self.met(number, leaf, ends, blocked, scratch);
-        let found = (ends.by_ref().map(met))
+        (ends.by_ref().map(met))
             .find(|found| !matches!(found, Found::Nothing))
-            .unwrap_or(Found::Nothing);
-        scratch.ahead = ahead;
-        found
+            .unwrap_or(Found::Nothing)
     }
 
     /// Notes where light leaves the leaf that it starts in; whether that is known.
     #[inline(always)]
-    fn leaves_own(&self, query: &Query, scratch: &mut Scratch, tests: &mut Tests) -> bool {
+    fn leaves_own(
+        &self,
+        query: &Query,
+        blocked: &mut Option<Blocked>,
+        scratch: &mut Scratch,
+        tests: &mut Tests,
+    ) -> bool {
         let start = query.start;
         let leaf = &self.leaves[start.within as usize];
         let out = if matches!(leaf.kind, Kind::Other | Kind::Csg) {
             let everywhere = [-query.skin, f64::INFINITY];
             match self.meet_alone(query, start.within, everywhere, Ask::All, (scratch, tests)) {
-                Crossed::Ahead => match scratch.ahead[..] {
-                    [crossing] => Some(crossing.end),
-                    [] => Some(End::NEVER),
-                    // It comes back.
-                    _ => None,
-                },
+                Crossed::Ahead => {
+                    let mut ahead = std::mem::take(&mut scratch.ahead);
+                    let out = ahead.first().map_or(End::NEVER, |crossing| crossing.end);
+                    ahead.drain(..ahead.len().min(1));
+                    // It may come back.
+                    let found = self.met_all(start.within, &ahead, blocked, scratch);
+                    scratch.ahead = ahead;
+                    matches!(found, Found::Nothing).then_some(out)
+                }
                 Crossed::Nothing | Crossed::Somewhere | Crossed::Doubt => None,
             }
         } else {

@@ -1,16 +1,20 @@
 //! A scene as the kernel sees it: shapes in blocks, blocks in a tree.
 
+use super::csg::Csg;
 use super::cuboid::Cuboids;
-use super::expand::{Leaves, Operands};
+use super::expand::Leaves;
 use super::leaf::{Kind, Leaf};
 use super::lone::find_lone;
+use super::near::Near;
 use super::plane::Planes;
+use super::query::NONE;
 use super::rectangle::Rectangles;
 use super::sphere::Spheres;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::bvh::Bvh;
 use crate::geometry::wide_bvh::{Frame, Tree};
 use crate::trace::graph::Graph;
+use crate::trace::shapes::outline::Outline;
 use rustc_hash::FxHashMap;
 
 /// Shapes that are tested together, in one space.
@@ -25,6 +29,8 @@ pub struct Block {
     pub extent: f64,
     /// Of all of them, if it is in a tree.
     pub bounds: Aabb,
+    /// Tells which rays come near it, if it is one shape in a space of its own.
+    pub near: Option<Box<Near>>,
 }
 
 #[derive(Debug, Clone)]
@@ -45,28 +51,6 @@ pub struct Forest {
     /// Its items are numbers of the other blocks.
     pub tree: Tree,
     pub frame: Frame,
-}
-
-/// An intersection as a ray walks it.
-#[derive(Debug)]
-pub struct Csg {
-    /// Blocks of what a point must be in.
-    pub firsts: Vec<u32>,
-    /// How many leaves these are.
-    pub count: usize,
-    pub cuts: Forest,
-}
-
-impl Csg {
-    fn new(leaves: &[Leaf], operands: Operands, blocks: &mut Vec<Block>) -> Csg {
-        let first = blocks.len() as u32;
-        in_blocks(leaves, &operands.firsts, blocks);
-        Csg {
-            firsts: (first..blocks.len() as u32).collect(),
-            count: operands.firsts.len(),
-            cuts: Forest::new(leaves, &operands.loose, operands.boxes, blocks),
-        }
-    }
 }
 
 /// A scene as the kernel sees it.
@@ -93,9 +77,6 @@ impl Stage<'_> {
         }
         let mut leaves = Leaves::new(graph, most)?;
         let has_glass = leaves.all.iter().any(|leaf| leaf.is_clear);
-        if !has_glass && leaves.operands.is_empty() && !leaves.have_lanes() {
-            return None;
-        }
         if has_glass {
             find_lone(graph, &mut leaves);
         }
@@ -109,6 +90,22 @@ impl Stage<'_> {
         } = leaves;
         let mut blocks = Vec::new();
         let all = Forest::new(&leaves, &loose, boxes, &mut blocks);
+        for block in &mut blocks {
+            let leaf = &leaves[block.leaves[0] as usize];
+            let is_apart = matches!(block.shapes, Shapes::Alone) || block.placement != 0;
+            if !is_apart || block.leaves[1] != NONE {
+                continue;
+            }
+            let (bounds, outline) = match leaf.kind {
+                Kind::Csg => (operands[leaf.primitive as usize].bounds, Outline::BOUNDS),
+                _ => {
+                    let shape = graph.primitives[leaf.primitive as usize].shape();
+                    (shape.bounds(), shape.outline())
+                }
+            };
+            let chain = &chains[leaf.chain as usize];
+            block.near = Near::new(graph, chain, &bounds, outline).map(Box::new);
+        }
         let csgs = operands
             .into_iter()
             .map(|o| Csg::new(&leaves, o, &mut blocks));
@@ -169,7 +166,7 @@ fn clustered(
 }
 
 /// Puts shapes of one kind in one space into a block.
-fn in_blocks(leaves: &[Leaf], items: &[u32], blocks: &mut Vec<Block>) {
+pub fn in_blocks(leaves: &[Leaf], items: &[u32], blocks: &mut Vec<Block>) {
     let mut left: Vec<u32> = items.to_vec();
     while let Some(&first) = left.first() {
         let like = |i: &u32| {
@@ -219,5 +216,6 @@ fn block(leaves: &[Leaf], numbers: &[u32]) -> Block {
         leaves: own,
         extent: all.iter().fold(0.0, |most, leaf| leaf.extent.max(most)),
         bounds: Aabb::ALL,
+        near: None,
     }
 }

@@ -124,11 +124,11 @@ fn text(number: &mut impl FnMut() -> f64, seed: usize) -> String {
     let count = [1, 3, 12][seed % 3];
     let mut union = 0;
     for i in 0..count {
-        let id = 200 + 5 * i;
-        let [a, b] = [id + 1, id + 2];
+        let id = 200 + 8 * i;
+        let [a, b, c, d] = [id + 1, id + 2, id + 4, id + 5];
         let mut real = |by: f64| (number() * by * 100.0).round() / 100.0;
         let r = real(1.0).abs() + 0.3;
-        match (i + seed) % 10 {
+        match (i + seed) % 12 {
             0 => writeln!(text, "{id} 11 0 0 0 {r}"),
             1 => writeln!(text, "{id} 12 {0} -0.5 {0} {r} 0.5 {r}", -r),
             2 => writeln!(text, "{id} 5 -1 -1 {r} 1"),
@@ -143,6 +143,21 @@ fn text(number: &mut impl FnMut() -> f64, seed: usize) -> String {
             8 => writeln!(
                 text,
                 "{a} 12 -1 -1 -1 1 1 1\n{b} 11 0.5 1 1 {r}\n{id} -103 {a} {b}"
+            ),
+            9 => writeln!(
+                text,
+                "{a} 12 -1 -1 -1 1 1 1\n{b} 11 0 0 0 {r}\n{a} -701 1 0.2 0.2\n{c} -102 {a} {b}\n\
+                 {d} 14 0.9 0.2\n{d} -701 0.1 0.9 0.2\n{c} -2 20 1\n{id} -103 {c} {d}"
+            ),
+            10 => writeln!(
+                text,
+                "{a} 12 -1 -1 -1 1 1 1\n{b} 11 0 0 0 {r}\n{b} -701 1 0.2 0.2\n{c} -101 {a} {b}\n\
+                 {d} 12 -2 -0.4 -2 2 0.4 2\n{d} -1 0 {r} 0\n{} -103 {c} {d}\n{} 11 0 0 0 1.2\n\
+                 {id} -102 {} {}",
+                id + 6,
+                id + 7,
+                id + 6,
+                id + 7
             ),
             _ => writeln!(text, "{id} 11 0 0 0 {r}\n{id} -3 1 {r} 1.2"),
         }

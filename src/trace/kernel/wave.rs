@@ -3,7 +3,7 @@
 //! All rays that a tile's pixels send, mirror and refract at one time are a wave. Each is traced by itself; what happens
 //! where they have met something is computed four at a time.
 
-use super::bundle::{Along, Around, BUNDLE_MIN_RAYS};
+use super::bundle::{Along, Around, BUNDLE_MIN_RAYS, Rays};
 use super::cuboid::Cuboids;
 use super::drawn::Drawn;
 use super::lanes::{ALL, V3, WIDTH, mask};
@@ -196,9 +196,8 @@ impl Tile {
             if is_known && lane == 0 {
                 let at = |k: usize| &self.wave[(i + k).min(self.wave.len() - 1)].start;
                 let four = [at(0), at(1), at(2), at(3)];
-                let origin = V3::gathered(four, |start| &start.origin);
-                let direction = V3::gathered(four, |start| &start.direction);
-                self.along.part(ALL, origin, direction, f64::INFINITY);
+                let rays = Rays::new(four, ALL, false);
+                self.along.part(scene.stage, &rays, f64::INFINITY);
             }
             let along = is_known.then_some(&self.along.blocks[lane][..]);
             let ray = &mut self.wave[i];

@@ -7,6 +7,7 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::support::Support;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +38,13 @@ impl Cuboid {
 
 /// Face 2i is the lower one across axis i, face 2i + 1 the upper.
 impl Shape for Cuboid {
+    fn outline(&self) -> Outline {
+        Outline {
+            form: Form::Constant,
+            is_exact: true,
+        }
+    }
+
     fn bounds(&self) -> Aabb {
         Aabb::new(self.min, self.max).padded()
     }

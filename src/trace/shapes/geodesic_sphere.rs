@@ -21,6 +21,7 @@ use crate::geometry::number::Real;
 use crate::geometry::vec::Vec3;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::outline::Outline;
 use crate::trace::shapes::support::Support;
 use std::f64::consts::{PI, TAU};
 
@@ -359,6 +360,10 @@ impl<R: Traced> View<R> {
 }
 
 impl Shape for GeodesicSphere {
+    fn outline(&self) -> Outline {
+        Outline::in_sphere(self.record.radius)
+    }
+
     fn bounds(&self) -> Aabb {
         let r = Vec3::ONE * self.record.radius;
         Aabb::new(-r, r).padded()

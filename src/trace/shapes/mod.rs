@@ -13,6 +13,7 @@ mod facet;
 mod geodesic_sphere;
 mod half_space;
 mod hull;
+pub mod outline;
 mod plane;
 mod quad_double;
 pub mod quadric;
@@ -32,6 +33,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::{Geometry, Rgb};
 use crate::solids::shapes::AnyShape;
 use error_bound::is_final;
+use outline::Outline;
 use quick_reject::Pass;
 use support::Support;
 
@@ -175,6 +177,11 @@ pub trait Shape {
     /// to find the crossings, or else nothing is said.
     fn pass(&self, _line: &Line, _stretch: [f64; 2]) -> Pass {
         Pass::Perhaps
+    }
+
+    /// What holds the shape, within its bounds.
+    fn outline(&self) -> Outline {
+        Outline::BOUNDS
     }
 
     /// Whether a line whose origin is on the surface, and which goes out there, may cross the surface again, as

@@ -9,6 +9,7 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::support::Support;
 use std::f64::consts::{PI, TAU};
 
@@ -36,6 +37,16 @@ impl Sphere {
 }
 
 impl Shape for Sphere {
+    fn outline(&self) -> Outline {
+        let ([x, y, z], r) = self.numbers();
+        let constant = Vec3::new(x, y, z).dot(Vec3::new(x, y, z)) - r * r;
+        let [u, v, w] = [x, y, z].map(|x| -2.0 * x);
+        Outline {
+            form: Form::Quadric([1.0, 1.0, 1.0, 0.0, 0.0, 0.0, u, v, w, constant]),
+            is_exact: true,
+        }
+    }
+
     fn bounds(&self) -> Aabb {
         let r = Vec3::ONE * self.radius;
         Aabb::new(self.centre - r, self.centre + r).padded()

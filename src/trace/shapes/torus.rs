@@ -13,6 +13,7 @@
 
 use super::error_bound::is_final;
 use super::hull;
+use super::outline::{Form, Outline};
 use super::quad_double::decide_closer;
 use super::quick_reject::{
     Approach, Ball, LINE_REL_ERROR, POLYNOMIAL_MARGIN, Pass, is_quartic_above,
@@ -210,6 +211,13 @@ impl Shape for Torus {
         }
         let value = |t: f64| quartic.into_iter().fold(0.0, |sum, c| sum * t + c);
         approach.through(0.5 * (stretch[0] + stretch[1]), margin, value)
+    }
+
+    fn outline(&self) -> Outline {
+        Outline {
+            form: Form::Torus([self.record.major, self.record.minor]),
+            is_exact: true,
+        }
     }
 
     /// A plane that touches the outer half has all of the torus on one side, so a ray that goes out there does not come

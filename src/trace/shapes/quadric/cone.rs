@@ -11,6 +11,7 @@ use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::error_bound::is_final;
 use crate::trace::shapes::hull;
+use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::quad_double::decide_closer;
 use crate::trace::shapes::quick_reject::{Ball, POLYNOMIAL_MARGIN, Pass, is_above};
 use crate::trace::shapes::support::Support;
@@ -80,6 +81,13 @@ impl Cone {
 }
 
 impl Shape for Cone {
+    fn outline(&self) -> Outline {
+        Outline {
+            form: Form::Quadric(self.form.polynomial()),
+            is_exact: true,
+        }
+    }
+
     fn bounds(&self) -> Aabb {
         self.bounds
     }

@@ -10,6 +10,7 @@ use crate::geometry::vec::Vec3;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::hull;
+use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::quick_reject::{Ball, POLYNOMIAL_MARGIN, Pass};
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
@@ -37,6 +38,13 @@ impl Ellipsoid {
 }
 
 impl Shape for Ellipsoid {
+    fn outline(&self) -> Outline {
+        Outline {
+            form: Form::Quadric(self.form.polynomial()),
+            is_exact: true,
+        }
+    }
+
     fn bounds(&self) -> Aabb {
         self.bounds
     }

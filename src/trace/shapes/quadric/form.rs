@@ -85,6 +85,18 @@ impl QuadricForm {
         .completed()
     }
 
+    /// Its coefficients: see [`Form::Quadric`](crate::trace::shapes::outline::Form::Quadric).
+    pub fn polynomial(&self) -> [f64; 10] {
+        let per = each(self.unit, |unit| 1.0 / unit);
+        let [xx, yy, zz] = each([0, 1, 2], |i| self.square[i] * per[i] * per[i]);
+        let [xy, xz, yz] = each([0, 1, 2], |i| {
+            let (a, b) = PAIRS[i];
+            self.mixed[i] * per[a] * per[b]
+        });
+        let [x, y, z] = each([0, 1, 2], |i| self.linear[i] * per[i]);
+        [xx, yy, zz, xy, xz, yz, x, y, z, self.constant]
+    }
+
     /// xᵀQx with x = (x, y, z, 1), divided by a power of two so that sums cannot overflow.
     pub fn symmetric_part(q: &[f64; 16]) -> QuadricForm {
         let largest = q.iter().fold(0.0f64, |m, x| m.max(x.abs()));

@@ -18,6 +18,7 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
 use crate::solids::shapes as solids;
+use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::support::Support;
 use cylinders::Cylinders;
 use overlap_removal::Subsegment;
@@ -164,6 +165,16 @@ impl Revolution {
 }
 
 impl Shape for Revolution {
+    /// A cylinder.
+    fn outline(&self) -> Outline {
+        let widest = self.bounds().max[0];
+        let constant = -widest * widest;
+        Outline {
+            form: Form::Quadric([1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, constant]),
+            is_exact: false,
+        }
+    }
+
     fn bounds(&self) -> Aabb {
         self.bounds
     }

@@ -1,0 +1,352 @@
+//! Which of four rays come near a shape: before it is asked itself, which takes them one by one.
+//!
+//! In the shape's space the box around it cuts a piece out of each ray. The polynomial of its [`Outline`] is taken there in
+//! Bernstein's form: where no coefficient of either half is below a margin, the ray misses the shape. The margins are those
+//! of [`quick_reject`](crate::trace::shapes::quick_reject), beside which all that is rounded is nothing.
+
+use super::lanes::{ALL, Lanes, V3, either, is_at_most, is_greater, is_less};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
+use crate::geometry::vec::Vec3;
+use crate::trace::graph::Graph;
+use crate::trace::shapes::outline::{Form, Outline};
+use crate::trace::shapes::quick_reject::{LINE_REL_ERROR, POLYNOMIAL_MARGIN};
+
+/// A shape, and the way into its space.
+#[derive(Debug, Clone)]
+pub struct Near {
+    rows: [[f64; 3]; 3],
+    offset: [f64; 3],
+    /// Bounds on the sums of the sizes of all that is added up on the way into the space: for coordinates of 1, and for
+    /// what the maps add.
+    sizes: [f64; 2],
+    /// The box around the shape, with some room.
+    around: Aabb,
+    /// The same with less room than none.
+    within: Aabb,
+    outline: Outline,
+    /// The largest coordinate in the box.
+    reach: f64,
+    /// Values of the polynomial that are nearer to zero are not told from it.
+    margin: f64,
+}
+
+/// How four rays pass a shape, as bits.
+#[derive(Debug, Clone, Copy)]
+pub struct Passing {
+    /// They surely cross nothing.
+    pub beside: u32,
+    /// They surely go into the solid, and out of it.
+    pub through: u32,
+}
+
+/// More than what is rounded on the way into a shape's space, as a share of the numbers behind a point.
+const REL_ROUNDED: f64 = 1e-13;
+
+impl Near {
+    /// `None` for what has no bounds, or numbers beyond the usual.
+    pub fn new(graph: &Graph, chain: &[u32], bounds: &Aabb, outline: Outline) -> Option<Near> {
+        let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let (mut rows, mut offset) = (identity.map(Vec3), Vec3::ZERO);
+        let (mut sums, mut added) = (rows, offset);
+        for &placement in chain {
+            let back = &graph.placements[placement as usize].back;
+            let of = |row: Vec3, m: [Vec3; 3]| m[0] * row[0] + m[1] * row[1] + m[2] * row[2];
+            offset = back.point(offset);
+            added = back.sizes(added) + back.offset.abs();
+            rows = back.rows.map(|row| of(row, rows));
+            sums = back.rows.map(|row| of(row.abs(), sums));
+        }
+        let reach = bounds.reach();
+        let margin = POLYNOMIAL_MARGIN
+            * match &outline.form {
+                Form::Constant => 1.0,
+                Form::Quadric(c) => {
+                    let sizes = |from: usize, to: usize| c[from..to].iter().map(|x| x.abs()).sum();
+                    let [second, first, constant]: [f64; 3] =
+                        [sizes(0, 6), sizes(6, 9), sizes(9, 10)];
+                    (second * reach + first) * reach + constant
+                }
+                Form::Torus([major, minor]) => (major + minor).powi(4),
+            };
+        let room = Vec3::ONE * (POLYNOMIAL_MARGIN * reach);
+        let sizes = [
+            sums.map(|row| row.dot(Vec3::ONE))
+                .into_iter()
+                .fold(0.0, f64::max),
+            added.max_component(),
+        ];
+        let [min, max] = [Vec3(bounds.min), Vec3(bounds.max)];
+        let numbers = [reach, margin, sizes[0]];
+        let is_usual = numbers.into_iter().all(f64::is_normal) && sizes[1].is_finite();
+        (bounds.is_bounded() && is_usual).then(|| Near {
+            rows: rows.map(|row| row.0),
+            offset: offset.0,
+            sizes,
+            around: Aabb::new(min - room, max + room),
+            within: Aabb::new(min + room, max - room),
+            outline,
+            reach,
+            margin,
+        })
+    }
+
+    /// Of four rays, from a little before their starts to some t.
+    #[inline(never)]
+    pub fn pass(&self, origin: V3, direction: V3, before: Lanes, to: f64) -> Passing {
+        let splat = Lanes::splat;
+        let image = |v: V3| {
+            V3(each(self.rows, |[x, y, z]| {
+                v.0[0] * splat(x) + v.0[1] * splat(y) + v.0[2] * splat(z)
+            }))
+        };
+        let [o, d] = [
+            image(origin) + V3::splat(Vec3(self.offset)),
+            image(direction),
+        ];
+        let (mut near, mut far) = (-before, splat(to));
+        for i in 0..3 {
+            let per = splat(1.0) / d.0[i];
+            let low = (splat(self.around.min[i]) - o.0[i]) * per;
+            let high = (splat(self.around.max[i]) - o.0[i]) * per;
+            near = low.fast_min(high).fast_max(near);
+            far = low.fast_max(high).fast_min(far);
+        }
+        let [start, pace] = [origin, direction].map(|v| v.abs().max_component());
+        let size = splat(self.sizes[0]) * (start + pace * near.abs().fast_max(far.abs()));
+        let error = splat(REL_ROUNDED) * (size + splat(self.sizes[1]));
+        // All is written so that nothing is said of what is no number.
+        let known = is_at_most(error, splat(LINE_REL_ERROR * self.reach));
+        let misses = is_greater(near, far);
+        let missed = (known & misses).to_bitmask();
+        if missed == ALL {
+            return Passing {
+                beside: ALL,
+                through: 0,
+            };
+        }
+        let [p, q] = [o + d * near, o + d * far];
+        let (least, middle) = match &self.outline.form {
+            Form::Constant => (splat(f64::NEG_INFINITY), splat(f64::NEG_INFINITY)),
+            Form::Quadric(c) => of_quadric(c, p, q),
+            &Form::Torus(radii) => of_torus(radii, p, q),
+        };
+        let beside = missed | (known & is_greater(least, splat(self.margin))).to_bitmask();
+        if !self.outline.is_exact {
+            return Passing { beside, through: 0 };
+        }
+        let half = splat(0.5);
+        let (at, t) = ((p + q) * half, (near + far) * half);
+        let mut through = known & is_less(middle, splat(-self.margin));
+        for i in 0..3 {
+            through = through
+                & is_greater(at.0[i], splat(self.within.min[i]))
+                & is_less(at.0[i], splat(self.within.max[i]));
+        }
+        let ahead =
+            before + splat(POLYNOMIAL_MARGIN * self.reach * self.sizes[0].recip().max(1.0)) / pace;
+        through =
+            through & is_greater(t, ahead) & is_less(far, splat(to * (1.0 - POLYNOMIAL_MARGIN)));
+        Passing {
+            beside,
+            through: through.to_bitmask() & !beside,
+        }
+    }
+}
+
+/// The least of Bernstein's coefficients of both halves of a piece, and the value in its middle.
+#[inline(always)]
+fn of_quadric(c: &[f64; 10], p: V3, q: V3) -> (Lanes, Lanes) {
+    let [xx, yy, zz, xy, xz, yz, x, y, z, one] = each(*c, Lanes::splat);
+    let half = Lanes::splat(0.5);
+    // The polar form.
+    let polar = |[a, b, c]: [Lanes; 3], [u, v, w]: [Lanes; 3]| {
+        let square = xx * a * u + yy * b * v + zz * c * w;
+        let mixed = xy * (a * v + b * u) + xz * (a * w + c * u) + yz * (b * w + c * v);
+        let linear = x * (a + u) + y * (b + v) + z * (c + w);
+        square + half * (mixed + linear) + one
+    };
+    let ends = [polar(p.0, p.0), polar(p.0, q.0), polar(q.0, q.0)];
+    let [a, b] = [half * (ends[0] + ends[1]), half * (ends[1] + ends[2])];
+    let middle = half * (a + b);
+    let least = ends[0]
+        .fast_min(a)
+        .fast_min(middle)
+        .fast_min(b)
+        .fast_min(ends[2]);
+    (numbers(least, ends[0] + ends[1] + ends[2]), middle)
+}
+
+/// The same of the quartic of a torus.
+#[inline(always)]
+fn of_torus([major, minor]: [f64; 2], p: V3, q: V3) -> (Lanes, Lanes) {
+    let splat = Lanes::splat;
+    let k = splat((major - minor) * (major + minor));
+    let s = [p.dot(p) + k, p.dot(q) + k, q.dot(q) + k];
+    let flat = |a: V3, b: V3| a.0[0] * b.0[0] + a.0[2] * b.0[2];
+    let e = [flat(p, p), flat(p, q), flat(q, q)];
+    let four = splat(4.0 * major * major);
+    let [third, half, sixth] = [1.0 / 3.0, 0.5, 1.0 / 6.0].map(splat);
+    let mut row = [
+        s[0] * s[0] - four * e[0],
+        s[0] * s[1] - four * half * (e[0] + e[1]),
+        third * (s[0] * s[2] + (s[1] + s[1]) * s[1])
+            - four * sixth * (e[0] + splat(4.0) * e[1] + e[2]),
+        s[1] * s[2] - four * half * (e[1] + e[2]),
+        s[2] * s[2] - four * e[2],
+    ];
+    let sum = row[0] + row[1] + row[2] + row[3] + row[4];
+    // De Casteljau, at the middle.
+    let mut least = row[0].fast_min(row[4]);
+    for last in (1..5).rev() {
+        for i in 0..last {
+            row[i] = half * (row[i] + row[i + 1]);
+        }
+        least = least.fast_min(row[0]).fast_min(row[last - 1]);
+    }
+    (numbers(least, sum), row[0])
+}
+
+/// Lanes that are no numbers where a sum is none.
+#[inline(always)]
+fn numbers(lanes: Lanes, sum: Lanes) -> Lanes {
+    either(
+        is_less(sum.abs(), Lanes::splat(f64::INFINITY)),
+        lanes,
+        Lanes::splat(f64::NAN),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Matrix;
+    use crate::geometry::affine::{Affine, Placement};
+    use crate::geometry::line::Line;
+    use crate::scene::Geometry;
+    use crate::testing::random;
+    use crate::trace::shapes::{Primitive, Roots};
+
+    fn shapes() -> Vec<Primitive> {
+        let quadric = [
+            2.0, 0.0, 0.0, 0.3, 0.0, 1.5, 0.4, 0.0, 0.0, 0.4, 3.0, 0.0, 0.3, 0.0, 0.0, -1.0,
+        ];
+        let geometries = [
+            Geometry::Revolution {
+                profile: vec![[0.1, -1.0], [0.7, -0.4], [0.2, 0.3], [0.5, 0.9]],
+                colours: Vec::new(),
+            },
+            Geometry::Triangle {
+                vertices: Box::new([[0.0; 3], [1.0, 0.2, 0.1], [0.3, 0.9, -0.4]]),
+                normals: crate::scene::TriangleNormals::Flat,
+            },
+            Geometry::Sphere {
+                centre: [0.3, -0.2, 0.1],
+                radius: 0.7,
+            },
+            Geometry::Ellipsoid {
+                semi_axes: [0.9, 0.5, 0.2],
+            },
+            Geometry::Box {
+                min: [-0.6, -0.5, -0.4],
+                max: [0.6, 0.5, 0.1],
+            },
+            Geometry::GeodesicSphere {
+                radius: 0.8,
+                splits: 2,
+            },
+            Geometry::Torus {
+                major: 0.8,
+                minor: 0.3,
+            },
+            Geometry::Torus {
+                major: 0.4,
+                minor: 0.6,
+            },
+            Geometry::Quadric(Box::new(quadric)),
+            Geometry::Cone {
+                height: 0.9,
+                radius: 0.5,
+            },
+            Geometry::DoubleCone {
+                height: 0.7,
+                radius: 0.4,
+            },
+        ];
+        geometries.iter().map(Primitive::new).collect()
+    }
+
+    /// What is said of a ray is what the shape itself finds. Of most rays that miss a shape it is said, and of most that go
+    /// through one with an exact outline.
+    #[test]
+    fn rays_that_are_told_apart_are_told_right() {
+        let mut next = random();
+        let mut number = move || next(2_000_001) as f64 / 1e6 - 1.0;
+        for shape in shapes() {
+            let [mut beside, mut through, mut missed, mut met] = [0; 4];
+            for i in 0..20_000 {
+                let mut vector = || Vec3::new(number(), number(), number());
+                let [o, to, x, y] = [vector() * 2.5, vector(), vector(), vector()];
+                let out = Matrix::translation(x[0], x[1], x[2])
+                    .after(&Matrix::rotation(360.0 * y[0], i % 3))
+                    .after(&Matrix::rotation(360.0 * y[1], (i + 1) % 3))
+                    .after(&Matrix::scaling(1.0, 1.5 + y[2], 1.0));
+                let back = out.inverse().expect("it can be undone");
+                let placement = Placement {
+                    out: Affine::new(&out),
+                    back: Affine::new(&back),
+                };
+                let graph = Graph {
+                    placements: vec![placement],
+                    ..Graph::default()
+                };
+                let chain: &[u32] = if i % 2 == 0 { &[] } else { &[0] };
+                let (bounds, outline) = (shape.shape().bounds(), shape.shape().outline());
+                let near = Near::new(&graph, chain, &bounds, outline).expect("usual numbers");
+                let line = Line::new(o, (to - o) * (1.0 + x[1].abs()));
+                let passing = near.pass(
+                    V3::splat(line.origin),
+                    V3::splat(line.direction),
+                    Lanes::ZERO,
+                    1.0,
+                );
+                let mut roots = Roots::default();
+                let own = chain
+                    .iter()
+                    .fold(line, |line, _| line.through(&graph.placements[0].back));
+                shape.intersect::<f64>().crossings(&own, &mut roots);
+                let ahead = roots
+                    .list
+                    .iter()
+                    .filter(|root| (0.0..=1.0).contains(&root.t))
+                    .count();
+                match passing {
+                    Passing {
+                        beside: ALL,
+                        through: 0,
+                    } => {
+                        assert_eq!(ahead, 0, "{shape:?} {line:?}");
+                        beside += 1;
+                    }
+                    Passing {
+                        beside: 0,
+                        through: ALL,
+                    } => {
+                        assert!(ahead > 0, "{shape:?} {line:?} {roots:?}");
+                        through += 1;
+                    }
+                    Passing {
+                        beside: 0,
+                        through: 0,
+                    } => {}
+                    odd => panic!("{odd:?}"),
+                }
+                missed += u32::from(ahead == 0);
+                met += u32::from(ahead > 1);
+            }
+            assert!(beside > missed * 6 / 10, "{shape:?}: {beside} of {missed}");
+            let is_exact = shape.shape().outline().is_exact;
+            assert_eq!(through > met / 2, is_exact, "{shape:?}: {through} of {met}");
+        }
+    }
+}
