@@ -512,6 +512,30 @@ fn too_many_numbers_before_too_few() {
     );
 }
 
+/// A camera whose direction has lost its minus gets it, whatever floor is in view; a point to look at comes second.
+#[test]
+fn a_lost_minus_of_a_direction() {
+    let scene = |floor: &str, at: &str, direction: &str| {
+        format!(
+            "2 11 0 0 0 1\n2 -1 {at}\n{floor}4 -101 2 3\n9 -501 0 1 8 {direction} 0 1 0 45\n\
+             50 -402 1\n50 -1 3 5 5\n1 9999 4 0\n"
+        )
+    };
+    for floor in ["3 4 0 1 0 1\n", "3 3 0 1 0 1\n", "3 12 -1 -1 -1 1 1 -0.5\n"] {
+        for at in ["0 0 -2", "0 3 -2"] {
+            let written = scene(floor, at, "0 0 1");
+            let all = repair::proposals(&read(&written));
+            let unseen = all.iter().find(|d| d.code == Code::W324).unwrap();
+            assert_eq!(unseen.fixes[0].title, "fix-sign");
+            assert_eq!(fixed(&written), scene(floor, at, "0 0 -1"));
+        }
+    }
+    // A point within what is drawn is a point.
+    let floor = "3 4 0 1 0 5\n";
+    let written = scene(floor, "0.5 -3 0", "0.75 -3 0.25");
+    assert_eq!(fixed(&written), scene(floor, "0.5 -3 0", "0.75 -4 -7.75"));
+}
+
 /// Words are no numbers.
 #[test]
 fn words_are_not_counted() {

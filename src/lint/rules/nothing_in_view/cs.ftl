@@ -15,3 +15,5 @@ W324-unbounded = kamera { $id } neuvidí nic kromě toho, co nemá konec (např�
     .label = { W324.label }
     .note = { W324.note }
     .help = { W324.help }
+    .fix = { W324.fix }
+    .fix-sign = { W324.fix-sign }

@@ -15,3 +15,5 @@ W324-unbounded = the camera { $id } will see nothing but what has no end, such a
     .label = { W324.label }
     .note = { W324.note }
     .help = { W324.help }
+    .fix = { W324.fix }
+    .fix-sign = { W324.fix-sign }

@@ -1,16 +1,19 @@
 //! W324: all that is drawn lies behind the camera, or beside what it sees.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
-use crate::geometry::array::{cross, length, sub, unit};
+use crate::geometry::array::{cross, dot, length, sub, unit};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
 use crate::lint::rules::angle_in_radians;
 use crate::lint::spelling::{decimal, near};
 use crate::scene::record::Params;
-use crate::scene::{Camera, NodeId, Vec3};
+use crate::scene::{Camera, Node, NodeId, Scene, Vec3};
 use crate::syntax::quote;
 use crate::syntax::table::RecordKind;
 use crate::trace::plan::unseen::view::{OutOfView, Parts, USUAL, out_of_view};
+
+/// The cosine of the angle between two directions that are meant as one.
+const AIMED: f64 = 0.9;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -22,36 +25,47 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
         let is_written = p.ty.kind == RecordKind::Camera;
         let seen = |of| out_of_view(scene, context.bounds(), render.root, camera, of);
-        let Some(side) = seen(Parts::All) else {
-            // A floor without end is seen from almost everywhere.
-            let bounded = is_written && seen(Parts::Bounded).is_some();
-            let meant =
-                bounded.then(|| turned_to_point(context, render.root, camera, &p, Parts::Bounded));
-            out.extend(meant.flatten().map(|fix| {
-                Diagnostic::new(Code::W324, p.span_of(3, 3))
-                    .case("unbounded")
-                    .with("id", camera.id.to_string())
-                    .with("width", USUAL[0].to_string())
-                    .with("height", USUAL[1].to_string())
-                    .fix(fix)
-            }));
+        let unseen = seen(Parts::All);
+        // A floor without end is seen from almost everywhere.
+        let ended = || seen(Parts::Bounded).filter(|_| is_written);
+        let Some(side) = unseen.or_else(ended) else {
             continue;
         };
         let span = match is_written {
             true => p.span_of(3, 3),
             false => p.span(),
         };
-        let d = Diagnostic::new(Code::W324, span)
-            .with("id", camera.id.to_string())
-            .with("where", name(side))
-            .with("width", USUAL[0].to_string())
-            .with("height", USUAL[1].to_string());
+        let finding = Diagnostic::new(Code::W324, span);
+        let finding = match unseen {
+            Some(side) => finding.with("where", name(side)),
+            None => finding.case("unbounded"),
+        };
         let fixes = match is_written {
-            true => turned(context, render.root, camera, &p),
+            true => turned(context, render.root, camera, &p, side),
             false => Vec::new(),
         };
-        out.push(fixes.into_iter().fold(d, Diagnostic::fix));
+        // A mirror may show what lies behind the camera.
+        let may_be_meant = fixes.iter().all(|f| f.title == "fix") && has_mirror(scene);
+        if unseen.is_none() && (fixes.is_empty() || may_be_meant) {
+            continue;
+        }
+        let finding = finding
+            .with("id", camera.id.to_string())
+            .with("width", USUAL[0].to_string())
+            .with("height", USUAL[1].to_string());
+        out.push(fixes.into_iter().fold(finding, Diagnostic::fix));
     }
+}
+
+/// Whether something reflects.
+fn has_mirror(scene: &Scene) -> bool {
+    scene.nodes.iter().any(|node| match node {
+        Node::Paint { paint, .. } => {
+            let optics = scene.paints[*paint as usize].optics;
+            optics.is_some_and(|o| o.ks != [0.0; 3])
+        }
+        _ => false,
+    })
 }
 
 fn name(side: OutOfView) -> &'static str {
@@ -65,17 +79,35 @@ fn name(side: OutOfView) -> &'static str {
     }
 }
 
-/// Fixes that turn the camera to what is drawn: to the point that the direction is meant as, and to the middle. None
-/// where something moves the camera.
-fn turned(context: &Context, root: NodeId, camera: &Camera, p: &Params) -> Vec<Fix> {
+/// Fixes that turn the camera to what is drawn, or to what of it has an end: the other sign, the point that the direction
+/// is meant as, and the middle. None where something moves the camera.
+fn turned(
+    context: &Context,
+    root: NodeId,
+    camera: &Camera,
+    p: &Params,
+    side: OutOfView,
+) -> Vec<Fix> {
     if is_moved(camera, p) {
         return Vec::new();
     }
-    let mut fixes = Vec::from_iter(turned_to_point(context, root, camera, p, Parts::All));
-    fixes.extend(with_sign(context, root, camera, p));
-    let all = context.bounds()[root as usize].bounded();
-    let way = sub(all.centre(), camera.position);
-    if all.is_bounded() && sees(context, root, camera, way, Parts::All) {
+    let ended = context.bounds()[root as usize].bounded();
+    let of = match ended.is_empty() {
+        true => Parts::All,
+        false => Parts::Bounded,
+    };
+    let sees = |way: Vec3| sees(context, root, camera, way, of);
+    let mut fixes = Vec::from_iter(with_sign(camera, p, side, sees));
+    fixes.extend(turned_to_point(camera, p, sees));
+    let way = sub(ended.centre(), camera.position);
+    // A direction that is a place within what is drawn is that place, unless the other sign aims at the middle.
+    let aim = unit(camera.direction)
+        .zip(unit(way))
+        .map(|(a, b)| -dot(a, b));
+    if ended.contains(camera.direction) && aim.is_some_and(|aim| aim < AIMED) {
+        fixes.reverse();
+    }
+    if !ended.is_empty() && sees(way) {
         let numbers = way.map(|x| near(x, length(way)));
         let other = fix("fix", Vec::new(), numbers, p);
         fixes.extend((fixes.iter().all(|f| f.edits != other.edits)).then_some(other));
@@ -83,32 +115,34 @@ fn turned(context: &Context, root: NodeId, camera: &Camera, p: &Params) -> Vec<F
     fixes
 }
 
-/// The fix that gives the longest part of the direction the other sign, if the camera sees something then.
-fn with_sign(context: &Context, root: NodeId, camera: &Camera, p: &Params) -> Option<Fix> {
+/// The fix that gives the longest part of the direction the other sign, or all parts for what is behind the camera, if
+/// the camera sees something then.
+fn with_sign(
+    camera: &Camera,
+    p: &Params,
+    side: OutOfView,
+    sees: impl Fn(Vec3) -> bool,
+) -> Option<Fix> {
     let way = camera.direction;
     let longest = (0..3).max_by(|&i, &j| way[i].abs().total_cmp(&way[j].abs()))?;
-    let other = std::array::from_fn(|i| if i == longest { -way[i] } else { way[i] });
-    let text = |i: usize| match (i == longest, p.text_of(3 + i).strip_prefix('-')) {
+    let turned = |part: usize, one: bool| part == longest || !one && way[part] != 0.0;
+    let parts = |one: bool| [0, 1, 2].map(|i| if turned(i, one) { -way[i] } else { way[i] });
+    let may_be = |one: bool| (one || side == OutOfView::Behind) && sees(parts(one));
+    let one = [true, false].into_iter().find(|&one| may_be(one))?;
+    let text = |i: usize| match (turned(i, one), p.text_of(3 + i).strip_prefix('-')) {
         (true, Some(rest)) => rest.to_owned(),
         (true, None) => format!("-{}", p.text_of(3 + i).trim_start_matches('+')),
         (false, _) => p.text_of(3 + i).to_owned(),
     };
     let numbers = [0, 1, 2].map(text);
     let values = vec![("number", quote(&numbers.join(" ")).into())];
-    let sees = sees(context, root, camera, other, Parts::All);
-    sees.then(|| fix("fix-sign", values, numbers, p))
+    Some(fix("fix-sign", values, numbers, p))
 }
 
-/// The fix that turns the camera to the point that the direction is meant as, if it sees some of these parts then.
-fn turned_to_point(
-    context: &Context,
-    root: NodeId,
-    camera: &Camera,
-    p: &Params,
-    of: Parts,
-) -> Option<Fix> {
+/// The fix that turns the camera to the point that the direction is meant as, if it sees something then.
+fn turned_to_point(camera: &Camera, p: &Params, sees: impl Fn(Vec3) -> bool) -> Option<Fix> {
     let way = sub(camera.direction, camera.position);
-    if is_moved(camera, p) || !sees(context, root, camera, way, of) {
+    if !sees(way) {
         return None;
     }
     let numbers = way.map(decimal);
