@@ -50,3 +50,4 @@ pub use directive::is_directive;
 pub use parser::parse;
 pub use quote::quote;
 pub use recovery::LEAST_HEAD;
+pub use signature::allows;

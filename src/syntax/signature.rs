@@ -99,7 +99,7 @@ pub(super) fn fits(kind: TokenKind, param: ParamKind) -> bool {
 
 /// Whether a value is one that the parameter may have.
 #[inline]
-pub(super) fn allows(param: &Param, x: f64) -> bool {
+pub fn allows(param: &Param, x: f64) -> bool {
     match param.constraint {
         // It is no number.
         _ if x.is_nan() => true,

@@ -536,6 +536,46 @@ fn a_lost_minus_of_a_direction() {
     assert_eq!(fixed(&written), scene(floor, "0.5 -3 0", "0.75 -4 -7.75"));
 }
 
+/// Where a camera has lost one of its numbers, all places that make a camera are choices. No parameter is said to be
+/// missing unless only it can be.
+#[test]
+fn a_lost_number_of_a_camera() {
+    let scene = |numbers: &str| {
+        format!("2 11 0 0 0 1\n9 -501 {numbers}\n50 -402 1\n50 -1 3 5 5\n1 9999 2 0\n")
+    };
+    let proposed = |numbers: &str| {
+        let all = repair::proposals(&read(&scene(numbers)));
+        let error = all.into_iter().find(|d| d.code == Code::E008).unwrap();
+        let written = |fix| fixes::apply(&scene(numbers), std::iter::once(fix)).0;
+        let texts: Vec<String> = error.fixes.iter().map(written).collect();
+        (texts, error)
+    };
+    let (texts, error) = proposed("4 5 -3 -4 -5 0 1 0 45");
+    let places = ["0 4 5 -3 -4 -5", "4 5 0 -3 -4 -5", "4 5 -3 -4 -5 0"];
+    assert_eq!(texts, places.map(|p| scene(&format!("{p} 0 1 0 45"))));
+    assert!(!error.notes.contains(&"lack"), "{error:?}");
+    assert_eq!(
+        fixed(&scene("4 5 -3 -4 -5 0 1 0 45")),
+        scene("4 5 -3 -4 -5 0 1 0 45")
+    );
+    // The rest of the up vector, and the angle.
+    assert_eq!(
+        fixed(&scene("0 1 8 0 0 -1 0 1 45")),
+        scene("0 1 8 0 0 -1 0 1 0 45")
+    );
+    assert_eq!(
+        fixed(&scene("0 1 8 0 0 -1 0 0 45")),
+        scene("0 1 8 0 0 -1 0 1 0 45")
+    );
+    let (texts, error) = proposed("0 1 8 0 0 -1 0 1 0");
+    assert_eq!(texts, [scene("0 1 8 0 0 -1 0 1 0 45")]);
+    assert!(error.notes.contains(&"lack"), "{error:?}");
+    // Nobody knows what else is missing.
+    let (texts, error) = proposed("0 1 8 0 0 -1");
+    assert!(texts.is_empty());
+    assert!(error.notes.contains(&"lack-any"), "{error:?}");
+}
+
 /// Words are no numbers.
 #[test]
 fn words_are_not_counted() {

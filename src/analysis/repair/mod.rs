@@ -227,10 +227,11 @@ impl Engine<'_> {
         let few = |d: &&mut Diagnostic| d.code == Code::E008 && d.case.is_empty();
         for d in self.findings.iter_mut().filter(few).take(TRIALS) {
             let places = LineContext::both(self.analysis, d.span.start);
-            if let Some((have, missing)) = places.first().and_then(LineContext::lacking) {
-                d.values.push(("have", have.into()));
-                d.values.push(("missing", missing.into()));
-                d.notes.push("lack");
+            let lacking = places.first().and_then(LineContext::lacking);
+            // A fix says which it may be.
+            if let Some((note, values)) = lacking.filter(|l| l.0 == "lack" || d.fixes.is_empty()) {
+                d.values.extend(values);
+                d.notes.push(note);
             }
         }
     }
@@ -344,6 +345,17 @@ impl Engine<'_> {
         let Some((_, best)) = judged.first() else {
             return false;
         };
+        // A number may be lost in several places: all are named, or none.
+        let fits = |j: &&(Left, Trial)| {
+            (j.0.in_vain, j.0.warnings) == (judged[0].0.in_vain, judged[0].0.warnings)
+        };
+        let places = match best.candidate.habit {
+            Habit::Lost => judged.iter().filter(fits).count(),
+            _ => 1,
+        };
+        if places > PROPOSALS {
+            return false;
+        }
         let clean = !has_error_at(&best.scene, best.line);
         let alone = clean && others.is_empty() && judge::errors(&best.scene) == 0;
         let alone = alone
@@ -376,7 +388,9 @@ impl Engine<'_> {
             && judge::errors(&judged[0].1.scene) > 0
             && judged.first().is_some_and(|j| names_another(&j))
             && judged.iter().filter(names_another).count() > 1;
+        let is_place = |j: &&(Left, Trial)| j.1.candidate.habit != Habit::Lost || fits(j);
         let best = (judged.iter()).filter(|j| is_open || j.0.in_vain == least);
+        let best = best.filter(is_place);
         // One comment is as good as another.
         let mut comments = 0;
         let best = best.map(|j| &j.1.candidate).filter(|c| {
@@ -386,7 +400,7 @@ impl Engine<'_> {
         let best: Vec<&Candidate> = best.take(PROPOSALS).collect();
         let finding = &mut self.findings[at];
         retell(finding, &best, place);
-        if is_open {
+        if is_open || places > 1 {
             finding.notes.push("choose");
         }
         // There would be more errors than before.
@@ -394,7 +408,7 @@ impl Engine<'_> {
         if is_lost {
             finding.notes.push("lost");
         }
-        if is_open || is_hidden || is_lost {
+        if is_open || places > 1 || is_hidden || is_lost {
             (finding.fixes.iter_mut()).for_each(|f| f.applicability = Applicability::Choice);
         }
         true

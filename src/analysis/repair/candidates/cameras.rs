@@ -2,7 +2,7 @@
 
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
-use crate::geometry::array::{length, sub};
+use crate::geometry::array::{cross, length, sub};
 use crate::lint::spelling::decimal;
 use crate::syntax::lexer::Token;
 use crate::syntax::quote;
@@ -78,39 +78,63 @@ impl LineContext<'_> {
         out.push(candidate("fix-up", habit, text.clone(), up));
     }
 
-    /// Two tokens and what is between them as one.
-    fn joined(&self, first: &Token, last: &Token) -> Token {
-        Token::new(first.kind(), first.start as usize, last.end() as usize)
-    }
-
     /// A camera with one number too few: without its angle, which is the last one and 45 degrees in most scenes, or
-    /// without a 0 of its up vector.
-    pub(super) fn without_angle(&self, finding: &Diagnostic) -> Option<Candidate> {
-        let ty = self.ty().filter(|ty| ty.kind == RecordKind::Camera)?;
-        let is_one = finding.code == Code::E008 && self.params().len() + 1 == ty.params.len();
-        let [.., before, middle, last] = self.params() else {
-            return None;
+    /// without a 0 or a 1 of its vectors, wherever the rest makes a camera.
+    pub(super) fn lost_number(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
+        let Some(ty) = self.ty().filter(|ty| ty.kind == RecordKind::Camera) else {
+            return;
         };
-        if !is_one {
-            return None;
+        let params = self.params();
+        let is_one = finding.code == Code::E008 && params.len() + 1 == ty.params.len();
+        let numbers = params.iter().map(|t| t.number(self.text));
+        let (Some(numbers), true) = (numbers.collect::<Option<Vec<f64>>>(), is_one) else {
+            return;
+        };
+        let (last, angle) = (params.len() - 1, numbers[params.len() - 1]);
+        if !is_angle(angle) {
+            let at = Span::new(params[last].end(), params[last].end());
+            out.push(Candidate {
+                habit: Habit::Up,
+                fix: Fix::replace("fix-angle", Applicability::Unsafe, at, format!(" {ANGLE}"))
+                    .with("number", quote(ANGLE)),
+                ty: None,
+            });
+            return;
         }
-        let [a, b, end] = [before, middle, last].map(|t| t.number(self.text));
-        if end?.abs() > 1.0 {
-            // That is the angle; of the up vector a 0 is lost.
-            let is_up = matches!((a?, b?), (0.0, 1.0) | (1.0, 0.0));
-            let up = self.write(
-                Habit::Up,
-                &[(self.joined(before, middle), "0 1 0".to_owned())],
-            )?;
-            return is_up.then_some(up);
+        let mut found: Vec<(Vec<f64>, Candidate)> = Vec::new();
+        for at in 0..params.len() {
+            let numbers_here = if at < 6 { &[0.0][..] } else { &[0.0, 1.0] };
+            for &number in numbers_here {
+                let mut row = numbers.clone();
+                row.insert(at, number);
+                let (way, up) = ([row[3], row[4], row[5]], [row[6], row[7], row[8]]);
+                let is_camera = is_axis(up) && cross(way, up) != [0.0; 3];
+                if !is_camera || found.iter().any(|(known, _)| *known == row) {
+                    continue;
+                }
+                let before = Span::new(params[at].start, params[at].start);
+                let fix = Fix::replace(
+                    "fix-lost-number",
+                    Applicability::Unsafe,
+                    before,
+                    format!("{number} "),
+                );
+                let candidate = Candidate {
+                    habit: Habit::Lost,
+                    fix: fix
+                        .with("name", ty.params[at].name)
+                        .with("number", quote(&number.to_string())),
+                    ty: None,
+                };
+                found.push((row, candidate));
+            }
         }
-        let at = Span::new(last.end(), last.end());
-        Some(Candidate {
-            habit: Habit::Up,
-            fix: Fix::replace("fix-angle", Applicability::Unsafe, at, format!(" {ANGLE}"))
-                .with("number", quote(ANGLE)),
-            ty: None,
-        })
+        // In most scenes y is up.
+        let is_y_up = |(row, _): &(Vec<f64>, Candidate)| row[7] != 0.0;
+        if found.iter().any(is_y_up) {
+            found.retain(is_y_up);
+        }
+        out.extend(found.into_iter().map(|(_, candidate)| candidate));
     }
 
     /// The angle of a camera before its up vector, or before one of the others: what stands in its place is none.
@@ -119,7 +143,6 @@ impl LineContext<'_> {
         let params = self.params();
         let is_one = is_camera && params.len() == 10 && finding.code == Code::E206;
         for at in [6, 3, 0].into_iter().filter(|_| is_one) {
-            let is_angle = |x: f64| x > 1.0 && x < 180.0;
             if !params[at].number(self.text).is_some_and(is_angle) {
                 continue;
             }
@@ -156,6 +179,17 @@ impl LineContext<'_> {
             ty: None,
         }
     }
+}
+
+/// Whether a number may be an angle of view in degrees.
+fn is_angle(x: f64) -> bool {
+    x > 1.0 && x < 180.0
+}
+
+/// Whether a vector is one of length 1 along an axis, in its positive direction.
+fn is_axis(v: [f64; 3]) -> bool {
+    let count = |x: f64| v.iter().filter(|&&part| part == x).count();
+    count(0.0) == 2 && count(1.0) == 1
 }
 
 /// An up vector for a direction: straight down, what is far is at the top.

@@ -18,9 +18,9 @@ use rustc_hash::FxHashSet;
 use crate::analysis::Analysis;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::{SEPARATORS, Token, TokenKind};
-use crate::syntax::quote;
-use crate::syntax::table::{Family, Param, RecordType};
+use crate::syntax::table::{Family, Param, RecordType, Unit};
 use crate::syntax::words;
+use crate::syntax::{allows, quote};
 pub(crate) use inline::new_ids;
 
 /// What people do, what they do most first.
@@ -56,6 +56,8 @@ pub(super) enum Habit {
     Point,
     /// The up vector of a camera is along its direction.
     Up,
+    /// One of many numbers is lost.
+    Lost,
     /// Two references stand in each other's place.
     Swapped,
     /// All references are off by the same number.
@@ -96,6 +98,7 @@ impl Habit {
             Habit::Direction | Habit::Point | Habit::Up => {
                 matches!(finding.code, E008 | E203 | E206 | E207)
             }
+            Habit::Lost => finding.code == E008,
             Habit::Swapped => {
                 matches!(finding.code, E101 | E103 | E104 | E107 | E108 | W319)
             }
@@ -232,20 +235,32 @@ impl<'a> LineContext<'a> {
         })
     }
 
-    /// The names of the numbers that a record with too few has, and of those that it lacks, where that can be told:
-    /// it ends between two vectors of its type.
-    pub(super) fn lacking(&self) -> Option<(String, String)> {
+    /// The note about a record with too few numbers that ends between two vectors of its type, with its values: which
+    /// number is missing, if only the last one can be; else the parameters and the numbers in order.
+    pub(super) fn lacking(&self) -> Option<(&'static str, [(&'static str, Value); 2])> {
         let ty = self.ty().filter(|ty| !ty.is_counted())?;
-        let n = self.params().len();
+        let (params, wanted) = (self.params(), ty.params);
         let mut ends = ty.vectors.iter().scan(0, |sum, n| {
             *sum += n;
             Some(*sum)
         });
-        let between = ends.any(|end| end == n) && n < ty.params.len();
-        between.then(|| {
-            let names = |some: &[Param]| some.iter().map(|p| p.name).collect::<Vec<_>>().join(" ");
-            (names(&ty.params[..n]), names(&ty.params[n..]))
-        })
+        let n = params.len();
+        let (between, last) = (ends.any(|end| end == n), wanted.last()?);
+        if !between || n >= wanted.len() {
+            return None;
+        }
+        let names = |some: &[Param]| some.iter().map(|p| p.name).collect::<Vec<_>>().join(" ");
+        let end = params.last()?.number(self.text)?;
+        // An angle of one degree is rather a part of a vector.
+        let may_be_last = allows(last, end) && (last.unit != Unit::Degrees || end > 1.0);
+        if n + 1 == wanted.len() && !may_be_last {
+            let (have, missing) = wanted.split_at(n);
+            let values = [("have", names(have)), ("missing", names(missing))];
+            return Some(("lack", values.map(|(place, text)| (place, text.into()))));
+        }
+        let numbers: Vec<&str> = params.iter().map(|t| t.text(self.text)).collect();
+        let values = [("have", numbers.join(" ")), ("missing", names(wanted))];
+        Some(("lack-any", values.map(|(place, text)| (place, text.into()))))
     }
 
     /// What may have been meant, given a finding of this place. `undefined` are the IDs that are used and
@@ -296,7 +311,7 @@ impl<'a> LineContext<'a> {
             self.inline(&[undefined, taken].concat(), &mut out);
             self.camera(finding, &mut out);
             self.without_up(finding, &mut out);
-            out.extend(self.without_angle(finding));
+            self.lost_number(finding, &mut out);
             self.angle_before(finding, &mut out);
             out.extend(self.lost_id(finding));
             self.types(finding, &mut out);
@@ -375,7 +390,7 @@ impl<'a> LineContext<'a> {
             | Habit::Id
             | Habit::Type
             | Habit::Proposed => None,
-            Habit::Direction | Habit::Point | Habit::Up => None,
+            Habit::Direction | Habit::Point | Habit::Up | Habit::Lost => None,
         }
     }
 
