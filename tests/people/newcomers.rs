@@ -576,6 +576,25 @@ fn a_lost_number_of_a_camera() {
     assert!(error.notes.contains(&"lack-any"), "{error:?}");
 }
 
+/// The type of an operation between its operands, whatever types have the numbers of these.
+#[test]
+fn operations_between_their_operands() {
+    let scene = |line: &str| {
+        format!(
+            "3 11 0.5 0 0 1\n51 11 0 0 0 1\n{line}\n{}",
+            REST.replace("9999 2", "9999 52")
+        )
+    };
+    for ty in ["-101", "-102", "-103"] {
+        for (a, b) in [("51", "3"), ("3", "51")] {
+            let written = scene(&format!("52 {a} {ty} {b}"));
+            assert_eq!(fixed(&written), scene(&format!("52 {ty} {a} {b}")));
+            let safe = fixing::to_fixed_point(read(&written), false, Analysis::of);
+            assert_eq!(safe.analysis.source.text, written);
+        }
+    }
+}
+
 /// Words are no numbers.
 #[test]
 fn words_are_not_counted() {

@@ -36,6 +36,8 @@ pub(super) enum Habit {
     Word,
     /// The name of a type stands before the ID.
     Keyword,
+    /// The type of an operation stands between its operands.
+    Infix,
     /// ID and type stand in each other's place.
     Exchanged,
     /// A comment has no signs around it.
@@ -104,7 +106,8 @@ impl Habit {
             }
             Habit::NoType | Habit::Axis => false,
             // They are made for such findings only.
-            Habit::Digit
+            Habit::Infix
+            | Habit::Digit
             | Habit::Shifted
             | Habit::Reference
             | Habit::Id
@@ -272,7 +275,9 @@ impl<'a> LineContext<'a> {
         taken: &[u32],
     ) -> Vec<Candidate> {
         let mut out = Vec::new();
-        if finding.is_error() {
+        if let Some(infix) = self.infix().filter(|_| finding.is_error()) {
+            out.push(infix);
+        } else if finding.is_error() {
             self.characters(&mut out);
             // A type is no ID.
             let is_negative = self.int(0).is_some_and(|id| id < 0) && finding.code == Code::E005;
@@ -384,7 +389,8 @@ impl<'a> LineContext<'a> {
                 let d = Diagnostic::new(Code::E101, edit.span).case("no-id");
                 Some(d.with("number", written))
             }
-            Habit::Digit
+            Habit::Infix
+            | Habit::Digit
             | Habit::Shifted
             | Habit::Reference
             | Habit::Id

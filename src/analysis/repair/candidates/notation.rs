@@ -1,10 +1,10 @@
-//! What mathematics writes: `4 = 2 ∪ 3`, and names before numbers, `r = 1`.
+//! What mathematics writes: `4 = 2 ∪ 3`, `4 2 ∪ 3` by the type's number, and names before numbers, `r = 1`.
 
 use super::{Candidate, Habit, LineContext};
-use crate::diagnostics::{Applicability, Fix, Value};
+use crate::diagnostics::{Applicability, Edit, Fix, Value};
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
-use crate::syntax::table::{RecordKind, RecordType};
+use crate::syntax::table::{Family, Kind, RecordKind, RecordType};
 
 /// What stands between a name and its number.
 const EQUALS: [char; 2] = ['=', ':'];
@@ -41,6 +41,41 @@ impl LineContext<'_> {
         Some(Candidate {
             habit: Habit::Characters,
             fix: fix.with("type", Value::Term(ty.title)),
+            ty: None,
+        })
+    }
+
+    /// An operation whose type stands between its operands: `52 51 -101 34`.
+    pub(super) fn infix(&self) -> Option<Candidate> {
+        let &[id, a, sign, b] = self.tokens.as_slice() else {
+            return None;
+        };
+        let ty = RecordType::by_code(sign.integer(self.text)?)?;
+        let is_operation = ty.family == Family::Operation && ty.params.len() == 2;
+        let is_object = |t: &Token| {
+            let id = t.integer(self.text);
+            id.and_then(|id| self.kind_of(id)) == Some(Kind::Object)
+        };
+        if !is_operation || self.id().is_none() || ![a, b].iter().all(is_object) {
+            return None;
+        }
+        let [id, first, second] = [id, a, b].map(|t| t.text(self.text));
+        let text = format!("{id} {} {first} {second}", ty.code);
+        let edit = |t: Token, text: &str| Edit {
+            span: t.span(),
+            text: text.to_owned(),
+        };
+        Some(Candidate {
+            habit: Habit::Infix,
+            fix: Fix {
+                title: "fix-equation",
+                values: vec![
+                    ("number", quote(&text).into()),
+                    ("type", Value::Term(ty.title)),
+                ],
+                applicability: Applicability::Unsafe,
+                edits: vec![edit(a, sign.text(self.text)), edit(sign, first)],
+            },
             ty: None,
         })
     }
