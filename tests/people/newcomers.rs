@@ -595,6 +595,21 @@ fn operations_between_their_operands() {
     }
 }
 
+/// No fix is promised for decimals of what has none: the cells of a checkerboard are a number.
+#[test]
+fn decimal_commas_of_whole_numbers() {
+    let scene =
+        |cells: &str| format!("11 -701 1 0 0\n12 -701 0 0 1\n2 9 1\n2 -399 {cells} 11 12\n{REST}");
+    let all = repair::proposals(&read(&scene("1,5 1,5")));
+    assert_eq!(all.iter().filter(|d| d.code == Code::E010).count(), 2);
+    assert!(
+        all.iter()
+            .all(|d| d.code != Code::E003 && d.fixes.is_empty()),
+        "{all:?}"
+    );
+    assert_eq!(fixed(&scene("8,0 4")), scene("8 4"));
+}
+
 /// Words are no numbers.
 #[test]
 fn words_are_not_counted() {

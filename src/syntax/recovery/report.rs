@@ -3,7 +3,7 @@
 use super::super::lexer::{Token, TokenKind};
 use super::super::quote::quote;
 use super::super::signature::fits;
-use super::super::table::{ParamKind, RecordKind, RecordType};
+use super::super::table::{Param, ParamKind, RecordKind, RecordType};
 use super::super::words;
 use super::diagnosis::{Diagnosis, RecordCandidate};
 use super::faults;
@@ -264,7 +264,17 @@ impl Reporter<'_, '_> {
             return;
         }
         let most = ty.params.len() + ty.optional.len();
+        let all = || ty.params.iter().chain(ty.optional);
+        let is_whole = |p: &&Param| p.kind != ParamKind::FileName && !fits(TokenKind::Real, p.kind);
         for i in (first..end).filter(|&i| Some(i) != name) {
+            // A point in the place of the comma makes no whole number of it.
+            let param = all().nth(i - first).filter(is_whole);
+            if let Some(param) = param
+                && self.stretch.token(i).kind() == TokenKind::DecimalComma
+            {
+                out.push(self.not_an_integer(i, param.doc));
+                continue;
+            }
             if self.bad_token(i, out)
                 && i - first < most
                 && let Some(d) = out.pop_if(|d| d.code == Code::E012)
@@ -334,13 +344,14 @@ impl Reporter<'_, '_> {
         }
     }
 
+    /// That a number is not the whole one that is wanted.
     fn not_an_integer(&self, i: usize, what: &'static str) -> Diagnostic {
         let (text, span) = (self.text(i), self.stretch.token(i).span());
         let d = Diagnostic::new(Code::E010, span)
             .with("text", quote(text))
             .with("parameter", Value::Term(what));
-        let value = self.stretch.token(i).number(self.stretch.text());
-        match value.filter(|x| x.fract() == 0.0 && x.abs() < 1e15) {
+        let value = text.replace(',', ".").parse().ok();
+        match value.filter(|x: &f64| x.fract() == 0.0 && x.abs() < 1e15) {
             Some(x) => {
                 let whole = format!("{}", x as i64);
                 d.with("number", quote(&whole))
