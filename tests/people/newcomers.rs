@@ -610,6 +610,29 @@ fn decimal_commas_of_whole_numbers() {
     assert_eq!(fixed(&scene("8,0 4")), scene("8 4"));
 }
 
+/// A comma and a space are a separator where the count fits; a decimal comma is a guess where it does not.
+#[test]
+fn decimal_commas_with_a_space() {
+    let scene = |line: &str| format!("{line}\n{REST}");
+    let safe = |text: &str| {
+        let mended = fixing::to_fixed_point(read(text), false, Analysis::of);
+        mended.analysis.source.text.clone()
+    };
+    let list = scene("2 11 0, 9 0 1");
+    assert_eq!(safe(&list), scene("2 11 0 9 0 1"));
+    for (written, meant) in [
+        ("2 11 0 0, 9 0 1", "2 11 0 0.9 0 1"),
+        ("2 11 -1,  5 0 0 1", "2 11 -1.5 0 0 1"),
+        ("2 10 1, 5 1 1", "2 10 1.5 1 1"),
+        ("2 12 0, 9 0, 5 0 2 2 2", "2 12 0.9 0.5 0 2 2 2"),
+        // Either may be meant.
+        ("2 11 0, 1, 5, 1 1", "2 11 0, 1, 5, 1 1"),
+    ] {
+        assert_eq!(safe(&scene(written)), scene(written));
+        assert_eq!(fixed(&scene(written)), scene(meant));
+    }
+}
+
 /// Words are no numbers.
 #[test]
 fn words_are_not_counted() {

@@ -104,6 +104,7 @@ fix-type = napsat `{ $number }` ({ $type })
 fix-lost-type = za ID napsat typ `{ $number }` ({ $type })
 fix-comment = dát to do komentáře
 fix-doubled = vynechat čísla, která jsou tu dvakrát
+fix-decimal-comma = je-li v { $text } desetinná čárka, napsat { $number }
 lack = zapsaná čísla jsou možná { $have }; pak chybí { $missing }
 lack-any = parametry jsou po řadě `{ $missing }`; zapsaná čísla jsou `{ $have }` a nelze poznat, které chybí
 lost = možná chybí jeho definice; `--unsafe-fixes` odhady nepoužije

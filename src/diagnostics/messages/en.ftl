@@ -97,6 +97,7 @@ fix-type = write `{ $number }` ({ $type })
 fix-lost-type = put the type `{ $number }` ({ $type }) after the ID
 fix-comment = turn this into a comment
 fix-doubled = drop the numbers that stand there twice
+fix-decimal-comma = if { $text } has a decimal comma, write { $number }
 lack = the numbers here may be { $have }, with { $missing } left out
 lack-any = the parameters are, in order, `{ $missing }`; the numbers here are `{ $have }`, and which are missing cannot be told
 lost = its definition may be missing; `--unsafe-fixes` takes none of these guesses

@@ -301,6 +301,7 @@ impl<'a> LineContext<'a> {
             self.signs(&mut out);
             self.count(&mut out);
             self.doubled(&mut out);
+            self.spaced_commas(&mut out);
             self.surplus(finding, &mut out);
             out.extend(self.angles());
             out.extend(self.per_cent(finding));

@@ -11,6 +11,9 @@ use crate::syntax::table::{RecordKind, RecordType};
 /// Words before the point that a camera of other programs looks at.
 const LOOK_AT: [&str; 4] = ["look_at", "lookat", "target", "at"];
 
+/// So many places of one decimal comma are a choice.
+const MAX_PLACES: usize = 3;
+
 impl LineContext<'_> {
     /// Words between the numbers of a record, as in `look_at 0 0 0`: they go, and the point that a camera looks at becomes
     /// a direction.
@@ -351,6 +354,58 @@ impl LineContext<'_> {
             }
         }
     }
+
+    /// Decimal commas with a space behind them, `0, 9`, where there are too many numbers. Which one it is may be a
+    /// choice.
+    pub(super) fn spaced_commas(&self, out: &mut Vec<Candidate>) {
+        let Some(ty) = self.ty() else { return };
+        let params = self.params();
+        let Some(more) = params.len().checked_sub(self.wanted(ty)).filter(|&n| n > 0) else {
+            return;
+        };
+        let text = |t: &Token| t.text(self.text);
+        let is_digits = |t: &Token| text(t).bytes().all(|c| c.is_ascii_digit());
+        let is_pair = |two: &[Token]| {
+            let between = &self.text[two[0].end() as usize..two[1].start as usize];
+            let is_comma = between
+                .strip_prefix(',')
+                .is_some_and(|s| s.trim().is_empty());
+            is_comma && two[0].integer(self.text).is_some() && is_digits(&two[1])
+        };
+        let pairs: Vec<&[Token]> = params.windows(2).filter(|two| is_pair(two)).collect();
+        let is_apart = pairs.windows(2).all(|p| p[0][1].start < p[1][0].start);
+        let choices: Vec<Vec<&[Token]>> = match pairs.len() {
+            n if n == more && is_apart => vec![pairs],
+            2..=MAX_PLACES if more == 1 => pairs.into_iter().map(|pair| vec![pair]).collect(),
+            _ => return,
+        };
+        let applicability = match choices.len() {
+            1 => Applicability::Unsafe,
+            _ => Applicability::Choice,
+        };
+        for pairs in choices {
+            let new: Vec<(Token, String)> = (pairs.iter())
+                .map(|two| {
+                    let number = format!("{}.{}", text(&two[0]), text(&two[1]));
+                    (self.joined(&two[0], &two[1]), number)
+                })
+                .collect();
+            let all = new[0].0.span().to(new[new.len() - 1].0.span());
+            let Some(mut candidate) = self.write(Habit::Doubled, &new) else {
+                continue;
+            };
+            candidate.fix.title = "fix-decimal-comma";
+            candidate.fix.applicability = applicability;
+            candidate.fix = candidate.fix.with("text", quote(&self.text[all.range()]));
+            out.push(candidate);
+        }
+    }
+
+    /// Two tokens and what is between them as one.
+    pub(super) fn joined(&self, first: &Token, last: &Token) -> Token {
+        Token::new(first.kind(), first.start as usize, last.end() as usize)
+    }
+
     /// A number too many among the references of a record, or a space in one. Such a record can be read where its last
     /// number is a `0`, which introduces a comment then.
     pub(super) fn surplus(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {

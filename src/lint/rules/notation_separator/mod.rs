@@ -5,15 +5,12 @@ use crate::lint::Context;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::{Item, commas, quote};
 
-/// Whether a separator is a comma that may be a decimal one.
+/// Whether a separator is a comma that may be a decimal one; there may be a space behind it.
 fn is_between_digits(text: &str, separator: &Token) -> bool {
-    let digit = |i: Option<u32>| {
-        i.and_then(|i| text.as_bytes().get(i as usize))
-            .is_some_and(u8::is_ascii_digit)
-    };
-    separator.text(text) == ","
-        && digit(separator.start.checked_sub(1))
-        && digit(Some(separator.end()))
+    let before = text[..separator.start as usize].bytes().next_back();
+    let behind = text[separator.end() as usize..].trim_start_matches([' ', '\t']);
+    let is_digit = |c: Option<u8>| c.is_some_and(|c| c.is_ascii_digit());
+    separator.text(text) == "," && is_digit(before) && is_digit(behind.bytes().next())
 }
 
 /// Whether a separator is a comma that a number may begin with: `,5` for 0.5.
