@@ -240,6 +240,49 @@ fn times_of_a_busy_machine_are_not_sure() {
     }
 }
 
+/// All sentences about one time say the same, and none claims a saving on a busy machine.
+#[test]
+fn sentences_about_times_agree() {
+    let said = |rows: &[(Axis, &'static str, f64, f64, usize)], busy: f64| {
+        let edges = [(Axis::Samples, "1", 1.0, 7.4, 400)];
+        let mut report = report_of(&[&edges, rows].concat());
+        report.machine.wall_over_cpu = Some(busy);
+        advise(&mut report, Language::English);
+        let parts = report.advice_parts.iter();
+        parts.map(|a| a.text.clone()).collect::<Vec<_>>().join("\n")
+    };
+    let none = "No other setting saves a tenth";
+    // Single precision saves a third, and nobody sees it.
+    let rows = [
+        (Axis::Depth, "10", 1.0, 0.0, 0),
+        (Axis::Depth, "3", 1.24, 0.0, 0),
+        (Axis::Precision, "f64", 1.0, 0.0, 0),
+        (Axis::Precision, "f32", 0.67, 0.3, 0),
+    ];
+    let text = said(&rows, 1.0);
+    assert!(
+        !text.contains(none) && text.matches("saves 33 %").count() == 1,
+        "{text}"
+    );
+    assert!(!text.contains("24 %"), "{text}");
+    assert!(
+        text.contains("is more than enough, but less saves no time"),
+        "{text}"
+    );
+    let text = said(&rows, 2.0);
+    assert!(!text.contains(none) && !text.contains("saves"), "{text}");
+    // What is written as a tenth is one.
+    let rows = [
+        (Axis::Depth, "10", 1.0, 0.0, 0),
+        (Axis::Depth, "3", 0.904, 0.0, 0),
+    ];
+    let text = said(&rows, 1.0);
+    assert!(
+        !text.contains(none) && text.contains("saves 10 %"),
+        "{text}"
+    );
+}
+
 #[test]
 fn advice_says_whether_the_depth_is_right() {
     // The first row of a kind is the default.

@@ -240,7 +240,7 @@ fn change(report: &Report, language: Language) -> Option<Advice> {
     if !report.rows.iter().any(|r| r.times_default.is_some()) {
         return None;
     }
-    let noise = report.noise.relative;
+    let is_busy = report.too_busy().is_some();
     let worst = largest(report).and_then(Row::kind);
     let mut said = Vec::new();
     let mut saves = false;
@@ -264,16 +264,14 @@ fn change(report: &Report, language: Language) -> Option<Advice> {
                 .min_by_key(|(r, t)| (r.off(), (t * 1000.0) as u64));
             if let Some((row, time)) = repair {
                 let put_right = off - row.off();
-                let price = match time - 1.0 > noise {
-                    true => say(
+                let price = match time - 1.0 {
+                    _ if is_busy => say(language, "accuracy-price-unsure", &[]),
+                    p if p > report.noise.relative => say(
                         language,
                         "accuracy-price",
-                        &[(
-                            "percent",
-                            number_format::percent(language, time - 1.0).into(),
-                        )],
+                        &[("percent", number_format::percent(language, p).into())],
                     ),
-                    false => say(language, "accuracy-price-none", &[]),
+                    _ => say(language, "accuracy-price-none", &[]),
                 };
                 said.push(say(
                     language,
@@ -289,24 +287,23 @@ fn change(report: &Report, language: Language) -> Option<Advice> {
                 continue;
             }
         }
-        let least = 1.0 - f64::max(0.1, 2.0 * noise);
         let save = timed()
-            .filter(|(r, t)| r.off() <= off && r.steps() <= report.goal.steps / 10.0 && *t <= least)
+            .filter(|(r, t)| {
+                let is_unseen = r.off() <= off && r.steps() <= report.goal.steps / 10.0;
+                is_unseen && saving(report, *t).is_some_and(is_tenth)
+            })
             .min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((row, time)) = save {
             saves = true;
-            said.push(say(
-                language,
-                "accuracy-advice-save",
-                &[
-                    ("option", row.option.clone().into()),
-                    (
-                        "percent",
-                        number_format::percent(language, 1.0 - time).into(),
-                    ),
-                ],
-            ));
+            said.push(saved(row, time, language));
         }
+    }
+    if let Some((row, time)) = single_precision(report) {
+        saves = true;
+        said.push(saved(row, time, language));
+    }
+    if said.is_empty() && is_busy {
+        return None;
     }
     let what = if saves { "save" } else { "change" };
     let text = match said.is_empty() {
@@ -314,6 +311,37 @@ fn change(report: &Report, language: Language) -> Option<Advice> {
         false => said.join(" "),
     };
     Some(Advice { what, text })
+}
+
+/// That a setting saves time.
+fn saved(row: &Row, time: f64, language: Language) -> String {
+    let percent = number_format::percent(language, 1.0 - time);
+    let values = [
+        ("option", row.option.clone().into()),
+        ("percent", percent.into()),
+    ];
+    say(language, "accuracy-advice-save", &values)
+}
+
+/// Single precision and its time, where that saves a tenth of the time and no pixel is off by more than a step.
+fn single_precision(report: &Report) -> Option<(&Row, f64)> {
+    let mut rows = report.rows.iter().filter(|r| r.is_on(Axis::Precision));
+    let row = rows.find(|r| r.setting == "f32" && r.error.is_some() && r.off() == 0)?;
+    let time = row.times_default?;
+    (saving(report, time).is_some_and(is_tenth)).then_some((row, time))
+}
+
+/// The share of the time that a setting saves, where that is sure; `time` is that of the setting over that of the
+/// default. A tenth is recommended, so it must be surer.
+fn saving(report: &Report, time: f64) -> Option<f64> {
+    let (share, noise) = (1.0 - time, report.noise.relative);
+    let least = if is_tenth(share) { 2.0 * noise } else { noise };
+    (report.too_busy().is_none() && share > least).then_some(share)
+}
+
+/// Whether a share is a tenth at least, as it is written in per cent.
+fn is_tenth(share: f64) -> bool {
+    (100.0 * share).round() >= 10.0
 }
 
 /// Whether another depth of rays would show, or would do.
@@ -327,7 +355,10 @@ fn depth(report: &Report, language: Language) -> Option<Advice> {
     let off = default.off();
     let deeper = rows().filter(|(depth, r, _)| *depth > own && r.off() < off);
     let is_alike = |r: &Row| r.off() <= off && r.steps() <= report.goal.steps / 10.0;
-    let flatter = rows().filter(|(depth, r, _)| *depth < own && is_alike(r));
+    let flatter = || rows().filter(|(depth, r, _)| *depth < own && is_alike(r));
+    // Fewer rays take no longer: a time that says so is no reason to set anything.
+    let may_save = |time: f64| report.too_busy().is_some() || time <= 1.0 + report.noise.relative;
+    let less = flatter().filter(|(.., time)| may_save(*time));
     let mut values = vec![("depth", Value::from(own.to_string()))];
     let message = if let Some((_, row, time)) = deeper.min_by_key(|(n, r, _)| (r.off(), *n)) {
         values.extend([
@@ -337,12 +368,14 @@ fn depth(report: &Report, language: Language) -> Option<Advice> {
             ("times", number_format::times(language, time).into()),
         ]);
         "accuracy-depth-more"
-    } else if let Some((_, row, time)) = flatter.min_by_key(|(n, ..)| *n) {
+    } else if let Some((_, row, time)) = less.min_by_key(|(n, ..)| *n) {
         values.extend([
             ("option", row.option.clone().into()),
             ("price", price(report, time, language).into()),
         ]);
         "accuracy-depth-less"
+    } else if flatter().next().is_some() {
+        "accuracy-depth-same"
     } else if rows().any(|(depth, ..)| depth < own) {
         "accuracy-depth-right"
     } else {
@@ -357,10 +390,13 @@ fn depth(report: &Report, language: Language) -> Option<Advice> {
 /// `saves 12 %` and its like; `time` is that of a setting over that of the default.
 fn price(report: &Report, time: f64, language: Language) -> String {
     let percent = |share: f64| [("percent", number_format::percent(language, share).into())];
-    match time - 1.0 {
-        p if p.abs() <= report.noise.relative => say(language, "accuracy-saves-nothing", &[]),
-        p if p < 0.0 => say(language, "accuracy-saves", &percent(-p)),
-        p => say(language, "accuracy-costs", &percent(p)),
+    if report.too_busy().is_some() {
+        return say(language, "accuracy-time-unsure", &[]);
+    }
+    match (saving(report, time), time - 1.0) {
+        (Some(share), _) => say(language, "accuracy-saves", &percent(share)),
+        (None, p) if p > report.noise.relative => say(language, "accuracy-costs", &percent(p)),
+        (None, _) => say(language, "accuracy-saves-nothing", &[]),
     }
 }
 
@@ -399,6 +435,10 @@ fn numbers(report: &Report, language: Language) -> Option<Advice> {
         let Some(time) = row.times_default else {
             continue;
         };
+        // It is recommended already.
+        if name == "f32" && single_precision(report).is_some() {
+            continue;
+        }
         let off = row.off();
         said.push(say(
             language,

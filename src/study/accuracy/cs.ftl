@@ -21,6 +21,7 @@ accuracy-advice-busy = Počítač byl na přesné měření času příliš zane
 accuracy-advice-others = Každý z ostatních druhů chyby je při výchozím nastavení menší než { $error } kroku.
 accuracy-price = za { $percent } % času navíc
 accuracy-price-none = bez měřitelného času navíc
+accuracy-price-unsure = za cenu, kterou na zaneprázdněném počítači nelze určit
 accuracy-advice-repair = Z { $pixels ->
     [one] { $pixels } prohlédnutého pixelu
    *[other] { $pixels } prohlédnutých pixelů
@@ -32,6 +33,7 @@ accuracy-depth-more = Výchozí hloubka { $depth } vynechává světlo, které b
    *[other] { $off } pixelů
 } opraví { $right } a obrázek trvá { $times }krát tak dlouho.
 accuracy-depth-less = Výchozí hloubka { $depth } je víc než dost: `{ $option }` dává na pohled stejný obrázek a { $price }.
+accuracy-depth-same = Výchozí hloubka { $depth } je víc než dost, ale menší neušetří žádný čas.
 accuracy-depth-right = Výchozí hloubka { $depth } stačí a s menší se obrázek změní.
 accuracy-numbers-same = Dvojitá přesnost tu stačí: double-double s dvojnásobným počtem číslic trvá { $times }krát tak dlouho a dává tentýž obrázek.
 accuracy-numbers-unseen = Dvojitá přesnost na pohled stačí: double-double s dvojnásobným počtem číslic trvá { $times }krát tak dlouho a neopraví žádný pixel.
@@ -55,6 +57,7 @@ accuracy-numbers-plain = Výpočet, který nehlídá vlastní zaokrouhlování, 
 accuracy-saves-nothing = trvá stejně dlouho
 accuracy-saves = ušetří { $percent } %
 accuracy-costs = trvá o { $percent } % déle
+accuracy-time-unsure = trvá dobu, kterou na zaneprázdněném počítači nelze určit
 
 accuracy-skip-unasked = nebylo požadováno
 accuracy-skip-light = nic nezrcadlí a nic nepropouští světlo: žádné světlo se nezanedbá

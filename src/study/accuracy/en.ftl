@@ -21,6 +21,7 @@ accuracy-advice-others = With the default settings each other kind of error is b
 accuracy-advice-busy = The machine was too busy for exact times: other programs had the processor, so that the runs took { $times } times their CPU time. Close these programs and measure again before you rely on the times.
 accuracy-price = for { $percent } % more time
 accuracy-price-none = for no measurable time
+accuracy-price-unsure = at a price that cannot be told on this busy machine
 accuracy-advice-repair = In { $off } of the { $pixels ->
     [one] { $pixels } pixel
    *[other] { $pixels } pixels
@@ -32,6 +33,7 @@ accuracy-depth-more = A depth of { $depth }, the default, cuts light that can be
    *[other] { $off } pixels
 } right, and the picture takes { $times } times as long.
 accuracy-depth-less = A depth of { $depth }, the default, is more than enough: `{ $option }` shows the same to the eye and { $price }.
+accuracy-depth-same = A depth of { $depth }, the default, is more than enough, but less saves no time.
 accuracy-depth-right = A depth of { $depth }, the default, is enough, and with less the picture changes.
 accuracy-numbers-same = Doubles are enough here: double-double, which has twice as many digits, takes { $times } times as long and gives the same picture.
 accuracy-numbers-unseen = Doubles are enough to the eye: double-double, which has twice as many digits, takes { $times } times as long and puts no pixel right.
@@ -53,6 +55,7 @@ accuracy-numbers-plain = The arithmetic of most ray tracers, which does not watc
 accuracy-saves-nothing = takes as long
 accuracy-saves = saves { $percent } %
 accuracy-costs = costs { $percent } % more
+accuracy-time-unsure = takes a time that cannot be told on this busy machine
 
 accuracy-skip-unasked = not asked for
 accuracy-skip-light = nothing is mirrored and nothing lets light through: no light is cut
