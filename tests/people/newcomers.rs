@@ -633,6 +633,43 @@ fn decimal_commas_with_a_space() {
     }
 }
 
+/// The name of a type in the place of the ID: a record begins with its ID, which is one that is missing, that of the
+/// record before, or a free one.
+#[test]
+fn names_of_types_without_an_id() {
+    let behind = |lines: &str| format!("2 9 1\n{lines}\n{REST}");
+    for (written, meant) in [
+        (
+            format!("sphere 0 1 0 1\n{REST}"),
+            format!("2 11 0 1 0 1\n{REST}"),
+        ),
+        (
+            behind("sphere 0 1 0 1\nbox 0 0 0 1 1 1"),
+            behind("51 11 0 1 0 1\n52 12 0 0 0 1 1 1"),
+        ),
+        (
+            behind("colour 1 0 0\ntranslate 0 1 0"),
+            behind("2 -701 1 0 0\n2 -1 0 1 0"),
+        ),
+    ] {
+        let all = repair::proposals(&read(&written));
+        let errors: Vec<(Code, &str)> = all
+            .iter()
+            .filter(|d| d.is_error())
+            .map(|d| (d.code, d.case))
+            .collect();
+        assert!(
+            errors.iter().all(|e| *e == (Code::E005, "name")),
+            "{errors:?}"
+        );
+        let said = all[0].wording(Language::English).message;
+        assert!(said.ends_with("a record begins with its ID"), "{said}");
+        assert_eq!(fixed(&written), meant);
+        let safe = fixing::to_fixed_point(read(&written), false, Analysis::of);
+        assert_eq!(safe.analysis.source.text, written);
+    }
+}
+
 /// Words are no numbers.
 #[test]
 fn words_are_not_counted() {

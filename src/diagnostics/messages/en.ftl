@@ -132,6 +132,7 @@ fix-labelled-point = leave out the words, and write the point to look at as a di
 fix-turns = write one rotation for each axis, about x first
 fix-up = write the up vector { $number }
 fix-free-id = give it the ID { $number }
+fix-named-id = give it a free ID: write { $number }
 fix-own-id = give it the ID { $number }, and write that in { $count ->
     [one] the assignment to { $text }
    *[other] the assignments to { $text }
@@ -212,6 +213,9 @@ E005-negative = { E005 }
 E005-lost = this { $type } has no ID
     .label = this is the type, { $number }; an ID belongs in front of it
     .help = { $type-a } is written { $header }
+E005-name = this { $type } has no ID: a record begins with its ID
+    .label = the name of type { $number } is no ID
+    .help = { E005-lost.help }
 E005-swapped = { $text } cannot be an ID here: ID and type are swapped
     .label = the render record begins with { $number }
     .help = the render record always has ID 1 and type 9999

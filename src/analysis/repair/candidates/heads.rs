@@ -3,6 +3,7 @@
 
 use rustc_hash::FxHashSet;
 
+use super::inline::NAMED_TITLE;
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::colours;
 use crate::analysis::repair::whole::{records, references};
@@ -13,13 +14,16 @@ use crate::syntax::quote;
 use crate::syntax::table::{Effect, RecordKind, RecordType};
 use crate::syntax::words;
 
+/// So many IDs are tried for a record that has none.
+const MAX_IDS: usize = 3;
+
 /// The render record always has this ID.
 const RENDER: u32 = 1;
 
 impl LineContext<'_> {
-    /// The name of a type before all numbers, as other programs have it: `sphere 4 0 1 0 0.5`. Without an ID it gets the
-    /// only one that is undefined.
-    pub(super) fn keyword(&self, out: &mut Vec<Candidate>) {
+    /// The name of a type before all numbers, as other programs have it: `sphere 4 0 1 0 0.5`. Without an ID it gets one
+    /// that is undefined, that of the record before if it changes something, or a free one.
+    pub(super) fn keyword(&self, used: &[u32], out: &mut Vec<Candidate>) {
         let is_word = |t: &&Token| t.kind() == TokenKind::Word;
         let count = self.tokens.iter().take_while(is_word).count();
         let (named, rest) = self.tokens.split_at(count);
@@ -47,15 +51,41 @@ impl LineContext<'_> {
                     let code = ty.code.to_string();
                     vec![edit(word, text.to_string()), edit(id.span(), code)]
                 }
-                _ if self.fit(ty, rest) && matches!(ty.effect, Effect::Defines(_)) => {
-                    let &[id] = &self.missing()[..] else {
-                        continue;
-                    };
-                    vec![edit(word, format!("{id} {}", ty.code))]
+                _ if self.fit(ty, rest) => {
+                    self.unnamed(word, ty, used, out);
+                    continue;
                 }
                 _ => continue,
             };
             out.push(self.beginning(Habit::Keyword, edits));
+        }
+    }
+
+    /// The name of a type where the ID belongs, as `sphere 0 1 0 1`: the IDs that the record may have.
+    fn unnamed(&self, word: Span, ty: &'static RecordType, used: &[u32], out: &mut Vec<Candidate>) {
+        let before = match ty.effect {
+            Effect::Changes(kinds) | Effect::DefinesOrChanges(_, kinds) => self.id_before(kinds),
+            Effect::Defines(_) => None,
+        };
+        let mut ids = Vec::from_iter(before);
+        if !matches!(ty.effect, Effect::Changes(_)) {
+            ids.extend(self.missing());
+        }
+        let is_new = ids.is_empty() && !matches!(ty.effect, Effect::Changes(_));
+        ids.extend(self.free_id(used).filter(|_| is_new));
+        for id in ids.into_iter().take(MAX_IDS) {
+            let edit = |span: Span, text: String| Edit { span, text };
+            let start = Span::new(word.start, word.start);
+            let edits = vec![
+                edit(start, format!("{id} ")),
+                edit(word, ty.code.to_string()),
+            ];
+            let mut candidate = self.beginning(Habit::Unnamed, edits);
+            candidate.ty = Some(ty);
+            if is_new {
+                candidate.fix.title = NAMED_TITLE;
+            }
+            out.push(candidate);
         }
     }
 

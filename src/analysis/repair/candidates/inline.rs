@@ -33,12 +33,14 @@ pub(super) const PARTS_TITLE: &str = "fix-parts";
 /// The titles of fixes that give a record another ID, alone and where it is assigned.
 pub(super) const FREE_TITLE: &str = "fix-free-id";
 pub(super) const OWN_TITLE: &str = "fix-own-id";
+/// The title of fixes that give an ID to a record that has none.
+pub(super) const NAMED_TITLE: &str = "fix-named-id";
 
 /// The IDs that a fix gives to records.
 pub(crate) fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
-    let is_one = [TITLE, PARTS_TITLE, FREE_TITLE, OWN_TITLE].contains(&fix.title);
+    let is_one = [TITLE, PARTS_TITLE, FREE_TITLE, OWN_TITLE, NAMED_TITLE].contains(&fix.title);
     let edits = fix.edits.iter().filter(move |_| is_one);
-    edits.filter_map(|edit| edit.text.parse().ok())
+    edits.filter_map(|edit| edit.text.trim_end().parse().ok())
 }
 
 /// Whether a fix puts IDs in the place of colours.

@@ -36,6 +36,8 @@ pub(super) enum Habit {
     Word,
     /// The name of a type stands before the ID.
     Keyword,
+    /// The name of a type stands in the place of the ID.
+    Unnamed,
     /// The type of an operation stands between its operands.
     Infix,
     /// ID and type stand in each other's place.
@@ -104,6 +106,7 @@ impl Habit {
             Habit::Swapped => {
                 matches!(finding.code, E101 | E103 | E104 | E107 | E108 | W319)
             }
+            Habit::Unnamed => finding.code == E005,
             Habit::NoType | Habit::Axis => false,
             // They are made for such findings only.
             Habit::Infix
@@ -128,6 +131,11 @@ pub(super) struct Candidate {
 
 /// Most candidates for one finding.
 const MAX_CANDIDATES: usize = 16;
+
+/// How a record is written.
+fn header(ty: &RecordType) -> String {
+    format!("`ID {} {}`", ty.code, ty.signature())
+}
 
 /// A line of the text, or all of a record that begins on it.
 pub(super) struct LineContext<'a> {
@@ -292,7 +300,7 @@ impl<'a> LineContext<'a> {
             out.extend(self.labelled());
             out.extend(self.equation());
             out.extend(self.named_values());
-            self.keyword(&mut out);
+            self.keyword(&[undefined, taken].concat(), &mut out);
             out.extend(self.clauses(&[undefined, taken].concat()));
             self.spaced_name(&mut out);
             self.words(&mut out);
@@ -331,7 +339,7 @@ impl<'a> LineContext<'a> {
         } else if finding.code == Code::W319 {
             self.swapped(&mut out);
         }
-        let is_keyword = |c: &Candidate| c.habit == Habit::Keyword;
+        let is_keyword = |c: &Candidate| matches!(c.habit, Habit::Keyword | Habit::Unnamed);
         if out
             .iter()
             .any(|c| inline::is_inline(&c.fix) || is_keyword(c))
@@ -363,6 +371,12 @@ impl<'a> LineContext<'a> {
         };
         match candidate.habit {
             Habit::Sign => with_type(Diagnostic::new(Code::E007, edit.span).case("sign")),
+            Habit::Unnamed => {
+                let ty = candidate.ty?;
+                let end = candidate.fix.edits.last()?.span.end;
+                let d = Diagnostic::new(Code::E005, Span::new(edit.span.start, end)).case("name");
+                with_type(d).map(|d| d.with("header", header(ty)))
+            }
             Habit::NoType => with_type(Diagnostic::new(Code::E006, edit.span).case("lost")),
             Habit::Characters => Some(Diagnostic::new(Code::E003, edit.span).with("text", written)),
             Habit::Exchanged => Some(self.exchange()?.0),

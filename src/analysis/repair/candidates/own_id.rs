@@ -77,6 +77,13 @@ impl LineContext<'_> {
         };
         let own = &self.tokens[1..];
         let is_one = finding.code == Code::E005 && !own.is_empty() && self.fit(ty, own);
+        let id = self.id_before(kinds).filter(|_| is_one)?;
+        let text = format!("{id} {}", head.text(self.text));
+        self.write(Habit::Id, &[(*head, text)])
+    }
+
+    /// The ID of the record before, if it is of one of these kinds.
+    pub(super) fn id_before(&self, kinds: &'static [Kind]) -> Option<u32> {
         let document = &self.analysis.document;
         let items = document.items.iter().rev();
         let mut before = items.filter(|item| document.item_span(item).end <= self.line.start);
@@ -85,10 +92,7 @@ impl LineContext<'_> {
             Item::Broken(b) => b.id,
             Item::Void { .. } => None,
         })?;
-        let is_kind = self.entities(kinds).any(|e| e.id == id);
-        let text = format!("{id} {}", head.text(self.text));
-        let new = self.write(Habit::Id, &[(*head, text)]);
-        new.filter(|_| is_one && is_kind)
+        self.entities(kinds).any(|e| e.id == id).then_some(id)
     }
 
     /// The IDs of the records that follow this one directly and change what it defines.

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::{Candidate, Habit, LineContext, MAX_CANDIDATES};
+use super::{Candidate, Habit, LineContext, MAX_CANDIDATES, header};
 use crate::analysis::materials;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::{Token, TokenKind};
@@ -380,7 +380,7 @@ impl LineContext<'_> {
                 .with("off", count(got.abs_diff(wanted)))
                 .with("wanted", count(full))
                 .with("fewer", fewer)
-                .with("header", format!("`ID {} {}`", ty.code, ty.signature())),
+                .with("header", header(ty)),
         )
     }
 }
