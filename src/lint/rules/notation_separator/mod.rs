@@ -5,12 +5,22 @@ use crate::lint::Context;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::{Item, commas, quote};
 
-/// Whether a separator is a comma that may be a decimal one; there may be a space behind it.
+/// Whether a separator is a comma that may be a decimal one. Where there is a space behind it, what is around it must be
+/// digits alone.
 fn is_between_digits(text: &str, separator: &Token) -> bool {
-    let before = text[..separator.start as usize].bytes().next_back();
-    let behind = text[separator.end() as usize..].trim_start_matches([' ', '\t']);
-    let is_digit = |c: Option<u8>| c.is_some_and(|c| c.is_ascii_digit());
-    separator.text(text) == "," && is_digit(before) && is_digit(behind.bytes().next())
+    let before = &text[..separator.start as usize];
+    let behind = &text[separator.end() as usize..];
+    let number = behind.trim_start_matches([' ', '\t']);
+    let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    let is_pair = separator.text(text) == ","
+        && is_digit(before.chars().next_back())
+        && is_digit(number.chars().next());
+    let has_more = |c: Option<char>| c.is_some_and(|c| matches!(c, '.' | ','));
+    let of_digits = |c: char| c.is_ascii_digit();
+    is_pair
+        && (behind.len() == number.len()
+            || !has_more(before.trim_end_matches(of_digits).chars().next_back())
+                && !has_more(number.trim_start_matches(of_digits).chars().next()))
 }
 
 /// Whether a separator is a comma that a number may begin with: `,5` for 0.5.
