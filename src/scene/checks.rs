@@ -2,6 +2,7 @@
 
 use super::record::Params;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
+use crate::syntax::quote;
 
 /// E203 unless the three parameters from `first` on make a vector with a direction.
 pub(super) fn non_zero(
@@ -68,9 +69,12 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
             edits: edits.collect(),
         }
     };
+    // A corner and a size, as other programs have it.
+    let size = (!in_turn).then(|| sized(p, first, n)).flatten();
     let proposed = match (in_turn, is_sorted) {
         (_, true) => fix("fix-order", &sorted, Applicability::Unsafe),
         (true, false) => fix("fix", &swapped, Applicability::Unsafe),
+        (false, false) if size.is_some() => fix("fix", &swapped, Applicability::Choice),
         (false, false) => fix("fix", &swapped, Applicability::Safe),
     };
     let at = inverted[0];
@@ -84,6 +88,39 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
             .fix(proposed),
     );
     let other = (in_turn && !is_sorted).then(|| fix("fix-order", &sorted, Applicability::Choice));
-    out.last_mut()?.fixes.extend(other);
+    out.last_mut()?.fixes.extend(other.into_iter().chain(size));
     None
+}
+
+/// The choice that the upper bounds are a size: each becomes the sum of both. `None` if one of them can be none.
+fn sized(p: &Params, first: usize, n: usize) -> Option<Fix> {
+    let of = first + n..first + 2 * n;
+    let texts: Vec<&str> = of.clone().map(|i| p.text_of(i)).collect();
+    let sums: Vec<String> = of
+        .clone()
+        .map(|i| sum(p.number(i - n), p.number(i)))
+        .collect();
+    let edits = of.clone().zip(&sums).map(|(i, text)| Edit {
+        span: p.span_of(i, 1),
+        text: text.clone(),
+    });
+    let fix = Fix {
+        title: "fix-size",
+        values: vec![
+            ("text", quote(&texts.join(" ")).into()),
+            ("number", quote(&sums.join(" ")).into()),
+        ],
+        applicability: Applicability::Choice,
+        edits: edits.collect(),
+    };
+    of.into_iter().all(|i| p.number(i) > 0.0).then_some(fix)
+}
+
+/// The sum of two numbers in as many digits as people write.
+fn sum(a: f64, b: f64) -> String {
+    /// Parts of 1.
+    const ROUNDED: f64 = 1e9;
+    let rounded = ((a + b) * ROUNDED).round() / ROUNDED;
+    let text = if rounded.is_finite() { rounded } else { a + b };
+    text.to_string()
 }

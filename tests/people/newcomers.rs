@@ -670,6 +670,21 @@ fn names_of_types_without_an_id() {
     }
 }
 
+/// A corner and a size look like swapped corners: either may be meant, unless a size would be negative.
+#[test]
+fn a_corner_and_a_size() {
+    let scene = |numbers: &str| format!("2 12 {numbers}\n{REST}");
+    let text = scene("1 2 3 2 1 2");
+    let all = repair::proposals(&read(&text));
+    let error = all.iter().find(|d| d.code == Code::E202).unwrap();
+    let written = |fix| fixes::apply(&text, std::iter::once(fix)).0;
+    let proposed: Vec<String> = error.fixes.iter().map(written).collect();
+    assert_eq!(proposed, [scene("1 1 2 2 2 3"), scene("1 2 3 3 3 5")]);
+    assert_eq!(fixed(&text), text);
+    let safe = fixing::to_fixed_point(read(&scene("1 -1 0 -1 1 1")), false, Analysis::of);
+    assert_eq!(safe.analysis.source.text, scene("-1 -1 0 1 1 1"));
+}
+
 /// Words are no numbers.
 #[test]
 fn words_are_not_counted() {

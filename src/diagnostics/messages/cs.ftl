@@ -514,6 +514,7 @@ E202 = { $type }: { $lower } je větší než { $upper }{ $others ->
     .other = horní mez
     .fix = prohodit je
     .fix-order = napsat nejdřív všechny dolní meze, pak všechny horní
+    .fix-size = je-li { $text } velikost, napsat { $number }
 
 E203 = { $type }: { $vector } je nulový vektor
     .label = nemá žádný směr

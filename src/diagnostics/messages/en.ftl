@@ -507,6 +507,7 @@ E202 = { $lower } of the { $type } is greater than { $upper }{ $others ->
     .other = the upper bound
     .fix = swap them
     .fix-order = write all lower bounds before all upper ones
+    .fix-size = if { $text } is the size, write { $number }
 
 E203 = the { $vector } of the { $type } is the zero vector
     .label = it has no direction
