@@ -685,6 +685,28 @@ fn a_corner_and_a_size() {
     assert_eq!(safe.analysis.source.text, scene("-1 -1 0 1 1 1"));
 }
 
+/// One number in the place of three: a grey has it three times, and of the parts of light it may be any.
+#[test]
+fn one_number_for_three() {
+    let scene = |line: &str| format!("2 9 1\n{line}\n{REST}");
+    let proposed = |line: &str| {
+        let text = scene(line);
+        let all = repair::proposals(&read(&text));
+        let error = all.into_iter().find(|d| d.code == Code::E008).unwrap();
+        let written = |fix| fixes::apply(&text, std::iter::once(fix)).0;
+        error.fixes.iter().map(written).collect::<Vec<String>>()
+    };
+    assert_eq!(proposed("2 -701 10"), [scene("2 -701 10 10 10")]);
+    assert_eq!(fixed(&scene("2 -701 0.2")), scene("2 -701 0.2 0.2 0.2"));
+    let parts = ["0.2 0 0", "0.8 0 0.2", "0.8 0.2 0"].map(|p| scene(&format!("2 -201 {p}")));
+    for one in ["2 -201 20", "2 -201 0.2"] {
+        let mut all = proposed(one);
+        all.sort();
+        assert_eq!(all, parts);
+        assert_eq!(fixed(&scene(one)), scene(one));
+    }
+}
+
 /// Words are no numbers.
 #[test]
 fn words_are_not_counted() {

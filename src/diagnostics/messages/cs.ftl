@@ -136,6 +136,7 @@ fix-angle = napsat na konec úhel { $number }
 fix-lost-number = chybí-li { $name }, napsat na jeho místo { $number }
 fix-labelled = vynechat slova
 fix-labelled-point = vynechat slova a bod, na který se má kamera dívat, napsat jako směr: tento bod minus poloha kamery
+fix-part = je-li { $text } { $parameter }, napsat { $number }
 fix-turns = napsat pro každou osu jedno otočení, nejdřív kolem x
 fix-up = napsat vektor „nahoru“ { $number }
 fix-free-id = dát záznamu ID { $number }

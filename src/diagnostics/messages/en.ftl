@@ -129,6 +129,7 @@ fix-angle = write the angle { $number } at the end
 fix-lost-number = if { $name } is missing, write { $number } in its place
 fix-labelled = leave out the words
 fix-labelled-point = leave out the words, and write the point to look at as a direction: that point minus the position
+fix-part = if { $text } is { $parameter }, write { $number }
 fix-turns = write one rotation for each axis, about x first
 fix-up = write the up vector { $number }
 fix-free-id = give it the ID { $number }

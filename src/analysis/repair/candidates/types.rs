@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use super::{Candidate, Habit, LineContext, MAX_CANDIDATES, header};
 use crate::analysis::materials;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::lint::spelling::decimal;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType, ShapeKind};
 use crate::syntax::words;
@@ -205,6 +206,10 @@ impl LineContext<'_> {
             let x = t.number(self.text);
             x.is_some_and(|x| (0.0..=1.0).contains(&x))
         };
+        let is_byte = |t: &Token| {
+            let x = t.number(self.text);
+            x.is_some_and(|x| (0.0..=255.0).contains(&x))
+        };
         match (ty.kind, texts.as_slice(), self.id()) {
             (RecordKind::PointLight | RecordKind::AmbientLight, &[a, b, c], Some(id)) => {
                 let is_colour = self.params().iter().all(is_part);
@@ -226,12 +231,14 @@ impl LineContext<'_> {
                     candidate
                 }));
             }
-            // A grey, but not six digits as other programs write a colour.
+            // A grey, but not six digits as other programs write a colour. It may be a byte or in per cent: another
+            // finding says so of the three.
             (RecordKind::Colour, &[s], _)
-                if hex::colour(s).is_none() && self.params().iter().all(is_part) =>
+                if hex::colour(s).is_none() && self.params().iter().all(is_byte) =>
             {
                 out.push(new("fix-write", format!("{s} {s} {s}")));
             }
+            (RecordKind::Optics, &[s], _) => out.extend(self.one_part(ty, s)),
             (RecordKind::Render, &[one], _) => out.push(new("fix-write", format!("{one} 0"))),
             (RecordKind::Union | RecordKind::Intersection | RecordKind::Difference, &[one], _) => {
                 let others = self.entities(&[Kind::Object]).map(|e| e.id);
@@ -253,6 +260,32 @@ impl LineContext<'_> {
             }
             _ => {}
         }
+    }
+
+    /// One part of light, or its per cent, in the place of three: it may be any of them, and the rest is diffuse.
+    fn one_part(&self, ty: &'static RecordType, written: &str) -> Vec<Candidate> {
+        let part = match self.params()[0].number(self.text) {
+            Some(x) if x > 0.0 && x <= 1.0 => x,
+            Some(x) if x > 1.0 && x <= 100.0 => x / 100.0,
+            _ => return Vec::new(),
+        };
+        let (own, rest) = (decimal(part), decimal(1.0 - part));
+        let rows = [
+            format!("{own} 0 0"),
+            format!("{rest} {own} 0"),
+            format!("{rest} 0 {own}"),
+        ];
+        let span = self.params()[0].span();
+        let candidates = ty.params.iter().zip(rows).map(|(param, row)| {
+            let fix = Fix::replace("fix-part", Applicability::Choice, span, row.clone());
+            let fix = fix.with("text", quote(written)).with("number", quote(&row));
+            Candidate {
+                habit: Habit::Sibling,
+                fix: fix.with("parameter", Value::Term(param.doc)),
+                ty: None,
+            }
+        });
+        candidates.collect()
     }
 
     /// The objects that are defined above and that nothing refers to, where an operation has an operand too few.
