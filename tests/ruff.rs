@@ -129,6 +129,33 @@ fn other_words_of_ruff_have_an_answer() {
         ),
         (&["version"], "zpg calls it `zpg --version`"),
         (
+            &["render", "a.zpg", "-s", "160x120"],
+            "the size of a picture is `--size`",
+        ),
+        (&["render", "a.zpg", "--res", "160x120"], "`--size 640x480`"),
+        (&["render", "a.zpg", "+W160", "+H120"], "`--size 640x480`"),
+        (&["render", "a.zpg", "out.png"], "`-o out.png`"),
+        (&["convert", "a.zpg", "out.pov"], "`-o out.pov`"),
+        (
+            &["convert", "a.zpg", "--format", "pov"],
+            "`zpg convert` calls it `--to`",
+        ),
+        (
+            &["render", "a.zpg", "--fov", "40"],
+            "the angle of view is the last number",
+        ),
+        (
+            &["render", "a.zpg", "--background", "1,1,1"],
+            "the second number of the render record",
+        ),
+        (&["fmt", "-w", "a.zpg"], "`zpg fmt` writes into the files"),
+        // Decimal commas.
+        (
+            &["render", "a.zpg", "--exposure", "0,5"],
+            "write `0.5`, with a decimal point",
+        ),
+        (&["convert", "a.zpg", "--tolerance", "0,01"], "write `0.01`"),
+        (
             &["check", "--per-file-ignores", "*:W310"],
             "`--config 'lint.per-file-ignores={\"*\" = [\"W310\"]}'`",
         ),
@@ -139,6 +166,8 @@ fn other_words_of_ruff_have_an_answer() {
         assert!(error.contains(answer), "{arguments:?}: {error}");
         assert!(!error.contains("did you mean"), "{arguments:?}: {error}");
     }
+    // Nothing was drawn before the answer.
+    assert!(!dir.path().join("a.png").exists());
     // What is proposed is right.
     for proposal in [
         &[

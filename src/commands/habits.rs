@@ -1,9 +1,12 @@
 //! What people write who know ruff or speak Czech: options, commands and values that zpg calls otherwise, or does without.
 
+use std::path::Path;
+
+use crate::diagnostics::Complaint;
 use crate::syntax::words::plain;
 
 /// A word of ruff or of a renderer, and the message that says what there is instead.
-const HABITS: [(&str, &str); 55] = [
+const HABITS: [(&str, &str); 69] = [
     ("--add-noqa", "habit-add-allow"),
     ("--cache-dir", "habit-cache"),
     ("--no-cache", "habit-cache"),
@@ -38,7 +41,7 @@ const HABITS: [(&str, &str); 55] = [
     ("--no-preview", "habit-preview"),
     ("--no-respect-gitignore", "habit-gitignore"),
     ("-n", "habit-cache"),
-    ("-s", "habit-silent"),
+    ("-s", "habit-silent-or-size"),
     ("-e", "habit-exit-zero"),
     ("--show-source", "habit-show-source"),
     ("init", "habit-new"),
@@ -53,6 +56,20 @@ const HABITS: [(&str, &str); 55] = [
     ("--width", "habit-size"),
     ("--height", "habit-size"),
     ("--resolution", "habit-size"),
+    ("--res", "habit-size"),
+    ("--format", "habit-format"),
+    ("-f", "habit-format"),
+    ("--fov", "habit-angle"),
+    ("--fovy", "habit-angle"),
+    ("--angle", "habit-angle"),
+    ("--background", "habit-background"),
+    ("--background-color", "habit-background"),
+    ("--bg", "habit-background"),
+    ("-w", "habit-in-place"),
+    ("--write", "habit-in-place"),
+    ("-i", "habit-in-place"),
+    ("--in-place", "habit-in-place"),
+    ("--inplace", "habit-in-place"),
     ("--antialias", "habit-samples"),
     ("--antialiasing", "habit-samples"),
     ("--aa", "habit-samples"),
@@ -66,6 +83,28 @@ pub(super) fn message(word: &str) -> Option<&'static str> {
     let word = word.split('=').next().unwrap_or(word);
     let habit = HABITS.iter().find(|(name, _)| *name == word);
     habit.map(|(_, message)| *message)
+}
+
+/// The endings of what zpg writes and does not read.
+const OUTPUTS: [&str; 13] = [
+    "png", "apng", "jpg", "jpeg", "webp", "exr", "pfm", "pov", "xml", "ply", "obj", "glb", "stl",
+];
+
+/// What there is instead of a word that stands where a scene belongs and is none: the name of a picture, or an option of
+/// POV-Ray.
+pub(super) fn output(word: &Path) -> Option<Complaint> {
+    let text = word.to_string_lossy();
+    let is_size = |text: &str| {
+        let digits = text.strip_prefix("+W").or(text.strip_prefix("+H"));
+        digits.is_some_and(|d| !d.is_empty() && d.bytes().all(|c| c.is_ascii_digit()))
+    };
+    if is_size(&text) {
+        return Some(Complaint::new("habit-size"));
+    }
+    let ending = word.extension()?;
+    let is_output = OUTPUTS.iter().any(|e| ending.eq_ignore_ascii_case(e));
+    let complaint = Complaint::new("habit-output").with("path", word);
+    (is_output && !text.starts_with('-')).then_some(complaint)
 }
 
 /// Sides, as people say them, and the values of `--view`.

@@ -18,6 +18,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+use super::habits;
 use super::help;
 use super::memory::{self, Memory};
 use super::paths::{self, is_stdout};
@@ -154,6 +155,21 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
 
 /// What there is to draw. What stands in the way is said, and then there is nothing.
 fn jobs(args: &Args, look: LookChoice) -> Option<Vec<Job>> {
+    // Nothing is drawn where a name among the scenes is meant as something else.
+    let no_scene = args.paths.iter().filter(|path| !path.exists());
+    if let Some((path, instead)) = no_scene
+        .filter_map(|path| Some((path, habits::output(path)?)))
+        .next()
+    {
+        let complaint = Complaint::new("with-reason")
+            .with(
+                "what",
+                Complaint::new("no-scene").with("path", path.as_path()),
+            )
+            .with("reason", instead);
+        complain(look, &complaint);
+        return None;
+    }
     let configs = Configs::default().into();
     let found = paths::expand(&args.paths, &configs, look);
     if found.failed || found.files.is_empty() {

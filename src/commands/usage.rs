@@ -20,16 +20,21 @@ use crate::lint::levels::UnknownCode;
 /// Reads a number of the command line that must satisfy a condition.
 ///
 /// # Errors
-/// `otherwise`, a message of the catalogues, for anything else.
+/// `otherwise`, a message of the catalogues, for anything else; of a number with a decimal comma, how it is written.
 pub fn number<T: FromStr + Copy>(
     text: &str,
     otherwise: &'static str,
     is_right: impl Fn(T) -> bool,
 ) -> Result<T, Complaint> {
-    match text.parse() {
-        Ok(x) if is_right(x) => Ok(x),
-        _ => Err(Complaint::new(otherwise)),
-    }
+    let read = |text: &str| text.parse().ok().filter(|x| is_right(*x));
+    read(text).ok_or_else(|| {
+        let point = text.replace(',', ".");
+        let is_comma = text.matches(',').count() == 1 && read(&point).is_some();
+        match is_comma {
+            true => Complaint::new("decimal-comma").with("number", point),
+            false => Complaint::new(otherwise),
+        }
+    })
 }
 
 /// Reads a whole number from 0 on.
@@ -151,11 +156,15 @@ fn complaint(error: &clap::Error, commands: &[String]) -> Option<Complaint> {
     );
     let foreign = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand];
     let foreign = foreign.into_iter().find_map(get).filter(|_| unknown);
-    if let Some(instead) = foreign.as_deref().and_then(habits::message) {
+    let instead = foreign.as_deref().and_then(|word| {
+        let habit = habits::message(word).map(Complaint::new);
+        habit.or_else(|| habits::output(Path::new(word)))
+    });
+    if let Some(instead) = instead {
         return Some(
             Complaint::new("with-reason")
                 .with("what", what)
-                .with("reason", Complaint::new(instead)),
+                .with("reason", instead),
         );
     }
     let written = [
