@@ -102,7 +102,7 @@ impl LineContext<'_> {
             return;
         }
         let mut found: Vec<(Vec<f64>, Candidate)> = Vec::new();
-        for at in 0..params.len() {
+        for (at, before) in params.iter().enumerate() {
             let numbers_here = if at < 6 { &[0.0][..] } else { &[0.0, 1.0] };
             for &number in numbers_here {
                 let mut row = numbers.clone();
@@ -112,7 +112,7 @@ impl LineContext<'_> {
                 if !is_camera || found.iter().any(|(known, _)| *known == row) {
                     continue;
                 }
-                let before = Span::new(params[at].start, params[at].start);
+                let before = Span::new(before.start, before.start);
                 let fix = Fix::replace(
                     "fix-lost-number",
                     Applicability::Unsafe,
