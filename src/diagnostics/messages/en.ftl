@@ -14,6 +14,7 @@ list-clauses = { $first }, and { $last }
 here = here
 guess = (a guess)
 or-fix = or { $title }
+fix-on-line = on line { $line }, { $title }
 
 error = error
 warning = warning

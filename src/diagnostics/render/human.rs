@@ -384,16 +384,36 @@ impl Printer<'_> {
             .help
             .iter()
             .map(|h| wrapped_if(&visible(h), width, ""));
-        let other = |title: &String| {
-            let title = [("title", title.clone().into())];
-            self.look.language.say("or-fix", &title)
+        let with_title = |message, title: String, line: usize| {
+            let values = [
+                ("title", title.into()),
+                ("line", (line + 1).to_string().into()),
+            ];
+            self.look.language.say(message, &values)
         };
+        let here = self.line(d.span);
         let fixes = d.fixes.iter().zip(&words.fixes).enumerate();
-        let fixes = fixes.map(|(i, (fix, title))| match i {
-            0 => self.proposal(fix, title, width),
-            _ => self.proposal(fix, &other(title), width),
+        let fixes = fixes.map(|(i, (fix, title))| {
+            let title = match fix.edits.first().map(|e| self.line(e.span)) {
+                // What is shown of the finding is not where this is.
+                Some(line) if !self.touches(fix, here) => {
+                    with_title("fix-on-line", title.clone(), line)
+                }
+                _ => title.clone(),
+            };
+            match i {
+                0 => self.proposal(fix, &title, width),
+                _ => self.proposal(fix, &with_title("or-fix", title, here), width),
+            }
         });
         help.chain(fixes).collect()
+    }
+
+    /// Whether a line lies within those that a fix touches.
+    fn touches(&self, fix: &Fix, line: usize) -> bool {
+        let first = fix.edits.first().map(|e| self.line(e.span));
+        let last = (fix.edits.last()).map(|e| self.file.line_index(self.file.floor(e.span.end)));
+        first.is_some_and(|first| first <= line) && last.is_some_and(|last| line <= last)
     }
 
     /// A fix: its title, and the line as it would be.
