@@ -707,6 +707,21 @@ fn one_number_for_three() {
     }
 }
 
+/// Units go, and so does a second point.
+#[test]
+fn units_and_doubled_points() {
+    for (written, meant) in [
+        ("2 9 1\n2 -2 40deg 2", "2 9 1\n2 -2 40 2"),
+        ("2 11 0 -11cm 0 15", "2 11 0 -11 0 15"),
+        ("2 11 0 0 0 2..5", "2 11 0 0 0 2.5"),
+    ] {
+        assert_eq!(
+            fixed(&format!("{written}\n{REST}")),
+            format!("{meant}\n{REST}")
+        );
+    }
+}
+
 /// Words are no numbers.
 #[test]
 fn words_are_not_counted() {

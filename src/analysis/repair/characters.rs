@@ -4,16 +4,26 @@
 /// Characters that may stand for a minus sign.
 const DASHES: [char; 8] = ['−', '–', '—', '‐', '‑', '‒', '﹣', '－'];
 
+/// Units behind numbers, the longer of two first.
+const UNITS: [&str; 12] = [
+    "°", "º", "˚", "degrees", "deg", "stupňů", "mm", "cm", "dm", "km", "px", "m",
+];
+
 /// The number that was meant by a word that is none. A per cent sign divides by 100, a degree sign goes.
 pub(super) fn number(text: &str) -> Option<String> {
     // Square brackets belong to no number; other ones are no words.
     let text = text.trim_start_matches('[').trim_end_matches(']');
-    let text = text.strip_suffix(['°', 'º', '˚']).unwrap_or(text);
-    // Lengths have no unit.
-    let text = match text.strip_suffix('m') {
-        Some(metres) if plain(metres).is_some() => metres,
-        _ => text,
+    // Angles are in degrees, and lengths have no unit.
+    let without_unit = UNITS.iter().find_map(|unit| text.strip_suffix(unit));
+    let text = without_unit
+        .filter(|number| plain(number).is_some())
+        .unwrap_or(text);
+    // A point that was typed twice.
+    let text = match text.matches('.').count() {
+        2 if text.contains("..") => text.replace("..", "."),
+        _ => text.to_owned(),
     };
+    let text = text.as_str();
     if let Some(share) = text.strip_suffix('%') {
         return hundredth(&plain(share)?);
     }
@@ -144,6 +154,9 @@ mod tests {
             ("O5", "5"),
             ("l", "1"),
             ("0.15m", "0.15"),
+            ("40deg", "40"),
+            ("110cm", "110"),
+            ("-2..5", "-2.5"),
             ("é", "0"),
             ("č+", "41"),
             ("++", "11"),
