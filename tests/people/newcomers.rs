@@ -707,6 +707,23 @@ fn one_number_for_three() {
     }
 }
 
+/// A letter for a digit in an ID is mended where it stands, whoever names the ID.
+#[test]
+fn letters_in_ids() {
+    let rest = REST.replace("9999 2", "9999 4");
+    for (one, other) in [("1O", "10"), ("2l", "21")] {
+        let text = |id: &str| format!("2 9 1\n{id} 11 0 0 0 2\n4 -102 2 {other}\n{rest}");
+        let all = repair::proposals(&read(&text(one)));
+        let errors: Vec<Code> = all
+            .iter()
+            .filter(|d| d.is_error())
+            .map(|d| d.code)
+            .collect();
+        assert_eq!(errors, [Code::E003]);
+        assert_eq!(fixed(&text(one)), text(other));
+    }
+}
+
 /// Units go, and so does a second point.
 #[test]
 fn units_and_doubled_points() {

@@ -277,8 +277,13 @@ impl Engine<'_> {
         let moves = |d: &Diagnostic| d.code == Code::E107;
         // What is certain on the line itself is no matter of this finding either.
         let certain = |d: &Diagnostic| d.code == Code::E003 && has_safe_fix(d) && *d != finding;
-        let elsewhere =
-            |d: &&Diagnostic| d.is_error() && (!line.touches(d.span) || certain(d)) && !moves(d);
+        // An ID that is not defined may be the one that cannot be read here.
+        let is_word = matches!(finding.code, Code::E003 | Code::E012);
+        let is_head = is_word && finding.span.start == line.start;
+        let is_named = |d: &Diagnostic| is_head && d.code == Code::E101;
+        let elsewhere = |d: &&Diagnostic| {
+            d.is_error() && (!line.touches(d.span) || certain(d)) && !moves(d) && !is_named(d)
+        };
         let others: Vec<Fix> = (self.findings.iter().filter(elsewhere))
             .filter_map(|d| d.applicable_fix(true).or(d.fixes.first()).cloned())
             .collect();
