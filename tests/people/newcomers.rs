@@ -739,6 +739,46 @@ fn units_and_doubled_points() {
     }
 }
 
+/// Cameras, planes, cylinders and lights of POV-Ray on a line become records.
+#[test]
+fn blocks_of_povray() {
+    let rest = "1 9999 2 0\n";
+    let lamp = "50 -402 1\n50 -1 3 5 5\n";
+    let camera = "9 -501 0 0 6 0 0 -1 0 1 0 45\n";
+    for (written, meant) in [
+        (
+            format!("cylinder {{ <0,0,0>, <0,2,0>, 0.5 }}\n{camera}{lamp}"),
+            format!("2 1 2 0.5 0 0.5 2\n{camera}{lamp}"),
+        ),
+        (
+            format!(
+                "cylinder {{ <-1,0,0>, <1,0,0>, 0.5 pigment {{ color Red }} }}\n{camera}{lamp}"
+            ),
+            format!("2 1 2 0.5 0 0.5 2\n2 -2 -90 3\n2 -1 -1 0 0\n2 -701 1 0 0\n{camera}{lamp}"),
+        ),
+        (
+            format!("plane {{ y, -1 pigment {{ color Red }} }}\n{camera}{lamp}"),
+            format!("2 4 0 1 0 1\n2 -701 1 0 0\n{camera}{lamp}"),
+        ),
+        (
+            format!("2 9 1\ncamera {{ location <0,1,8> look_at <0,0,0> angle 40 }}\n{lamp}"),
+            format!("2 9 1\n51 -501 0 1 8 0 -1 -8 0 1 0 40\n{lamp}"),
+        ),
+        (
+            format!("2 9 1\n{camera}light_source {{ <3,5,5> color White }}\n"),
+            format!("2 9 1\n{camera}10 -402 1\n10 -1 3 5 5\n10 -701 1 1 1\n"),
+        ),
+    ] {
+        let written = written + rest;
+        assert_eq!(fixed(&written), meant + rest);
+        let safe = fixing::to_fixed_point(read(&written), false, Analysis::of);
+        assert_eq!(
+            safe.analysis.source.text.matches('{').count(),
+            written.matches('{').count()
+        );
+    }
+}
+
 /// Words are no numbers.
 #[test]
 fn words_are_not_counted() {

@@ -123,6 +123,7 @@ fix-inline = { $count ->
    *[other] napsat barvy { $text } jako samostatné záznamy
 }
 fix-equation = má-li to být { $type } dvou objektů, napsat { $number }
+fix-block = napsat to jako záznamy
 fix-clauses = napsat záznam pro tvar a po jednom pro každou jeho vlastnost
 fix-clauses-some = napsat záznam pro tvar a po jednom pro každou vlastnost, pro kterou záznam existuje; ostatní se vynechají
 fix-colour-id = { $count ->

@@ -116,6 +116,7 @@ fix-inline = { $count ->
    *[other] write the colours { $text } as records of their own
 }
 fix-equation = if this is meant as the { $type } of two objects, write { $number }
+fix-block = write it as records
 fix-clauses = write a record for the shape and one for each of its properties
 fix-clauses-some = write a record for the shape and one for each of its properties that records have; the others are left out
 fix-colour-id = { $count ->

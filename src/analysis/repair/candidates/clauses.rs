@@ -1,9 +1,13 @@
-//! A shape with its properties in one line, as POV-Ray has them: `sphere { <0,1,0>, 1 pigment { color Red } }`.
+//! A shape with its properties in one line, as POV-Ray has them: `sphere { <0,1,0>, 1 pigment { color Red } }`; and a
+//! camera, a plane, a cylinder or a light.
 
+use super::inline::{BLOCK_TITLE, CLAUSES_TITLE};
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Edit, Fix, Span};
+use crate::geometry::array::{length, sub};
+use crate::lint::spelling::decimal;
 use crate::syntax::lexer::{Token, TokenKind};
-use crate::syntax::table::{Family, RecordKind, RecordType};
+use crate::syntax::table::{Family, RecordKind, RecordType, ShapeKind};
 use crate::syntax::words;
 
 /// A colour, a move and a scaling have so many numbers, and so many axes has a turn.
@@ -11,6 +15,16 @@ const OWN: usize = 3;
 
 /// What POV-Ray says of surfaces and insides in ways that records have no numbers for.
 const OTHERS: [&str; 4] = ["finish", "normal", "interior", "no_shadow"];
+
+/// The angle of a camera that says none.
+const ANGLE: f64 = 45.0;
+
+/// A type, the records with their numbers of which the first is of that type, and the tokens that follow.
+type Block<'t> = (
+    &'static RecordType,
+    Vec<(&'static RecordType, String)>,
+    &'t [Token],
+);
 
 /// What other programs put around the properties of a surface.
 const AROUND: [&str; 2] = ["texture", "material"];
@@ -26,15 +40,24 @@ impl LineContext<'_> {
         let (own, rest) = behind.split_at(numbers(behind));
         let named = words::types(word.text(self.text)).into_iter();
         let mut shapes = named.filter(|ty| ty.family == Family::Shape && self.fit(ty, own));
-        let shape = shapes.next().filter(|_| !own.is_empty())?;
+        let shape = shapes.next().filter(|_| !own.is_empty());
+        let block = self.block(&word.text(self.text).to_lowercase(), behind);
+        let is_block = block.is_some();
+        let (shape, lines, rest) = match (block, shape) {
+            (Some(block), _) => block,
+            (None, Some(shape)) => (shape, vec![(shape, self.texts(own))], rest),
+            (None, None) => return None,
+        };
         let is_other = |t: &Token| OTHERS.contains(&&*t.text(self.text).to_lowercase());
         let leaves_out = rest.iter().any(is_other);
         let (id, is_known) = match (written, &self.missing()[..]) {
-            (Some(id), _) | (None, &[id]) => (id, true),
-            (None, _) => (self.free_id(used)?, false),
+            (Some(id), _) => (id, true),
+            (None, &[id]) if shape.family == Family::Shape => (id, true),
+            // Nothing refers to a camera or a lamp.
+            (None, _) => (self.free_id(used)?, shape.family != Family::Shape),
         };
-        let mut text = format!(" {}", self.texts(own));
-        for (ty, numbers) in self.properties(rest)? {
+        let mut text = format!(" {}", lines[0].1);
+        for (ty, numbers) in lines[1..].iter().cloned().chain(self.properties(rest)?) {
             text += &format!("\n{id} {} {numbers}", ty.code);
         }
         let is_part = |t: &&Token| t.kind() == TokenKind::Separator || !t.kind().is_trivia();
@@ -48,9 +71,10 @@ impl LineContext<'_> {
         };
         let edit = |span: Span, text: String| Edit { span, text };
         let fix = Fix {
-            title: match leaves_out {
-                true => "fix-clauses-some",
-                false => "fix-clauses",
+            title: match (leaves_out, is_block) {
+                (true, _) => "fix-clauses-some",
+                (false, true) => BLOCK_TITLE,
+                (false, false) => CLAUSES_TITLE,
             },
             values: Vec::new(),
             applicability: match is_known && !leaves_out {
@@ -59,11 +83,75 @@ impl LineContext<'_> {
             },
             edits: vec![edit(word.span(), code), edit(span, text)],
         };
-        (!rest.is_empty() && !is_gone).then_some(Candidate {
+        ((is_block || !rest.is_empty()) && !is_gone).then_some(Candidate {
             habit: Habit::Keyword,
             fix,
             ty: None,
         })
+    }
+
+    /// What POV-Ray writes in another way than as the numbers of a record: the type that it is, the records with their
+    /// numbers, and what follows.
+    fn block<'t>(&self, word: &str, behind: &'t [Token]) -> Option<Block<'t>> {
+        let count = numbers(behind);
+        let (own, rest) = behind.split_at(count);
+        let values: Option<Vec<f64>> = own.iter().map(|t| t.number(self.text)).collect();
+        let values = values?;
+        let half_space = RecordType::of(RecordKind::Shape(ShapeKind::HalfSpace));
+        match (word, values.as_slice()) {
+            ("camera", []) => self.camera_block(behind),
+            ("plane", &[a, b, c, d]) => Some((half_space, vec![plane([a, b, c], d)], rest)),
+            // The normal is an axis: `plane { y, -1 }`.
+            ("plane", []) => {
+                let normal = match behind.first()?.text(self.text) {
+                    "x" => [1.0, 0.0, 0.0],
+                    "y" => [0.0, 1.0, 0.0],
+                    "z" => [0.0, 0.0, 1.0],
+                    _ => return None,
+                };
+                let d = behind.get(1)?.number(self.text)?;
+                Some((half_space, vec![plane(normal, d)], &behind[2..]))
+            }
+            ("cylinder", &[x0, y0, z0, x1, y1, z1, r]) => {
+                let lines = cylinder([x0, y0, z0], [x1, y1, z1], r)?;
+                Some((lines[0].0, lines, rest))
+            }
+            ("light_source", &[_, _, _]) => {
+                let [light, translation] =
+                    [RecordKind::PointLight, RecordKind::Translation].map(RecordType::of);
+                let lines = vec![(light, "1".to_owned()), (translation, self.texts(own))];
+                Some((light, lines, rest))
+            }
+            _ => None,
+        }
+    }
+
+    /// A camera of POV-Ray: `camera { location <0,1,8> look_at <0,0,0> angle 45 }`.
+    fn camera_block<'t>(&self, behind: &'t [Token]) -> Option<Block<'t>> {
+        let mut rest = behind;
+        let (mut location, mut target) = (None, None);
+        let (mut direction, mut up, mut angle) = (None, [0.0, 1.0, 0.0], ANGLE);
+        while let Some((word, after)) = rest.split_first() {
+            let (own, behind) = after.split_at(numbers(after));
+            let values: Option<Vec<f64>> = own.iter().map(|t| t.number(self.text)).collect();
+            match (&*word.text(self.text).to_lowercase(), &*values?) {
+                ("perspective", []) | ("right", [_, _, _]) => {}
+                ("location", &[x, y, z]) => location = Some([x, y, z]),
+                ("look_at", &[x, y, z]) => target = Some([x, y, z]),
+                ("direction", &[x, y, z]) => direction = Some([x, y, z]),
+                ("up" | "sky", &[x, y, z]) => up = [x, y, z],
+                ("angle", &[degrees]) => angle = degrees,
+                _ => return None,
+            }
+            rest = behind;
+        }
+        let location = location?;
+        let direction = target.map_or(direction, |target| Some(sub(target, location)))?;
+        let all = [location, direction, up].concat();
+        let all = all.into_iter().chain([angle]).map(decimal);
+        let camera = RecordType::of(RecordKind::Camera);
+        let text = all.collect::<Vec<_>>().join(" ");
+        Some((camera, vec![(camera, text)], rest))
     }
 
     /// The types and numbers of properties and moves, if the tokens are nothing else.
@@ -146,6 +234,44 @@ impl LineContext<'_> {
         let texts: Vec<&str> = tokens.iter().map(|t| t.text(self.text)).collect();
         texts.join(" ")
     }
+}
+
+/// The half-space below a plane: its normal, and how far the plane is along that.
+fn plane(normal: [f64; 3], along: f64) -> (&'static RecordType, String) {
+    let ty = RecordType::of(RecordKind::Shape(ShapeKind::HalfSpace));
+    let [a, b, c] = normal.map(decimal);
+    (
+        ty,
+        format!("{a} {b} {c} {}", decimal(-along * length(normal))),
+    )
+}
+
+/// A cylinder along an axis from the middle of one end to that of the other: about the y axis, turned and moved.
+fn cylinder(
+    from: [f64; 3],
+    to: [f64; 3],
+    radius: f64,
+) -> Option<Vec<(&'static RecordType, String)>> {
+    let of = |kind| RecordType::of(kind);
+    let along = sub(to, from);
+    let axis = along.iter().position(|&x| x != 0.0)?;
+    if along.iter().filter(|&&x| x != 0.0).count() > 1 {
+        return None;
+    }
+    let (low, high) = (along[axis].min(0.0), along[axis].max(0.0));
+    let [r, low, high] = [radius, low, high].map(decimal);
+    let profile = of(RecordKind::Shape(ShapeKind::SurfaceOfRevolution));
+    let mut lines = vec![(profile, format!("2 {r} {low} {r} {high}"))];
+    // To x by a turn about z, to z by one about x.
+    let turn = ["-90 3", "", "90 1"][axis];
+    if !turn.is_empty() {
+        lines.push((of(RecordKind::Rotation), turn.to_owned()));
+    }
+    if from != [0.0; 3] {
+        let place = from.map(decimal).join(" ");
+        lines.push((of(RecordKind::Translation), place));
+    }
+    Some(lines)
 }
 
 fn is_word(t: &Token) -> bool {

@@ -36,11 +36,20 @@ pub(super) const OWN_TITLE: &str = "fix-own-id";
 /// The title of fixes that give an ID to a record that has none.
 pub(super) const NAMED_TITLE: &str = "fix-named-id";
 
+/// The titles of fixes that write records for what other programs have in one block; the ID is what they begin with.
+pub(super) const CLAUSES_TITLE: &str = "fix-clauses";
+pub(super) const BLOCK_TITLE: &str = "fix-block";
+
 /// The IDs that a fix gives to records.
 pub(crate) fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
-    let is_one = [TITLE, PARTS_TITLE, FREE_TITLE, OWN_TITLE, NAMED_TITLE].contains(&fix.title);
-    let edits = fix.edits.iter().filter(move |_| is_one);
-    edits.filter_map(|edit| edit.text.trim_end().parse().ok())
+    let is = move |titles: &[&str]| titles.contains(&fix.title);
+    let is_one = is(&[TITLE, PARTS_TITLE, FREE_TITLE, OWN_TITLE, NAMED_TITLE]);
+    let ids = fix.edits.iter().filter(move |_| is_one);
+    let ids = ids.filter_map(|edit| edit.text.trim_end().parse().ok());
+    let is_block = is(&[CLAUSES_TITLE, BLOCK_TITLE]);
+    let head = fix.edits.first().filter(move |_| is_block);
+    let head = head.and_then(|edit| edit.text.split_once(' ')?.0.parse().ok());
+    ids.chain(head)
 }
 
 /// Whether a fix puts IDs in the place of colours.

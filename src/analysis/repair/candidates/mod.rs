@@ -301,7 +301,11 @@ impl<'a> LineContext<'a> {
             out.extend(self.equation());
             out.extend(self.named_values());
             self.keyword(&[undefined, taken].concat(), &mut out);
-            out.extend(self.clauses(&[undefined, taken].concat()));
+            if let Some(clauses) = self.clauses(&[undefined, taken].concat()) {
+                // Its numbers mean something else than those of a record.
+                out.retain(|c| c.habit != Habit::Unnamed);
+                out.push(clauses);
+            }
             self.spaced_name(&mut out);
             self.words(&mut out);
             self.axis(&mut out);
@@ -420,9 +424,20 @@ impl<'a> LineContext<'a> {
         use Habit::*;
         let arranges = matches!(
             candidate.habit,
-            Apart | Doubled | Sibling | Word | Keyword | Sign | Axis | Direction | Point | Count
+            Apart
+                | Doubled
+                | Sibling
+                | Word
+                | Keyword
+                | Unnamed
+                | Sign
+                | Axis
+                | Direction
+                | Point
+                | Count
         );
-        if candidate.ty.is_some() || !arranges {
+        let writes_type = candidate.ty.is_some() && candidate.habit != Unnamed;
+        if writes_type || !arranges {
             return;
         }
         let edits = &mut candidate.fix.edits;
