@@ -300,6 +300,31 @@ fn parts_that_lack_or_do_not_belong_are_named() {
     assert!(!dir.join("part1.png").exists());
 }
 
+/// What a folder has beside the parts is named.
+#[test]
+fn pictures_that_are_no_parts_are_named() {
+    let folder = scene("");
+    let dir = folder.path();
+    fs::create_dir(dir.join("parts")).unwrap();
+    for i in [1, 2] {
+        let args = format!("render a.zpg --size 8x6 --tile {i}/2 -o parts/{i}.png");
+        says(dir, &args, 0);
+    }
+    fs::write(dir.join("parts/old.JPG"), "").unwrap();
+    fs::write(dir.join("parts/a.png"), "").unwrap();
+    fs::write(dir.join("parts/notes.txt"), "").unwrap();
+    let said = says(dir, "join parts -o a.png --keep", 0);
+    assert!(
+        said.contains("left out: parts/a.png, parts/old.JPG;"),
+        "{said}"
+    );
+    let said = says(dir, "join parts -o a.png --keep --quiet", 0);
+    assert_eq!(said, "");
+    fs::remove_file(dir.join("parts/old.JPG")).unwrap();
+    let said = says(dir, "join parts -o b.png", 1);
+    assert!(!said.contains("left out"), "{said}");
+}
+
 /// The bytes of a PNG with a text of it replaced by a longer or shorter one.
 fn replaced(png: &[u8], old: &[u8], new: &[u8]) -> Vec<u8> {
     let at = png.windows(old.len()).position(|w| w == old).unwrap();

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::atomic_file::{AtomicFile, unwritable};
 use super::render::output::wrote;
-use super::terminal::{self, LookChoice, complain};
+use super::terminal::{self, LookChoice, complain, note};
 use super::{Status, refuse_overwrite};
 use crate::diagnostics::Complaint;
 use crate::picture_files::{self, Format, Origin, read};
@@ -53,7 +53,7 @@ enum Refusal {
 }
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
-    match join(args) {
+    match join(args, look) {
         Ok(origin) if look.quiet => drop(origin),
         Ok(origin) => {
             let wrote = wrote(&args.output, origin.size);
@@ -72,12 +72,18 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     Status::Clean
 }
 
-fn join(args: &Args) -> Result<Origin, Refusal> {
+fn join(args: &Args, look: LookChoice) -> Result<Origin, Refusal> {
     let output = args.output.as_path();
     let format = Format::of(output)
         .ok_or_else(|| Complaint::new("joined-format").with("path", output))
         .map_err(Refusal::Failure)?;
-    let files = files(&args.parts, output).map_err(Refusal::Failure)?;
+    let (files, left_out) = files(&args.parts, output).map_err(Refusal::Failure)?;
+    if !left_out.is_empty() {
+        note(look, &of_left_out(&left_out));
+    }
+    if files.is_empty() {
+        return Err(Refusal::Failure(Complaint::new("no-parts")));
+    }
     let mut parts = (files.into_iter().map(opened)).collect::<Result<Vec<PartFile>, Refusal>>()?;
     parts.sort_by_key(|part| part.origin.span());
     let whole = whole(&parts).map_err(Refusal::No)?;
@@ -136,9 +142,10 @@ fn failing<'p>(complaint: Complaint) -> Rows<'p> {
     Box::new(std::iter::once(Err(complaint)))
 }
 
-/// The files that are named, and the pictures of the folders that are; the picture to be made is none of these.
-fn files(parts: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>, Complaint> {
-    let mut files = Vec::new();
+/// The files that are named, and the pictures of the folders that are; and the pictures of the folders that are no parts:
+/// those of other formats, and one with the name of the picture to be made.
+fn files(parts: &[PathBuf], output: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>), Complaint> {
+    let (mut files, mut left_out) = (Vec::new(), Vec::new());
     for part in parts {
         if !part.is_dir() {
             refuse_overwrite::refuse_overwrite_of_scenes(std::slice::from_ref(part), output)?;
@@ -152,15 +159,38 @@ fn files(parts: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>, Complaint> {
         };
         for entry in fs::read_dir(part).map_err(unreadable)? {
             let path = entry.map_err(unreadable)?.path();
-            if Format::of(&path).is_some() && path.file_name() != output.file_name() {
-                files.push(path);
+            let is_other = || {
+                let ending = path.extension().unwrap_or_default();
+                OTHERS
+                    .iter()
+                    .any(|other| ending.eq_ignore_ascii_case(other))
+            };
+            match Format::of(&path) {
+                Some(_) if path.file_name() != output.file_name() => files.push(path),
+                Some(_) => left_out.push(path),
+                None if is_other() => left_out.push(path),
+                None => {}
             }
         }
     }
-    match files.is_empty() {
-        true => Err(Complaint::new("no-parts")),
-        false => Ok(files),
+    left_out.sort();
+    Ok((files, left_out))
+}
+
+/// The endings of pictures that are no parts.
+const OTHERS: [&str; 5] = ["jpg", "jpeg", "webp", "pfm", "apng"];
+
+/// So many files that are left out are named.
+const NAMED_FILES: usize = 8;
+
+/// Says which pictures of folders are no parts.
+fn of_left_out(left_out: &[PathBuf]) -> Complaint {
+    let named = left_out.iter().take(NAMED_FILES);
+    let mut named: Vec<String> = named.map(|path| path.display().to_string()).collect();
+    if left_out.len() > NAMED_FILES {
+        named.push("…".to_owned());
     }
+    Complaint::new("parts-left-out").with("paths", named.join(", "))
 }
 
 /// What a file says of itself.

@@ -171,6 +171,7 @@ joined-whole = { $path } je celý obrázek, ne jeho část
 joined-unfinished = { $path } zbyl po přerušeném `zpg render`: pokračuje v něm `zpg render --resume`
 exr-of-png = { $path } má osmibitové barvy, ze kterých .exr nevznikne: vykreslete části jako .exr
 no-parts = chybí části: žádný soubor nekončí na .png ani .exr
+parts-left-out = vynechává se: { $paths }; část je soubor PNG nebo EXR s jiným jménem než výsledný obrázek
 part-changed = soubor { $path } se během spojování změnil
 part-of-another = { $path } je část jiného obrázku než { $other }: { $reason }
 of-another-version = vykreslila ji jiná verze zpg

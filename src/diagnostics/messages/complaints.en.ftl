@@ -167,6 +167,7 @@ joined-whole = { $path } is a whole picture, and no part of one
 joined-unfinished = { $path } is what an interrupted `zpg render` has left: `zpg render --resume` goes on with it
 exr-of-png = { $path } has 8-bit colours, of which no .exr can be made: draw the parts as .exr
 no-parts = there are no parts: no file that ends in .png or .exr
+parts-left-out = left out: { $paths }; a part is a PNG or EXR file with another name than the picture
 part-changed = { $path } was changed while the parts were joined
 part-of-another = { $path } is a part of another picture than { $other }: { $reason }
 of-another-version = another version of zpg has drawn it
