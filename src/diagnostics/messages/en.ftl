@@ -111,6 +111,7 @@ fix-apart = write { $text } as a record of its own ({ $type })
 fix-apart-both = write { $text } as two records of their own: a translation and a colour
 fix-sign-apart = write `{ $number }`, and { $text } as a record of its own ({ $type })
 fix-sign-apart-both = write `{ $number }`, and { $text } as two records of their own: a translation and a colour
+fix-origin = leave out the position { $text }: this shape is at the origin
 fix-inline = { $count ->
     [one] write the colour { $text } as a record of its own
    *[other] write the colours { $text } as records of their own

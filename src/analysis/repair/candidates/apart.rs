@@ -56,6 +56,7 @@ impl LineContext<'_> {
             _ => Vec::new(),
         };
         let start = out.len();
+        let at_origin = self.at_origin(ty, habit);
         for records in &records {
             let records: Vec<&RecordType> = records.iter().map(|&k| RecordType::of(k)).collect();
             if !self.may_follow(&records, rest, kind) {
@@ -80,7 +81,40 @@ impl LineContext<'_> {
             Some(Order::PlaceFirst) => start,
             _ => out.len(),
         };
-        out.splice(at..at, placed);
+        match at_origin {
+            Some(candidate) => out.insert(start, candidate),
+            None => drop(out.splice(at..at, placed)),
+        }
+    }
+
+    /// The place of a shape that has none of its own, before its sizes or behind them: at the origin it is left out.
+    fn at_origin(&self, ty: &RecordType, habit: Habit) -> Option<Candidate> {
+        let params = self.params();
+        let is_placed = ty.family == Family::Shape
+            && ty.vectors.is_empty()
+            && params.len() == ty.params.len() + OWN
+            && habit == Habit::Apart;
+        let is_zero = |some: &[Token]| some.iter().all(|t| t.number(self.text) == Some(0.0));
+        let (first, last) = (
+            &params[..OWN.min(params.len())],
+            params.len().checked_sub(OWN)?,
+        );
+        let (place, span) = match () {
+            () if is_zero(first) => (first, Span::new(first[0].start, params.get(OWN)?.start)),
+            () if is_zero(&params[last..]) => {
+                let place = &params[last..];
+                let before = params.get(last.checked_sub(1)?)?;
+                (place, Span::new(before.end(), place[OWN - 1].end()))
+            }
+            () => return None,
+        };
+        let fix = Fix::replace("fix-origin", Applicability::Unsafe, span, "");
+        let text = quote(&self.spaced(place)?);
+        is_placed.then(|| Candidate {
+            habit,
+            fix: fix.with("text", text),
+            ty: None,
+        })
     }
 
     /// Whole records behind the first one of a line, of which colours may have names: each goes to a line of its own.
