@@ -247,8 +247,8 @@ impl<'a> LineContext<'a> {
     }
 
     /// The note about a record with too few numbers that ends between two vectors of its type, with its values: which
-    /// number is missing, if only the last one can be; else the parameters and the numbers in order.
-    pub(super) fn lacking(&self) -> Option<(&'static str, [(&'static str, Value); 2])> {
+    /// number is missing, if only the last one can be; else the parameters in order.
+    pub(super) fn lacking(&self) -> Option<(&'static str, Vec<(&'static str, Value)>)> {
         let ty = self.ty().filter(|ty| !ty.is_counted())?;
         let (params, wanted) = (self.params(), ty.params);
         let mut ends = ty.vectors.iter().scan(0, |sum, n| {
@@ -267,11 +267,10 @@ impl<'a> LineContext<'a> {
         if n + 1 == wanted.len() && !may_be_last {
             let (have, missing) = wanted.split_at(n);
             let values = [("have", names(have)), ("missing", names(missing))];
-            return Some(("lack", values.map(|(place, text)| (place, text.into()))));
+            let values = values.map(|(place, text)| (place, text.into()));
+            return Some(("lack", values.into()));
         }
-        let numbers: Vec<&str> = params.iter().map(|t| t.text(self.text)).collect();
-        let values = [("have", numbers.join(" ")), ("missing", names(wanted))];
-        Some(("lack-any", values.map(|(place, text)| (place, text.into()))))
+        Some(("lack-any", vec![("missing", names(wanted).into())]))
     }
 
     /// What may have been meant, given a finding of this place. `undefined` are the IDs that are used and
