@@ -251,7 +251,7 @@ fn sentences_about_times_agree() {
         let parts = report.advice_parts.iter();
         parts.map(|a| a.text.clone()).collect::<Vec<_>>().join("\n")
     };
-    let none = "No other setting saves a tenth";
+    let none = "No other setting of `zpg render` saves a tenth";
     // Single precision saves a third, and nobody sees it.
     let rows = [
         (Axis::Depth, "10", 1.0, 0.0, 0),

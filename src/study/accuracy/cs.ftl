@@ -27,7 +27,7 @@ accuracy-advice-repair = Z { $pixels ->
    *[other] { $pixels } prohlédnutých pixelů
 } se jich kvůli zanedbanému světlu liší { $off } o víc než krok. `{ $option }` jich opraví { $right } { $price }.
 accuracy-advice-save = `{ $option }` ušetří { $percent } % času a žádný další pixel se neliší o víc než krok.
-accuracy-advice-no-change = Žádné jiné nastavení neušetří desetinu času, aniž by to bylo vidět.
+accuracy-advice-no-change = Žádné jiné nastavení příkazu `zpg render` neušetří desetinu času, aniž by to bylo vidět.
 accuracy-depth-more = Výchozí hloubka { $depth } vynechává světlo, které by bylo vidět: `{ $option }` z { $off ->
     [one] { $off } pixelu
    *[other] { $off } pixelů

@@ -27,7 +27,7 @@ accuracy-advice-repair = In { $off } of the { $pixels ->
    *[other] { $pixels } pixels
 } that were looked at the light that is cut shows by more than a step. `{ $option }` puts { $right } of them right { $price }.
 accuracy-advice-save = `{ $option }` saves { $percent } % of the time, and no further pixel is off by more than a step.
-accuracy-advice-no-change = No other setting saves a tenth of the time without a visible change.
+accuracy-advice-no-change = No other setting of `zpg render` saves a tenth of the time without a visible change.
 accuracy-depth-more = A depth of { $depth }, the default, cuts light that can be seen: `{ $option }` puts { $right } of { $off ->
     [one] { $off } pixel
    *[other] { $off } pixels

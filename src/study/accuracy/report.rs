@@ -223,6 +223,7 @@ pub struct Effect {
     pub cpu_seconds: Option<Spread>,
     /// Share of the default's time that goes when this effect alone is taken out.
     pub saved: Option<f64>,
+    /// Whether the share is no more than the noise of the times, or less than nothing.
     pub within_noise: bool,
     pub rays_saved: i64,
     pub error: RowError,

@@ -178,7 +178,8 @@ impl Run<'_> {
                 Some(Effect {
                     name,
                     cpu_seconds: cpu,
-                    within_noise: saved.is_some_and(|s| s.abs() <= noise),
+                    // Less work takes no longer.
+                    within_noise: saved.is_some_and(|s| s <= noise),
                     saved,
                     rays_saved: (all as f64 * scale - own).round() as i64,
                     error: measured.into(),
