@@ -5,7 +5,7 @@ use super::lanes::{ALL, Lanes, V3, WIDTH, either, is_greater, is_less, mask};
 use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
 use super::resolved::{Meet, Resolved};
-use crate::geometry::vec::gamma;
+use crate::geometry::vec::{Vec3, gamma};
 
 /// Up to four boxes.
 #[derive(Debug, Clone)]
@@ -179,5 +179,10 @@ impl Meet for Cuboids {
         let min = V3::gathered(leaves, Leaf::first);
         let max = V3::gathered(leaves, Leaf::upper);
         resolve(origin, direction, min, max, exit)
+    }
+
+    fn face(normal: Vec3) -> u32 {
+        let axis = (0..3).find(|&i| normal[i] != 0.0).unwrap_or(0);
+        2 * axis as u32 + u32::from(normal[axis] > 0.0)
     }
 }

@@ -211,10 +211,10 @@ impl Leaves {
         };
         let is_usual = |&at: &u32| is_usual(&graph.placements[at as usize]);
         let lanes = match placement.filter(is_usual) {
-            Some(placement) if colour == Colour::Plain => {
+            Some(placement) => {
                 with_lanes(shape, is_clear).map(|(kind, numbers)| (kind, numbers, placement))
             }
-            _ => None,
+            None => None,
         };
         let (kind, numbers, placement) = lanes.unwrap_or((Kind::Other, [0.0; 8], 0));
         let albedo = match optics.kd {

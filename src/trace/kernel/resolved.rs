@@ -2,6 +2,7 @@
 
 use super::lanes::{Lanes, V3, WIDTH};
 use super::leaf::Leaf;
+use crate::geometry::vec::Vec3;
 
 /// Points of surfaces, in the scene's space.
 #[derive(Debug, Clone, Copy)]
@@ -20,4 +21,9 @@ pub struct Resolved {
 pub trait Meet {
     /// Where rays meet leaves in the space of these: at the far ends of chords where `exit` is set.
     fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, exit: Lanes) -> Resolved;
+
+    /// The face with this normal: see [`Root::face`](crate::trace::shapes::Root::face).
+    fn face(_normal: Vec3) -> u32 {
+        0
+    }
 }

@@ -192,14 +192,14 @@ impl Stage<'_> {
     pub fn albedo(
         &self,
         leaf: &Leaf,
-        root: Root,
+        face: u32,
         [point, local]: [Vec3; 2],
         work: &mut Work,
     ) -> [f64; 3] {
         let at = SurfacePoint {
             shape: self.graph.primitives[leaf.primitive as usize].shape(),
             point: local,
-            face: root.face,
+            face,
         };
         let colour: Rgb = match leaf.colour {
             _ if leaf.kd == [0.0; 3] => return [0.0; 3],

@@ -265,19 +265,29 @@ impl Tile {
     #[inline(never)]
     fn hits<S: Meet>(&mut self, scene: &Scene, (four, live): (&Four, u32), is_placed: bool) {
         let (origin, direction, exit) = (four.origin, four.direction, mask(four.far));
+        let mut local = None;
         let resolved = match is_placed {
-            false => S::meet(four.leaves, origin, direction, exit),
+            false => *local.insert(S::meet(four.leaves, origin, direction, exit)),
             true => {
                 let place = |leaf: &Leaf| &scene.stage.graph.placements[leaf.placement as usize];
                 let [a, b, c, d] = four.leaves;
                 let places = [place(a), place(b), place(c), place(d)];
                 place::placed(places, origin, direction, |origin, direction| {
-                    S::meet(four.leaves, origin, direction, exit)
+                    *local.insert(S::meet(four.leaves, origin, direction, exit))
                 })
             }
         };
         let live = self.known(four, live, &resolved);
-        let hits = Hits::new(four, live, &resolved);
+        let mut hits = Hits::new(four, live, &resolved);
+        let is_painted = four.leaves.iter().any(|leaf| leaf.colour != Colour::Plain);
+        if let Some(local) = local.filter(|_| is_painted) {
+            let [point, normal] = [local.point, local.normal].map(V3::columns);
+            let lane = |columns: &[[f64; WIDTH]; 3], i: usize| {
+                Vec3(each([0, 1, 2], |k: usize| columns[k][i]))
+            };
+            let place = |i: usize| (lane(&point, i), S::face(lane(&normal, i)));
+            hits.albedo = self.albedo(scene.stage, (four, live), &hits, place);
+        }
         self.shade(scene, four, &hits);
     }
 
@@ -295,19 +305,32 @@ impl Tile {
         let live = self.known(four, live, &resolved);
         let mut hits = Hits::new(four, live, &resolved);
         hits.shading = V3::gathered(places.each_ref(), |place| &place.shading.0);
+        let place = |lane: usize| (places[lane].local, four.rays[lane].met.root.face);
+        hits.albedo = self.albedo(stage, (four, live), &hits, place);
+        self.shade(scene, four, &hits);
+    }
+
+    /// The shares of diffuse light of four points, of which the places in the spaces of their shapes are given, and the
+    /// faces.
+    #[inline]
+    fn albedo(
+        &mut self,
+        stage: &Stage,
+        (four, live): (&Four, u32),
+        hits: &Hits,
+        place: impl Fn(usize) -> (Vec3, u32),
+    ) -> V3 {
         let points = hits.point.columns();
-        let mut albedo = [[0.0; 3]; WIDTH];
+        let mut albedo = each(four.leaves, |leaf| leaf.albedo);
         for lane in (0..WIDTH).filter(|lane| live >> lane & 1 != 0) {
-            let (ray, leaf) = (four.rays[lane], four.leaves[lane]);
-            albedo[lane] = leaf.albedo;
+            let leaf = four.leaves[lane];
             if leaf.colour != Colour::Plain {
                 let point = Vec3::new(points[0][lane], points[1][lane], points[2][lane]);
-                let places = [point, places[lane].local];
-                albedo[lane] = stage.albedo(leaf, ray.met.root, places, &mut self.work);
+                let (local, face) = place(lane);
+                albedo[lane] = stage.albedo(leaf, face, [point, local], &mut self.work);
             }
         }
-        hits.albedo = V3::gathered(albedo.each_ref(), |albedo| albedo);
-        self.shade(scene, four, &hits);
+        V3::gathered(albedo.each_ref(), |albedo| albedo)
     }
 
     /// Marks samples whose rays are met where rounding may have decided something; returns the others.
