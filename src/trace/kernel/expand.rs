@@ -100,6 +100,11 @@ impl Above {
 
 /// Numbers of a shape with lanes are between this and its reciprocal, or zero.
 const LEAST: f64 = 1e-30;
+/// Deeper operations are left to the arbiter, who skips what a ray passes level by level: a scene of forty lines may have
+/// 2⁴⁰ operands.
+const MAX_GATE_DEPTH: u32 = 4;
+/// More operations within one intersection are left to the arbiter, too: each merged list counts in all of them.
+const MAX_GATES: usize = 1000;
 /// Maps that stretch by more than this along one axis, compared with another, are not for lanes.
 const STRETCH: f64 = 100.0;
 
@@ -310,9 +315,9 @@ impl Leaves {
             boxes: Vec::new(),
         };
         let outer = above.chain.len();
-        // With each object its gate, what is above it, and what its shapes look like, if not like themselves.
-        let mut pending = vec![(object, 0, above.clone(), None)];
-        while let Some((object, gate, above, owner)) = pending.pop() {
+        // With each object its gate and how deep that is, what is above it, and what its shapes look like, if not like themselves.
+        let mut pending = vec![(object, [0, 0], above.clone(), None)];
+        while let Some((object, [gate, depth], above, owner)) = pending.pop() {
             let (firsts, cuts, cut_owner) = match &object.operation {
                 Operation::Union(all) => (0..0, all, owner.clone()),
                 Operation::Intersection {
@@ -340,12 +345,15 @@ impl Leaves {
                     Target::Object(object) => {
                         let object = &graph.objects[object as usize];
                         let inner = operands.gates.len() as u32;
+                        if depth == MAX_GATE_DEPTH || operands.gates.len() == MAX_GATES {
+                            return None;
+                        }
                         operands.gates.push(Gate {
                             parent: gate,
                             is_cut,
                             is_union: matches!(object.operation, Operation::Union(_)),
                         });
-                        pending.push((object, inner, own, owner.clone()));
+                        pending.push((object, [inner, depth + 1], own, owner.clone()));
                         continue;
                     }
                 };

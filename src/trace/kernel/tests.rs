@@ -217,6 +217,23 @@ fn pictures_are_those_of_the_arbiter() {
     assert!(quick > all / 3, "{quick} of {all}");
 }
 
+/// What would be expanded to 2⁴⁰ operands is left to the arbiter.
+#[test]
+fn copies_of_copies_are_not_expanded() {
+    let mut text = String::from("10 11 0 0 0 1\n11 12 -0.8 -0.8 -0.8 0.8 0.8 0.8\n12 -103 11 10\n");
+    for i in 0..40 {
+        let [whole, copy, next] = [12, 13, 14].map(|id| id + 2 * i);
+        writeln!(
+            text,
+            "{copy} -105 {whole}\n{copy} -1 0.05 0.01 0\n{next} -103 {whole} {copy}"
+        )
+        .unwrap();
+    }
+    let scene = scene(&format!("{text}1 9999 92 0\n"));
+    let tracer = Tracer::new(&scene).unwrap();
+    assert!(super::Stage::new(&tracer.graph, 1 << 20).is_none());
+}
+
 /// The flat faces that half-spaces cut are no more in doubt than others.
 #[test]
 fn flat_cuts_are_known() {
