@@ -1,6 +1,7 @@
 //! What many rays that go nearly the same way may meet.
 
-use super::lanes::{Lanes, V3, WIDTH, gathered, is_greater};
+use super::lanes::{Lanes, V3, WIDTH, gathered, is_greater, lanes_where};
+use super::near::in_box;
 use super::query::{NONE, SKINS, Start};
 use super::stage::Stage;
 use crate::geometry::aabb::Aabb;
@@ -58,16 +59,10 @@ impl Rays {
             direction,
             before: skin / direction.abs().max_component(),
             left: each(starts, |start| start.left),
-            shadow: (0..)
-                .zip(starts)
-                .filter(|(_, start)| is_shadow && start.within == NONE)
-                .fold(0, |bits, (lane, _)| bits | 1 << lane),
+            shadow: lanes_where(|lane| is_shadow && starts[lane].within == NONE),
         }
     }
 }
-
-/// The rays that surely go through something opaque that is near nothing transparent, as bits.
-pub type Dark = u32;
 
 /// Fewer rays are no bundle.
 pub const BUNDLE_MIN_RAYS: usize = 8;
@@ -167,8 +162,10 @@ impl Along {
     }
 
     /// Finds those of the blocks that four rays of the bundle may meet up to some t, into [`blocks`](Self::blocks).
+    /// Returns, as bits, the rays to lamps that surely go through something opaque that is near nothing transparent; what
+    /// these may meet is not complete.
     #[inline(always)]
-    pub fn part(&mut self, stage: &Stage, rays: &Rays, to: f64) -> Dark {
+    pub fn part(&mut self, stage: &Stage, rays: &Rays, to: f64) -> u32 {
         let mut dark = 0;
         self.blocks.iter_mut().for_each(Vec::clear);
         if self.candidates.is_empty() {
@@ -183,16 +180,9 @@ impl Along {
             left,
             shadow,
         } = rays;
-        let inverse = each(direction.0, |d| splat(1.0) / d);
+        let inverse = V3(each(direction.0, |d| splat(1.0) / d));
         for candidate in &self.candidates {
-            let Aabb { min, max } = candidate.bounds;
-            let (mut near, mut far) = (-before, splat(to));
-            for i in 0..3 {
-                let low = (splat(min[i]) - origin.0[i]) * inverse[i];
-                let high = (splat(max[i]) - origin.0[i]) * inverse[i];
-                near = low.fast_min(high).fast_max(near);
-                far = low.fast_max(high).fast_min(far);
-            }
+            let [near, far] = in_box(&candidate.bounds, origin, inverse, [-before, splat(to)]);
             // Written so that what is no number is met.
             let misses = is_greater(near, far * splat(1.0 + REL_ROOM)).to_bitmask();
             let mut met = live & !misses & !dark;
@@ -203,8 +193,7 @@ impl Along {
                 let leaf = &stage.leaves[block.leaves[0] as usize];
                 let through = met & shadow & passing.through;
                 if through != 0 && leaf.is_lone && !leaf.is_clear {
-                    let others = (0..WIDTH).filter(|&lane| left[lane] != leaf.twin);
-                    dark |= through & others.fold(0, |bits, lane| bits | 1 << lane);
+                    dark |= through & lanes_where(|lane| left[lane] != leaf.twin);
                 }
             }
             while met != 0 {

@@ -6,7 +6,7 @@ use super::leaf::{Kind, Leaf};
 use super::probe::Probe;
 use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Tests};
 use super::scalar::Raw;
-use super::scratch::{Event, Scratch};
+use super::scratch::Scratch;
 use super::stage::{Block, Forest, Shapes, Stage, in_blocks};
 use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH};
 use crate::trace::shapes::Root;
@@ -96,6 +96,7 @@ impl Stage<'_> {
         }
         let Scratch {
             events,
+            least,
             wrong,
             ahead,
             ..
@@ -104,31 +105,39 @@ impl Stage<'_> {
         if is_in != (query.start.within == number) {
             return Crossed::Doubt;
         }
-        events.sort_unstable_by(|a, b| a.crossing.end.t.total_cmp(&b.crossing.end.t));
-        let is_told = |a: &Event, b: Option<&Event>| {
-            b.is_none_or(|b| a.crossing.end.is_before(b.crossing.end))
+        events.sort_unstable_by(|a, b| a.end.t.total_cmp(&b.end.t));
+        least.clear();
+        least.resize(events.len(), f64::INFINITY);
+        let mut t = f64::INFINITY;
+        for (event, least) in events.iter().zip(&mut *least).rev() {
+            t = t.min(event.end.t - event.end.error);
+            *least = t;
+        }
+        // Whether one is before another and all behind that, whatever the errors.
+        let is_before = |end: End, other: usize| {
+            (least.get(other)).is_none_or(|&least| end.t + end.error < least)
         };
         for (i, event) in events.iter().enumerate() {
-            let leaf = &self.leaves[event.crossing.surface as usize];
-            let next = events.get(i + 1);
-            if let Some(next) = next.filter(|next| !is_told(event, Some(next))) {
+            let leaf = &self.leaves[event.surface as usize];
+            if let Some(next) = events.get(i + 1).filter(|_| !is_before(event.end, i + 1)) {
                 // Two in one place: what each of them does must not depend on which comes first.
-                let other = &self.leaves[next.crossing.surface as usize];
+                let other = &self.leaves[next.surface as usize];
                 let mut after = |leaf: &Leaf, goes_in| {
                     csg.pass(leaf, goes_in, wrong);
                     wrong[0] == 0
                 };
-                let [one, both] = [after(leaf, event.goes_in), after(other, next.goes_in)];
-                let [two, before] = [after(leaf, !event.goes_in), after(other, !next.goes_in)];
+                let [one, both] = [after(leaf, !event.is_exit), after(other, !next.is_exit)];
+                let [two, before] = [after(leaf, event.is_exit), after(other, next.is_exit)];
                 let is_free = (before != one) == (two != both) && (one != both) == (before != two);
-                if !is_free || !is_told(next, events.get(i + 2)) {
+                let are_two = is_before(event.end, i + 2) && is_before(next.end, i + 2);
+                if !(is_free && are_two) {
                     return Crossed::Doubt;
                 }
             }
-            csg.pass(leaf, event.goes_in, wrong);
+            csg.pass(leaf, !event.is_exit, wrong);
             if is_in != (wrong[0] == 0) {
                 is_in = !is_in;
-                ahead.push(event.crossing);
+                ahead.push(*event);
                 if ask != Ask::All {
                     break;
                 }
@@ -162,8 +171,8 @@ impl Stage<'_> {
                 scratch.events.clear();
                 return Ok(());
             }
-            let out = met.iter().filter(|event| !event.goes_in);
-            let out = out.map(|event| event.crossing.end.t + event.crossing.end.error);
+            let out = met.iter().filter(|event| event.is_exit);
+            let out = out.map(|event| event.end.t + event.end.error);
             let last = out.fold(f64::NEG_INFINITY, f64::max);
             if block.leaves[1] == NONE && last > f64::NEG_INFINITY {
                 end = end.min(last);
@@ -234,14 +243,11 @@ impl Stage<'_> {
                         csg.pass(leaf, true, &mut scratch.wrong);
                     }
                     for &root in &roots.list {
-                        scratch.events.push(Event {
-                            crossing: Crossing {
-                                surface,
-                                root,
-                                end: self.end(leaf, &line, root),
-                                is_exit: inside,
-                            },
-                            goes_in: !inside,
+                        scratch.events.push(Crossing {
+                            surface,
+                            root,
+                            end: self.end(leaf, &line, root),
+                            is_exit: inside,
                         });
                         inside = !inside;
                     }
@@ -263,15 +269,11 @@ impl Stage<'_> {
             let surface = block.leaves[lane];
             let leaf = &self.leaves[surface as usize];
             let note = |end: End, is_exit: bool, scratch: &mut Scratch| {
-                let root = Root { t: end.t, face: 0 };
-                scratch.events.push(Event {
-                    crossing: Crossing {
-                        surface,
-                        root,
-                        end,
-                        is_exit,
-                    },
-                    goes_in: !is_exit,
+                scratch.events.push(Crossing {
+                    surface,
+                    root: Root { t: end.t, face: 0 },
+                    end,
+                    is_exit,
                 });
             };
             if leaf.twin == start.left {

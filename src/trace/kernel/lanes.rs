@@ -31,6 +31,12 @@ pub fn is_at_most(a: Lanes, b: Lanes) -> Lanes {
     a.simd_le(b)
 }
 
+/// The lanes of which something holds, as bits.
+#[inline(always)]
+pub fn lanes_where(holds: impl Fn(usize) -> bool) -> u32 {
+    (0..WIDTH).fold(0, |bits, lane| bits | u32::from(holds(lane)) << lane)
+}
+
 /// Where the bits of a mask are set, all bits of the lane.
 #[inline(always)]
 pub fn mask(bits: u32) -> Lanes {

@@ -1,11 +1,13 @@
-//! Which of four rays come near a shape: before it is asked itself, which takes them one by one.
+//! Which of four rays come near a shape. The shape itself, which takes rays one by one, is asked only about those.
 //!
 //! In the shape's space the box around it cuts a piece out of each ray. The polynomial of its [`Outline`] is taken there in
 //! Bernstein's form: where no coefficient of either half is below a margin, the ray misses the shape. The margins are those
 //! of [`quick_reject`](crate::trace::shapes::quick_reject), beside which all that is rounded is nothing.
 
-use super::lanes::{ALL, Lanes, V3, either, is_at_most, is_greater, is_less};
+use super::lanes::{ALL, Lanes, V3, WIDTH, either, is_at_most, is_greater, is_less};
+use super::place::Maps;
 use crate::geometry::aabb::Aabb;
+use crate::geometry::affine::Affine;
 use crate::geometry::array::each;
 use crate::geometry::vec::Vec3;
 use crate::trace::graph::Graph;
@@ -15,14 +17,13 @@ use crate::trace::shapes::quick_reject::{LINE_REL_ERROR, POLYNOMIAL_MARGIN};
 /// A shape, and the way into its space.
 #[derive(Debug, Clone)]
 pub struct Near {
-    rows: [[f64; 3]; 3],
-    offset: [f64; 3],
+    back: Affine,
     /// Bounds on the sums of the sizes of all that is added up on the way into the space: for coordinates of 1, and for
     /// what the maps add.
     sizes: [f64; 2],
     /// The box around the shape, with some room.
     around: Aabb,
-    /// The same with less room than none.
+    /// The box made smaller by as much.
     within: Aabb,
     outline: Outline,
     /// The largest coordinate in the box.
@@ -80,8 +81,7 @@ impl Near {
         let numbers = [reach, margin, sizes[0]];
         let is_usual = numbers.into_iter().all(f64::is_normal) && sizes[1].is_finite();
         (bounds.is_bounded() && is_usual).then(|| Near {
-            rows: rows.map(|row| row.0),
-            offset: offset.0,
+            back: Affine::of(rows, offset),
             sizes,
             around: Aabb::new(min - room, max + room),
             within: Aabb::new(min + room, max - room),
@@ -95,23 +95,10 @@ impl Near {
     #[inline(never)]
     pub fn pass(&self, origin: V3, direction: V3, before: Lanes, to: f64) -> Passing {
         let splat = Lanes::splat;
-        let image = |v: V3| {
-            V3(each(self.rows, |[x, y, z]| {
-                v.0[0] * splat(x) + v.0[1] * splat(y) + v.0[2] * splat(z)
-            }))
-        };
-        let [o, d] = [
-            image(origin) + V3::splat(Vec3(self.offset)),
-            image(direction),
-        ];
-        let (mut near, mut far) = (-before, splat(to));
-        for i in 0..3 {
-            let per = splat(1.0) / d.0[i];
-            let low = (splat(self.around.min[i]) - o.0[i]) * per;
-            let high = (splat(self.around.max[i]) - o.0[i]) * per;
-            near = low.fast_min(high).fast_max(near);
-            far = low.fast_max(high).fast_min(far);
-        }
+        let back = Maps::gathered([&self.back; WIDTH], |map| map);
+        let (o, d) = (back.point(origin), back.vector(direction));
+        let inverse = V3(each(d.0, |d| splat(1.0) / d));
+        let [near, far] = in_box(&self.around, o, inverse, [-before, splat(to)]);
         let [start, pace] = [origin, direction].map(|v| v.abs().max_component());
         let size = splat(self.sizes[0]) * (start + pace * near.abs().fast_max(far.abs()));
         let error = splat(REL_ROUNDED) * (size + splat(self.sizes[1]));
@@ -143,8 +130,7 @@ impl Near {
                 & is_greater(at.0[i], splat(self.within.min[i]))
                 & is_less(at.0[i], splat(self.within.max[i]));
         }
-        let ahead =
-            before + splat(POLYNOMIAL_MARGIN * self.reach * self.sizes[0].recip().max(1.0)) / pace;
+        let ahead = before + splat(POLYNOMIAL_MARGIN * self.reach) / d.abs().max_component();
         through =
             through & is_greater(t, ahead) & is_less(far, splat(to * (1.0 - POLYNOMIAL_MARGIN)));
         Passing {
@@ -152,6 +138,19 @@ impl Near {
             through: through.to_bitmask() & !beside,
         }
     }
+}
+
+/// From where to where four rays are in a box, of a stretch of each; the reciprocals of their directions are given.
+#[inline(always)]
+pub fn in_box(bounds: &Aabb, origin: V3, inverse: V3, [from, to]: [Lanes; 2]) -> [Lanes; 2] {
+    let (mut near, mut far) = (from, to);
+    for i in 0..3 {
+        let low = (Lanes::splat(bounds.min[i]) - origin.0[i]) * inverse.0[i];
+        let high = (Lanes::splat(bounds.max[i]) - origin.0[i]) * inverse.0[i];
+        near = low.fast_min(high).fast_max(near);
+        far = low.fast_max(high).fast_min(far);
+    }
+    [near, far]
 }
 
 /// The least of Bernstein's coefficients of both halves of a piece, and the value in its middle.
@@ -221,7 +220,7 @@ fn numbers(lanes: Lanes, sum: Lanes) -> Lanes {
 mod tests {
     use super::*;
     use crate::geometry::Matrix;
-    use crate::geometry::affine::{Affine, Placement};
+    use crate::geometry::affine::Placement;
     use crate::geometry::line::Line;
     use crate::scene::Geometry;
     use crate::testing::random;

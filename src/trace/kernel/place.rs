@@ -6,14 +6,14 @@ use crate::geometry::affine::{Affine, Placement};
 use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
 
 /// A map for each of four things.
-struct Maps {
+pub struct Maps {
     rows: [V3; 3],
     offset: V3,
 }
 
 impl Maps {
     #[inline(always)]
-    fn gathered(places: [&Placement; WIDTH], map: impl Fn(&Placement) -> &Affine) -> Maps {
+    pub fn gathered<T>(places: [&T; WIDTH], map: impl Fn(&T) -> &Affine) -> Maps {
         let row = |i: usize| V3::gathered(places, |p| &map(p).rows[i].0);
         Maps {
             rows: [row(0), row(1), row(2)],
@@ -22,7 +22,7 @@ impl Maps {
     }
 
     #[inline(always)]
-    fn vector(&self, v: V3) -> V3 {
+    pub fn vector(&self, v: V3) -> V3 {
         V3([
             self.rows[0].dot(v),
             self.rows[1].dot(v),
@@ -31,7 +31,7 @@ impl Maps {
     }
 
     #[inline(always)]
-    fn point(&self, p: V3) -> V3 {
+    pub fn point(&self, p: V3) -> V3 {
         self.vector(p) + self.offset
     }
 

@@ -14,13 +14,6 @@ pub struct Passed {
     pub faces: u32,
 }
 
-/// Where a ray goes into an operand, or comes out of it.
-#[derive(Debug, Clone, Copy)]
-pub struct Event {
-    pub crossing: Crossing,
-    pub goes_in: bool,
-}
-
 /// What is kept from one search to the next.
 #[derive(Debug, Default)]
 pub struct Scratch {
@@ -33,8 +26,10 @@ pub struct Scratch {
     /// Where the last leaf without lanes is met.
     pub ahead: Vec<Crossing>,
     pub roots: Roots,
-    /// Of the last intersection.
-    pub events: Vec<Event>,
+    /// With the operands of the last intersection.
+    pub events: Vec<Crossing>,
+    /// The least t of each of them and all behind it.
+    pub least: Vec<f64>,
     /// Of each gate of it, how many operands keep the place from being in it: see [`Csg`](super::csg::Csg).
     pub wrong: Vec<u32>,
     pub inner: Vec<Child>,

@@ -39,10 +39,7 @@ impl Cuboid {
 /// Face 2i is the lower one across axis i, face 2i + 1 the upper.
 impl Shape for Cuboid {
     fn outline(&self) -> Outline {
-        Outline {
-            form: Form::Constant,
-            is_exact: true,
-        }
+        Outline::exact(Form::Constant)
     }
 
     fn bounds(&self) -> Aabb {

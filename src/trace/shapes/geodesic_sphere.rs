@@ -21,7 +21,7 @@ use crate::geometry::number::Real;
 use crate::geometry::vec::Vec3;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
-use crate::trace::shapes::outline::Outline;
+use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::support::Support;
 use std::f64::consts::{PI, TAU};
 
@@ -361,7 +361,7 @@ impl<R: Traced> View<R> {
 
 impl Shape for GeodesicSphere {
     fn outline(&self) -> Outline {
-        Outline::in_sphere(self.record.radius)
+        Outline::around(Form::sphere(Vec3::ZERO, self.record.radius))
     }
 
     fn bounds(&self) -> Aabb {

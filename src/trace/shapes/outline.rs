@@ -1,4 +1,6 @@
-//! What holds a shape, as a test of many lines at once takes it.
+//! What holds a shape, for tests of several lines at once.
+
+use crate::geometry::vec::Vec3;
 
 /// A polynomial of points that is negative in a solid or where more than the solid is.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,23 +28,28 @@ impl Outline {
         is_exact: false,
     };
 
-    /// In a sphere around the origin.
-    pub fn in_sphere(radius: f64) -> Outline {
-        let form = Form::Quadric([
-            1.0,
-            1.0,
-            1.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            -radius * radius,
-        ]);
+    /// That of a solid which is all that it holds.
+    pub fn exact(form: Form) -> Outline {
+        Outline {
+            form,
+            is_exact: true,
+        }
+    }
+
+    /// That of a shape which may hold less.
+    pub fn around(form: Form) -> Outline {
         Outline {
             form,
             is_exact: false,
         }
+    }
+}
+
+impl Form {
+    /// Negative in a sphere.
+    pub fn sphere(centre: Vec3, radius: f64) -> Form {
+        let [x, y, z] = (centre * -2.0).0;
+        let constant = centre.dot(centre) - radius * radius;
+        Form::Quadric([1.0, 1.0, 1.0, 0.0, 0.0, 0.0, x, y, z, constant])
     }
 }

@@ -38,13 +38,7 @@ impl Sphere {
 
 impl Shape for Sphere {
     fn outline(&self) -> Outline {
-        let ([x, y, z], r) = self.numbers();
-        let constant = Vec3::new(x, y, z).dot(Vec3::new(x, y, z)) - r * r;
-        let [u, v, w] = [x, y, z].map(|x| -2.0 * x);
-        Outline {
-            form: Form::Quadric([1.0, 1.0, 1.0, 0.0, 0.0, 0.0, u, v, w, constant]),
-            is_exact: true,
-        }
+        Outline::exact(Form::sphere(self.centre, self.radius))
     }
 
     fn bounds(&self) -> Aabb {

@@ -214,10 +214,7 @@ impl Shape for Torus {
     }
 
     fn outline(&self) -> Outline {
-        Outline {
-            form: Form::Torus([self.record.major, self.record.minor]),
-            is_exact: true,
-        }
+        Outline::exact(Form::Torus([self.record.major, self.record.minor]))
     }
 
     /// A plane that touches the outer half has all of the torus on one side, so a ray that goes out there does not come

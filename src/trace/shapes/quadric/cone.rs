@@ -82,10 +82,7 @@ impl Cone {
 
 impl Shape for Cone {
     fn outline(&self) -> Outline {
-        Outline {
-            form: Form::Quadric(self.form.polynomial()),
-            is_exact: true,
-        }
+        Outline::exact(Form::Quadric(self.form.polynomial()))
     }
 
     fn bounds(&self) -> Aabb {

@@ -39,10 +39,7 @@ impl Ellipsoid {
 
 impl Shape for Ellipsoid {
     fn outline(&self) -> Outline {
-        Outline {
-            form: Form::Quadric(self.form.polynomial()),
-            is_exact: true,
-        }
+        Outline::exact(Form::Quadric(self.form.polynomial()))
     }
 
     fn bounds(&self) -> Aabb {

@@ -112,10 +112,7 @@ fn turn(p: Vec3) -> f64 {
 
 impl Shape for Quadric {
     fn outline(&self) -> Outline {
-        Outline {
-            form: Form::Quadric(self.form.polynomial()),
-            is_exact: true,
-        }
+        Outline::exact(Form::Quadric(self.form.polynomial()))
     }
 
     fn bounds(&self) -> Aabb {

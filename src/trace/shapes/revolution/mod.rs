@@ -169,10 +169,8 @@ impl Shape for Revolution {
     fn outline(&self) -> Outline {
         let widest = self.bounds().max[0];
         let constant = -widest * widest;
-        Outline {
-            form: Form::Quadric([1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, constant]),
-            is_exact: false,
-        }
+        let cylinder = [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, constant];
+        Outline::around(Form::Quadric(cylinder))
     }
 
     fn bounds(&self) -> Aabb {
