@@ -350,10 +350,10 @@ usage-values = možnosti jsou { $values }
 # Co má ruff a co se v zpg jmenuje jinak, nebo to v něm není.
 
 habit-add-allow = zpg má místo toho `zpg check --add-allow`
-habit-angle = taková volba není; zorný úhel je poslední číslo záznamu kamery (-501)
 habit-analyze = takový příkaz zpg nemá; `zpg plan` vypíše, které efekty scéna potřebuje
-habit-cache = zpg si nic neukládá do mezipaměti
+habit-angle = taková volba není; zorný úhel je poslední číslo záznamu kamery (-501)
 habit-background = taková volba není; pozadí je druhé číslo renderovacího záznamu (9999): ID barvy, nebo 0 pro černou
+habit-cache = zpg si nic neukládá do mezipaměti
 habit-check = zpg má místo toho `zpg check`
 habit-config = takový příkaz zpg nemá; `zpg check --show-settings` vypíše všechna nastavení a `--config` jedno změní
 habit-convert = zpg má místo toho `zpg convert`
@@ -364,27 +364,27 @@ habit-extension = taková volba není; zpg pozná scénu podle obsahu
 habit-fix = zpg má místo toho `zpg check --fix`
 habit-fix-only = taková volba není; `zpg check --fix` opraví, co lze, a vypíše, co zbývá; s `--exit-zero` skončí s kódem 0
 habit-fixable = taková volba není; `--fix` opraví vše, co je jisté, a `--select` a `--ignore` vybírají, co se hledá
-habit-gamma = taková volba není; obrázky se zapisují v sRGB a zesvětlí je `--exposure`
 habit-format = u `zpg convert` je to `--to` nebo přípona v `-o`, u `zpg check` je to `--output-format`
+habit-gamma = taková volba není; obrázky se zapisují v sRGB a zesvětlí je `--exposure`
 habit-gitignore = taková volba není; při procházení složek platí .gitignore vždy
 habit-ignore = zpg má místo toho `--ignore`
 habit-ignore-allow = taková volba není; komentáře, které povolují nálezy, platí vždy
-habit-line-length = zpg má místo toho `--config format.width=100`
 habit-in-place = taková volba není; `zpg fmt` zapisuje přímo do souborů a `--diff` jen ukáže, co by změnil
+habit-line-length = zpg má místo toho `--config format.width=100`
 habit-linter = takový příkaz zpg nemá; všechny kódy vypíše `zpg explain`
 habit-new = zpg má místo toho `zpg new`
 habit-no-fix = taková volba není; bez `--fix` `zpg check` nic nezapíše
+habit-output = soubor, do kterého se zapíše, udává `-o { $path }`
 habit-per-file-ignores = zpg má místo toho {"`"}--config 'lint.per-file-ignores={"{"}"*" = ["W310"]{"}"}'`
 habit-preview = taková volba není; všechna pravidla zpg jsou stálá
-habit-output = soubor, do kterého se zapíše, udává `-o { $path }`
 habit-render = zpg má místo toho `zpg render`
 habit-samples = zpg má místo toho `--samples`, nebo `--quality draft`, `good` či `final`
 habit-server = zpg má místo toho `zpg lsp`
 habit-show-fixes = taková volba není; co by `--fix` změnilo, ukáže `--diff`
 habit-show-source = taková volba není; nálezy ukazují své řádky vždy a `--output-format concise` je vynechá
 habit-silent = zpg má místo toho `--quiet`
-habit-size = zpg má místo toho `--size`, například `--size 640x480`
 habit-silent-or-size = v zpg je to `--quiet`; velikost obrázku udává `--size`, například `--size 640x480`
+habit-size = zpg má místo toho `--size`, například `--size 640x480`
 habit-target-version = taková volba není; jazyk scén má jedinou verzi
 habit-verbose = taková volba není; zpg vypíše vše, co našlo
 habit-version = zpg má místo toho `zpg --version`

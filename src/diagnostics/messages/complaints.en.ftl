@@ -342,10 +342,10 @@ usage-values = there are { $values }
 # What ruff has and zpg calls otherwise, or has not.
 
 habit-add-allow = zpg calls it `zpg check --add-allow`
-habit-angle = there is none; the angle of view is the last number of the camera's record (-501)
 habit-analyze = zpg has no such command; `zpg plan` says which effects a scene needs
-habit-cache = zpg keeps no cache
+habit-angle = there is none; the angle of view is the last number of the camera's record (-501)
 habit-background = there is none; the background is the second number of the render record (9999): the ID of a colour, or 0 for black
+habit-cache = zpg keeps no cache
 habit-check = zpg calls it `zpg check`
 habit-config = zpg has no such command; `zpg check --show-settings` shows all settings, and `--config` changes one
 habit-convert = zpg calls it `zpg convert`
@@ -356,27 +356,27 @@ habit-extension = there is none; zpg knows a scene by what is in it
 habit-fix = zpg calls it `zpg check --fix`
 habit-fix-only = there is none; `zpg check --fix` mends and then reports what is left, and `--exit-zero` makes its exit status 0
 habit-fixable = there is none; `--fix` mends all that is certain, and `--select` and `--ignore` choose what is looked for
-habit-gamma = there is none; pictures are written in sRGB, and `--exposure` makes them brighter
 habit-format = `zpg convert` calls it `--to`, or takes the ending of `-o`; `zpg check` calls it `--output-format`
+habit-gamma = there is none; pictures are written in sRGB, and `--exposure` makes them brighter
 habit-gitignore = there is none; zpg always honours .gitignore in folders
 habit-ignore = zpg calls it `--ignore`
 habit-ignore-allow = there is none; the comments that allow findings always count
-habit-line-length = zpg calls it `--config format.width=100`
 habit-in-place = there is none; `zpg fmt` writes into the files, and `--diff` only shows what it would change
+habit-line-length = zpg calls it `--config format.width=100`
 habit-linter = zpg has no such command; `zpg explain` lists all codes
 habit-new = zpg calls it `zpg new`
 habit-no-fix = there is none; `zpg check` writes nothing without `--fix`
+habit-output = the file to write is named by `-o { $path }`
 habit-per-file-ignores = zpg calls it {"`"}--config 'lint.per-file-ignores={"{"}"*" = ["W310"]{"}"}'`
 habit-preview = there is none; all rules of zpg are stable
-habit-output = the file to write is named by `-o { $path }`
 habit-render = zpg calls it `zpg render`
 habit-samples = zpg calls it `--samples`, or `--quality draft`, `good` or `final`
 habit-server = zpg calls it `zpg lsp`
 habit-show-fixes = there is none; `--diff` shows what `--fix` would change
 habit-show-source = there is none; findings always show their lines, and `--output-format concise` leaves them out
 habit-silent = zpg calls it `--quiet`
-habit-size = zpg calls it `--size`, for example `--size 640x480`
 habit-silent-or-size = zpg calls it `--quiet`; the size of a picture is `--size`, for example `--size 640x480`
+habit-size = zpg calls it `--size`, for example `--size 640x480`
 habit-target-version = there is none; the scene language has one version
 habit-verbose = there is none; zpg says all that it found
 habit-version = zpg calls it `zpg --version`

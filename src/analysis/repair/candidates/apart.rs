@@ -83,34 +83,37 @@ impl LineContext<'_> {
         };
         match at_origin {
             Some(candidate) => out.insert(start, candidate),
-            None => drop(out.splice(at..at, placed)),
+            None => {
+                out.splice(at..at, placed);
+            }
         }
     }
 
     /// The place of a shape that has none of its own, before its sizes or behind them: at the origin it is left out.
     fn at_origin(&self, ty: &RecordType, habit: Habit) -> Option<Candidate> {
         let params = self.params();
+        let sizes = ty.params.len();
         let is_placed = ty.family == Family::Shape
             && ty.vectors.is_empty()
-            && params.len() == ty.params.len() + OWN
+            && sizes > 0
+            && params.len() == sizes + OWN
             && habit == Habit::Apart;
+        if !is_placed {
+            return None;
+        }
         let is_zero = |some: &[Token]| some.iter().all(|t| t.number(self.text) == Some(0.0));
-        let (first, last) = (
-            &params[..OWN.min(params.len())],
-            params.len().checked_sub(OWN)?,
-        );
-        let (place, span) = match () {
-            () if is_zero(first) => (first, Span::new(first[0].start, params.get(OWN)?.start)),
-            () if is_zero(&params[last..]) => {
-                let place = &params[last..];
-                let before = params.get(last.checked_sub(1)?)?;
-                (place, Span::new(before.end(), place[OWN - 1].end()))
+        let (before, behind) = (&params[..OWN], &params[sizes..]);
+        let (place, span) = match (is_zero(before), is_zero(behind)) {
+            (true, _) => (before, Span::new(before[0].start, params[OWN].start)),
+            (false, true) => {
+                let end = behind[OWN - 1].end();
+                (behind, Span::new(params[sizes - 1].end(), end))
             }
-            () => return None,
+            (false, false) => return None,
         };
         let fix = Fix::replace("fix-origin", Applicability::Unsafe, span, "");
         let text = quote(&self.spaced(place)?);
-        is_placed.then(|| Candidate {
+        Some(Candidate {
             habit,
             fix: fix.with("text", text),
             ty: None,

@@ -11,7 +11,7 @@ use crate::syntax::table::RecordKind;
 /// A direction of length 1 is written with so many digits at least.
 const ROUNDED: f64 = 1e-3;
 /// The angle of a camera that lacks it.
-const ANGLE: &str = "45";
+pub(super) const ANGLE: f64 = 45.0;
 
 impl LineContext<'_> {
     /// The direction is the point that the camera looks at, or the up vector is along the direction.
@@ -96,15 +96,15 @@ impl LineContext<'_> {
             out.push(Candidate {
                 habit: Habit::Up,
                 fix: Fix::replace("fix-angle", Applicability::Unsafe, at, format!(" {ANGLE}"))
-                    .with("number", quote(ANGLE)),
+                    .with("number", quote(&ANGLE.to_string())),
                 ty: None,
             });
             return;
         }
         let mut found: Vec<(Vec<f64>, Candidate)> = Vec::new();
         for (at, before) in params.iter().enumerate() {
-            let numbers_here = if at < 6 { &[0.0][..] } else { &[0.0, 1.0] };
-            for &number in numbers_here {
+            let lost = if at < 6 { &[0.0][..] } else { &[0.0, 1.0] };
+            for &number in lost {
                 let mut row = numbers.clone();
                 row.insert(at, number);
                 let (way, up) = ([row[3], row[4], row[5]], [row[6], row[7], row[8]]);

@@ -1,6 +1,7 @@
 //! A shape with its properties in one line, as POV-Ray has them: `sphere { <0,1,0>, 1 pigment { color Red } }`; and a
 //! camera, a plane, a cylinder or a light.
 
+use super::cameras::ANGLE;
 use super::inline::{BLOCK_TITLE, CLAUSES_TITLE};
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Edit, Fix, Span};
@@ -15,9 +16,6 @@ const OWN: usize = 3;
 
 /// What POV-Ray says of surfaces and insides in ways that records have no numbers for.
 const OTHERS: [&str; 4] = ["finish", "normal", "interior", "no_shadow"];
-
-/// The angle of a camera that says none.
-const ANGLE: f64 = 45.0;
 
 /// A type, the records with their numbers of which the first is of that type, and the tokens that follow.
 type Block<'t> = (
