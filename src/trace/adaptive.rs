@@ -13,6 +13,7 @@
 //!
 //! Errors are in linear RGB, of the channel where they are largest.
 
+use super::stats::Cost;
 use crate::geometry::vec::Vec3;
 
 /// Samples of a batch, and of a pixel where there is nothing to be seen.
@@ -26,10 +27,7 @@ pub const MAX_SAMPLES: u32 = 1024;
 #[derive(Debug, Clone, Copy, Default)]
 pub struct First {
     pub samples: [[f32; 3]; BATCH_SAMPLES as usize],
-    /// Intersection tests they took.
-    pub tests: u32,
-    /// Whether they saw totally reflected light.
-    pub total_reflection: bool,
+    pub cost: Cost,
 }
 
 /// The largest difference in one channel between samples of these pixels.
@@ -92,6 +90,17 @@ impl Estimate {
             _ => n >= MAX_SAMPLES || self.error(contrast) <= tolerance,
         }
     }
+
+    /// How many more batches a pixel needs at the least; 0 if it needs none.
+    pub fn missing_batches(&self, contrast: f64, tolerance: f64) -> u32 {
+        if self.is_enough(contrast, tolerance) {
+            return 0;
+        }
+        // With fewer, the contrast alone is above the tolerance.
+        let least = (contrast / tolerance) as u32;
+        let least = least.clamp(MIN_SAMPLES, MAX_SAMPLES);
+        (least.saturating_sub(self.samples()) / BATCH_SAMPLES).max(1)
+    }
 }
 
 impl Default for Estimate {
@@ -116,10 +125,20 @@ mod tests {
     #[test]
     fn contrast_among_neighbours_asks_for_samples_in_proportion() {
         let mut estimate = Estimate::new();
+        estimate.add(Vec3::ONE);
+        assert_eq!(estimate.missing_batches(0.01, 0.01), 0);
+        assert_eq!(estimate.missing_batches(0.02, 0.01), 3);
+        assert_eq!(estimate.missing_batches(1.0, 0.01), 24);
+        assert_eq!(estimate.missing_batches(1.0, 1e-9), 255);
         while !estimate.is_enough(1.0, 0.01) {
             estimate.add(Vec3::ONE);
         }
         assert_eq!(estimate.samples(), 100);
+        assert_eq!(estimate.missing_batches(1.0, 0.01), 0);
+        assert_eq!(estimate.missing_batches(1.001, 0.01), 1);
+        // The scatter asks for more than the contrast.
+        estimate.add(Vec3::ONE * 9.0);
+        assert_eq!(estimate.missing_batches(1.0, 0.01), 1);
         while !estimate.is_enough(1.0, 1e-9) {
             estimate.add(Vec3::ONE);
         }

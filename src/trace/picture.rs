@@ -5,7 +5,7 @@
 mod pen;
 mod quick;
 
-use super::adaptive::{First, contrast};
+use super::adaptive::{BATCH_SAMPLES, First, contrast};
 use super::camera::View;
 use super::compile::cannot_draw;
 use super::costs::CostMap;
@@ -26,7 +26,7 @@ use crate::parallel;
 use crate::scene::{Camera, Scene};
 use crate::solids::staging;
 pub(super) use pen::Pen;
-use pen::{Draw, Pixel};
+use pen::{Draw, Pixel, Quick};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 
@@ -270,18 +270,19 @@ impl<'t> Drawing<'t> {
             width,
             height,
         });
+        let samples = match settings.tolerance {
+            Some(_) => BATCH_SAMPLES,
+            None => settings.samples.max(1),
+        };
+        // To set up the kernel takes about as long for a shape as to draw a few pixels.
+        let most = crop.width as usize * crop.height as usize / 8;
+        let stage = self.stage(settings.numbers, most.saturating_mul(samples as usize));
+        let quick = stage.as_ref().map(|stage| self.scene(stage));
+        let quick = quick.filter(|scene| self.is_mostly_sure(scene, crop));
+        let quick = quick.as_ref();
         let Some(tolerance) = settings.tolerance else {
-            let samples = settings.samples.max(1);
-            // To set up the kernel takes about as long for a shape as to draw a few pixels.
-            let most = crop.width as usize * crop.height as usize / 8;
-            let most = most.saturating_mul(samples as usize);
-            let stage = self.stage(settings.numbers, most);
-            let scene = stage.as_ref().map(|stage| self.scene(stage));
-            let quick = scene.filter(|scene| self.is_mostly_sure(scene, crop));
-            let quick = quick.as_ref().map(|scene| (scene, samples));
-            return self.drawn(crop, progress, quick, &|pen: &mut Pen<R>, x, y| {
-                pen.fixed(x, y, samples)
-            });
+            let draw = |pen: &mut Pen<R>, pixels: &[[u32; 2]]| pen.fixed(pixels, samples);
+            return self.drawn((crop, samples), progress, quick, &draw);
         };
         // What is around the part that is drawn matters as much as within it.
         let (left, top) = (crop.x.saturating_sub(1), crop.y.saturating_sub(1));
@@ -291,31 +292,34 @@ impl<'t> Drawing<'t> {
             width: (crop.x + crop.width).saturating_add(1).min(width) - left,
             height: (crop.y + crop.height).saturating_add(1).min(height) - top,
         };
-        let (first, counts) = self.first_samples::<R>(around);
-        let mut picture = self.drawn(crop, progress, None, &|pen: &mut Pen<R>, x, y| {
-            let (x0, y0) = (x - left, y - top);
+        let (first, counts) = self.first_samples::<R>(around, quick);
+        let of = |[x, y]: [u32; 2]| {
+            let (x, y) = (x - left, y - top);
             let at = |x: u32, y: u32| &first[y as usize][x as usize];
-            let columns = x0.saturating_sub(1)..(x0 + 2).min(around.width);
-            let rows = y0.saturating_sub(1)..(y0 + 2).min(around.height);
+            let columns = x.saturating_sub(1)..(x + 2).min(around.width);
+            let rows = y.saturating_sub(1)..(y + 2).min(around.height);
             let near = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
-            let contrast = contrast(near.map(|(x, y)| at(x, y)));
-            pen.adaptive(x, y, at(x0, y0), contrast, tolerance)
-        });
+            (*at(x, y), contrast(near.map(|(x, y)| at(x, y))))
+        };
+        let draw = |pen: &mut Pen<R>, pixels: &[[u32; 2]]| {
+            let first: Vec<(First, f64)> = pixels.iter().map(|&pixel| of(pixel)).collect();
+            pen.adaptive(pixels, &first, tolerance)
+        };
+        let mut picture = self.drawn((crop, samples), progress, quick, &draw);
         picture.counts += counts;
         picture
     }
 
-    /// A pen that draws pixels on one thread.
+    /// A pen that draws pixels on one thread, without the quick kernel.
     pub(super) fn pen<R: Precision>(&self) -> Pen<'_, 't, R> {
-        self.pen_with(
-            self.direction_caches
-                .get_or_init(|| self.direction_caches()),
-        )
+        let caches = (self.direction_caches).get_or_init(|| self.direction_caches());
+        self.pen_with(caches, None)
     }
 
     fn pen_with<'d, R: Precision>(
         &'d self,
         direction_caches: &'d DirectionCaches,
+        quick: Option<&'d kernel::Scene<'d>>,
     ) -> Pen<'d, 't, R> {
         Pen {
             shader: Shader::new(
@@ -326,6 +330,20 @@ impl<'t> Drawing<'t> {
                 direction_caches,
             ),
             drawing: self,
+            quick: quick.map(Quick::new),
+        }
+    }
+
+    /// A pen that draws with the quick kernel, if that can draw the scene.
+    fn pen_of<'d, R: Precision>(
+        &'d self,
+        quick: Option<&'d kernel::Scene<'d>>,
+        no_caches: &'d DirectionCaches,
+    ) -> Pen<'d, 't, R> {
+        match quick {
+            // A few pixels are not worth looking.
+            Some(scene) => self.pen_with(no_caches, Some(scene)),
+            None => self.pen(),
         }
     }
 
@@ -373,12 +391,12 @@ impl<'t> Drawing<'t> {
             || self.tracer.graph.room.is_exhausted()
     }
 
-    /// Draws row by row, in parallel. Once it is to stop, no row is begun any more, and the rest is black.
+    /// Draws some rows at a time, in parallel. Once it is to stop, no row is begun any more, and the rest is black.
     fn drawn<R: Precision>(
         &self,
-        part: Crop,
+        (part, samples): (Crop, u32),
         progress: &(dyn Fn() + Sync),
-        quick: Option<(&kernel::Scene, u32)>,
+        quick: Option<&kernel::Scene>,
         draw: Draw<R>,
     ) -> Picture {
         let Crop { width, height, .. } = part;
@@ -401,31 +419,26 @@ impl<'t> Drawing<'t> {
                 total_reflection,
             })
             .collect();
-        let drawn = match quick {
-            None => parallel::map_each_with(
-                rows,
-                || self.pen(),
-                |pen, row| self.row(pen, row, part.x, progress, draw),
-            ),
-            Some((scene, samples)) => {
-                // A few pixels are not worth looking.
-                let no_caches = DirectionCaches::default();
-                let draw = (samples, draw);
-                let drawn = parallel::map_each_with(
-                    quick::in_bands(rows, samples),
-                    || (self.pen_with(&no_caches), kernel::Tile::default()),
-                    |(pen, tile), band| self.band(pen, (scene, tile), band, part.x, progress, draw),
-                );
-                drawn.into_iter().flatten().collect()
-            }
+        let no_caches = DirectionCaches::default();
+        let shape = if quick.is_some() {
+            quick::tile(samples)
+        } else {
+            [1, 1]
         };
+        let drawn = parallel::map_each_with(
+            in_bands(rows, shape[1]),
+            || self.pen_of(quick, &no_caches),
+            |pen, band| self.band(pen, band, (part.x, shape[0]), progress, draw),
+        );
         let mut samples = Samples::NONE;
         let mut counts = Counts::default();
-        let mut finished = Vec::with_capacity(drawn.len());
-        for (of_row, cost, is_finished) in drawn {
-            samples.add(of_row);
-            counts += cost;
-            finished.push(is_finished);
+        let mut finished = Vec::with_capacity(height as usize);
+        for band in drawn {
+            counts += band.counts;
+            for of_row in band.samples {
+                samples.add(of_row);
+                finished.push(band.is_finished);
+            }
         }
         samples.min = samples.min.min(samples.max);
         Picture {
@@ -446,49 +459,87 @@ impl<'t> Drawing<'t> {
         }
     }
 
-    /// Draws a row from a column on, if it is not to stop; whether it was drawn to its end comes last.
-    fn row<'d, R: Precision>(
+    /// Draws some rows from a column on, so many columns at a time, if it is not to stop.
+    fn band<'d, R: Precision>(
         &'d self,
         pen: &mut Pen<'d, 't, R>,
-        mut row: Row,
-        left: u32,
+        mut band: Vec<Row>,
+        (left, across): (u32, usize),
         progress: &(dyn Fn() + Sync),
         draw: Draw<R>,
-    ) -> (Samples, Counts, bool) {
-        let mut samples = Samples::NONE;
+    ) -> Band {
+        let mut samples = vec![Samples::NONE; band.len()];
         if self.is_to_stop() {
-            return (Samples::of(0), Counts::default(), false);
-        }
-        pen.shader.reset();
-        for column in 0..row.film.len() {
-            let x = left + column as u32;
-            let pixel = match self.is_wanted(x, row.y) && !self.is_to_stop() {
-                true => draw(pen, x, row.y),
-                false => Pixel::default(),
+            samples.fill(Samples::of(0));
+            return Band {
+                samples,
+                counts: Counts::default(),
+                is_finished: false,
             };
-            samples.add(Samples::of(pixel.samples));
-            row.put(column, pixel);
         }
-        progress();
-        // What asks to stop goes on asking.
-        (samples, pen.shader.counts(), !self.is_to_stop())
+        pen.reset();
+        let mut quick = 0;
+        let width = band.first().map_or(0, |row| row.film.len());
+        let (mut places, mut pixels) = (Vec::new(), Vec::new());
+        for from in (0..width).step_by(across) {
+            places.clear();
+            pixels.clear();
+            let is_to_stop = self.is_to_stop();
+            for (row, samples) in samples.iter_mut().enumerate() {
+                let y = band[row].y;
+                for column in from..width.min(from + across) {
+                    let x = left + column as u32;
+                    match self.is_wanted(x, y) && !is_to_stop {
+                        true => {
+                            places.push((row, column));
+                            pixels.push([x, y]);
+                        }
+                        false => samples.add(Samples::of(0)),
+                    }
+                }
+            }
+            for (&(row, column), pixel) in places.iter().zip(draw(pen, &pixels)) {
+                samples[row].add(Samples::of(pixel.samples));
+                quick += u64::from(pixel.cost.slow == 0);
+                band[row].put(column, pixel);
+            }
+        }
+        band.iter().for_each(|_| progress());
+        let mut counts = pen.counts();
+        counts.quick = quick;
+        Band {
+            samples,
+            counts,
+            // What asks to stop goes on asking.
+            is_finished: !self.is_to_stop(),
+        }
     }
 
     /// The first samples of each pixel, row by row, for those that ask how many more there should be.
-    fn first_samples<R: Precision>(&self, part: Crop) -> (Vec<Vec<First>>, Counts) {
+    fn first_samples<R: Precision>(
+        &self,
+        part: Crop,
+        quick: Option<&kernel::Scene>,
+    ) -> (Vec<Vec<First>>, Counts) {
+        let no_caches = DirectionCaches::default();
+        let across = if quick.is_some() { kernel::TILE[0] } else { 1 };
         let rows = parallel::map_with(
             part.height as usize,
-            || self.pen::<R>(),
+            || self.pen_of::<R>(quick, &no_caches),
             |pen, row| {
                 let y = part.y + row as u32;
-                pen.shader.reset();
-                let columns = part.x..part.x + part.width;
-                let first = |x| match self.is_wanted(x, y) && !self.is_to_stop() {
-                    true => pen.first(x, y),
-                    false => First::default(),
-                };
-                let row: Vec<First> = columns.map(first).collect();
-                (row, pen.shader.counts())
+                pen.reset();
+                let mut row = vec![First::default(); part.width as usize];
+                let columns: Vec<u32> = (part.x..part.x + part.width).collect();
+                for columns in columns.chunks(across) {
+                    let is_drawn = |&x: &u32| self.is_wanted(x, y) && !self.is_to_stop();
+                    let columns = columns.iter().copied().filter(is_drawn);
+                    let pixels: Vec<[u32; 2]> = columns.map(|x| [x, y]).collect();
+                    for ([x, _], first) in pixels.iter().zip(pen.first(&pixels)) {
+                        row[(x - part.x) as usize] = first;
+                    }
+                }
+                (row, pen.counts())
             },
         );
         let mut counts = Counts::default();
@@ -498,6 +549,27 @@ impl<'t> Drawing<'t> {
         });
         (rows.collect(), counts)
     }
+}
+
+/// What has come of some rows that were drawn together.
+struct Band {
+    /// Of each row.
+    samples: Vec<Samples>,
+    counts: Counts,
+    /// Whether they were drawn to their end.
+    is_finished: bool,
+}
+
+/// Rows that are drawn together, so many at a time.
+fn in_bands(rows: Vec<Row>, height: usize) -> Vec<Vec<Row>> {
+    let mut bands: Vec<Vec<Row>> = Vec::with_capacity(rows.len().div_ceil(height));
+    for row in rows {
+        match bands.last_mut() {
+            Some(band) if band.len() < height => band.push(row),
+            _ => bands.push(vec![row]),
+        }
+    }
+    bands
 }
 
 /// A row of the picture, to be drawn into.
@@ -511,7 +583,7 @@ struct Row<'p> {
 impl Row<'_> {
     fn put(&mut self, column: usize, pixel: Pixel) {
         self.film[column] = pixel.colour;
-        self.tests[column] = pixel.tests;
-        self.total_reflection[column] = pixel.total_reflection;
+        self.tests[column] = pixel.cost.tests;
+        self.total_reflection[column] = pixel.cost.total_reflection;
     }
 }

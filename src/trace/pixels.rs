@@ -35,7 +35,7 @@ pub trait Pixels {
     fn seen(&mut self, x: u32, y: u32) -> Option<VisibleObject>;
 
     /// The counts since the last reset.
-    fn counts(&self) -> Counts;
+    fn counts(&mut self) -> Counts;
 
     fn reset(&mut self);
 
@@ -104,6 +104,15 @@ impl<R: Precision> Single<'_, '_, R> {
     }
 }
 
+impl<R: Precision> Single<'_, '_, R> {
+    /// Takes the first samples of pixels that have none.
+    fn look_at(&mut self, pixels: impl Iterator<Item = [u32; 2]>) {
+        let new: Vec<[u32; 2]> = pixels.filter(|p| !self.first.contains_key(p)).collect();
+        let first = self.pen.first(&new);
+        self.first.extend(new.into_iter().zip(first));
+    }
+}
+
 impl<R: Precision> Pixels for Single<'_, '_, R> {
     fn sum(&mut self, x: u32, y: u32, samples: std::ops::Range<u32>, of: u32) -> Rgb {
         let add = |sum: Vec3, i| sum + self.pen.sample(x, y, i, of);
@@ -126,37 +135,29 @@ impl<R: Precision> Pixels for Single<'_, '_, R> {
         })
     }
 
-    fn counts(&self) -> Counts {
-        self.pen.shader.counts()
+    fn counts(&mut self) -> Counts {
+        self.pen.counts()
     }
 
     fn reset(&mut self) {
-        self.pen.shader.reset();
+        self.pen.reset();
     }
 
     fn look_around(&mut self, pixels: &[[u32; 2]]) {
         let inner: FxHashSet<[u32; 2]> = pixels.iter().copied().collect();
         for &pixel in pixels {
-            for near in self.around(pixel).filter(|p| !inner.contains(p)) {
-                if !self.first.contains_key(&near) {
-                    let first = self.pen.first(near[0], near[1]);
-                    self.first.insert(near, first);
-                }
-            }
+            let outer = self.around(pixel).filter(|p| !inner.contains(p));
+            self.look_at(outer);
         }
     }
 
     fn adaptive(&mut self, x: u32, y: u32) -> (Rgb, u32) {
-        for near in self.around([x, y]) {
-            if !self.first.contains_key(&near) {
-                let first = self.pen.first(near[0], near[1]);
-                self.first.insert(near, first);
-            }
-        }
+        self.look_at(self.around([x, y]));
         let near = self.around([x, y]).filter_map(|p| self.first.get(&p));
         let contrast = contrast(near);
         let first = self.first.get(&[x, y]).copied().unwrap_or_default();
-        let estimate = (self.pen).estimate(x, y, &first, contrast, self.tolerance);
+        let estimates = (self.pen).estimates(&[[x, y]], &[(first, contrast)], self.tolerance);
+        let (estimate, _) = estimates.into_iter().next().unwrap_or_default();
         (estimate.mean.0, estimate.samples())
     }
 }

@@ -85,6 +85,25 @@ pub struct Counts {
     pub quick: u64,
 }
 
+/// What samples of one pixel have taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Cost {
+    /// Intersection tests.
+    pub tests: u32,
+    /// Whether they saw totally reflected light.
+    pub total_reflection: bool,
+    /// Samples that the quick kernel has not drawn.
+    pub slow: u32,
+}
+
+impl AddAssign for Cost {
+    fn add_assign(&mut self, other: Cost) {
+        self.tests = self.tests.saturating_add(other.tests);
+        self.total_reflection |= other.total_reflection;
+        self.slow += other.slow;
+    }
+}
+
 impl AddAssign for Intersections {
     fn add_assign(&mut self, other: Intersections) {
         self.boxes += other.boxes;

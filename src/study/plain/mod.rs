@@ -211,7 +211,7 @@ impl<T: Number> Pixels for Plain<'_, T> {
         })
     }
 
-    fn counts(&self) -> Counts {
+    fn counts(&mut self) -> Counts {
         let [camera, shadow, reflection, refraction] = self.rays.sent;
         let mut counts = Counts {
             rays: Rays {

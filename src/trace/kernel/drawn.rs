@@ -2,7 +2,7 @@
 
 use super::query::Tests;
 use crate::geometry::vec::Vec3;
-use crate::trace::stats::Counts;
+use crate::trace::stats::{Cost, Counts};
 
 /// What a sample has come to.
 #[derive(Debug, Clone, Copy, Default)]
@@ -17,17 +17,17 @@ pub struct Drawn {
     pub(super) refraction: u32,
     pub(super) total: u32,
     pub(super) media: u32,
+    pub(super) parted: u32,
 }
 
 impl Drawn {
-    /// Intersection tests.
-    pub fn tests(&self) -> u32 {
-        self.tests.boxes.saturating_add(self.tests.shapes)
-    }
-
-    /// Whether light was totally reflected.
-    pub fn has_total_reflection(&self) -> bool {
-        self.total > 0
+    /// What it has taken.
+    pub fn cost(&self) -> Cost {
+        Cost {
+            tests: self.tests.boxes.saturating_add(self.tests.shapes),
+            total_reflection: self.total > 0,
+            slow: 0,
+        }
     }
 
     /// Adds what it has cost, but for the work on surfaces: see [`Tile::take_work`](super::Tile::take_work).
@@ -48,5 +48,6 @@ impl Drawn {
         all.work.reflection += u64::from(self.reflection);
         all.work.refraction += u64::from(self.refraction);
         all.work.medium_change += u64::from(self.media);
+        all.work.channel_split += u64::from(self.parted);
     }
 }

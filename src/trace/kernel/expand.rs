@@ -1,6 +1,6 @@
 //! The graph of the scene, taken apart into leaves.
 
-use super::leaf::{Colour, Kind, Leaf};
+use super::leaf::{Colour, Kind, Leaf, Way};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::affine::{Affine, Placement};
 use crate::geometry::exponent::{exponent, shifted};
@@ -226,17 +226,14 @@ impl Leaves {
             [0.0, 0.0, 0.0] => [0.0; 3],
             kd => Vec3(kd).times(Vec3(plain)).0,
         };
-        // Channels that are refracted in different ways are not for the kernel.
-        let even =
-            |index: [f64; 3]| (index[0] == index[1] && index[1] == index[2]).then_some(index[0]);
         let is_solid = shape.is_solid();
-        let (around, own) = match is_clear && is_solid {
-            true => (
-                even(graph.indices[0])?,
-                even(graph.indices[owner.index.unwrap_or(0) as usize])?,
-            ),
-            false => (1.0, 1.0),
+        let index = |number: u32| match is_solid {
+            true => graph.indices[number as usize],
+            false => [1.0; 3],
         };
+        let own = index(owner.index.unwrap_or(0));
+        let may_part = !graph.without.dispersion;
+        let (ways, way_count) = Way::through(optics.kt, index(0), own, may_part);
         let number = self.all.len() as u32;
         let chain = self.chain(&above.chain);
         let twin = *self.twins.entry((primitive, chain)).or_insert(number);
@@ -260,8 +257,8 @@ impl Leaves {
             albedo,
             ks: optics.ks,
             kt: optics.kt,
-            ratios: [around / own, own / around],
-            is_straight: around == own,
+            ways,
+            way_count,
             is_clear,
             is_lone: !is_clear,
         });
@@ -278,7 +275,7 @@ impl Leaves {
         for leaf in operands.all() {
             let leaf = &mut self.all[leaf as usize];
             // What is in it is one medium.
-            let is_like = leaf.kt == whole.kt && leaf.ratios == whole.ratios && !has_unions;
+            let is_like = leaf.ways == whole.ways && !has_unions;
             let is_opaque = !leaf.is_clear && !whole.is_clear;
             if !(leaf.is_solid && (is_opaque || is_like)) {
                 return None;

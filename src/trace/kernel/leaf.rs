@@ -1,5 +1,7 @@
 //! A shape of the scene as the kernel sees it.
 
+use crate::scene::Rgb;
+
 /// Kinds of shapes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
@@ -42,6 +44,44 @@ pub enum Colour {
     Texture { texture: u32, chain: u32 },
 }
 
+/// Channels that are refracted in the same way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Way {
+    /// The share of light that goes through; none of the other channels.
+    pub kt: [f64; 3],
+    /// The refractive index before the surface over the one behind it, on the way in and on the way out.
+    pub ratios: [f64; 2],
+    /// Whether the two are one number.
+    pub is_straight: bool,
+}
+
+impl Way {
+    const NONE: Way = Way {
+        kt: [0.0; 3],
+        ratios: [1.0; 2],
+        is_straight: true,
+    };
+
+    /// The ways through a surface with `around` before it and `own` behind it, the first channel's first, and how many
+    /// there are. If channels may not part, all go the way of the first that gets through.
+    pub fn through(kt: [f64; 3], around: Rgb, own: Rgb, may_part: bool) -> ([Way; 3], u32) {
+        let (mut ways, mut count, mut todo) = ([Way::NONE; 3], 0, kt);
+        while let Some(first) = (0..3).find(|&c| todo[c] != 0.0) {
+            let is_along =
+                |c: usize| !may_part || [around[c], own[c]] == [around[first], own[first]];
+            let way = &mut ways[count];
+            for c in (first..3).filter(|&c| is_along(c)) {
+                way.kt[c] = std::mem::take(&mut todo[c]);
+            }
+            let (before, behind) = (around[first], own[first]);
+            way.ratios = [before / behind, behind / before];
+            way.is_straight = before == behind;
+            count += 1;
+        }
+        (ways, count as u32)
+    }
+}
+
 /// A shape of the scene, and what it is made of.
 #[derive(Debug, Clone)]
 pub struct Leaf {
@@ -77,10 +117,9 @@ pub struct Leaf {
     pub albedo: [f64; 3],
     pub ks: [f64; 3],
     pub kt: [f64; 3],
-    /// The refractive index before the surface over the one behind it, on the way in and on the way out.
-    pub ratios: [f64; 2],
-    /// Whether the two are one number.
-    pub is_straight: bool,
+    /// The ways on which light goes through, the first `way_count` of them: see [`Way`].
+    pub ways: [Way; 3],
+    pub way_count: u32,
     /// Whether something goes through it.
     pub is_clear: bool,
     /// Whether nothing is near it such that one of the two is transparent. So the way out of what is transparent is what

@@ -50,7 +50,6 @@ mod stage;
 mod tests;
 mod wave;
 
-pub use drawn::Drawn;
 pub use stage::Stage;
 pub use wave::{Scene, Tile};
 

@@ -1,10 +1,11 @@
 //! Where rays go from the surfaces that they meet, four at a time.
 
-use super::lanes::{Lanes, V3, WIDTH, either, gathered, is_greater, is_less, mask};
+use super::lanes::{Lanes, V3, WIDTH, either, gathered, is_greater, is_less, lanes_where, mask};
 use super::leaf::Leaf;
 use super::query::{Crossing, NONE, Start};
 use super::resolved::Resolved;
-use super::wave::{Node, Ray, Scene, Tile};
+use super::wave::{MIRRORED, Node, Ray, Scene, Tile};
+use crate::geometry::array::each;
 use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
 
 impl Tile {
@@ -32,42 +33,22 @@ impl Tile {
         }
         clear &= hits.live;
         if scene.features.glass && clear != 0 {
-            let kt = V3::gathered(four.leaves, |leaf| &leaf.kt);
-            let mut straight = 0;
-            for lane in 0..WIDTH {
-                straight |= u32::from(four.leaves[lane].is_straight) << lane;
-            }
             // From one solid into another is not for the kernel.
             self.doubt(four, clear & solid & four.inside & !four.exit);
-            let inwards = gathered(four.leaves, |leaf| leaf.ratios[0]);
-            let outwards = gathered(four.leaves, |leaf| leaf.ratios[1]);
-            let ratio = either(mask(four.exit), outwards, inwards);
-            let facing = hits.facing();
-            let cosine = -direction.dot(facing);
-            let sine2 = (splat(1.0) - cosine * cosine).fast_max(Lanes::ZERO);
-            let square = splat(1.0) - ratio * ratio * sine2;
-            let bent = facing * (ratio * cosine - square.fast_max(Lanes::ZERO).sqrt());
-            let refracted = (direction * ratio + bent).unit();
-            let through = V3::either(mask(straight), direction, refracted);
-            let passes = straight | is_greater(square, Lanes::ZERO).to_bitmask();
-            let total = clear & !passes;
-            if total != 0 {
-                mirrored = V3::either(mask(total), ks + kt, ks);
+            let ways = each(four.leaves, |leaf| leaf.way_count);
+            let most = ways.into_iter().fold(0, u32::max);
+            for way in 0..most as usize {
+                let goes = clear & lanes_where(|lane| way < ways[lane] as usize);
+                let total = self.refract(scene, (four, hits), goes, (weight, way));
+                if total != 0 {
+                    let kt = V3::gathered(four.leaves, |leaf| &leaf.ways[way].kt);
+                    mirrored = V3::either(mask(total), mirrored + kt, mirrored);
+                }
             }
-            for lane in (0..WIDTH).filter(|lane| clear >> lane & 1 != 0) {
-                let pixel = &mut self.pixels[four.rays[lane].pixel as usize];
-                pixel.media += u32::from(straight >> lane & 1 == 0);
-                pixel.total += total >> lane & 1;
-            }
-            let sent = self.send(
-                scene,
-                (four, hits),
-                clear & passes,
-                (through, weight.times(kt)),
-                Way::Through { straight },
-            );
-            for lane in (0..WIDTH).filter(|lane| sent >> lane & 1 != 0) {
-                self.pixels[four.rays[lane].pixel as usize].refraction += 1;
+            if most > 1 {
+                for lane in (0..WIDTH).filter(|lane| clear >> lane & 1 != 0) {
+                    self.pixels[four.rays[lane].pixel as usize].parted += ways[lane] - 1;
+                }
             }
         }
         let reflects = hits.live & mirrored.any();
@@ -80,12 +61,55 @@ impl Tile {
                 (four, hits),
                 reflects,
                 (reflected, weight.times(mirrored)),
-                Way::Back,
+                Goes::Back,
             );
             for lane in (0..WIDTH).filter(|lane| sent >> lane & 1 != 0) {
                 self.pixels[four.rays[lane].pixel as usize].reflection += 1;
             }
         }
+    }
+
+    /// Sends on what goes through on one of the ways of each leaf; returns, as bits, where it is totally reflected.
+    #[inline(always)]
+    fn refract(
+        &mut self,
+        scene: &Scene,
+        (four, hits): (&Four, &Hits),
+        goes: u32,
+        (weight, way): (V3, usize),
+    ) -> u32 {
+        let splat = Lanes::splat;
+        let ways = each(four.leaves, |leaf| &leaf.ways[way]);
+        let straight = lanes_where(|lane| ways[lane].is_straight);
+        let inwards = gathered(ways, |way| way.ratios[0]);
+        let outwards = gathered(ways, |way| way.ratios[1]);
+        let ratio = either(mask(four.exit), outwards, inwards);
+        let (direction, facing) = (four.direction, hits.facing());
+        let cosine = -direction.dot(facing);
+        let sine2 = (splat(1.0) - cosine * cosine).fast_max(Lanes::ZERO);
+        let square = splat(1.0) - ratio * ratio * sine2;
+        let bent = facing * (ratio * cosine - square.fast_max(Lanes::ZERO).sqrt());
+        let refracted = (direction * ratio + bent).unit();
+        let through = V3::either(mask(straight), direction, refracted);
+        let passes = straight | is_greater(square, Lanes::ZERO).to_bitmask();
+        let total = goes & !passes;
+        for lane in (0..WIDTH).filter(|lane| goes >> lane & 1 != 0) {
+            let pixel = &mut self.pixels[four.rays[lane].pixel as usize];
+            pixel.media += u32::from(straight >> lane & 1 == 0);
+            pixel.total += total >> lane & 1;
+        }
+        let kt = V3::gathered(ways, |way| &way.kt);
+        let sent = self.send(
+            scene,
+            (four, hits),
+            goes & passes,
+            (through, weight.times(kt)),
+            Goes::Through { straight, way },
+        );
+        for lane in (0..WIDTH).filter(|lane| sent >> lane & 1 != 0) {
+            self.pixels[four.rays[lane].pixel as usize].refraction += 1;
+        }
+        total
     }
 
     /// Sends rays on unless they are too deep or count for too little; returns which are sent.
@@ -96,7 +120,7 @@ impl Tile {
         (four, hits): (&Four, &Hits),
         goes: u32,
         (direction, weight): (V3, V3),
-        way: Way,
+        goes_on: Goes,
     ) -> u32 {
         let cutoff = Lanes::splat(scene.limits.cutoff);
         let too_little = is_less(weight.max_component(), cutoff).to_bitmask();
@@ -111,17 +135,17 @@ impl Tile {
                 continue;
             }
             let from = four.rays[lane];
-            let (is_straight, within, child) = match way {
-                Way::Through { straight } => {
+            let (is_straight, within, child) = match goes_on {
+                Goes::Through { straight, way } => {
                     let within = match from.start.within {
                         same if !four.leaves[lane].is_solid => same,
                         NONE => four.leaves[lane].solid,
                         // Out of it, since into a second one is not for the kernel.
                         _ => NONE,
                     };
-                    (straight >> lane & 1 != 0, within, 1)
+                    (straight >> lane & 1 != 0, within, way)
                 }
-                Way::Back => (false, from.start.within, 0),
+                Goes::Back => (false, from.start.within, MIRRORED),
             };
             let is_entering = entering >> lane & 1 != 0;
             let depth = from.depth + u32::from(!is_straight);
@@ -141,7 +165,7 @@ impl Tile {
                     direction: at(&directions),
                     skin: skins[lane],
                     left: four.leaves[lane].twin,
-                    goes_in: is_entering == matches!(way, Way::Through { .. }),
+                    goes_in: is_entering == matches!(goes_on, Goes::Through { .. }),
                     within,
                 },
                 weight: at(&weights),
@@ -151,20 +175,21 @@ impl Tile {
                 met: Crossing::NONE,
             });
         }
-        match way {
+        match goes_on {
             // Straight on is always counted.
-            Way::Through { straight } => sent | (goes & straight),
-            Way::Back => sent,
+            Goes::Through { straight, .. } => sent | (goes & straight),
+            Goes::Back => sent,
         }
     }
 }
 
-/// Where a ray goes from a surface.
+/// Where rays go from a surface.
 #[derive(Clone, Copy)]
-enum Way {
-    /// To the other side, and where the bits are set as if there were nothing.
+enum Goes {
+    /// To the other side, on one of the ways of each leaf, and where the bits are set as if there were nothing.
     Through {
         straight: u32,
+        way: usize,
     },
     Back,
 }

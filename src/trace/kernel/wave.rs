@@ -53,18 +53,21 @@ pub struct Ray {
     pub met: Crossing,
 }
 
-/// The light of a ray, and the rays that go on from where it ends: the mirrored one and the refracted one.
+/// The light of a ray, and the rays that go on from where it ends: one for each way through, and the mirrored one.
 #[derive(Debug, Clone, Copy)]
 pub struct Node {
     pub light: Vec3,
-    pub children: [u32; 2],
+    pub children: [u32; 4],
 }
+
+/// Which child of a node is the mirrored ray.
+pub const MIRRORED: usize = 3;
 
 impl Node {
     /// No light, and nothing goes on.
     pub const LEAFLESS: Node = Node {
         light: Vec3::ZERO,
-        children: [NONE; 2],
+        children: [NONE; 4],
     };
 }
 
@@ -162,13 +165,7 @@ impl Tile {
             let first = self.nodes[root as usize];
             let mut sum = first.light;
             let push = |pending: &mut Vec<u32>, node: Node| {
-                let [mirrored, refracted] = node.children;
-                if refracted != NONE {
-                    pending.push(refracted);
-                }
-                if mirrored != NONE {
-                    pending.push(mirrored);
-                }
+                pending.extend(node.children.into_iter().filter(|&child| child != NONE));
             };
             push(&mut self.pending, first);
             while let Some(number) = self.pending.pop() {

@@ -1,46 +1,139 @@
-//! Pixels, one after the other.
+//! Samples and pixels, on one thread.
 
 use super::Drawing;
 use crate::geometry::vec::Vec3;
 use crate::trace::adaptive::{BATCH_SAMPLES, Estimate, First, MAX_SAMPLES};
 use crate::trace::film::developed;
+use crate::trace::kernel::{self, Tile};
 use crate::trace::precision::Precision;
 use crate::trace::ray::Ray;
 use crate::trace::shade::Shader;
+use crate::trace::stats::{Cost, Counts};
 
 /// A finished pixel.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Pixel {
     pub(super) colour: [f32; 3],
     pub(super) samples: u32,
-    pub(super) tests: u32,
-    pub(super) total_reflection: bool,
+    pub(super) cost: Cost,
+}
+
+/// The place of a sample: the column and the row of its pixel, and which of how many it is there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    pub(super) pixel: [u32; 2],
+    pub(super) sample: u32,
+    pub(super) of: u32,
+}
+
+/// What has come of a sample.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sample {
+    pub(super) light: Vec3,
+    pub(super) cost: Cost,
+}
+
+/// The quick kernel on one thread.
+pub(in crate::trace) struct Quick<'d> {
+    pub(in crate::trace) scene: &'d kernel::Scene<'d>,
+    pub(in crate::trace) tile: Box<Tile>,
+    pub(in crate::trace) counts: Counts,
+    pub(in crate::trace) rays: Vec<[Vec3; 2]>,
+}
+
+impl<'d> Quick<'d> {
+    pub(super) fn new(scene: &'d kernel::Scene<'d>) -> Quick<'d> {
+        Quick {
+            scene,
+            tile: Box::default(),
+            counts: Counts::default(),
+            rays: Vec::new(),
+        }
+    }
 }
 
 /// Draws pixels on one thread.
 pub(in crate::trace) struct Pen<'d, 't, R: Precision> {
     pub(in crate::trace) shader: Shader<'d, R>,
     pub(in crate::trace) drawing: &'d Drawing<'t>,
+    /// Draws what it knows, if it knows the scene.
+    pub(in crate::trace) quick: Option<Quick<'d>>,
 }
 
 impl<R: Precision> Pen<'_, '_, R> {
-    /// Intersection tests since the last reset.
-    fn tests(&self) -> u64 {
-        let counted = self.shader.intersections();
-        counted.boxes + counted.shape
+    /// Forgets what was counted.
+    pub(in crate::trace) fn reset(&mut self) {
+        self.shader.reset();
+        if let Some(quick) = &mut self.quick {
+            quick.tile.take_work();
+            quick.counts = Counts::default();
+        }
     }
 
-    fn tests_since(&self, before: u64) -> u32 {
-        u32::try_from(self.tests() - before).unwrap_or(u32::MAX)
+    /// The counts since the last reset.
+    pub(in crate::trace) fn counts(&mut self) -> Counts {
+        let mut counts = self.shader.counts();
+        if let Some(quick) = &mut self.quick {
+            quick.counts.work += quick.tile.take_work();
+            counts += quick.counts;
+        }
+        counts
     }
 
-    /// Times that light was totally reflected since the last reset.
-    fn total(&self) -> u64 {
-        self.shader.total()
+    /// Draws samples, in their order.
+    pub(super) fn samples(&mut self, places: &[Place]) -> Vec<Sample> {
+        let Some(mut quick) = self.quick.take() else {
+            return places.iter().map(|&place| self.slow(place)).collect();
+        };
+        let line = |place: &Place| {
+            let [x, y] = place.pixel;
+            let line = self.drawing.line(x, y, place.sample, place.of);
+            line.unwrap_or_default()
+        };
+        let mut samples = Vec::with_capacity(places.len());
+        for places in places.chunks(kernel::TILE[0] * kernel::TILE[1]) {
+            quick.rays.clear();
+            quick.rays.extend(places.iter().map(line));
+            let drawn = quick.tile.draw(quick.scene, &quick.rays);
+            samples.extend(drawn.iter().zip(places).map(|(drawn, &place)| {
+                if drawn.is_doubtful {
+                    return self.slow(place);
+                }
+                drawn.count(&mut quick.counts);
+                Sample {
+                    light: drawn.light,
+                    cost: drawn.cost(),
+                }
+            }));
+        }
+        self.quick = Some(quick);
+        samples
     }
 
-    /// The light of sample `i` of `n`; where a projection has no ray, or none in
-    /// the range of the precision, there is nothing to be seen.
+    /// A sample, as the arbiter draws it.
+    fn slow(&mut self, place: Place) -> Sample {
+        let Place {
+            pixel: [x, y],
+            sample,
+            of,
+        } = place;
+        let tests = |shader: &Shader<R>| {
+            let counted = shader.intersections();
+            counted.boxes + counted.shape
+        };
+        let (before, total) = (tests(&self.shader), self.shader.total());
+        let light = self.sample(x, y, sample, of);
+        let tests = tests(&self.shader) - before;
+        let cost = Cost {
+            tests: u32::try_from(tests).unwrap_or(u32::MAX),
+            total_reflection: self.shader.total() > total,
+            slow: 1,
+        };
+        Sample { light, cost }
+    }
+
+    /// The light of sample `i` of `n`, as the arbiter draws it; where a projection has no ray, or none in the range of the
+    /// precision, there is nothing to be seen.
     pub(in crate::trace) fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
         let line = self.drawing.line(x, y, i, n);
         match line.map(|[origin, direction]| Ray::new(origin, direction).cast::<R>()) {
@@ -52,73 +145,107 @@ impl<R: Precision> Pen<'_, '_, R> {
         }
     }
 
-    /// The mean of `n` samples.
-    pub(super) fn fixed(&mut self, x: u32, y: u32, n: u32) -> Pixel {
-        let (before, total) = (self.tests(), self.total());
-        let mut sum = Vec3::ZERO;
-        for i in 0..n {
-            sum = sum + self.sample(x, y, i, n);
-        }
-        Pixel {
-            colour: developed((sum / f64::from(n)).0),
+    /// Pixels of `n` samples each.
+    pub(super) fn fixed(&mut self, pixels: &[[u32; 2]], n: u32) -> Vec<Pixel> {
+        let places = pixels.iter().flat_map(|&pixel| places(pixel, 0..n, n));
+        let samples = self.samples(&places.collect::<Vec<_>>());
+        let pixel = |samples: &[Sample]| Pixel {
+            colour: developed((sum(samples) / f64::from(n)).0),
             samples: n,
-            tests: self.tests_since(before),
-            total_reflection: self.total() > total,
-        }
+            cost: cost(samples),
+        };
+        samples.chunks(n as usize).map(pixel).collect()
     }
 
-    /// The first samples of a pixel that may get more.
-    pub(in crate::trace) fn first(&mut self, x: u32, y: u32) -> First {
-        let (before, total) = (self.tests(), self.total());
-        let samples = [0, 1, 2, 3].map(|i| developed(self.sample(x, y, i, MAX_SAMPLES).0));
-        First {
-            samples,
-            tests: self.tests_since(before),
-            total_reflection: self.total() > total,
-        }
+    /// The first samples of pixels that may get more.
+    pub(in crate::trace) fn first(&mut self, pixels: &[[u32; 2]]) -> Vec<First> {
+        let of = |&pixel: &[u32; 2]| places(pixel, 0..BATCH_SAMPLES, MAX_SAMPLES);
+        let samples = self.samples(&pixels.iter().flat_map(of).collect::<Vec<_>>());
+        let (batches, _) = samples.as_chunks::<{ BATCH_SAMPLES as usize }>();
+        let first = |batch: &[Sample; BATCH_SAMPLES as usize]| First {
+            samples: batch.map(|sample| developed(sample.light.0)),
+            cost: cost(batch),
+        };
+        batches.iter().map(first).collect()
     }
 
-    /// As many samples as the tolerance asks for, given the first ones.
+    /// Pixels with as many samples as the tolerance asks for, given the first ones of each and the contrast among its
+    /// neighbours.
     pub(super) fn adaptive(
         &mut self,
-        x: u32,
-        y: u32,
-        first: &First,
-        contrast: f64,
+        pixels: &[[u32; 2]],
+        first: &[(First, f64)],
         tolerance: f64,
-    ) -> Pixel {
-        let (before, total) = (self.tests(), self.total());
-        let estimate = self.estimate(x, y, first, contrast, tolerance);
-        Pixel {
+    ) -> Vec<Pixel> {
+        let estimates = self.estimates(pixels, first, tolerance).into_iter();
+        let pixel = |(estimate, cost): (Estimate, Cost)| Pixel {
             colour: developed(estimate.mean.0),
             samples: estimate.samples(),
-            tests: first.tests.saturating_add(self.tests_since(before)),
-            total_reflection: first.total_reflection || self.total() > total,
-        }
+            cost,
+        };
+        estimates.map(pixel).collect()
     }
 
-    pub(in crate::trace) fn estimate(
+    /// What pixels come to with as many samples as the tolerance asks for, and what these take: see
+    /// [`adaptive`](Self::adaptive).
+    pub(in crate::trace) fn estimates(
         &mut self,
-        x: u32,
-        y: u32,
-        first: &First,
-        contrast: f64,
+        pixels: &[[u32; 2]],
+        first: &[(First, f64)],
         tolerance: f64,
-    ) -> Estimate {
-        let mean = |batch: [Vec3; BATCH_SAMPLES as usize]| {
-            batch.into_iter().fold(Vec3::ZERO, |sum, s| sum + s) / f64::from(BATCH_SAMPLES)
+    ) -> Vec<(Estimate, Cost)> {
+        let begun = |(first, _): &(First, f64)| {
+            let mut estimate = Estimate::new();
+            let samples = first.samples.map(|s| Vec3(s.map(f64::from)));
+            estimate.add(mean(&samples));
+            (estimate, first.cost)
         };
-        let mut estimate = Estimate::new();
-        estimate.add(mean(first.samples.map(|s| Vec3(s.map(f64::from)))));
-        while !estimate.is_enough(contrast, tolerance) {
-            let n = estimate.samples();
-            estimate.add(mean(
-                [0, 1, 2, 3].map(|i| self.sample(x, y, n + i, MAX_SAMPLES)),
-            ));
+        let mut all: Vec<(Estimate, Cost)> = first.iter().map(begun).collect();
+        loop {
+            let missing = |i: usize| (all[i].0).missing_batches(first[i].1, tolerance);
+            let open: Vec<(usize, u32)> = (0..all.len())
+                .map(|i| (i, missing(i)))
+                .filter(|&(_, missing)| missing > 0)
+                .collect();
+            if open.is_empty() {
+                return all;
+            }
+            let more = open.iter().flat_map(|&(i, missing)| {
+                let from = all[i].0.samples();
+                places(pixels[i], from..from + missing * BATCH_SAMPLES, MAX_SAMPLES)
+            });
+            let samples = self.samples(&more.collect::<Vec<_>>());
+            let mut batches = samples.chunks(BATCH_SAMPLES as usize);
+            for (i, missing) in open {
+                let (estimate, cost_of) = &mut all[i];
+                for batch in batches.by_ref().take(missing as usize) {
+                    estimate.add(sum(batch) / f64::from(BATCH_SAMPLES));
+                    *cost_of += cost(batch);
+                }
+            }
         }
-        estimate
     }
 }
 
-/// Draws the pixel in a column and a row.
-pub(super) type Draw<'a, R> = &'a (dyn Fn(&mut Pen<'_, '_, R>, u32, u32) -> Pixel + Sync);
+/// The places of some samples of a pixel.
+fn places(pixel: [u32; 2], samples: std::ops::Range<u32>, of: u32) -> impl Iterator<Item = Place> {
+    samples.map(move |sample| Place { pixel, sample, of })
+}
+
+fn mean(batch: &[Vec3; BATCH_SAMPLES as usize]) -> Vec3 {
+    batch.iter().fold(Vec3::ZERO, |sum, s| sum + *s) / f64::from(BATCH_SAMPLES)
+}
+
+fn sum(samples: &[Sample]) -> Vec3 {
+    (samples.iter()).fold(Vec3::ZERO, |sum, sample| sum + sample.light)
+}
+
+fn cost(samples: &[Sample]) -> Cost {
+    samples.iter().fold(Cost::default(), |mut all, sample| {
+        all += sample.cost;
+        all
+    })
+}
+
+/// Draws some pixels, given by their columns and rows.
+pub(super) type Draw<'a, R> = &'a (dyn Fn(&mut Pen<'_, '_, R>, &[[u32; 2]]) -> Vec<Pixel> + Sync);
