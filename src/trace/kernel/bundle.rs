@@ -2,7 +2,7 @@
 
 use super::lanes::{Lanes, V3, WIDTH, gathered, is_greater, lanes_where};
 use super::near::in_box;
-use super::query::{NONE, SKINS, Start};
+use super::query::{SKINS, Start};
 use super::stage::Stage;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
@@ -59,7 +59,7 @@ impl Rays {
             direction,
             before: skin / direction.abs().max_component(),
             left: each(starts, |start| start.left),
-            shadow: lanes_where(|lane| is_shadow && starts[lane].within == NONE),
+            shadow: lanes_where(|lane| is_shadow && starts[lane].within.is_empty()),
         }
     }
 }

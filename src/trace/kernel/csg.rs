@@ -88,6 +88,7 @@ impl Stage<'_> {
         let csg = &self.csgs[whole.primitive as usize];
         scratch.events.clear();
         scratch.ahead.clear();
+        scratch.at_start.clear();
         scratch.merges += 1;
         scratch.wrong.clear();
         scratch.wrong.extend(&csg.wrong);
@@ -99,11 +100,26 @@ impl Stage<'_> {
             least,
             wrong,
             ahead,
+            at_start,
             ..
         } = scratch;
         let mut is_in = wrong[0] == 0;
-        if is_in != (query.start.within == number) {
+        if is_in != query.start.within.has(number) {
             return Crossed::Doubt;
+        }
+        match at_start[..] {
+            [] => {}
+            // What it is in there must not matter.
+            [(leaf, goes_in)] => {
+                let leaf = &self.leaves[leaf as usize];
+                csg.pass(leaf, !goes_in, wrong);
+                let was_in = wrong[0] == 0;
+                csg.pass(leaf, goes_in, wrong);
+                if was_in != is_in {
+                    return Crossed::Doubt;
+                }
+            }
+            _ => return Crossed::Doubt,
         }
         events.sort_unstable_by(|a, b| a.end.t.total_cmp(&b.end.t));
         least.clear();
@@ -290,23 +306,24 @@ impl Stage<'_> {
             if chords.sure >> lane & 1 == 0 {
                 return Err(Doubt);
             }
-            let end = |t: f64, is_near| match t.is_finite() {
-                true => self.rough(probe, leaf, t, is_near),
-                false => End { t, error: 0.0 },
-            };
-            let far = end(chords.far[lane], false);
+            let far = self.rough(probe, leaf, chords.far[lane], false);
             if far.t < -(skin + far.error) {
                 continue;
             }
-            let near = end(chords.near[lane], true);
-            if near.t < -(skin + near.error) && far.t > skin + far.error {
-                csg.pass(leaf, true, &mut scratch.wrong);
-            } else if near.t > skin + near.error {
-                note(near, false, scratch);
-            } else {
-                return Err(Doubt);
+            let near = self.rough(probe, leaf, chords.near[lane], true);
+            let is_met_ahead = near.t > skin + near.error;
+            let is_left_ahead = far.t > skin + far.error;
+            let is_met_before = near.t < -(skin + near.error);
+            match (is_met_ahead, is_left_ahead) {
+                (true, _) => note(near, false, scratch),
+                (false, true) => csg.pass(leaf, true, &mut scratch.wrong),
+                (false, false) if is_met_before => {}
+                (false, false) => return Err(Doubt),
             }
-            if far.t < f64::INFINITY {
+            if !is_met_ahead && !(is_met_before && is_left_ahead) {
+                scratch.at_start.push((surface, is_left_ahead));
+            }
+            if (is_met_ahead || is_left_ahead) && far.t < f64::INFINITY {
                 note(far, true, scratch);
             }
         }

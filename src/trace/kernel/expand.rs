@@ -76,6 +76,15 @@ struct Above {
 }
 
 impl Above {
+    /// The texture, the optics and the refractive index of a shape under it.
+    fn look(&self) -> (&Option<(u32, Vec<u32>)>, u32, u32) {
+        (
+            &self.texture,
+            self.optics.unwrap_or(0),
+            self.index.unwrap_or(0),
+        )
+    }
+
     /// What is above the parts of a part.
     fn and(&self, graph: &Graph, number: u32) -> Above {
         let part = &graph.parts[number as usize];
@@ -257,6 +266,8 @@ impl Leaves {
             albedo,
             ks: optics.ks,
             kt: optics.kt,
+            medium: [owner.optics, owner.index].map(|number| number.unwrap_or(0)),
+            index: own,
             ways,
             way_count,
             is_clear,
@@ -269,15 +280,25 @@ impl Leaves {
     fn csg(&mut self, graph: &Graph, object: &Object, above: &Above) -> Option<u32> {
         let operands = self.operands(graph, object, above)?;
         let number = self.all.len() as u32;
-        let &one = operands.all().next().as_ref()?;
-        let whole = self.all[one as usize].clone();
+        let first = match &object.operation {
+            Operation::Intersection { first, .. } => foremost(graph, first.clone(), above),
+            Operation::Union(_) => None,
+        };
+        // What is in it is one medium: that of its foremost shape.
+        let is_foremost = |&leaf: &u32| {
+            first
+                .as_ref()
+                .is_some_and(|a| a.path == self.paths[leaf as usize])
+        };
+        let owner = operands.all().find(is_foremost);
+        let whole = self.all[owner.or(operands.all().next())? as usize].clone();
         let has_unions = operands.gates.iter().any(|gate| gate.is_union);
+        let is_medium = owner.is_some() && whole.is_clear && !has_unions;
         for leaf in operands.all() {
             let leaf = &mut self.all[leaf as usize];
-            // What is in it is one medium.
-            let is_like = leaf.ways == whole.ways && !has_unions;
-            let is_opaque = !leaf.is_clear && !whole.is_clear;
-            if !(leaf.is_solid && (is_opaque || is_like)) {
+            let is_known = !leaf.is_clear && !whole.is_clear
+                || is_medium && (leaf.ways == whole.ways || !leaf.is_clear);
+            if !(leaf.is_solid && is_known) {
                 return None;
             }
             leaf.solid = number;
@@ -373,21 +394,34 @@ impl Leaves {
 }
 
 /// What is above the shape that owns all that is in all of some parts: the first one of the first part. `None` where that
-/// is not everywhere one shape.
+/// is not everywhere one shape, and not all of them look alike.
 fn foremost(graph: &Graph, parts: Range<u32>, above: &Above) -> Option<Above> {
-    let mut above = above.clone();
-    let mut parts = parts;
-    while let Some(part) = parts.next() {
-        above = above.and(graph, part);
-        let Target::Object(object) = graph.parts[part as usize].target else {
-            return Some(above);
+    let mut pending = vec![above.and(graph, parts.clone().next()?)];
+    let (mut found, mut count): (Option<Above>, usize) = (None, 0);
+    while let Some(above) = pending.pop() {
+        count += 1;
+        let target = above
+            .path
+            .last()
+            .map(|&part| graph.parts[part as usize].target)?;
+        let Target::Object(object) = target else {
+            let is_like = |other: &Above| other.look() == above.look();
+            if !found.as_ref().is_none_or(is_like) || count > MAX_GATES {
+                return None;
+            }
+            found = Some(above);
+            continue;
         };
         match &graph.objects[object as usize].operation {
-            Operation::Intersection { first, .. } => parts = first.clone(),
-            Operation::Union(_) => return None,
+            Operation::Intersection { first, .. } => {
+                pending.push(above.and(graph, first.clone().next()?));
+            }
+            Operation::Union(all) => {
+                pending.extend(all.parts().map(|part| above.and(graph, part)));
+            }
         }
     }
-    None
+    found
 }
 
 /// A box around what is in a box, in the space that a chain leads from, with room for what maps round.

@@ -56,7 +56,7 @@ pub struct Way {
 }
 
 impl Way {
-    const NONE: Way = Way {
+    pub const NONE: Way = Way {
         kt: [0.0; 3],
         ratios: [1.0; 2],
         is_straight: true,
@@ -117,6 +117,9 @@ pub struct Leaf {
     pub albedo: [f64; 3],
     pub ks: [f64; 3],
     pub kt: [f64; 3],
+    /// The numbers of its optics and of its refractive index, and the index itself for each channel.
+    pub medium: [u32; 2],
+    pub index: Rgb,
     /// The ways on which light goes through, the first `way_count` of them: see [`Way`].
     pub ways: [Way; 3],
     pub way_count: u32,

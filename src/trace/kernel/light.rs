@@ -2,7 +2,7 @@
 
 use super::bundle::{Around, BUNDLE_MIN_RAYS, Rays};
 use super::lanes::{Lanes, V3, WIDTH, is_greater, is_less, mask};
-use super::query::{NONE, Start};
+use super::query::Start;
 use super::shade::{Four, Hits};
 use super::shadow::Light;
 use super::wave::{Scene, Tile};
@@ -50,7 +50,7 @@ impl Tile {
                 skin: skins[lane],
                 left: four.leaves[lane].twin,
                 goes_in: entering >> lane & 1 == 0,
-                within: four.rays[lane].start.within,
+                within: four.rays[lane].sides[0],
             }),
             albedo: hits.albedo,
             weight: V3::gathered(four.rays, |ray| &ray.weight),
@@ -138,7 +138,7 @@ impl Tile {
                 continue;
             }
             let start = &four.starts[lane];
-            let is_seen = !scene.features.shadows || (scene.is_alone && start.within == NONE);
+            let is_seen = !scene.features.shadows || (scene.is_alone && start.within.is_empty());
             *seen = if is_seen {
                 Vec3::ONE
             } else {
@@ -153,7 +153,7 @@ impl Tile {
                 match (scene.stage).light(start, along, last, scratch, &mut pixel.tests) {
                     Light::Dark => Vec3::ZERO,
                     Light::Seen(share) => {
-                        let is_through = share != Vec3::ONE || start.within != NONE;
+                        let is_through = share != Vec3::ONE || !start.within.is_empty();
                         pixel.transparent += u32::from(is_through);
                         share
                     }

@@ -19,8 +19,47 @@ pub struct Start {
     pub left: u32,
     /// Whether the ray goes against the normal of that surface.
     pub goes_in: bool,
-    /// The leaf that the ray starts in, or [`NONE`].
-    pub within: u32,
+    pub within: Within,
+}
+
+/// The solids around a place, numbers of leaves: up to two, and then [`NONE`]. Of two the earlier operand, which owns the
+/// place, is first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Within(pub [u32; 2]);
+
+impl Within {
+    pub const NOTHING: Within = Within([NONE; 2]);
+
+    #[inline(always)]
+    pub fn one(solid: u32) -> Within {
+        Within([solid, NONE])
+    }
+
+    /// The one that owns the place, or [`NONE`].
+    #[inline(always)]
+    pub fn owner(self) -> u32 {
+        self.0[0]
+    }
+
+    #[inline(always)]
+    pub fn is_empty(self) -> bool {
+        self.0[0] == NONE
+    }
+
+    #[inline(always)]
+    pub fn has(self, solid: u32) -> bool {
+        solid != NONE && self.0.contains(&solid)
+    }
+
+    /// All but one.
+    #[inline(always)]
+    pub fn without(self, solid: u32) -> Within {
+        match self.0 {
+            [first, second] if first == solid => Within([second, NONE]),
+            [first, second] if second == solid => Within([first, NONE]),
+            _ => self,
+        }
+    }
 }
 
 /// A skin tells places apart that are farther from each other than this many of it: the root of the unit roundoff, and a

@@ -66,7 +66,7 @@ impl Stage<'_> {
             Raw::Somewhere => Crossed::Somewhere,
             Raw::Doubt => Crossed::Doubt,
             Raw::Ahead { inside, .. }
-                if leaf.is_solid && inside != (query.start.within == number) =>
+                if leaf.is_solid && inside != query.start.within.has(number) =>
             {
                 Crossed::Doubt
             }

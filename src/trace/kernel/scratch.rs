@@ -8,10 +8,16 @@ use crate::trace::shapes::Roots;
 #[derive(Debug, Clone, Copy)]
 pub struct Passed {
     pub leaf: u32,
-    pub near: End,
-    pub far: End,
-    /// How many of its faces are on the way.
-    pub faces: u32,
+    pub near: Face,
+    pub far: Face,
+}
+
+/// Where light goes into something or out of it.
+#[derive(Debug, Clone, Copy)]
+pub struct Face {
+    pub end: End,
+    /// The leaf whose surface it is; [`NONE`](super::query::NONE): none that is on the way.
+    pub surface: u32,
 }
 
 /// What is kept from one search to the next.
@@ -21,6 +27,8 @@ pub struct Scratch {
     pub pending: Vec<(f32, Child)>,
     /// Transparent things on the way.
     pub passed: Vec<Passed>,
+    /// Faces of them, and which of them each is of.
+    pub faces: Vec<(Face, u32)>,
     /// Crossings with later operands, which are not seen from within an earlier one, leaf by leaf.
     pub hidden: Vec<(u32, End)>,
     /// Where the last leaf without lanes is met.
@@ -28,6 +36,8 @@ pub struct Scratch {
     pub roots: Roots,
     /// With the operands of the last intersection.
     pub events: Vec<Crossing>,
+    /// Operands that the ray goes into or comes out of about where it starts; whether it goes in.
+    pub at_start: Vec<(u32, bool)>,
     /// The least t of each of them and all behind it.
     pub least: Vec<f64>,
     /// Of each gate of it, how many operands keep the place from being in it: see [`Csg`](super::csg::Csg).

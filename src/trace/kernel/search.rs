@@ -3,11 +3,12 @@
 use super::bundle::Blocks;
 use super::leaf::{Kind, Leaf};
 use super::probe::{Chords, Probe};
-use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Start, Tests};
+use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Start, Tests, Within};
 use super::scratch::Scratch;
 use super::stage::{Block, Shapes, Stage};
 use super::{cuboid, plane};
 use crate::geometry::array::each;
+use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::{Beam, Child, Is, Node, WIDTH};
 use crate::trace::shapes::Root;
 
@@ -17,7 +18,8 @@ pub enum Met {
     Nothing,
     /// The kernel does not know.
     Doubt,
-    Surface(Crossing),
+    /// A surface, and the solids before and behind it.
+    Surface(Crossing, [Within; 2]),
 }
 
 /// The nearest crossing so far.
@@ -68,6 +70,9 @@ impl Stage<'_> {
     /// A place where a ray meets a leaf with lanes, with a bound on its error.
     #[inline(always)]
     pub(super) fn rough(&self, probe: &Probe, leaf: &Leaf, t: f64, is_near: bool) -> End {
+        if t.is_infinite() {
+            return End { t, error: 0.0 };
+        }
         let error = match leaf.kind {
             Kind::Sphere | Kind::Other | Kind::Csg => {
                 BENT * ((probe.reach + leaf.extent) * probe.per_pace + t.abs())
@@ -91,7 +96,7 @@ impl Stage<'_> {
         scratch: &mut Scratch,
         tests: &mut Tests,
     ) -> Met {
-        let within = match start.within {
+        let within = match start.within.owner() {
             NONE => None,
             number => Some(&self.leaves[number as usize]),
         };
@@ -146,19 +151,63 @@ impl Stage<'_> {
                 _ => Met::Doubt,
             };
         }
-        let is_apart = |crossings: &[(u32, End)]| {
-            let before = crossings.iter().filter(|(_, end)| end.is_before(found.end));
-            let behind = crossings
-                .iter()
-                .filter(|(_, end)| found.end.is_before(*end));
-            let before = before.count();
-            before % 2 == 0 && before + behind.count() == crossings.len()
-        };
-        let mut hidden = scratch.hidden.chunk_by(|a, b| a.0 == b.0);
-        if best.second <= best.limit || !hidden.all(is_apart) {
+        if best.second <= best.limit {
             return Met::Doubt;
         }
-        Met::Surface(found)
+        if start.within.is_empty() {
+            let leaf = &self.leaves[found.surface as usize];
+            let behind = if leaf.is_solid {
+                Within::one(leaf.solid)
+            } else {
+                Within::NOTHING
+            };
+            return Met::Surface(found, [Within::NOTHING, behind]);
+        }
+        match self.sides(start.within, found, &scratch.hidden) {
+            Some(sides) => Met::Surface(found, sides),
+            None => Met::Doubt,
+        }
+    }
+
+    /// The solids before and behind a crossing, of a ray that starts in some and crosses hidden ones, leaf by leaf. `None`
+    /// where that is not known, or light goes on as if there were nothing.
+    fn sides(&self, within: Within, found: Crossing, hidden: &[(u32, End)]) -> Option<[Within; 2]> {
+        let leaf = &self.leaves[found.surface as usize];
+        let mut before = within;
+        for crossings in hidden.chunk_by(|a, b| a.0 == b.0) {
+            let is_passed = |(_, end): &&(u32, End)| end.is_before(found.end);
+            let is_behind = |(_, end): &&(u32, End)| found.end.is_before(*end);
+            let passed = crossings.iter().filter(is_passed).count();
+            if passed + crossings.iter().filter(is_behind).count() != crossings.len() {
+                return None;
+            }
+            if passed % 2 == 1 {
+                before = self.across(before, crossings[0].0)?;
+            }
+        }
+        if !leaf.is_solid {
+            return Some([before; 2]);
+        }
+        let behind = match self.across(before, leaf.solid) {
+            // Nothing goes into what is opaque.
+            None if !leaf.is_clear => Within::one(leaf.solid),
+            behind => behind?,
+        };
+        let [a, b] = [before, behind].map(|side| self.leaves.get(side.owner() as usize));
+        let is_one_medium = a.zip(b).is_some_and(|(a, b)| a.medium == b.medium);
+        (!is_one_medium).then_some([before, behind])
+    }
+
+    /// The solids beyond the surface of one, if there are at most two.
+    fn across(&self, within: Within, solid: u32) -> Option<Within> {
+        let operand = |solid: u32| self.leaves[solid as usize].operand;
+        Some(match within.0 {
+            [NONE, _] => Within::one(solid),
+            _ if within.has(solid) => within.without(solid),
+            [only, NONE] if operand(only) < operand(solid) => Within([only, solid]),
+            [only, NONE] => Within([solid, only]),
+            _ => return None,
+        })
     }
 
     /// Looks for the first surface among those of a block; `false`: the kernel does not know.
@@ -207,7 +256,7 @@ impl Stage<'_> {
             maybe &= maybe - 1;
             let number = block.leaves[lane];
             let leaf = &self.leaves[number as usize];
-            if leaf.twin == start.left && number != start.within {
+            if leaf.twin == start.left && !start.within.has(number) {
                 if start.goes_in && leaf.is_solid {
                     return false;
                 }
@@ -223,11 +272,14 @@ impl Stage<'_> {
                 end,
                 is_exit,
             };
-            if number == start.within {
+            if start.within.has(number) {
                 if out.t <= 2.0 * (skin + out.error) {
                     return false;
                 }
-                best.consider(crossing(out, true));
+                match is_hidden(leaf) {
+                    true => scratch.hidden.push((number, out)),
+                    false => best.consider(crossing(out, true)),
+                }
                 continue;
             }
             if out.t < -(skin + out.error) {
@@ -257,24 +309,20 @@ impl Stage<'_> {
         tests: &mut Tests,
     ) -> Met {
         if !matches!(own.kind, Kind::Other | Kind::Csg) {
-            return Met::Surface(Crossing {
-                surface: start.within,
+            let crossing = Crossing {
+                surface: start.within.owner(),
                 is_exit: true,
                 ..Crossing::NONE
-            });
+            };
+            return Met::Surface(crossing, [start.within, Within::NOTHING]);
         }
         tests.shapes += 1;
         let query = Query::new(start);
         let everywhere = [-query.skin, f64::INFINITY];
-        match self.meet_alone(
-            &query,
-            start.within,
-            everywhere,
-            Ask::First,
-            (scratch, tests),
-        ) {
+        let own = start.within.owner();
+        match self.meet_alone(&query, own, everywhere, Ask::First, (scratch, tests)) {
             Crossed::Ahead => match scratch.ahead.first() {
-                Some(&crossing) => Met::Surface(crossing),
+                Some(&crossing) => Met::Surface(crossing, [start.within, Within::NOTHING]),
                 None => Met::Doubt,
             },
             Crossed::Nothing | Crossed::Somewhere | Crossed::Doubt => Met::Doubt,
@@ -293,13 +341,16 @@ impl Stage<'_> {
         }
     }
 
-    /// Where a ray that starts on a leaf with lanes and goes into it comes out again.
+    /// Where a ray that starts in a leaf with lanes comes out of it.
     #[inline(always)]
     pub(super) fn way_out(&self, probe: &Probe, leaf: &Leaf, skin: f64) -> Option<End> {
         let t = match leaf.kind {
             Kind::Sphere => {
-                let term = |i: usize| (leaf.numbers[i] - probe.origin[i]) * probe.direction[i];
-                2.0 * (term(0) + term(1) + term(2)) * probe.per_square
+                let [x, y, z, radius, ..] = leaf.numbers;
+                let to_centre = Vec3([x, y, z]) - Vec3(probe.origin);
+                let middle = to_centre.dot(Vec3(probe.direction)) * probe.per_square;
+                let depth = (radius * radius - to_centre.dot(to_centre)) * probe.per_square;
+                middle + (middle * middle + depth).max(0.0).sqrt()
             }
             Kind::Cuboid => {
                 let far = |i: usize| {

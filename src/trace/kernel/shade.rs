@@ -1,9 +1,10 @@
 //! Where rays go from the surfaces that they meet, four at a time.
 
 use super::lanes::{Lanes, V3, WIDTH, either, gathered, is_greater, is_less, lanes_where, mask};
-use super::leaf::Leaf;
-use super::query::{Crossing, NONE, Start};
+use super::leaf::{Leaf, Way};
+use super::query::{Crossing, Start, Within};
 use super::resolved::Resolved;
+use super::stage::Stage;
 use super::wave::{MIRRORED, Node, Ray, Scene, Tile};
 use crate::geometry::array::each;
 use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
@@ -33,21 +34,32 @@ impl Tile {
         }
         clear &= hits.live;
         if scene.features.glass && clear != 0 {
-            // From one solid into another is not for the kernel.
-            self.doubt(four, clear & solid & four.inside & !four.exit);
-            let ways = each(four.leaves, |leaf| leaf.way_count);
-            let most = ways.into_iter().fold(0, u32::max);
-            for way in 0..most as usize {
-                let goes = clear & lanes_where(|lane| way < ways[lane] as usize);
-                let total = self.refract(scene, (four, hits), goes, (weight, way));
+            let from_one_into_another;
+            let mut ways = each(four.leaves, |leaf| &leaf.ways[..leaf.way_count as usize]);
+            let is_between =
+                |lane: usize| four.rays[lane].sides.iter().all(|side| !side.is_empty());
+            let between = clear & solid & lanes_where(is_between);
+            if between != 0 {
+                from_one_into_another = self.ways_between(scene.stage, four);
+                for lane in (0..WIDTH).filter(|lane| between >> lane & 1 != 0) {
+                    let (all, count) = &from_one_into_another[lane];
+                    ways[lane] = &all[..*count as usize];
+                }
+            }
+            let most = ways.into_iter().fold(0, |most, ways| ways.len().max(most));
+            for number in 0..most {
+                let goes = clear & lanes_where(|lane| number < ways[lane].len());
+                let ways = each(ways, |ways| ways.get(number).unwrap_or(&Way::NONE));
+                let total = self.refract(scene, (four, hits), goes, (weight, ways, number));
                 if total != 0 {
-                    let kt = V3::gathered(four.leaves, |leaf| &leaf.ways[way].kt);
+                    let kt = V3::gathered(ways, |way| &way.kt);
                     mirrored = V3::either(mask(total), mirrored + kt, mirrored);
                 }
             }
             if most > 1 {
                 for lane in (0..WIDTH).filter(|lane| clear >> lane & 1 != 0) {
-                    self.pixels[four.rays[lane].pixel as usize].parted += ways[lane] - 1;
+                    let parted = ways[lane].len() as u32 - 1;
+                    self.pixels[four.rays[lane].pixel as usize].parted += parted;
                 }
             }
         }
@@ -69,6 +81,25 @@ impl Tile {
         }
     }
 
+    /// The ways through surfaces with a solid on either side.
+    #[cold]
+    fn ways_between(&self, stage: &Stage, four: &Four) -> [([Way; 3], u32); WIDTH] {
+        each([0, 1, 2, 3], |lane: usize| {
+            let owner = |side: Within| stage.leaves.get(side.owner() as usize);
+            let [Some(before), Some(behind)] = four.rays[lane].sides.map(owner) else {
+                return ([Way::NONE; 3], 0);
+            };
+            let kt = four.leaves[lane].kt;
+            let may_part = !stage.graph.without.dispersion;
+            let (ways, count) = Way::through(kt, before.index, behind.index, may_part);
+            let both = |way: Way| Way {
+                ratios: [way.ratios[0]; 2],
+                ..way
+            };
+            (each(ways, both), count)
+        })
+    }
+
     /// Sends on what goes through on one of the ways of each leaf; returns, as bits, where it is totally reflected.
     #[inline(always)]
     fn refract(
@@ -76,10 +107,9 @@ impl Tile {
         scene: &Scene,
         (four, hits): (&Four, &Hits),
         goes: u32,
-        (weight, way): (V3, usize),
+        (weight, ways, way): (V3, [&Way; WIDTH], usize),
     ) -> u32 {
         let splat = Lanes::splat;
-        let ways = each(four.leaves, |leaf| &leaf.ways[way]);
         let straight = lanes_where(|lane| ways[lane].is_straight);
         let inwards = gathered(ways, |way| way.ratios[0]);
         let outwards = gathered(ways, |way| way.ratios[1]);
@@ -136,16 +166,8 @@ impl Tile {
             }
             let from = four.rays[lane];
             let (is_straight, within, child) = match goes_on {
-                Goes::Through { straight, way } => {
-                    let within = match from.start.within {
-                        same if !four.leaves[lane].is_solid => same,
-                        NONE => four.leaves[lane].solid,
-                        // Out of it, since into a second one is not for the kernel.
-                        _ => NONE,
-                    };
-                    (straight >> lane & 1 != 0, within, way)
-                }
-                Goes::Back => (false, from.start.within, MIRRORED),
+                Goes::Through { straight, way } => (straight >> lane & 1 != 0, from.sides[1], way),
+                Goes::Back => (false, from.sides[0], MIRRORED),
             };
             let is_entering = entering >> lane & 1 != 0;
             let depth = from.depth + u32::from(!is_straight);
@@ -173,6 +195,7 @@ impl Tile {
                 pixel: from.pixel,
                 depth,
                 met: Crossing::NONE,
+                sides: [Within::NOTHING; 2],
             });
         }
         match goes_on {
@@ -202,8 +225,7 @@ pub struct Four<'a> {
     pub direction: V3,
     /// The rays that come out of the leaf that they meet, as bits.
     pub far: u32,
-    /// The rays that start inside of something, and those of them that come out of it there.
-    pub inside: u32,
+    /// The rays that come out of something that they start in.
     pub exit: u32,
 }
 
@@ -214,11 +236,10 @@ impl<'a> Four<'a> {
         let rays = [ray(a), ray(b), ray(c), ray(d)];
         let leaf = |ray: &Ray| &leaves[ray.met.surface as usize];
         let solids = [leaf(rays[0]), leaf(rays[1]), leaf(rays[2]), leaf(rays[3])];
-        let [mut far, mut inside, mut exit] = [0; 3];
+        let [mut far, mut exit] = [0; 2];
         for (lane, ray) in rays.iter().enumerate() {
             far |= u32::from(ray.met.is_exit) << lane;
-            inside |= u32::from(ray.start.within != NONE) << lane;
-            exit |= u32::from(ray.start.within == solids[lane].solid) << lane;
+            exit |= u32::from(ray.start.within.has(solids[lane].solid)) << lane;
         }
         Four {
             rays,
@@ -226,7 +247,6 @@ impl<'a> Four<'a> {
             origin: V3::gathered(rays, |ray| &ray.start.origin),
             direction: V3::gathered(rays, |ray| &ray.start.direction),
             far,
-            inside,
             exit,
         }
     }

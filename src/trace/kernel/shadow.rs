@@ -4,7 +4,7 @@ use super::bundle::Blocks;
 use super::leaf::{Kind, Leaf};
 use super::probe::Probe;
 use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Start, Tests};
-use super::scratch::{Passed, Scratch};
+use super::scratch::{Face, Passed, Scratch};
 use super::stage::{Shapes, Stage};
 use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH};
@@ -38,9 +38,12 @@ const TO: f64 = 1.0 - 1.0 / (1u64 << 27) as f64;
 /// Transparent things on the way to a lamp at most.
 const PASSED: usize = 64;
 /// Before the start of every ray.
-const BEFORE: End = End {
-    t: -1.0,
-    error: 0.0,
+const BEFORE: Face = Face {
+    end: End {
+        t: -1.0,
+        error: 0.0,
+    },
+    surface: NONE,
 };
 
 /// Whether a place is before the lamp; `None` where that is not known.
@@ -65,14 +68,16 @@ impl Stage<'_> {
         scratch: &mut Scratch,
         tests: &mut Tests,
     ) -> Light {
-        if start.within == NONE && along.is_some_and(|along| along.is_empty()) {
+        if start.within.is_empty() && along.is_some_and(|along| along.is_empty()) {
             return Light::Seen(Vec3::ONE);
         }
         let query = Query::new(start);
         scratch.passed.clear();
         let mut blocked = None;
-        if start.within != NONE && !self.leaves_own(&query, &mut blocked, scratch, tests) {
-            return Light::Doubtful;
+        for solid in start.within.0.into_iter().filter(|&solid| solid != NONE) {
+            if !self.leaves_own(&query, solid, &mut blocked, scratch, tests) {
+                return Light::Doubtful;
+            }
         }
         match along {
             Some(along) => {
@@ -117,7 +122,7 @@ impl Stage<'_> {
         }
         match blocked {
             Some(blocked) => self.behind_glass(blocked, &scratch.passed),
-            None => self.share(&mut scratch.passed),
+            None => self.share(scratch),
         }
     }
 
@@ -147,7 +152,7 @@ impl Stage<'_> {
             maybe &= maybe - 1;
             let own = block.leaves[lane];
             let leaf = &self.leaves[own as usize];
-            if own == start.within {
+            if start.within.has(own) {
                 continue;
             }
             if leaf.twin == start.left {
@@ -170,7 +175,8 @@ impl Stage<'_> {
             if end.t <= skin + end.error {
                 return Found::Doubt;
             }
-            match self.met(own, leaf, [end, out], blocked, scratch) {
+            let faces = [end, out].map(|end| Face { end, surface: own });
+            match self.met(own, faces, blocked, scratch) {
                 Found::Nothing => {}
                 found => return found,
             }
@@ -183,12 +189,12 @@ impl Stage<'_> {
     fn met(
         &self,
         number: u32,
-        leaf: &Leaf,
-        [near, far]: [End; 2],
+        [near, mut far]: [Face; 2],
         blocked: &mut Option<Blocked>,
         scratch: &mut Scratch,
     ) -> Found {
-        match is_on_the_way(near) {
+        let leaf = &self.leaves[number as usize];
+        match is_on_the_way(near.end) {
             Some(false) => return Found::Nothing,
             Some(true) => {}
             None => return Found::Doubt,
@@ -197,19 +203,19 @@ impl Stage<'_> {
             if leaf.is_lone {
                 return Found::Dark;
             }
-            if blocked.is_none_or(|before| near.t < before.end.t) {
+            if blocked.is_none_or(|before| near.end.t < before.end.t) {
                 *blocked = Some(Blocked {
-                    end: near,
+                    end: near.end,
                     operand: leaf.operand,
                 });
             }
             return Found::Nothing;
         }
-        let faces = match is_on_the_way(far) {
-            Some(true) if leaf.is_solid => 2,
-            Some(_) => 1,
+        match is_on_the_way(far.end) {
+            Some(true) if leaf.is_solid => {}
+            Some(_) => far.surface = NONE,
             None => return Found::Doubt,
-        };
+        }
         if scratch.passed.len() == PASSED {
             return Found::Doubt;
         }
@@ -217,7 +223,6 @@ impl Stage<'_> {
             leaf: number,
             near,
             far,
-            faces,
         });
         Found::Nothing
     }
@@ -231,7 +236,7 @@ impl Stage<'_> {
         blocked: &mut Option<Blocked>,
         (scratch, tests): (&mut Scratch, &mut Tests),
     ) -> Found {
-        if number == query.start.within {
+        if query.start.within.has(number) {
             return Found::Nothing;
         }
         let leaf = &self.leaves[number as usize];
@@ -262,56 +267,71 @@ impl Stage<'_> {
         scratch: &mut Scratch,
     ) -> Found {
         let leaf = &self.leaves[number as usize];
+        let face = |crossing: &Crossing| Face {
+            end: crossing.end,
+            surface: crossing.surface,
+        };
+        let endless = Face {
+            end: End::NEVER,
+            surface: NONE,
+        };
         let chords = ahead.chunks(if leaf.is_solid { 2 } else { 1 });
-        let mut ends = chords.map(|chord| match chord {
-            [near, far] => [near.end, far.end],
-            [near] if leaf.is_solid => [near.end, End::NEVER],
-            _ => [chord[0].end; 2],
+        let mut faces = chords.map(|chord| match chord {
+            [near, far] => [face(near), face(far)],
+            [near] if leaf.is_solid => [face(near), endless],
+            _ => [face(&chord[0]); 2],
         });
-        let met = |ends| self.met(number, leaf, ends, blocked, scratch);
-        (ends.by_ref().map(met))
+        let met = |faces| self.met(number, faces, blocked, scratch);
+        (faces.by_ref().map(met))
             .find(|found| !matches!(found, Found::Nothing))
             .unwrap_or(Found::Nothing)
     }
 
-    /// Notes where light leaves the leaf that it starts in; whether that is known.
+    /// Notes where light leaves a solid that it starts in; whether that is known.
     #[inline(always)]
     fn leaves_own(
         &self,
         query: &Query,
+        own: u32,
         blocked: &mut Option<Blocked>,
         scratch: &mut Scratch,
         tests: &mut Tests,
     ) -> bool {
-        let start = query.start;
-        let leaf = &self.leaves[start.within as usize];
-        let out = if matches!(leaf.kind, Kind::Other | Kind::Csg) {
+        let leaf = &self.leaves[own as usize];
+        let far = if matches!(leaf.kind, Kind::Other | Kind::Csg) {
             let everywhere = [-query.skin, f64::INFINITY];
-            match self.meet_alone(query, start.within, everywhere, Ask::All, (scratch, tests)) {
+            match self.meet_alone(query, own, everywhere, Ask::All, (scratch, tests)) {
                 Crossed::Ahead => {
                     let mut ahead = std::mem::take(&mut scratch.ahead);
-                    let out = ahead.first().map_or(End::NEVER, |crossing| crossing.end);
+                    let far = ahead.first().map(|crossing| Face {
+                        end: crossing.end,
+                        surface: crossing.surface,
+                    });
                     ahead.drain(..ahead.len().min(1));
                     // It may come back.
-                    let found = self.met_all(start.within, &ahead, blocked, scratch);
+                    let found = self.met_all(own, &ahead, blocked, scratch);
                     scratch.ahead = ahead;
-                    matches!(found, Found::Nothing).then_some(out)
+                    far.filter(|_| matches!(found, Found::Nothing))
                 }
                 Crossed::Nothing | Crossed::Somewhere | Crossed::Doubt => None,
             }
         } else {
             let mut moved = Probe::NONE;
             let probe = self.placed(&query.probe, leaf.placement, &mut moved);
-            self.way_out(probe, leaf, query.skin)
+            let end = self.way_out(probe, leaf, query.skin);
+            end.map(|end| Face { end, surface: own })
         };
-        let Some((out, is_left)) = out.and_then(|out| Some((out, is_on_the_way(out)?))) else {
+        let Some((mut far, is_left)) = far.and_then(|far| Some((far, is_on_the_way(far.end)?)))
+        else {
             return false;
         };
+        if !is_left {
+            far.surface = NONE;
+        }
         scratch.passed.push(Passed {
-            leaf: start.within,
+            leaf: own,
             near: BEFORE,
-            far: out,
-            faces: u32::from(is_left),
+            far,
         });
         true
     }
@@ -321,7 +341,8 @@ impl Stage<'_> {
     #[cold]
     fn behind_glass(&self, blocked: Blocked, passed: &[Passed]) -> Light {
         let hides = |around: &Passed| {
-            let is_apart = blocked.end.is_before(around.near) || around.far.is_before(blocked.end);
+            let is_apart =
+                blocked.end.is_before(around.near.end) || around.far.end.is_before(blocked.end);
             !is_apart && self.leaves[around.leaf as usize].operand < blocked.operand
         };
         match passed.iter().any(hides) {
@@ -332,23 +353,77 @@ impl Stage<'_> {
 
     /// What is left of light behind all that it passes.
     #[inline(always)]
-    fn share(&self, passed: &mut [Passed]) -> Light {
-        let mut share = Vec3::ONE;
-        if passed.len() > 1 {
-            passed.sort_unstable_by(|a, b| a.near.t.total_cmp(&b.near.t));
+    fn share(&self, scratch: &mut Scratch) -> Light {
+        match &scratch.passed[..] {
+            [] => Light::Seen(Vec3::ONE),
+            [passed] => {
+                let share = self.behind(Vec3::ONE, passed.near);
+                Light::Seen(self.behind(share, passed.far))
+            }
+            _ => self.share_of_many(scratch),
         }
-        let mut before: Option<&Passed> = None;
-        for next in passed.iter() {
-            let leaf = &self.leaves[next.leaf as usize];
-            // One in another: which faces count is not looked up here.
-            if !leaf.is_lone && before.is_some_and(|before| !before.far.is_before(next.near)) {
+    }
+
+    /// The share of light that is left behind a face.
+    #[inline(always)]
+    fn behind(&self, share: Vec3, face: Face) -> Vec3 {
+        match self.leaves.get(face.surface as usize) {
+            Some(leaf) => share.times(Vec3(leaf.kt)),
+            None => share,
+        }
+    }
+
+    /// The same behind several things. Faces in earlier operands do not count.
+    #[inline(never)]
+    fn share_of_many(&self, Scratch { passed, faces, .. }: &mut Scratch) -> Light {
+        faces.clear();
+        for (number, passed) in (0..).zip(&*passed) {
+            let both = [passed.near, passed.far].into_iter();
+            faces.extend(
+                both.filter(|face| face.surface != NONE)
+                    .map(|face| (face, number)),
+            );
+        }
+        faces.sort_unstable_by(|(a, _), (b, _)| a.end.t.total_cmp(&b.end.t));
+        let mut share = Vec3::ONE;
+        let mut before: Option<Face> = None;
+        for &(face, number) in &*faces {
+            let own = &self.leaves[passed[number as usize].leaf as usize];
+            if !own.is_lone && own.is_solid {
+                let mut around: Option<&Leaf> = None;
+                let mut is_hidden = false;
+                for (_, other) in (0..).zip(&*passed).filter(|(other, _)| *other != number) {
+                    if face.end.is_before(other.near.end) || other.far.end.is_before(face.end) {
+                        continue;
+                    }
+                    let is_in =
+                        other.near.end.is_before(face.end) && face.end.is_before(other.far.end);
+                    let leaf = &self.leaves[other.leaf as usize];
+                    if !(is_in && leaf.is_solid) {
+                        return Light::Doubtful;
+                    }
+                    is_hidden |= leaf.operand < own.operand;
+                    if around.is_none_or(|around| leaf.operand < around.operand) {
+                        around = Some(leaf);
+                    }
+                }
+                if is_hidden {
+                    continue;
+                }
+                // Light goes on as if there were nothing.
+                if around.is_some_and(|around| around.medium == own.medium) {
+                    return Light::Doubtful;
+                }
+            }
+            let is_next = |before: Face| {
+                let kt = [before, face].map(|face| self.leaves[face.surface as usize].kt);
+                before.end.is_before(face.end) || kt[0] == kt[1]
+            };
+            if !before.is_none_or(is_next) {
                 return Light::Doubtful;
             }
-            let kt = Vec3(leaf.kt);
-            for _ in 0..next.faces {
-                share = share.times(kt);
-            }
-            before = Some(next);
+            share = self.behind(share, face);
+            before = Some(face);
         }
         Light::Seen(share)
     }

@@ -11,7 +11,7 @@ use super::leaf::{Colour, KINDS, Kind, Leaf};
 use super::light::Lit;
 use super::place;
 use super::plane::Planes;
-use super::query::{Crossing, NONE, Start};
+use super::query::{Crossing, NONE, Start, Within};
 use super::rectangle::Rectangles;
 use super::resolved::{Meet, Resolved};
 use super::scalar::{self, Place};
@@ -51,6 +51,8 @@ pub struct Ray {
     pub depth: u32,
     /// Where it has met something.
     pub met: Crossing,
+    /// The solids before and behind that.
+    pub sides: [Within; 2],
 }
 
 /// The light of a ray, and the rays that go on from where it ends: one for each way through, and the mirrored one.
@@ -134,13 +136,14 @@ impl Tile {
                     skin: 0.0,
                     left: NONE,
                     goes_in: false,
-                    within: NONE,
+                    within: Within::NOTHING,
                 },
                 weight: [1.0; 3],
                 node: i,
                 pixel: i,
                 depth: 0,
                 met: Crossing::NONE,
+                sides: [Within::NOTHING; 2],
             });
             if !(origin.is_finite() && direction.is_finite() && direction.any()) {
                 self.pixels[i as usize].is_doubtful = true;
@@ -206,8 +209,8 @@ impl Tile {
                     let light = scene.background.times(Vec3(ray.weight));
                     self.nodes[ray.node as usize].light = light;
                 }
-                Met::Surface(crossing) => {
-                    ray.met = crossing;
+                Met::Surface(crossing, sides) => {
+                    (ray.met, ray.sides) = (crossing, sides);
                     let leaf = &scene.stage.leaves[crossing.surface as usize];
                     self.met[slot(leaf.kind, leaf.placement != 0)].push(i as u32);
                 }
