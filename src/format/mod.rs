@@ -75,7 +75,10 @@ fn attempt(
     let mut care = Care {
         zeros: broken,
         // Another layout would hide what is suspicious about them.
-        items: document.doubted.iter().copied().collect(),
+        items: (document.doubted.iter())
+            .chain(&document.redefining)
+            .copied()
+            .collect(),
     };
     for round in 0..ROUNDS {
         let (result, edit) = print(text, document, options, &care, wanted.clone());

@@ -3,10 +3,12 @@
 
 #![warn(missing_docs)]
 
+use rustc_hash::FxHashMap;
+
 use super::contents::Contents;
 use super::lexed::Lexed;
-use super::lexer::Token;
-use super::table::{RecordKind, RecordType};
+use super::lexer::{Token, TokenKind};
+use super::table::{Effect, Kind, RecordKind, RecordType};
 use crate::diagnostics::{Code, Diagnostic, Span};
 
 /// A parsed scene text.
@@ -27,6 +29,9 @@ pub struct Document {
     /// The first tokens of records that take their last numbers from a line which would be a record of its own: W314
     /// says so. Another layout would hide it.
     pub doubted: Vec<u32>,
+    /// The first tokens of records behind another one on its line that define an ID anew: they are rather surplus numbers
+    /// of that one, as the last operands in `12 -101 2 3 4 5 6 7 8 9`.
+    pub redefining: Vec<u32>,
 }
 
 /// Something that stands in the file in the place of a record.
@@ -124,6 +129,20 @@ impl Item {
         }
     }
 
+    /// The ID that it defines and does not change.
+    fn defined(&self) -> Option<u32> {
+        let (id, kind) = match self {
+            Item::Record(r) => (r.id, r.kind),
+            Item::Broken(b) => (b.id?, b.kind?),
+            Item::Void { .. } => return None,
+        };
+        let is_definition = match RecordType::of(kind).effect {
+            Effect::Defines(kind) => kind != Kind::Undefined,
+            Effect::Changes(_) | Effect::DefinesOrChanges(..) => false,
+        };
+        is_definition.then_some(id)
+    }
+
     /// Token indices of its first and last token.
     pub fn ends(&self) -> (u32, u32) {
         match *self {
@@ -162,6 +181,7 @@ impl Document {
             values,
             searched,
             doubted: Vec::new(),
+            redefining: Vec::new(),
         }
     }
 
@@ -176,6 +196,29 @@ impl Document {
             self.doubted.extend(turned);
             self.doubted.sort_unstable();
         }
+        self.redefining = self.redefining();
+    }
+
+    fn redefining(&self) -> Vec<u32> {
+        let is_behind = |two: &&[Item]| {
+            let between = two[0].ends().1 + 1..two[1].ends().0;
+            let mut between = self.tokens[between.start as usize..between.end as usize].iter();
+            matches!(two[0], Item::Record(_)) && between.all(|t| t.kind() != TokenKind::Newline)
+        };
+        let behind = self.items.windows(2).filter(is_behind);
+        // No operation has itself as an operand.
+        let behind = behind.filter(|two| two[0].record().map(|r| r.id) != two[1].defined());
+        let behind = behind.filter_map(|two| Some((two[1].defined()?, two[1].ends().0)));
+        let behind: Vec<(u32, u32)> = behind.collect();
+        if behind.is_empty() {
+            return Vec::new();
+        }
+        let mut counts: FxHashMap<u32, usize> = FxHashMap::default();
+        for id in self.items.iter().filter_map(Item::defined) {
+            *counts.entry(id).or_default() += 1;
+        }
+        let again = behind.into_iter().filter(|(id, _)| counts[id] > 1);
+        again.map(|(_, first)| first).collect()
     }
 
     /// Whether a record turns about axis 0, which is none: what follows may be numbers of it, as the angles about y and z
@@ -188,6 +231,11 @@ impl Document {
     /// Whether the record that begins with a token is among the doubted ones.
     pub fn is_doubted(&self, first: u32) -> bool {
         self.doubted.binary_search(&first).is_ok()
+    }
+
+    /// Whether the record that begins with a token is among the [`redefining`](Self::redefining) ones.
+    pub fn is_redefining(&self, first: u32) -> bool {
+        self.redefining.binary_search(&first).is_ok()
     }
 
     /// The index of the item to which a place in the text belongs.

@@ -824,3 +824,72 @@ fn no_guess_follows_another_one() {
     let moved = "2 11 0 0 0 1\n2 -1 0 0 90\n";
     assert_eq!(fixed(&format!("{written}{REST}")), format!("{moved}{REST}"));
 }
+
+/// What a fix that is certain writes, and what a guess writes.
+fn written(text: &str) -> (String, String) {
+    let safe = fixing::to_fixed_point(read(text), false, Analysis::of);
+    (safe.analysis.source.text.clone(), fixed(text))
+}
+
+/// A union of many operands stays on its line, though its last numbers look like a record.
+#[test]
+fn operands_that_look_like_a_record() {
+    let ball = |id: u32| format!("{id} 11 {} 0 0 1\n", 3 * id);
+    for (ids, line, count) in [
+        (2..10, "12 -101 2 3 4 5 6 7 8 9", 7),
+        (2..8, "14 -101 2 7 3 4 5", 4),
+    ] {
+        let balls: String = ids.map(ball).collect();
+        let rest = REST.replace("9999 2", &format!("9999 {}", &line[..2]));
+        let text = format!("{balls}{line}\n{}", rest.replacen('9', "40", 1));
+        let all = repair::proposals(&read(&text));
+        assert!(all.iter().all(|d| d.code != Code::S503), "{all:?}");
+        let (safe, guessed) = written(&text);
+        assert_eq!(safe, text);
+        assert_eq!(guessed.matches(" -101 ").count(), count);
+        let printed = format(&text, &read(&text).document, &Options::default());
+        assert!(printed.contains(line), "{printed}");
+    }
+    // Two records are two.
+    let (safe, _) = written(&format!("2 9 1 3 9 2\n4 -101 2 3\n{REST}"));
+    assert!(safe.starts_with("2 9 1\n3 9 2\n"), "{safe}");
+}
+
+/// A profile that has lost a number is no profile without its count.
+#[test]
+fn a_lost_number_of_a_profile() {
+    for line in [
+        "2 1 4  0.5 0  0.5 1  0.2 2  0",
+        "2 1 6  0 0  0.8 0  0.6 0.2  0.9  0.8 2  0 0.3",
+    ] {
+        let text = format!("{line}\n{REST}");
+        let all = repair::proposals(&read(&text));
+        let error = all.iter().find(|d| d.is_error()).unwrap();
+        assert_eq!((error.code, error.fixes.len()), (Code::E008, 0));
+        assert_eq!(fixed(&text), text);
+    }
+    let text = format!("2 1 0.5 0 0.5 1 0.2 2\n{REST}");
+    assert_eq!(fixed(&text), text.replace("2 1 0.5", "2 1 3 0.5"));
+}
+
+/// A `#` within a comment, as before the number of a task.
+#[test]
+fn signs_within_comments() {
+    for (comment, meant) in [
+        ("# see #1 top #", "# see 1 top #"),
+        ("# ball #1 #", "# ball 1 #"),
+        ("# see #1 top", "# see 1 top #"),
+    ] {
+        let text = format!("2 11 0 1 0 1 {comment}\n{REST}");
+        let all = repair::proposals(&read(&text));
+        let error = all.iter().find(|d| d.is_error()).unwrap();
+        let shown = fixes::apply(&text, error.fixes.iter()).0;
+        assert_eq!(shown, text.replace(comment, meant));
+        assert_eq!(written(&text), (text.clone(), shown));
+    }
+    let text = format!("# Home #1 #\n2 9 1\n{REST}");
+    let all = repair::proposals(&read(&text));
+    let shown = fixes::apply(&text, all.iter().flat_map(|d| &d.fixes)).0;
+    assert_eq!(shown, text.replace("# Home #1 #", "# Home 1 #"));
+    assert_eq!(fixed(&text), format!("0 {shown}"));
+}

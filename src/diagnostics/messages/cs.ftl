@@ -170,6 +170,7 @@ E002 = tento komentář není ukončen
     .fix = ukončit komentář na konci řádku
 
 E003 = { $text } není číslo
+    .fix-inner = vynechat `#` uvnitř komentáře
     .label = chybně zapsané číslo
     .help = čísla se píší takto: `3`, `-0.5`, `1.5e-3`; minus je obyčejné `-` z klávesnice
     .fix = { fix-write }

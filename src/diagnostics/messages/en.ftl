@@ -166,6 +166,7 @@ E002 = this comment is never closed
     .fix = close the comment at the end of the line
 
 E003 = { $text } is not a number
+    .fix-inner = take out the `#` within the comment
     .label = malformed number
     .help = numbers look like `3`, `-0.5` or `1.5e-3`; the minus is the plain `-` of the keyboard
     .fix = { fix-write }

@@ -23,7 +23,7 @@ fn header(ty: &RecordType) -> String {
 
 /// The comments that nobody closes.
 pub(crate) fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) {
-    for t in tokens {
+    for (i, t) in tokens.iter().enumerate() {
         if t.kind() == TokenKind::UnterminatedComment {
             let end = t.start + t.text(text).trim_end().len() as u32;
             // A sign with nothing behind it closes a comment rather than that it opens one.
@@ -31,16 +31,44 @@ pub(crate) fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) 
                 0 | 1 => Applicability::Unsafe,
                 _ => Applicability::Safe,
             };
-            out.push(
-                Diagnostic::new(Code::E002, Span::new(t.start, end.max(t.start + 1))).fix(
-                    Fix::replace("fix", applicability, Span::new(end, end), " #"),
-                ),
-            );
+            let fix = without_inner_signs(text, &tokens[..=i])
+                .unwrap_or_else(|| Fix::replace("fix", applicability, Span::new(end, end), " #"));
+            let span = Span::new(t.start, end.max(t.start + 1));
+            out.push(Diagnostic::new(Code::E002, span).fix(fix));
         }
     }
 }
 
 /// Reports everything that is wrong with the pieces of a text.
+/// A comment without the `#` in it, as in `# see #1 top #`, where the last token is that comment or what such a sign has
+/// left of it.
+fn without_inner_signs(text: &str, tokens: &[Token]) -> Option<Fix> {
+    let (last, before) = tokens.split_last()?;
+    let words = last.text(text).trim_end();
+    let end = last.start + words.len() as u32;
+    let is_tag = |sign: usize| {
+        text[sign + 1..].starts_with(char::is_alphanumeric) && text[..sign].ends_with(' ')
+    };
+    let mut inside = words.match_indices('#').skip(1);
+    let begin = match words {
+        _ if inside.any(|(at, _)| is_tag(last.start as usize + at)) => last.start,
+        // As in `# ball #1 #`: the sign has closed the comment, and the last one is left over.
+        "#" => {
+            let on_line = |t: &&Token| t.kind() != TokenKind::Newline;
+            let mut on_line = before.iter().rev().take_while(on_line);
+            let closed = on_line.find(|t| t.kind() == TokenKind::Comment)?;
+            is_tag(closed.end() as usize - 1).then_some(closed.start)?
+        }
+        _ => return None,
+    };
+    let span = Span::new(begin, end);
+    let words = text[span.range()].replace('#', "");
+    let words: Vec<&str> = words.split_whitespace().collect();
+    let comment = format!("# {} #", words.join(" "));
+    let fix = Fix::replace("fix-inner", Applicability::Unsafe, span, comment);
+    Some(fix)
+}
+
 pub(crate) fn pieces(
     stretch: &Stretch,
     witnesses: &Witnesses,

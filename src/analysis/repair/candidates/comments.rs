@@ -44,7 +44,12 @@ impl LineContext<'_> {
             starts.extend(self.all.iter().position(first));
         }
         for i in starts {
-            let i = separators_before(i);
+            let mut i = separators_before(i);
+            // A sign that stands before a word, as in `# see #1 top`, closes no comment.
+            let is_closed = |t: &Token| t.kind() == TokenKind::Comment;
+            if i > 0 && is_closed(&self.all[i - 1]) && self.all[i - 1].end() == self.all[i].start {
+                i -= 1;
+            }
             if !self.all[i..].iter().any(is_wordy) {
                 continue;
             }

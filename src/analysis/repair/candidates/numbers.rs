@@ -173,7 +173,8 @@ impl LineContext<'_> {
         (is_one && points.len() % each == 0 && count > 1).then_some(count)
     }
 
-    /// The number of points in front of the points of a profile that has none.
+    /// The number of points in front of the points of a profile that has none. Where the first number says that one is
+    /// missing, it is rather the number of points.
     fn lost_count(&self) -> Option<Candidate> {
         let ty = self.ty().filter(|ty| ty.is_counted() && !self.fits(ty))?;
         let (base, point) = (ty.arity(0), ty.arity(1) - ty.arity(0));
@@ -181,6 +182,9 @@ impl LineContext<'_> {
         let points = (numbers + 1).checked_sub(base)? / point;
         let is_whole = points >= 2 && ty.arity(points) == numbers + 1;
         let first = self.params().first().filter(|_| is_whole)?;
+        if first.integer(self.text).and_then(|n| u64::try_from(n).ok()) == Some(points) {
+            return None;
+        }
         let text = format!("{points} {}", first.text(self.text));
         self.write(Habit::Count, &[(*first, text)])
     }

@@ -65,6 +65,11 @@ fn report(context: &Context, line: &Line, ends: bool, out: &mut Vec<Diagnostic>)
     let Some(first) = line.more.first() else {
         return;
     };
+    // That one is rather surplus numbers of the record before is an error.
+    let is_surplus = |item: &&Item| context.document.is_redefining(item.ends().0);
+    if line.more.iter().any(is_surplus) {
+        return;
+    }
     let text = context.text;
     let mut edits = line.torn.map_or(Vec::new(), |torn| joined(context, torn));
     edits.extend(line.more.iter().map(|item| {
