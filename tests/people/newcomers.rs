@@ -893,3 +893,23 @@ fn signs_within_comments() {
     assert_eq!(shown, text.replace("# Home #1 #", "# Home 1 #"));
     assert_eq!(fixed(&text), format!("0 {shown}"));
 }
+
+/// A guess is judged in the scene that the guesses of other lines make, and an ID that one of them defines is defined.
+#[test]
+fn guesses_beside_other_errors() {
+    let scene = |second: &str, hole: &str, lamp: &str| {
+        format!(
+            "2 11 0 1.5 0 1.5\n{second} 0 1.5 0 1.3\n4 12 -2 1.8 -2 2 4 2\n5 {hole} 2 3\n6 -103 5 4\n\
+             9 -501 0 5 12 0 -0.35 -1 0 1 0 40\n50 {lamp}\n50 -1 5 9 6\n1 9999 6 0\n"
+        )
+    };
+    let meant = scene("3 11", "-103", "-402 0.8");
+    for (second, hole, lamp) in [
+        ("2 11", "-103", "-402 0,8"),
+        ("311", "-103", "402 0.8"),
+        ("3 11", "-13", "-402 O.8"),
+        ("3 11", "-13", "402 0.8"),
+    ] {
+        assert_eq!(fixed(&scene(second, hole, lamp)), meant);
+    }
+}

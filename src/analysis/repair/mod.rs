@@ -46,6 +46,7 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
         analysis,
         findings,
         trials: TRIALS.min(TOKENS / tokens.max(1)),
+        postponed: None,
     };
     if analysis.is_records() && engine.findings.iter().any(is_tried) {
         heads::retell(engine.analysis, &mut engine.findings);
@@ -78,6 +79,8 @@ struct Engine<'a> {
     findings: Vec<Diagnostic>,
     /// How many trials are left.
     trials: usize,
+    /// The findings to be mended again when those on other lines have their proposals, while such ones are looked for.
+    postponed: Option<Vec<Diagnostic>>,
 }
 
 /// A candidate, the scene that it makes, and where the line is in that.
@@ -196,8 +199,10 @@ impl Engine<'_> {
         }
     }
 
-    /// What is wrong with single lines, one after the other.
+    /// What is wrong with single lines, one after the other. A choice between guesses waits for those of other lines: a
+    /// scene with an error tells little of them.
     fn lines(&mut self) {
+        self.postponed = Some(Vec::new());
         let mut mended: Option<Span> = None;
         let mut at = 0;
         while at < self.findings.len() && self.trials > 1 {
@@ -209,17 +214,27 @@ impl Engine<'_> {
             if is_tried(finding)
                 && !done
                 && !settled
-                && let Some(place) = (LineContext::both(self.analysis, finding.span.start).iter())
-                    .find(|place| self.mend(at, place))
+                && let Some(line) = self.mend_line(at)
             {
-                let end = place.line().end;
-                mended = Some(place.line());
+                mended = Some(line);
                 // What came before may be gone.
-                at = self.findings.partition_point(|d| d.span.start <= end);
+                at = self.findings.partition_point(|d| d.span.start <= line.end);
                 continue;
             }
             at += 1;
         }
+        for finding in self.postponed.take().unwrap_or_default() {
+            if let Some(at) = self.findings.iter().position(|d| *d == finding) {
+                self.mend_line(at);
+            }
+        }
+    }
+
+    /// Mends the line of a finding, or postpones that: the line, if there is something to be proposed.
+    fn mend_line(&mut self, at: usize) -> Option<Span> {
+        let places = LineContext::both(self.analysis, self.findings[at].span.start);
+        let place = places.iter().find(|place| self.mend(at, place))?;
+        Some(place.line())
     }
 
     /// Says of records with too few numbers which these are.
@@ -249,7 +264,9 @@ impl Engine<'_> {
         });
         // An error that has no proposal may come of this one.
         let is_hopeless = |d: &Diagnostic| d.is_error() && d.fixes.is_empty() && *d != finding;
-        if !is_new && !self.findings.iter().any(is_hopeless) {
+        let is_undefined = finding.code == Code::E101;
+        let is_asked = is_new || self.findings.iter().any(is_hopeless);
+        if !is_asked && !is_undefined {
             return false;
         }
         let knows_characters = candidates.iter().any(|c| c.habit == Habit::Characters);
@@ -287,9 +304,21 @@ impl Engine<'_> {
         let others: Vec<Fix> = (self.findings.iter().filter(elsewhere))
             .filter_map(|d| d.applicable_fix(true).or(d.fixes.first()).cloned())
             .collect();
-        let Some(base) = self.attempt(None, &others) else {
+        if !is_asked && others.is_empty() {
+            return false;
+        }
+        let Some((base, own_line)) = self.attempt_at(None, &others, line) else {
             return false;
         };
+        // A guess on another line defines it.
+        let is_choice = |f: &Fix| f.applicability == Applicability::Choice;
+        if is_undefined && !has_error_at(&base, own_line) && !others.iter().any(is_choice) {
+            self.findings.remove(at);
+            return true;
+        }
+        if !is_asked {
+            return false;
+        }
         let errors_before = judge::errors(&base);
         let mut trials: Vec<Trial> = Vec::new();
         for candidate in candidates {
@@ -333,6 +362,14 @@ impl Engine<'_> {
         let is_slight = |t: &Trial| matches!(t.candidate.habit, Habit::Sign | Habit::Digit);
         if trials.iter().any(is_slight) {
             trials.retain(is_slight);
+        }
+        let is_open = |d: &Diagnostic| is_hopeless(d) && !line.touches(d.span);
+        if trials.len() > 1
+            && self.findings.iter().any(is_open)
+            && let Some(postponed) = &mut self.postponed
+        {
+            postponed.push(finding);
+            return true;
         }
         let is_choice = trials.len() > 1 || !finding.is_error();
         let mut judged: Vec<(Left, Trial)> = (trials.into_iter())
