@@ -22,6 +22,7 @@
 //! middle of a line to another one, or takes up lines that look like records of their own.
 
 pub mod ast;
+mod calculated;
 pub mod captions;
 pub mod commas;
 pub mod commented_out;
@@ -45,6 +46,7 @@ pub mod table;
 pub mod words;
 
 pub use ast::{Document, Item, Record};
+pub use calculated::calculated;
 pub use captions::Captions;
 pub use directive::is_directive;
 pub use parser::parse;

@@ -913,3 +913,23 @@ fn guesses_beside_other_errors() {
         assert_eq!(fixed(&scene(second, hole, lamp)), meant);
     }
 }
+
+/// Arithmetic is done, and another sign in the place of a point becomes one.
+#[test]
+fn numbers_to_be_calculated() {
+    for (number, meant) in [
+        ("2^3", "8"),
+        ("√2", "1.4142135623730951"),
+        ("0'8", "0.8"),
+        ("0·8", "0.8"),
+        ("0:8", "0.8"),
+        ("3*0.3", "0.9"),
+        ("0.7+0.2", "0.9"),
+        ("½", "0.5"),
+        ("0.7f", "0.7"),
+    ] {
+        let text = |number: &str| format!("2 11 0 1 0 {number}\n{REST}");
+        let (safe, guessed) = written(&text(number));
+        assert_eq!((safe, guessed), (text(number), text(meant)));
+    }
+}

@@ -1,6 +1,8 @@
 //! Numbers in other characters than those of the language: letters that look like digits, typographic
 //! minus signs, per cent and degree signs, fractions.
 
+use crate::syntax::calculated;
+
 /// Characters that may stand for a minus sign.
 const DASHES: [char; 8] = ['−', '–', '—', '‐', '‑', '‒', '﹣', '－'];
 
@@ -31,7 +33,12 @@ pub(super) fn number(text: &str) -> Option<String> {
         let value = plain(above)?.parse::<f64>().ok()? / plain(below)?.parse::<f64>().ok()?;
         return value.is_finite().then(|| value.to_string());
     }
-    plain(text).or_else(|| plain(&without_shift(text)?))
+    // As programs write a number of single precision.
+    let single = || text.strip_suffix('f').filter(|t| t.contains('.'));
+    plain(text)
+        .or_else(|| calculated(text))
+        .or_else(|| plain(single()?))
+        .or_else(|| plain(&without_shift(text)?))
 }
 
 /// The digits that were meant by the letters that a Czech keyboard has in their place without the shift key.
@@ -162,6 +169,9 @@ mod tests {
             ("++", "11"),
             ("-ýé+", "-701"),
             ("é,č", "0.4"),
+            ("0.7f", "0.7"),
+            ("2^3", "8"),
+            ("0:8", "0.8"),
         ] {
             assert_eq!(number(text).as_deref(), Some(meant), "{text}");
         }

@@ -1,5 +1,6 @@
 //! Findings of the parser: what is wrong with the broken pieces of a text, in words.
 
+use super::super::calculated::calculated;
 use super::super::lexer::{Token, TokenKind};
 use super::super::quote::quote;
 use super::super::signature::fits;
@@ -39,7 +40,6 @@ pub(crate) fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) 
     }
 }
 
-/// Reports everything that is wrong with the pieces of a text.
 /// A comment without the `#` in it, as in `# see #1 top #`, where the last token is that comment or what such a sign has
 /// left of it.
 fn without_inner_signs(text: &str, tokens: &[Token]) -> Option<Fix> {
@@ -69,6 +69,7 @@ fn without_inner_signs(text: &str, tokens: &[Token]) -> Option<Fix> {
     Some(fix)
 }
 
+/// Reports everything that is wrong with the pieces of a text.
 pub(crate) fn pieces(
     stretch: &Stretch,
     witnesses: &Witnesses,
@@ -560,7 +561,13 @@ fn repaired(text: &str) -> Option<String> {
         let share = share.parse::<f64>().ok().filter(|x| x.is_finite())?;
         return Some((share / 100.0).to_string());
     }
-    if text.contains(['/', '*']) {
+    if let Some(value) = calculated(text) {
+        return Some(value);
+    }
+    // Between two numbers such a sign has a meaning, which is lost without it.
+    let is_between = |sign: char| text.trim_end_matches(sign).contains(sign);
+    if text.contains(['/', '*', '√']) || ['^', ':', '·', '\'', '’'].into_iter().any(is_between)
+    {
         let (a, b) = text.split_once('/')?;
         let value = a.parse::<f64>().ok()? / b.parse::<f64>().ok()?;
         return value.is_finite().then(|| value.to_string());

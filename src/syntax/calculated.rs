@@ -1,0 +1,84 @@
+//! What a person has left to be calculated: `3*0.3`, `2^3`, `√2`, `½`; and numbers with another sign for their point.
+
+/// The number that arithmetic, or another sign in the place of a decimal point, stands for.
+pub fn calculated(text: &str) -> Option<String> {
+    let (sign, rest) = match text.strip_prefix('-') {
+        Some(rest) => (-1.0, rest),
+        None => (1.0, text),
+    };
+    if let Some(point) = pointed(rest) {
+        return Some(format!("{}{point}", &text[..text.len() - rest.len()]));
+    }
+    let value = match rest {
+        "½" => 0.5,
+        "¼" => 0.25,
+        "¾" => 0.75,
+        _ => match rest.strip_prefix('√') {
+            Some(of) => number(of)?.sqrt(),
+            None => operation(rest)?,
+        },
+    };
+    // Decimal numbers have no more digits than they were made of.
+    let rounded = format!("{:.11e}", sign * value).parse().unwrap_or(value);
+    let close = (rounded - sign * value).abs() <= 4.0 * f64::EPSILON * value.abs();
+    let shown = if close { rounded } else { sign * value };
+    value.is_finite().then(|| shown.to_string())
+}
+
+/// Two numbers and what is between them.
+fn operation(text: &str) -> Option<f64> {
+    let parts = |sign: &str| {
+        let (a, b) = text.split_once(sign)?;
+        Some((number(a)?, number(b)?))
+    };
+    let power = parts("^").or_else(|| parts("**"));
+    let power = power.map(|(a, b)| a.powf(b));
+    let product = || parts("*").map(|(a, b)| a * b);
+    let sum = || parts("+").map(|(a, b)| a + b);
+    power.or_else(product).or_else(sum)
+}
+
+/// A number with another sign in the place of its decimal point, as `0'8` or `0:8`. Behind another digit than 0 most may
+/// be something else.
+fn pointed(text: &str) -> Option<String> {
+    let at = text.find(['\'', '’', '·', ':'])?;
+    let sign = text[at..].chars().next()?;
+    let (whole, part) = (&text[..at], &text[at + sign.len_utf8()..]);
+    let is_digits = |t: &str| !t.is_empty() && t.bytes().all(|c| c.is_ascii_digit());
+    let is_point = whole == "0" || matches!(sign, '\'' | '’');
+    (is_point && is_digits(whole) && is_digits(part)).then(|| format!("{whole}.{part}"))
+}
+
+fn number(text: &str) -> Option<f64> {
+    let is_number = text.contains(|c: char| c.is_ascii_digit());
+    let value = text.parse::<f64>().ok().filter(|_| is_number)?;
+    value.is_finite().then_some(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::calculated;
+
+    #[test]
+    fn arithmetic_and_points() {
+        for (text, meant) in [
+            ("2^3", "8"),
+            ("2**3", "8"),
+            ("√2", "1.4142135623730951"),
+            ("-√4", "-2"),
+            ("3*0.3", "0.9"),
+            ("0.7+0.2", "0.9"),
+            ("½", "0.5"),
+            ("-½", "-0.5"),
+            ("0'8", "0.8"),
+            ("1’5", "1.5"),
+            ("0·8", "0.8"),
+            ("-0:8", "-0.8"),
+        ] {
+            assert_eq!(calculated(text).as_deref(), Some(meant), "{text}");
+        }
+        for text in ["2:5", "2·5", "3-4", "√", "2^", "0:8:1", "12", "a*b"] {
+            assert_eq!(calculated(text), None, "{text}");
+        }
+    }
+}
