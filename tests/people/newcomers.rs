@@ -933,3 +933,30 @@ fn numbers_to_be_calculated() {
         assert_eq!((safe, guessed), (text(number), text(meant)));
     }
 }
+
+/// An operation without its type: no guess drops an operand.
+#[test]
+fn operations_without_their_type() {
+    for (a, b) in [("32", "33"), ("2", "3"), ("20", "23")] {
+        let scene = |line: &str| {
+            let rest = REST.replace("9999 2", "9999 44");
+            format!("{a} 11 0 0 0 1\n{b} 11 1 0 0 1\n{line}\n{rest}")
+        };
+        let text = scene(&format!("44 {a} {b}"));
+        let all = repair::proposals(&read(&text));
+        let error = all.iter().find(|d| d.is_error()).unwrap();
+        let shown = |fix| fixes::apply(&text, std::iter::once(fix)).0;
+        let proposed: Vec<String> = error.fixes.iter().map(shown).collect();
+        let types = ["-101", "-102", "-103"];
+        assert_eq!(proposed, types.map(|ty| scene(&format!("44 {ty} {a} {b}"))));
+        assert_eq!(fixed(&text), proposed[0]);
+    }
+}
+
+/// A space in the type of what nothing else defines.
+#[test]
+fn types_with_a_space() {
+    let rest = REST.replace("9999 2", "9999 34");
+    let text = format!("34 1 4  0.4 0.1\n34 -701 1 0 0\n{rest}");
+    assert_eq!(fixed(&text), text.replace("1 4  0.4", "14  0.4"));
+}

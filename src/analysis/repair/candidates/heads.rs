@@ -157,7 +157,8 @@ impl LineContext<'_> {
         candidates.collect()
     }
 
-    /// A type with a space in it: `-7 01`. Two positive numbers are rather a type and what follows it.
+    /// A type with a space in it: `-7 01`. Two positive numbers are rather a type and what follows it, unless they make
+    /// the type of what nothing else defines.
     pub(super) fn torn_type(&self) -> Option<Candidate> {
         let (first, second) = (self.tokens.get(1)?, self.tokens.get(2)?);
         let span = first.span().to(second.span());
@@ -167,7 +168,16 @@ impl LineContext<'_> {
         let between = Span::new(first.end(), second.start);
         let is_space = self.text[between.range()].chars().all(|c| c == ' ');
         let joined = format!("{}{}", first.text(self.text), second.text(self.text));
-        let ty = RecordType::by_code(joined.parse().ok()?).filter(|ty| is_space && ty.code < 0)?;
+        let ty = RecordType::by_code(joined.parse().ok()?).filter(|_| is_space)?;
+        let mut entities = self.analysis.scene.entities.iter();
+        let is_defined = entities.any(|e| Some(e.id) == self.id() && !self.line.touches(e.span));
+        let is_lost = matches!(ty.effect, Effect::Defines(_)) && !is_defined;
+        // `9999 1 8 2` is a render record with ID and type swapped.
+        let is_render = self.int(0) == Some(RecordType::of(RecordKind::Render).code.into());
+        let is_lost = is_lost && !is_render && self.tokens.len() > 3;
+        if ty.code > 0 && !is_lost {
+            return None;
+        }
         let mut candidate = self.write_type(Habit::Characters, ty);
         candidate.fix.edits[0].span = span;
         self.fit(ty, &self.tokens[3..]).then_some(candidate)

@@ -282,8 +282,11 @@ impl<'a> LineContext<'a> {
         taken: &[u32],
     ) -> Vec<Candidate> {
         let mut out = Vec::new();
+        let lost = self.lost_operation();
         if let Some(infix) = self.infix().filter(|_| finding.is_error()) {
             out.push(infix);
+        } else if finding.is_error() && !lost.is_empty() {
+            out = lost;
         } else if finding.is_error() {
             self.characters(&mut out);
             // A type is no ID.

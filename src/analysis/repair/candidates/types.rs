@@ -231,6 +231,18 @@ impl LineContext<'_> {
                     candidate
                 }));
             }
+            // The colour or the texture by its ID.
+            (RecordKind::Colour, &[s], _) if self.is_look(s) => {
+                let ty = RecordType::of(RecordKind::Assignment);
+                let span = self.tokens[1].span().to(self.tokens[2].span());
+                let text = format!("{} {s} 0", ty.code);
+                let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
+                out.push(Candidate {
+                    habit: Habit::Sibling,
+                    fix: fix.with("number", quote(&text)),
+                    ty: None,
+                });
+            }
             // A grey, but not six digits as other programs write a colour. It may be a byte or in per cent: another
             // finding says so of the three.
             (RecordKind::Colour, &[s], _)
@@ -260,6 +272,13 @@ impl LineContext<'_> {
             }
             _ => {}
         }
+    }
+
+    /// Whether a number larger than a part of a colour is the ID of a colour or a texture.
+    fn is_look(&self, written: &str) -> bool {
+        let id = written.parse().ok().filter(|&id: &i64| id > 1);
+        let kind = id.and_then(|id| self.kind_of(id));
+        matches!(kind, Some(Kind::Colour | Kind::Texture))
     }
 
     /// One part of light, or its per cent, in the place of three: it may be any of them, and the rest is diffuse.
@@ -337,6 +356,44 @@ impl LineContext<'_> {
         }));
     }
 
+    /// An operation without its type, as in `34 32 33` where 32 and 33 are objects.
+    pub(super) fn lost_operation(&self) -> Vec<Candidate> {
+        let &[head, a, b] = self.tokens.as_slice() else {
+            return Vec::new();
+        };
+        let object = |t: &Token| {
+            let id = t.integer(self.text);
+            id.filter(|&id| self.kind_of(id) == Some(Kind::Object))
+        };
+        let is_one = match (self.id(), object(&a), object(&b)) {
+            (Some(id), Some(a), Some(b)) => a != b && ![a, b].contains(&id.into()),
+            _ => false,
+        };
+        if !is_one || self.ty().is_some_and(|ty| self.fits(ty)) {
+            return Vec::new();
+        }
+        let kinds = [
+            RecordKind::Union,
+            RecordKind::Intersection,
+            RecordKind::Difference,
+        ];
+        let candidates = kinds.map(|kind| self.with_type(&head, RecordType::of(kind)));
+        candidates.into()
+    }
+
+    /// The type put in behind the ID.
+    fn with_type(&self, head: &Token, ty: &'static RecordType) -> Candidate {
+        let text = ty.code.to_string();
+        let new = format!("{} {text}", head.text(self.text));
+        Candidate {
+            habit: Habit::NoType,
+            fix: Fix::replace("fix-lost-type", Applicability::Unsafe, head.span(), new)
+                .with("number", text)
+                .with("type", Value::Term(ty.title)),
+            ty: Some(ty),
+        }
+    }
+
     /// An assignment that has lost its type and its 0, as in `20 45` where 45 is a property.
     fn lost_assignment(&self, property: i64) -> Option<Candidate> {
         let is_one = self.params().is_empty();
@@ -375,17 +432,8 @@ impl LineContext<'_> {
         let fitting = OFTEN
             .iter()
             .filter_map(|&code| RecordType::by_code(code.into()));
-        for ty in fitting.filter(|ty| self.fit(ty, behind)) {
-            let text = ty.code.to_string();
-            let new = format!("{} {text}", head.text(self.text));
-            out.push(Candidate {
-                habit: Habit::NoType,
-                fix: Fix::replace("fix-lost-type", Applicability::Unsafe, head.span(), new)
-                    .with("number", text)
-                    .with("type", Value::Term(ty.title)),
-                ty: Some(ty),
-            });
-        }
+        let fitting = fitting.filter(|ty| self.fit(ty, behind));
+        out.extend(fitting.map(|ty| self.with_type(head, ty)));
     }
 
     /// That the line has too few numbers for its type, or too many.
