@@ -960,3 +960,22 @@ fn types_with_a_space() {
     let text = format!("34 1 4  0.4 0.1\n34 -701 1 0 0\n{rest}");
     assert_eq!(fixed(&text), text.replace("1 4  0.4", "14  0.4"));
 }
+
+/// A change between two records of one ID is of that object.
+#[test]
+fn ids_between_records_of_another() {
+    let rest = REST.replace("9999 2", "9999 4");
+    let text = format!(
+        "24 11 0 0 0 1\n34 14 0.4 0.1\n23 -2 90 1\n34 -1 1.3 1.7 -0.5\n4 -101 24 34\n{rest}"
+    );
+    assert_eq!(fixed(&text), text.replace("23 -2", "34 -2"));
+}
+
+/// A record that stands there twice goes.
+#[test]
+fn a_record_twice() {
+    let rest = "8 -1 0 1 0\n4 -101 2 8\n".to_owned() + &REST.replace("9999 2", "9999 4");
+    let once = format!("2 9 1\n8 14 0.7 0.2\n{rest}");
+    let twice = once.replace("8 14 0.7 0.2\n", "8 14 0.7 0.2\n8 14 0.7 0.2\n");
+    assert_eq!(written(&twice), (twice.clone(), once));
+}

@@ -105,6 +105,7 @@ fix-type = napsat `{ $number }` ({ $type })
 fix-lost-type = za ID napsat typ `{ $number }` ({ $type })
 fix-comment = dát to do komentáře
 fix-doubled = vynechat čísla, která jsou tu dvakrát
+fix-again = odstranit ho: tentýž záznam je už o řádek výš
 fix-decimal-comma = je-li v { $text } desetinná čárka, napsat { $number }
 lack = zapsaná čísla jsou možná { $have }; pak chybí { $missing }
 lack-any = parametry jsou po řadě `{ $missing }`; nelze poznat, které chybí

@@ -98,6 +98,7 @@ fix-type = write `{ $number }` ({ $type })
 fix-lost-type = put the type `{ $number }` ({ $type }) after the ID
 fix-comment = turn this into a comment
 fix-doubled = drop the numbers that stand there twice
+fix-again = remove it: the same record stands above
 fix-decimal-comma = if { $text } has a decimal comma, write { $number }
 lack = the numbers here may be { $have }, with { $missing } left out
 lack-any = the parameters are, in order, `{ $missing }`; which of them are missing cannot be told

@@ -1,6 +1,7 @@
 //! An ID of its own for a record that has another one's.
 
 use super::inline::{FREE_TITLE, OWN_TITLE};
+use super::references::AGAIN_TITLE;
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::whole::{records, references};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
@@ -31,7 +32,8 @@ impl LineContext<'_> {
         let (Some(new), Some(id)) = (self.free_id(used), self.id()) else {
             return;
         };
-        if finding.span != head || !(is_twice || property.is_some()) {
+        let is_again = |c: &Candidate| c.fix.title == AGAIN_TITLE;
+        if finding.span != head || !(is_twice || property.is_some()) || out.iter().any(is_again) {
             return;
         }
         let mut edits = vec![edit(head, new)];
@@ -93,6 +95,14 @@ impl LineContext<'_> {
             Item::Void { .. } => None,
         })?;
         self.entities(kinds).any(|e| e.id == id).then_some(id)
+    }
+
+    /// The ID of the record behind, if that can be read.
+    pub(super) fn id_behind(&self) -> Option<u32> {
+        let document = &self.analysis.document;
+        let mut items = document.items.iter();
+        let behind = items.find(|item| document.item_span(item).start >= self.line.end);
+        Some(behind?.record()?.id)
     }
 
     /// The IDs of the records that follow this one directly and change what it defines.

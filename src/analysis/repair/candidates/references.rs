@@ -3,11 +3,14 @@
 use rustc_hash::FxHashSet;
 
 use super::{Candidate, Habit, LineContext, MAX_CANDIDATES};
-use crate::diagnostics::{Code, Diagnostic, Edit};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 use crate::scene::{Entity, names};
 use crate::syntax::Item;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Effect, Family, Kind, Param, ParamKind, RecordKind, RecordType};
+
+/// The title of the fix that takes out a record which stands there twice.
+pub(super) const AGAIN_TITLE: &str = "fix-again";
 
 impl LineContext<'_> {
     /// The parameters that are references, and what they may refer to.
@@ -62,6 +65,12 @@ impl LineContext<'_> {
         {
             out.extend(self.write(Habit::Reference, &[(*t, String::from("0"))]));
         }
+        // An assignment to an object of itself may leave that place as it is.
+        if let Some((t, _)) = named
+            && self.is_of_itself(t)
+        {
+            out.extend(self.write(Habit::Reference, &[(*t, String::from("0"))]));
+        }
         self.swapped(out);
         self.colours_first(out);
         self.other_place(finding, &all, out);
@@ -109,6 +118,18 @@ impl LineContext<'_> {
                     .filter_map(|o| self.write(Habit::Reference, &[(*t, o.3.to_string())])),
             );
         }
+    }
+
+    /// Whether a reference of an assignment is the ID of the object that it is for.
+    fn is_of_itself(&self, reference: &Token) -> bool {
+        let is_assignment = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Assignment);
+        is_assignment && self.id().map(i64::from) == reference.integer(self.text)
+    }
+
+    /// Whether a finding is about such a reference.
+    pub(crate) fn assigns_itself(&self, finding: &Diagnostic) -> bool {
+        let named = self.params().iter().find(|t| t.span() == finding.span);
+        named.is_some_and(|t| self.is_of_itself(t))
     }
 
     /// What has an ID.
@@ -237,6 +258,11 @@ impl LineContext<'_> {
     pub(super) fn ids(&self, finding: &Diagnostic, undefined: &[u32], out: &mut Vec<Candidate>) {
         if finding.code == Code::E102 && finding.span == self.tokens[0].span() {
             let head = self.tokens[0];
+            if let Some(again) = self.again() {
+                out.clear();
+                out.push(again);
+                return;
+            }
             let new = undefined.iter().take(MAX_CANDIDATES / 2);
             let changes = Vec::from_iter(self.id().into_iter().flat_map(|id| self.changes(id)));
             out.extend(new.filter_map(|id| {
@@ -264,18 +290,55 @@ impl LineContext<'_> {
         let Some(id) = self.id() else { return };
         out.extend(self.as_lamp(finding, id, kinds));
         let text = id.to_string();
-        let mut others: Vec<(usize, u32, u32)> = (self.entities(kinds))
+        // Records with one ID on both sides are of one object, and so is this.
+        let around = self
+            .id_before(kinds)
+            .filter(|&id| self.id_behind() == Some(id));
+        let mut others: Vec<(bool, usize, u32, u32)> = (self.entities(kinds))
             .filter(|e| e.id != id)
             .map(|e| {
-                let new = e.id.to_string();
-                (strsim::osa_distance(&text, &new), e.id.abs_diff(id), e.id)
+                let distance = strsim::osa_distance(&text, &e.id.to_string());
+                (Some(e.id) != around, distance, e.id.abs_diff(id), e.id)
             })
             .collect();
         others.sort_unstable();
         out.extend(
             (others.iter().take(MAX_CANDIDATES / 2))
-                .filter_map(|o| self.write(Habit::Id, &[(head, o.2.to_string())])),
+                .filter_map(|o| self.write(Habit::Id, &[(head, o.3.to_string())])),
         );
+    }
+
+    /// A record that stands there twice, the one directly behind the other: it goes.
+    fn again(&self) -> Option<Candidate> {
+        let document = &self.analysis.document;
+        let items = document.items.iter().rev();
+        let mut before = items.filter(|item| document.item_span(item).end <= self.line.start);
+        let before = before.next()?.record()?;
+        let texts = |t: &Token| t.text(self.text);
+        let before = document.significant(before.first, before.last).map(texts);
+        if !before.eq(self.tokens.iter().map(texts)) {
+            return None;
+        }
+        let last = self.tokens.last()?;
+        let is_alone = self.line.end == last.end() && self.line.start == self.tokens[0].start;
+        let source = &self.analysis.source;
+        let line = source.line_index(source.floor(self.line.start));
+        let start = source.line_span(line).start.min(self.line.start);
+        let end = match line + 1 < source.line_count() {
+            true => source.line_span(line + 1).start,
+            false => self.line.end,
+        };
+        let fix = Fix::replace(
+            AGAIN_TITLE,
+            Applicability::Unsafe,
+            Span::new(start, end),
+            "",
+        );
+        is_alone.then_some(Candidate {
+            habit: Habit::Id,
+            fix,
+            ty: None,
+        })
     }
 
     /// A light from everywhere that is moved as a lamp is: it may be one.
