@@ -979,3 +979,17 @@ fn a_record_twice() {
     let twice = once.replace("8 14 0.7 0.2\n", "8 14 0.7 0.2\n8 14 0.7 0.2\n");
     assert_eq!(written(&twice), (twice.clone(), once));
 }
+
+/// The direction and the up vector of a camera in each other's place.
+#[test]
+fn a_view_and_its_up_vector_swapped() {
+    let scene = |vectors: &str| {
+        format!("2 11 0 1 0 1\n9 -501 0 5 12 {vectors} 40\n50 -402 1\n50 -1 5 9 6\n1 9999 2 0\n")
+    };
+    let text = scene("0 1 0 0 -0.35 -1");
+    let all = repair::proposals(&read(&text));
+    let unseen = all.iter().find(|d| d.code == Code::W324).unwrap();
+    let titles: Vec<&str> = unseen.fixes.iter().map(|f| f.title).collect();
+    assert_eq!(titles, ["fix-view-and-up", "fix-point"]);
+    assert_eq!(fixed(&text), scene("0 -0.35 -1 0 1 0"));
+}

@@ -143,6 +143,7 @@ fix-labelled-point = vynechat slova a bod, na který se má kamera dívat, napsa
 fix-part = je-li { $text } { $parameter }, napsat { $number }
 fix-turns = napsat pro každou osu jedno otočení, nejdřív kolem x
 fix-up = napsat vektor „nahoru“ { $number }
+fix-view-and-up = prohodit oba vektory: směr pohledu { $number }, nahoru { $up }
 fix-free-id = dát záznamu ID { $number }
 fix-named-id = dát záznamu volné ID: napsat { $number }
 fix-own-id = dát záznamu ID { $number } a napsat ho i v přiřazení ({ $text })

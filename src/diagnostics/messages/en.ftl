@@ -136,6 +136,7 @@ fix-labelled-point = leave out the words, and write the point to look at as a di
 fix-part = if { $text } is { $parameter }, write { $number }
 fix-turns = write one rotation for each axis, about x first
 fix-up = write the up vector { $number }
+fix-view-and-up = swap the two vectors: look along { $number }, with { $up } up
 fix-free-id = give it the ID { $number }
 fix-named-id = give it a free ID: write { $number }
 fix-own-id = give it the ID { $number }, and write that in { $count ->

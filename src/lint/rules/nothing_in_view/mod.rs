@@ -96,6 +96,7 @@ fn turned(
         true => Parts::All,
         false => Parts::Bounded,
     };
+    let swapped = Vec::from_iter(swapped(context, root, camera, p, of));
     let sees = |way: Vec3| sees(context, root, camera, way, of);
     let mut fixes = Vec::from_iter(with_sign(camera, p, side, sees));
     fixes.extend(turned_to_point(camera, p, sees));
@@ -112,7 +113,34 @@ fn turned(
         let other = fix("fix", Vec::new(), numbers, p);
         fixes.extend((fixes.iter().all(|f| f.edits != other.edits)).then_some(other));
     }
-    fixes
+    [swapped, fixes].concat()
+}
+
+/// The fix that swaps the direction, which is an axis as most up vectors are, and the up vector, if the camera sees
+/// something then.
+fn swapped(context: &Context, root: NodeId, camera: &Camera, p: &Params, of: Parts) -> Option<Fix> {
+    let is_axis = |mut vector: Vec3| {
+        vector.sort_by(f64::total_cmp);
+        vector == [0.0, 0.0, 1.0]
+    };
+    let is_one = is_axis(camera.direction) && !is_axis(camera.up);
+    let turned = Camera {
+        up: camera.direction,
+        ..*camera
+    };
+    if !is_one || !sees(context, root, &turned, camera.up, of) {
+        return None;
+    }
+    let texts: Vec<&str> = [6, 7, 8, 3, 4, 5].map(|i| p.text_of(i)).into();
+    let edits = (3..).zip(&texts).map(|(i, text)| Edit {
+        span: p.span_of(i, 1),
+        text: (*text).to_owned(),
+    });
+    let fix = Fix::guess("fix-view-and-up", edits.collect());
+    Some(
+        fix.with("number", quote(&texts[..3].join(" ")))
+            .with("up", quote(&texts[3..].join(" "))),
+    )
 }
 
 /// The fix that gives the longest part of the direction the other sign, or all parts for what is behind the camera, if
