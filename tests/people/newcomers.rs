@@ -993,3 +993,16 @@ fn a_view_and_its_up_vector_swapped() {
     assert_eq!(titles, ["fix-view-and-up", "fix-point"]);
     assert_eq!(fixed(&text), scene("0 -0.35 -1 0 1 0"));
 }
+
+/// The ID of a colour for its numbers is assigned; of what is assigned to an object instead of itself none is taken.
+#[test]
+fn colours_by_their_ids() {
+    let text = format!("2 9 1\n20 -701 1 0 0\n2 -701 20\n{REST}");
+    assert_eq!(fixed(&text), text.replace("2 -701 20", "2 -299 20 0"));
+    let text =
+        format!("2 9 1\n25 -201 0.7 0.3 0\n26 -701 1 0 0\n27 -701 1 1 0\n2 -299 2 25\n{REST}");
+    let all = repair::proposals(&read(&text));
+    let error = all.iter().find(|d| d.is_error()).unwrap();
+    assert_eq!((error.code, error.fixes.len()), (Code::E103, 3));
+    assert_eq!(fixed(&text), text);
+}

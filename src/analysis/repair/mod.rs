@@ -426,10 +426,14 @@ impl Engine<'_> {
             )
             && named(&finding).is_some_and(|id| is_lost(self.analysis, id))
             && !defines(&judged[0].1.scene, named(&finding));
+        // What an object is given instead of itself may be any of what is as good.
+        let of_itself = place.assigns_itself(&finding)
+            && (judged.iter().filter(names_another).filter(fits)).count() > 1;
         let is_open = place.is_operation()
             && judge::errors(&judged[0].1.scene) > 0
             && judged.first().is_some_and(|j| names_another(&j))
-            && judged.iter().filter(names_another).count() > 1;
+            && judged.iter().filter(names_another).count() > 1
+            || of_itself;
         let is_place = |j: &&(Left, Trial)| j.1.candidate.habit != Habit::Lost || fits(j);
         let best = (judged.iter()).filter(|j| is_open || j.0.in_vain == least);
         let best = best.filter(is_place);
