@@ -124,6 +124,10 @@ fn other_words_of_ruff_have_an_answer() {
         (&["check", "--no-fix"], "writes nothing without `--fix`"),
         (&["render", "--width", "320"], "`--size 640x480`"),
         (
+            &["fmt", "--width", "80"],
+            "zpg calls it `--config format.width=100`",
+        ),
+        (
             &["render", "--antialias", "0.3"],
             "zpg calls it `--samples`",
         ),

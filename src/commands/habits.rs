@@ -79,8 +79,12 @@ const HABITS: [(&str, &str); 69] = [
 ];
 
 /// The message about a word, if it is one of ruff's.
-pub(super) fn message(word: &str) -> Option<&'static str> {
+pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
     let word = word.split('=').next().unwrap_or(word);
+    // A formatter has the width of a line.
+    if (word, command) == ("--width", "fmt") {
+        return Some("habit-line-length");
+    }
     let habit = HABITS.iter().find(|(name, _)| *name == word);
     habit.map(|(_, message)| *message)
 }

@@ -156,8 +156,10 @@ fn complaint(error: &clap::Error, commands: &[String]) -> Option<Complaint> {
     );
     let foreign = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand];
     let foreign = foreign.into_iter().find_map(get).filter(|_| unknown);
+    let usage = error.get(ContextKind::Usage).map(ToString::to_string);
+    let command = usage.as_deref().and_then(|u| u.split_whitespace().nth(2));
     let instead = foreign.as_deref().and_then(|word| {
-        let habit = habits::message(word).map(Complaint::new);
+        let habit = habits::message(word, command.unwrap_or_default()).map(Complaint::new);
         habit.or_else(|| habits::output(Path::new(word)))
     });
     if let Some(instead) = instead {

@@ -1006,3 +1006,15 @@ fn colours_by_their_ids() {
     assert_eq!((error.code, error.fixes.len()), (Code::E103, 3));
     assert_eq!(fixed(&text), text);
 }
+
+/// A camera without its up vector takes no numbers of a render record with a slip in its type.
+#[test]
+fn two_slips_on_neighbouring_lines() {
+    let scene = |up: &str, ty: &str| {
+        format!(
+            "14 11 0 1 0 1\n50 -402 1\n50 -1 5 9 6\n9 -501 0 5 12 0 -0.35 -1{up} 40\n1 {ty} 14 0\n"
+        )
+    };
+    let text = scene("", "999");
+    assert_eq!(written(&text), (text.clone(), scene(" 0 1 0", "9999")));
+}

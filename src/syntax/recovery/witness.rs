@@ -3,7 +3,7 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::super::signature::Reading;
-use super::super::table::{Effect, RecordKind};
+use super::super::table::{Effect, RecordKind, RecordType};
 use super::damage;
 use super::diagnosis::{Diagnosis, RecordCandidate};
 use super::faults;
@@ -344,7 +344,8 @@ fn run_to_line_end(stretch: &Stretch, line: usize) -> bool {
     true
 }
 
-/// Whether a line is a render record by itself, and its numbers are those of other records in a reading.
+/// Whether a line is a render record by itself, but for a slip in its type, and its numbers are those of other records in
+/// a reading.
 pub(super) fn loses_render(
     stretch: &Stretch,
     witnesses: &Witnesses,
@@ -354,9 +355,21 @@ pub(super) fn loses_render(
         let ty = stretch.record_type(stretch.line_start(line) + 1);
         ty.is_some_and(|t| t.kind == RecordKind::Render)
             && witnesses.is_complete_line(stretch, line)
+            || is_nearly_render(stretch, line)
     };
     let begins = |at: usize| pieces.binary_search_by_key(&at, |p| p.start).is_ok();
     (0..stretch.line_count()).any(|line| is_render(line) && !begins(stretch.line_start(line)))
+}
+
+/// Whether a line is a render record with a slip in its type, as `1 999 14 0`.
+fn is_nearly_render(stretch: &Stretch, line: usize) -> bool {
+    let (start, end) = (stretch.line_start(line), stretch.line_end(line));
+    let ty = RecordType::of(RecordKind::Render);
+    let least = 2 + ty.params.len();
+    let fits = [least, least + ty.optional.len()].contains(&(end - start));
+    let is_one = fits && stretch.sigs[start].int == Some(1);
+    let written = || stretch.token(start + 1).text(stretch.text());
+    is_one && strsim::osa_distance(written(), &ty.code.to_string()) == 1
 }
 
 /// Whether a reading without faults has something in it that people do not write in a text laid out
