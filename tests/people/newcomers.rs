@@ -1018,3 +1018,15 @@ fn two_slips_on_neighbouring_lines() {
     let text = scene("", "999");
     assert_eq!(written(&text), (text.clone(), scene(" 0 1 0", "9999")));
 }
+
+/// A refractive index that has lost its point is a choice.
+#[test]
+fn refractive_indices_without_a_point() {
+    let text = format!("2 9 1\n2 -203 15 15 15\n2 -201 0 0.1 0.9\n{REST}");
+    let all = repair::proposals(&read(&text));
+    let large = all.iter().find(|d| d.code == Code::W318).unwrap();
+    assert_eq!(large.case, "too-large");
+    let shown = fixes::apply(&text, large.fixes.iter()).0;
+    assert_eq!(shown, text.replace("15 15 15", "1.5 1.5 1.5"));
+    assert_eq!(fixed(&text), text);
+}

@@ -170,9 +170,9 @@ E002 = tento komentář není ukončen
     .label = čte se, jako by končil na konci řádku
     .help = komentář začíná znakem `#` a musí jím i končit
     .fix = ukončit komentář na konci řádku
+    .fix-inner = vynechat `#` uvnitř komentáře
 
 E003 = { $text } není číslo
-    .fix-inner = vynechat `#` uvnitř komentáře
     .label = chybně zapsané číslo
     .help = čísla se píší takto: `3`, `-0.5`, `1.5e-3`; minus je obyčejné `-` z klávesnice
     .fix = { fix-write }

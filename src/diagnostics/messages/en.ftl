@@ -166,9 +166,9 @@ E002 = this comment is never closed
     .label = read as if it ended with this line
     .help = a `#` begins a comment, and a second `#` must end it
     .fix = close the comment at the end of the line
+    .fix-inner = take out the `#` within the comment
 
 E003 = { $text } is not a number
-    .fix-inner = take out the `#` within the comment
     .label = malformed number
     .help = numbers look like `3`, `-0.5` or `1.5e-3`; the minus is the plain `-` of the keyboard
     .fix = { fix-write }

@@ -4,3 +4,7 @@ W318 = tento index lomu nemá žádný vliv: { $object } { $object-id } nepropou
 W318-below-one = index lomu je nejméně 1, jako ve vakuu; zde je { $parts }
     .label = méně než 1
     .help = uvádí se index látky samotného objektu; index okolí se započítá zvlášť
+W318-too-large = index lomu { $text } je větší než u kteréhokoli známého materiálu
+    .label = nechybí tu desetinná tečka?
+    .help = sklo má 1.5, voda 1.33, diamant 2.4
+    .fix-point-lost = napsat { $number }

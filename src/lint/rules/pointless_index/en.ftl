@@ -4,3 +4,7 @@ W318 = this refractive index has no effect: no light goes through the { $object 
 W318-below-one = a refractive index is at least 1, that of a vacuum; here { $parts }
     .label = less than 1
     .help = the index is that of the object's own material; what surrounds it counts by itself
+W318-too-large = a refractive index of { $text } is larger than that of any known material
+    .label = is the decimal point missing?
+    .help = glass has 1.5, water 1.33, diamond 2.4
+    .fix-point-lost = write { $number }

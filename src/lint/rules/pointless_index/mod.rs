@@ -5,10 +5,12 @@ mod apart;
 
 use rustc_hash::FxHashMap;
 
-use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::lint::spelling::decimal;
 use crate::lint::{Context, live_nodes, roots};
 use crate::scene::record::Params;
 use crate::scene::{DEFAULT_INDEX, Node, NodeId, Paint, Scene, fold_up};
+use crate::syntax::quote;
 use crate::syntax::table::{Kind, RecordKind};
 use apart::Apart;
 
@@ -24,6 +26,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         any = true;
         let p = context.record_params(record);
         out.extend(below_one(&p));
+        out.extend(too_large(&p));
     }
     if any {
         opaque(context, out);
@@ -44,6 +47,26 @@ fn below_one(p: &Params) -> Option<Diagnostic> {
         .collect();
     let d = Diagnostic::new(Code::W318, p.span_of(first, last - first + 1));
     Some(d.case("below-one").with("parts", parts.join(", ")))
+}
+
+/// No material that people write has a larger index; diamond has 2.4, germanium 4.
+const LARGEST: f64 = 5.0;
+
+/// Indices that have rather lost their points: `15` for `1.5`.
+fn too_large(p: &Params) -> Option<Diagnostic> {
+    let large: Vec<usize> = (0..p.len()).filter(|&i| p.number(i) > LARGEST).collect();
+    let (&first, &last) = (large.first()?, large.last()?);
+    let pointed = |x: f64| decimal(x / 10_f64.powf(x.log10().floor()));
+    let edits = large.iter().map(|&i| Edit {
+        span: p.span_of(i, 1),
+        text: pointed(p.number(i)),
+    });
+    let numbers: Vec<String> = large.iter().map(|&i| pointed(p.number(i))).collect();
+    let mut fix = Fix::guess("fix-point-lost", edits.collect());
+    fix.applicability = Applicability::Choice;
+    let d = Diagnostic::new(Code::W318, p.span_of(first, last - first + 1)).case("too-large");
+    let d = d.with("text", quote(p.text_of(first)));
+    Some(d.fix(fix.with("number", quote(&numbers.join(" ")))))
 }
 
 /// Indices that have no effect on any object that has them: no light goes through these, and nothing that lets light
