@@ -27,7 +27,9 @@ pub struct Scratch {
     pub pending: Vec<(f32, Child)>,
     /// Transparent things on the way.
     pub passed: Vec<Passed>,
-    /// Faces of them, and which of them each is of.
+    /// Opaque things on the way that something transparent may hide, with their near faces.
+    pub opaque: Vec<Passed>,
+    /// Faces of what is passed, and which of them each is of.
     pub faces: Vec<(Face, u32)>,
     /// Crossings with later operands, which are not seen from within an earlier one, leaf by leaf.
     pub hidden: Vec<(u32, End)>,

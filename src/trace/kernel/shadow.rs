@@ -19,13 +19,6 @@ pub enum Light {
     Doubtful,
 }
 
-/// The nearest thing that lets nothing through, where something transparent may hide it.
-#[derive(Clone, Copy)]
-struct Blocked {
-    end: End,
-    operand: u32,
-}
-
 /// What has been found on the way.
 enum Found {
     Nothing,
@@ -73,16 +66,16 @@ impl Stage<'_> {
         }
         let query = Query::new(start);
         scratch.passed.clear();
-        let mut blocked = None;
+        scratch.opaque.clear();
         for solid in start.within.0.into_iter().filter(|&solid| solid != NONE) {
-            if !self.leaves_own(&query, solid, &mut blocked, scratch, tests) {
+            if !self.leaves_own(&query, solid, scratch, tests) {
                 return Light::Doubtful;
             }
         }
         match along {
             Some(along) => {
                 for &(_, block) in along {
-                    match self.in_the_way(&query, block, &mut blocked, scratch, tests) {
+                    match self.in_the_way(&query, block, scratch, tests) {
                         Found::Nothing => {}
                         Found::Doubt => return Light::Doubtful,
                         Found::Dark => return Light::Dark,
@@ -109,7 +102,7 @@ impl Stage<'_> {
                         }
                         Is::Item(block) => block,
                     };
-                    match self.in_the_way(&query, block, &mut blocked, scratch, tests) {
+                    match self.in_the_way(&query, block, scratch, tests) {
                         Found::Nothing => {}
                         Found::Doubt => return Light::Doubtful,
                         Found::Dark => {
@@ -120,9 +113,16 @@ impl Stage<'_> {
                 }
             }
         }
-        match blocked {
-            Some(blocked) => self.behind_glass(blocked, &scratch.passed),
-            None => self.share(scratch),
+        if scratch
+            .opaque
+            .iter()
+            .any(|passed| !self.may_be_hidden(passed, &scratch.passed))
+        {
+            return Light::Dark;
+        }
+        match scratch.opaque[..] {
+            [] => self.share(scratch),
+            _ => self.share_with_opaque(&query, scratch, tests),
         }
     }
 
@@ -132,14 +132,13 @@ impl Stage<'_> {
         &self,
         query: &Query,
         block: u32,
-        blocked: &mut Option<Blocked>,
         scratch: &mut Scratch,
         tests: &mut Tests,
     ) -> Found {
         let block = &self.blocks[block as usize];
         tests.shapes += 1;
         if let Shapes::Alone = block.shapes {
-            return self.meets_alone(query, block.leaves[0], blocked, (scratch, tests));
+            return self.meets_alone(query, block.leaves[0], (scratch, tests));
         }
         let (start, skin) = (query.start, query.skin);
         let mut moved = Probe::NONE;
@@ -176,7 +175,7 @@ impl Stage<'_> {
                 return Found::Doubt;
             }
             let faces = [end, out].map(|end| Face { end, surface: own });
-            match self.met(own, faces, blocked, scratch) {
+            match self.met(own, faces, scratch) {
                 Found::Nothing => {}
                 found => return found,
             }
@@ -186,44 +185,25 @@ impl Stage<'_> {
 
     /// Notes a leaf that light meets at one place and leaves at another, ahead of the ray's start.
     #[inline(always)]
-    fn met(
-        &self,
-        number: u32,
-        [near, mut far]: [Face; 2],
-        blocked: &mut Option<Blocked>,
-        scratch: &mut Scratch,
-    ) -> Found {
+    fn met(&self, number: u32, [near, far]: [Face; 2], scratch: &mut Scratch) -> Found {
         let leaf = &self.leaves[number as usize];
-        match is_on_the_way(near.end) {
-            Some(false) => return Found::Nothing,
-            Some(true) => {}
-            None => return Found::Doubt,
-        }
-        if !leaf.is_clear {
-            if leaf.is_lone {
-                return Found::Dark;
-            }
-            if blocked.is_none_or(|before| near.end.t < before.end.t) {
-                *blocked = Some(Blocked {
-                    end: near.end,
-                    operand: leaf.operand,
-                });
-            }
-            return Found::Nothing;
-        }
-        match is_on_the_way(far.end) {
-            Some(true) if leaf.is_solid => {}
-            Some(_) => far.surface = NONE,
-            None => return Found::Doubt,
-        }
-        if scratch.passed.len() == PASSED {
-            return Found::Doubt;
-        }
-        scratch.passed.push(Passed {
+        let passed = Passed {
             leaf: number,
             near,
             far,
-        });
+        };
+        if leaf.is_clear {
+            return match self.note_passed(passed, scratch) {
+                true => Found::Nothing,
+                false => Found::Doubt,
+            };
+        }
+        match is_on_the_way(near.end) {
+            Some(true) if leaf.is_lone => return Found::Dark,
+            Some(true) if scratch.opaque.len() < PASSED => scratch.opaque.push(passed),
+            Some(_) => {}
+            None => return Found::Doubt,
+        }
         Found::Nothing
     }
 
@@ -233,7 +213,6 @@ impl Stage<'_> {
         &self,
         query: &Query,
         number: u32,
-        blocked: &mut Option<Blocked>,
         (scratch, tests): (&mut Scratch, &mut Tests),
     ) -> Found {
         if query.start.within.has(number) {
@@ -253,36 +232,16 @@ impl Stage<'_> {
             Crossed::Ahead => {}
         }
         let ahead = std::mem::take(&mut scratch.ahead);
-        let found = self.met_all(number, &ahead, blocked, scratch);
+        let found = self.met_all(number, &ahead, scratch);
         scratch.ahead = ahead;
         found
     }
 
     /// Notes a leaf that light meets from outside, and where it crosses that.
-    fn met_all(
-        &self,
-        number: u32,
-        ahead: &[Crossing],
-        blocked: &mut Option<Blocked>,
-        scratch: &mut Scratch,
-    ) -> Found {
-        let leaf = &self.leaves[number as usize];
-        let face = |crossing: &Crossing| Face {
-            end: crossing.end,
-            surface: crossing.surface,
-        };
-        let endless = Face {
-            end: End::NEVER,
-            surface: NONE,
-        };
-        let chords = ahead.chunks(if leaf.is_solid { 2 } else { 1 });
-        let mut faces = chords.map(|chord| match chord {
-            [near, far] => [face(near), face(far)],
-            [near] if leaf.is_solid => [face(near), endless],
-            _ => [face(&chord[0]); 2],
-        });
-        let met = |faces| self.met(number, faces, blocked, scratch);
-        (faces.by_ref().map(met))
+    fn met_all(&self, number: u32, ahead: &[Crossing], scratch: &mut Scratch) -> Found {
+        let met = |faces| self.met(number, faces, scratch);
+        chords(&self.leaves[number as usize], ahead)
+            .map(met)
             .find(|found| !matches!(found, Found::Nothing))
             .unwrap_or(Found::Nothing)
     }
@@ -293,7 +252,6 @@ impl Stage<'_> {
         &self,
         query: &Query,
         own: u32,
-        blocked: &mut Option<Blocked>,
         scratch: &mut Scratch,
         tests: &mut Tests,
     ) -> bool {
@@ -309,7 +267,7 @@ impl Stage<'_> {
                     });
                     ahead.drain(..ahead.len().min(1));
                     // It may come back.
-                    let found = self.met_all(own, &ahead, blocked, scratch);
+                    let found = self.met_all(own, &ahead, scratch);
                     scratch.ahead = ahead;
                     far.filter(|_| matches!(found, Found::Nothing))
                 }
@@ -336,19 +294,67 @@ impl Stage<'_> {
         true
     }
 
-    /// Whether what is opaque is seen by the light that may have come into something transparent before: an earlier
-    /// operand owns what both are in.
+    /// Whether light may pass over the near face of something opaque, since that is in another solid: an earlier operand owns
+    /// what both are in, and within one medium there are no faces.
+    #[inline]
+    fn may_be_hidden(&self, opaque: &Passed, passed: &[Passed]) -> bool {
+        let leaf = |passed: &Passed| &self.leaves[passed.leaf as usize];
+        let (own, end) = (leaf(opaque), opaque.near.end);
+        let may_hide =
+            |other: &Passed| leaf(other).operand < own.operand || leaf(other).medium == own.medium;
+        let is_apart =
+            |other: &Passed| end.is_before(other.near.end) || other.far.end.is_before(end);
+        passed
+            .iter()
+            .any(|other| may_hide(other) && !is_apart(other))
+    }
+
+    /// What is left of light if all that is opaque begins in something transparent.
     #[cold]
-    fn behind_glass(&self, blocked: Blocked, passed: &[Passed]) -> Light {
-        let hides = |around: &Passed| {
-            let is_apart =
-                blocked.end.is_before(around.near.end) || around.far.end.is_before(blocked.end);
-            !is_apart && self.leaves[around.leaf as usize].operand < blocked.operand
-        };
-        match passed.iter().any(hides) {
-            true => Light::Doubtful,
-            false => Light::Dark,
+    fn share_with_opaque(&self, query: &Query, scratch: &mut Scratch, tests: &mut Tests) -> Light {
+        let opaque = std::mem::take(&mut scratch.opaque);
+        let mut is_known = opaque.len() < PASSED;
+        for &passed in &opaque {
+            let leaf = &self.leaves[passed.leaf as usize];
+            if !matches!(leaf.kind, Kind::Other | Kind::Csg) {
+                is_known &= self.note_passed(passed, scratch);
+                continue;
+            }
+            let stretch = [-query.skin, 1.0];
+            let crossed = self.meet_alone(query, passed.leaf, stretch, Ask::All, (scratch, tests));
+            is_known &= matches!(crossed, Crossed::Ahead);
+            let ahead = std::mem::take(&mut scratch.ahead);
+            for [near, far] in chords(leaf, &ahead) {
+                let leaf = passed.leaf;
+                is_known &= self.note_passed(Passed { leaf, near, far }, scratch);
+            }
+            scratch.ahead = ahead;
         }
+        scratch.opaque = opaque;
+        match is_known {
+            true => self.share_of_many(scratch),
+            false => Light::Doubtful,
+        }
+    }
+
+    /// Notes something that begins on the way; whether that is known.
+    #[inline(always)]
+    fn note_passed(&self, mut passed: Passed, scratch: &mut Scratch) -> bool {
+        let is_solid = self.leaves[passed.leaf as usize].is_solid;
+        match (
+            is_on_the_way(passed.near.end),
+            is_on_the_way(passed.far.end),
+        ) {
+            (Some(false), _) => return true,
+            (Some(true), Some(true)) if is_solid => {}
+            (Some(true), Some(_)) => passed.far.surface = NONE,
+            _ => return false,
+        }
+        let has_room = scratch.passed.len() < PASSED;
+        if has_room {
+            scratch.passed.push(passed);
+        }
+        has_room
     }
 
     /// What is left of light behind all that it passes.
@@ -423,8 +429,31 @@ impl Stage<'_> {
                 return Light::Doubtful;
             }
             share = self.behind(share, face);
+            if !share.any() {
+                return Light::Dark;
+            }
             before = Some(face);
         }
         Light::Seen(share)
     }
+}
+
+/// Where light meets a leaf from outside and leaves it, chord by chord.
+fn chords(leaf: &Leaf, ahead: &[Crossing]) -> impl Iterator<Item = [Face; 2]> {
+    let is_solid = leaf.is_solid;
+    let face = |crossing: &Crossing| Face {
+        end: crossing.end,
+        surface: crossing.surface,
+    };
+    let endless = Face {
+        end: End::NEVER,
+        surface: NONE,
+    };
+    ahead
+        .chunks(if is_solid { 2 } else { 1 })
+        .map(move |chord| match chord {
+            [near, far] => [face(near), face(far)],
+            [near] if is_solid => [face(near), endless],
+            _ => [face(&chord[0]); 2],
+        })
 }

@@ -269,6 +269,11 @@ fn doubt_is_rare() {
         "2 1 3 0.9 -1 0.3 0 0.6 0.9\n3 11 0 1 0 0.4\n4 -101 2 3\n5 12 -2 0.2 -2 2 0.4 2\n5 -2 20 3\n\
          8 -103 4 5\n8 -701 0.8 0.2 0.1\n"
             .to_owned(),
+        // A shape that sticks out of water hides no light where it is in it; two that overlap are one.
+        format!(
+            "2 11 0 0 0 1\n3 12 0.2 -0.4 -0.5 1.6 0.3 0.5\n4 11 1 0 0 0.6\n5 -101 2 3\n8 -101 5 4\n{}",
+            glass(2, "1.33 1.33 1.33")
+        ),
         // A box with round corners stands on the floor.
         "2 12 -1 -1.5 -1 1 0.5 1\n3 11 0 -0.5 0 1.42\n8 -102 2 3\n".to_owned(),
     ];
