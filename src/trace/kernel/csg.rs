@@ -320,7 +320,7 @@ impl Stage<'_> {
                 (false, false) if is_met_before => {}
                 (false, false) => return Err(Doubt),
             }
-            if !is_met_ahead && !(is_met_before && is_left_ahead) {
+            if !(is_met_ahead || is_met_before && is_left_ahead) {
                 scratch.at_start.push((surface, is_left_ahead));
             }
             if (is_met_ahead || is_left_ahead) && far.t < f64::INFINITY {
