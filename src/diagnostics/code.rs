@@ -171,6 +171,7 @@ codes! {
     S502 "bare-comment" of rule "bare_comment";
     S503 "several-records-per-line" of rule "several_records_per_line";
     S504 "unused-allow";
+    S505 "leading-zero" of rule "leading_zero";
 }
 
 impl Code {

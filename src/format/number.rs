@@ -8,8 +8,11 @@ use std::fmt::{self, Write};
 const CERTAIN_DIGITS: usize = 15;
 
 /// The spelling of a number where any number may stand. `value` is what `text` reads as. A number that is not finite
-/// stays as it is.
+/// stays as it is, and so does one that may have lost its point, as `08`.
 pub(super) fn real(text: &str, value: f64) -> Cow<'_, str> {
+    if value != 0.0 && has_lost_point(text) {
+        return text.into();
+    }
     match plain(text) {
         Some(spelled) => spelled,
         None if value.is_finite() => shortest(text, value),
@@ -44,6 +47,12 @@ pub(super) fn canonical(text: &str) -> Option<usize> {
         _ => false,
     };
     right.then_some(point)
+}
+
+/// Whether a number is digits alone, the first of them a 0.
+fn has_lost_point(text: &str) -> bool {
+    let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
+    digits.len() > 1 && digits.starts_with('0') && digits.bytes().all(|c| c.is_ascii_digit())
 }
 
 /// A number where an integer is needed. What is no integer is left as it is, and so are `-0` and `-00`: read as reals they

@@ -1030,3 +1030,22 @@ fn refractive_indices_without_a_point() {
     assert_eq!(shown, text.replace("15 15 15", "1.5 1.5 1.5"));
     assert_eq!(fixed(&text), text);
 }
+
+/// A zero that stands for nothing has rather a point behind it: a choice, which `fmt` leaves to people.
+#[test]
+fn numbers_that_begin_with_a_zero() {
+    for (number, meant) in [("08", "0.8"), ("+05", "0.5"), ("015", "0.15")] {
+        let scene =
+            |number: &str| format!("2 9 1\n{}", REST.replace("3 5 5", &format!("3 {number} 5")));
+        let text = scene(number);
+        let all = repair::proposals(&read(&text));
+        let odd = all.iter().find(|d| d.code == Code::S505).unwrap();
+        let shown = fixes::apply(&text, odd.fixes.iter()).0;
+        assert_eq!(shown, scene(meant));
+        assert_eq!(written(&text), (text.clone(), text.clone()));
+        let printed = format(&text, &read(&text).document, &Options::default());
+        assert!(printed.contains(&format!(" {number} ")), "{printed}");
+    }
+    let all = repair::proposals(&read(&format!("2 11 0 00 0 1\n{REST}")));
+    assert!(all.iter().all(|d| d.code != Code::S505));
+}

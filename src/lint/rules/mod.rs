@@ -26,6 +26,7 @@ mod energy_gain;
 mod idle_difference;
 mod ill_scaled;
 mod lamp_in_solid;
+mod leading_zero;
 mod mixed_intersection;
 mod no_camera;
 mod no_light;
@@ -295,6 +296,11 @@ pub(super) const RULES: &[Rule] = &[
     Rule {
         code: Code::S503,
         check: several_records_per_line::check,
+        asks_for: &[],
+    },
+    Rule {
+        code: Code::S505,
+        check: leading_zero::check,
         asks_for: &[],
     },
 ];

@@ -1,0 +1,3 @@
+S505 = { $text } začíná nulou: nechybí tu desetinná tečka?
+    .label = čteno jako { $value }
+    .fix = napsat { $number }
