@@ -99,7 +99,7 @@ accuracy-stopped = Měření bylo zastaveno před koncem.
 accuracy-columns = { "  " }   CPU  × výchozí     chyba     FLIP   o >1
 accuracy-legend = ◆ výchozí nastavení
     ● stojí za svůj čas: žádné jiné vyzkoušené nastavení není zároveň rychlejší i přesnější
-    ○ jiné nastavení je zároveň rychlejší i přesnější
+    ○ jiné nastavení je rychlejší a stejně přesné, nebo přesnější a v mezích šumu stejně rychlé
     CPU: čas celého obrázku na jednom vlákně. Chyba: střední kvadratická odchylka v krocích 1/255 bílé. FLIP: rozdíl, jak jej vnímá člověk, od 0 do 1. O >1: pixely, které se odchylují o více než krok.
     { $left ->
         [0] Jsou tu všechna vyzkoušená nastavení.

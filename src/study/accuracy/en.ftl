@@ -97,7 +97,7 @@ accuracy-stopped = It was stopped before all was done.
 accuracy-columns = { "  " }   CPU  × default     error     FLIP   off >1
 accuracy-legend = ◆ the default
     ● worth its time: no other setting that was tried is both faster and more accurate
-    ○ another setting is both faster and more accurate
+    ○ another setting is faster and as accurate, or more accurate and, within the noise, as fast
     CPU: seconds for the whole picture on one thread. Error: root mean square, in steps of 1/255 of white. FLIP: the difference that people see, from 0 to 1. Off >1: pixels that are off by more than a step.
     { $left ->
         [0] All settings that were tried are shown.

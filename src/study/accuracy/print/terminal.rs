@@ -121,10 +121,13 @@ fn kept<'r>(rows: &[&'r Row], report: &Report) -> Vec<&'r Row> {
 }
 
 fn row_line(row: &Row, report: &Report, language: Language, width: usize) -> String {
+    // What makes the same picture as another setting, or was not measured, is not compared.
+    let is_compared = row.error.is_some() && row.same_as.is_none();
     let mark = match (row.default, row.pareto) {
         (true, _) => '◆',
         (_, true) => '●',
-        _ => '○',
+        _ if is_compared => '○',
+        _ => ' ',
     };
     let [w, h] = report.size;
     let pixels = f64::from(w) * f64::from(h);
