@@ -1049,3 +1049,38 @@ fn numbers_that_begin_with_a_zero() {
     let all = repair::proposals(&read(&format!("2 11 0 00 0 1\n{REST}")));
     assert!(all.iter().all(|d| d.code != Code::S505));
 }
+
+/// A space beside a decimal point, where there are too many numbers.
+#[test]
+fn points_with_a_space() {
+    for (number, meant) in [("-0. 35", "-0.35"), ("0 .8", "0.8")] {
+        let text = format!("2 11 0 0 {number} 1\n{REST}");
+        assert_eq!(written(&text), (text.clone(), text.replace(number, meant)));
+    }
+}
+
+/// Moves, turns and properties of POV-Ray behind an ID.
+#[test]
+fn clauses_of_povray_behind_an_id() {
+    for (line, meant) in [
+        ("2 scale 1.2", "2 -3 1.2 1.2 1.2"),
+        ("2 rotate x*75", "2 -2 75 1"),
+        ("2 rotate -30*y", "2 -2 -30 2"),
+        ("2 pigment { color rgb <1,0,0> }", "2 -701 1 0 0"),
+        ("2 interior { ior 1.5 }", "2 -203 1.5 1.5 1.5"),
+    ] {
+        let text = format!("2 11 0.5 0.5 0 1\n{line}\n{REST}");
+        let all = repair::proposals(&read(&text));
+        let error = all.iter().find(|d| d.is_error()).unwrap();
+        let shown = fixes::apply(&text, error.fixes.iter()).0;
+        assert_eq!(shown, text.replace(line, meant));
+    }
+}
+
+/// A difference with a wrong digit in its type.
+#[test]
+fn a_difference_that_looks_like_an_index() {
+    let rest = REST.replace("9999 2", "9999 6");
+    let text = format!("3 11 0 0 0 1\n4 11 1 0 0 1\n6 -203 3 4\n{rest}");
+    assert_eq!(fixed(&text), text.replace("-203", "-103"));
+}

@@ -8,6 +8,7 @@ use crate::diagnostics::{Applicability, Edit, Fix, Span};
 use crate::geometry::array::{length, sub};
 use crate::lint::spelling::decimal;
 use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::quote;
 use crate::syntax::table::{Family, RecordKind, RecordType, ShapeKind};
 use crate::syntax::words;
 
@@ -23,6 +24,9 @@ type Block<'t> = (
     Vec<(&'static RecordType, String)>,
     &'t [Token],
 );
+
+/// The words of POV-Ray for a refractive index, and what is around it.
+const INSIDE: [&str; 2] = ["interior", "ior"];
 
 /// What other programs put around the properties of a surface.
 const AROUND: [&str; 2] = ["texture", "material"];
@@ -44,7 +48,7 @@ impl LineContext<'_> {
         let (shape, lines, rest) = match (block, shape) {
             (Some(block), _) => block,
             (None, Some(shape)) => (shape, vec![(shape, self.texts(own))], rest),
-            (None, None) => return None,
+            (None, None) => return self.only_properties(written?, word, behind),
         };
         let is_other = |t: &Token| OTHERS.contains(&&*t.text(self.text).to_lowercase());
         let leaves_out = rest.iter().any(is_other);
@@ -82,6 +86,47 @@ impl LineContext<'_> {
             edits: vec![edit(word.span(), code), edit(span, text)],
         };
         ((is_block || !rest.is_empty()) && !is_gone).then_some(Candidate {
+            habit: Habit::Keyword,
+            fix,
+            ty: None,
+        })
+    }
+
+    /// Properties of POV-Ray behind an ID: `9 pigment { color rgb <1,0,0> }`, `8 interior { ior 1.5 }`.
+    fn only_properties(&self, id: u32, word: Token, behind: &[Token]) -> Option<Candidate> {
+        let index = RecordType::of(RecordKind::RefractiveIndex);
+        let lines = match behind {
+            [ior, one]
+                if [word, *ior].map(|t| t.text(self.text)) == INSIDE && one.kind().is_number() =>
+            {
+                vec![(index, self.texts(&[*one; OWN]))]
+            }
+            _ => {
+                let named = words::types(word.text(self.text));
+                let is_colour = named.iter().any(|ty| ty.kind == RecordKind::Colour);
+                let is_around = AROUND.contains(&word.text(self.text));
+                let all = [&[word], behind].concat();
+                self.properties(&all)
+                    .filter(|_| (is_colour || is_around) && behind.first().is_some_and(is_word))?
+            }
+        };
+        let (first, rest) = lines.split_first()?;
+        let mut text = format!("{} {}", first.0.code, first.1);
+        for (ty, numbers) in rest {
+            text += &format!("\n{id} {} {numbers}", ty.code);
+        }
+        let is_part = |t: &&Token| t.kind() == TokenKind::Separator || !t.kind().is_trivia();
+        let last = self.all.iter().rfind(is_part)?.end();
+        let span = Span::new(word.start, last.max(word.end()));
+        let is_gone = self.text[span.range()].contains('#');
+        let title = if rest.is_empty() {
+            "fix-write"
+        } else {
+            CLAUSES_TITLE
+        };
+        let fix = Fix::replace(title, Applicability::Unsafe, span, text.clone());
+        let fix = fix.with("number", quote(&text));
+        (!is_gone).then_some(Candidate {
             habit: Habit::Keyword,
             fix,
             ty: None,

@@ -286,6 +286,21 @@ impl LineContext<'_> {
             let span = first.span().to(params[params.len() - 1].span());
             return vec![self.beginning(Habit::Word, vec![code, Edit { span, text }])];
         }
+        // As POV-Ray has it: `scale 1.2`, `rotate x*75`.
+        let one = |kind: RecordKind| match params {
+            [one] if ty.kind == kind => Some((one, one.text(self.text))),
+            _ => None,
+        };
+        let scale = one(RecordKind::Scaling).filter(|(t, _)| t.kind().is_number());
+        let scale = scale.map(|(t, s)| (t, [s; 3].join(" ")));
+        let turn = || {
+            let (t, text) = one(RecordKind::Rotation)?;
+            Some((t, about_axis(text)?))
+        };
+        if let Some((t, text)) = scale.or_else(turn) {
+            let span = t.span();
+            return vec![self.beginning(Habit::Word, vec![code, Edit { span, text }])];
+        }
         let word = Token::new(TokenKind::Word, word.start as usize, word.end as usize);
         // As in `light_source <5, 8, 6> rgb 0.7`.
         let is_colour = |t: &Token| {
@@ -328,4 +343,17 @@ impl LineContext<'_> {
             ty: None,
         }
     }
+}
+
+/// The angle and the axis of a turn as `x*75` or `-30*y`.
+pub(super) fn about_axis(text: &str) -> Option<String> {
+    let (a, b) = text.split_once('*')?;
+    let axis = |text: &str| ["x", "y", "z"].iter().position(|axis| *axis == text);
+    let (axis, angle) = match (axis(a), axis(b)) {
+        (Some(axis), None) => (axis, b),
+        (None, Some(axis)) => (axis, a),
+        _ => return None,
+    };
+    let is_number = angle.parse().is_ok_and(f64::is_finite);
+    is_number.then(|| format!("{angle} {}", axis + 1))
 }

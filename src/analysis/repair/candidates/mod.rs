@@ -316,6 +316,7 @@ impl<'a> LineContext<'a> {
             self.count(&mut out);
             self.doubled(&mut out);
             self.spaced_commas(&mut out);
+            out.extend(self.spaced_points());
             self.surplus(finding, &mut out);
             out.extend(self.angles());
             out.extend(self.per_cent(finding));

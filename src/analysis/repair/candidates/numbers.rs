@@ -405,6 +405,33 @@ impl LineContext<'_> {
         }
     }
 
+    /// A space beside a decimal point, `-0. 35` or `0 .8`, where there are too many numbers by as many as there are such.
+    pub(super) fn spaced_points(&self) -> Option<Candidate> {
+        let ty = self.ty()?;
+        let params = self.params();
+        let more = params
+            .len()
+            .checked_sub(self.wanted(ty))
+            .filter(|&n| n > 0)?;
+        let is_digits = |text: &str| text.bytes().all(|c| c.is_ascii_digit());
+        let is_pair = |two: &&[Token]| {
+            let [a, b] = [0, 1].map(|i| two[i].text(self.text));
+            let is_behind = a.ends_with('.') && is_digits(b);
+            let is_before = two[0].integer(self.text).is_some() && b.starts_with('.');
+            let between = &self.text[two[0].end() as usize..two[1].start as usize];
+            (is_behind || is_before) && between.chars().all(|c| c == ' ')
+        };
+        let pairs: Vec<&[Token]> = params.windows(2).filter(is_pair).collect();
+        let new = pairs.iter().map(|two| {
+            let number = [0, 1].map(|i| two[i].text(self.text)).concat();
+            (self.joined(&two[0], &two[1]), number)
+        });
+        let new: Vec<(Token, String)> = new.collect();
+        let is_number = |(_, text): &(Token, String)| text.parse().is_ok_and(f64::is_finite);
+        let is_one = pairs.len() == more && new.iter().all(is_number);
+        is_one.then(|| self.write(Habit::Doubled, &new))?
+    }
+
     /// Two tokens and what is between them as one.
     pub(super) fn joined(&self, first: &Token, last: &Token) -> Token {
         Token::new(first.kind(), first.start as usize, last.end() as usize)

@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use super::heads::about_axis;
 use super::{Candidate, Habit, LineContext, MAX_CANDIDATES, header};
 use crate::analysis::materials;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
@@ -60,6 +61,7 @@ impl LineContext<'_> {
         // An axis before its angle is no word of the name.
         let count = match self.axis_number(behind.get(count.saturating_sub(1)..).unwrap_or(&[])) {
             Some(_) if count > 1 => count - 1,
+            _ if count > 1 && about_axis(behind[count - 1].text(self.text)).is_some() => count - 1,
             _ => count,
         };
         // The name of a colour, of two words or one, is what a colour has for its numbers.
@@ -210,6 +212,18 @@ impl LineContext<'_> {
             let x = t.number(self.text);
             x.is_some_and(|x| (0.0..=255.0).contains(&x))
         };
+        // A difference with a wrong digit, as `6 -203 3 4`.
+        let is_object = |t: &Token| {
+            let id = t.integer(self.text);
+            id.and_then(|id| self.kind_of(id)) == Some(Kind::Object)
+        };
+        if ty.kind == RecordKind::RefractiveIndex
+            && texts.len() == 2
+            && self.params().iter().all(is_object)
+        {
+            let difference = RecordType::of(RecordKind::Difference);
+            out.push(self.write_type(Habit::Digit, difference));
+        }
         match (ty.kind, texts.as_slice(), self.id()) {
             (RecordKind::PointLight | RecordKind::AmbientLight, &[a, b, c], Some(id)) => {
                 let is_colour = self.params().iter().all(is_part);
