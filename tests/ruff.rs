@@ -132,6 +132,7 @@ fn other_words_of_ruff_have_an_answer() {
             "zpg calls it `--samples`",
         ),
         (&["version"], "zpg calls it `zpg --version`"),
+        (&["render", "-j", "4"], "zpg calls it `--threads`"),
         (
             &["render", "a.zpg", "-s", "160x120"],
             "the size of a picture is `--size`",

@@ -6,7 +6,7 @@ use crate::diagnostics::Complaint;
 use crate::syntax::words::plain;
 
 /// A word of ruff or of a renderer, and the message that says what there is instead.
-const HABITS: [(&str, &str); 69] = [
+const HABITS: [(&str, &str); 71] = [
     ("--add-noqa", "habit-add-allow"),
     ("--cache-dir", "habit-cache"),
     ("--no-cache", "habit-cache"),
@@ -75,6 +75,8 @@ const HABITS: [(&str, &str); 69] = [
     ("--aa", "habit-samples"),
     ("--spp", "habit-samples"),
     ("--gamma", "habit-gamma"),
+    ("-j", "habit-threads"),
+    ("--jobs", "habit-threads"),
     ("version", "habit-version"),
 ];
 

@@ -1,6 +1,6 @@
 //! One record's parameters: their tokens, their values, and what the table says about each.
 
-use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Constraint, Param, RecordType};
 use crate::syntax::{Document, Record};
@@ -144,6 +144,14 @@ impl<'a> Params<'a> {
             let d = match turned {
                 true => d.case("turned").fix(self.swapped(i - 1, i)),
                 false => d.case(case),
+            };
+            let d = match self.text_of(i).strip_prefix('-') {
+                Some(number) if code == Code::E201 && x < 0.0 => {
+                    let (span, number) = (self.span_of(i, 1), number.to_owned());
+                    let fix = Fix::replace("fix", Applicability::Choice, span, number.clone());
+                    d.fix(fix.with("number", crate::syntax::quote(&number)))
+                }
+                _ => d,
             };
             d.with("parameter", Value::Term(p.doc))
                 .with("type", Value::Term(self.ty.title))

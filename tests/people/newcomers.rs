@@ -1084,3 +1084,14 @@ fn a_difference_that_looks_like_an_index() {
     let text = format!("3 11 0 0 0 1\n4 11 1 0 0 1\n6 -203 3 4\n{rest}");
     assert_eq!(fixed(&text), text.replace("-203", "-103"));
 }
+
+/// A radius with a minus is a choice: the minus goes.
+#[test]
+fn a_radius_with_a_minus() {
+    let text = format!("2 9 -0.5\n{REST}");
+    let all = repair::proposals(&read(&text));
+    let error = all.iter().find(|d| d.code == Code::E201).unwrap();
+    let shown = fixes::apply(&text, error.fixes.iter()).0;
+    assert_eq!(shown, text.replace("-0.5", "0.5"));
+    assert_eq!(fixed(&text), text);
+}

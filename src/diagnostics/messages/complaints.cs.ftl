@@ -386,6 +386,7 @@ habit-silent = zpg má místo toho `--quiet`
 habit-silent-or-size = v zpg je to `--quiet`; velikost obrázku udává `--size`, například `--size 640x480`
 habit-size = zpg má místo toho `--size`, například `--size 640x480`
 habit-target-version = taková volba není; jazyk scén má jedinou verzi
+habit-threads = zpg má místo toho `--threads`, například `--threads 4`
 habit-verbose = taková volba není; zpg vypíše vše, co našlo
 habit-version = zpg má místo toho `zpg --version`
 

@@ -378,6 +378,7 @@ habit-silent = zpg calls it `--quiet`
 habit-silent-or-size = zpg calls it `--quiet`; the size of a picture is `--size`, for example `--size 640x480`
 habit-size = zpg calls it `--size`, for example `--size 640x480`
 habit-target-version = there is none; the scene language has one version
+habit-threads = zpg calls it `--threads`, for example `--threads 4`
 habit-verbose = there is none; zpg says all that it found
 habit-version = zpg calls it `zpg --version`
 

@@ -512,6 +512,7 @@ E108-changed = { E108 }
 
 E201 = { $type }: { $parameter } musí být větší než nula
     .label = `{ $name }` je { $text }
+    .fix = { fix-write }
 
 E202 = { $type }: { $lower } je větší než { $upper }{ $others ->
     [0] {""}
