@@ -98,7 +98,10 @@ fn a_difference_changes_nothing() {
     let out = text(&run.stdout);
     assert!(out.starts_with("--- a.zpg\n+++ a.zpg\n"));
     assert!(out.contains("\n-2 9 0,5\n+2 9 0.5\n") || out.contains("@@\n-2 9 0,5\n+2 9 0.5\n"));
-    assert_eq!(text(&run.stderr), "Would fix 1 finding in 1 file.\n");
+    assert_eq!(
+        text(&run.stderr),
+        "Would fix 1 finding in 1 file.\n`--diff --unsafe-fixes` shows 2 guesses more.\n"
+    );
     assert_eq!(fs::read_to_string(dir.path().join("a.zpg")).unwrap(), SCENE);
     let clean = folder(&[("a.zpg", &SCENE.replace("0,5", "0.5"))]);
     let run = zpg(clean.path(), &["check", "--diff", "a.zpg"]);

@@ -56,7 +56,7 @@ pub struct Args {
     file: PathBuf,
 
     /// The program
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, value_name = "povray|mitsuba")]
     with: Other,
 
     /// Size of the pictures, in pixels; at most 16777216 of them

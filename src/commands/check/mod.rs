@@ -460,6 +460,11 @@ impl Checker<'_> {
             let mut status = status;
             if args.diff {
                 fixes.lines().for_each(terminal::tell);
+                let left = [("count", Value::Count(total.fixable_unsafe as u64))];
+                let is_left = !args.unsafe_fixes && total.fixable_unsafe > 0;
+                if is_left && !self.choice_of_look.quiet {
+                    terminal::tell(&self.look.language.say("diff-left", &left));
+                }
             } else if args.output_file.is_some() {
                 status = self.put(status, report);
             } else {

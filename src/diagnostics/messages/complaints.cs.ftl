@@ -178,7 +178,7 @@ of-another-version = vykreslila ji jiná verze zpg
 of-another-scene = scéna nebo její textura byla jiná
 of-other-options = volby byly jiné
 rows-twice = řádky { $first } až { $last } jsou v souboru { $path } i v souboru { $other }
-rows-missing = chybí řádky obrázku (počet: { $count } z { $height }): { $rows }
+rows-missing = chybí { $count } z { $height } řádků obrázku: { $rows }
 
 # Snímky: scény, ve kterých se mění některá čísla.
 

@@ -82,6 +82,11 @@ would-fix = Opravilo by se: { $count ->
     [few] { $files } soubory
    *[other] { $files } souborů
 }).
+diff-left = `--diff --unsafe-fixes` ukáže navíc { $count ->
+    [one] { $count } odhad
+    [few] { $count } odhady
+   *[other] { $count } odhadů
+}.
 folded = { $count ->
     [one] ještě { $count } takový nález, na místě { $places }
     [few] ještě { $count } takové nálezy, na místech { $places }

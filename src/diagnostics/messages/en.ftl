@@ -78,6 +78,10 @@ would-fix = Would fix { $count ->
     [one] { $files } file
    *[other] { $files } files
 }.
+diff-left = `--diff --unsafe-fixes` shows { $count ->
+    [one] { $count } guess
+   *[other] { $count } guesses
+} more.
 folded = { $count ->
     [one] { $count } more finding like these nine, at { $places }
    *[other] { $count } more findings like these nine, at { $places }
