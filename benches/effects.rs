@@ -112,7 +112,7 @@ fn main() {
                     height,
                     ..Settings::default()
                 };
-                let drawn = tracer.pixels(camera, &settings, |pixels| {
+                let drawn = tracer.pixels(camera, &settings, None, |pixels| {
                     let start = Instant::now();
                     let all: Vec<[f64; 3]> = (0..width * height)
                         .map(|p| pixels.sum(p % width, p / width, 0..1, 1))

@@ -16,8 +16,11 @@ const CERTAINTY: f64 = 1.25;
 /// All pixels on this thread: processor seconds.
 fn drawn(pixels: &mut dyn Pixels) -> f64 {
     let start = ThreadTime::now();
-    for pixel in 0..SIZE[0] * SIZE[1] {
-        std::hint::black_box(pixels.sum(pixel % SIZE[0], pixel / SIZE[0], 0..1, 1));
+    let [across, down] = [SIZE[0] / 8, SIZE[1] / 8];
+    for tile in 0..across * down {
+        let [left, top] = [tile % across * 8, tile / across * 8];
+        let places: Vec<[u32; 2]> = (0..64).map(|i| [left + i % 8, top + i / 8]).collect();
+        std::hint::black_box(pixels.sums(&places, 0..1, 1));
     }
     start.elapsed().as_secs_f64()
 }
@@ -37,7 +40,11 @@ pub fn certainty(scenes: &[&Scene], bars: &mut Bars) {
             ..Settings::default()
         };
         let ours = |numbers| {
-            let drawn = tracer.pixels(&camera, &settings(numbers), drawn);
+            let settings = settings(numbers);
+            let stage = tracer
+                .stage(&camera, &settings)
+                .expect("the camera takes pictures");
+            let drawn = tracer.pixels(&camera, &settings, stage.as_ref(), drawn);
             drawn.expect("the camera takes pictures")
         };
         if let Err(why) = plain::fits(&tracer, &loaded.scene) {

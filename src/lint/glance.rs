@@ -29,7 +29,7 @@ pub(super) fn glance(
         depth,
         ..Settings::default()
     };
-    let looked = tracer.pixels(camera, &settings, |pixels| {
+    let looked = tracer.pixels(camera, &settings, None, |pixels| {
         let all = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)));
         for (x, y) in all.clone().step_by(SCATTERED).chain(all) {
             let tests = pixels.counts().intersections;

@@ -96,6 +96,26 @@ pub struct Settings {
     pub stop: Option<Arc<AtomicBool>>,
 }
 
+impl Settings {
+    /// What is drawn.
+    fn part(&self) -> Crop {
+        self.crop.unwrap_or(Crop {
+            x: 0,
+            y: 0,
+            width: self.width,
+            height: self.height,
+        })
+    }
+
+    /// The samples that each pixel gets at the least.
+    fn first_samples(&self) -> u32 {
+        match self.tolerance {
+            Some(_) => BATCH_SAMPLES,
+            None => self.samples.max(1),
+        }
+    }
+}
+
 impl Default for Settings {
     fn default() -> Settings {
         Settings {
@@ -197,11 +217,11 @@ impl Tracer {
     }
 
     /// Sets up what all pixels of a picture have in common.
-    pub(super) fn drawing<T>(
-        &self,
+    pub(super) fn drawing<'t, T>(
+        &'t self,
         camera: &Camera,
         settings: &Settings,
-        draw: impl FnOnce(&Drawing) -> T,
+        draw: impl FnOnce(&Drawing<'t>) -> T,
     ) -> Result<T, Error> {
         let Settings { width, height, .. } = *settings;
         let view = View::new(camera, width, height)
@@ -228,9 +248,9 @@ impl Tracer {
             shift: settings.shift,
             features,
             view,
-            wanted: settings.wanted.as_deref(),
+            wanted: settings.wanted.clone(),
             width,
-            stop: settings.stop.as_deref(),
+            stop: settings.stop.clone(),
         }))
     }
 }
@@ -254,31 +274,20 @@ pub(super) struct Drawing<'t> {
     direction_caches: OnceLock<DirectionCaches>,
     /// See [`Tracer::seen`].
     seen: Option<usize>,
-    wanted: Option<&'t [bool]>,
+    wanted: Option<Arc<[bool]>>,
     /// The width of the whole picture.
     width: u32,
-    stop: Option<&'t AtomicBool>,
+    stop: Option<Arc<AtomicBool>>,
 }
 
 impl<'t> Drawing<'t> {
     /// The whole of a picture, or what is drawn of it.
     fn picture<R: Precision>(&self, settings: &Settings, progress: &(dyn Fn() + Sync)) -> Picture {
         let Settings { width, height, .. } = *settings;
-        let crop = settings.crop.unwrap_or(Crop {
-            x: 0,
-            y: 0,
-            width,
-            height,
-        });
-        let samples = match settings.tolerance {
-            Some(_) => BATCH_SAMPLES,
-            None => settings.samples.max(1),
-        };
-        // To set up the kernel takes about as long for a shape as to draw a few pixels.
-        let most = crop.width as usize * crop.height as usize / 8;
-        let stage = self.stage(settings.numbers, most.saturating_mul(samples as usize));
+        let crop = settings.part();
+        let samples = settings.first_samples();
+        let stage = self.quick_stage(settings);
         let quick = stage.as_ref().map(|stage| self.scene(stage));
-        let quick = quick.filter(|scene| self.is_mostly_sure(scene, crop));
         let quick = quick.as_ref();
         let Some(tolerance) = settings.tolerance else {
             let draw = |pen: &mut Pen<R>, pixels: &[[u32; 2]]| pen.fixed(pixels, samples);
@@ -335,7 +344,7 @@ impl<'t> Drawing<'t> {
     }
 
     /// A pen that draws with the quick kernel, if that can draw the scene.
-    fn pen_of<'d, R: Precision>(
+    pub(super) fn pen_of<'d, R: Precision>(
         &'d self,
         quick: Option<&'d kernel::Scene<'d>>,
         no_caches: &'d DirectionCaches,
@@ -381,13 +390,12 @@ impl<'t> Drawing<'t> {
 
     fn is_wanted(&self, x: u32, y: u32) -> bool {
         let at = y as usize * self.width as usize + x as usize;
-        self.wanted
-            .is_none_or(|w| w.get(at).copied().unwrap_or(false))
+        (self.wanted.as_deref()).is_none_or(|w| w.get(at).copied().unwrap_or(false))
     }
 
     /// Whether somebody wants it to stop, or there is no room for what rays find.
     fn is_to_stop(&self) -> bool {
-        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+        (self.stop.as_deref()).is_some_and(|stop| stop.load(Ordering::Relaxed))
             || self.tracer.graph.room.is_exhausted()
     }
 

@@ -3,12 +3,14 @@
 //! With the [`switches`](super::switches) this is all that [`study`](crate::study) asks of the kernel besides
 //! pictures and probes.
 
-use super::adaptive::{First, contrast};
+use super::adaptive::{Estimate, First, contrast};
+pub use super::kernel::Stage;
 use super::picture::{Numbers, Pen, Settings};
 use super::precision::Precision;
 use super::ray::Ray;
+use super::search::direction_cache::DirectionCaches;
 use super::search::escalate::Walkers;
-use super::stats::Counts;
+use super::stats::{Cost, Counts};
 use super::tracer::Tracer;
 use crate::diagnostics::Error;
 use crate::geometry::dd::Dd;
@@ -42,16 +44,32 @@ pub trait Pixels {
     /// Takes the first samples of pixels whose neighbours are going to be drawn adaptively.
     fn look_around(&mut self, _pixels: &[[u32; 2]]) {}
 
+    /// The sums of samples of pixels, as [`sum`](Self::sum) has them, drawn in whatever way is the quickest.
+    fn sums(&mut self, pixels: &[[u32; 2]], samples: std::ops::Range<u32>, of: u32) -> Vec<Rgb> {
+        let sum = |&[x, y]: &[u32; 2]| self.sum(x, y, samples.clone(), of);
+        pixels.iter().map(sum).collect()
+    }
+
     /// As many samples as the tolerance of the settings asks for: their mean and their number. Kernels
     /// that have no such thing take one.
-    fn adaptive(&mut self, x: u32, y: u32) -> (Rgb, u32) {
-        (self.sum(x, y, 0..1, 1), 1)
+    fn adaptive(&mut self, pixels: &[[u32; 2]]) -> Vec<(Rgb, u32)> {
+        let sums = self.sums(pixels, 0..1, 1);
+        sums.into_iter().map(|sum| (sum, 1)).collect()
     }
 }
 
 impl Tracer {
-    /// Hands out what draws the pixels of a picture. Of the settings, `samples`, `crop`, `wanted` and
-    /// `stop` do not matter.
+    /// The scene as the quick kernel sees it, if that draws such a picture.
+    ///
+    /// # Errors
+    ///
+    /// As [`Tracer::render`].
+    pub fn stage(&self, camera: &Camera, settings: &Settings) -> Result<Option<Stage<'_>>, Error> {
+        self.drawing(camera, settings, |drawing| drawing.quick_stage(settings))
+    }
+
+    /// Hands out what draws the pixels of a picture, with the quick kernel if there is a stage. Of the settings, `samples`,
+    /// `crop`, `wanted` and `stop` do not matter.
     ///
     /// # Errors
     ///
@@ -60,12 +78,13 @@ impl Tracer {
         &self,
         camera: &Camera,
         settings: &Settings,
+        stage: Option<&Stage>,
         draw: impl FnOnce(&mut dyn Pixels) -> T,
     ) -> Result<T, Error> {
         match settings.numbers {
-            Numbers::F32 => self.pixels_in::<f32, T>(camera, settings, draw),
-            Numbers::F64 => self.pixels_in::<f64, T>(camera, settings, draw),
-            Numbers::Dd => self.pixels_in::<Dd, T>(camera, settings, draw),
+            Numbers::F32 => self.pixels_in::<f32, T>(camera, settings, stage, draw),
+            Numbers::F64 => self.pixels_in::<f64, T>(camera, settings, stage, draw),
+            Numbers::Dd => self.pixels_in::<Dd, T>(camera, settings, stage, draw),
         }
     }
 
@@ -73,11 +92,13 @@ impl Tracer {
         &self,
         camera: &Camera,
         settings: &Settings,
+        stage: Option<&Stage>,
         draw: impl FnOnce(&mut dyn Pixels) -> T,
     ) -> Result<T, Error> {
         self.drawing(camera, settings, |drawing| {
+            let quick = stage.map(|stage| drawing.scene(stage));
             draw(&mut Single {
-                pen: drawing.pen::<R>(),
+                pen: drawing.pen_of::<R>(quick.as_ref(), &DirectionCaches::default()),
                 walkers: drawing.tracer.walker::<R>(),
                 tolerance: settings.tolerance.unwrap_or(0.0),
                 size: [settings.width, settings.height],
@@ -106,8 +127,11 @@ impl<R: Precision> Single<'_, '_, R> {
 
 impl<R: Precision> Single<'_, '_, R> {
     /// Takes the first samples of pixels that have none.
-    fn look_at(&mut self, pixels: impl Iterator<Item = [u32; 2]>) {
-        let new: Vec<[u32; 2]> = pixels.filter(|p| !self.first.contains_key(p)).collect();
+    fn look_at(&mut self, pixels: Vec<[u32; 2]>) {
+        let mut new = pixels;
+        new.retain(|p| !self.first.contains_key(p));
+        new.sort_unstable_by_key(|&[x, y]| [y, x]);
+        new.dedup();
         let first = self.pen.first(&new);
         self.first.extend(new.into_iter().zip(first));
     }
@@ -117,6 +141,10 @@ impl<R: Precision> Pixels for Single<'_, '_, R> {
     fn sum(&mut self, x: u32, y: u32, samples: std::ops::Range<u32>, of: u32) -> Rgb {
         let add = |sum: Vec3, i| sum + self.pen.sample(x, y, i, of);
         samples.fold(Vec3::ZERO, add).0
+    }
+
+    fn sums(&mut self, pixels: &[[u32; 2]], samples: std::ops::Range<u32>, of: u32) -> Vec<Rgb> {
+        self.pen.sums(pixels, samples, of)
     }
 
     fn seen(&mut self, x: u32, y: u32) -> Option<VisibleObject> {
@@ -147,17 +175,28 @@ impl<R: Precision> Pixels for Single<'_, '_, R> {
         let inner: FxHashSet<[u32; 2]> = pixels.iter().copied().collect();
         for &pixel in pixels {
             let outer = self.around(pixel).filter(|p| !inner.contains(p));
-            self.look_at(outer);
+            self.look_at(outer.collect());
         }
     }
 
-    fn adaptive(&mut self, x: u32, y: u32) -> (Rgb, u32) {
-        self.look_at(self.around([x, y]));
-        let near = self.around([x, y]).filter_map(|p| self.first.get(&p));
-        let contrast = contrast(near);
-        let first = self.first.get(&[x, y]).copied().unwrap_or_default();
-        let estimates = (self.pen).estimates(&[[x, y]], &[(first, contrast)], self.tolerance);
-        let (estimate, _) = estimates.into_iter().next().unwrap_or_default();
-        (estimate.mean.0, estimate.samples())
+    fn adaptive(&mut self, pixels: &[[u32; 2]]) -> Vec<(Rgb, u32)> {
+        self.look_at(
+            pixels
+                .iter()
+                .flat_map(|&pixel| self.around(pixel))
+                .collect(),
+        );
+        let of = |&pixel: &[u32; 2]| {
+            let near = self.around(pixel).filter_map(|p| self.first.get(&p));
+            let contrast = contrast(near);
+            (
+                self.first.get(&pixel).copied().unwrap_or_default(),
+                contrast,
+            )
+        };
+        let first: Vec<(First, f64)> = pixels.iter().map(of).collect();
+        let estimates = self.pen.estimates(pixels, &first, self.tolerance);
+        let mean = |(estimate, _): (Estimate, Cost)| (estimate.mean.0, estimate.samples());
+        estimates.into_iter().map(mean).collect()
     }
 }

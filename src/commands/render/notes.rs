@@ -91,7 +91,7 @@ fn fault(
         let columns = (0..film.width).step_by(across as usize);
         columns.map(move |x| (x, y))
     });
-    let seen = tracer.pixels(camera, settings, |pixels| {
+    let seen = tracer.pixels(camera, settings, None, |pixels| {
         let is_seen = |&(x, y): &(u32, u32)| pixels.seen(left + x, top + y).is_some();
         places.filter(is_seen).collect::<Vec<_>>()
     });

@@ -7,7 +7,7 @@ use crate::parallel;
 use crate::scene::{Camera, Rgb, Scene};
 use crate::study::plain::Plain;
 use crate::study::plain::solver;
-use crate::trace::pixels::{Pixels, VisibleObject};
+use crate::trace::pixels::{Pixels, Stage, VisibleObject};
 use crate::trace::plan::Plan;
 use crate::trace::stats::Counts;
 use crate::trace::{self, Images, Numbers, Tracer};
@@ -118,13 +118,18 @@ impl<'i> Runner<'i> {
             Roots::Ours => None,
             roots => solver::of(&variant.scene, tracer, roots.into()),
         };
-        Ok(Ready {
+        let mut ready = Ready {
             tracer,
+            stage: None,
             scene: &variant.scene,
             camera: &self.camera,
             size: self.size,
             settings: *settings,
-        })
+        };
+        if let Kernel::Ours(numbers) = settings.kernel {
+            ready.stage = tracer.stage(&self.camera, &ready.taken(numbers))?;
+        }
+        Ok(ready)
     }
 
     /// Draws tiles on all threads.
@@ -204,8 +209,8 @@ impl<'i> Runner<'i> {
         let ready = self.prepare(settings)?;
         let parts = parallel::map_each(tiles.to_vec(), |tile| {
             ready.pixels(|pixels| {
-                let sum = |[x, y]: [u32; 2]| pixels.sum(x, y, samples.clone(), u32::MAX);
-                tile.pixels().map(sum).collect::<Vec<_>>()
+                let places: Vec<[u32; 2]> = tile.pixels().collect();
+                pixels.sums(&places, samples.clone(), u32::MAX)
             })
         });
         let parts = parts.into_iter().collect::<Result<Vec<_>, Error>>()?;
@@ -259,6 +264,8 @@ impl<'i> Runner<'i> {
 /// A tracer made ready for some settings.
 struct Ready<'s> {
     tracer: &'s Tracer,
+    /// For the quick kernel, if that draws the picture.
+    stage: Option<Stage<'s>>,
     scene: &'s Scene,
     camera: &'s Camera,
     size: [u32; 2],
@@ -267,35 +274,44 @@ struct Ready<'s> {
 
 impl Ready<'_> {
     fn pixels<T>(&self, draw: impl FnOnce(&mut dyn Pixels) -> T) -> Result<T, Error> {
-        let settings = self.settings;
+        let all = (self.scene, self.tracer, self.camera);
+        match self.settings.kernel {
+            Kernel::Ours(numbers) => {
+                let (taken, stage) = (self.taken(numbers), self.stage.as_ref());
+                self.tracer.pixels(self.camera, &taken, stage, draw)
+            }
+            Kernel::PlainF32 => Plain::<f32>::pixels(all, &self.taken(Numbers::F32), draw),
+            Kernel::PlainF64 => Plain::<f64>::pixels(all, &self.taken(Numbers::F64), draw),
+        }
+    }
+
+    /// The settings of a whole picture.
+    fn taken(&self, numbers: Numbers) -> trace::Settings {
         let [width, height] = self.size;
-        let taken = |numbers| trace::Settings {
+        let settings = self.settings;
+        trace::Settings {
             width,
             height,
+            samples: settings.samples,
             tolerance: settings.tolerance,
             depth: settings.depth,
             cutoff: settings.cutoff,
             numbers,
             ..trace::Settings::default()
-        };
-        let all = (self.scene, self.tracer, self.camera);
-        match settings.kernel {
-            Kernel::Ours(numbers) => self.tracer.pixels(self.camera, &taken(numbers), draw),
-            Kernel::PlainF32 => Plain::<f32>::pixels(all, &taken(Numbers::F32), draw),
-            Kernel::PlainF64 => Plain::<f64>::pixels(all, &taken(Numbers::F64), draw),
         }
     }
 
     fn tile(&self, pixels: &mut dyn Pixels, tile: Tile, drawn: &mut Drawn) {
         let n = self.settings.samples;
-        for [x, y] in tile.pixels() {
-            let (colour, samples) = match self.settings.tolerance {
-                Some(_) => pixels.adaptive(x, y),
-                None => {
-                    let sum = pixels.sum(x, y, 0..n, n);
-                    (sum.map(|c| c / f64::from(n)), n)
-                }
-            };
+        let places: Vec<[u32; 2]> = tile.pixels().collect();
+        let all = match self.settings.tolerance {
+            Some(_) => pixels.adaptive(&places),
+            None => {
+                let mean = |sum: Rgb| (sum.map(|c| c / f64::from(n)), n);
+                (pixels.sums(&places, 0..n, n).into_iter().map(mean)).collect()
+            }
+        };
+        for (colour, samples) in all {
             drawn.colours.push(colour);
             drawn.samples += u64::from(samples);
         }

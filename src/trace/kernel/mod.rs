@@ -2,9 +2,9 @@
 //!
 //! Pictures have the bits of those that [`search`](super::search) and [`shade`](super::shade) draw, who are called the
 //! arbiter here. The kernel takes on scenes that are seen from outside: unions of shapes, intersections and differences,
-//! placed anywhere. It knows of each ray whether rounding may have decided anything about it. A
-//! pixel with such a ray is in doubt, and the arbiter draws it. So it does a whole picture of which the kernel does not
-//! know enough.
+//! placed anywhere, in up to two of which a place may be. It knows of each ray whether rounding may have decided anything
+//! about it. A sample with such a ray is in doubt, and the arbiter draws it. So it does a whole picture of which the kernel
+//! does not know enough.
 //!
 //! The scene: [`expand`] takes the graph apart into leaves, each a shape with its looks ([`leaf`]). [`stage`] puts leaves of
 //! one kind into blocks of four, and blocks into a tree. [`lone`] finds what is near nothing else.
@@ -21,7 +21,9 @@
 //! 3. [`light`] adds up the light of the lamps, one lamp after the other for all places of the wave; [`shadow`] says how much
 //!    of it gets through.
 //!
-//! From inside of a transparent solid that is near nothing else its other side comes next, and nothing is searched.
+//! From inside of a transparent solid that is near nothing else its other side comes next, and nothing is searched. Inside of
+//! others the ray also crosses surfaces that are not seen: an earlier operand of the union hides what is in it
+//! ([`Within`](query::Within)).
 
 mod bundle;
 mod csg;

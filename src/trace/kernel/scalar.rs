@@ -130,7 +130,10 @@ impl Stage<'_> {
             Pass::Through | Pass::Perhaps => {}
         }
         roots.clear();
+        let solver = self.graph.solver.as_ref();
+        let is_solved = solver.is_some_and(|s| s.crossings(leaf.primitive, &line, roots));
         match ask {
+            _ if is_solved => {}
             Ask::All => primitive.intersect().crossings(&line, roots),
             Ask::First | Ask::Any => {
                 (primitive.intersect()).first_crossings(&line, -1.5 * stretch[0], roots)
@@ -167,6 +170,9 @@ impl Stage<'_> {
         let local = located.point;
         let (mut point, mut error, mut normal) = (local, located.error, located.normal);
         let mut shading = primitive.shape().shading_normal(local, root.face);
+        if self.graph.without.smooth_normals {
+            shading = None;
+        }
         work.smooth_normal += u64::from(shading.is_some());
         for &placement in self.chains[leaf.chain as usize].iter().rev() {
             let maps = &self.graph.placements[placement as usize];

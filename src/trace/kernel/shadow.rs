@@ -71,6 +71,16 @@ impl Stage<'_> {
             if !self.leaves_own(&query, solid, scratch, tests) {
                 return Light::Doubtful;
             }
+            let is_left = scratch
+                .passed
+                .last()
+                .is_some_and(|own| own.far.surface != NONE);
+            if is_left && !self.lets_light_through {
+                return match solid == start.within.owner() {
+                    true => Light::Dark,
+                    false => Light::Doubtful,
+                };
+            }
         }
         match along {
             Some(along) => {
@@ -122,6 +132,7 @@ impl Stage<'_> {
         }
         match scratch.opaque[..] {
             [] => self.share(scratch),
+            _ if !self.lets_light_through => Light::Doubtful,
             _ => self.share_with_opaque(&query, scratch, tests),
         }
     }
@@ -192,7 +203,7 @@ impl Stage<'_> {
             near,
             far,
         };
-        if leaf.is_clear {
+        if leaf.is_clear && self.lets_light_through {
             return match self.note_passed(passed, scratch) {
                 true => Found::Nothing,
                 false => Found::Doubt,

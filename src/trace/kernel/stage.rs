@@ -67,6 +67,8 @@ pub struct Stage<'g> {
     pub graph: &'g Graph,
     /// Whether something in it is transparent.
     pub has_glass: bool,
+    /// Whether transparent things let the light of lamps through.
+    pub lets_light_through: bool,
 }
 
 impl Stage<'_> {
@@ -112,6 +114,7 @@ impl Stage<'_> {
         Some(Stage {
             csgs: csgs.collect(),
             has_glass,
+            lets_light_through: !(graph.without.refraction || graph.without.transparent_shadows),
             leaves,
             blocks,
             all,

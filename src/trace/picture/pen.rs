@@ -2,6 +2,7 @@
 
 use super::Drawing;
 use crate::geometry::vec::Vec3;
+use crate::scene::Rgb;
 use crate::trace::adaptive::{BATCH_SAMPLES, Estimate, First, MAX_SAMPLES};
 use crate::trace::film::developed;
 use crate::trace::kernel::{self, Tile};
@@ -34,11 +35,11 @@ pub(super) struct Sample {
 }
 
 /// The quick kernel on one thread.
-pub(in crate::trace) struct Quick<'d> {
-    pub(in crate::trace) scene: &'d kernel::Scene<'d>,
-    pub(in crate::trace) tile: Box<Tile>,
-    pub(in crate::trace) counts: Counts,
-    pub(in crate::trace) rays: Vec<[Vec3; 2]>,
+pub(super) struct Quick<'d> {
+    scene: &'d kernel::Scene<'d>,
+    tile: Box<Tile>,
+    counts: Counts,
+    rays: Vec<[Vec3; 2]>,
 }
 
 impl<'d> Quick<'d> {
@@ -57,7 +58,7 @@ pub(in crate::trace) struct Pen<'d, 't, R: Precision> {
     pub(in crate::trace) shader: Shader<'d, R>,
     pub(in crate::trace) drawing: &'d Drawing<'t>,
     /// Draws what it knows, if it knows the scene.
-    pub(in crate::trace) quick: Option<Quick<'d>>,
+    pub(super) quick: Option<Quick<'d>>,
 }
 
 impl<R: Precision> Pen<'_, '_, R> {
@@ -155,6 +156,21 @@ impl<R: Precision> Pen<'_, '_, R> {
             cost: cost(samples),
         };
         samples.chunks(n as usize).map(pixel).collect()
+    }
+
+    /// The sums of samples of pixels: linear RGB, not clipped.
+    pub(in crate::trace) fn sums(
+        &mut self,
+        pixels: &[[u32; 2]],
+        samples: std::ops::Range<u32>,
+        of: u32,
+    ) -> Vec<Rgb> {
+        let places = pixels
+            .iter()
+            .flat_map(|&pixel| places(pixel, samples.clone(), of));
+        let drawn = self.samples(&places.collect::<Vec<_>>());
+        let sum = |samples: &[Sample]| sum(samples).0;
+        drawn.chunks(samples.len().max(1)).map(sum).collect()
     }
 
     /// The first samples of pixels that may get more.

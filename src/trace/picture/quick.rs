@@ -1,24 +1,32 @@
 //! A picture by the quick kernel, in bands of rows.
 
-use super::{Crop, Drawing, Numbers};
+use super::{Crop, Drawing, Numbers, Settings};
 use crate::geometry::vec::Vec3;
 use crate::trace::kernel;
-use crate::trace::switches::Without;
 use crate::trace::within::Within;
 
-impl Drawing<'_> {
+impl<'t> Drawing<'t> {
+    /// The scene for the quick kernel, if that can draw it, knows most of it, and saves time.
+    pub(in crate::trace) fn quick_stage(&self, settings: &Settings) -> Option<kernel::Stage<'t>> {
+        let part = settings.part();
+        // To set up the kernel takes about as long for a shape as to draw a few pixels.
+        let pixels = part.width as usize * part.height as usize;
+        let most = (pixels / 8).saturating_mul(settings.first_samples() as usize);
+        let stage = self.stage(settings.numbers, most)?;
+        self.is_mostly_sure(&self.scene(&stage), part)
+            .then_some(stage)
+    }
+
     /// The scene for the quick kernel, if that can draw it.
-    pub(super) fn stage(&self, numbers: Numbers, most: usize) -> Option<kernel::Stage<'_>> {
+    fn stage(&self, numbers: Numbers, most: usize) -> Option<kernel::Stage<'t>> {
         let graph = &self.tracer.graph;
-        let is_plain = numbers == Numbers::F64
-            && self.within == Within::Outside
-            && graph.without == Without::default()
-            && graph.solver.is_none();
-        is_plain.then(|| kernel::Stage::new(graph, most)).flatten()
+        let is_for_it =
+            numbers == Numbers::F64 && self.within == Within::Outside && !graph.without.kernel;
+        is_for_it.then(|| kernel::Stage::new(graph, most)).flatten()
     }
 
     /// Whether the kernel knows most pixels of a few places in the picture.
-    pub(super) fn is_mostly_sure(&self, scene: &kernel::Scene, part: Crop) -> bool {
+    fn is_mostly_sure(&self, scene: &kernel::Scene, part: Crop) -> bool {
         let [columns, rows] = [part.width, part.height].map(|n| n as usize);
         let [across, down] = [columns / kernel::TILE[0], rows / kernel::TILE[1]];
         // They take a hundredth of the time.
@@ -46,7 +54,7 @@ impl Drawing<'_> {
         all - sure <= all / 8
     }
 
-    pub(super) fn scene<'s>(&'s self, stage: &'s kernel::Stage<'s>) -> kernel::Scene<'s> {
+    pub(in crate::trace) fn scene<'s>(&'s self, stage: &'s kernel::Stage<'s>) -> kernel::Scene<'s> {
         kernel::Scene {
             stage,
             lights: self.lights,
