@@ -59,8 +59,18 @@ pub(super) fn numbers<const N: usize>(s: &str) -> Result<[f64; N], Complaint> {
         }
         count += 1;
     }
+    // As many with commas for points, as in `0,5 1 9 0 0 -1`.
+    let pointed = || {
+        let words = s.split_whitespace().map(|word| word.replacen(',', ".", 1));
+        let numbers: Option<Vec<String>> = words
+            .map(|word| word.parse::<f64>().is_ok().then_some(word))
+            .collect();
+        numbers.filter(|numbers| numbers.len() == N)
+    };
     if count == N {
         Ok(out)
+    } else if let Some(numbers) = pointed() {
+        Err(Complaint::new("decimal-commas").with("number", quote(&numbers.join(" "))))
     } else {
         Err(Complaint::new("wrong-count")
             .with("expected", Value::Count(N as u64))

@@ -247,6 +247,7 @@ line-unreadable = nelze přečíst: { $reason }
 line-too-long = řádek je delší než { $max } bajtů
 number-out-of-range = { $word } je mimo rozsah
 not-a-number = { $word } není číslo
+decimal-commas = čísla mají desetinnou tečku: { $number }
 wrong-count = { $expected ->
     [one] očekává se { $expected } číslo
     [few] očekávají se { $expected } čísla

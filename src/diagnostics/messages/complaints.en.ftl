@@ -243,6 +243,7 @@ line-too-long = the line is longer than { $max } bytes
 point-out-of-range = a transformation takes the point out of the range of double precision
 number-out-of-range = { $word } is out of range
 not-a-number = { $word } is not a number
+decimal-commas = numbers have a decimal point: { $number }
 wrong-count = expected { $expected ->
     [one] { $expected } number
    *[other] { $expected } numbers
