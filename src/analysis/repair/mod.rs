@@ -310,9 +310,15 @@ impl Engine<'_> {
         let Some((base, own_line)) = self.attempt_at(None, &others, line) else {
             return false;
         };
-        // A guess on another line defines it.
+        // A guess on another line defines it: one that mends something else, too.
         let is_choice = |f: &Fix| f.applicability == Applicability::Choice;
-        if is_undefined && !has_error_at(&base, own_line) && !others.iter().any(is_choice) {
+        let is_same = |d: &Diagnostic| d.code == Code::E101 && d.values == finding.values;
+        let is_for_it = |d: &Diagnostic| is_same(d) && *d != finding && !d.fixes.is_empty();
+        if is_undefined
+            && !has_error_at(&base, own_line)
+            && !others.iter().any(is_choice)
+            && !self.findings.iter().any(is_for_it)
+        {
             self.findings.remove(at);
             return true;
         }
