@@ -171,6 +171,9 @@ fn other_words_of_ruff_have_an_answer() {
         assert!(error.contains(answer), "{arguments:?}: {error}");
         assert!(!error.contains("did you mean"), "{arguments:?}: {error}");
     }
+    // Pictures alone have a number of threads.
+    let run = program::zpg(dir.path(), &["check", "-j", "4"]);
+    assert!(!text(&run.stderr).contains("--threads"));
     // Nothing was drawn before the answer.
     assert!(!dir.path().join("a.png").exists());
     // What is proposed is right.

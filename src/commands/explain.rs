@@ -144,10 +144,7 @@ fn page(topic: &str, language: Language) -> Option<String> {
         return Some(page);
     }
     // What people call it. A word may stand for several types.
-    let mut types = words::named(&topic);
-    if types.is_empty() {
-        types = of_scenes(&topic);
-    }
+    let types = words::named(&topic);
     let list = |types: &[&RecordType]| {
         let one =
             |ty: &&RecordType| format!("{} (`zpg explain {}`)", language.name(ty.title), ty.code);
@@ -171,30 +168,6 @@ fn page(topic: &str, language: Language) -> Option<String> {
         true => page,
         false => format!("{}\n\n{}\n", page.trim_end(), list(others)),
     })
-}
-
-/// What people and other programs call what a record does, without accents, and the types that do it.
-const OF_SCENES: [(&str, &[i64]); 10] = [
-    ("prsten", &[14]),
-    ("ring", &[14]),
-    ("osvetleni", &[-402, -401]),
-    ("lighting", &[-402, -401]),
-    ("normal", &[7, 8]),
-    ("normala", &[7, 8]),
-    ("location", &[-501]),
-    ("finish", &[-201]),
-    ("floor", &[4]),
-    ("sky", &[9999]),
-];
-
-fn of_scenes(topic: &str) -> Vec<&'static RecordType> {
-    let word = plain(topic);
-    let found = OF_SCENES.iter().find(|(name, _)| *name == word);
-    let codes = found.map_or(&[][..], |(_, codes)| codes);
-    codes
-        .iter()
-        .filter_map(|&code| RecordType::by_code(code))
-        .collect()
 }
 
 /// What a record type goes by, in any language.

@@ -6,7 +6,7 @@ use crate::diagnostics::Complaint;
 use crate::syntax::words::plain;
 
 /// A word of ruff or of a renderer, and the message that says what there is instead.
-const HABITS: [(&str, &str); 71] = [
+const HABITS: [(&str, &str); 69] = [
     ("--add-noqa", "habit-add-allow"),
     ("--cache-dir", "habit-cache"),
     ("--no-cache", "habit-cache"),
@@ -75,17 +75,17 @@ const HABITS: [(&str, &str); 71] = [
     ("--aa", "habit-samples"),
     ("--spp", "habit-samples"),
     ("--gamma", "habit-gamma"),
-    ("-j", "habit-threads"),
-    ("--jobs", "habit-threads"),
     ("version", "habit-version"),
 ];
 
-/// The message about a word, if it is one of ruff's.
+/// The message about a word, if it is one of them, behind a command of zpg.
 pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
     let word = word.split('=').next().unwrap_or(word);
-    // A formatter has the width of a line.
-    if (word, command) == ("--width", "fmt") {
-        return Some("habit-line-length");
+    match (word, command) {
+        // A formatter has the width of a line.
+        ("--width", "fmt") => return Some("habit-line-length"),
+        ("-j" | "--jobs", "render") => return Some("habit-threads"),
+        _ => {}
     }
     let habit = HABITS.iter().find(|(name, _)| *name == word);
     habit.map(|(_, message)| *message)

@@ -1,6 +1,7 @@
 //! The spelling of a number: the shortest that reads back as the same value, without an exponent
 //! where that makes it no longer.
 
+use crate::syntax::with_point;
 use std::borrow::Cow;
 use std::fmt::{self, Write};
 
@@ -10,7 +11,8 @@ const CERTAIN_DIGITS: usize = 15;
 /// The spelling of a number where any number may stand. `value` is what `text` reads as. A number that is not finite
 /// stays as it is, and so does one that may have lost its point, as `08`.
 pub(super) fn real(text: &str, value: f64) -> Cow<'_, str> {
-    if value != 0.0 && has_lost_point(text) {
+    let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
+    if value != 0.0 && with_point(digits).is_some() {
         return text.into();
     }
     match plain(text) {
@@ -47,12 +49,6 @@ pub(super) fn canonical(text: &str) -> Option<usize> {
         _ => false,
     };
     right.then_some(point)
-}
-
-/// Whether a number is digits alone, the first of them a 0.
-fn has_lost_point(text: &str) -> bool {
-    let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
-    digits.len() > 1 && digits.starts_with('0') && digits.bytes().all(|c| c.is_ascii_digit())
 }
 
 /// A number where an integer is needed. What is no integer is left as it is, and so are `-0` and `-00`: read as reals they

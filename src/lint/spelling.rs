@@ -24,13 +24,6 @@ pub fn decimal(x: f64) -> String {
     spelled(format!("{x:.11e}").parse().unwrap_or(x))
 }
 
-/// A number below 1 whose decimal point is lost: `08` is 0.8, `085` is 0.85.
-pub fn with_point(text: &str) -> Option<String> {
-    let rest = text.strip_prefix('0')?;
-    let is_one = !rest.is_empty() && rest.bytes().all(|c| c.is_ascii_digit());
-    is_one.then(|| format!("0.{rest}"))
-}
-
 /// A number for people: four significant digits.
 pub fn rough(x: f64) -> String {
     let exact = spelled(x);

@@ -1,4 +1,5 @@
-//! What a person has left to be calculated: `3*0.3`, `2^3`, `√2`, `½`; and numbers with another sign for their point.
+//! What a person has left to be calculated: `3*0.3`, `2^3`, `√2`, `½`; and numbers with another sign for their point, or
+//! none.
 
 /// The number that arithmetic, or another sign in the place of a decimal point, stands for.
 pub fn calculated(text: &str) -> Option<String> {
@@ -23,6 +24,13 @@ pub fn calculated(text: &str) -> Option<String> {
     let close = (rounded - sign * value).abs() <= 4.0 * f64::EPSILON * value.abs();
     let shown = if close { rounded } else { sign * value };
     value.is_finite().then(|| shown.to_string())
+}
+
+/// A number below 1 whose decimal point is lost: `08` is 0.8, `085` is 0.85.
+pub fn with_point(text: &str) -> Option<String> {
+    let rest = text.strip_prefix('0')?;
+    let is_one = !rest.is_empty() && rest.bytes().all(|c| c.is_ascii_digit());
+    is_one.then(|| format!("0.{rest}"))
 }
 
 /// Two numbers and what is between them.

@@ -46,7 +46,7 @@ pub mod table;
 pub mod words;
 
 pub use ast::{Document, Item, Record};
-pub use calculated::calculated;
+pub use calculated::{calculated, with_point};
 pub use captions::Captions;
 pub use directive::is_directive;
 pub use parser::parse;

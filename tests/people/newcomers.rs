@@ -2,13 +2,19 @@
 //! scene that was meant.
 
 use zpg::internals::analysis::{Analysis, fixing, repair};
-use zpg::internals::diagnostics::{Code, Language, fixes};
+use zpg::internals::diagnostics::{Code, Diagnostic, Language, fixes};
 use zpg::internals::format::{Options, format};
 
 use super::read;
 
 /// A camera, a lamp, and what is drawn.
 const REST: &str = "9 -501 0 0 6 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 2 0\n";
+
+/// The first error of a text, with what is proposed.
+fn first_error(text: &str) -> Diagnostic {
+    let all = repair::proposals(&read(text));
+    all.into_iter().find(Diagnostic::is_error).unwrap()
+}
 
 fn fixed(text: &str) -> String {
     let mended = fixing::to_fixed_point(read(text), true, Analysis::of);
@@ -863,8 +869,7 @@ fn a_lost_number_of_a_profile() {
         "2 1 6  0 0  0.8 0  0.6 0.2  0.9  0.8 2  0 0.3",
     ] {
         let text = format!("{line}\n{REST}");
-        let all = repair::proposals(&read(&text));
-        let error = all.iter().find(|d| d.is_error()).unwrap();
+        let error = first_error(&text);
         assert_eq!((error.code, error.fixes.len()), (Code::E008, 0));
         assert_eq!(fixed(&text), text);
     }
@@ -881,8 +886,7 @@ fn signs_within_comments() {
         ("# see #1 top", "# see 1 top #"),
     ] {
         let text = format!("2 11 0 1 0 1 {comment}\n{REST}");
-        let all = repair::proposals(&read(&text));
-        let error = all.iter().find(|d| d.is_error()).unwrap();
+        let error = first_error(&text);
         let shown = fixes::apply(&text, error.fixes.iter()).0;
         assert_eq!(shown, text.replace(comment, meant));
         assert_eq!(written(&text), (text.clone(), shown));
@@ -943,8 +947,7 @@ fn operations_without_their_type() {
             format!("{a} 11 0 0 0 1\n{b} 11 1 0 0 1\n{line}\n{rest}")
         };
         let text = scene(&format!("44 {a} {b}"));
-        let all = repair::proposals(&read(&text));
-        let error = all.iter().find(|d| d.is_error()).unwrap();
+        let error = first_error(&text);
         let shown = |fix| fixes::apply(&text, std::iter::once(fix)).0;
         let proposed: Vec<String> = error.fixes.iter().map(shown).collect();
         let types = ["-101", "-102", "-103"];
@@ -1001,8 +1004,7 @@ fn colours_by_their_ids() {
     assert_eq!(fixed(&text), text.replace("2 -701 20", "2 -299 20 0"));
     let text =
         format!("2 9 1\n25 -201 0.7 0.3 0\n26 -701 1 0 0\n27 -701 1 1 0\n2 -299 2 25\n{REST}");
-    let all = repair::proposals(&read(&text));
-    let error = all.iter().find(|d| d.is_error()).unwrap();
+    let error = first_error(&text);
     assert_eq!((error.code, error.fixes.len()), (Code::E103, 3));
     assert_eq!(fixed(&text), text);
 }
@@ -1070,8 +1072,7 @@ fn clauses_of_povray_behind_an_id() {
         ("2 interior { ior 1.5 }", "2 -203 1.5 1.5 1.5"),
     ] {
         let text = format!("2 11 0.5 0.5 0 1\n{line}\n{REST}");
-        let all = repair::proposals(&read(&text));
-        let error = all.iter().find(|d| d.is_error()).unwrap();
+        let error = first_error(&text);
         let shown = fixes::apply(&text, error.fixes.iter()).0;
         assert_eq!(shown, text.replace(line, meant));
     }
@@ -1094,4 +1095,13 @@ fn a_radius_with_a_minus() {
     let shown = fixes::apply(&text, error.fixes.iter()).0;
     assert_eq!(shown, text.replace("-0.5", "0.5"));
     assert_eq!(fixed(&text), text);
+}
+
+/// An ID that nothing defines is told of every record that has it.
+#[test]
+fn an_undefined_id_in_many_records() {
+    let lines: String = (10..50).map(|id| format!("{id} -101 2 77\n")).collect();
+    let all = repair::proposals(&read(&format!("2 11 0 0 0 1\n{lines}{REST}")));
+    let undefined = all.iter().filter(|d| d.code == Code::E101);
+    assert_eq!(undefined.count(), 40);
 }

@@ -118,18 +118,14 @@ impl<'i> Runner<'i> {
             Roots::Ours => None,
             roots => solver::of(&variant.scene, tracer, roots.into()),
         };
-        let mut ready = Ready {
+        Ok(Ready {
             tracer,
             stage: None,
             scene: &variant.scene,
             camera: &self.camera,
             size: self.size,
             settings: *settings,
-        };
-        if let Kernel::Ours(numbers) = settings.kernel {
-            ready.stage = tracer.stage(&self.camera, &ready.taken(numbers))?;
-        }
-        Ok(ready)
+        })
     }
 
     /// Draws tiles on all threads.
@@ -138,7 +134,7 @@ impl<'i> Runner<'i> {
     ///
     /// As [`Tracer::render`].
     pub fn draw(&mut self, settings: &Settings, tiles: &[Tile]) -> Result<Drawn, Error> {
-        let ready = self.prepare(settings)?;
+        let ready = self.prepare(settings)?.staged()?;
         let chunks: Vec<&[Tile]> = tiles.chunks(4).collect();
         let parts = parallel::map_each(chunks, |tiles| {
             ready.pixels(|pixels| {
@@ -166,7 +162,7 @@ impl<'i> Runner<'i> {
     ///
     /// As [`Tracer::render`].
     pub fn time(&mut self, settings: &Settings, tiles: &[Tile]) -> Result<Timed, Error> {
-        let ready = self.prepare(settings)?;
+        let ready = self.prepare(settings)?.staged()?;
         ready.pixels(|pixels| {
             let mut timed = Timed::default();
             timed
@@ -206,7 +202,7 @@ impl<'i> Runner<'i> {
         tiles: &[Tile],
         samples: std::ops::Range<u32>,
     ) -> Result<Vec<Rgb>, Error> {
-        let ready = self.prepare(settings)?;
+        let ready = self.prepare(settings)?.staged()?;
         let parts = parallel::map_each(tiles.to_vec(), |tile| {
             ready.pixels(|pixels| {
                 let places: Vec<[u32; 2]> = tile.pixels().collect();
@@ -272,7 +268,15 @@ struct Ready<'s> {
     settings: Settings,
 }
 
-impl Ready<'_> {
+impl<'s> Ready<'s> {
+    /// The same with the quick kernel, if that draws the picture.
+    fn staged(mut self) -> Result<Ready<'s>, Error> {
+        if let Kernel::Ours(numbers) = self.settings.kernel {
+            self.stage = self.tracer.stage(self.camera, &self.taken(numbers))?;
+        }
+        Ok(self)
+    }
+
     fn pixels<T>(&self, draw: impl FnOnce(&mut dyn Pixels) -> T) -> Result<T, Error> {
         let all = (self.scene, self.tracer, self.camera);
         match self.settings.kernel {

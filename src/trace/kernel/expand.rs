@@ -333,7 +333,8 @@ impl Leaves {
             boxes: Vec::new(),
         };
         let outer = above.chain.len();
-        // With each object its gate and how deep that is, what is above it, and what its shapes look like, if not like themselves.
+        // With each object its gate and how deep that is, what is above it, and what its shapes look like, if not like
+        // themselves.
         let mut pending = vec![(object, [0, 0], above.clone(), None)];
         while let Some((object, [gate, depth], above, owner)) = pending.pop() {
             let (firsts, cuts, cut_owner) = match &object.operation {

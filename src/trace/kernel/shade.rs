@@ -27,18 +27,15 @@ impl Tile {
         let ks = V3::gathered(four.leaves, |leaf| &leaf.ks);
         let direction = four.direction;
         let mut mirrored = ks;
-        let [mut clear, mut solid] = [0; 2];
-        for lane in 0..WIDTH {
-            clear |= u32::from(four.leaves[lane].is_clear) << lane;
-            solid |= u32::from(four.leaves[lane].is_solid) << lane;
-        }
-        clear &= hits.live;
+        let clear = hits.live & lanes_where(|lane| four.leaves[lane].is_clear);
         if scene.features.glass && clear != 0 {
             let from_one_into_another;
             let mut ways = each(four.leaves, |leaf| &leaf.ways[..leaf.way_count as usize]);
-            let is_between =
-                |lane: usize| four.rays[lane].sides.iter().all(|side| !side.is_empty());
-            let between = clear & solid & lanes_where(is_between);
+            let is_between = |lane: usize| {
+                let sides = four.rays[lane].sides;
+                four.leaves[lane].is_solid && sides.iter().all(|side| !side.is_empty())
+            };
+            let between = clear & lanes_where(is_between);
             if between != 0 {
                 from_one_into_another = self.ways_between(scene.stage, four);
                 for lane in (0..WIDTH).filter(|lane| between >> lane & 1 != 0) {
@@ -236,18 +233,13 @@ impl<'a> Four<'a> {
         let rays = [ray(a), ray(b), ray(c), ray(d)];
         let leaf = |ray: &Ray| &leaves[ray.met.surface as usize];
         let solids = [leaf(rays[0]), leaf(rays[1]), leaf(rays[2]), leaf(rays[3])];
-        let [mut far, mut exit] = [0; 2];
-        for (lane, ray) in rays.iter().enumerate() {
-            far |= u32::from(ray.met.is_exit) << lane;
-            exit |= u32::from(ray.start.within.has(solids[lane].solid)) << lane;
-        }
         Four {
             rays,
             leaves: solids,
             origin: V3::gathered(rays, |ray| &ray.start.origin),
             direction: V3::gathered(rays, |ray| &ray.start.direction),
-            far,
-            exit,
+            far: lanes_where(|lane| rays[lane].met.is_exit),
+            exit: lanes_where(|lane| rays[lane].start.within.has(solids[lane].solid)),
         }
     }
 }

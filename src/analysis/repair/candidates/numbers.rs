@@ -3,10 +3,11 @@
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::characters;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
-use crate::lint::spelling::{decimal, with_point};
+use crate::lint::spelling::decimal;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
+use crate::syntax::with_point;
 
 /// Words before the point that a camera of other programs looks at.
 const LOOK_AT: [&str; 4] = ["look_at", "lookat", "target", "at"];

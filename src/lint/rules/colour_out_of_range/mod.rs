@@ -2,9 +2,10 @@
 
 use crate::diagnostics::{Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
-use crate::lint::spelling::{linear_part, rough, with_point};
+use crate::lint::spelling::{linear_part, rough};
 use crate::scene::record::Params;
 use crate::syntax::table::RecordKind;
+use crate::syntax::with_point;
 
 /// Whole numbers up to 255 are bytes as image programs show them, in sRGB as hexadecimal digits are. Up to 100 they are rather per cent, if one is 10 at
 /// least.

@@ -2,8 +2,9 @@
 
 use crate::diagnostics::{Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
-use crate::lint::spelling::{spelled, with_point};
+use crate::lint::spelling::spelled;
 use crate::syntax::table::RecordKind;
+use crate::syntax::with_point;
 use crate::syntax::{Item, Record};
 
 /// The sum of the decimal numbers may exceed 1 by the rounding of its three terms and two additions.

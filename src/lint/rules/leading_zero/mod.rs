@@ -2,9 +2,9 @@
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
 use crate::lint::Context;
-use crate::lint::spelling::{spelled, with_point};
-use crate::syntax::quote;
+use crate::lint::spelling::spelled;
 use crate::syntax::table::{ParamKind, RecordKind};
+use crate::syntax::{quote, with_point};
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for record in context.records() {
@@ -17,9 +17,6 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         for (i, token) in context.document.params(record).enumerate() {
             let text = token.text(context.text);
             let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
-            if !unsigned.starts_with('0') || unsigned.len() == 1 {
-                continue;
-            }
             let is_real = ty
                 .param(i, count)
                 .is_some_and(|p| p.kind == ParamKind::Real);
