@@ -334,7 +334,7 @@ pub(super) const MAX_ORIGIN_DISTANCE: f64 = (1u64 << 50) as f64;
 
 impl Beam {
     /// Meets everything.
-    pub const LOST: Beam = Beam {
+    const LOST: Beam = Beam {
         enter: [0.0; 3],
         leave: [0.0; 3],
         inverse: [1.0; 3],

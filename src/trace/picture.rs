@@ -14,7 +14,6 @@ use super::kernel;
 use super::plan::Effect;
 use super::precision::Precision;
 use super::sampling::sample;
-use super::search::direction_cache::{self, DirectionCache, DirectionCaches};
 use super::shade::{Features, Limits, Shader};
 use super::stats::{Counts, Samples};
 use super::tracer::{Light, Tracer};
@@ -27,8 +26,8 @@ use crate::scene::{Camera, Scene};
 use crate::solids::staging;
 pub(super) use pen::Pen;
 use pen::{Draw, Pixel, Quick};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, OnceLock};
 
 /// A rectangle of pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -170,20 +169,6 @@ impl Tracer {
         }
     }
 
-    /// How many parts are seen in each vista at most, where there are enough samples that it pays to look.
-    fn seen(&self, settings: &Settings, lights: usize) -> Option<usize> {
-        let [width, height] = match settings.crop {
-            Some(crop) => [crop.width, crop.height],
-            None => [settings.width, settings.height],
-        };
-        let samples = [height, settings.samples].map(|n| n as usize);
-        let samples = samples
-            .into_iter()
-            .fold(width as usize, usize::saturating_mul);
-        let is_known = settings.numbers == Numbers::F64 && self.clip.is_none();
-        is_known.then(|| MAX_CACHED_BODIES.min(samples / SAMPLES_PER_CACHED_BODY) / (1 + lights))
-    }
-
     /// Takes a picture. `progress` is told of every finished row, from any thread.
     ///
     /// Every pixel is computed from the scene and its own place alone, or with a tolerance from
@@ -237,8 +222,6 @@ impl Tracer {
         let features = self.features(outside);
         Ok(draw(&Drawing {
             tracer: self,
-            direction_caches: OnceLock::new(),
-            seen: self.seen(settings, lights.len()),
             lights,
             limits,
             within: match outside {
@@ -255,11 +238,6 @@ impl Tracer {
     }
 }
 
-/// Most bodies in all direction caches together.
-const MAX_CACHED_BODIES: usize = 1 << 18;
-/// Samples of a picture for each body in its direction caches, at least.
-const SAMPLES_PER_CACHED_BODY: usize = 4;
-
 /// The state that the rows of a picture have in common.
 pub(super) struct Drawing<'t> {
     pub(super) tracer: &'t Tracer,
@@ -270,10 +248,6 @@ pub(super) struct Drawing<'t> {
     pub(super) within: Within,
     shift: [f64; 2],
     features: Features,
-    /// Set up when the first pixel asks for them.
-    direction_caches: OnceLock<DirectionCaches>,
-    /// See [`Tracer::seen`].
-    seen: Option<usize>,
     wanted: Option<Arc<[bool]>>,
     /// The width of the whole picture.
     width: u32,
@@ -319,64 +293,15 @@ impl<'t> Drawing<'t> {
         picture
     }
 
-    /// A pen that draws pixels on one thread, without the quick kernel.
-    pub(super) fn pen<R: Precision>(&self) -> Pen<'_, 't, R> {
-        let caches = (self.direction_caches).get_or_init(|| self.direction_caches());
-        self.pen_with(caches, None)
-    }
-
-    fn pen_with<'d, R: Precision>(
+    /// A pen that draws pixels on one thread, with the quick kernel if that can draw the scene.
+    pub(super) fn pen<'d, R: Precision>(
         &'d self,
-        direction_caches: &'d DirectionCaches,
         quick: Option<&'d kernel::Scene<'d>>,
     ) -> Pen<'d, 't, R> {
         Pen {
-            shader: Shader::new(
-                self.tracer,
-                self.lights,
-                self.limits,
-                self.features,
-                direction_caches,
-            ),
+            shader: Shader::new(self.tracer, self.lights, self.limits, self.features),
             drawing: self,
             quick: quick.map(Quick::new),
-        }
-    }
-
-    /// A pen that draws with the quick kernel, if that can draw the scene.
-    pub(super) fn pen_of<'d, R: Precision>(
-        &'d self,
-        quick: Option<&'d kernel::Scene<'d>>,
-        no_caches: &'d DirectionCaches,
-    ) -> Pen<'d, 't, R> {
-        match quick {
-            // A few pixels are not worth looking.
-            Some(scene) => self.pen_with(no_caches, Some(scene)),
-            None => self.pen(),
-        }
-    }
-
-    /// What is seen from the eye and the lights.
-    fn direction_caches(&self) -> DirectionCaches {
-        let graph = &self.tracer.graph;
-        let bodies = self
-            .seen
-            .and_then(|most| direction_cache::bodies(graph, most));
-        let Some(bodies) = bodies else {
-            return DirectionCaches::default();
-        };
-        let from = |point| DirectionCache::new(&bodies, point);
-        // Light through glass is looked for in other ways.
-        let lights = match self.features.shadows && !self.features.glass {
-            true => (self.lights.iter())
-                .map(|light| from(light.position))
-                .collect(),
-            false => Vec::new(),
-        };
-        let view = &self.view;
-        DirectionCaches {
-            eye: view.is_pinhole().then(|| from(view.position())).flatten(),
-            lights,
         }
     }
 
@@ -427,7 +352,6 @@ impl<'t> Drawing<'t> {
                 total_reflection,
             })
             .collect();
-        let no_caches = DirectionCaches::default();
         let shape = if quick.is_some() {
             quick::tile(samples)
         } else {
@@ -435,7 +359,7 @@ impl<'t> Drawing<'t> {
         };
         let drawn = parallel::map_each_with(
             in_bands(rows, shape[1]),
-            || self.pen_of(quick, &no_caches),
+            || self.pen(quick),
             |pen, band| self.band(pen, band, (part.x, shape[0]), progress, draw),
         );
         let mut samples = Samples::NONE;
@@ -529,11 +453,10 @@ impl<'t> Drawing<'t> {
         part: Crop,
         quick: Option<&kernel::Scene>,
     ) -> (Vec<Vec<First>>, Counts) {
-        let no_caches = DirectionCaches::default();
         let across = if quick.is_some() { kernel::TILE[0] } else { 1 };
         let rows = parallel::map_with(
             part.height as usize,
-            || self.pen_of::<R>(quick, &no_caches),
+            || self.pen::<R>(quick),
             |pen, row| {
                 let y = part.y + row as u32;
                 pen.reset();

@@ -8,7 +8,6 @@ pub use super::kernel::Stage;
 use super::picture::{Numbers, Pen, Settings};
 use super::precision::Precision;
 use super::ray::Ray;
-use super::search::direction_cache::DirectionCaches;
 use super::search::escalate::Walkers;
 use super::stats::{Cost, Counts};
 use super::tracer::Tracer;
@@ -98,7 +97,7 @@ impl Tracer {
         self.drawing(camera, settings, |drawing| {
             let quick = stage.map(|stage| drawing.scene(stage));
             draw(&mut Single {
-                pen: drawing.pen_of::<R>(quick.as_ref(), &DirectionCaches::default()),
+                pen: drawing.pen::<R>(quick.as_ref()),
                 walkers: drawing.tracer.walker::<R>(),
                 tolerance: settings.tolerance.unwrap_or(0.0),
                 size: [settings.width, settings.height],

@@ -14,9 +14,6 @@ pub struct Left<R = f64> {
     pub surface: u64,
     /// The number of its shape.
     pub primitive: u32,
-    /// The number of an intersection's surface (see [`Walker::surface`](super::search::walk::Walker::surface)), or 0. The ray
-    /// leaves a convex operand of that intersection outwards, so it cannot meet it.
-    pub outside_of: u64,
     /// Whether the ray goes into the surface's solid. Crossings alternate, so this and being
     /// nearest to the origin single out the root that is the starting point itself.
     pub entering: bool,
@@ -64,7 +61,6 @@ impl<R: Traced> Ray<R> {
             left: self.left.map(|left| Left {
                 surface: left.surface,
                 primitive: left.primitive,
-                outside_of: left.outside_of,
                 entering: left.entering,
                 skin: S::of_parts(left.skin.parts()),
                 passage: left.passage,

@@ -2,7 +2,6 @@
 
 use super::precision::Precision;
 use super::ray::Ray;
-use super::search::direction_cache::{DirectionCaches, End};
 use super::search::escalate::Walkers;
 use super::search::hit::Hit;
 use super::stats::{Counts, Intersections, Rays, Work};
@@ -51,7 +50,6 @@ pub struct Shader<'t, R: Precision = f64> {
     lights: &'t [Light],
     limits: Limits,
     features: Features,
-    direction_caches: &'t DirectionCaches,
     walkers: Walkers<'t, R>,
     rays: Rays,
     /// Rays in some of the channels, and changes of the medium.
@@ -66,7 +64,6 @@ impl<'t, R: Precision> Shader<'t, R> {
         lights: &'t [Light],
         limits: Limits,
         features: Features,
-        direction_caches: &'t DirectionCaches,
     ) -> Shader<'t, R> {
         Shader {
             tracer,
@@ -74,7 +71,6 @@ impl<'t, R: Precision> Shader<'t, R> {
             lights,
             limits,
             features,
-            direction_caches,
             walkers: tracer.walker(),
             rays: Rays::default(),
             parted: 0,
@@ -130,12 +126,7 @@ impl<'t, R: Precision> Shader<'t, R> {
     /// too deep.
     pub fn radiance(&mut self, ray: &Ray<R>) -> Rgb {
         self.rays.camera += 1;
-        let eye = self
-            .direction_caches
-            .eye
-            .as_ref()
-            .map_or(End::Anywhere, End::At);
-        let mut sum = self.light_along(ray, eye, (Vec3::ONE, 0));
+        let mut sum = self.light_along(ray, (Vec3::ONE, 0));
         while let Some(Branch {
             ray,
             weight,
@@ -144,7 +135,7 @@ impl<'t, R: Precision> Shader<'t, R> {
         }) = self.branches.pop()
         {
             let light = match sheet {
-                None => self.light_along(&ray, End::Anywhere, (weight, depth)),
+                None => self.light_along(&ray, (weight, depth)),
                 Some(kt) => self.light_behind_sheet(&ray, (weight, depth), kt),
             };
             sum = sum + light;
@@ -153,10 +144,10 @@ impl<'t, R: Precision> Shader<'t, R> {
     }
 
     /// The light that a surface sends back along a ray by itself, times the weight. Rays that go on from there wait.
-    fn light_along(&mut self, ray: &Ray<R>, end: End, (weight, depth): (Vec3, u32)) -> Vec3 {
+    fn light_along(&mut self, ray: &Ray<R>, (weight, depth): (Vec3, u32)) -> Vec3 {
         let hit = match self.features.glass {
-            false => self.walkers.first_hit::<false>(ray, end),
-            true => self.walkers.first_hit::<true>(ray, end),
+            false => self.walkers.first_hit::<false>(ray),
+            true => self.walkers.first_hit::<true>(ray),
         };
         let light = match &hit {
             Some(hit) => {
@@ -195,7 +186,7 @@ impl<'t, R: Precision> Shader<'t, R> {
         // All shadow rays leave in the same way; only their lines differ.
         let mut ray = hit.leave(normal, false);
         let mut light = self.ambient;
-        for (i, &Light { position, power }) in self.lights.iter().enumerate() {
+        for &Light { position, power } in self.lights {
             let way = position.cast() - hit.point;
             // Lights behind the surface, and hidden ones, need no unit vector: `lean` has the sign of the cosine, unless
             // `lean` is small beside the length of the way.
@@ -208,7 +199,7 @@ impl<'t, R: Precision> Shader<'t, R> {
             let cosine = || normal.dot(way.unit()).to_f64();
             if lean > sure || cosine() > 0.0 {
                 ray.line = Line::new(hit.point, way);
-                let seen = self.visibility(hit, &ray, i);
+                let seen = self.visibility(hit, &ray);
                 if seen.any() {
                     let power = sheet.map_or(power, |kt| power.times(kt));
                     light = light + power.times(seen) * cosine();
@@ -223,21 +214,15 @@ impl<'t, R: Precision> Shader<'t, R> {
     }
 
     /// The share of light that gets through along a ray from a hit, up to t = 1.
-    fn visibility(&mut self, hit: &Hit<R>, ray: &Ray<R>, light: usize) -> Vec3 {
+    fn visibility(&mut self, hit: &Hit<R>, ray: &Ray<R>) -> Vec3 {
         if !self.features.shadows || (self.tracer.plan.lone_convex && !hit.inside[0]) {
             return Vec3::ONE;
         }
         self.rays.shadow += 1;
-        let direction_cache = self
-            .direction_caches
-            .lights
-            .get(light)
-            .and_then(Option::as_ref);
-        let end = direction_cache.map_or(End::Anywhere, End::To);
         let clear = self.features.glass && !self.tracer.graph.without.transparent_shadows;
         match clear {
-            false => self.walkers.visibility::<false>(ray, light, end),
-            true => self.walkers.visibility::<true>(ray, light, end),
+            false => self.walkers.visibility::<false>(ray),
+            true => self.walkers.visibility::<true>(ray),
         }
     }
 

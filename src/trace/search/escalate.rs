@@ -1,7 +1,6 @@
 //! Questions about rays, and who answers them: a walker in the precision asked for, and where that
 //! one cannot decide, one in double-double.
 
-use super::direction_cache::End;
 use super::events::{Event, Kind};
 use super::hit::Hit;
 use super::query::QueryStatus;
@@ -63,8 +62,6 @@ impl<'t, R: Precision> Walkers<'t, R> {
     pub fn reset(&mut self) {
         self.uncertain = 0;
         (self.walker.counts, self.walker.work) = Default::default();
-        // What is asked first must not depend on which rows a thread has drawn before.
-        self.walker.in_the_way.clear();
         if let Some(finer) = &mut self.finer {
             (finer.counts, finer.work) = Default::default();
         }
@@ -198,7 +195,7 @@ impl Tracer {
 
     /// The first visible point on a ray.
     pub fn hit<R: Precision>(&self, walkers: &mut Walkers<R>, ray: &Ray<R>) -> Option<Hit<R>> {
-        walkers.first_hit::<true>(ray, End::Anywhere)
+        walkers.first_hit::<true>(ray)
     }
 
     /// Whether a point is inside some solid of the scene.
@@ -228,9 +225,8 @@ impl<R: Precision> Walkers<'_, R> {
     pub(in crate::trace) fn first_hit<const GLASS: bool>(
         &mut self,
         ray: &Ray<R>,
-        end: End,
     ) -> Option<Hit<R>> {
-        self.ask(&FirstHit::<GLASS> { end }, ray)
+        self.ask(&FirstHit::<GLASS>, ray)
     }
 
     /// The face that a sheet lies in which the ray sees first.
@@ -241,22 +237,15 @@ impl<R: Precision> Walkers<'_, R> {
 
     /// The share of light that gets through to a lamp at t = 1: the product of kt over all surfaces on the way. A surface
     /// that the lamp lies on is not on the way ([`AT_LAMP`](Precision::AT_LAMP)).
-    pub(in crate::trace) fn visibility<const GLASS: bool>(
-        &mut self,
-        ray: &Ray<R>,
-        light: usize,
-        end: End,
-    ) -> Vec3 {
-        self.ask(&Visibility::<GLASS> { light, end }, ray)
+    pub(in crate::trace) fn visibility<const GLASS: bool>(&mut self, ray: &Ray<R>) -> Vec3 {
+        self.ask(&Visibility::<GLASS>, ray)
     }
 }
 
 /// The question for what is seen first.
-struct FirstHit<'v, const GLASS: bool> {
-    end: End<'v>,
-}
+struct FirstHit<const GLASS: bool>;
 
-impl<const GLASS: bool> Question for FirstHit<'_, GLASS> {
+impl<const GLASS: bool> Question for FirstHit<GLASS> {
     type Answer<R: Precision> = Option<Hit<R>>;
 
     fn ask<R: Precision>(
@@ -268,7 +257,7 @@ impl<const GLASS: bool> Question for FirstHit<'_, GLASS> {
         let clipped = tracer.clip.is_some();
         walker.work.clip += u64::from(clipped);
         let (from, to) = tracer.window(ray, R::INFINITY)?;
-        walker.first_hit::<GLASS>(ray, (from, to), clipped, self.end)
+        walker.first_hit::<GLASS>(ray, (from, to), clipped)
     }
 
     fn cast<R: Precision>(answer: Option<Hit<Dd>>) -> Option<Hit<R>> {
@@ -352,11 +341,7 @@ impl Question for Meets {
 }
 
 /// How much light gets through.
-struct Visibility<'v, const GLASS: bool> {
-    /// The number of the light that it comes from, where the ray ends.
-    light: usize,
-    end: End<'v>,
-}
+struct Visibility<const GLASS: bool>;
 
 /// The share of light that all surfaces on a way let through.
 fn shared<R: Precision>(events: &[Event<R>], graph: &Graph) -> Vec3 {
@@ -369,7 +354,7 @@ fn shared<R: Precision>(events: &[Event<R>], graph: &Graph) -> Vec3 {
     share
 }
 
-impl<const GLASS: bool> Question for Visibility<'_, GLASS> {
+impl<const GLASS: bool> Question for Visibility<GLASS> {
     type Answer<R: Precision> = Vec3;
 
     /// A ray that starts outside and crosses something opaque before anything transparent is
@@ -383,22 +368,21 @@ impl<const GLASS: bool> Question for Visibility<'_, GLASS> {
         let Some((from, to)) = tracer.window(ray, R::of(1.0 - R::AT_LAMP)) else {
             return Vec3::ONE;
         };
-        let light = (self.light, self.end);
         if ray.is_outside() && tracer.clip.is_none() {
             if !GLASS {
-                return match walker.any(ray, (from, to), Search::Any, light) {
+                return match walker.nearest(ray, (from, to), Search::Any) {
                     Some(_) => Vec3::ZERO,
                     None => Vec3::ONE,
                 };
             }
-            let Some(opaque) = walker.any(ray, (from, to), Search::AnyOpaque, light) else {
+            let Some((opaque, _)) = walker.nearest(ray, (from, to), Search::AnyOpaque) else {
                 let events = walker.trace_clear_spans(ray, from, to);
                 let (any, share) = (!events.is_empty(), shared(events, &tracer.graph));
                 walker.work.transparent_shadow += u64::from(any);
                 return share;
             };
             let before = opaque.place.root.t;
-            let clear = walker.nearest(ray, (from, before), Search::AnyClear, End::Anywhere);
+            let clear = walker.nearest(ray, (from, before), Search::AnyClear);
             if clear.is_none() {
                 return Vec3::ZERO;
             }

@@ -1,7 +1,6 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
 use super::context::{Leaf, Painted};
-use super::direction_cache::End;
 use super::events::{Crossing, Kind, State};
 use super::query::Search;
 use super::spans::{FirstBoundary, first_of_kind};
@@ -10,7 +9,6 @@ use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::scene::{DEFAULT_COLOUR, Rgb};
-use crate::trace::graph::Operation;
 use crate::trace::precision::{Doubt, Precision};
 use crate::trace::ray::{Left, Ray};
 use crate::trace::shapes::Root;
@@ -46,8 +44,6 @@ pub struct Hit<R = f64> {
     /// Numbers of the surface and its shape; see [`Left`].
     pub surface: u64,
     pub primitive: u32,
-    /// If the shape is a convex operand of an intersection: the number of that intersection's surface. Else 0.
-    pub convex_in: u64,
     /// Bound on the point's distance from the true surface.
     pub skin: R,
     /// How the ray passes the surface that the face is a part of.
@@ -63,7 +59,6 @@ impl<R: Precision> Hit<R> {
         ray.left = Some(Left {
             surface: self.surface,
             primitive: self.primitive,
-            outside_of: if entering { 0 } else { self.convex_in },
             entering,
             skin: self.skin,
             passage: self.passage.map(|p| p.turned(!onwards)),
@@ -104,7 +99,6 @@ impl<R: Precision> Hit<R> {
             within: self.within,
             surface: self.surface,
             primitive: self.primitive,
-            convex_in: self.convex_in,
             skin: skin + normal.abs().dot(point.abs() * S::gamma(2)),
             passage: self.passage,
         }
@@ -176,12 +170,11 @@ impl<R: Precision> Walker<'_, R> {
         ray: &Ray<R>,
         (from, to): (R, R),
         clipped: bool,
-        end: End,
     ) -> Option<Hit<R>> {
         if clipped {
             return self.first_visible(ray, from, to);
         }
-        let (first, alone) = self.nearest(ray, (from, to), Search::First, end)?;
+        let (first, alone) = self.nearest(ray, (from, to), Search::First)?;
         let (leaf, root) = (first.place.leaf, first.place.root);
         let optics = &self.graph.optics[self.optics(first.owner) as usize];
         if ray.is_outside() && (!GLASS || !Vec3(optics.kt).any()) {
@@ -393,30 +386,8 @@ impl<R: Precision> Walker<'_, R> {
             within: [Within::Unknown; 2],
             surface: self.surface(leaf),
             primitive: number,
-            convex_in: self.convex_in(leaf),
             skin,
             passage: self.passage(leaf, &line, (root.face, located.point)),
-        })
-    }
-
-    /// If a shape is a convex operand of an intersection: the number of that intersection's surface. Else 0, and where only
-    /// doubles would use it.
-    fn convex_in(&self, leaf: Leaf) -> u64 {
-        if R::DOUBT != Doubt::GoesOn {
-            return 0;
-        }
-        let whole = &self.contexts[leaf.context as usize];
-        match &self.graph.objects[whole.object as usize].operation {
-            Operation::Intersection { first, .. } if first.contains(&leaf.part) => {}
-            _ => return 0,
-        }
-        let shape = self.primitive(leaf);
-        if self.part(leaf.part).inverted || !(shape.is_solid() && shape.shape().is_convex()) {
-            return 0;
-        }
-        self.surface(Leaf {
-            part: whole.part,
-            context: whole.parent,
         })
     }
 

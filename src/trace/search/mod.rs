@@ -1,13 +1,11 @@
 //! What a ray meets.
 //!
 //! [`walk`] goes down the graph along one ray. Outside of every solid, [`nearest`] looks for the first
-//! crossing; [`direction_cache`] knows what is on the way of rays from the eye and to lights. Inside, [`spans`] finds where
-//! along the ray each operand is, and [`merge`] joins the spans of the operands. [`root_order`] says which of two
-//! crossings comes first, [`surface_identity`] whether two of them are on one surface. [`hit`] says what is at a
-//! crossing. [`escalate`] asks again in double-double what rounding may have decided.
+//! crossing. Inside, [`spans`] finds where along the ray each operand is, and [`merge`] joins the spans of the operands.
+//! [`root_order`] says which of two crossings comes first, [`surface_identity`] whether two of them are on one surface.
+//! [`hit`] says what is at a crossing. [`escalate`] asks again in double-double what rounding may have decided.
 
 pub mod context;
-pub mod direction_cache;
 pub mod escalate;
 pub mod events;
 pub mod hit;

@@ -2,7 +2,6 @@
 //! known solids, it and the crossings that were passed over say what is a boundary.
 
 use super::context::Leaf;
-use super::direction_cache::{Body, End};
 use super::events::{Crossing, RayPoint};
 use super::query::{PendingNode, Search};
 use super::walk::Walker;
@@ -46,96 +45,33 @@ impl<R: Precision> Best<R> {
 impl<'g, R: Precision> Walker<'g, R> {
     /// The first crossing with a part's surface in (from, to], and whether nothing else is met that cannot be told from
     /// it. Parts that are unions are looked into; of intersections only their own boundary counts. Among crossings at the
-    /// same t a sheet's wins, then the first operand's. A search for any crossing takes the first one found. The search
-    /// for the first one passes over solids that the ray cannot see from where it starts, and notes where it crosses them.
+    /// same t a sheet's wins, then the first operand's. A search for any crossing takes the first one found, and puts it
+    /// at the end where it only knows that there is one. The search for the first one passes over solids that the ray
+    /// cannot see from where it starts, and notes where it crosses them.
     pub fn nearest(
         &mut self,
         ray: &Ray<R>,
         (from, to): (R, R),
         search: Search,
-        end: End,
     ) -> Option<(Crossing<R>, bool)> {
-        self.place(ray);
+        self.begin(ray);
         self.search = search;
         let mut best = Best::new(ray, from, to);
-        self.look_everywhere(ray, from, end, &mut best);
+        self.entries.clear();
+        self.open_union(0, from);
+        self.exhaust(ray, from, &mut best);
         Some((best.found?, best.second > best.limit))
     }
 
-    /// Goes on with a search that nothing has been found in.
-    #[inline(always)]
-    fn look_everywhere(&mut self, ray: &Ray<R>, from: R, end: End, best: &mut Best<R>) {
-        // Only doubles know well enough where a ray is.
-        if R::DOUBT == Doubt::GoesOn {
-            let direction = ray.line.direction.cast();
-            match end {
-                End::At(direction_cache) => {
-                    return self.look_at(ray, from, direction_cache.leaving(direction), best);
-                }
-                End::To(direction_cache) => {
-                    if let Some(bodies) = direction_cache.arriving(direction) {
-                        return self.look_at(ray, from, bodies.map(|(_, body)| (0.0, body)), best);
-                    }
-                }
-                End::Anywhere => {}
-            }
-        }
-        self.look_along(ray, from, best)
-    }
-
-    /// Looks for what the ray meets in the tree of the scene.
-    #[inline(never)]
-    fn look_along(&mut self, ray: &Ray<R>, from: R, best: &mut Best<R>) {
-        self.aim(ray);
-        self.entries.clear();
-        self.open_union(0, from);
-        self.exhaust(ray, from, best);
-    }
-
-    /// Looks at the parts with bounds that are given, the nearest first, and at those without.
-    #[inline(never)]
-    fn look_at<'v>(
-        &mut self,
-        ray: &Ray<R>,
-        from: R,
-        mut bodies: impl Iterator<Item = (f64, &'v Body)>,
-        best: &mut Best<R>,
-    ) {
-        self.entries.clear();
-        if let Operation::Union(whole) = &self.graph.root().operation {
-            self.open_loose(whole, 0, from);
-        }
-        let line = R::coarse(&ray.line);
-        while self.exhaust(ray, from, best)
-            && let Some((near, body)) = bodies.next()
-        {
-            self.counts.boxes += 1;
-            let limit = best.limit.to_f64();
-            if near > limit {
-                break;
-            }
-            let leaf = Leaf {
-                part: body.part,
-                context: 0,
-            };
-            if body.bounds.clip(&line, from.to_f64(), limit).is_some()
-                && !self.meet(ray, leaf, from, best)
-            {
-                break;
-            }
-        }
-    }
-
-    /// Visits all that is on the stack; `false`: that is enough.
-    #[inline(always)]
-    fn exhaust(&mut self, ray: &Ray<R>, from: R, best: &mut Best<R>) -> bool {
+    /// Visits all that is on the stack, or until that is enough.
+    fn exhaust(&mut self, ray: &Ray<R>, from: R, best: &mut Best<R>) {
         let mut next = None;
         loop {
             if self.search != Search::First && best.found.is_some() {
-                return false;
+                return;
             }
             let Some(entry) = next.take().or_else(|| self.entries.pop()) else {
-                return true;
+                return;
             };
             if entry.near > best.limit.to_f64() {
                 continue;
@@ -148,39 +84,11 @@ impl<'g, R: Precision> Walker<'g, R> {
                         context: entry.context,
                     };
                     if !self.meet(ray, leaf, from, best) {
-                        return false;
+                        return;
                     }
                 }
             }
         }
-    }
-
-    /// Any crossing with a surface in (from, to]: the shape that was last found is asked first. Where one is known to
-    /// be there but not where, it is put at the end.
-    pub fn any(
-        &mut self,
-        ray: &Ray<R>,
-        (from, to): (R, R),
-        search: Search,
-        (light, end): (usize, End),
-    ) -> Option<Crossing<R>> {
-        if self.in_the_way.len() <= light {
-            self.in_the_way.resize(light + 1, None);
-        }
-        self.place(ray);
-        self.search = search;
-        let mut best = Best::new(ray, from, to);
-        if let Some(part) = self.in_the_way[light] {
-            self.meet(ray, Leaf { part, context: 0 }, from, &mut best);
-            if best.found.is_some() {
-                return best.found;
-            }
-        }
-        self.look_everywhere(ray, from, end, &mut best);
-        let leaf = best.found.map(|found| found.place.leaf);
-        let is_own = |leaf: &Leaf| leaf.context == 0;
-        self.in_the_way[light] = leaf.filter(is_own).map(|leaf| leaf.part);
-        best.found
     }
 
     /// Puts the parts of a union that have no bounds on the stack, and its tree.
@@ -268,7 +176,6 @@ impl<'g, R: Precision> Walker<'g, R> {
             return true;
         }
         match self.part(leaf.part).target {
-            Target::Object(_) if self.is_left(ray, leaf) => {}
             Target::Object(object) => {
                 let Some(context) = self.enter(leaf.context, leaf.part, object) else {
                     return false;

@@ -141,9 +141,6 @@ impl<R: Precision> Walker<'_, R> {
     /// The events up to `to` of the parts that hold something transparent, after a search along the same ray. These are all events of a ray that starts
     /// outside of every solid and crosses nothing opaque.
     pub fn trace_clear_spans(&mut self, ray: &Ray<R>, from: R, to: R) -> &[Event<R>] {
-        if !self.aimed {
-            self.aim(ray);
-        }
         self.spans.forget();
         if let Operation::Union(Group {
             clear: Some(clear), ..
@@ -244,11 +241,10 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    /// A shape becomes a list at once, an object is entered. An object that the ray has left is passed over.
+    /// A shape becomes a list at once, an object is entered.
     fn part_spans(&mut self, ray: &Ray<R>, leaf: Leaf, from: R, to: R) {
         let part = self.part(leaf.part);
         let primitive = match part.target {
-            Target::Object(_) if self.is_left(ray, leaf) => return,
             Target::Object(object) => {
                 if let Some(context) = self.enter(leaf.context, leaf.part, object) {
                     self.spans.tasks.push(Task::Object { context });

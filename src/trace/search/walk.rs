@@ -21,8 +21,6 @@ pub struct Walker<'g, R: Precision = f64> {
     pub graph: &'g Graph,
     pub contexts: Vec<Context<R>>,
     pub roots: Roots<R>,
-    /// Whether the first context's beam is that of this ray.
-    pub(super) aimed: bool,
     /// The sizes of the numbers of the last shape that was met, and the ray in its space.
     pub(in crate::trace) scale: Scale<R>,
     pub(in crate::trace) line: Line<R>,
@@ -31,8 +29,6 @@ pub struct Walker<'g, R: Precision = f64> {
     pub(in crate::trace) entries: Vec<PendingNode>,
     pub(in crate::trace) nodes: Vec<u32>,
     pub(in crate::trace) search: Search,
-    /// For each light, the shape that was last in its way: a part of the scene itself.
-    pub(in crate::trace) in_the_way: Vec<Option<u32>>,
     pub(in crate::trace) spans: Spans<R>,
     /// Crossings that [`nearest`](Self::nearest) has found but passed over: the ray starts in an earlier operand, which
     /// hides them.
@@ -85,7 +81,6 @@ impl<'g, R: Precision> Walker<'g, R> {
         Walker {
             graph,
             contexts: Vec::new(),
-            aimed: false,
             roots: Roots::default(),
             scale: Scale::default(),
             line: Line::new(Vec3::ZERO, Vec3::ONE),
@@ -93,7 +88,6 @@ impl<'g, R: Precision> Walker<'g, R> {
             entries: Vec::new(),
             nodes: Vec::new(),
             search: Search::First,
-            in_the_way: Vec::new(),
             spans: Spans::default(),
             hidden: Vec::new(),
             counts: Intersections::default(),
@@ -107,24 +101,13 @@ impl<'g, R: Precision> Walker<'g, R> {
 
     /// Forgets the last ray; context 0 is the root's.
     pub fn begin(&mut self, ray: &Ray<R>) {
-        self.place(ray);
-        self.aim(ray);
-    }
-
-    /// Forgets the last ray, but does not [aim](Self::aim) this one at the root's tree.
-    pub(in crate::trace) fn place(&mut self, ray: &Ray<R>) {
-        self.contexts.truncate(1);
-        self.aimed = false;
         self.hidden.clear();
         self.met = None;
-        if let Some(root) = self.contexts.first_mut() {
-            root.line = ray.line;
-            return;
-        }
+        self.contexts.clear();
         self.contexts.push(Context {
             object: self.graph.root,
             line: ray.line,
-            beam: Beam::LOST,
+            beam: Beam::new(&R::coarse(&ray.line), &self.graph.root().frame),
             parent: 0,
             part: 0,
             depth: 0,
@@ -134,13 +117,6 @@ impl<'g, R: Precision> Walker<'g, R> {
             index: None,
             owner: 0,
         });
-    }
-
-    /// Finds out how the ray sees the boxes of the root's tree.
-    pub(in crate::trace) fn aim(&mut self, ray: &Ray<R>) {
-        let beam = Beam::new(&R::coarse(&ray.line), &self.graph.root().frame);
-        self.contexts[0].beam = beam;
-        self.aimed = true;
     }
 
     pub fn part(&self, part: u32) -> &'g Part {
@@ -377,13 +353,6 @@ impl<'g, R: Precision> Walker<'g, R> {
         };
         self.roots = roots;
         Some(behind)
-    }
-
-    /// Whether the ray has left a convex operand of this object, so that it cannot meet the object again.
-    #[inline]
-    pub(super) fn is_left(&self, ray: &Ray<R>, object: Leaf) -> bool {
-        let outside_of = ray.left.as_ref().map_or(0, |left| left.outside_of);
-        R::DOUBT == Doubt::GoesOn && outside_of != 0 && outside_of == self.surface(object)
     }
 
     /// Whether it is enough to know that a ray goes through a solid: it starts outside of that, and where the solid is

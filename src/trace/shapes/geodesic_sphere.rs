@@ -10,7 +10,6 @@
 //! the search goes down through the facets whose cones these stretches meet, mostly one of four.
 
 use super::facet::{Facet, Passage, PassageDirection, Projected, Shear, drift_across, narrow};
-use super::hull;
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
@@ -367,10 +366,6 @@ impl Shape for GeodesicSphere {
     fn bounds(&self) -> Aabb {
         let r = Vec3::ONE * self.record.radius;
         Aabb::new(-r, r).padded()
-    }
-
-    fn hull_points(&self) -> Vec<[f64; 3]> {
-        hull::of_ellipsoid(Vec3::ZERO, Vec3::ONE * self.record.radius)
     }
 
     /// The surface coordinates of the sphere in the point's direction.

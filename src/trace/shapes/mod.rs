@@ -12,7 +12,6 @@ mod error_bound;
 mod facet;
 mod geodesic_sphere;
 mod half_space;
-mod hull;
 pub mod outline;
 mod plane;
 mod quad_double;
@@ -161,11 +160,6 @@ pub trait Intersect<R: Traced = f64> {
 pub trait Shape {
     /// A box that holds the shape, rounded outwards.
     fn bounds(&self) -> Aabb;
-
-    /// A few points whose convex hull holds the shape. The closer, the fewer rays are tested that miss it.
-    fn hull_points(&self) -> Vec<[f64; 3]> {
-        self.bounds().corners().to_vec()
-    }
 
     /// How far the numbers reach, in the shape's space, that a crossing is computed from, besides
     /// those of the line and of the crossing itself; infinite where that is not known.

@@ -1,7 +1,6 @@
 //! The sphere.
 
 use super::error_bound::{fits, is_final, least, parameter_error};
-use super::hull;
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::exponent::{exponent, shifted, shifted_vector};
@@ -44,10 +43,6 @@ impl Shape for Sphere {
     fn bounds(&self) -> Aabb {
         let r = Vec3::ONE * self.radius;
         Aabb::new(self.centre - r, self.centre + r).padded()
-    }
-
-    fn hull_points(&self) -> Vec<[f64; 3]> {
-        hull::of_ellipsoid(self.centre, Vec3::ONE * self.radius)
     }
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {

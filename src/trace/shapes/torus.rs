@@ -12,7 +12,6 @@
 //! the even-odd rule, and there the quartic is positive too. The solid is where it is not.
 
 use super::error_bound::is_final;
-use super::hull;
 use super::outline::{Form, Outline};
 use super::quad_double::decide_closer;
 use super::quick_reject::{
@@ -32,9 +31,6 @@ use crate::trace::quartic::{Quartic, root_between};
 use crate::trace::shapes::support::Support;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
-
-/// Half a side of an octagon around a circle of radius 1: tan 22.5°, rounded up.
-const SIDE: f64 = 0.4143;
 
 /// Faces of a torus: the outer surface, and the one around the lemon.
 const OUTER: u32 = 0;
@@ -180,13 +176,6 @@ impl Shape for Torus {
         let reach = self.record.major + self.record.minor;
         let corner = Vec3::new(reach, self.record.minor, reach);
         Aabb::new(-corner, corner).padded()
-    }
-
-    fn hull_points(&self) -> Vec<[f64; 3]> {
-        // The regular octagon around the circle that is turned.
-        let (out, side) = (self.record.minor, self.record.minor * SIDE);
-        let (inner, outer) = (self.record.major + side, self.record.major + out);
-        hull::of_circles([[inner, -out], [outer, -side], [outer, side], [inner, out]])
     }
 
     /// The quartic is positive where the line is in the slab and the ball around the torus.

@@ -139,10 +139,6 @@ impl Shape for Triangle {
             .padded()
     }
 
-    fn hull_points(&self) -> Vec<[f64; 3]> {
-        self.vertices.map(|v| v.0).to_vec()
-    }
-
     /// The barycentric weights of the second and the third vertex.
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
         let [_, u, v] = self.weights(point);

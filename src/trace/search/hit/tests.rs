@@ -82,7 +82,7 @@ fn as_much_light_gets_through_as_all_spans_let_through() {
             if !tracer.holds(&mut walkers, from) {
                 ray.within = Within::Outside;
             }
-            let found = walkers.visibility::<true>(&ray, 0, End::Anywhere);
+            let found = walkers.visibility::<true>(&ray);
             let (_, events) = walkers.walker().trace_spans(&ray, 0.0, 1.0);
             let seen = events.iter().filter(|e| e.kind != Kind::Silent);
             let expected = seen.fold(Vec3::ONE, |share, event| {
@@ -118,8 +118,7 @@ fn the_nearest_crossing_says_what_spans_say() {
             for _ in 0..8 {
                 let walker = walkers.walker();
                 walker.status = QueryStatus::default();
-                let found =
-                    walker.first_hit::<true>(&ray, (0.0, f64::INFINITY), false, End::Anywhere);
+                let found = walker.first_hit::<true>(&ray, (0.0, f64::INFINITY), false);
                 let is_told = |h: &Hit| h.within[0] != Within::Unknown;
                 over += u32::from(!walker.hidden.is_empty() && found.as_ref().is_some_and(is_told));
                 let slow = walker.first_visible(&ray, 0.0, f64::INFINITY);
@@ -142,7 +141,7 @@ fn the_nearest_crossing_says_what_spans_say() {
                 let told = |h: Hit| (h.t, h.inside, h.indices);
                 assert_eq!(found.map(told), place, "{text}\n{ray:?}");
                 // Double-double takes no shortcut for the surface that the ray has left.
-                let exact = finest.first_hit::<true>(&ray.cast(), End::Anywhere);
+                let exact = finest.first_hit::<true>(&ray.cast());
                 let told = |h: Hit| (h.inside, h.indices, h.surface, h.entering, h.in_face);
                 let cast = exact.map(|h: Hit<Dd>| h.cast());
                 assert_eq!(found.map(told), cast.map(told), "{text}\n{ray:?}");

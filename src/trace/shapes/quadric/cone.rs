@@ -10,7 +10,6 @@ use crate::geometry::vec::Vec3;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::error_bound::is_final;
-use crate::trace::shapes::hull;
 use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::quad_double::decide_closer;
 use crate::trace::shapes::quick_reject::{Ball, POLYNOMIAL_MARGIN, Pass, is_above};
@@ -87,15 +86,6 @@ impl Shape for Cone {
 
     fn bounds(&self) -> Aabb {
         self.bounds
-    }
-
-    fn hull_points(&self) -> Vec<[f64; 3]> {
-        let base = [self.record.radius, self.record.height];
-        let other = match self.record.double {
-            true => [self.record.radius, -self.record.height],
-            false => [0.0, 0.0],
-        };
-        hull::of_circles([base, other])
     }
 
     fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {

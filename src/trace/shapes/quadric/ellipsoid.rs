@@ -9,7 +9,6 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
-use crate::trace::shapes::hull;
 use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::quick_reject::{Ball, POLYNOMIAL_MARGIN, Pass};
 use crate::trace::shapes::support::Support;
@@ -44,10 +43,6 @@ impl Shape for Ellipsoid {
 
     fn bounds(&self) -> Aabb {
         self.bounds
-    }
-
-    fn hull_points(&self) -> Vec<[f64; 3]> {
-        hull::of_ellipsoid(Vec3::ZERO, Vec3(self.record.semi_axes))
     }
 
     /// The least of the form on the line is positive.

@@ -8,7 +8,6 @@ mod profile_cull;
 mod tests;
 mod tree;
 
-use super::hull;
 use super::quad_double::{decide_closer, is_last};
 use super::quick_reject::Pass;
 use super::{FLIPPED, Intersect, Located, Root, Roots, Shape};
@@ -175,11 +174,6 @@ impl Shape for Revolution {
 
     fn bounds(&self) -> Aabb {
         self.bounds
-    }
-
-    fn hull_points(&self) -> Vec<[f64; 3]> {
-        let Aabb { min, max } = self.bounds;
-        hull::of_circles([[max[0], min[1]], [max[0], max[1]]])
     }
 
     fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
