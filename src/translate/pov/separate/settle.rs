@@ -59,19 +59,26 @@ impl<'a> Model<'a> {
             self.budget_is_spent();
             return (kinds, SolidExtensions::default());
         }
-        for i in self.opened(solids, &kinds) {
+        let faces: Vec<_> = solids.iter().map(|s| self.faces_of(s.0)).collect();
+        for i in self.opened(solids, &kinds, &faces) {
             kinds[i].1 = true;
         }
-        let reaching = self.settle(solids, &kinds);
+        let reaching = self.settle(solids, &kinds, &faces);
         (kinds, reaching)
     }
 
     /// The opaque ones among solids that are seen into where earlier ones that light goes through have the
     /// face, since they overlap or lie against them, if there are faces of others to be seen in them; and
     /// those of their medium there, with which they are one.
-    fn opened(&self, solids: &Operands, kinds: &[Kind]) -> BTreeSet<usize> {
+    fn opened(&self, solids: &Operands, kinds: &[Kind], faces: &[Vec<Face>]) -> BTreeSet<usize> {
         let boxes: Vec<Aabb> = solids.iter().map(|(node, _)| self.box_of(*node)).collect();
-        let touch = |i: usize, j: usize| boxes[i].touches(&boxes[j]);
+        // A ball on a floor has no more than a point in common with it.
+        let touch = |i: usize, j: usize| {
+            let common = boxes[i].intersection(&boxes[j]);
+            let overlap = (0..3).all(|axis| common.max[axis] - common.min[axis] > self.hair);
+            boxes[i].touches(&boxes[j])
+                && (overlap || contacts(&faces[i], &faces[j]).next().is_some())
+        };
         let mut opened = BTreeSet::new();
         for i in (0..solids.len()).filter(|i| !kinds[*i].1) {
             if !(0..i).any(|j| kinds[j].1 && touch(i, j)) {
@@ -89,9 +96,13 @@ impl<'a> Model<'a> {
 
     /// Finds which solids have faces in one place. Later ones are clipped by an earlier one that is made a hair larger,
     /// and solids of one medium that lie against each other are made to overlap.
-    fn settle(&mut self, solids: &mut Operands, kinds: &[Kind]) -> SolidExtensions {
+    fn settle(
+        &mut self,
+        solids: &mut Operands,
+        kinds: &[Kind],
+        faces: &[Vec<Face>],
+    ) -> SolidExtensions {
         let mut reaching = SolidExtensions::default();
-        let faces: Vec<_> = solids.iter().map(|s| self.faces_of(s.0)).collect();
         let boxes: Vec<Aabb> = solids.iter().map(|s| self.box_of(s.0)).collect();
         let by = 2.0 * self.hair;
         for j in 0..solids.len() {
