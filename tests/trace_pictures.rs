@@ -244,7 +244,6 @@ fn a_checkerboard_by_arithmetic() {
 fn refraction_through_a_sphere_by_snell() {
     // A glass ball before a background of planes: follow the same ray by trigonometry.
     use zpg::internals::geometry::vec::Vec3;
-    use zpg::internals::trace::within::Within;
     use zpg::internals::trace::{Hit, Ray, Tracer};
     let mut b = Builder::default();
     let ball = b.sphere([0.0, 0.0, 0.0], 1.0);
@@ -256,7 +255,7 @@ fn refraction_through_a_sphere_by_snell() {
         let offset = f64::from(i) / 100.0;
         let d = Vec3::new(0.0, 0.0, -1.0);
         let mut ray = Ray::new(Vec3::new(offset, 0.0, 5.0), d);
-        ray.within = Within::Outside;
+        ray.is_outside = true;
         let first = tracer.hit(&mut walker, &ray).unwrap();
         assert_eq!(
             (indices(&first), first.inside),

@@ -5,7 +5,6 @@ use trace_support::*;
 use zpg::internals::geometry::Matrix;
 use zpg::internals::geometry::vec::Vec3;
 use zpg::internals::scene::*;
-use zpg::internals::trace::within::Within;
 use zpg::internals::trace::{Ray, Tracer};
 
 /// Whether a point is in a node, from the definition of each shape and operation.
@@ -174,7 +173,7 @@ fn first_hits_are_first_crossings() {
             let mut ray = r.ray(5.0);
             let all = tracer.crossings(&mut walker, &ray);
             if !tracer.holds(&mut walker, ray.line.origin) {
-                ray.within = Within::Outside;
+                ray.is_outside = true;
             }
             let hit = tracer.hit(&mut walker, &ray);
             assert_eq!(hit.map(|h| h.t), all.first().map(|c| c.hit.t));
@@ -324,7 +323,7 @@ fn a_billion_spheres_from_thirty_moved_copies() {
         let height = r.within(0.45, 0.55);
         let origin = cell + Vec3::new(r.within(-0.2, 0.2), r.within(-0.2, 0.2), height);
         let mut ray = Ray::new(origin, Vec3::new(0.0, 0.0, -1.0));
-        ray.within = Within::Outside;
+        ray.is_outside = true;
         let hit = tracer.hit(&mut walker, &ray).expect("a sphere below");
         let d = origin - cell;
         let t = d[2] - (0.16 - d[0] * d[0] - d[1] * d[1]).sqrt();

@@ -45,7 +45,6 @@ pub mod surfaces;
 pub mod switches;
 mod texture;
 mod tracer;
-pub mod within;
 
 pub use costs::CostMap;
 pub use film::Film;

@@ -17,7 +17,6 @@ use super::sampling::sample;
 use super::shade::{Features, Limits, Shader};
 use super::stats::{Counts, Samples};
 use super::tracer::{Light, Tracer};
-use super::within::Within;
 use crate::diagnostics::{Error, Span};
 use crate::geometry::dd::Dd;
 use crate::geometry::vec::Vec3;
@@ -224,10 +223,7 @@ impl Tracer {
             tracer: self,
             lights,
             limits,
-            within: match outside {
-                true => Within::Outside,
-                false => Within::Unknown,
-            },
+            is_outside: outside,
             shift: settings.shift,
             features,
             view,
@@ -244,8 +240,8 @@ pub(super) struct Drawing<'t> {
     lights: &'t [Light],
     limits: Limits,
     pub(super) view: View,
-    /// The solids that camera rays start in, as far as they are known.
-    pub(super) within: Within,
+    /// Whether camera rays start outside of every solid.
+    pub(super) is_outside: bool,
     shift: [f64; 2],
     features: Features,
     wanted: Option<Arc<[bool]>>,

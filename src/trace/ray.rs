@@ -3,7 +3,6 @@
 #![warn(missing_docs)]
 
 use super::shapes::support::Passage;
-use super::within::Within;
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 
@@ -32,8 +31,8 @@ pub struct Ray<R: Traced = f64> {
     pub line: Line<R>,
     /// The surface that the ray starts on, if it leaves one.
     pub left: Option<Left<R>>,
-    /// The solids that it starts in, as far as they are known.
-    pub within: Within,
+    /// Whether it is known to start outside of every solid.
+    pub is_outside: bool,
 }
 
 impl<R: Traced> Ray<R> {
@@ -43,14 +42,8 @@ impl<R: Traced> Ray<R> {
         Ray {
             line: Line::new(origin, direction),
             left: None,
-            within: Within::Unknown,
+            is_outside: false,
         }
-    }
-
-    /// Whether it is known to start outside of every solid.
-    #[inline]
-    pub fn is_outside(&self) -> bool {
-        matches!(self.within, Within::Outside)
     }
 
     /// In another kind of number, rounded.
@@ -65,7 +58,7 @@ impl<R: Traced> Ray<R> {
                 skin: S::of_parts(left.skin.parts()),
                 passage: left.passage,
             }),
-            within: self.within,
+            is_outside: self.is_outside,
         }
     }
 }

@@ -8,7 +8,6 @@ use zpg::internals::geometry::dd::Dd;
 use zpg::internals::geometry::vec::Vec3;
 use zpg::internals::scene::{Geometry, NodeId};
 use zpg::internals::trace::precision;
-use zpg::internals::trace::within::Within;
 use zpg::internals::trace::{Ray, Tracer};
 
 /// What became of the rays.
@@ -35,7 +34,7 @@ fn leave_in<R: precision::Precision>(
     for &(origin, aim) in rays {
         let mut ray = Ray::new(origin, (aim - origin).unit()).cast::<R>();
         if !tracer.holds(&mut walker, ray.line.origin) {
-            ray.within = Within::Outside;
+            ray.is_outside = true;
         }
         let Some(hit) = tracer.hit(&mut walker, &ray) else {
             continue;

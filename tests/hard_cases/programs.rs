@@ -129,7 +129,7 @@ pub fn row_31_sliver(precision: Precision) {
         let mut walker = tracer.walker();
         for ray in &rays {
             let mut ray = zpg::internals::trace::Ray::new(Vec3(ray.origin), Vec3(ray.direction));
-            ray.within = zpg::internals::trace::within::Within::Outside;
+            ray.is_outside = true;
             let hit = tracer.hit(&mut walker, &ray).expect("the sliver");
             assert!((hit.point[1] - 1.0).abs() < 1e-14, "{hit:?}");
         }

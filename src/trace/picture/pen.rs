@@ -139,7 +139,7 @@ impl<R: Precision> Pen<'_, '_, R> {
         let line = self.drawing.line(x, y, i, n);
         match line.map(|[origin, direction]| Ray::new(origin, direction).cast::<R>()) {
             Some(mut ray) if ray.line.is_sound() => {
-                ray.within = self.drawing.within;
+                ray.is_outside = self.drawing.is_outside;
                 Vec3(self.shader.radiance(&ray))
             }
             _ => Vec3::ZERO,

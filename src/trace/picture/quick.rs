@@ -3,7 +3,6 @@
 use super::{Crop, Drawing, Numbers, Settings};
 use crate::geometry::vec::Vec3;
 use crate::trace::kernel;
-use crate::trace::within::Within;
 
 impl<'t> Drawing<'t> {
     /// The scene for the quick kernel, if that can draw it, knows most of it, and saves time.
@@ -20,8 +19,7 @@ impl<'t> Drawing<'t> {
     /// The scene for the quick kernel, if that can draw it.
     fn stage(&self, numbers: Numbers, most: usize) -> Option<kernel::Stage<'t>> {
         let graph = &self.tracer.graph;
-        let is_for_it =
-            numbers == Numbers::F64 && self.within == Within::Outside && !graph.without.kernel;
+        let is_for_it = numbers == Numbers::F64 && self.is_outside && !graph.without.kernel;
         is_for_it.then(|| kernel::Stage::new(graph, most)).flatten()
     }
 

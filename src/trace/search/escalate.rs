@@ -368,14 +368,14 @@ impl<const GLASS: bool> Question for Visibility<GLASS> {
         let Some((from, to)) = tracer.window(ray, R::of(1.0 - R::AT_LAMP)) else {
             return Vec3::ONE;
         };
-        if ray.is_outside() && tracer.clip.is_none() {
+        if ray.is_outside && tracer.clip.is_none() {
             if !GLASS {
                 return match walker.nearest(ray, (from, to), Search::Any) {
                     Some(_) => Vec3::ZERO,
                     None => Vec3::ONE,
                 };
             }
-            let Some((opaque, _)) = walker.nearest(ray, (from, to), Search::AnyOpaque) else {
+            let Some(opaque) = walker.nearest(ray, (from, to), Search::AnyOpaque) else {
                 let events = walker.trace_clear_spans(ray, from, to);
                 let (any, share) = (!events.is_empty(), shared(events, &tracer.graph));
                 walker.work.transparent_shadow += u64::from(any);

@@ -3,7 +3,6 @@
 use super::context::Leaf;
 use crate::trace::precision::Precision;
 use crate::trace::shapes::Root;
-use crate::trace::within::Medium;
 
 /// A crossing to be compared with others.
 #[derive(Debug, Clone, Copy)]
@@ -14,25 +13,12 @@ pub struct RayPoint<R> {
     pub error: R,
 }
 
-impl<R: Precision> RayPoint<R> {
-    /// Whether this comes after another place, if the two are surely apart.
-    #[inline]
-    pub(super) fn is_behind(&self, other: &RayPoint<R>) -> Option<bool> {
-        let gap = self.root.t - other.root.t;
-        (gap.abs() > self.error + other.error).then_some(gap > R::ZERO)
-    }
-}
-
 /// A crossing with a shape that may or may not be a boundary of the scene.
 #[derive(Debug, Clone, Copy)]
 pub struct Crossing<R = f64> {
     pub place: RayPoint<R>,
     /// The leaf whose properties apply.
     pub owner: Leaf,
-    /// The part of a union that it belongs to: the shape itself or an intersection.
-    pub part: Leaf,
-    /// The states before and behind a boundary of an intersection.
-    pub states: Option<[State; 2]>,
 }
 
 impl<R> Crossing<R> {
@@ -41,10 +27,15 @@ impl<R> Crossing<R> {
         Crossing {
             place: RayPoint { leaf, root, error },
             owner: leaf,
-            part: leaf,
-            states: None,
         }
     }
+}
+
+/// The properties of a solid that light notices: the numbers of its optics and of its refractive index.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Medium {
+    pub optics: u32,
+    pub index: u32,
 }
 
 /// The owner of a point: the part, and what makes its medium.

@@ -1,7 +1,7 @@
 //! From an event on a ray to everything shading needs to know about the place.
 
 use super::context::{Leaf, Painted};
-use super::events::{Crossing, Kind, State};
+use super::events::{Kind, State};
 use super::query::Search;
 use super::spans::{FirstBoundary, first_of_kind};
 use super::walk::Walker;
@@ -15,7 +15,6 @@ use crate::trace::shapes::Root;
 use crate::trace::shapes::support::Passage;
 use crate::trace::stats::Work;
 use crate::trace::texture::SurfacePoint;
-use crate::trace::within::{Solid, Within};
 
 /// A point of a visible surface, in the scene's space.
 #[derive(Debug, Clone, Copy)]
@@ -39,8 +38,6 @@ pub struct Hit<R = f64> {
     pub entering: bool,
     /// Whether this is a sheet that lies in a face of a solid: before that face, in the same place.
     pub in_face: bool,
-    /// The solids before and behind it, as far as they are known; `inside` holds in any case.
-    pub within: [Within; 2],
     /// Numbers of the surface and its shape; see [`Left`].
     pub surface: u64,
     pub primitive: u32,
@@ -63,11 +60,7 @@ impl<R: Precision> Hit<R> {
             skin: self.skin,
             passage: self.passage.map(|p| p.turned(!onwards)),
         });
-        let side = usize::from(onwards);
-        ray.within = match self.inside[side] {
-            false => Within::Outside,
-            true => self.within[side],
-        };
+        ray.is_outside = !self.inside[usize::from(onwards)];
         ray
     }
 
@@ -96,7 +89,6 @@ impl<R: Precision> Hit<R> {
             inside: self.inside,
             entering: self.entering,
             in_face: self.in_face,
-            within: self.within,
             surface: self.surface,
             primitive: self.primitive,
             skin: skin + normal.abs().dot(point.abs() * S::gamma(2)),
@@ -159,12 +151,9 @@ pub fn strayed<R: Precision>(point: Vec3<R>, line: &Line<R>, t: R) -> Option<Vec
 impl<R: Precision> Walker<'_, R> {
     /// The first point of the scene's surface in (from, to].
     ///
-    /// A ray that is outside of everything sees the nearest crossing, whatever it is. If that is transparent, or if
-    /// the ray starts inside a solid, it matters which media meet there. If the crossing is alone and the solids around
-    /// the start are known, [`sides`](Self::sides) says so. Else spans say what is a boundary. Shapes of later
-    /// operands are not looked at while the ray is in an earlier one, which owns the places that both are in.
-    /// `clipped`: `from` is where the ray enters the region that is drawn,
-    /// maybe in the middle of a solid. Without `GLASS` nothing is transparent.
+    /// A ray that is outside of everything sees the nearest crossing, whatever it is. If that is transparent, or if the ray
+    /// starts inside a solid, it matters which media meet there, and spans say what is a boundary. `clipped`: `from` is where
+    /// the ray enters the region that is drawn, maybe in the middle of a solid. Without `GLASS` nothing is transparent.
     pub fn first_hit<const GLASS: bool>(
         &mut self,
         ray: &Ray<R>,
@@ -174,27 +163,14 @@ impl<R: Precision> Walker<'_, R> {
         if clipped {
             return self.first_visible(ray, from, to);
         }
-        let (first, alone) = self.nearest(ray, (from, to), Search::First)?;
+        let first = self.nearest(ray, (from, to), Search::First)?;
         let (leaf, root) = (first.place.leaf, first.place.root);
         let optics = &self.graph.optics[self.optics(first.owner) as usize];
-        if ray.is_outside() && (!GLASS || !Vec3(optics.kt).any()) {
+        if ray.is_outside && (!GLASS || !Vec3(optics.kt).any()) {
             // A hit is large, and changed where it is.
             let mut found = self.resolve(ray, leaf, root, first.owner);
             if let Some(hit) = &mut found {
                 hit.inside = [false, self.primitive(leaf).is_solid()];
-                return found;
-            }
-        } else if alone && let Some(sides) = self.sides(ray, &first) {
-            let media = each(sides, |side| side.medium());
-            if media[0] == media[1] && self.is_solid(first.part) {
-                // Another solid goes on where this one begins or ends.
-                return self.first_visible(ray, from, to);
-            }
-            let mut found = self.resolve(ray, leaf, root, first.owner);
-            if let Some(hit) = &mut found {
-                hit.indices = each(media, |medium| medium.map_or(0, |m| m.index));
-                hit.inside = each(media, |medium| medium.is_some());
-                hit.within = sides;
                 return found;
             }
         }
@@ -209,89 +185,11 @@ impl<R: Precision> Walker<'_, R> {
         self.first_visible(ray, from, to)
     }
 
-    /// The solids before and behind the nearest crossing, which must be alone in its place. `None` where the solids at
-    /// the ray's start are not known, or more than two would be behind it.
-    fn sides(&self, ray: &Ray<R>, first: &Crossing<R>) -> Option<[Within; 2]> {
-        let before = match self.hidden[..] {
-            [] => ray.within,
-            _ => self.within_before(ray, first),
-        };
-        if R::DOUBT == Doubt::Merges || before == Within::Unknown {
-            return None;
-        }
-        let part = first.part;
-        let surface = self.surface(part);
-        let was_in = before.solid(surface).is_some();
-        let is_in = match first.states {
-            Some([state, after]) if state.inside == was_in => after.inside.then_some(after.owner),
-            Some(_) => return None,
-            None if part != first.place.leaf => return None,
-            None if !self.is_solid(part) => return Some([before, before]),
-            None => (!was_in).then(|| self.owner(part)),
-        };
-        let outside = before.without(surface);
-        let after = match is_in {
-            None => outside,
-            Some(owner) => outside.with(Solid {
-                surface,
-                operand: self.operand(part),
-                medium: owner.medium,
-            }),
-        };
-        (after != Within::Unknown).then_some([before, after])
-    }
-
-    /// The solids just before a crossing: those at the ray's start, changed by the hidden crossings in between. Unknown if
-    /// one of these cannot be told from the crossing. Not inlined: most rays have passed over nothing.
-    #[inline(never)]
-    fn within_before(&self, ray: &Ray<R>, first: &Crossing<R>) -> Within {
-        let mut within = ray.within;
-        for crossings in self.hidden.chunk_by(|a, b| a.leaf == b.leaf) {
-            let mut passed = 0;
-            for place in crossings {
-                let Some(is_passed) = first.place.is_behind(place) else {
-                    return Within::Unknown;
-                };
-                passed += u32::from(is_passed);
-            }
-            if passed % 2 == 0 {
-                continue;
-            }
-            let leaf = crossings[0].leaf;
-            let surface = self.surface(leaf);
-            within = match within.solid(surface) {
-                None => within.with(Solid {
-                    surface,
-                    operand: leaf.part,
-                    medium: self.owner(leaf).medium,
-                }),
-                Some(solid) if solid.operand == leaf.part => within.without(surface),
-                // An equal solid in the same place: which of the two the ray is in is not known.
-                Some(_) => Within::Unknown,
-            };
-        }
-        within
-    }
-
-    /// The operand of the scene's union that a part is, or that it is in.
-    fn operand(&self, leaf: Leaf) -> u32 {
-        let Leaf {
-            mut part,
-            mut context,
-        } = leaf;
-        while context != 0 {
-            let c = &self.contexts[context as usize];
-            (part, context) = (c.part, c.parent);
-        }
-        part
-    }
-
     /// The first boundary or sheet among the events in (from, to].
     fn first_visible(&mut self, ray: &Ray<R>, from: R, to: R) -> Option<Hit<R>> {
         let FirstBoundary {
             event,
             states,
-            within,
             in_face,
         } = self.trace_first(ray, from, to)?;
         let (leaf, root) = (event.place.leaf, event.place.root);
@@ -299,7 +197,6 @@ impl<R: Precision> Walker<'_, R> {
         if let Some(hit) = &mut found {
             hit.indices = each(states, index_in);
             hit.inside = each(states, |state| state.inside);
-            hit.within = within;
             hit.in_face = in_face;
         }
         found
@@ -383,7 +280,6 @@ impl<R: Precision> Walker<'_, R> {
             inside: [false; 2],
             entering: normal.dot(ray.line.direction) < R::ZERO,
             in_face: false,
-            within: [Within::Unknown; 2],
             surface: self.surface(leaf),
             primitive: number,
             skin,

@@ -176,85 +176,7 @@ pub(in crate::trace) fn merge_union<R: Precision>(
     start
 }
 
-impl<R: Precision> Spans<R> {
-    /// Intersects the lists from `base` on without sorting. This works if each list is inside on one stretch of the ray, as
-    /// a convex solid is, and the ends that matter are surely apart. Else it returns `false` and changes nothing.
-    pub(crate) fn join_stretches(&mut self, part: u32, base: usize) -> bool {
-        let Some([entry, exit]) = self.common_stretch(base) else {
-            return false;
-        };
-        let lists = &self.lists[base..];
-        let begin = lists[0].begin;
-        let owner = match lists[0].start {
-            State {
-                inside: true,
-                owner,
-            } => owner,
-            _ => self.events[begin].state.owner,
-        };
-        let start = State {
-            inside: lists.iter().all(|list| list.start.inside),
-            owner,
-        };
-        let end = |at: Option<usize>, inside| {
-            at.map(|at| Event {
-                state: State { inside, owner },
-                ..self.events[at]
-            })
-        };
-        let ends = [end(entry, true), end(exit, false)];
-        self.events.truncate(begin);
-        self.lists.truncate(base);
-        self.events.extend(ends.into_iter().flatten());
-        if start.inside || self.events.len() > begin {
-            self.lists.push(List { part, start, begin });
-        }
-        true
-    }
-
-    /// The last entry and the first exit, as indices of events. Both are `None` if the exit comes first. An entry is also
-    /// `None` if all lists start inside, an exit if none ends.
-    fn common_stretch(&self, base: usize) -> Option<[Option<usize>; 2]> {
-        let [mut entry, mut exit] = self.stretch(base)?;
-        for i in base + 1..self.lists.len() {
-            let [enters, leaves] = self.stretch(i)?;
-            entry = self.outer([entry, enters], true)?;
-            exit = self.outer([exit, leaves], false)?;
-        }
-        match (entry, exit) {
-            (Some(_), Some(_)) if self.outer([entry, exit], true)? == entry => Some([None; 2]),
-            _ => Some([entry, exit]),
-        }
-    }
-
-    /// Where list `i` enters and leaves the one stretch that it is inside on.
-    fn stretch(&self, i: usize) -> Option<[Option<usize>; 2]> {
-        let List { start, begin, .. } = self.lists[i];
-        let ends = match (start.inside, self.of(i).len()) {
-            (true, 0) => [None; 2],
-            (true, 1) => [None, Some(begin)],
-            (false, 1) => [Some(begin), None],
-            (false, 2) => [Some(begin), Some(begin + 1)],
-            _ => return None,
-        };
-        let fits = |end: Option<usize>, inside: bool| {
-            end.is_none_or(|at| {
-                let event = &self.events[at];
-                event.kind == Kind::Boundary && event.state.inside == inside
-            })
-        };
-        (fits(ends[0], true) && fits(ends[1], false)).then_some(ends)
-    }
-
-    /// The one of two events that comes later, or else the earlier one, if they are surely apart. One alone is both.
-    fn outer(&self, [a, b]: [Option<usize>; 2], later: bool) -> Option<Option<usize>> {
-        let (Some(a), Some(b)) = (a, b) else {
-            return Some(a.or(b));
-        };
-        let is_later = self.events[a].place.is_behind(&self.events[b].place)?;
-        Some(Some(if is_later == later { a } else { b }))
-    }
-}
+impl<R: Precision> Spans<R> {}
 
 /// The intersection of the `first` lists from `base` on less all others, once sorted. The first operand owns
 /// the points; a face keeps the properties of its shape or, with `inherit`, takes those of the
@@ -370,8 +292,8 @@ mod tests {
     use super::super::events::RayPoint;
     use super::*;
     use crate::testing::random;
+    use crate::trace::search::events::Medium;
     use crate::trace::shapes::Root;
-    use crate::trace::within::Medium;
 
     fn owner(part: u32) -> Owner {
         Owner {
@@ -384,7 +306,7 @@ mod tests {
     }
 
     /// Lists with events at these places, inside from the start or not.
-    fn lists(all: &[(bool, Vec<f64>)], error: f64) -> Spans {
+    fn lists(all: &[(bool, Vec<f64>)]) -> Spans {
         let mut spans = Spans::default();
         for ((inside, places), part) in all.iter().zip(0..) {
             let [mut state, start] = [State {
@@ -403,7 +325,7 @@ mod tests {
                     place: RayPoint {
                         leaf: owner(part).leaf,
                         root: Root { t, face: 0 },
-                        error,
+                        error: 0.0,
                     },
                     owner: owner(part),
                     state,
@@ -426,8 +348,9 @@ mod tests {
         Some((start, spans.of(0).iter().map(event).collect()))
     }
 
+    /// Where each operand is inside on one stretch, all are from the last entry to the first exit.
     #[test]
-    fn stretches_join_as_sorted_lists_do() {
+    fn convex_operands_have_the_stretch_between_in_common() {
         let mut next = random();
         let mut counts = [0; 4];
         for _ in 0..20_000 {
@@ -444,39 +367,34 @@ mod tests {
                     }
                 })
                 .collect();
-            let [mut quick, mut slow] = [0, 1].map(|_| lists(&all, 0.25));
-            assert!(quick.join_stretches(9, 0), "{all:?}");
-            slow.sort(0);
-            join_intersection(&mut slow, 9, 0, count, false, owner(0));
-            assert_eq!(told(&quick), told(&slow), "{all:?}");
-            counts[told(&quick).map_or(3, |told| told.1.len())] += 1;
+            let mut spans = lists(&all);
+            spans.sort(0);
+            join_intersection(&mut spans, 9, 0, count, false, owner(0));
+            let end = |part: usize, inside: bool| {
+                let (start, places) = &all[part];
+                let place = if *start == inside {
+                    None
+                } else {
+                    places.first()
+                };
+                let exit = || places.get(1).filter(|_| !inside);
+                Some((*place.or_else(exit)?, part as u32))
+            };
+            let entry = (0..count).filter_map(|part| end(part, true));
+            let exit = (0..count).filter_map(|part| end(part, false));
+            let entry = entry.max_by(|a, b| a.0.total_cmp(&b.0));
+            let exit = exit.min_by(|a, b| a.0.total_cmp(&b.0));
+            let is_empty = entry
+                .zip(exit)
+                .is_some_and(|(entry, exit)| entry.0 > exit.0);
+            let ends = [entry.map(|e| (e, true)), exit.map(|e| (e, false))];
+            let event =
+                |((t, part), inside): ((f64, u32), bool)| (t, part, inside, inside.then_some(0));
+            let expected: Vec<_> = ends.into_iter().flatten().map(event).collect();
+            let expected = (!is_empty).then_some((entry.is_none(), expected));
+            assert_eq!(told(&spans), expected, "{all:?}");
+            counts[expected.map_or(3, |told| told.1.len())] += 1;
         }
         assert!(counts.iter().all(|&count| count > 500), "{counts:?}");
-    }
-
-    #[test]
-    fn unclear_stretches_are_not_joined() {
-        for (all, error) in [
-            // Two of them begin or end in one place, as far as is known, or one begins where another ends.
-            ([(false, vec![1.0, 5.0]), (false, vec![1.5, 6.0])], 0.25),
-            ([(false, vec![1.0, 5.0]), (false, vec![3.0, 5.5])], 0.25),
-            ([(false, vec![1.0, 2.0]), (false, vec![2.0, 3.0])], 0.0),
-            ([(false, vec![1.0, 2.0]), (true, vec![1.0])], 0.0),
-            // One is inside twice, or around the stretch.
-            (
-                [(false, vec![1.0, 5.0]), (false, vec![0.0, 2.0, 4.0, 6.0])],
-                0.0,
-            ),
-            ([(false, vec![1.0, 5.0]), (true, vec![0.0, 2.0])], 0.0),
-        ] {
-            let mut spans = lists(&all, error);
-            assert!(!spans.join_stretches(9, 0), "{all:?}");
-            let kept = [spans.lists.len(), spans.events.len()];
-            assert_eq!(kept, [2, all[0].1.len() + all[1].1.len()], "{all:?}");
-        }
-        // A sheet is no end of a stretch.
-        let mut spans = lists(&[(false, vec![1.0, 5.0]), (false, vec![2.0, 4.0])], 0.0);
-        spans.events[0].kind = Kind::Sheet;
-        assert!(!spans.join_stretches(9, 0));
     }
 }

@@ -1,5 +1,5 @@
-//! The nearest crossing with anything. For a ray outside of every solid that is a boundary of the scene. For a ray in
-//! known solids, it and the crossings that were passed over say what is a boundary.
+//! The nearest crossing with anything. For a ray outside of every solid that is a boundary of the scene; else no boundary
+//! is nearer.
 
 use super::context::Leaf;
 use super::events::{Crossing, RayPoint};
@@ -8,7 +8,7 @@ use super::walk::Walker;
 use crate::geometry::array::each;
 use crate::geometry::wide_bvh::{Child, Is, WIDTH};
 use crate::trace::graph::{Group, Holds, Operation, Target};
-use crate::trace::precision::{Doubt, Precision};
+use crate::trace::precision::Precision;
 use crate::trace::ray::Ray;
 use crate::trace::shapes::Root;
 use std::cmp::Ordering;
@@ -18,8 +18,6 @@ use std::cmp::Ordering;
 struct Best<R> {
     found: Option<Crossing<R>>,
     limit: R,
-    /// The nearest t of the others.
-    second: R,
     /// Crossings before this t are far behind the start.
     start: f64,
 }
@@ -36,31 +34,28 @@ impl<R: Precision> Best<R> {
         Best {
             found: None,
             limit: to,
-            second: R::INFINITY,
             start: from.to_f64() - 1.5 * near,
         }
     }
 }
 
 impl<'g, R: Precision> Walker<'g, R> {
-    /// The first crossing with a part's surface in (from, to], and whether nothing else is met that cannot be told from
-    /// it. Parts that are unions are looked into; of intersections only their own boundary counts. Among crossings at the
-    /// same t a sheet's wins, then the first operand's. A search for any crossing takes the first one found, and puts it
-    /// at the end where it only knows that there is one. The search for the first one passes over solids that the ray
-    /// cannot see from where it starts, and notes where it crosses them.
+    /// The first crossing with a part's surface in (from, to]. Parts that are unions are looked into; of intersections only
+    /// their own boundary counts. Among crossings at the same t a sheet's wins, then the first operand's. A search for any
+    /// crossing takes the first one found, and puts it at the end where it only knows that there is one.
     pub fn nearest(
         &mut self,
         ray: &Ray<R>,
         (from, to): (R, R),
         search: Search,
-    ) -> Option<(Crossing<R>, bool)> {
+    ) -> Option<Crossing<R>> {
         self.begin(ray);
         self.search = search;
         let mut best = Best::new(ray, from, to);
         self.entries.clear();
         self.open_union(0, from);
         self.exhaust(ray, from, &mut best);
-        Some((best.found?, best.second > best.limit))
+        best.found
     }
 
     /// Visits all that is on the stack, or until that is enough.
@@ -189,9 +184,6 @@ impl<'g, R: Precision> Walker<'g, R> {
                     }
                 }
             }
-            Target::Shape(primitive) if self.is_hidden(ray, leaf) => {
-                self.pass_over(ray, leaf, primitive, from);
-            }
             Target::Shape(primitive) => {
                 let ahead = Some([best.start, best.limit.to_f64()]);
                 let Some(behind) = self.cross(ray, leaf, primitive, from, ahead) else {
@@ -215,29 +207,6 @@ impl<'g, R: Precision> Walker<'g, R> {
             }
         }
         true
-    }
-
-    /// Whether a part is a solid shape that cannot be seen from where the ray starts. The ray starts in a solid of an
-    /// earlier operand. That one owns what both are in, and the ray must leave it before it sees this shape.
-    #[inline(always)]
-    fn is_hidden(&self, ray: &Ray<R>, leaf: Leaf) -> bool {
-        R::DOUBT == Doubt::GoesOn
-            && self.search == Search::First
-            && leaf.context == 0
-            && ray.within.operand().is_some_and(|owner| owner < leaf.part)
-            && self.is_solid(leaf)
-            && !self.part(leaf.part).inverted
-    }
-
-    /// Notes where the ray crosses a shape that is hidden. Not inlined: most searches have no use for it.
-    #[inline(never)]
-    fn pass_over(&mut self, ray: &Ray<R>, leaf: Leaf, primitive: u32, from: R) {
-        let behind = (self.cross(ray, leaf, primitive, from, None)).unwrap_or_default();
-        for i in behind..self.roots.list.len() {
-            let root = self.roots.list[i];
-            let error = self.rough(&self.line, primitive, root);
-            self.hidden.push(RayPoint { leaf, root, error });
-        }
     }
 
     /// Whether a crossing with a shape is one of its boundary.
@@ -265,13 +234,6 @@ impl<'g, R: Precision> Walker<'g, R> {
                 Ordering::Greater => false,
             },
         };
-        let old = best.found.map(|old| old.place.root.t);
-        let other = if nearer {
-            old
-        } else {
-            Some(found.place.root.t)
-        };
-        best.second = other.map_or(best.second, |t| best.second.min(t));
         if nearer {
             let RayPoint { root, error, .. } = found.place;
             best.limit = best.limit.min(root.t + error + error);

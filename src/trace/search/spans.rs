@@ -3,23 +3,20 @@
 
 use super::context::Leaf;
 use super::events::RayPoint;
-use super::events::{Crossing, Event, Kind, List, Owner, Scratch, State, Task};
+use super::events::{Crossing, Event, Kind, List, Medium, Owner, State, Task};
 use super::merge::{Until, join_intersection, join_union, merge_union};
 use super::walk::Walker;
 use crate::geometry::array::each;
 use crate::geometry::wide_bvh::{Is, WIDTH};
 use crate::trace::graph::{Group, Operation, Target};
-use crate::trace::precision::{Doubt, Precision};
+use crate::trace::precision::Precision;
 use crate::trace::ray::Ray;
-use crate::trace::within::{Medium, Solid, Within};
 
 /// The boundary of the scene's union that a ray sees first.
 pub(super) struct FirstBoundary<R> {
     pub event: Event<R>,
     /// The states before and behind it.
     pub states: [State; 2],
-    /// The solids before and behind it, as far as they are known.
-    pub within: [Within; 2],
     /// Whether it is a sheet, and behind it in the same place is a boundary.
     pub in_face: bool,
 }
@@ -70,76 +67,27 @@ impl<R: Precision> Walker<'_, R> {
         self.spans.forget();
         self.gather(0, all, from, to);
         self.work_off(ray, from, to);
-        if self.spans.lists.len() > 1 {
-            self.sort(0);
-            let start = merge_union(&mut self.spans, 0, Until::FirstSeen);
-            let Scratch {
-                before, after, out, ..
-            } = &self.spans.scratch;
-            let (i, event, states) = first_of_kind(start, out, is_seen)?;
-            let next = behind_sheet(&event, &out[i + 1..]);
-            let mut seen = self.seen(event, states, [before, after]);
-            seen.in_face = next.is_some_and(|next| self.order(&event.place, &next).is_eq());
-            return Some(seen);
-        }
-        let (start, events) = (self.spans.lists.first()?.start, &self.spans.events);
+        let (start, events) = match self.spans.lists.len() {
+            0 => return None,
+            1 => (self.spans.lists[0].start, &self.spans.events),
+            _ => {
+                self.sort(0);
+                let start = merge_union(&mut self.spans, 0, Until::FirstSeen);
+                (start, &self.spans.scratch.out)
+            }
+        };
         let (i, event, states) = first_of_kind(start, events, is_seen)?;
         let next = behind_sheet(&event, &events[i + 1..]);
-        let mut seen = self.seen(event, states, each([0, 1], |side| &states[side..=side]));
-        seen.in_face = next.is_some_and(|next| self.order(&event.place, &next).is_eq());
-        Some(seen)
-    }
-
-    /// The event with the states of the union and those of all lists, before and behind it.
-    fn seen(&self, event: Event<R>, states: [State; 2], all: [&[State]; 2]) -> FirstBoundary<R> {
-        // A sheet may lie in the face of a solid that begins or ends there: the states of the lists tell, not the union's.
-        let within = match R::DOUBT {
-            Doubt::GoesOn => each(all, |states| self.within(states)),
-            // Where surfaces are merged into one place, the states do not say where a new ray from there starts. Single
-            // precision does not know about which places it is wrong.
-            Doubt::Merges | Doubt::Stands => [Within::Unknown; 2],
-        };
-        FirstBoundary {
+        let in_face = next.is_some_and(|next| self.order(&event.place, &next).is_eq());
+        Some(FirstBoundary {
             event,
             states,
-            within,
-            in_face: false,
-        }
-    }
-
-    /// The solids that the ray is in where the lists of the scene's parts have these states.
-    fn within(&self, states: &[State]) -> Within {
-        let lists = self.spans.lists.iter().zip(states);
-        let inside = lists.filter(|(_, state)| state.inside);
-        inside.fold(Within::Outside, |within, (list, state)| {
-            let part = Leaf {
-                part: list.part,
-                context: 0,
-            };
-            if !self.is_one_solid(part) || !self.is_solid(part) {
-                return Within::Unknown;
-            }
-            within.with(Solid {
-                surface: self.surface(part),
-                operand: list.part,
-                medium: state.owner.medium,
-            })
+            in_face,
         })
     }
 
-    /// Whether a part is a shape or an intersection, and no union.
-    fn is_one_solid(&self, leaf: Leaf) -> bool {
-        match self.part(leaf.part).target {
-            Target::Shape(_) => true,
-            Target::Object(object) => !matches!(
-                self.graph.objects[object as usize].operation,
-                Operation::Union(_)
-            ),
-        }
-    }
-
-    /// The events up to `to` of the parts that hold something transparent, after a search along the same ray. These are all events of a ray that starts
-    /// outside of every solid and crosses nothing opaque.
+    /// The events up to `to` of the parts that hold something transparent, after a search along the same ray. These are all
+    /// events of a ray that starts outside of every solid and crosses nothing opaque.
     pub fn trace_clear_spans(&mut self, ray: &Ray<R>, from: R, to: R) -> &[Event<R>] {
         self.spans.forget();
         if let Operation::Union(Group {
@@ -166,23 +114,14 @@ impl<R: Precision> Walker<'_, R> {
         to: R,
     ) -> Option<Crossing<R>> {
         let (graph, search) = (self.graph, self.search);
-        let (start, events) = self.evaluate(ray, context, from, to);
+        let (_, events) = self.evaluate(ray, context, from, to);
         let is_seen = |e: &Event<R>| {
             e.kind != Kind::Silent && search.wants(graph.made_of(e.owner.medium.optics))
         };
-        let at = events.iter().position(is_seen)?;
-        let event = events[at];
-        let before = at.checked_sub(1).map(|i| events[i].state).or(start);
-        let states = before.filter(|_| event.kind == Kind::Boundary);
-        let above = &self.contexts[context as usize];
+        let event = events.iter().find(|&event| is_seen(event))?;
         Some(Crossing {
             place: event.place,
             owner: event.owner.leaf,
-            part: Leaf {
-                part: above.part,
-                context: above.parent,
-            },
-            states: states.map(|before| [before, event.state]),
         })
     }
 
@@ -390,10 +329,6 @@ impl<R: Precision> Walker<'_, R> {
         });
         let part = self.contexts[context as usize].part;
         self.work.csg_merge += 1;
-        let cut = self.spans.lists.len() - base > first;
-        if !cut && first > 0 && self.spans.join_stretches(part, base) {
-            return;
-        }
         self.sort(base);
         join_intersection(&mut self.spans, part, base, first, *inherit, lead);
     }

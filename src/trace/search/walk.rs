@@ -1,7 +1,7 @@
 //! Walking the graph along one ray: the spaces entered on the way, and where shapes are crossed.
 
 use super::context::{Context, Leaf, Painted};
-use super::events::{RayPoint, Spans};
+use super::events::Spans;
 use super::query::{Along, PendingNode, QueryStatus, Search};
 use super::query::{Scale, Start};
 use crate::geometry::line::Line;
@@ -30,9 +30,6 @@ pub struct Walker<'g, R: Precision = f64> {
     pub(in crate::trace) nodes: Vec<u32>,
     pub(in crate::trace) search: Search,
     pub(in crate::trace) spans: Spans<R>,
-    /// Crossings that [`nearest`](Self::nearest) has found but passed over: the ray starts in an earlier operand, which
-    /// hides them.
-    pub(super) hidden: Vec<RayPoint<R>>,
     pub counts: Intersections,
     /// The work between a ray and its hit.
     pub(in crate::trace) work: Work,
@@ -89,7 +86,6 @@ impl<'g, R: Precision> Walker<'g, R> {
             nodes: Vec::new(),
             search: Search::First,
             spans: Spans::default(),
-            hidden: Vec::new(),
             counts: Intersections::default(),
             work: Work::default(),
             maps: R::Maps::default(),
@@ -101,7 +97,6 @@ impl<'g, R: Precision> Walker<'g, R> {
 
     /// Forgets the last ray; context 0 is the root's.
     pub fn begin(&mut self, ray: &Ray<R>) {
-        self.hidden.clear();
         self.met = None;
         self.contexts.clear();
         self.contexts.push(Context {
@@ -359,7 +354,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     /// crossed does not matter.
     fn is_blocked_by(&self, ray: &Ray<R>, leaf: Leaf) -> bool {
         let is_asked = R::DOUBT == Doubt::GoesOn && self.search == Search::Any;
-        is_asked && ray.is_outside() && !self.part(leaf.part).inverted
+        is_asked && ray.is_outside && !self.part(leaf.part).inverted
     }
 
     /// Has another solver find the crossings, where there is one that knows the shape.
