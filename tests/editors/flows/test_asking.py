@@ -92,8 +92,8 @@ async def test_a_program_that_is_cancelled_ends(start):
     await until(lambda: renders(process))
     await cancelled(server, asked, "render")
     await until(lambda: not renders(process))
-    # Neither the picture nor a draft of it is there.
-    assert list(server.folder.iterdir()) == []
+    # Neither the picture nor a draft of it stays.
+    await until(lambda: list(server.folder.iterdir()) == [])
 
 
 @pytest.mark.parametrize(
