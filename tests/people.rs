@@ -7,6 +7,7 @@ mod guesses;
 mod meant;
 mod messages;
 mod newcomers;
+mod ninth;
 mod order;
 mod rules;
 mod scenes;

@@ -364,8 +364,9 @@ impl Engine<'_> {
                 errors,
             });
         }
-        // A mere change of sign or of a digit wins over another type.
-        let is_slight = |t: &Trial| matches!(t.candidate.habit, Habit::Sign | Habit::Digit);
+        // A mere change of sign or of a digit, or a space, wins over another type.
+        let is_slight =
+            |t: &Trial| matches!(t.candidate.habit, Habit::Sign | Habit::Digit | Habit::Glued);
         if trials.iter().any(is_slight) {
             trials.retain(is_slight);
         }
@@ -441,7 +442,13 @@ impl Engine<'_> {
             && judged.iter().filter(names_another).count() > 1
             || of_itself;
         let is_place = |j: &&(Left, Trial)| j.1.candidate.habit != Habit::Lost || fits(j);
-        let best = (judged.iter()).filter(|j| is_open || j.0.in_vain == least);
+        // Beside IDs that are all off by one, the right one of two may stay.
+        let keeps_one = |j: &(Left, Trial)| j.1.candidate.habit == Habit::Reference;
+        let kept = judged.iter().position(keeps_one);
+        let kept = kept.filter(|_| finding.code == Code::E104);
+        let is_best =
+            |&(i, j): &(usize, &(Left, Trial))| is_open || j.0.in_vain == least || Some(i) == kept;
+        let best = judged.iter().enumerate().filter(is_best).map(|(_, j)| j);
         let best = best.filter(is_place);
         // One comment is as good as another.
         let mut comments = 0;

@@ -4,7 +4,7 @@ use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::Token;
 use crate::syntax::quote;
-use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
+use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType, ShapeKind};
 
 /// A move and a colour have as many numbers.
 const OWN: usize = 3;
@@ -224,13 +224,32 @@ impl LineContext<'_> {
         };
         if ty.family != Family::Light {
             // A shape of sizes alone has no place of its own: either may be meant, and one makes more sense.
-            return ty.vectors.is_empty().then_some(Order::Either);
+            let order = match self.has_thinner_tube_behind(ty) {
+                true => Order::PlaceFirst,
+                false => Order::Either,
+            };
+            return ty.vectors.is_empty().then_some(order);
         }
         match (is_intensity(params.first()), is_intensity(params.last())) {
             (false, true) => Some(Order::PlaceFirst),
             (true, false) => None,
             _ => Some(Order::Either),
         }
+    }
+
+    /// Whether the last two numbers are the radii of a torus rather than the first two: most tubes are thin.
+    fn has_thinner_tube_behind(&self, ty: &RecordType) -> bool {
+        let params = self.params();
+        if ty.kind != RecordKind::Shape(ShapeKind::Torus) || params.len() != ty.params.len() + OWN {
+            return false;
+        }
+        let thickness = |radii: &[Token]| {
+            let [ring, tube] = [0, 1].map(|i| radii[i].number(self.text));
+            let (ring, tube) = (ring?, tube?);
+            (tube > 0.0 && ring > tube).then_some(tube / ring)
+        };
+        let (before, behind) = (thickness(&params[..2]), thickness(&params[OWN..]));
+        behind.is_some_and(|behind| before.is_none_or(|before| behind < before))
     }
 
     /// A candidate that makes records of their own of some numbers.

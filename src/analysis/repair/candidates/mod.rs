@@ -7,6 +7,7 @@ mod clauses;
 mod comments;
 mod heads;
 mod inline;
+mod lost_spaces;
 mod notation;
 mod numbers;
 mod own_id;
@@ -30,6 +31,8 @@ pub(super) enum Habit {
     Sign,
     /// A digit of a type is lost, doubled or wrong, or two are exchanged.
     Digit,
+    /// Several numbers stand in one token.
+    Glued,
     /// A number has letters, signs or units in it; a file name has spaces.
     Characters,
     /// A word stands in the place of a type's number.
@@ -93,6 +96,7 @@ impl Habit {
                 finding.code,
                 E001 | E002 | E003 | E004 | E006 | E007 | E010 | E011 | E012
             ),
+            Habit::Glued => finding.case == "glued",
             Habit::Exchanged => finding.case == "exchanged",
             Habit::Word | Habit::Keyword => finding.code == E006,
             Habit::Comment => matches!(finding.code, E001 | E002 | E003 | E007 | E009 | E012),
@@ -298,6 +302,7 @@ impl<'a> LineContext<'a> {
             );
             out.extend(self.torn_type());
             out.extend(self.glued(&[undefined, taken].concat()));
+            self.lost_spaces(&mut out);
             out.extend(self.own_name());
             out.extend(self.labelled());
             out.extend(self.equation());
@@ -386,6 +391,7 @@ impl<'a> LineContext<'a> {
             }
             Habit::NoType => with_type(Diagnostic::new(Code::E006, edit.span).case("lost")),
             Habit::Characters => Some(Diagnostic::new(Code::E003, edit.span).with("text", written)),
+            Habit::Glued => self.several_numbers(candidate),
             Habit::Exchanged => Some(self.exchange()?.0),
             Habit::Word | Habit::Keyword => {
                 let name = words::explained(&self.text[edit.span.range()]);

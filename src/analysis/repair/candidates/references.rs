@@ -82,7 +82,19 @@ impl LineContext<'_> {
         let id = |t: &Token| t.integer(self.text).unwrap_or(0);
         // A single one is no more than one off, and 0 is none.
         let several = all.iter().filter(|(t, _)| id(t) != 0).count() > 1;
-        let most = if several { 4 } else { 2 };
+        // Where the others are of another kind and right, they stay.
+        let own_kinds = named.map(|n| n.1);
+        let is_right = |(t, kinds): &(Token, &'static [Kind])| {
+            let is_defined = || self.entities(kinds).any(|e| i64::from(e.id) == id(t));
+            id(t) == 0 || Some(*kinds) != own_kinds && is_defined()
+        };
+        let mut others = all.iter().filter(|(t, _)| finding.span != t.span());
+        let stay = several && finding.code == Code::E101 && others.all(is_right);
+        let most = match (stay, several) {
+            (true, _) => 0,
+            (false, true) => 4,
+            (false, false) => 2,
+        };
         for by in &[1, -1, 2, -2][..most] {
             let shifted: Option<Vec<(Token, String)>> = (all.iter())
                 .filter(|(t, _)| id(t) != 0)
@@ -93,18 +105,22 @@ impl LineContext<'_> {
                 .collect();
             out.extend(shifted.and_then(|new| self.write(Habit::Shifted, &new)));
         }
+        let is_render = self.ty().is_some_and(|ty| ty.kind == RecordKind::Render);
+        let parts = is_render.then(|| self.named_ids()).unwrap_or_default();
         for (t, kinds) in all.iter().filter(|(t, _)| finding.span == t.span()) {
             let written = id(t);
             let text = written.to_string();
             let used: Vec<i64> = all.iter().map(|(t, _)| id(t)).collect();
             let is_operation = self.ty().is_some_and(|ty| ty.family == Family::Operation);
-            let mut others: Vec<(bool, usize, u64, u32)> = (self.entities(kinds))
+            let mut others: Vec<(bool, bool, usize, u64, u32)> = (self.entities(kinds))
                 .filter(|e| i64::from(e.id) != written && Some(e.id) != self.id())
                 // No operation has one thing as both its operands.
                 .filter(|e| !is_operation || !used.contains(&i64::from(e.id)))
                 .map(|e| {
                     let new = e.id.to_string();
                     (
+                        // What is drawn is rather no part of something else.
+                        parts.contains(&e.id),
                         used.contains(&i64::from(e.id)),
                         strsim::osa_distance(&text, &new),
                         i64::from(e.id).abs_diff(written),
@@ -115,7 +131,7 @@ impl LineContext<'_> {
             others.sort_unstable();
             out.extend(
                 (others.iter().take(MAX_CANDIDATES))
-                    .filter_map(|o| self.write(Habit::Reference, &[(*t, o.3.to_string())])),
+                    .filter_map(|o| self.write(Habit::Reference, &[(*t, o.4.to_string())])),
             );
         }
     }

@@ -1,0 +1,133 @@
+//! A token that is several numbers, since the spaces between them are lost: `-12.5 1 0` is `-1 2.5 1 0`.
+
+use super::{Candidate, Habit, LineContext};
+use crate::diagnostics::{Code, Diagnostic};
+use crate::syntax::allows;
+use crate::syntax::lexer::Token;
+use crate::syntax::quote;
+use crate::syntax::table::{Param, ParamKind, RecordKind, RecordType};
+
+/// No more numbers than these are taken from one token.
+const MAX_PARTS: usize = 3;
+
+/// No token of more bytes is taken apart.
+const MAX_BYTES: usize = 24;
+
+impl LineContext<'_> {
+    /// A type or an ID with the number behind it in one token, where taking it apart gives the record as many numbers as
+    /// it takes and all its IDs name what they may.
+    pub(super) fn lost_spaces(&self, out: &mut Vec<Candidate>) {
+        if self.ty().is_some_and(|ty| self.fits(ty)) {
+            return;
+        }
+        let Some(token) = self.tokens.get(1).filter(|_| self.id().is_some()) else {
+            return;
+        };
+        let rest: Vec<&str> = self.params().iter().map(|t| t.text(self.text)).collect();
+        let glued = match self.ty() {
+            Some(_) => Vec::new(),
+            None => split_glued(token.text(self.text)),
+        };
+        for parts in glued {
+            let code = parts[0].parse().ok();
+            // A positive number is as well a parameter.
+            let is_type = |ty: &&RecordType| ty.code < 0 || ty.kind == RecordKind::Render;
+            if let Some(ty) = code.and_then(RecordType::by_code).filter(is_type)
+                && self.is_record(ty, &[&parts[1..], &rest].concat())
+            {
+                out.extend(self.glued_apart(token, &parts));
+            }
+        }
+        let Some(ty) = self.ty() else { return };
+        for (i, token) in self.params().iter().enumerate() {
+            let is_reference = |p: &Param| matches!(p.kind, ParamKind::Reference { .. });
+            if !ty.param(i, 0).is_some_and(is_reference) {
+                continue;
+            }
+            for parts in split_glued(token.text(self.text)) {
+                let params = [&rest[..i], &parts, &rest[i + 1..]].concat();
+                if self.is_record(ty, &params) {
+                    out.extend(self.glued_apart(token, &parts));
+                }
+            }
+        }
+    }
+
+    fn glued_apart(&self, token: &Token, parts: &[&str]) -> Option<Candidate> {
+        self.write(Habit::Glued, &[(*token, parts.join(" "))])
+    }
+
+    /// Whether these are the parameters of a record: as many as it takes, each one allowed, and each ID that of something
+    /// the record may refer to.
+    fn is_record(&self, ty: &'static RecordType, params: &[&str]) -> bool {
+        let may_be = |(param, text): (&Param, &&str)| match param.kind {
+            ParamKind::Reference { kinds, or_none } => match text.parse::<u32>() {
+                Ok(0) => or_none,
+                Ok(id) => self.entities(kinds).any(|e| e.id == id),
+                Err(_) => false,
+            },
+            _ => text.parse().is_ok_and(|x| allows(param, x)),
+        };
+        !ty.is_counted()
+            && params.len() == ty.params.len()
+            && ty.params.iter().zip(params).all(may_be)
+    }
+
+    /// That a token is several numbers.
+    pub(super) fn several_numbers(&self, candidate: &Candidate) -> Option<Diagnostic> {
+        let edit = candidate.fix.edits.first()?;
+        let d = Diagnostic::new(Code::E003, edit.span).case("glued");
+        let d = d.with("text", quote(&self.text[edit.span.range()]));
+        Some(d.with("number", quote(&edit.text)))
+    }
+}
+
+/// All ways to take a number apart into several, of which only the first may have a sign: `-12.5` is `-1 2.5`.
+fn split_glued(text: &str) -> Vec<Vec<&str>> {
+    let mut out = Vec::new();
+    let mut open = vec![vec![text]];
+    open.retain(|_| text.len() <= MAX_BYTES);
+    while let Some(parts) = open.pop() {
+        let Some((last, before)) = parts.split_last() else {
+            continue;
+        };
+        for at in (1..last.len()).filter(|&at| last.is_char_boundary(at)) {
+            let (first, rest) = last.split_at(at);
+            if is_plain(first, before.is_empty()) && is_plain(rest, false) {
+                let parts = [before, &[first, rest]].concat();
+                out.push(parts.clone());
+                if parts.len() < MAX_PARTS {
+                    open.push(parts);
+                }
+            }
+        }
+    }
+    out
+}
+
+/// Whether a text is a number as people write it: digits on both sides of a point, and no zero before other digits.
+fn is_plain(text: &str, may_be_signed: bool) -> bool {
+    let unsigned = match text.strip_prefix('-') {
+        Some(rest) if may_be_signed => rest,
+        _ => text,
+    };
+    let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
+    let (whole, fraction) = unsigned.split_once('.').unwrap_or((unsigned, "0"));
+    is_digits(whole) && is_digits(fraction) && (whole == "0" || !whole.starts_with('0'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::split_glued;
+
+    #[test]
+    fn numbers_without_a_space() {
+        let all = |text: &'static str| -> Vec<String> {
+            split_glued(text).iter().map(|p| p.join(" ")).collect()
+        };
+        assert_eq!(all("-12.5"), ["-1 2.5"]);
+        assert_eq!(all("7051"), ["7 51", "70 51", "705 1", "70 5 1", "7 5 1"]);
+        assert!(all("-4020.9").contains(&"-402 0.9".to_owned()));
+        assert!(all("-101").is_empty() && all("1-2").is_empty() && all("1.5e3").is_empty());
+    }
+}

@@ -1,0 +1,143 @@
+//! Slips in the scene of a mug, and what was meant.
+
+use zpg::internals::analysis::{Analysis, fixing, repair};
+use zpg::internals::diagnostics::{Code, Diagnostic, fixes};
+
+use super::{read, said};
+
+/// A mug with a handle, a ball of glass and a cone on a floor, without mistakes.
+const MUG: &str = "\
+10 -701 0.85 0.2 0.15
+11 -701 0.2 0.6 0.3
+12 -701 0.3 0.4 0.8
+20 -201 0 0.1 0.9
+40 1 2 1 0 1 2
+41 1 2 0.85 0.15 0.85 2.5
+42 -103 40 41
+43 14 0.55 0.12
+43 -1 1.35 1 0
+44 -101 42 43
+44 -299 10 0
+50 11 -2 0.7 1.2 0.7
+50 -299 0 20
+50 -203 1.5 1.5 1.5
+51 16 1.5 0.6
+51 -1 2.5 0 1
+51 -299 12 0
+60 4 0 1 0 0
+60 -299 11 0
+70 -101 44 50
+71 -101 70 51
+72 -101 71 60
+80 -501 0 4 9 0 -0.4 -0.9 0 1 0 45
+81 -402 0.9
+81 -1 -4 6 5
+1 9999 72 12
+";
+
+/// The scene with a line written in another way.
+fn with(line: &str, written: &str) -> String {
+    assert_eq!(MUG.matches(&format!("{line}\n")).count(), 1, "{line}");
+    MUG.replace(line, written)
+}
+
+/// What is said of a scene: what is proposed is tried.
+fn findings(text: &str) -> Vec<Diagnostic> {
+    repair::proposals(&read(text))
+}
+
+/// The scene after the first proposal of its first error.
+fn guessed(text: &str) -> String {
+    let all = findings(text);
+    let first = all.iter().find(|d| d.is_error()).expect(text);
+    let fix = first
+        .fixes
+        .first()
+        .unwrap_or_else(|| panic!("{}", said(first).join("; ")));
+    fixes::apply(text, [fix].into_iter()).0
+}
+
+/// The scene after all guesses.
+fn fixed(text: &str) -> String {
+    let mended = fixing::to_fixed_point(read(text), true, Analysis::of);
+    mended.analysis.source.text.clone()
+}
+
+#[test]
+fn the_mug_has_no_mistakes() {
+    assert_eq!(findings(MUG), []);
+}
+
+/// A space is lost behind a type or an ID: the record has as many numbers as it takes with it.
+#[test]
+fn lost_spaces_behind_types_and_ids() {
+    for (line, written) in [
+        ("43 -1 1.35 1 0", "43 -11.35 1 0"),
+        ("10 -701 0.85 0.2 0.15", "10 -7010.85 0.2 0.15"),
+        ("44 -299 10 0", "44 -29910 0"),
+        ("81 -402 0.9", "81 -4020.9"),
+        ("71 -101 70 51", "71 -101 7051"),
+        ("71 -101 70 51", "71 -10170 51"),
+        ("51 -299 12 0", "51 -299 120"),
+        ("1 9999 72 12", "1 9999 7212"),
+    ] {
+        let text = with(line, written);
+        let all = findings(&text);
+        assert_eq!(all.len(), 1, "{written}");
+        assert_eq!((all[0].code, all[0].case), (Code::E003, "glued"));
+        assert_eq!(fixed(&text), MUG, "{written}");
+    }
+    let turned = with("51 -1 2.5 0 1", "51 -2 90 1");
+    assert_eq!(fixed(&turned.replace("-2 90", "-290")), turned);
+}
+
+/// The right one of two IDs stays.
+#[test]
+fn the_right_id_stays() {
+    for (line, written) in [
+        ("1 9999 72 12", "1 9999 73 12"),
+        ("1 9999 72 12", "1 9999 5 12"),
+        ("42 -103 40 41", "42 -103 40 42"),
+    ] {
+        assert_eq!(guessed(&with(line, written)), MUG, "{written}");
+    }
+    let other = with("1 9999 72 12", "1 9999 72 11");
+    assert_eq!(guessed(&other.replace("9999 72", "9999 5")), other);
+    // All IDs may be off by one, but the first operand may be right, too.
+    let text = with("44 -101 42 43", "44 -101 43 44");
+    let all = findings(&text);
+    let shown: Vec<String> = (all[0].fixes.iter())
+        .map(|fix| fixes::apply(&text, [fix].into_iter()).0)
+        .collect();
+    assert_eq!(shown[0], MUG);
+    assert!(shown.contains(&with("44 -101 42 43", "44 -101 43 42")));
+    let text = with("42 -103 40 41", "42 -103 41 42");
+    assert_eq!(findings(&text)[0].fixes.len(), 2);
+    let text = with("42 -103 40 41", "42 -103 42 41");
+    let all = findings(&text);
+    let mut shown = all[0]
+        .fixes
+        .iter()
+        .map(|fix| fixes::apply(&text, [fix].into_iter()).0);
+    assert!(shown.any(|text| text == MUG));
+}
+
+/// The place of a torus before its radii: the tube behind is the thinner one.
+#[test]
+fn the_place_of_a_torus_before_its_radii() {
+    let torus = "2 14 1.35 1 0 0.55 0.12";
+    let rest = "9 -501 0 0 6 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 2 0\n";
+    let meant = "2 14 0.55 0.12\n2 -1 1.35 1 0";
+    assert_eq!(
+        guessed(&format!("{torus}\n{rest}")),
+        format!("{meant}\n{rest}")
+    );
+    let handle = "43 14 0.55 0.12\n43 -1 1.35 1 0";
+    assert_eq!(guessed(&with(handle, "43 14 1.35 1 0 0.55 0.12")), MUG);
+    // A colour behind a slender one.
+    let text = format!("2 14 0.55 0.12 0.8 0.2 0.1\n{rest}");
+    assert_eq!(
+        guessed(&text),
+        format!("2 14 0.55 0.12\n2 -701 0.8 0.2 0.1\n{rest}")
+    );
+}
