@@ -147,6 +147,7 @@ fn advice_where_nothing_is_to_be_done_and_where_nothing_helps() {
         (Axis::Cutoff, "1/4096", 1.0, 0.01, 0),
         // Saves a third of the time unseen.
         (Axis::Cutoff, "1/256", 0.66, 0.05, 0),
+        (Axis::Precision, "f64", 1.0, 0.0, 0),
     ]);
     assert!(
         enough.advice.starts_with("The default settings are enough"),
@@ -195,6 +196,40 @@ fn advice_where_nothing_is_to_be_done_and_where_nothing_helps() {
     assert!(
         wrong.advice.starts_with("The reference is wrong")
             && wrong.advice.contains("(3, 4), (5, 6)")
+    );
+}
+
+/// Errors that were not measured are not called small.
+#[test]
+fn advice_about_chosen_axes_speaks_of_these() {
+    let mut report = report_of(&[(Axis::Depth, "10", 1.0, 0.02, 0)]);
+    let asked = |axis: &&Axis| **axis == Axis::Depth;
+    let unasked = Axis::ALL.iter().filter(|axis| !asked(axis));
+    report.skipped = unasked
+        .map(|axis| Skipped {
+            axis: axis.name(),
+            why: Complaint::new("accuracy-skip-unasked"),
+        })
+        .collect();
+    let said = [Language::English, Language::Czech].map(|l| in_language(&report, l).advice);
+    assert!(
+        said[0].starts_with("Of what was measured (depth), nothing reaches 1 step of"),
+        "{}",
+        said[0]
+    );
+    assert!(
+        said[1].starts_with("Z toho, co se měřilo (depth), nedosahuje"),
+        "{}",
+        said[1]
+    );
+    // What the scene does not have needs no measuring.
+    for skipped in &mut report.skipped {
+        skipped.why = Complaint::new("accuracy-skip-light");
+    }
+    let said = in_language(&report, Language::English).advice;
+    assert!(
+        said.contains("no kind of error reaches 1 step of"),
+        "{said}"
     );
 }
 

@@ -3,7 +3,7 @@
 use super::configurations::{Axis, Kind};
 use super::number_format::{self, count, say};
 use super::report::{Advice, Report, Row};
-use crate::diagnostics::{Language, Value};
+use crate::diagnostics::{Complaint, Language, Value};
 
 /// A report whose advice is in a language.
 pub fn in_language(report: &Report, language: Language) -> Report {
@@ -93,6 +93,33 @@ fn unchecked(report: &Report, language: Language) -> Option<Advice> {
 /// Kinds that the advice weighs: facets are no error of the scene as it is drawn.
 const WEIGHED: [Kind; 3] = [Kind::Edges, Kind::Light, Kind::Numbers];
 
+/// The axes on which the default settings are inexact.
+const INEXACT: [Axis; 4] = [Axis::Samples, Axis::Depth, Axis::Cutoff, Axis::Precision];
+
+/// The axes of the weighed kinds whose errors were measured.
+fn measured(report: &Report) -> impl Iterator<Item = Axis> {
+    let axes = Axis::ALL
+        .into_iter()
+        .filter(|axis| WEIGHED.contains(&axis.kind()));
+    axes.filter(|&axis| {
+        let mut rows = report.rows.iter().filter(|r| r.is_on(axis));
+        rows.any(|r| r.error.is_some())
+    })
+}
+
+/// Whether no error of the default settings was left out: the scene has none on an axis, or it was measured.
+fn is_whole(report: &Report) -> bool {
+    let unasked = Complaint::new("accuracy-skip-unasked");
+    let is_known = |axis: Axis| {
+        let skipped = report.skipped.iter().find(|s| s.axis == axis.name());
+        match skipped {
+            Some(skipped) => skipped.why != unasked,
+            None => report.default_of(axis.kind()).is_some(),
+        }
+    };
+    INEXACT.into_iter().all(is_known)
+}
+
 /// The kind whose error is largest at the default.
 pub fn largest(report: &Report) -> Option<&Row> {
     let defaults = WEIGHED.into_iter().filter_map(|k| report.default_of(k));
@@ -131,11 +158,23 @@ fn limit(report: &Report, language: Language) -> Option<Advice> {
     let rest = others.iter().copied().fold(0.0, f64::max);
     let kind_name = number_format::kind(language, kind);
     let text = if worst.steps() <= report.goal.steps {
+        let message = match is_whole(report) {
+            true => "accuracy-advice-enough",
+            false => "accuracy-advice-enough-of",
+        };
+        let axes: Vec<&str> = measured(report).map(Axis::name).collect();
+        let unit = if report.goal.steps == 1.0 {
+            "step"
+        } else {
+            "steps"
+        };
         say(
             language,
-            "accuracy-advice-enough",
+            message,
             &[
                 ("goal", goal.into()),
+                ("unit", unit.into()),
+                ("axes", axes.join(", ").into()),
                 ("kind", kind_name.into()),
                 ("error", error(worst.steps()).into()),
             ],
@@ -222,7 +261,10 @@ fn limit(report: &Report, language: Language) -> Option<Advice> {
             };
             text += &say(
                 language,
-                "accuracy-advice-others",
+                match is_whole(report) {
+                    true => "accuracy-advice-others",
+                    false => "accuracy-advice-others-of",
+                },
                 &[("error", error(above).into())],
             );
         }

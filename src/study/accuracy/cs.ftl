@@ -12,6 +12,7 @@ accuracy-advice-wrong = Reference je chybná: nezávislý sledovač paprsků se 
 } (největší rozdíl { $largest }, kde bílá je 1, na místech { $places }). Proto tu není žádná rada. Nahlaste prosím tuto scénu.
 accuracy-advice-unchecked = Referenci neověřil nezávislý sledovač paprsků: { $why }.
 accuracy-advice-enough = Výchozí nastavení stačí: žádný druh chyby nedosahuje { $goal } kroku osmibitového obrázku (největší: { $kind }, { $error }).
+accuracy-advice-enough-of = Z toho, co se měřilo ({ $axes }), nedosahuje při výchozím nastavení nic { $goal } kroku osmibitového obrázku (největší: { $kind }, { $error }). Jiné chyby se neměřily.
 accuracy-advice-limit = Největší chybu v tomto obrázku působí { $kind }: při výchozím nastavení se pixely odchylují o { $error } kroku (střední kvadratická odchylka). Krok je 1/255 bílé, nejmenší rozdíl, který osmibitový obrázek dokáže zobrazit.
 accuracy-at-most = nejvýše { $error }
 accuracy-advice-set = S `{ $option }` je tato chyba { $error } kroku a obrázek trvá { $times }krát tak dlouho jako s výchozím nastavením.
@@ -19,6 +20,7 @@ accuracy-advice-dearer = S `{ $option }` je { $error } kroku, ale obrázek trvá
 accuracy-advice-even = I `{ $option }`, s nímž obrázek trvá { $times }krát tak dlouho jako s výchozím nastavením, ponechá chybu { $error } kroku.
 accuracy-advice-busy = Počítač byl na přesné měření času příliš zaneprázdněný: procesor používaly i jiné programy, takže běhy trvaly { $times }násobek svého času procesoru. Než se na časy spolehnete, ukončete tyto programy a měřte znovu.
 accuracy-advice-others = Každý z ostatních druhů chyby je při výchozím nastavení menší než { $error } kroku.
+accuracy-advice-others-of = Každý z ostatních druhů chyby, které se měřily, je při výchozím nastavení menší než { $error } kroku.
 accuracy-price = za { $percent } % času navíc
 accuracy-price-none = bez měřitelného času navíc
 accuracy-price-unsure = za cenu, kterou na zaneprázdněném počítači nelze určit

@@ -11,13 +11,19 @@ accuracy-advice-wrong = The reference is wrong: an independent tracer in 71 digi
    *[other] { $pixels } pixels
 } (largest difference { $largest }, where white is 1, at { $places }). No advice is given. Please report this scene.
 accuracy-advice-unchecked = The reference was not checked by the independent tracer: { $why }.
-accuracy-advice-enough = The default settings are enough: no kind of error reaches { $goal } steps of an 8-bit picture (largest: { $kind }, { $error }).
+accuracy-advice-enough = The default settings are enough: no kind of error reaches { $goal } { accuracy-goal-unit } of an 8-bit picture (largest: { $kind }, { $error }).
+accuracy-advice-enough-of = Of what was measured ({ $axes }), nothing reaches { $goal } { accuracy-goal-unit } of an 8-bit picture with the default settings (largest: { $kind }, { $error }). Other errors were not measured.
+accuracy-goal-unit = { $unit ->
+    [step] step
+   *[steps] steps
+}
 accuracy-advice-limit = The largest error of this picture comes from { $kind }: with the default settings its pixels are off by { $error } steps (root mean square). A step is 1/255 of white, the smallest difference that an 8-bit picture can show.
 accuracy-at-most = at most { $error }
 accuracy-advice-set = With `{ $option }` this error is { $error } steps, and the picture takes { $times } times as long as with the default settings.
 accuracy-advice-dearer = With `{ $option }` it is { $error } steps, but the picture takes { $times } times as long.
 accuracy-advice-even = Even `{ $option }`, which takes { $times } times as long as the default settings, leaves an error of { $error } steps.
 accuracy-advice-others = With the default settings each other kind of error is below { $error } steps.
+accuracy-advice-others-of = With the default settings each other kind of error that was measured is below { $error } steps.
 accuracy-advice-busy = The machine was too busy for exact times: other programs had the processor, so that the runs took { $times } times their CPU time. Close these programs and measure again before you rely on the times.
 accuracy-price = for { $percent } % more time
 accuracy-price-none = for no measurable time
