@@ -7,15 +7,16 @@ use std::ops::ControlFlow;
 
 /// The size of the picture, in pixels: a few milliseconds in all.
 pub(super) const SIZE: [u32; 2] = [72, 54];
-/// Every so many of its pixels are looked at first.
-const SCATTERED: usize = 73;
+/// From one pixel that is looked at to the next, in rows: this has no factor in common with the number of pixels, so that
+/// all come up, and is near their golden section, so that the first ones are spread over the picture.
+const STRIDE: u32 = 2401;
 /// Larger scenes take longer than a few milliseconds to be made ready.
 pub(super) const MAX_NODES: usize = 1000;
 /// Tests of shapes in a picture, each as dear as 80 of boxes: nothing is said of what takes longer to look at.
 const MAX_TESTS: u64 = 18_000;
 
-/// Shows the pixels of a small picture to `look`, until that breaks off: scattered ones first, then all. `None` where the
-/// picture cannot be taken or takes too long.
+/// Shows the pixels of a small picture to `look`, until that breaks off: each one once, and however many those are, they are
+/// spread over the picture. `None` where the picture cannot be taken or takes too long.
 pub(super) fn glance(
     scene: &Scene,
     camera: &Camera,
@@ -30,13 +31,13 @@ pub(super) fn glance(
         ..Settings::default()
     };
     let looked = tracer.pixels(camera, &settings, None, |pixels| {
-        let all = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)));
-        for (x, y) in all.clone().step_by(SCATTERED).chain(all) {
+        let count = SIZE[0] * SIZE[1];
+        for at in (0..count).map(|i| i * STRIDE % count) {
             let tests = pixels.counts().intersections;
             if tests.boxes / 80 + tests.shape > MAX_TESTS {
                 return None;
             }
-            if look(pixels, x, y).is_break() {
+            if look(pixels, at % SIZE[0], at / SIZE[0]).is_break() {
                 break;
             }
         }

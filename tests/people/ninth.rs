@@ -141,3 +141,17 @@ fn the_place_of_a_torus_before_its_radii() {
         format!("2 14 0.55 0.12\n2 -701 0.8 0.2 0.1\n{rest}")
     );
 }
+
+/// Mirrors and glass make the small picture of a bright scene take long: fewer pixels say it, too.
+#[test]
+fn too_bright_a_picture_of_mirrors_and_glass() {
+    let text = with("81 -402 0.9", "81 -402 60")
+        .replace("10 0\n", "10 21\n")
+        .replace("11 0\n", "11 21\n")
+        .replace("20 -201 0", "21 -201 0.7 0.3 0\n20 -201 0")
+        .replace("1 9999", "82 -402 0.5\n82 -1 4 6 5\n1 9999");
+    let all = findings(&text);
+    assert_eq!(all.len(), 1);
+    assert_eq!(all[0].code, Code::N606);
+    assert_eq!(findings(&text.replace("-402 60", "-402 0.5")), []);
+}

@@ -12,6 +12,9 @@ use std::ops::ControlFlow;
 /// Most mirrors and panes on a path of light: more add nothing that matters.
 const DEPTH: u32 = 4;
 
+/// Fewest pixels that are no chance where few are looked at.
+const MIN_BRIGHT: usize = 4;
+
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(render) = context.scene.render else {
         return;
@@ -21,25 +24,22 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     let aspect = f64::from(SIZE[0]) / f64::from(SIZE[1]);
     let scene = staged(context.scene, Viewpoint::Scene, aspect);
-    let pixels = (SIZE[0] * SIZE[1]) as usize;
     let most = scene.chosen_cameras().filter_map(|camera| {
-        let mut bright = vec![false; pixels];
-        glance(&scene, camera, DEPTH, |pixels, x, y| {
-            let colour = pixels.sum(x, y, 0..1, 1);
-            bright[(y * SIZE[0] + x) as usize] = is_above_white(colour);
+        let (mut looked, mut bright) = (0_u32, 0_usize);
+        // Where the whole picture takes too long, some pixels of it must do.
+        let _ = glance(&scene, camera, DEPTH, |pixels, x, y| {
+            looked += 1;
+            bright += usize::from(is_above_white(pixels.sum(x, y, 0..1, 1)));
             ControlFlow::Continue(())
-        })?;
-        Some(bright.iter().filter(|&&bright| bright).count())
+        });
+        let share = 100.0 * bright as f64 / f64::from(looked.max(1));
+        (bright >= MIN_BRIGHT && share >= MAX_BRIGHT_PERCENT).then_some(share)
     });
-    let Some(bright) = most
-        .max()
-        .filter(|&n| 100.0 * n as f64 >= MAX_BRIGHT_PERCENT * pixels as f64)
-    else {
+    let Some(percent) = most.max_by(f64::total_cmp) else {
         return;
     };
-    let percent = (100 * bright + pixels / 2) / pixels;
     let diagnostic = Diagnostic::new(Code::N606, render.span);
-    out.push(diagnostic.with("percent", percent.to_string()));
+    out.push(diagnostic.with("percent", format!("{percent:.0}")));
 }
 
 /// Whether all lights together, or the background, are brighter than white, and no surface gives out more than it gets:
