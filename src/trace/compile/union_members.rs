@@ -5,10 +5,10 @@
 //! parts with few cuts each, of which a ray looks at those on its way.
 
 use crate::geometry::aabb::Aabb;
+use crate::geometry::bvh::Bvh;
 use crate::trace::graph::Part;
-use rstar::primitives::{GeomWithData, Rectangle};
-use rstar::{AABB, RTree};
 use std::collections::VecDeque;
+use std::ops::ControlFlow;
 
 /// A part of a union, less some others.
 #[derive(Debug, Clone)]
@@ -25,6 +25,8 @@ pub(super) const MAX_BOX_COMPARISONS: usize = 1 << 24;
 const MAX_MEMBERS_PER_CUT: usize = 8;
 /// Times that all members are looked through before they get an index.
 const SCANS_BEFORE_INDEX: usize = 32;
+/// Pieces that are looked through before they make a tree.
+const NEW_PIECES: usize = 32;
 
 /// The pieces of a union, in the order of its operands.
 #[derive(Debug, Default)]
@@ -37,22 +39,47 @@ pub(super) struct Pieces {
     index: Option<Index>,
 }
 
-/// Where pieces are, by their numbers.
+/// Where pieces are, by their numbers: in trees of doubling sizes, so that pieces can be added (Bentley and Saxe,
+/// "Decomposable searching problems I", J. Algorithms 1, 1980).
 #[derive(Debug, Default)]
 struct Index {
-    bounded: RTree<GeomWithData<Rectangle<[f64; 3]>, i64>>,
-    others: Vec<i64>,
+    /// The largest first. Their items are the last 32 bits of numbers.
+    trees: Vec<Bvh>,
+    /// Pieces that are in no tree yet.
+    new: Vec<(u32, Aabb)>,
+    /// Pieces without bounds.
+    others: Vec<u32>,
 }
 
 impl Index {
-    fn insert(&mut self, bounds: &Aabb, number: i64) {
-        match bounds.is_bounded() {
-            true => {
-                let corners = Rectangle::from_corners(bounds.min, bounds.max);
-                self.bounded.insert(GeomWithData::new(corners, number));
-            }
-            false => self.others.push(number),
+    /// Adds the piece with a number; `boxes` knows those that have been added.
+    fn insert(&mut self, bounds: &Aabb, number: u32, boxes: impl Fn(u32) -> Aabb) {
+        if !bounds.is_bounded() {
+            self.others.push(number);
+            return;
         }
+        self.new.push((number, *bounds));
+        if self.new.len() < NEW_PIECES {
+            return;
+        }
+        let mut all = std::mem::take(&mut self.new);
+        while let Some(tree) = self.trees.pop_if(|tree| tree.items.len() <= all.len()) {
+            all.extend(tree.items.into_iter().map(|number| (number, boxes(number))));
+        }
+        self.trees.push(Bvh::new(all));
+    }
+
+    /// The numbers of all pieces that may reach a box.
+    fn near(&self, around: &Aabb) -> Vec<u32> {
+        let mut near = self.others.clone();
+        near.extend(self.new.iter().map(|(number, _)| number));
+        for tree in &self.trees {
+            let _ = tree.visit(around, |number| {
+                near.push(number);
+                ControlFlow::Continue(())
+            });
+        }
+        near
     }
 }
 
@@ -92,18 +119,26 @@ impl Pieces {
 
     fn push_back(&mut self, piece: UnionMember) {
         let number = self.first + self.len() as i64;
-        if let Some(index) = &mut self.index {
-            index.insert(&piece.bounds, number);
-        }
         self.all.push_back(piece);
+        self.note(number);
     }
 
     fn push_front(&mut self, piece: UnionMember) {
         self.first -= 1;
-        if let Some(index) = &mut self.index {
-            index.insert(&piece.bounds, self.first);
-        }
         self.all.push_front(piece);
+        self.note(self.first);
+    }
+
+    /// Adds a piece to the index, if there is one.
+    fn note(&mut self, number: i64) {
+        let Pieces {
+            all, first, index, ..
+        } = self;
+        if let Some(index) = index {
+            let bounds = |number: u32| all[number.wrapping_sub(*first as u32) as usize].bounds;
+            let number = number as u32;
+            index.insert(&bounds(number), number, bounds);
+        }
     }
 
     /// Takes cuts, with their bounds, away from the pieces that they reach. Does nothing, and says `false`, where that
@@ -126,40 +161,31 @@ impl Pieces {
             reached.push(pieces);
         }
         for ((cut, _), pieces) in cuts.iter().zip(reached) {
-            for number in pieces {
-                self.all[(number - self.first) as usize].cuts.push(*cut);
+            for place in pieces {
+                self.all[place].cuts.push(*cut);
             }
         }
         true
     }
 
-    /// The numbers of the pieces that a cut reaches; `None` where the budget does not suffice to find them.
-    fn reached(&mut self, bounds: &Aabb, budget: &mut usize) -> Option<Vec<i64>> {
+    /// The places of the pieces that a cut reaches; `None` where the budget does not suffice to find them.
+    fn reached(&mut self, bounds: &Aabb, budget: &mut usize) -> Option<Vec<usize>> {
         if self.index.is_none() && self.looked_at > SCANS_BEFORE_INDEX * self.len() {
-            let mut index = Index::default();
-            for (number, piece) in (self.first..).zip(&self.all) {
-                index.insert(&piece.bounds, number);
-            }
-            self.index = Some(index);
+            self.index = Some(Index::default());
+            (self.first..self.first + self.len() as i64).for_each(|number| self.note(number));
         }
-        let reaches = |number: &i64| {
-            let piece = &self.all[(number - self.first) as usize];
-            piece.bounds.overlaps(bounds)
-        };
-        let near: Vec<i64> = match &self.index {
+        let place = |number: u32| number.wrapping_sub(self.first as u32) as usize;
+        let near: Vec<usize> = match &self.index {
             Some(index) if bounds.is_bounded() => {
-                let around = AABB::from_corners(bounds.min, bounds.max);
-                let found = index.bounded.locate_in_envelope_intersecting(around);
-                (found.map(|entry| entry.data))
-                    .chain(index.others.iter().copied())
-                    .collect()
+                index.near(bounds).into_iter().map(place).collect()
             }
             _ => {
                 self.looked_at += self.len();
-                (self.first..self.first + self.len() as i64).collect()
+                (0..self.len()).collect()
             }
         };
         *budget = budget.checked_sub(near.len())?;
+        let reaches = |&place: &usize| self.all[place].bounds.overlaps(bounds);
         Some(near.into_iter().filter(reaches).collect())
     }
 }
