@@ -11,8 +11,9 @@ accuracy-advice-wrong = Reference je chybná: nezávislý sledovač paprsků se 
    *[other] { $pixels } pixelů
 } (největší rozdíl { $largest }, kde bílá je 1, na místech { $places }). Proto tu není žádná rada. Nahlaste prosím tuto scénu.
 accuracy-advice-unchecked = Referenci neověřil nezávislý sledovač paprsků: { $why }.
-accuracy-advice-enough = Výchozí nastavení stačí: žádný druh chyby nedosahuje { $goal } kroku osmibitového obrázku (největší: { $kind }, { $error }).
-accuracy-advice-enough-of = Z toho, co se měřilo ({ $axes }), nedosahuje při výchozím nastavení nic { $goal } kroku osmibitového obrázku (největší: { $kind }, { $error }). Jiné chyby se neměřily.
+accuracy-advice-enough = Výchozí nastavení stačí: žádný druh chyby nedosahuje { $goal } { accuracy-goal-unit } osmibitového obrázku (největší: { $kind }, { $error }).
+accuracy-advice-enough-of = Z toho, co se měřilo ({ $axes }), nedosahuje při výchozím nastavení nic { $goal } { accuracy-goal-unit } osmibitového obrázku (největší: { $kind }, { $error }). Jiné chyby se neměřily.
+accuracy-goal-unit = kroku
 accuracy-advice-limit = Největší chybu v tomto obrázku působí { $kind }: při výchozím nastavení se pixely odchylují o { $error } kroku (střední kvadratická odchylka). Krok je 1/255 bílé, nejmenší rozdíl, který osmibitový obrázek dokáže zobrazit.
 accuracy-at-most = nejvýše { $error }
 accuracy-advice-set = S `{ $option }` je tato chyba { $error } kroku a obrázek trvá { $times }krát tak dlouho jako s výchozím nastavením.
