@@ -2,7 +2,7 @@
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::Token;
-use crate::syntax::table::{Constraint, Param, RecordType};
+use crate::syntax::table::{Constraint, Param, RecordKind, RecordType, ShapeKind};
 use crate::syntax::{Document, Record};
 
 /// A record with its values at hand. They are borrowed from the document's column.
@@ -35,6 +35,12 @@ impl<'a> Params<'a> {
 
     pub fn id_span(&self) -> Span {
         self.document.id_token(&self.record).span()
+    }
+
+    /// Where the type is written.
+    pub fn type_span(&self) -> Span {
+        let mut tokens = (self.document).significant(self.record.first, self.record.last);
+        tokens.nth(1).map_or(self.span(), |t| t.span())
     }
 
     /// From the ID to the last parameter.
@@ -149,7 +155,17 @@ impl<'a> Params<'a> {
                 Some(number) if code == Code::E201 && x < 0.0 => {
                     let (span, number) = (self.span_of(i, 1), number.to_owned());
                     let fix = Fix::replace("fix", Applicability::Choice, span, number.clone());
-                    d.fix(fix.with("number", crate::syntax::quote(&number)))
+                    let d = d.fix(fix.with("number", crate::syntax::quote(&number)));
+                    // A cone's height may be negative: the two may stand in each other's place.
+                    let is_cone = self.ty.kind == RecordKind::Shape(ShapeKind::Cone);
+                    match is_cone && i > 0 && self.number(i - 1) > 0.0 {
+                        true => d.fix(Fix {
+                            title: "fix-swap",
+                            applicability: Applicability::Choice,
+                            ..self.swapped(i - 1, i)
+                        }),
+                        false => d,
+                    }
                 }
                 _ => d,
             };

@@ -1,7 +1,7 @@
 //! Slips in the scene of a mug, and what was meant.
 
 use zpg::internals::analysis::{Analysis, fixing, repair};
-use zpg::internals::diagnostics::{Code, Diagnostic, fixes};
+use zpg::internals::diagnostics::{Code, Diagnostic, Language, fixes};
 
 use super::{read, said};
 
@@ -154,4 +154,59 @@ fn too_bright_a_picture_of_mirrors_and_glass() {
     assert_eq!(all.len(), 1);
     assert_eq!(all[0].code, Code::N606);
     assert_eq!(findings(&text.replace("-402 60", "-402 0.5")), []);
+}
+
+/// The text with the proposal of a number of the first finding with a code.
+fn chosen(text: &str, code: Code, number: usize) -> String {
+    let all = findings(text);
+    let of_code = all.iter().find(|d| d.code == code);
+    let d = of_code.unwrap_or_else(|| panic!("{:?}", all.iter().map(said).collect::<Vec<_>>()));
+    fixes::apply(text, [&d.fixes[number]].into_iter()).0
+}
+
+/// A cone's height and radius in each other's place: the height may be negative.
+#[test]
+fn height_and_radius_of_a_cone_swapped() {
+    let text = with("51 16 1.5 0.6", "51 16 0.6 -1.5");
+    let positive = with("51 16 1.5 0.6", "51 16 0.6 1.5");
+    assert_eq!(chosen(&text, Code::E201, 0), positive);
+    let swapped = with("51 16 1.5 0.6", "51 16 -1.5 0.6");
+    assert_eq!(chosen(&text, Code::E201, 1), swapped);
+    assert_eq!(fixed(&text), text);
+}
+
+/// A profile whose points are written height first.
+#[test]
+fn coordinates_of_a_profile_swapped() {
+    let text = with("40 1 2 1 0 1 2", "40 1 2 0 1 2 1");
+    assert_eq!(chosen(&text, Code::W305, 0), MUG);
+    let all = findings(&text);
+    let help = all[0].wording(Language::Czech).help.unwrap();
+    assert!(help.contains("vzdálenost od osy"), "{help}");
+    // What has no volume either way is no choice.
+    let flat = findings(&with("40 1 2 1 0 1 2", "40 1 2 0 1 0 2"));
+    let axis = flat.iter().find(|d| d.code == Code::W305).unwrap();
+    assert_eq!(axis.fixes, []);
+}
+
+/// An assignment without its type.
+#[test]
+fn an_assignment_without_its_type() {
+    for (line, written) in [("44 -299 10 0", "44 10 0"), ("50 -299 0 20", "50 0 20")] {
+        assert_eq!(fixed(&with(line, written)), MUG, "{written}");
+    }
+    let both = with("50 -299 0 20", "50 -299 11 20");
+    assert_eq!(fixed(&both.replace("-299 11 20", "11 20")), both);
+}
+
+/// A point or a minus behind a number, and the one index of refraction by its name.
+#[test]
+fn signs_behind_numbers_and_an_index_by_its_name() {
+    for (line, written) in [
+        ("51 16 1.5 0.6", "51 16 1.5. 0.6"),
+        ("81 -1 -4 6 5", "81 -1 4- 6 5"),
+        ("50 -203 1.5 1.5 1.5", "50 ior 1.5"),
+    ] {
+        assert_eq!(fixed(&with(line, written)), MUG, "{written}");
+    }
 }

@@ -26,6 +26,17 @@ pub(super) fn number(text: &str) -> Option<String> {
         _ => text.to_owned(),
     };
     let text = text.as_str();
+    // A second point behind all digits, or the minus.
+    let without_end = text.strip_suffix('.').filter(|rest| rest.contains('.'));
+    let sign_behind = text
+        .strip_suffix('-')
+        .filter(|rest| !rest.starts_with(['-', '+']));
+    if let Some(number) = without_end.and_then(plain) {
+        return Some(number);
+    }
+    if let Some(number) = sign_behind.and_then(plain) {
+        return Some(format!("-{number}"));
+    }
     if let Some(share) = text.strip_suffix('%') {
         return hundredth(&plain(share)?);
     }
@@ -172,6 +183,8 @@ mod tests {
             ("0.7f", "0.7"),
             ("2^3", "8"),
             ("0:8", "0.8"),
+            ("0.7.", "0.7"),
+            ("4-", "-4"),
         ] {
             assert_eq!(number(text).as_deref(), Some(meant), "{text}");
         }

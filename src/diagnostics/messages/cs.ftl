@@ -518,6 +518,7 @@ E108-changed = { E108 }
 E201 = { $type }: { $parameter } musí být větší než nula
     .label = `{ $name }` je { $text }
     .fix = { fix-write }
+    .fix-swap = prohodit výšku a poloměr
 
 E202 = { $type }: { $lower } je větší než { $upper }{ $others ->
     [0] {""}

@@ -510,6 +510,7 @@ E108-changed = { E108 }
 E201 = { $parameter } of the { $type } must be positive
     .label = `{ $name }` is { $text }
     .fix = { fix-write }
+    .fix-swap = swap height and radius
 
 E202 = { $lower } of the { $type } is greater than { $upper }{ $others ->
     [0] {""}

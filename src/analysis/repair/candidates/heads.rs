@@ -286,18 +286,19 @@ impl LineContext<'_> {
             let span = first.span().to(params[params.len() - 1].span());
             return vec![self.beginning(Habit::Word, vec![code, Edit { span, text }])];
         }
-        // As POV-Ray has it: `scale 1.2`, `rotate x*75`.
+        // As POV-Ray has it: `scale 1.2`, `ior 1.5`, `rotate x*75`.
         let one = |kind: RecordKind| match params {
             [one] if ty.kind == kind => Some((one, one.text(self.text))),
             _ => None,
         };
-        let scale = one(RecordKind::Scaling).filter(|(t, _)| t.kind().is_number());
-        let scale = scale.map(|(t, s)| (t, [s; 3].join(" ")));
+        let three = one(RecordKind::Scaling).or_else(|| one(RecordKind::RefractiveIndex));
+        let three = three.filter(|(t, _)| t.kind().is_number());
+        let three = three.map(|(t, s)| (t, [s; 3].join(" ")));
         let turn = || {
             let (t, text) = one(RecordKind::Rotation)?;
             Some((t, about_axis(text)?))
         };
-        if let Some((t, text)) = scale.or_else(turn) {
+        if let Some((t, text)) = three.or_else(turn) {
             let span = t.span();
             return vec![self.beginning(Habit::Word, vec![code, Edit { span, text }])];
         }

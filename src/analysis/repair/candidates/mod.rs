@@ -286,7 +286,7 @@ impl<'a> LineContext<'a> {
         taken: &[u32],
     ) -> Vec<Candidate> {
         let mut out = Vec::new();
-        let lost = self.lost_operation();
+        let lost = self.without_type();
         if let Some(infix) = self.infix().filter(|_| finding.is_error()) {
             out.push(infix);
         } else if finding.is_error() && !lost.is_empty() {

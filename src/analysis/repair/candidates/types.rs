@@ -370,29 +370,37 @@ impl LineContext<'_> {
         }));
     }
 
-    /// An operation without its type, as in `34 32 33` where 32 and 33 are objects.
-    pub(super) fn lost_operation(&self) -> Vec<Candidate> {
+    /// An operation without its type, as in `34 32 33` where 32 and 33 are objects, or an assignment, as in `2 10 0` where
+    /// 10 is a colour.
+    pub(super) fn without_type(&self) -> Vec<Candidate> {
         let &[head, a, b] = self.tokens.as_slice() else {
             return Vec::new();
         };
-        let object = |t: &Token| {
-            let id = t.integer(self.text);
-            id.filter(|&id| self.kind_of(id) == Some(Kind::Object))
-        };
-        let is_one = match (self.id(), object(&a), object(&b)) {
-            (Some(id), Some(a), Some(b)) => a != b && ![a, b].contains(&id.into()),
-            _ => false,
-        };
-        if !is_one || self.ty().is_some_and(|ty| self.fits(ty)) {
+        let ids = (self.id(), a.integer(self.text), b.integer(self.text));
+        let (Some(own), Some(a), Some(b)) = ids else {
             return Vec::new();
-        }
-        let kinds = [
-            RecordKind::Union,
-            RecordKind::Intersection,
-            RecordKind::Difference,
-        ];
-        let candidates = kinds.map(|kind| self.with_type(&head, RecordType::of(kind)));
-        candidates.into()
+        };
+        let is_object = |id: i64| self.kind_of(id) == Some(Kind::Object);
+        let is_operation = is_object(a) && is_object(b) && a != b && ![a, b].contains(&own.into());
+        let is_look = a == 0 || matches!(self.kind_of(a), Some(Kind::Colour | Kind::Texture));
+        let is_assignment = is_object(own.into())
+            && (a, b) != (0, 0)
+            && is_look
+            && (b == 0 || self.kind_of(b) == Some(Kind::Optics));
+        let kinds: &[RecordKind] = match (is_operation, is_assignment) {
+            _ if self.ty().is_some_and(|ty| self.fits(ty)) => &[],
+            (true, _) => &[
+                RecordKind::Union,
+                RecordKind::Intersection,
+                RecordKind::Difference,
+            ],
+            (false, true) => &[RecordKind::Assignment],
+            (false, false) => &[],
+        };
+        let all = kinds
+            .iter()
+            .map(|&kind| self.with_type(&head, RecordType::of(kind)));
+        all.collect()
     }
 
     /// The type put in behind the ID.

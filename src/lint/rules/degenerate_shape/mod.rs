@@ -2,7 +2,7 @@
 
 mod in_line;
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::lint::Context;
 use crate::scene::record::Params;
 use crate::scene::{Geometry, Shape};
@@ -28,6 +28,9 @@ fn finding(shape: &Shape, p: &Params, why: &Degenerate) -> Diagnostic {
         .case(why.case)
         .with("type", Value::Term(shape.ty().title))
         .with("id", shape.id.to_string());
+    if why.case == TURNED {
+        return finding.fix(turned(p));
+    }
     if why.equal.is_empty() {
         return finding;
     }
@@ -44,6 +47,26 @@ fn finding(shape: &Shape, p: &Params, why: &Degenerate) -> Diagnostic {
     match lost_minus(p, why, half) {
         Some(fix) => finding.fix(fix),
         None => finding,
+    }
+}
+
+/// The profile of which x and y stand in each other's place.
+const TURNED: &str = "profile-turned";
+
+/// Each point's x and y in each other's place.
+fn turned(p: &Params) -> Fix {
+    let edit = |at: usize, from: usize| Edit {
+        span: p.span_of(at, 1),
+        text: p.text_of(from).to_owned(),
+    };
+    let points = (1..2 * p.count).step_by(2);
+    Fix {
+        title: "fix-turned",
+        values: Vec::new(),
+        applicability: Applicability::Choice,
+        edits: points
+            .flat_map(|i| [edit(i, i + 1), edit(i + 1, i)])
+            .collect(),
     }
 }
 
@@ -126,9 +149,13 @@ impl Geometry {
             AnyShape::Revolution(s) => {
                 let line = in_line(&profile::closed(s.profile))?;
                 let on_axis = s.profile.iter().all(|q| q[0] == 0.0);
+                let turned: Vec<[f64; 2]> = s.profile.iter().map(|&[x, y]| [y, x]).collect();
+                let is_turned = turned.iter().all(|q| q[0] >= 0.0)
+                    && in_line(&profile::closed(&turned)).is_none();
                 Some(Degenerate {
                     case: match line {
                         _ if on_axis => "axis",
+                        _ if is_turned => TURNED,
                         InLine::Exactly => "profile",
                         InLine::Rounded => "profile-nearly",
                     },
