@@ -210,3 +210,28 @@ fn signs_behind_numbers_and_an_index_by_its_name() {
         assert_eq!(fixed(&with(line, written)), MUG, "{written}");
     }
 }
+
+/// A half-space that is turned round holds the camera.
+#[test]
+fn a_half_space_that_is_turned_round() {
+    let text = with("60 4 0 1 0 0", "60 4 0 -1 0 0");
+    assert_eq!(chosen(&text, Code::W325, 0), MUG);
+    assert_eq!(fixed(&text), text);
+}
+
+/// A lamp that nothing moves, and things that only touch the floor.
+#[test]
+fn what_is_said_of_lamps_at_the_origin_and_of_touching_parts() {
+    let all = findings(&with("81 -1 -4 6 5", ""));
+    let inside = all.iter().find(|d| d.code == Code::W326).unwrap();
+    let notes = inside.wording(Language::English).notes;
+    assert!(
+        notes
+            .iter()
+            .any(|n| n.contains("at the origin until it is moved")),
+        "{notes:?}"
+    );
+    let text = with("72 -101 71 60", "72 -102 71 60");
+    assert_eq!(chosen(&text, Code::W321, 0), MUG);
+    assert_eq!(fixed(&text).matches("72 -102 71 60").count(), 1);
+}

@@ -12,7 +12,7 @@ mod fix;
 
 use rustc_hash::FxHashSet;
 
-use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::lint::roots;
 use crate::lint::spelling::near;
 use crate::lint::{Context, live_nodes};
@@ -23,6 +23,8 @@ use crate::solids::contacts::face::FaceId;
 use crate::solids::contacts::search::{ContactSide, FaceContact, search};
 use crate::solids::named;
 use crate::solids::shapes::AnyShape;
+use crate::syntax::quote;
+use crate::syntax::table::{RecordKind, RecordType};
 
 /// The relation of the two shapes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -128,6 +130,16 @@ fn finding(
         .label(record.span, "operation");
     let skin = pairs.iter().any(|p| p.skin);
     let bound = parents.bound.contains(&tool.id);
+    if case == Case::Touch
+        && is_flat(context, operation)
+        && let Some(p) = context.params(record.span)
+        && p.ty.kind == RecordKind::Intersection
+    {
+        let union = RecordType::of(RecordKind::Union).code.to_string();
+        let span = p.type_span();
+        let fix = Fix::replace("fix-union", Applicability::Choice, span, union.clone());
+        d = d.case("empty").fix(fix.with("number", quote(&union)));
+    }
     if case != Case::Touch && !skin && !bound && parents.only_in(tool.node, operation) {
         let shape = &scene.shapes[tool.shape as usize];
         let sides: Vec<ContactSide> = pairs.iter().map(|p| p.sides[0]).collect();
@@ -137,6 +149,16 @@ fn finding(
         }
     }
     Some(d)
+}
+
+/// Most of the reach of bounds that is no extent.
+const FLAT_REL_EXTENT: f64 = 1e-9;
+
+/// Whether all of a node is within a plane across an axis.
+fn is_flat(context: &Context, node: NodeId) -> bool {
+    let all = &context.bounds()[node as usize].all;
+    let least = all.extent().into_iter().fold(f64::INFINITY, f64::min);
+    all.is_finite() && least <= FLAT_REL_EXTENT * all.reach()
 }
 
 /// Where a face is written, what it is, and the parameter that it is named by.

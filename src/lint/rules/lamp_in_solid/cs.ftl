@@ -6,3 +6,4 @@ W326-surface = bodové světlo { $id } leží na povrchu objektu a povrch kolem 
     .label = toto světlo
     .solid = světlo leží na povrchu tohoto objektu
     .help = odsuňte světlo od povrchu
+lamp-at-origin = světlo je v počátku, dokud se neposune, například záznamem `ID -1 x y z`

@@ -6,3 +6,4 @@ W326-surface = the point light { $id } lies on the surface of the { $solid } { $
     .label = this light is on the surface
     .solid = of this
     .help = move the light off the surface
+lamp-at-origin = a light is at the origin until it is moved, as by `ID -1 x y z`

@@ -37,13 +37,15 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let Some(span) = places.get(&lamp.id) else {
             continue;
         };
-        out.push(
-            Diagnostic::new(Code::W326, *span)
-                .case(if held.on_surface { "surface" } else { "" })
-                .with("id", lamp.id.to_string())
-                .with("solid", Value::Term(held.solid.title))
-                .with("solid-id", held.solid.id.to_string())
-                .label(held.solid.span, "solid"),
-        );
+        let finding = Diagnostic::new(Code::W326, *span)
+            .case(if held.on_surface { "surface" } else { "" })
+            .with("id", lamp.id.to_string())
+            .with("solid", Value::Term(held.solid.title))
+            .with("solid-id", held.solid.id.to_string())
+            .label(held.solid.span, "solid");
+        out.push(match lamp.position == [0.0; 3] {
+            true => finding.note("lamp-at-origin"),
+            false => finding,
+        });
     }
 }
