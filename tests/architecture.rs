@@ -1,4 +1,4 @@
-//! The picture that `src/lib.rs` draws is the one that the imports draw.
+//! The order of modules that `src/lib.rs` and CONTRIBUTING.md give is the one that the imports have.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -275,7 +275,7 @@ impl Tree {
         self.slots().map(|(_, _, item)| item)
     }
 
-    /// All items with boxes that hold theirs, but for a rounding; the frame is the one that the tree was built with.
+    /// All items, each with a box around its own one, but for a rounding; the frame is the one that the tree was built with.
     pub fn boxes(&self, frame: &Frame) -> impl Iterator<Item = (u32, Aabb)> + '_ {
         let Frame { centre, unit, .. } = *frame;
         self.slots().map(move |(node, slot, item)| {

@@ -1,4 +1,4 @@
-//! Whether a file is a scene. What is none is not read as one, let alone written to.
+//! Whether a file is a scene. Other files are neither read as scenes nor written to.
 //!
 //! It is decided over the bytes; the first row that applies counts.
 //!

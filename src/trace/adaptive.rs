@@ -8,8 +8,8 @@
 //! - the standard error of the mean by batch means (Asmussen and Glynn, *Stochastic Simulation*,
 //!   2007, section IV.5): each [`BATCH_SAMPLES`] samples in a row, which are well spread over the pixel, are
 //!   a batch;
-//! - the contrast among the neighbours over the number of samples: what n well-spread samples have
-//!   all missed is about a share of 1/n of the pixel, and as different as the neighbours are.
+//! - the contrast among the neighbours over the number of samples: n well-spread samples can miss a thing that covers 1/n
+//!   of the pixel. It is assumed to differ from the pixel by as much as the neighbours do.
 //!
 //! Errors are in linear RGB, of the channel where they are largest.
 

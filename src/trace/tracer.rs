@@ -40,7 +40,7 @@ impl Tracer {
     /// # Errors
     ///
     /// Names the first shape or texture found that cannot be drawn, or the missing render record.
-    /// Image textures cannot: their pictures come with [`Tracer::with_images`].
+    /// Image textures cannot be drawn here: their pictures come with [`Tracer::with_images`].
     pub fn new(scene: &Scene) -> Result<Tracer, Error> {
         Tracer::with_images(scene, &Images::default())
     }

@@ -35,7 +35,7 @@ impl Pattern {
     ///
     /// # Errors
     ///
-    /// It is none.
+    /// The text is no pattern.
     pub(super) fn new(written: &str, root: &Path) -> Result<Pattern, Complaint> {
         Pattern::build(written, false, written, root)
     }

@@ -107,7 +107,7 @@ impl Taylor {
         Taylor { f, g, bend: 0.0 }
     }
 
-    /// The larger of two is that of what both hold.
+    /// The function of an intersection: the larger of the two.
     pub fn both(self, other: Taylor) -> Taylor {
         if self.f > other.f { self } else { other }
     }

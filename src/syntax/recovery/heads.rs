@@ -24,7 +24,8 @@ pub(super) fn spoiled(stretch: &Stretch, i: usize) -> Option<i64> {
         .ok()
 }
 
-/// The type that follows a sign or word that stands in its place; in a line, what is no integer.
+/// The type at token i + 1, if token i is a stray that stands in the type's place: a word or an invalid token in a free
+/// stretch, anything but an integer in a line.
 pub(super) fn type_behind_stray(stretch: &Stretch, i: usize) -> Option<&'static RecordType> {
     let stray = |k| match stretch.is_free {
         true => matches!(k, TokenKind::Word | TokenKind::Invalid),

@@ -155,7 +155,7 @@ impl<'s> Stretch<'s> {
         self.columns.head(self.from + self.line_start(line))
     }
 
-    /// The same behind the first token of a line.
+    /// The ID and the type of a line, if its first token is skipped.
     pub(crate) fn head_behind_first(&self, line: usize) -> [Option<i32>; 2] {
         let second = self.line_start(line) + 1;
         match second < self.line_end(line) {

@@ -1,8 +1,8 @@
 //! What is taken away from a union is taken away from those of its parts that it reaches.
 //!
-//! A part that is worked on is a long chain of unions and differences in turn, each deep within the next, although most
-//! of them have nothing to do with each other. With every tool at the parts that it reaches the chain is one union of
-//! parts with few cuts each, of which a ray looks at those on its way.
+//! A workpiece is often a long chain of unions and differences, nested in one another, most of which have nothing to do
+//! with each other. Here each tool goes to the parts that it reaches. The chain becomes one union of parts with few cuts
+//! each, and a ray looks at those on its way alone.
 
 use crate::geometry::aabb::Aabb;
 use crate::geometry::bvh::Bvh;

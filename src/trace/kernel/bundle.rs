@@ -1,6 +1,6 @@
 //! What many rays that go nearly the same way may meet.
 
-use super::lanes::{Lanes, V3, WIDTH, gathered, is_greater, lanes_where};
+use super::lanes::{LANES, Lanes, V3, gathered, is_greater, lanes_where};
 use super::near::in_box;
 use super::query::{SKINS, Start};
 use super::stage::Stage;
@@ -29,7 +29,7 @@ pub struct Along {
     /// Box tests that have been made.
     pub boxes: u32,
     /// For each of four rays: see [`part`](Self::part).
-    pub blocks: [Vec<(f64, u32)>; WIDTH],
+    pub blocks: [Vec<(f64, u32)>; LANES],
     pending: Vec<Child>,
 }
 
@@ -43,14 +43,14 @@ pub struct Rays {
     /// In t, how far behind a start something is that may be taken for it.
     pub before: Lanes,
     /// See [`Start::left`](super::query::Start::left).
-    pub left: [u32; WIDTH],
+    pub left: [u32; LANES],
     /// Those that are asked only whether anything opaque is on their way, as bits.
     pub shadow: u32,
 }
 
 impl Rays {
     #[inline(always)]
-    pub fn new(starts: [&Start; WIDTH], live: u32, is_shadow: bool) -> Rays {
+    pub fn new(starts: [&Start; LANES], live: u32, is_shadow: bool) -> Rays {
         let direction = V3::gathered(starts, |start| &start.direction);
         let skin = gathered(starts, |start| start.skin * SKINS);
         Rays {
@@ -183,7 +183,7 @@ impl Along {
         let inverse = V3(each(direction.0, |d| splat(1.0) / d));
         for candidate in &self.candidates {
             let [near, far] = in_box(&candidate.bounds, origin, inverse, [-before, splat(to)]);
-            // Written so that what is no number is met.
+            // Written so that NaN counts as met.
             let misses = is_greater(near, far * splat(1.0 + REL_ROOM)).to_bitmask();
             let mut met = live & !misses & !dark;
             let block = &stage.blocks[candidate.block as usize];
@@ -197,7 +197,7 @@ impl Along {
                 }
             }
             while met != 0 {
-                let lane = met.trailing_zeros() as usize % WIDTH;
+                let lane = met.trailing_zeros() as usize % LANES;
                 met &= met - 1;
                 self.blocks[lane].push((candidate.near, candidate.block));
             }

@@ -8,13 +8,14 @@ use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Tests};
 use super::scalar::Raw;
 use super::scratch::Scratch;
 use super::stage::{Block, Forest, Shapes, Stage, in_blocks};
-use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH};
+use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH as CHILDREN};
 use crate::trace::shapes::Root;
 
 /// An intersection as a ray walks it.
 ///
-/// A place is in a gate if none of its operands is wrong: a first one is wrong where the place is not in it, a cut where it
-/// is. A union is all that is in some of its cuts.
+/// Each gate counts its unmet operands: a first one is unmet where the place is not in it, a cut where the place is in it.
+/// Where the count is zero the place is in the gate. A union is kept as its complement: what is in none of its operands,
+/// which are cuts of it. So its count is zero outside of the union, and `is_union` turns the result round.
 #[derive(Debug)]
 pub struct Csg {
     /// Blocks of shapes that all of it is in.
@@ -23,19 +24,19 @@ pub struct Csg {
     others: Forest,
     /// That of the whole comes first, each one before its operands.
     gates: Vec<Gate>,
-    /// How many operands of each gate are wrong far from everything.
-    wrong: Vec<u32>,
+    /// How many operands of each gate are unmet at a place outside of all shapes.
+    unmet: Vec<u32>,
 }
 
 impl Csg {
     pub fn new(leaves: &[Leaf], operands: Operands, blocks: &mut Vec<Block>) -> Csg {
-        let mut wrong = vec![0; operands.gates.len()];
+        let mut unmet = vec![0; operands.gates.len()];
         for leaf in operands.all().map(|leaf| &leaves[leaf as usize]) {
-            wrong[leaf.gate as usize] += u32::from(!leaf.is_cut);
+            unmet[leaf.gate as usize] += u32::from(!leaf.is_cut);
         }
         for (number, gate) in operands.gates.iter().enumerate().skip(1).rev() {
-            let is_in = (wrong[number] == 0) != gate.is_union;
-            wrong[gate.parent as usize] += u32::from(is_in == gate.is_cut);
+            let is_in = (unmet[number] == 0) != gate.is_union;
+            unmet[gate.parent as usize] += u32::from(is_in == gate.is_cut);
         }
         let first = blocks.len() as u32;
         in_blocks(leaves, &operands.firsts, blocks);
@@ -43,27 +44,27 @@ impl Csg {
             firsts: (first..blocks.len() as u32).collect(),
             others: Forest::new(leaves, &operands.loose, operands.boxes, blocks),
             gates: operands.gates,
-            wrong,
+            unmet,
         }
     }
 
     /// Goes into a shape or out of it.
     #[inline]
-    fn pass(&self, leaf: &Leaf, goes_in: bool, wrong: &mut [u32]) {
+    fn pass(&self, leaf: &Leaf, goes_in: bool, unmet: &mut [u32]) {
         let (mut gate, mut is_cut, mut goes_in) = (leaf.gate as usize, leaf.is_cut, goes_in);
         loop {
-            let was_in = wrong[gate] == 0;
+            let was_in = unmet[gate] == 0;
             match goes_in == is_cut {
-                true => wrong[gate] += 1,
-                false => wrong[gate] = wrong[gate].saturating_sub(1),
+                true => unmet[gate] += 1,
+                false => unmet[gate] = unmet[gate].saturating_sub(1),
             }
-            let is_in = wrong[gate] == 0;
+            let is_in = unmet[gate] == 0;
             if is_in == was_in || gate == 0 {
                 return;
             }
-            let outer = self.gates[gate];
-            goes_in = is_in != outer.is_union;
-            (gate, is_cut) = (outer.parent as usize, outer.is_cut);
+            let this = self.gates[gate];
+            goes_in = is_in != this.is_union;
+            (gate, is_cut) = (this.parent as usize, this.is_cut);
         }
     }
 }
@@ -90,31 +91,31 @@ impl Stage<'_> {
         scratch.ahead.clear();
         scratch.at_start.clear();
         scratch.merges += 1;
-        scratch.wrong.clear();
-        scratch.wrong.extend(&csg.wrong);
+        scratch.unmet.clear();
+        scratch.unmet.extend(&csg.unmet);
         if let Err(Doubt) = self.events(query, whole, csg, [from, to], scratch, tests) {
             return Crossed::Doubt;
         }
         let Scratch {
             events,
             least,
-            wrong,
+            unmet,
             ahead,
             at_start,
             ..
         } = scratch;
-        let mut is_in = wrong[0] == 0;
+        let mut is_in = unmet[0] == 0;
         if is_in != query.start.within.has(number) {
             return Crossed::Doubt;
         }
         match at_start[..] {
             [] => {}
-            // What it is in there must not matter.
+            // A crossing at the start must not change whether the ray is inside.
             [(leaf, goes_in)] => {
                 let leaf = &self.leaves[leaf as usize];
-                csg.pass(leaf, !goes_in, wrong);
-                let was_in = wrong[0] == 0;
-                csg.pass(leaf, goes_in, wrong);
+                csg.pass(leaf, !goes_in, unmet);
+                let was_in = unmet[0] == 0;
+                csg.pass(leaf, goes_in, unmet);
                 if was_in != is_in {
                     return Crossed::Doubt;
                 }
@@ -139,8 +140,8 @@ impl Stage<'_> {
                 // Two in one place: what each of them does must not depend on which comes first.
                 let other = &self.leaves[next.surface as usize];
                 let mut after = |leaf: &Leaf, goes_in| {
-                    csg.pass(leaf, goes_in, wrong);
-                    wrong[0] == 0
+                    csg.pass(leaf, goes_in, unmet);
+                    unmet[0] == 0
                 };
                 let [one, both] = [after(leaf, !event.is_exit), after(other, !next.is_exit)];
                 let [two, before] = [after(leaf, event.is_exit), after(other, next.is_exit)];
@@ -150,8 +151,8 @@ impl Stage<'_> {
                     return Crossed::Doubt;
                 }
             }
-            csg.pass(leaf, !event.is_exit, wrong);
-            if is_in != (wrong[0] == 0) {
+            csg.pass(leaf, !event.is_exit, unmet);
+            if is_in != (unmet[0] == 0) {
                 is_in = !is_in;
                 ahead.push(*event);
                 if ask != Ask::All {
@@ -178,11 +179,11 @@ impl Stage<'_> {
         // Beyond the way out of the first operands nothing matters.
         let mut end = to;
         for &block in &csg.firsts {
-            let before = (scratch.wrong[0], scratch.events.len());
+            let before = (scratch.unmet[0], scratch.events.len());
             let block = &self.blocks[block as usize];
             self.operands(query, block, [from, f64::INFINITY], csg, scratch)?;
             let met = &scratch.events[before.1..];
-            if (scratch.wrong[0], scratch.events.len()) == before {
+            if (scratch.unmet[0], scratch.events.len()) == before {
                 // Neither in it nor before it.
                 scratch.events.clear();
                 return Ok(());
@@ -214,7 +215,7 @@ impl Stage<'_> {
         while let Some(child) = pending.pop() {
             match child.is() {
                 Is::Node(node) => {
-                    tests.boxes += WIDTH as u32;
+                    tests.boxes += CHILDREN as u32;
                     let node = &csg.others.tree.nodes[node as usize];
                     let first = beam.first(node, ends, |_, child| pending.push(child));
                     pending.extend(first.map(|(_, child)| child));
@@ -248,7 +249,7 @@ impl Stage<'_> {
             let surface = block.leaves[0];
             let leaf = &self.leaves[surface as usize];
             let mut roots = std::mem::take(&mut scratch.roots);
-            // All of the line: what is crossed nowhere near may still be around the start.
+            // All of the line: a way out that is far away may mean that the start is inside.
             let everywhere = [from, f64::INFINITY];
             let crossed = self.cross(query, surface, everywhere, Ask::All, &mut roots);
             let listed = match crossed {
@@ -256,7 +257,7 @@ impl Stage<'_> {
                 Raw::Nothing | Raw::Somewhere => Ok(()),
                 Raw::Ahead { line, mut inside } => {
                     if inside {
-                        csg.pass(leaf, true, &mut scratch.wrong);
+                        csg.pass(leaf, true, &mut scratch.unmet);
                     }
                     for &root in &roots.list {
                         scratch.events.push(Crossing {
@@ -294,7 +295,7 @@ impl Stage<'_> {
             };
             if leaf.twin == start.left {
                 if start.goes_in {
-                    csg.pass(leaf, true, &mut scratch.wrong);
+                    csg.pass(leaf, true, &mut scratch.unmet);
                     // There is no way out of a half-space for what has come in.
                     if leaf.kind != Kind::HalfSpace {
                         let out = self.way_out(probe, leaf, skin).ok_or(Doubt)?;
@@ -316,7 +317,7 @@ impl Stage<'_> {
             let is_met_before = near.t < -(skin + near.error);
             match (is_met_ahead, is_left_ahead) {
                 (true, _) => note(near, false, scratch),
-                (false, true) => csg.pass(leaf, true, &mut scratch.wrong),
+                (false, true) => csg.pass(leaf, true, &mut scratch.unmet),
                 (false, false) if is_met_before => {}
                 (false, false) => return Err(Doubt),
             }

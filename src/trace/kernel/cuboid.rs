@@ -1,7 +1,7 @@
 //! Axis-aligned boxes: which of several a line meets, and where several lines meet one each, as
 //! [`shapes::cuboid`](crate::trace::shapes) computes it.
 
-use super::lanes::{ALL, Lanes, V3, WIDTH, either, is_greater, is_less, mask};
+use super::lanes::{ALL, LANES, Lanes, V3, either, is_greater, is_less, mask};
 use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
 use super::resolved::{Meet, Resolved};
@@ -175,7 +175,7 @@ pub fn resolve(origin: V3, d: V3, min: V3, max: V3, exit: Lanes) -> Resolved {
 
 impl Meet for Cuboids {
     #[inline(always)]
-    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, exit: Lanes) -> Resolved {
+    fn meet(leaves: [&Leaf; LANES], origin: V3, direction: V3, exit: Lanes) -> Resolved {
         let min = V3::gathered(leaves, Leaf::first);
         let max = V3::gathered(leaves, Leaf::upper);
         resolve(origin, direction, min, max, exit)

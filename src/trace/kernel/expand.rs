@@ -11,8 +11,8 @@ use crate::trace::shapes::Primitive;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 
-/// A solid within an intersection: what is in all of some operands and in none of some others, the cuts. A union is what is
-/// not in none of its operands.
+/// A solid within an intersection: what is in all of some operands and in none of some others, the cuts. A union is kept as
+/// the complement of what is in none of its operands.
 #[derive(Debug, Clone, Copy)]
 pub struct Gate {
     /// The gate that it is an operand of, which is an earlier one. That of the whole is its own.
@@ -189,8 +189,8 @@ impl Leaves {
         number
     }
 
-    /// Adds a part that is a shape, if it is for the kernel; returns its number. It looks like its `owner`, if it is a tool
-    /// that leaves nothing of its own.
+    /// Adds a part that is a shape, if it is for the kernel; returns its number. If it is a tool whose faces
+    /// look like what is cut, it takes the looks of that `owner`.
     fn leaf(
         &mut self,
         graph: &Graph,

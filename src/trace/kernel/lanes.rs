@@ -5,13 +5,13 @@ use std::ops::{Add, Mul, Neg, Sub};
 pub use wide::f64x4 as Lanes;
 
 /// Lanes in one go.
-pub const WIDTH: usize = 4;
+pub const LANES: usize = 4;
 /// All lanes, as bits.
-pub const ALL: u32 = (1 << WIDTH) - 1;
+pub const ALL: u32 = (1 << LANES) - 1;
 
 /// A number of each of four things.
 #[inline(always)]
-pub fn gathered<T>(of: [&T; WIDTH], number: impl Fn(&T) -> f64) -> Lanes {
+pub fn gathered<T>(of: [&T; LANES], number: impl Fn(&T) -> f64) -> Lanes {
     let [a, b, c, d] = of;
     Lanes::new([number(a), number(b), number(c), number(d)])
 }
@@ -34,7 +34,7 @@ pub fn is_at_most(a: Lanes, b: Lanes) -> Lanes {
 /// The lanes of which something holds, as bits.
 #[inline(always)]
 pub fn lanes_where(holds: impl Fn(usize) -> bool) -> u32 {
-    (0..WIDTH).fold(0, |bits, lane| bits | u32::from(holds(lane)) << lane)
+    (0..LANES).fold(0, |bits, lane| bits | u32::from(holds(lane)) << lane)
 }
 
 /// Where the bits of a mask are set, all bits of the lane.
@@ -73,7 +73,7 @@ impl V3 {
 
     /// A vector of each of four things.
     #[inline(always)]
-    pub fn gathered<T>(of: [&T; WIDTH], vector: impl Fn(&T) -> &[f64; 3]) -> V3 {
+    pub fn gathered<T>(of: [&T; LANES], vector: impl Fn(&T) -> &[f64; 3]) -> V3 {
         let [a, b, c, d] = [vector(of[0]), vector(of[1]), vector(of[2]), vector(of[3])];
         V3([
             Lanes::new([a[0], b[0], c[0], d[0]]),
@@ -84,7 +84,7 @@ impl V3 {
 
     /// One array for each component.
     #[inline(always)]
-    pub fn columns(self) -> [[f64; WIDTH]; 3] {
+    pub fn columns(self) -> [[f64; LANES]; 3] {
         [
             self.0[0].to_array(),
             self.0[1].to_array(),

@@ -102,11 +102,11 @@ pub struct Leaf {
     /// [`Gate`](super::expand::Gate).
     pub gate: u32,
     pub is_cut: bool,
-    /// The first leaf with the same surface: itself, if there is none before.
+    /// The number of the first leaf with the same shape and placement, which copies in one place share.
     pub twin: u32,
     /// See [`Graph::extents`](crate::trace::graph::Graph::extents).
     pub extent: f64,
-    /// Which operand of the scene's union it is: the earlier of two owns what both are in.
+    /// The place of its operand in the scene's union: of two solids the lower one owns what both are in.
     pub operand: u32,
     /// Whether it has an inside.
     pub is_solid: bool,
@@ -125,8 +125,8 @@ pub struct Leaf {
     pub way_count: u32,
     /// Whether something goes through it.
     pub is_clear: bool,
-    /// Whether nothing is near it such that one of the two is transparent. So the way out of what is transparent is what
-    /// comes next inside, and no light gets to what is opaque but through the open.
+    /// Whether it is transparent and nothing is near it, or opaque and nothing transparent is near it. So from inside of
+    /// glass its other side comes next, and light gets to what is opaque through the open alone.
     pub is_lone: bool,
 }
 

@@ -1,7 +1,7 @@
 //! The light of lamps on the places that a wave has met.
 
 use super::bundle::{Around, BUNDLE_MIN_RAYS, Rays};
-use super::lanes::{Lanes, V3, WIDTH, is_greater, is_less, mask};
+use super::lanes::{LANES, Lanes, V3, is_greater, is_less, mask};
 use super::query::Start;
 use super::shade::{Four, Hits};
 use super::shadow::Light;
@@ -20,13 +20,13 @@ pub struct Lit {
     /// The normals on the sides where the rays come from.
     facing: V3,
     /// What rays to lamps know of where they start.
-    starts: [Start; WIDTH],
+    starts: [Start; LANES],
     albedo: V3,
     weight: V3,
     /// What has come so far.
     light: V3,
-    pixels: [u32; WIDTH],
-    nodes: [u32; WIDTH],
+    pixels: [u32; LANES],
+    nodes: [u32; LANES],
 }
 
 impl Tile {
@@ -67,7 +67,7 @@ impl Tile {
         let (mut around, mut count) = (Around::NOTHING, 0);
         if scene.features.shadows {
             for four in &lit {
-                for lane in (0..WIDTH).filter(|lane| four.live >> lane & 1 != 0) {
+                for lane in (0..LANES).filter(|lane| four.live >> lane & 1 != 0) {
                     around.add(four.starts[lane].origin);
                     count += 1;
                 }
@@ -86,7 +86,7 @@ impl Tile {
         }
         for four in &lit {
             let light = four.albedo.times(four.light).times(four.weight).columns();
-            for lane in (0..WIDTH).filter(|lane| four.live >> lane & 1 != 0) {
+            for lane in (0..LANES).filter(|lane| four.live >> lane & 1 != 0) {
                 let node = &mut self.nodes[four.nodes[lane] as usize];
                 node.light = Vec3([light[0][lane], light[1][lane], light[2][lane]]);
             }
@@ -132,7 +132,7 @@ impl Tile {
             let rays = Rays::new(four.starts.each_ref(), faces, true);
             dark = self.along.part(scene.stage, &rays, 1.0);
         }
-        let mut seen = [Vec3::ZERO; WIDTH];
+        let mut seen = [Vec3::ZERO; LANES];
         for (lane, seen) in seen.iter_mut().enumerate() {
             if faces >> lane & 1 == 0 {
                 continue;

@@ -2,9 +2,9 @@
 //!
 //! Pictures have the bits of those that [`search`](super::search) and [`shade`](super::shade) draw, who are called the
 //! arbiter here. The kernel takes on scenes that are seen from outside: unions of shapes, intersections and differences,
-//! placed anywhere, in up to two of which a place may be. It knows of each ray whether rounding may have decided anything
-//! about it. A sample with such a ray is in doubt, and the arbiter draws it. So it does a whole picture of which the kernel
-//! does not know enough.
+//! placed anywhere. A place may be inside of two of them at most. The kernel knows of each ray whether rounding may have
+//! decided anything about it. A sample with such a ray is in doubt, and the arbiter draws it. The arbiter also draws whole
+//! pictures of which the kernel would know too little.
 //!
 //! The scene: [`expand`] takes the graph apart into leaves, each a shape with its looks ([`leaf`]). [`stage`] puts leaves of
 //! one kind into blocks of four, and blocks into a tree. [`lone`] finds what is near nothing else.
@@ -21,9 +21,23 @@
 //! 3. [`light`] adds up the light of the lamps, one lamp after the other for all places of the wave; [`shadow`] says how much
 //!    of it gets through.
 //!
+//! In the search the four lanes are four shapes beside one ray; in the other phases, and in [`near`], they are four rays.
+//!
 //! From inside of a transparent solid that is near nothing else its other side comes next, and nothing is searched. Inside of
 //! others the ray also crosses surfaces that are not seen: an earlier operand of the union hides what is in it
 //! ([`Within`](query::Within)).
+//!
+//! A ray is in doubt
+//!
+//! - where it grazes a shape, or two crossings are nearer to each other than the bounds on their errors;
+//! - where a crossing is so near its start that it may lie before it;
+//! - where a crossing says that it starts inside of a solid, and what the ray carries says that it does not, or the reverse;
+//! - where three solids would be in one place, or one medium is on both sides of a surface;
+//! - where the point that it meets is not known well enough.
+//!
+//! Such a ray ends, and its sample is flagged ([`Drawn`]); the other rays of the sample go on. The arbiter then draws the
+//! sample from its start. Before a picture is drawn a few tiles are tried: where more than an eighth of their samples are in
+//! doubt, the arbiter draws the whole picture.
 
 mod bundle;
 mod csg;

@@ -4,7 +4,7 @@
 //! Bernstein's form: where no coefficient of either half is below a margin, the ray misses the shape. The margins are those
 //! of [`quick_reject`](crate::trace::shapes::quick_reject), beside which all that is rounded is nothing.
 
-use super::lanes::{ALL, Lanes, V3, WIDTH, either, is_at_most, is_greater, is_less};
+use super::lanes::{ALL, LANES, Lanes, V3, either, is_at_most, is_greater, is_less};
 use super::place::Maps;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::affine::Affine;
@@ -95,14 +95,14 @@ impl Near {
     #[inline(never)]
     pub fn pass(&self, origin: V3, direction: V3, before: Lanes, to: f64) -> Passing {
         let splat = Lanes::splat;
-        let back = Maps::gathered([&self.back; WIDTH], |map| map);
+        let back = Maps::gathered([&self.back; LANES], |map| map);
         let (o, d) = (back.point(origin), back.vector(direction));
         let inverse = V3(each(d.0, |d| splat(1.0) / d));
         let [near, far] = in_box(&self.around, o, inverse, [-before, splat(to)]);
         let [start, pace] = [origin, direction].map(|v| v.abs().max_component());
         let size = splat(self.sizes[0]) * (start + pace * near.abs().fast_max(far.abs()));
         let error = splat(REL_ROUNDED) * (size + splat(self.sizes[1]));
-        // All is written so that nothing is said of what is no number.
+        // All is written so that nothing is said where a number is NaN.
         let known = is_at_most(error, splat(LINE_REL_ERROR * self.reach));
         let misses = is_greater(near, far);
         let missed = (known & misses).to_bitmask();

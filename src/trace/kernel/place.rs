@@ -1,6 +1,6 @@
 //! Into the spaces of shapes and out of them, four rays at once.
 
-use super::lanes::{Lanes, V3, WIDTH, is_greater};
+use super::lanes::{LANES, Lanes, V3, is_greater};
 use super::resolved::Resolved;
 use crate::geometry::affine::{Affine, Placement};
 use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
@@ -13,7 +13,7 @@ pub struct Maps {
 
 impl Maps {
     #[inline(always)]
-    pub fn gathered<T>(places: [&T; WIDTH], map: impl Fn(&T) -> &Affine) -> Maps {
+    pub fn gathered<T>(places: [&T; LANES], map: impl Fn(&T) -> &Affine) -> Maps {
         let row = |i: usize| V3::gathered(places, |p| &map(p).rows[i].0);
         Maps {
             rows: [row(0), row(1), row(2)],
@@ -56,7 +56,7 @@ const BLURRED: f64 = 31.0;
 /// Where rays meet shapes that are placed, in the scene's space; `resolve` says where in theirs.
 #[inline(always)]
 pub fn placed(
-    places: [&Placement; WIDTH],
+    places: [&Placement; LANES],
     origin: V3,
     direction: V3,
     resolve: impl FnOnce(V3, V3) -> Resolved,

@@ -1,7 +1,7 @@
 //! Planes and half-spaces: where a line meets several, and where several lines meet one each, as
 //! [`shapes::plane`](crate::trace::shapes) computes it.
 
-use super::lanes::{Lanes, V3, WIDTH, either, gathered, is_at_most, is_greater, is_less, mask};
+use super::lanes::{LANES, Lanes, V3, either, gathered, is_at_most, is_greater, is_less, mask};
 use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
 use super::resolved::{Meet, Resolved};
@@ -56,7 +56,7 @@ impl Planes {
         let rises = is_greater(slope, zero);
         let near = either(solid & rises, -infinity, t);
         let far = either(solid & !rises, infinity, t);
-        // A line along the plane, which is no sum of roundings, meets nothing in front of it.
+        // A line that is exactly parallel to the plane meets nothing in front of it.
         let still = is_at_most(steep, zero) & (is_greater(value, splat(RIM) * size) | !solid);
         let still = still.to_bitmask() & if probe.slack > 0.0 { 0 } else { u32::MAX };
         let flat = !is_greater(slope.abs(), splat(RIM) * steep);
@@ -113,7 +113,7 @@ pub fn resolve(origin: V3, direction: V3, plane: &Plane) -> Resolved {
 
 impl Meet for Planes {
     #[inline(always)]
-    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, _: Lanes) -> Resolved {
+    fn meet(leaves: [&Leaf; LANES], origin: V3, direction: V3, _: Lanes) -> Resolved {
         let plane = Plane {
             normal: V3::gathered(leaves, Leaf::first),
             d: gathered(leaves, |leaf| leaf.numbers[3]),

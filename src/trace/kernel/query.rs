@@ -62,11 +62,12 @@ impl Within {
     }
 }
 
-/// A skin tells places apart that are farther from each other than this many of it: the root of the unit roundoff, and a
+/// Crossings nearer to the start than this many skins cannot be told from it: one over the root of the unit roundoff, and a
 /// little.
 pub const SKINS: f64 = 1.2e8;
 
-/// A little more than what [`rough`](crate::trace::search::root_order::rough) says of surfaces that bend away.
+/// A bound on the error of t as a share of the numbers behind it, of any surface: a little more than what
+/// [`rough`](crate::trace::search::root_order::rough) says of curved ones.
 pub const BENT: f64 = 9e-7;
 
 /// A ray, set up for a search.

@@ -1,7 +1,7 @@
 //! Rectangles in the plane z = 0: which of several a line meets, and where several lines meet one each, as
 //! [`shapes::rectangle`](crate::trace::shapes) computes it.
 
-use super::lanes::{Lanes, V3, WIDTH, is_greater, is_less};
+use super::lanes::{LANES, Lanes, V3, is_greater, is_less};
 use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
 use super::resolved::{Meet, Resolved};
@@ -95,7 +95,7 @@ pub fn resolve(origin: V3, direction: V3) -> Resolved {
 
 impl Meet for Rectangles {
     #[inline(always)]
-    fn meet(_: [&Leaf; WIDTH], origin: V3, direction: V3, _: Lanes) -> Resolved {
+    fn meet(_: [&Leaf; LANES], origin: V3, direction: V3, _: Lanes) -> Resolved {
         resolve(origin, direction)
     }
 }

@@ -1,6 +1,6 @@
 //! Where four rays have met a shape each.
 
-use super::lanes::{Lanes, V3, WIDTH};
+use super::lanes::{LANES, Lanes, V3};
 use super::leaf::Leaf;
 use crate::geometry::vec::Vec3;
 
@@ -20,7 +20,7 @@ pub struct Resolved {
 /// A kind of shape, as four rays meet four of it.
 pub trait Meet {
     /// Where rays meet leaves in the space of these: at the far ends of chords where `exit` is set.
-    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, exit: Lanes) -> Resolved;
+    fn meet(leaves: [&Leaf; LANES], origin: V3, direction: V3, exit: Lanes) -> Resolved;
 
     /// The face with this normal: see [`Root::face`](crate::trace::shapes::Root::face).
     fn face(_normal: Vec3) -> u32 {

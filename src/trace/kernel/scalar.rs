@@ -1,6 +1,6 @@
 //! Shapes without lanes: the arbiter's own formulas, one ray at a time.
 
-use super::lanes::{Lanes, V3, WIDTH, mask};
+use super::lanes::{LANES, Lanes, V3, mask};
 use super::leaf::{Colour, Kind, Leaf};
 use super::query::{Ask, Crossed, Crossing, End, Query, Tests};
 use super::resolved::Resolved;
@@ -11,7 +11,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
 use crate::trace::search::hit::beside;
 use crate::trace::search::query::Scale;
-use crate::trace::search::root_order::{behind_left, rough};
+use crate::trace::search::root_order::{before_left, rough};
 use crate::trace::shapes::quick_reject::Pass;
 use crate::trace::shapes::{Root, Roots};
 use crate::trace::stats::Work;
@@ -145,7 +145,7 @@ impl Stage<'_> {
         }
         let passed = roots.list.partition_point(|root| root.t <= 0.0);
         let behind = match is_left {
-            true => behind_left(roots, start.goes_in, leaf.is_solid).unwrap_or(passed),
+            true => before_left(roots, start.goes_in, leaf.is_solid).unwrap_or(passed),
             false => {
                 let near =
                     |&root: &Root| root.t.abs() <= query.skin + self.end(leaf, &line, root).error;
@@ -252,7 +252,7 @@ impl Place {
 
 /// Four places that rays have met at these t.
 #[inline]
-pub fn gathered(places: &[Place; WIDTH], t: [f64; WIDTH]) -> Resolved {
+pub fn gathered(places: &[Place; LANES], t: [f64; LANES]) -> Resolved {
     let all = |vector: fn(&Place) -> &[f64; 3]| V3::gathered(places.each_ref(), vector);
     let known = (0..)
         .zip(places)

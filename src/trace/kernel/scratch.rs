@@ -38,12 +38,12 @@ pub struct Scratch {
     pub roots: Roots,
     /// With the operands of the last intersection.
     pub events: Vec<Crossing>,
-    /// Operands that the ray goes into or comes out of about where it starts; whether it goes in.
+    /// Operands whose crossings are too near the start to say on which side of it; whether the ray goes in.
     pub at_start: Vec<(u32, bool)>,
     /// The least t of each of them and all behind it.
     pub least: Vec<f64>,
-    /// Of each gate of it, how many operands keep the place from being in it: see [`Csg`](super::csg::Csg).
-    pub wrong: Vec<u32>,
+    /// Of each gate of it, how many operands are unmet: see [`Csg`](super::csg::Csg).
+    pub unmet: Vec<u32>,
     pub inner: Vec<Child>,
     /// How many lists of crossings intersections have merged.
     pub merges: u64,

@@ -9,7 +9,7 @@ use super::stage::{Block, Shapes, Stage};
 use super::{cuboid, plane};
 use crate::geometry::array::each;
 use crate::geometry::vec::Vec3;
-use crate::geometry::wide_bvh::{Beam, Child, Is, Node, WIDTH};
+use crate::geometry::wide_bvh::{Beam, Child, Is, Node, WIDTH as CHILDREN};
 use crate::trace::shapes::Root;
 
 /// What a ray meets first.
@@ -27,7 +27,7 @@ struct Nearest {
     crossing: Crossing,
     /// The least t of all that is not the nearest.
     second: f64,
-    /// As far as what may be as near as the nearest goes.
+    /// What is met up to here may be as near as the nearest.
     limit: f64,
 }
 
@@ -129,7 +129,7 @@ impl Stage<'_> {
                     }
                     match child.is() {
                         Is::Node(node) => {
-                            tests.boxes += WIDTH as u32;
+                            tests.boxes += CHILDREN as u32;
                             let node = &self.all.tree.nodes[node as usize];
                             next = nearest_child(&beam, node, most, &mut scratch.pending);
                         }
@@ -145,7 +145,7 @@ impl Stage<'_> {
         }
         let found = best.crossing;
         if found.surface == NONE {
-            // There is no way out of what has no end.
+            // The ray has crossed hidden solids and never left its own: that cannot be.
             return match scratch.hidden[..] {
                 [] => Met::Nothing,
                 _ => Met::Doubt,
@@ -170,7 +170,7 @@ impl Stage<'_> {
     }
 
     /// The solids before and behind a crossing, of a ray that starts in some and crosses hidden ones, leaf by leaf. `None`
-    /// where that is not known, or light goes on as if there were nothing.
+    /// where that is not known, or the medium is the same on both sides, so that there is no surface.
     fn sides(&self, within: Within, found: Crossing, hidden: &[(u32, End)]) -> Option<[Within; 2]> {
         let leaf = &self.leaves[found.surface as usize];
         let mut before = within;

@@ -1,6 +1,6 @@
 //! Where rays go from the surfaces that they meet, four at a time.
 
-use super::lanes::{Lanes, V3, WIDTH, either, gathered, is_greater, is_less, lanes_where, mask};
+use super::lanes::{LANES, Lanes, V3, either, gathered, is_greater, is_less, lanes_where, mask};
 use super::leaf::{Leaf, Way};
 use super::query::{Crossing, Start, Within};
 use super::resolved::Resolved;
@@ -38,7 +38,7 @@ impl Tile {
             let between = clear & lanes_where(is_between);
             if between != 0 {
                 from_one_into_another = self.ways_between(scene.stage, four);
-                for lane in (0..WIDTH).filter(|lane| between >> lane & 1 != 0) {
+                for lane in (0..LANES).filter(|lane| between >> lane & 1 != 0) {
                     let (all, count) = &from_one_into_another[lane];
                     ways[lane] = &all[..*count as usize];
                 }
@@ -54,7 +54,7 @@ impl Tile {
                 }
             }
             if most > 1 {
-                for lane in (0..WIDTH).filter(|lane| clear >> lane & 1 != 0) {
+                for lane in (0..LANES).filter(|lane| clear >> lane & 1 != 0) {
                     let parted = ways[lane].len() as u32 - 1;
                     self.pixels[four.rays[lane].pixel as usize].parted += parted;
                 }
@@ -72,7 +72,7 @@ impl Tile {
                 (reflected, weight.times(mirrored)),
                 Goes::Back,
             );
-            for lane in (0..WIDTH).filter(|lane| sent >> lane & 1 != 0) {
+            for lane in (0..LANES).filter(|lane| sent >> lane & 1 != 0) {
                 self.pixels[four.rays[lane].pixel as usize].reflection += 1;
             }
         }
@@ -80,7 +80,7 @@ impl Tile {
 
     /// The ways through surfaces with a solid on either side.
     #[cold]
-    fn ways_between(&self, stage: &Stage, four: &Four) -> [([Way; 3], u32); WIDTH] {
+    fn ways_between(&self, stage: &Stage, four: &Four) -> [([Way; 3], u32); LANES] {
         each([0, 1, 2, 3], |lane: usize| {
             let owner = |side: Within| stage.leaves.get(side.owner() as usize);
             let [Some(before), Some(behind)] = four.rays[lane].sides.map(owner) else {
@@ -104,13 +104,13 @@ impl Tile {
         scene: &Scene,
         (four, hits): (&Four, &Hits),
         goes: u32,
-        (weight, ways, way): (V3, [&Way; WIDTH], usize),
+        (weight, ways, way): (V3, [&Way; LANES], usize),
     ) -> u32 {
         let splat = Lanes::splat;
         let straight = lanes_where(|lane| ways[lane].is_straight);
         let inwards = gathered(ways, |way| way.ratios[0]);
         let outwards = gathered(ways, |way| way.ratios[1]);
-        let ratio = either(mask(four.exit), outwards, inwards);
+        let ratio = either(mask(four.exits_solid), outwards, inwards);
         let (direction, facing) = (four.direction, hits.facing());
         let cosine = -direction.dot(facing);
         let sine2 = (splat(1.0) - cosine * cosine).fast_max(Lanes::ZERO);
@@ -120,7 +120,7 @@ impl Tile {
         let through = V3::either(mask(straight), direction, refracted);
         let passes = straight | is_greater(square, Lanes::ZERO).to_bitmask();
         let total = goes & !passes;
-        for lane in (0..WIDTH).filter(|lane| goes >> lane & 1 != 0) {
+        for lane in (0..LANES).filter(|lane| goes >> lane & 1 != 0) {
             let pixel = &mut self.pixels[four.rays[lane].pixel as usize];
             pixel.media += u32::from(straight >> lane & 1 == 0);
             pixel.total += total >> lane & 1;
@@ -133,7 +133,7 @@ impl Tile {
             (through, weight.times(kt)),
             Goes::Through { straight, way },
         );
-        for lane in (0..WIDTH).filter(|lane| sent >> lane & 1 != 0) {
+        for lane in (0..LANES).filter(|lane| sent >> lane & 1 != 0) {
             self.pixels[four.rays[lane].pixel as usize].refraction += 1;
         }
         total
@@ -157,7 +157,7 @@ impl Tile {
         let weights = weight.columns();
         let skins = hits.skin.to_array();
         let entering = hits.entering.to_bitmask();
-        for lane in 0..WIDTH {
+        for lane in 0..LANES {
             if sent >> lane & 1 == 0 {
                 continue;
             }
@@ -173,9 +173,9 @@ impl Tile {
                 continue;
             }
             let node = self.nodes.len() as u32;
-            self.nodes.push(Node::LEAFLESS);
+            self.nodes.push(Node::DARK);
             self.nodes[from.node as usize].children[child] = node;
-            let at = |columns: &[[f64; WIDTH]; 3]| {
+            let at = |columns: &[[f64; LANES]; 3]| {
                 [columns[0][lane], columns[1][lane], columns[2][lane]]
             };
             self.next.push(Ray {
@@ -216,19 +216,19 @@ enum Goes {
 
 /// Four rays and what they have met.
 pub struct Four<'a> {
-    pub rays: [&'a Ray; WIDTH],
-    pub leaves: [&'a Leaf; WIDTH],
+    pub rays: [&'a Ray; LANES],
+    pub leaves: [&'a Leaf; LANES],
     pub origin: V3,
     pub direction: V3,
     /// The rays that come out of the leaf that they meet, as bits.
-    pub far: u32,
-    /// The rays that come out of something that they start in.
-    pub exit: u32,
+    pub exits_leaf: u32,
+    /// The rays that come out of a solid that they start in, as bits.
+    pub exits_solid: u32,
 }
 
 impl<'a> Four<'a> {
     #[inline(always)]
-    pub fn new(wave: &'a [Ray], leaves: &'a [Leaf], [a, b, c, d]: [u32; WIDTH]) -> Four<'a> {
+    pub fn new(wave: &'a [Ray], leaves: &'a [Leaf], [a, b, c, d]: [u32; LANES]) -> Four<'a> {
         let ray = |i: u32| &wave[i as usize];
         let rays = [ray(a), ray(b), ray(c), ray(d)];
         let leaf = |ray: &Ray| &leaves[ray.met.surface as usize];
@@ -238,8 +238,8 @@ impl<'a> Four<'a> {
             leaves: solids,
             origin: V3::gathered(rays, |ray| &ray.start.origin),
             direction: V3::gathered(rays, |ray| &ray.start.direction),
-            far: lanes_where(|lane| rays[lane].met.is_exit),
-            exit: lanes_where(|lane| rays[lane].start.within.has(solids[lane].solid)),
+            exits_leaf: lanes_where(|lane| rays[lane].met.is_exit),
+            exits_solid: lanes_where(|lane| rays[lane].start.within.has(solids[lane].solid)),
         }
     }
 }

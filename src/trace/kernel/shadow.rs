@@ -7,7 +7,7 @@ use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Start, Tests}
 use super::scratch::{Face, Passed, Scratch};
 use super::stage::{Shapes, Stage};
 use crate::geometry::vec::Vec3;
-use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH};
+use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH as CHILDREN};
 
 /// What light of a lamp does.
 #[derive(Debug, Clone, Copy)]
@@ -29,7 +29,7 @@ enum Found {
 /// The end of rays to lamps: see [`AT_LAMP`](crate::trace::precision::Precision::AT_LAMP).
 const TO: f64 = 1.0 - 1.0 / (1u64 << 27) as f64;
 /// Transparent things on the way to a lamp at most.
-const PASSED: usize = 64;
+const MAX_PASSED: usize = 64;
 /// Before the start of every ray.
 const BEFORE: Face = Face {
     end: End {
@@ -103,7 +103,7 @@ impl Stage<'_> {
                 while let Some((_, child)) = next.take().or_else(|| scratch.pending.pop()) {
                     let block = match child.is() {
                         Is::Node(node) => {
-                            tests.boxes += WIDTH as u32;
+                            tests.boxes += CHILDREN as u32;
                             let node = &self.all.tree.nodes[node as usize];
                             next = beam.first(node, ends, |near, child| {
                                 scratch.pending.push((near, child));
@@ -211,14 +211,14 @@ impl Stage<'_> {
         }
         match is_on_the_way(near.end) {
             Some(true) if leaf.is_lone => return Found::Dark,
-            Some(true) if scratch.opaque.len() < PASSED => scratch.opaque.push(passed),
+            Some(true) if scratch.opaque.len() < MAX_PASSED => scratch.opaque.push(passed),
             Some(_) => {}
             None => return Found::Doubt,
         }
         Found::Nothing
     }
 
-    /// Notes what a leaf without lanes is in the way of.
+    /// Notes how a leaf without lanes is in the way of the light.
     #[inline(never)]
     fn meets_alone(
         &self,
@@ -305,8 +305,8 @@ impl Stage<'_> {
         true
     }
 
-    /// Whether light may pass over the near face of something opaque, since that is in another solid: an earlier operand owns
-    /// what both are in, and within one medium there are no faces.
+    /// Whether the near face of something opaque may be hidden in another solid: an earlier operand owns what both are in,
+    /// and within one medium there are no faces.
     #[inline]
     fn may_be_hidden(&self, opaque: &Passed, passed: &[Passed]) -> bool {
         let leaf = |passed: &Passed| &self.leaves[passed.leaf as usize];
@@ -324,7 +324,7 @@ impl Stage<'_> {
     #[cold]
     fn share_with_opaque(&self, query: &Query, scratch: &mut Scratch, tests: &mut Tests) -> Light {
         let opaque = std::mem::take(&mut scratch.opaque);
-        let mut is_known = opaque.len() < PASSED;
+        let mut is_known = opaque.len() < MAX_PASSED;
         for &passed in &opaque {
             let leaf = &self.leaves[passed.leaf as usize];
             if !matches!(leaf.kind, Kind::Other | Kind::Csg) {
@@ -361,7 +361,7 @@ impl Stage<'_> {
             (Some(true), Some(_)) => passed.far.surface = NONE,
             _ => return false,
         }
-        let has_room = scratch.passed.len() < PASSED;
+        let has_room = scratch.passed.len() < MAX_PASSED;
         if has_room {
             scratch.passed.push(passed);
         }
@@ -390,7 +390,7 @@ impl Stage<'_> {
         }
     }
 
-    /// The same behind several things. Faces in earlier operands do not count.
+    /// The share of light that several things let through. Faces in earlier operands do not count.
     #[inline(never)]
     fn share_of_many(&self, Scratch { passed, faces, .. }: &mut Scratch) -> Light {
         faces.clear();
@@ -427,7 +427,7 @@ impl Stage<'_> {
                 if is_hidden {
                     continue;
                 }
-                // Light goes on as if there were nothing.
+                // The same medium on both sides: there is no surface, and the arbiter says what comes next.
                 if around.is_some_and(|around| around.medium == own.medium) {
                     return Light::Doubtful;
                 }

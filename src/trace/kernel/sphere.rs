@@ -1,7 +1,7 @@
 //! Spheres: which of several a line meets, and where several lines meet one each, as
 //! [`shapes::sphere`](crate::trace::shapes) computes it.
 
-use super::lanes::{Lanes, V3, WIDTH, either, fused, gathered, is_at_most, is_greater, is_less};
+use super::lanes::{LANES, Lanes, V3, either, fused, gathered, is_at_most, is_greater, is_less};
 use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
 use super::resolved::{Meet, Resolved};
@@ -135,7 +135,7 @@ fn closer(origin: V3, centre: V3, f: V3, radius: Lanes, r2: Lanes) -> Lanes {
 
 impl Meet for Spheres {
     #[inline(always)]
-    fn meet(leaves: [&Leaf; WIDTH], origin: V3, direction: V3, exit: Lanes) -> Resolved {
+    fn meet(leaves: [&Leaf; LANES], origin: V3, direction: V3, exit: Lanes) -> Resolved {
         let centre = V3::gathered(leaves, Leaf::first);
         let radius = gathered(leaves, |leaf| leaf.numbers[3]);
         resolve(origin, direction, centre, radius, exit)

@@ -29,7 +29,7 @@ pub struct Block {
     pub extent: f64,
     /// Of all of them, if it is in a tree.
     pub bounds: Aabb,
-    /// Tells which rays come near it, if it is one shape in a space of its own.
+    /// Tells which rays come near it, if it is one shape without lanes, or a placed one.
     pub near: Option<Box<Near>>,
 }
 

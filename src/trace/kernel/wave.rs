@@ -6,7 +6,7 @@
 use super::bundle::{Along, Around, BUNDLE_MIN_RAYS, Rays};
 use super::cuboid::Cuboids;
 use super::drawn::Drawn;
-use super::lanes::{ALL, V3, WIDTH, mask};
+use super::lanes::{ALL, LANES, V3, mask};
 use super::leaf::{Colour, KINDS, Kind, Leaf};
 use super::light::Lit;
 use super::place;
@@ -67,7 +67,7 @@ pub const MIRRORED: usize = 3;
 
 impl Node {
     /// No light, and nothing goes on.
-    pub const LEAFLESS: Node = Node {
+    pub const DARK: Node = Node {
         light: Vec3::ZERO,
         children: [NONE; 4],
     };
@@ -128,7 +128,7 @@ impl Tile {
         self.last.resize(scene.lights.len(), NONE);
         for (i, &[origin, direction]) in (0..).zip(cameras) {
             self.pixels.push(Drawn::default());
-            self.nodes.push(Node::LEAFLESS);
+            self.nodes.push(Node::DARK);
             self.wave.push(Ray {
                 start: Start {
                     origin: origin.0,
@@ -192,7 +192,7 @@ impl Tile {
             false => 0,
         };
         for i in 0..self.wave.len() {
-            let lane = i % WIDTH;
+            let lane = i % LANES;
             if is_known && lane == 0 {
                 let at = |k: usize| &self.wave[(i + k).min(self.wave.len() - 1)].start;
                 let four = [at(0), at(1), at(2), at(3)];
@@ -221,11 +221,11 @@ impl Tile {
             for is_placed in [false, true] {
                 let slot = slot(kind, is_placed);
                 let met = std::mem::take(&mut self.met[slot]);
-                for some in met.chunks(WIDTH) {
-                    let mut all = [some[0]; WIDTH];
+                for some in met.chunks(LANES) {
+                    let mut all = [some[0]; LANES];
                     all[..some.len()].copy_from_slice(some);
                     let four = Four::new(&wave, &scene.stage.leaves, all);
-                    let live = ALL >> (WIDTH - some.len());
+                    let live = ALL >> (LANES - some.len());
                     match kind {
                         Kind::Sphere => self.hits::<Spheres>(scene, (&four, live), is_placed),
                         Kind::Cuboid => self.hits::<Cuboids>(scene, (&four, live), is_placed),
@@ -264,7 +264,7 @@ impl Tile {
     /// What happens where four rays have met something.
     #[inline(never)]
     fn hits<S: Meet>(&mut self, scene: &Scene, (four, live): (&Four, u32), is_placed: bool) {
-        let (origin, direction, exit) = (four.origin, four.direction, mask(four.far));
+        let (origin, direction, exit) = (four.origin, four.direction, mask(four.exits_leaf));
         let mut local = None;
         let resolved = match is_placed {
             false => *local.insert(S::meet(four.leaves, origin, direction, exit)),
@@ -282,7 +282,7 @@ impl Tile {
         let is_painted = four.leaves.iter().any(|leaf| leaf.colour != Colour::Plain);
         if let Some(local) = local.filter(|_| is_painted) {
             let [point, normal] = [local.point, local.normal].map(V3::columns);
-            let lane = |columns: &[[f64; WIDTH]; 3], i: usize| {
+            let lane = |columns: &[[f64; LANES]; 3], i: usize| {
                 Vec3(each([0, 1, 2], |k: usize| columns[k][i]))
             };
             let place = |i: usize| (lane(&point, i), S::face(lane(&normal, i)));
@@ -296,8 +296,8 @@ impl Tile {
     fn hits_one_by_one(&mut self, scene: &Scene, (four, live): (&Four, u32)) {
         let stage = scene.stage;
         let line = |start: &Start| Line::new(Vec3(start.origin), Vec3(start.direction));
-        let mut places = [Place::NONE; WIDTH];
-        for lane in (0..WIDTH).filter(|lane| live >> lane & 1 != 0) {
+        let mut places = [Place::NONE; LANES];
+        for lane in (0..LANES).filter(|lane| live >> lane & 1 != 0) {
             let (ray, leaf) = (four.rays[lane], four.leaves[lane]);
             places[lane] = stage.locate(&line(&ray.start), leaf, ray.met.root, &mut self.work);
         }
@@ -322,7 +322,7 @@ impl Tile {
     ) -> V3 {
         let points = hits.point.columns();
         let mut albedo = each(four.leaves, |leaf| leaf.albedo);
-        for lane in (0..WIDTH).filter(|lane| live >> lane & 1 != 0) {
+        for lane in (0..LANES).filter(|lane| live >> lane & 1 != 0) {
             let leaf = four.leaves[lane];
             if leaf.colour != Colour::Plain {
                 let point = Vec3::new(points[0][lane], points[1][lane], points[2][lane]);
@@ -345,7 +345,7 @@ impl Tile {
     #[inline(always)]
     pub(super) fn doubt(&mut self, four: &Four, doubtful: u32) {
         if doubtful != 0 {
-            for lane in (0..WIDTH).filter(|lane| doubtful >> lane & 1 != 0) {
+            for lane in (0..LANES).filter(|lane| doubtful >> lane & 1 != 0) {
                 self.pixels[four.rays[lane].pixel as usize].is_doubtful = true;
             }
         }

@@ -3,7 +3,7 @@
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::wide_bvh::Beam;
 
-/// An occurrence of a shape: a part of the object whose space `context` is.
+/// An occurrence of a part, a shape or an object, in the object whose space `context` is. Only shapes are crossed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Leaf {
     pub part: u32,

@@ -125,9 +125,8 @@ impl<'t, R: Precision> Walkers<'t, R> {
     }
 }
 
-/// The final answer. Where the ray lies in a flat face, it is within what is on all sides of the face:
-/// a line that lies in a surface does not cross it, and between two boxes face to face is no gap. Of four
-/// rays around it, one lies in each quarter of an edge.
+/// The final answer. If the ray lies in a flat face, four rays beside it are asked, one in each quarter around an edge. What
+/// they have in common is the answer: a line in a surface does not cross it, and between two boxes face to face is no gap.
 fn settled<Q: Question, R: Precision>(
     question: &Q,
     tracer: &Tracer,

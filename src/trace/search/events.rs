@@ -69,7 +69,7 @@ pub struct Event<R = f64> {
     pub place: RayPoint<R>,
     /// The owner whose properties the surface has.
     pub owner: Owner,
-    /// The state behind it.
+    /// The state after it.
     pub state: State,
 }
 

@@ -30,9 +30,9 @@ pub struct Hit<R = f64> {
     pub colour: Rgb,
     /// Index into [`Graph::optics`](crate::trace::graph::Graph::optics).
     pub optics: u32,
-    /// The refractive indices before and behind the surface: in [`Graph::indices`](crate::trace::graph::Graph::indices).
+    /// The refractive indices before and after the surface: in [`Graph::indices`](crate::trace::graph::Graph::indices).
     pub indices: [u32; 2],
-    /// Whether the ray is in a solid before and behind the surface.
+    /// Whether the ray is in a solid before and after the surface.
     pub inside: [bool; 2],
     /// Whether the ray goes against the normal.
     pub entering: bool,

@@ -176,8 +176,6 @@ pub(in crate::trace) fn merge_union<R: Precision>(
     start
 }
 
-impl<R: Precision> Spans<R> {}
-
 /// The intersection of the `first` lists from `base` on less all others, once sorted. The first operand owns
 /// the points; a face keeps the properties of its shape or, with `inherit`, takes those of the
 /// first operand where a cut made it.

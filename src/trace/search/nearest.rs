@@ -42,7 +42,7 @@ impl<R: Precision> Best<R> {
 impl<'g, R: Precision> Walker<'g, R> {
     /// The first crossing with a part's surface in (from, to]. Parts that are unions are looked into; of intersections only
     /// their own boundary counts. Among crossings at the same t a sheet's wins, then the first operand's. A search for any
-    /// crossing takes the first one found, and puts it at the end where it only knows that there is one.
+    /// crossing takes the first one found. Where it only knows that the ray goes through a solid, the crossing is at `to`.
     pub fn nearest(
         &mut self,
         ray: &Ray<R>,
@@ -86,7 +86,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         }
     }
 
-    /// Puts the parts of a union that have no bounds on the stack, and its tree.
+    /// Puts the root of a union's tree on the stack, and the union's parts without bounds.
     fn open_union(&mut self, context: u32, from: R) {
         let Some(group) = self.searched(context) else {
             return;
@@ -165,7 +165,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         first.map(|(near, child)| entry(near, child))
     }
 
-    /// A shape is crossed, an object looked into; `false`: there is no room to.
+    /// Crosses a shape, or looks into an object; `false`: the memory is used up.
     fn meet(&mut self, ray: &Ray<R>, leaf: Leaf, from: R, best: &mut Best<R>) -> bool {
         if self.search.is_picky() && !self.search.wants(self.holds(leaf)) {
             return true;

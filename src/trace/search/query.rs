@@ -1,4 +1,4 @@
-//! A question about a ray, what is under way to its answer, and what is known besides.
+//! What is searched for, what waits in a search, where a ray starts, and what a search notes besides its answer.
 
 use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::Child;
@@ -44,7 +44,7 @@ pub(in crate::trace) struct PendingNode {
     pub(in crate::trace) child: Child,
 }
 
-/// The sizes of the numbers behind a crossing.
+/// The sizes of the numbers that a crossing is computed from.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Scale<R> {
     pub(in crate::trace) reach: R,
@@ -77,7 +77,7 @@ impl<R: Precision> Start<R> {
 /// The findings about the present question besides its answer.
 #[derive(Debug, Clone, Copy)]
 pub struct QueryStatus<R = f64> {
-    /// A decision was closer than the rounding errors behind it.
+    /// A decision was closer than its rounding errors.
     pub uncertain: bool,
     /// Some surface could not be told from the one that the ray has left.
     pub skin_met: bool,

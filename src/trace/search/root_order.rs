@@ -14,14 +14,14 @@ use crate::trace::ray::{Left, Ray};
 use crate::trace::shapes::{Intersect, Root, Roots};
 use std::cmp::Ordering;
 
-/// Bound on the rounding on the way to a crossing's point, across the surface, as a share of the numbers behind it:
+/// Bound on the rounding on the way to a crossing's point, across the surface, as a share of the numbers that it is computed from:
 /// more than any shape does, which the campaign measures at 11 units in the last place.
 fn share<R: Precision>() -> R {
     R::of(256.0) * R::ROUNDOFF * coarser()
 }
 
-/// By how much the roundings of the scene's own numbers exceed those of final ones: places that are
-/// one by those are to be looked at, too.
+/// In double-double, how many times the roundoff of doubles is that of R; else 1. The numbers of a scene are doubles, so
+/// crossings that are nearer than these round are looked at, too.
 fn coarser<R: Precision>() -> R {
     match R::DOUBT {
         Doubt::Merges => R::of(f64::ROUNDOFF) / R::ROUNDOFF,
@@ -176,7 +176,7 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    /// How many of a leaf's crossings lie behind the ray's start, which is at `from`.
+    /// How many of a leaf's crossings lie before the ray's start, which is at `from`.
     pub(in crate::trace) fn behind(
         &mut self,
         ray: &Ray<R>,
@@ -188,11 +188,11 @@ impl<R: Precision> Walker<'_, R> {
         let passed = roots.list.partition_point(|r| r.t <= from);
         let Some(left) = ray.left.filter(|_| from <= R::ZERO) else {
             let exact = Start::exact(from);
-            return self.behind_place(leaf, line, &roots.list, passed, &exact);
+            return self.before_place(leaf, line, &roots.list, passed, &exact);
         };
         if self.surface(leaf) == left.surface {
             let solid = self.primitive(leaf).is_solid();
-            let Some(behind) = behind_left(roots, left.entering, solid) else {
+            let Some(behind) = before_left(roots, left.entering, solid) else {
                 return passed;
             };
             if R::DOUBT == Doubt::Merges {
@@ -209,14 +209,14 @@ impl<R: Precision> Walker<'_, R> {
         match self.start {
             Some(start) => {
                 let passed = roots.list.partition_point(|r| r.t <= start.t);
-                self.behind_place(leaf, line, &roots.list, passed, &start)
+                self.before_place(leaf, line, &roots.list, passed, &start)
             }
-            None => self.behind_skin(leaf, line, &roots.list, passed, &left),
+            None => self.before_skin(leaf, line, &roots.list, passed, &left),
         }
     }
 
-    /// Behind a known place: what cannot be told from it is behind it, too.
-    fn behind_place(
+    /// How many crossings lie before a known place. What cannot be told from it counts as before it.
+    fn before_place(
         &mut self,
         leaf: Leaf,
         line: &Line<R>,
@@ -242,7 +242,7 @@ impl<R: Precision> Walker<'_, R> {
     ///
     /// A surface at distance h from the starting point, measured along its own normal, is met at
     /// t = h / |n·d|; the starting point itself is known up to the skin.
-    fn behind_skin(
+    fn before_skin(
         &mut self,
         leaf: Leaf,
         line: &Line<R>,
@@ -299,7 +299,7 @@ impl<R: Precision> Walker<'_, R> {
 
 /// How many roots lie behind a ray that starts on the surface itself: those up to the one it starts
 /// at, which is the nearest to the origin of those that cross in the right sense.
-pub fn behind_left<R: Precision>(roots: &Roots<R>, entering: bool, solid: bool) -> Option<usize> {
+pub fn before_left<R: Precision>(roots: &Roots<R>, entering: bool, solid: bool) -> Option<usize> {
     let fits = |i: usize| !solid || (roots.inside == (i % 2 == 1)) == entering;
     let distance = |i: usize| roots.list[i].t.abs();
     (0..roots.list.len())

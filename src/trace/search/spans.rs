@@ -1,5 +1,5 @@
-//! Spans: where along a ray an object is, and whose it is there (Roth, "Ray Casting for Modeling
-//! Solids", 1982). Sorted events, each with the state behind it.
+//! Spans: where along a ray an object is, and which part owns each stretch (Roth, "Ray Casting for Modeling Solids", 1982).
+//! Sorted events, each with the state after it.
 
 use super::context::Leaf;
 use super::events::RayPoint;

@@ -1,4 +1,4 @@
-//! How rays pass the surfaces that faces are parts of: those of one surface are in one place.
+//! Whether two faces lie in one surface, by the numbers of the scene: these tell what no rounding can blur.
 
 use super::context::Leaf;
 use super::events::RayPoint;

@@ -134,8 +134,8 @@ impl<'g, R: Precision> Walker<'g, R> {
         &self.graph.paints[part.paint as usize]
     }
 
-    /// Enters a part that is an object, if there is room. Else what the ray finds is worth nothing, which
-    /// the graph knows then.
+    /// Enters a part that is an object. `None`: the memory is used up, and the graph notes that what rays find is worth
+    /// nothing.
     pub fn enter(&mut self, context: u32, part: u32, object: u32) -> Option<u32> {
         let contexts = self.contexts.len() * size_of::<Context<R>>();
         if !(self.graph.room).has(GROWTH_FACTOR * (contexts + self.spans.bytes())) {
@@ -272,9 +272,9 @@ impl<'g, R: Precision> Walker<'g, R> {
     }
 
     /// Finds the crossings with a part that is the shape `primitive`, and puts them into `self.roots`. Returns how many of
-    /// them lie behind the ray's start, which is at `from`. If the ray goes out of this surface and cannot meet it again,
-    /// there are none, not even those behind. With `ahead`, crossings outside of that stretch may be missing. `None`, which
-    /// takes `ahead`: the ray surely goes through the solid, and nobody asks where.
+    /// them lie before the ray's start, which is at `from`. If the ray goes out of this surface and cannot meet it again,
+    /// there are none, not even those before the start. With `ahead`, crossings outside of that stretch may be missing.
+    /// Returns `None` only if `ahead` is given, any crossing will do, and the ray surely goes through the solid.
     pub fn cross(
         &mut self,
         ray: &Ray<R>,
@@ -286,7 +286,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         self.counts.shape += 1;
         self.roots.clear();
         let shape = &self.graph.primitives[primitive as usize];
-        // In double-double the crossing with the surface that the ray has left is asked for.
+        // In doubles alone: double-double takes the crossing with this surface for the ray's exact start.
         let goes_out = R::DOUBT == Doubt::GoesOn
             && ray.left.as_ref().is_some_and(|left| {
                 left.primitive == primitive

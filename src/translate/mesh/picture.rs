@@ -24,7 +24,7 @@ pub fn file_name(stem: &str, number: u32) -> String {
     format!("{stem}_texture_{number}.png")
 }
 
-/// Whether what a skin shows is a picture over its surface coordinates.
+/// Whether a surface shows an image or a checkerboard, which need surface coordinates.
 pub fn is_pictured(skin: &SurfaceLabel, graph: &Graph) -> bool {
     let texture = skin.texture.as_ref().filter(|_| skin.primitive.is_some());
     texture.is_some_and(|t| match &graph.textures[t.texture as usize] {

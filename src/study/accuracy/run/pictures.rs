@@ -10,8 +10,8 @@ use crate::study::accuracy::sample_tiles::{TILE, Tile};
 use crate::trace::Numbers;
 
 impl Run<'_> {
-    /// The picture, and for each kind the part of it that is worst, by the default and by the most
-    /// accurate configuration that there is time for.
+    /// Adds the picture to the report, and for each kind of error the part that is worst. Each is drawn twice: by the
+    /// default, and by the most accurate configuration that there is time for.
     pub(super) fn pictures(&mut self, report: &mut Report) -> Result<(), Error> {
         let [width, height] = self.options.size;
         // At most so many pixels, so that a page of all stays small; fewer where they take long.

@@ -65,7 +65,7 @@ struct Field {
 }
 
 impl Field {
-    /// `None` for a camera that takes no pictures.
+    /// The field of view of a camera, a margin wider; `None` if the camera takes no pictures.
     fn of(camera: &Camera) -> Option<Field> {
         let [width, height] = USUAL.map(f64::from);
         let view = View::new(camera, USUAL[0], USUAL[1])?;

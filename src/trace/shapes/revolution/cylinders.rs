@@ -53,8 +53,8 @@ impl Cylinders {
         ((share * LAYERS as f64) as usize).min(LAYERS - 1)
     }
 
-    /// The squares of the radii of the layers: a point nearer to the axis than all of the profile in a layer is in the
-    /// solid if the axis is.
+    /// For each layer the square of a radius. Nearer to the axis the profile has no point, so all of the layer in there is in
+    /// the solid if the axis is.
     fn layers(&self, points: &[[f64; 2]], scale: f64) -> [f64; LAYERS] {
         let mut least = [f64::INFINITY; LAYERS];
         let mut inside = [false; LAYERS];

@@ -473,8 +473,8 @@ impl Revolution {
         }
     }
 
-    /// Passes on the crossings with each piece, in any order; returns whether there may be others,
-    /// or fewer.
+    /// Calls `found` with the crossings of each piece, in any order. Returns whether rounding may have added or lost a
+    /// crossing.
     fn cuts<R: Traced>(
         &self,
         path: &impl Deref<Target = Option<Path<R>>>,

@@ -31,7 +31,7 @@ use crate::solids::staging::seen_box;
 use crate::translate::fidelity::Report;
 use nodes::Lower;
 
-/// The same scene, said in another way where that is needed.
+/// The scene with operands in another order, and operations distributed over unions, where POV-Ray needs it.
 pub(super) fn rewritten(scene: &Scene) -> Cow<'_, Scene> {
     let reordered = reorder::reordered(scene).map_or(Cow::Borrowed(scene), Cow::Owned);
     match distribute::distributed(&reordered) {

@@ -1,4 +1,4 @@
-//! Numbers, vectors and colours as POV-Ray reads them.
+//! Numbers, vectors and colours as POV-Ray reads them, and `Page`, which indents lines. Braces stand in `objects.rs`.
 
 use std::fmt::{self, Write};
 
