@@ -49,6 +49,13 @@ pub struct Named {
 
 /// The shape or operation that a node is a state of; `None` for complements.
 pub fn named(scene: &Scene, node: NodeId) -> Option<Named> {
+    named_core(scene, node)
+        .filter(|(_, core)| !matches!(core, Node::Complement(_)))
+        .map(|(named, _)| named)
+}
+
+/// The shape, operation or complement that a node is a state of.
+pub fn named_core(scene: &Scene, node: NodeId) -> Option<(Named, Node)> {
     let mut copies = scene.states(node).filter_map(|(_, node)| match node {
         Node::Copy { id, .. } => Some(id),
         _ => None,
@@ -63,11 +70,13 @@ pub fn named(scene: &Scene, node: NodeId) -> Option<Named> {
         Node::Union(..) => ("union", record.id),
         Node::Intersection(..) => ("intersection", record.id),
         Node::Difference(..) => ("difference", record.id),
+        Node::Complement(_) => ("complement", record.id),
         _ => return None,
     };
-    Some(Named {
+    let named = Named {
         title,
         id: copies.next().unwrap_or(id),
         span: record.span,
-    })
+    };
+    Some((named, last))
 }

@@ -16,7 +16,7 @@ use crate::solids::inside::Inside;
 use crate::solids::shapes::facts::Facts;
 use crate::solids::staging::Basis;
 use crate::solids::within::{CLEARANCE_REL, far};
-use crate::solids::{Named, named};
+use crate::solids::{Named, named_core};
 use crate::trace::camera::View;
 use crate::trace::shapes::{Primitive, Roots};
 
@@ -366,7 +366,7 @@ impl Asked<'_> {
     fn met(&mut self, point: &Vec3, part: &Member) -> Option<Met> {
         self.left = self.left.checked_sub(1)?;
         let scene = self.scene;
-        let solid = named(scene, part.node)?;
+        let (solid, _) = named_core(scene, part.node)?;
         let back = part.matrix().inverse()?;
         let around = around(point, part);
         let mut holds = [false; PLACES];
