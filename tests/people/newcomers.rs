@@ -1105,3 +1105,56 @@ fn an_undefined_id_in_many_records() {
     let undefined = all.iter().filter(|d| d.code == Code::E101);
     assert_eq!(undefined.count(), 40);
 }
+
+/// A space between two numbers is lost: behind the type, between operands, behind a zero.
+#[test]
+fn lost_spaces_between_numbers() {
+    for (line, meant) in [
+        ("26 110.8 0.5 0 0.5", "26 11 0.8 0.5 0 0.5"),
+        ("26 113 0.5 0 0.5", "26 11 3 0.5 0 0.5"),
+        ("26 122 0 0 4 1 1", "26 12 2 0 0 4 1 1"),
+        ("26 11 3 00.5 1", "26 11 3 0 0.5 1"),
+    ] {
+        let rest = "26 -701 0.2 0.3 0.8\n4 -101 2 26\n".to_owned();
+        let rest = rest + &REST.replace("9999 2", "9999 4");
+        let text = format!("2 9 1\n{line}\n{rest}");
+        assert_eq!(fixed(&text), text.replace(line, meant));
+    }
+    let rest = REST.replace("9999 2", "9999 4");
+    for (line, meant) in [
+        (
+            "3 -7010.2 0.3 0.8\n4 -101 2 3",
+            "3 -701 0.2 0.3 0.8\n4 -101 2 3",
+        ),
+        ("4 -10123", "4 -101 2 3"),
+        ("4 -101 23", "4 -101 2 3"),
+    ] {
+        let text = format!("2 9 1\n3 11 3 0.5 0 0.5\n{line}\n{rest}");
+        assert_eq!(fixed(&text), text.replace(line, meant));
+    }
+}
+
+/// An ID glued to its type, where properties of the object stand below.
+#[test]
+fn glued_ids_with_properties_below() {
+    let rest = REST.replace("9999 2", "9999 4");
+    let below = [
+        "26 -701 0.2 0.3 0.8\n4 -101 2 26\n",
+        "26 -299 11 14\n26 -203 1.5 1.5 1.5\n4 -101 2 26\n",
+    ];
+    for below in below {
+        let above = "10 -701 0.9 0.2 0.1\n11 -701 1 0 0\n14 -201 0.5 0 0.5\n2 9 1\n2 -299 10 0\n";
+        let text = format!("{above}2611 3 0.5 0 0.5\n{below}{rest}");
+        assert_eq!(fixed(&text), text.replace("2611 3", "26 11 3"));
+    }
+}
+
+/// A lost digit of an ID: that of the record above comes first.
+#[test]
+fn lost_digits_of_ids() {
+    let rest = REST.replace("9999 2", "9999 31");
+    let text = format!(
+        "20 12 -1 0 -1 1 1 1\n21 9 0.3\n22 -105 21\n2 -1 2 0 0\n30 -101 20 21\n31 -101 30 22\n{rest}"
+    );
+    assert_eq!(fixed(&text), text.replace("2 -1 2 0 0", "22 -1 2 0 0"));
+}

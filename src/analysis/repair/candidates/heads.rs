@@ -8,6 +8,8 @@ use super::{Candidate, Habit, LineContext};
 use crate::analysis::colours;
 use crate::analysis::repair::whole::{records, references};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::scene::Entity;
+use crate::syntax::Item;
 use crate::syntax::LEAST_HEAD;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
@@ -127,18 +129,26 @@ impl LineContext<'_> {
         if !digits.bytes().all(|c| c.is_ascii_digit()) {
             return Vec::new();
         }
-        let is_defined = |id: u32| self.analysis.scene.entities.iter().any(|e| e.id == id);
+        // A property record below may be one of this object, which could not be read.
+        let is_free = |id: u32| {
+            let mut entities = self.analysis.scene.entities.iter();
+            (entities.find(|e| e.id == id)).is_none_or(|e| self.is_property_below(e))
+        };
+        let is_missing = |id: &u32| {
+            let mut entities = self.analysis.scene.entities.iter();
+            undefined.contains(id) || entities.any(|e| e.id == *id)
+        };
         let split = |at: usize| -> Option<(u32, &'static RecordType)> {
             let (id, code) = digits.split_at(at);
             let id: u32 = id.parse().ok()?;
             let ty = RecordType::by_code(code.parse().ok().filter(|_| !code.starts_with('0'))?)?;
-            (id > RENDER && !is_defined(id) && self.fit(ty, params)).then_some((id, ty))
+            (id > RENDER && is_free(id) && self.fit(ty, params)).then_some((id, ty))
         };
         let mut all: Vec<(u32, &RecordType)> = (1..digits.len()).filter_map(split).collect();
         // Where a type follows, the ID must be one that is missing.
         let has_type = self.ty().is_some_and(|ty| ty.kind != RecordKind::Undefined);
-        all.retain(|(id, _)| !has_type || undefined.contains(id));
-        all.sort_by_key(|(id, _)| !undefined.contains(id));
+        all.retain(|(id, _)| !has_type || is_missing(id));
+        all.sort_by_key(|(id, _)| !is_missing(id));
         let candidates = all.into_iter().map(|(id, ty)| {
             let text = format!("{id} {}", ty.code);
             Candidate {
@@ -155,6 +165,15 @@ impl LineContext<'_> {
             }
         });
         candidates.collect()
+    }
+
+    /// Whether something is defined below by a record that rather changes what has its ID.
+    fn is_property_below(&self, entity: &Entity) -> bool {
+        let document = &self.analysis.document;
+        let mut below = document.items.iter().filter_map(Item::record);
+        let own = below.find(|r| document.id_token(r).start == entity.span.start);
+        let changes = own.is_some_and(|r| matches!(r.ty().effect, Effect::DefinesOrChanges(..)));
+        entity.span.start >= self.line.end && changes
     }
 
     /// A type with a space in it: `-7 01`. Two positive numbers are rather a type and what follows it, unless they make

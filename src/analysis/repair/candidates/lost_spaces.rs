@@ -5,7 +5,7 @@ use crate::diagnostics::{Code, Diagnostic};
 use crate::syntax::allows;
 use crate::syntax::lexer::Token;
 use crate::syntax::quote;
-use crate::syntax::table::{Param, ParamKind, RecordKind, RecordType};
+use crate::syntax::table::{Param, ParamKind, RecordType};
 
 /// No more numbers than these are taken from one token.
 const MAX_PARTS: usize = 3;
@@ -30,8 +30,8 @@ impl LineContext<'_> {
         };
         for parts in glued {
             let code = parts[0].parse().ok();
-            // A positive number is as well a parameter.
-            let is_type = |ty: &&RecordType| ty.code < 0 || ty.kind == RecordKind::Render;
+            // Of a positive number no more than one parameter is taken: it may well be one itself.
+            let is_type = |ty: &&RecordType| ty.code < 0 || parts.len() == 2;
             if let Some(ty) = code.and_then(RecordType::by_code).filter(is_type)
                 && self.is_record(ty, &[&parts[1..], &rest].concat())
             {
@@ -41,7 +41,8 @@ impl LineContext<'_> {
         let Some(ty) = self.ty() else { return };
         for (i, token) in self.params().iter().enumerate() {
             let is_reference = |p: &Param| matches!(p.kind, ParamKind::Reference { .. });
-            if !ty.param(i, 0).is_some_and(is_reference) {
+            let is_double_zero = token.text(self.text).starts_with("00.");
+            if !(is_double_zero || ty.param(i, 0).is_some_and(is_reference)) {
                 continue;
             }
             for parts in split_glued(token.text(self.text)) {

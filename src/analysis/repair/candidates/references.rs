@@ -310,17 +310,27 @@ impl LineContext<'_> {
         let around = self
             .id_before(kinds)
             .filter(|&id| self.id_behind() == Some(id));
-        let mut others: Vec<(bool, usize, u32, u32)> = (self.entities(kinds))
+        let before = self.id_before(kinds);
+        let mut others: Vec<(bool, usize, bool, u32, u32)> = (self.entities(kinds))
             .filter(|e| e.id != id)
             .map(|e| {
-                let distance = strsim::osa_distance(&text, &e.id.to_string());
-                (Some(e.id) != around, distance, e.id.abs_diff(id), e.id)
+                let new = e.id.to_string();
+                let distance = strsim::osa_distance(&text, &new);
+                // A lost digit is rather one of the ID above.
+                let is_apart = Some(e.id) != before || new.len() <= text.len();
+                (
+                    Some(e.id) != around,
+                    distance,
+                    is_apart,
+                    e.id.abs_diff(id),
+                    e.id,
+                )
             })
             .collect();
         others.sort_unstable();
         out.extend(
             (others.iter().take(MAX_CANDIDATES / 2))
-                .filter_map(|o| self.write(Habit::Id, &[(head, o.3.to_string())])),
+                .filter_map(|o| self.write(Habit::Id, &[(head, o.4.to_string())])),
         );
     }
 
