@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::ops::Range;
 
 use super::Analysis;
+use super::allowing::TRIED_BYTES;
 use super::repair;
 use super::worse::{harms, has_new_errors, weight};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, SourceFile, fixes};
@@ -78,9 +79,18 @@ pub fn to_fixed_point(
         rounds.push(step.edits);
     }
     if left > 0 {
-        let kept = |f: &Fix| !unsafe_too && f.applicability != Applicability::Safe;
         let mut findings = analysis.take_findings();
-        findings.iter_mut().for_each(|d| d.fixes.retain(kept));
+        for d in &mut findings {
+            let is_error = d.is_error();
+            (d.fixes).retain(|f| match f.applicability {
+                Applicability::Safe => false,
+                Applicability::Unsafe => !(unsafe_too && is_error),
+                Applicability::Choice => true,
+            });
+            if unsafe_too {
+                leave_open(d);
+            }
+        }
         analysis.findings = findings.into();
     }
     // Guesses are for errors to choose from.
@@ -116,6 +126,43 @@ fn with_choices(left: &[Diagnostic], proposals: Vec<Diagnostic>) -> Vec<Diagnost
 pub fn is_applied(analysis: &Analysis, fix: &Fix) -> bool {
     let read = |source| Analysis::of(source).with_settings(analysis.settings.clone());
     step(analysis, std::slice::from_ref(fix), &read, &mut 1).is_some()
+}
+
+/// Says of guesses that `--unsafe-fixes` does not apply that it does not.
+pub fn explain_what_is_left(analysis: &Analysis, findings: &mut [Diagnostic]) {
+    let mut left = TRIED_BYTES;
+    for d in findings
+        .iter_mut()
+        .filter(|d| analysis.is_records() && !d.fixes.is_empty())
+    {
+        // A guess for an error may need those for others.
+        if let Some(guess) = d.applicable_fix(true).filter(|f| is_guess(f))
+            && !d.is_error()
+            && let Some(rest) = left.checked_sub(analysis.source.text.len())
+        {
+            left = rest;
+            if !is_applied(analysis, guess) {
+                leave_open(d);
+            }
+        }
+        let is_choice = |f: &Fix| f.applicability == Applicability::Choice;
+        let is_said = |note: &&str| ["choose", "lost", "refused"].contains(note);
+        if d.fixes.iter().all(is_choice) && !d.notes.iter().any(is_said) {
+            d.notes.push(match d.fixes.len() {
+                1 => "undecided",
+                _ => "choose",
+            });
+        }
+    }
+}
+
+/// Makes the guesses of a finding, which would leave no less to mend, a person's choice.
+fn leave_open(d: &mut Diagnostic) {
+    let mut guesses = d.fixes.iter_mut().filter(|f| is_guess(f)).peekable();
+    if guesses.peek().is_some() && !d.notes.contains(&"refused") {
+        d.notes.push("refused");
+    }
+    guesses.for_each(|f| f.applicability = Applicability::Choice);
 }
 
 fn is_guess(fix: &Fix) -> bool {

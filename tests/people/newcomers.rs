@@ -1158,3 +1158,36 @@ fn lost_digits_of_ids() {
     );
     assert_eq!(fixed(&text), text.replace("2 -1 2 0 0", "22 -1 2 0 0"));
 }
+
+/// A refractive index with swapped digits in its ID is of what is transparent, and of nothing that is opaque.
+#[test]
+fn swapped_digits_of_an_index() {
+    let rest = REST.replace("9999 2", "9999 4");
+    let scene = |glass: &str, index: &str| {
+        format!(
+            "12 9 1\n{glass}{index} -203 1.5 1.5 1.5\n3 12 -4 -3 -4 4 -2 4\n4 -101 12 3\n{rest}"
+        )
+    };
+    let glass = "12 -201 0 0.1 0.9\n";
+    assert_eq!(fixed(&scene(glass, "21")), scene(glass, "12"));
+    let opaque = scene("", "21");
+    assert_eq!(fixed(&opaque), opaque);
+    let unused = repair::proposals(&read(&opaque));
+    let unused = unused.iter().find(|d| d.code == Code::W310).unwrap();
+    assert_eq!(unused.fixes.len(), 0);
+}
+
+/// What is left undone by `--unsafe-fixes` keeps its proposals, and says why; no more is promised than is done.
+#[test]
+fn guesses_that_are_left() {
+    let rest = REST.replace("9999 2", "9999 4");
+    let text = format!("2 9 1\n3 11 3 0.5 0 -0.5\n4 -101 2 3\n{rest}");
+    let mended = fixing::to_fixed_point(read(&text), true, Analysis::of);
+    let mut findings = mended.findings;
+    fixing::explain_what_is_left(&mended.analysis, &mut findings);
+    let radius = findings.iter().find(|d| d.code == Code::E201).unwrap();
+    assert_eq!(
+        (radius.fixes.len(), &radius.notes[..]),
+        (1, &["undecided"][..])
+    );
+}

@@ -409,10 +409,11 @@ impl Checker<'_> {
             }
         }
         let mut tally = Tally::default();
-        let findings = left.unwrap_or_else(|| {
+        let mut findings = left.unwrap_or_else(|| {
             let found = loaded.take_findings();
             repair::proposals_for(&loaded, found)
         });
+        fixing::explain_what_is_left(&loaded, &mut findings);
         tally.add(&findings);
         let statistics = Statistics::new(&findings);
         Ok(Checked {

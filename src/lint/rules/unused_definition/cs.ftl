@@ -1,7 +1,7 @@
 W310 = { $type } { $id } se nikde nepoužije
     .label = nic z toho, co se zobrazí, to nepotřebuje
     .help = přiřaďte to objektu pomocí `ID -299 TEXTURA OPTIKA`, nebo záznam odstraňte
-    .fix = přiřadit ji: přidat { $text }
+    .fix = přiřadit to: přidat { $text }
 W310-object = { $type } { $id } není součástí toho, co se zobrazí
     .label = nic z toho, co se zobrazí, objekt nepoužívá
     .help = připojte objekt ke scéně sjednocením, nebo ho odstraňte

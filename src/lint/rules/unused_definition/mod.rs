@@ -1,6 +1,7 @@
 //! W310: something that is defined and not needed for the picture.
 
 mod assign;
+mod slip;
 mod whole;
 
 use std::cell::LazyCell;
@@ -64,9 +65,12 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
     }
     if let [(at, property)] = properties[..] {
-        out[at]
-            .fixes
-            .extend(assign::to_the_only_one(context, property));
+        let fixes = &mut out[at].fixes;
+        fixes.extend(slip::of_a_transparent_one(context, property));
+        // Nothing is seen of an index where no light goes through.
+        if !slip::is_mere_index(context, property) {
+            fixes.extend(assign::to_the_only_one(context, property));
+        }
     }
     if let [(at, object)] = wholes[..] {
         out[at].fixes.extend(whole::drawn(context, object));

@@ -1,0 +1,64 @@
+//! The object that a refractive index may have been meant for, by a slip of its ID.
+
+use rustc_hash::FxHashSet;
+
+use crate::diagnostics::{Applicability, Edit, Fix, Span};
+use crate::lint::Context;
+use crate::scene::{Entity, Node};
+use crate::syntax::quote;
+use crate::syntax::table::{Effect, Kind, RecordKind};
+
+/// The index with the ID of a transparent object that has none, if one digit or the order of two makes the difference;
+/// swapped digits come first.
+pub(super) fn of_a_transparent_one(context: &Context, property: &Entity) -> Vec<Fix> {
+    if !is_mere_index(context, property) {
+        return Vec::new();
+    }
+    let gives = |kind| matches!(kind, RecordKind::RefractiveIndex | RecordKind::Assignment);
+    let given = context.records().filter(|r| gives(r.kind)).map(|r| r.id);
+    let given: FxHashSet<u32> = given.collect();
+    let written = property.id.to_string();
+    let mut meant: Vec<(bool, u32)> = (context.scene.entities.iter())
+        .filter(|e| e.kind == Some(Kind::Object) && e.span.start < property.span.start)
+        .filter(|e| !given.contains(&e.id) && is_transparent(context, e))
+        .filter(|e| strsim::osa_distance(&written, &e.id.to_string()) == 1)
+        .map(|e| (strsim::levenshtein(&written, &e.id.to_string()) == 1, e.id))
+        .collect();
+    meant.sort_unstable();
+    let start = property.span.start;
+    let head = Span::new(start, start + written.len() as u32);
+    let is_one = meant.len() == 1;
+    let fix = |(_, id): (bool, u32)| {
+        let text = id.to_string();
+        let number = quote(&text);
+        let mut fix = Fix::guess("fix-write", vec![Edit { span: head, text }]);
+        if !is_one {
+            fix.applicability = Applicability::Choice;
+        }
+        fix.with("number", number)
+    };
+    meant.into_iter().map(fix).collect()
+}
+
+/// Whether a property is a refractive index and nothing else.
+pub(super) fn is_mere_index(context: &Context, property: &Entity) -> bool {
+    let gives = |effect| matches!(effect, Effect::DefinesOrChanges(Kind::Optics, _));
+    let mut own = context
+        .records()
+        .filter(|r| r.id == property.id && gives(r.ty().effect));
+    own.all(|r| r.kind == RecordKind::RefractiveIndex) && property.kind == Some(Kind::Optics)
+}
+
+/// Whether the optics of an object let light through.
+fn is_transparent(context: &Context, object: &Entity) -> bool {
+    let scene = context.scene;
+    let mut states = object
+        .node()
+        .into_iter()
+        .flat_map(|node| scene.states(node));
+    let optics = states.find_map(|(_, node)| match node {
+        Node::Paint { paint, .. } => scene.paints[paint as usize].optics,
+        _ => None,
+    });
+    optics.is_some_and(|o| o.kt.iter().any(|&k| k > 0.0))
+}
