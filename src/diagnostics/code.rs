@@ -160,6 +160,8 @@ codes! {
     W330 "nothing-lit" of rule "nothing_lit";
     W331 "unseen-texture" of rule "unseen_texture";
     W332 "idle-difference" of rule "idle_difference";
+    W333 "duplicate-operand" of rule "duplicate_operand";
+    W334 "overridden-property" of rule "overridden_property";
     N601 "not-utf8";
     N602 "no-camera" of rule "no_camera";
     N603 "no-light" of rule "no_light";

@@ -1191,3 +1191,32 @@ fn guesses_that_are_left() {
         (1, &["undecided"][..])
     );
 }
+
+/// An assignment just above the definition of the next object, which has one of its own below: it is of the object above.
+#[test]
+fn assignments_above_the_next_definition() {
+    let rest = REST.replace("9999 2", "9999 4");
+    let scene = |id: u32| {
+        format!(
+            "12 -701 1 0 0\n13 -201 0.5 0 0.5\n25 11 0.8 0 0 1\n25 -1 0 0 1\n{id} -299 12 13\n26 11 3 0 0 1\n\
+             26 -299 12 0\n4 -101 25 26\n{rest}"
+        )
+    };
+    assert_eq!(fixed(&scene(26)), scene(25));
+    let error = first_error(&scene(26));
+    assert_eq!((error.code, error.fixes.len()), (Code::E107, 2));
+}
+
+/// A copied line whose ID was not changed: the object that lacks such a record is a choice.
+#[test]
+fn copied_lines_with_the_same_id() {
+    let rest = REST.replace("9999 2", "9999 4");
+    let text = format!(
+        "10 -701 1 0 0\n11 -701 0 0 1\n2 9 1\n2 -299 10 0\n3 11 3 0.5 0 0.5\n2 -299 11 0\n4 -101 2 3\n{rest}"
+    );
+    let all = repair::proposals(&read(&text));
+    let idle = all.iter().find(|d| d.code == Code::W334).unwrap();
+    let shown = fixes::apply(&text, idle.fixes.iter()).0;
+    assert_eq!(shown, text.replace("2 -299 11", "3 -299 11"));
+    assert_eq!(fixed(&text), text);
+}

@@ -262,6 +262,10 @@ impl Engine<'_> {
             let same = |f: &Fix| f.edits == c.fix.edits;
             !finding.fixes.iter().any(same)
         });
+        // What is to be moved is settled, unless it may be of another object.
+        if finding.code == Code::E107 && !finding.fixes.is_empty() && !is_new {
+            return false;
+        }
         // An error that has no proposal may come of this one.
         let is_hopeless = |d: &Diagnostic| d.is_error() && d.fixes.is_empty() && *d != finding;
         let is_undefined = finding.code == Code::E101;

@@ -29,7 +29,7 @@ const MISUSED: usize = 8;
 
 /// Whether a finding is one of these.
 pub(super) fn is_of_many(d: &Diagnostic) -> bool {
-    let is_moved = d.code == Code::E107 && !d.fixes.is_empty();
+    let is_moved = d.code == Code::E107 && d.case != "changed" && !d.fixes.is_empty();
     is_moved
         || matches!(
             d.case,

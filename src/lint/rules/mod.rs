@@ -21,6 +21,7 @@ mod coincident_faces;
 mod colour_out_of_range;
 mod comment_hides_records;
 mod degenerate_shape;
+mod duplicate_operand;
 mod empty_result;
 mod energy_gain;
 mod idle_difference;
@@ -36,6 +37,7 @@ mod notation_separator;
 mod nothing_in_view;
 mod nothing_lit;
 mod overlapping_union;
+mod overridden_property;
 mod pointless_index;
 mod pointless_transformation;
 mod rotation_in_radians;
@@ -69,6 +71,7 @@ use ShapeKind as S;
 
 const CUTS: &[RecordKind] = &[R::Intersection, R::Difference];
 const UNIONS: &[RecordKind] = &[R::Union];
+const COPIES: &[RecordKind] = &[R::Copy];
 const DIFFERENCES: &[RecordKind] = &[R::Difference];
 const ROTATIONS: &[RecordKind] = &[R::Rotation];
 const INTERSECTIONS: &[RecordKind] = &[R::Intersection];
@@ -299,6 +302,16 @@ pub(super) const RULES: &[Rule] = &[
         asks_for: &[],
     },
     Rule {
+        code: Code::W333,
+        check: duplicate_operand::check,
+        asks_for: &[UNIONS, COPIES],
+    },
+    Rule {
+        code: Code::W334,
+        check: overridden_property::check,
+        asks_for: &[],
+    },
+    Rule {
         code: Code::S505,
         check: leading_zero::check,
         asks_for: &[],
@@ -317,6 +330,8 @@ pub(super) const OF_PICTURES: &[Code] = &[
     Code::W329,
     Code::W330,
     Code::W331,
+    Code::W333,
+    Code::W334,
     Code::N606,
 ];
 

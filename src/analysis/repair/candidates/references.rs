@@ -300,10 +300,20 @@ impl LineContext<'_> {
             return;
         };
         let head = self.tokens[0];
-        if finding.span != head.span() || finding.code == Code::E107 {
+        let Some(id) = self.id().filter(|_| finding.span == head.span()) else {
+            return;
+        };
+        // What is defined below may be changed too early, or the record is of the object above, which has none such.
+        if finding.code == Code::E107 {
+            let is_such = |id: u32| {
+                let records = self.analysis.document.items.iter().filter_map(Item::record);
+                let mut all = records.filter(|r| r.id == id);
+                all.any(|r| r.kind == ty.kind)
+            };
+            let before = self.id_before(kinds).filter(|&id| !is_such(id));
+            out.extend(before.and_then(|id| self.write(Habit::Id, &[(head, id.to_string())])));
             return;
         }
-        let Some(id) = self.id() else { return };
         out.extend(self.as_lamp(finding, id, kinds));
         let text = id.to_string();
         // Records with one ID on both sides are of one object, and so is this.

@@ -1,0 +1,64 @@
+//! W333: a union of an object and a copy of it that stays where it was.
+
+use rustc_hash::FxHashMap;
+
+use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::lint::{Context, live_nodes};
+use crate::scene::{Node, NodeId, Scene};
+use crate::solids::named_core;
+
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let scene = context.scene;
+    let live = live_nodes(scene);
+    let mut is_part = vec![false; scene.nodes.len()];
+    // Operations stand behind their operands: the outermost union comes first.
+    for (i, node) in scene.nodes.iter().enumerate().rev() {
+        if live[i] && !is_part[i] && matches!(node, Node::Union(..)) {
+            twice(scene, i as NodeId, &mut is_part, out);
+        }
+    }
+}
+
+/// The copies among the operands of a union, and of the unions that these are, that are as another operand.
+fn twice(scene: &Scene, union: NodeId, is_part: &mut [bool], out: &mut Vec<Diagnostic>) {
+    let mut seen: FxHashMap<NodeId, NodeId> = FxHashMap::default();
+    let mut todo = vec![union];
+    while let Some(node) = todo.pop() {
+        if let Node::Union(a, b) = scene.nodes[node as usize] {
+            if !std::mem::replace(&mut is_part[node as usize], true) {
+                todo.extend([b, a]);
+            }
+            continue;
+        }
+        let what = original(scene, node);
+        let first = *seen.entry(what).or_insert(node);
+        if first != node {
+            out.extend(finding(scene, union, first, node));
+        }
+    }
+}
+
+/// What a copy without changes is a copy of.
+fn original(scene: &Scene, mut node: NodeId) -> NodeId {
+    while let Node::Copy { child, .. } = scene.nodes[node as usize] {
+        node = child;
+    }
+    node
+}
+
+fn finding(scene: &Scene, union: NodeId, a: NodeId, b: NodeId) -> Option<Diagnostic> {
+    let is_copy = |n: NodeId| matches!(scene.nodes[n as usize], Node::Copy { .. });
+    let (one, copy) = if is_copy(b) { (a, b) } else { (b, a) };
+    let Node::Copy { id, .. } = scene.nodes[copy as usize] else {
+        return None;
+    };
+    let (named, _) = named_core(scene, one)?;
+    let record = scene.origins[copy as usize];
+    let taken = scene.origins[union as usize];
+    let d = Diagnostic::new(Code::W333, record.span)
+        .with("id", taken.id.to_string())
+        .with("one", Value::Term(named.title))
+        .with("one-id", named.id.to_string())
+        .with("two-id", id.to_string());
+    Some(d.label(named.span, "one"))
+}
