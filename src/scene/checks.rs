@@ -70,9 +70,10 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
         }
     };
     // A corner and a size, as other programs have it.
-    let size = (!in_turn).then(|| sized(p, first, n)).flatten();
+    let size = (!is_sorted).then(|| sized(p, first, n)).flatten();
     let proposed = match (in_turn, is_sorted) {
         (_, true) => fix("fix-order", &sorted, Applicability::Unsafe),
+        (true, false) if size.is_some() => fix("fix", &swapped, Applicability::Choice),
         (true, false) => fix("fix", &swapped, Applicability::Unsafe),
         (false, false) if size.is_some() => fix("fix", &swapped, Applicability::Choice),
         (false, false) => fix("fix", &swapped, Applicability::Safe),
@@ -88,7 +89,13 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
             .fix(proposed),
     );
     let other = (in_turn && !is_sorted).then(|| fix("fix-order", &sorted, Applicability::Choice));
-    out.last_mut()?.fixes.extend(other.into_iter().chain(size));
+    let fixes = &mut out.last_mut()?.fixes;
+    match in_turn {
+        // Three pairs in turn, one of them swapped, are rarer than a size.
+        true => drop(fixes.splice(0..0, size)),
+        false => fixes.extend(size),
+    }
+    fixes.extend(other);
     None
 }
 

@@ -1220,3 +1220,39 @@ fn copied_lines_with_the_same_id() {
     assert_eq!(shown, text.replace("2 -299 11", "3 -299 11"));
     assert_eq!(fixed(&text), text);
 }
+
+/// The numbers of a cylinder behind the type of a surface of revolution.
+#[test]
+fn cylinders_behind_type_1() {
+    for line in ["2 1 0 0 0 0 0.8 0 0.4", "2 1 0.4 0.8"] {
+        assert_eq!(
+            fixed(&format!("{line}\n{REST}")),
+            format!("2 1 2 0.4 0 0.4 0.8\n{REST}")
+        );
+    }
+}
+
+/// A corner and a size of a box, where the bounds might stand in turn, too: the size comes first.
+#[test]
+fn a_corner_and_a_size_before_swapped_bounds() {
+    let text = format!("2 12 -2 0.9 -1 4 0.1 2\n{REST}");
+    let error = first_error(&text);
+    let titles: Vec<&str> = error.fixes.iter().map(|f| f.title).collect();
+    assert_eq!(titles, ["fix-size", "fix", "fix-order"]);
+    let shown = fixes::apply(&text, error.fixes.iter().take(1)).0;
+    assert_eq!(shown, text.replace("4 0.1 2", "2 1 1"));
+    assert_eq!(fixed(&text), text);
+}
+
+/// Square roots are calculated.
+#[test]
+fn square_roots_as_functions() {
+    for (number, meant) in [
+        ("sqrt(2)/2", "0.707106781187"),
+        ("-sqrt(4)", "-2"),
+        ("1/sqrt(4)", "0.5"),
+    ] {
+        let text = format!("2 11 {number} 0 0 1\n{REST}");
+        assert_eq!(fixed(&text), text.replace(number, meant));
+    }
+}

@@ -313,8 +313,10 @@ impl<'a> LineContext<'a> {
                 out.retain(|c| c.habit != Habit::Unnamed);
                 out.push(clauses);
             }
+            out.extend(self.square_roots());
             self.spaced_name(&mut out);
             self.words(&mut out);
+            self.profile(&mut out);
             self.axis(&mut out);
             self.comments(&mut out);
             self.signs(&mut out);

@@ -300,6 +300,41 @@ impl LineContext<'_> {
         out.extend(self.write(Habit::Characters, &new));
     }
 
+    /// Square roots as functions, `sqrt(2)`, which may be divided: `sqrt(2)/2`, `1/sqrt(2)`.
+    pub(super) fn square_roots(&self) -> Option<Candidate> {
+        let text = |i: usize| self.all.get(i).map_or("", |t| t.text(self.text));
+        let mut new = Vec::new();
+        for (i, word) in self.all.iter().enumerate() {
+            let Some(before) = word.text(self.text).strip_suffix("sqrt") else {
+                continue;
+            };
+            if (text(i + 1), text(i + 3)) != ("(", ")") {
+                continue;
+            }
+            let root = text(i + 2).parse::<f64>().ok()?.sqrt();
+            let close = self.all[i + 3];
+            let behind = self.all.get(i + 4).filter(|t| t.start == close.end());
+            let divisor = behind.and_then(|t| t.text(self.text).strip_prefix('/'));
+            let part = match divisor {
+                Some(divisor) => root / divisor.parse::<f64>().ok()?,
+                None => root,
+            };
+            let number = match before {
+                "" => part,
+                "-" => -part,
+                "1/" => 1.0 / part,
+                "-1/" => -1.0 / part,
+                _ => return None,
+            };
+            let last = behind.filter(|_| divisor.is_some()).unwrap_or(&close);
+            new.push((self.joined(word, last), decimal(number)));
+        }
+        let is_finite = |(_, text): &(Token, String)| text.parse().is_ok_and(f64::is_finite);
+        new.iter()
+            .all(is_finite)
+            .then(|| self.write(Habit::Characters, &new))?
+    }
+
     /// The tokens of an image's name: up to the first that ends as such names do.
     pub(super) fn file_name(&self) -> Option<&[Token]> {
         if self.ty()?.kind != RecordKind::ImageTexture {

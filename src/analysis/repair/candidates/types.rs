@@ -48,10 +48,32 @@ const SIBLINGS: &[(i32, &[i32])] = &[
     (-602, &[-601]),
 ];
 
+/// A cylinder from one centre of an end to the other has so many numbers.
+const CYLINDER: usize = 7;
 /// A cone from one circle to another has so many numbers.
 const CONE: usize = 8;
 
 impl LineContext<'_> {
+    /// The numbers of a cylinder behind the type of a surface of revolution: a radius and a height, or as POV-Ray has it.
+    pub(super) fn profile(&self, out: &mut Vec<Candidate>) {
+        let kind = RecordKind::Shape(ShapeKind::SurfaceOfRevolution);
+        let is_one = self
+            .ty()
+            .is_some_and(|ty| ty.kind == kind && !self.fits(ty));
+        let is_cylinder = match self.params() {
+            [a, _] => a.integer(self.text).is_none(),
+            all => all.len() == CYLINDER,
+        };
+        let (Some(ty), true) = (self.tokens.get(1), is_one && is_cylinder) else {
+            return;
+        };
+        let start = out.len();
+        self.cylinder(ty.span(), self.params(), out);
+        for candidate in &mut out[start..] {
+            candidate.habit = Habit::Count;
+        }
+    }
+
     /// A word, or several, in the place of a type's number.
     pub(super) fn words(&self, out: &mut Vec<Candidate>) {
         let behind = self.tokens.get(1..).unwrap_or(&[]);
