@@ -1177,21 +1177,6 @@ fn swapped_digits_of_an_index() {
     assert_eq!(unused.fixes.len(), 0);
 }
 
-/// What is left undone by `--unsafe-fixes` keeps its proposals, and says why; no more is promised than is done.
-#[test]
-fn guesses_that_are_left() {
-    let rest = REST.replace("9999 2", "9999 4");
-    let text = format!("2 9 1\n3 11 3 0.5 0 -0.5\n4 -101 2 3\n{rest}");
-    let mended = fixing::to_fixed_point(read(&text), true, Analysis::of);
-    let mut findings = mended.findings;
-    fixing::explain_what_is_left(&mended.analysis, &mut findings);
-    let radius = findings.iter().find(|d| d.code == Code::E201).unwrap();
-    assert_eq!(
-        (radius.fixes.len(), &radius.notes[..]),
-        (1, &["undecided"][..])
-    );
-}
-
 /// An assignment just above the definition of the next object, which has one of its own below: it is of the object above.
 #[test]
 fn assignments_above_the_next_definition() {
@@ -1219,6 +1204,21 @@ fn copied_lines_with_the_same_id() {
     let shown = fixes::apply(&text, idle.fixes.iter()).0;
     assert_eq!(shown, text.replace("2 -299 11", "3 -299 11"));
     assert_eq!(fixed(&text), text);
+}
+
+/// What is left undone by `--unsafe-fixes` keeps its proposals, and says why; no more is promised than is done.
+#[test]
+fn guesses_that_are_left() {
+    let rest = REST.replace("9999 2", "9999 4");
+    let text = format!("2 9 1\n3 11 3 0.5 0 -0.5\n4 -101 2 3\n{rest}");
+    let mended = fixing::to_fixed_point(read(&text), true, Analysis::of);
+    let mut findings = mended.findings;
+    fixing::explain_what_is_left(&mended.analysis, &mut findings);
+    let radius = findings.iter().find(|d| d.code == Code::E201).unwrap();
+    assert_eq!(
+        (radius.fixes.len(), &radius.notes[..]),
+        (1, &["undecided"][..])
+    );
 }
 
 /// The numbers of a cylinder behind the type of a surface of revolution.
@@ -1255,4 +1255,26 @@ fn square_roots_as_functions() {
         let text = format!("2 11 {number} 0 0 1\n{REST}");
         assert_eq!(fixed(&text), text.replace(number, meant));
     }
+}
+
+/// A comment with both its signs in front.
+#[test]
+fn comments_behind_two_signs() {
+    let text = format!("2 9 1\n## mug outside\n{REST}");
+    assert_eq!(
+        fixed(&text),
+        text.replace("## mug outside", "0 # mug outside #")
+    );
+    let text = format!("2 9 1 ## mug outside\n{REST}");
+    assert_eq!(
+        fixed(&text),
+        text.replace("## mug outside", "# mug outside #")
+    );
+}
+
+/// An up vector that is zero.
+#[test]
+fn an_up_vector_of_zeros() {
+    let text = format!("2 9 1\n{}", REST.replace("0 1 0 45", "0 0 0 45"));
+    assert_eq!(fixed(&text), text.replace("0 0 0 45", "0 1 0 45"));
 }

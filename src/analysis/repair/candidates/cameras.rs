@@ -14,7 +14,7 @@ const ROUNDED: f64 = 1e-3;
 pub(super) const ANGLE: f64 = 45.0;
 
 impl LineContext<'_> {
-    /// The direction is the point that the camera looks at, or the up vector is along the direction.
+    /// The direction is the point that the camera looks at, or the up vector is along the direction or zero.
     pub(super) fn camera(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let is_camera = self.ty().is_some_and(|ty| ty.kind == RecordKind::Camera);
         let is_one = matches!(finding.code, Code::E203 | Code::E207) && is_camera;
@@ -26,7 +26,7 @@ impl LineContext<'_> {
         };
         let way = sub([dx, dy, dz], [x, y, z]).map(decimal);
         out.push(self.vector(Habit::Point, "fix-point", 3, &way));
-        if finding.code == Code::E207 && [ux, uy, uz] != [0.0; 3] {
+        if finding.code == Code::E207 || [ux, uy, uz] == [0.0; 3] {
             let upright = upright([dx, dy, dz]).map(str::to_owned);
             out.push(self.vector(Habit::Up, "fix-up", 6, &upright));
         }

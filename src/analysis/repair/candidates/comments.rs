@@ -50,6 +50,11 @@ impl LineContext<'_> {
             if i > 0 && is_closed(&self.all[i - 1]) && self.all[i - 1].end() == self.all[i].start {
                 i -= 1;
             }
+            // Two signs, as in `## heading`, are a comment without words.
+            let is_empty = |t: &Token| is_closed(t) && t.text(self.text).bytes().all(|c| c == b'#');
+            while i > 0 && is_empty(&self.all[i - 1]) {
+                i -= 1;
+            }
             if !self.all[i..].iter().any(is_wordy) {
                 continue;
             }

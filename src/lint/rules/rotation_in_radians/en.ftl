@@ -1,4 +1,4 @@
 N607 = a rotation by { $angle } degrees looks like radians: { $angle } rad = { $degrees }°
     .label = this is in degrees
     .note = as it is, the { $type } hardly turns
-    .fix = write { $degrees }
+    .fix = write `{ $degrees }`

@@ -1,11 +1,12 @@
 //! N606: a part of the picture is brighter than white.
 
-use crate::diagnostics::{Code, Diagnostic};
+use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::geometry::array::add;
 use crate::lint::Context;
 use crate::lint::glance::{MAX_NODES, SIZE, glance};
-use crate::scene::{Geometry, Optics, Paint, Render, Rgb, Scene, Shape, Texture};
+use crate::scene::{Entity, Geometry, Optics, Paint, Render, Rgb, Scene, Shape, Texture};
 use crate::solids::staging::{Viewpoint, staged};
+use crate::syntax::table::Kind;
 use crate::trace::film::{MAX_BRIGHT_PERCENT, is_above_white};
 use std::ops::ControlFlow;
 
@@ -38,8 +39,23 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(percent) = most.max_by(f64::total_cmp) else {
         return;
     };
-    let diagnostic = Diagnostic::new(Code::N606, render.span);
-    out.push(diagnostic.with("percent", format!("{percent:.0}")));
+    let percent = format!("{percent:.0}");
+    let mut diagnostic = Diagnostic::new(Code::N606, render.span).with("percent", percent);
+    if let Some(light) = brightest(context.scene) {
+        let kind = light.kind.map_or("light", Kind::name);
+        diagnostic = (diagnostic.with("light", Value::Term(kind)))
+            .with("id", light.id.to_string())
+            .label(light.span, "light");
+    }
+    out.push(diagnostic);
+}
+
+/// The light of the greatest intensity.
+fn brightest(scene: &Scene) -> Option<&Entity> {
+    let ambient = scene.ambient_lights.iter().map(|l| (l.id, l.intensity));
+    let points = scene.point_lights.iter().map(|l| (l.id, l.intensity));
+    let (id, _) = ambient.chain(points).max_by(|a, b| a.1.total_cmp(&b.1))?;
+    scene.entities.iter().find(|e| e.id == id)
 }
 
 /// Whether all lights together, or the background, are brighter than white, and no surface gives out more than it gets:
