@@ -248,7 +248,7 @@ fn a_good_scene() {
         plan.contains("ambientní světlo     ano  jeden součet"),
         "{plan}"
     );
-    assert!(plan.contains("nevykresluje se      11\n"), "{plan}");
+    assert!(plan.contains("nevykreslená ID      11\n"), "{plan}");
     let small = ["--size", "16x12", "a.zpg"];
     for arguments in [
         &["render", "--cost"][..],

@@ -121,6 +121,10 @@ fn other_words_of_ruff_have_an_answer() {
         ),
         (&["server"], "zpg calls it `zpg lsp`"),
         (&["init"], "zpg calls it `zpg new`"),
+        (&["compare", "a.zpg"], "zpg calls it `zpg crosscheck`"),
+        (&["view", "a.zpg"], "zpg calls it `zpg render`"),
+        (&["new", "a.zpg", "glass"], "zpg calls it `--from glass`"),
+        (&["fmt", "a.zpg", "-o", "b.zpg"], "`zpg fmt - < scene.zpg`"),
         (&["check", "--no-fix"], "writes nothing without `--fix`"),
         (&["render", "--width", "320"], "`--size 640x480`"),
         (
@@ -174,6 +178,8 @@ fn other_words_of_ruff_have_an_answer() {
     // Pictures alone have a number of threads.
     let run = program::zpg(dir.path(), &["check", "-j", "4"]);
     assert!(!text(&run.stderr).contains("--threads"));
+    let run = program::zpg(dir.path(), &["help", "--help"]);
+    assert!(run.status.success() && text(&run.stdout).contains("Usage: zpg"));
     // Nothing was drawn before the answer.
     assert!(!dir.path().join("a.png").exists());
     // What is proposed is right.

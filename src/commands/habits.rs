@@ -2,11 +2,14 @@
 
 use std::path::Path;
 
+use clap::ValueEnum;
+
+use super::new::Template;
 use crate::diagnostics::Complaint;
 use crate::syntax::words::plain;
 
 /// A word of ruff or of a renderer, and the message that says what there is instead.
-const HABITS: [(&str, &str); 69] = [
+const HABITS: [(&str, &str); 71] = [
     ("--add-noqa", "habit-add-allow"),
     ("--cache-dir", "habit-cache"),
     ("--no-cache", "habit-cache"),
@@ -51,6 +54,8 @@ const HABITS: [(&str, &str); 69] = [
     ("fix", "habit-fix"),
     ("draw", "habit-render"),
     ("trace", "habit-render"),
+    ("view", "habit-render"),
+    ("compare", "habit-crosscheck"),
     ("export", "habit-convert"),
     ("translate", "habit-convert"),
     ("--width", "habit-size"),
@@ -85,10 +90,17 @@ pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
         // A formatter has the width of a line.
         ("--width", "fmt") => return Some("habit-line-length"),
         ("-j" | "--jobs", "render") => return Some("habit-threads"),
+        ("-o" | "--out" | "--output", "fmt") => return Some("habit-fmt-output"),
         _ => {}
     }
     let habit = HABITS.iter().find(|(name, _)| *name == word);
     habit.map(|(_, message)| *message)
+}
+
+/// What there is instead of the name of a template on its own.
+pub(super) fn template(word: &str, command: &str) -> Option<Complaint> {
+    let is_one = command == "new" && Template::from_str(word, true).is_ok();
+    is_one.then(|| Complaint::new("habit-from").with("text", word.to_owned()))
 }
 
 /// The endings of what zpg writes and does not read.

@@ -56,6 +56,13 @@ pub fn refuse(error: &clap::Error, command: &mut Command, look: LookChoice) -> S
         let _ = writeln!(io::stderr(), "{start}");
         return Status::Failure;
     }
+    // As `zpg --help`: clap takes it for the name of a command.
+    let word = error.get(ContextKind::InvalidSubcommand).and_then(listed);
+    if word.is_some_and(|word| ["--help", "-h"].contains(&&*word)) {
+        let help = laid_out(&command.render_long_help(), look.colour(&io::stdout()));
+        let _ = write!(io::stdout(), "{}", shown(help, language, width()));
+        return Status::Clean;
+    }
     let commands = command.get_subcommands().map(|c| c.get_name().to_owned());
     let commands: Vec<String> = commands.collect();
     let Some(what) = complaint(error, &commands) else {
@@ -160,7 +167,10 @@ fn complaint(error: &clap::Error, commands: &[String]) -> Option<Complaint> {
     let command = usage.as_deref().and_then(|u| u.split_whitespace().nth(2));
     let instead = foreign.as_deref().and_then(|word| {
         let habit = habits::message(word, command.unwrap_or_default()).map(Complaint::new);
-        habit.or_else(|| habits::output(Path::new(word)))
+        let template = || habits::template(word, command.unwrap_or_default());
+        habit
+            .or_else(template)
+            .or_else(|| habits::output(Path::new(word)))
     });
     if let Some(instead) = instead {
         return Some(

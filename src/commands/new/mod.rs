@@ -34,7 +34,7 @@ pub struct Args {
 
 /// A scene to start with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Template {
+pub(super) enum Template {
     /// Glass and amber on a chessboard, with light that goes through
     Glass,
     /// A machine part: solids joined and cut

@@ -15,6 +15,9 @@ use crate::trace::{Images, Settings};
 /// Seconds that are taken to find out where the time of a picture goes.
 const COST_SECONDS: f64 = 1.0;
 
+/// The least width of the first column.
+const LABEL_WIDTH: usize = 36;
+
 /// What a picture has cost, in some ten lines.
 pub(super) fn spent(
     camera: &Camera,
@@ -68,6 +71,11 @@ pub(super) fn spent(
         ("cost-effect", effects.join(" · ")),
     ];
     let lines = all.into_iter().filter(|line| !line.1.is_empty());
-    let lines = lines.map(|(name, text)| format!("{:<36}{text}\n", language.say(name, &[])));
+    let lines = lines.map(|(name, text)| (language.say(name, &[]), text));
+    let lines: Vec<(String, String)> = lines.collect();
+    let widest = lines.iter().map(|line| line.0.chars().count() + 2).max();
+    let width = widest.unwrap_or(0).max(LABEL_WIDTH);
+    let lines = lines.iter();
+    let lines = lines.map(|(name, text)| format!("{name:<width$}{text}\n"));
     Ok(lines.collect())
 }

@@ -16,9 +16,9 @@ accuracy-advice-enough-of = Z toho, co se měřilo ({ $axes }), nedosahuje při 
 accuracy-goal-unit = kroku
 accuracy-advice-limit = Největší chybu v tomto obrázku působí { $kind }: při výchozím nastavení se pixely odchylují o { $error } kroku (střední kvadratická odchylka). Krok je 1/255 bílé, nejmenší rozdíl, který osmibitový obrázek dokáže zobrazit.
 accuracy-at-most = nejvýše { $error }
-accuracy-advice-set = S `{ $option }` je tato chyba { $error } kroku a obrázek trvá { $times }krát tak dlouho jako s výchozím nastavením.
-accuracy-advice-dearer = S `{ $option }` je { $error } kroku, ale obrázek trvá { $times }krát tak dlouho.
-accuracy-advice-even = I `{ $option }`, s nímž obrázek trvá { $times }krát tak dlouho jako s výchozím nastavením, ponechá chybu { $error } kroku.
+accuracy-advice-set = S `{ $option }` je tato chyba { $error } kroku a obrázek trvá { $times }krát déle než s výchozím nastavením.
+accuracy-advice-dearer = S `{ $option }` je { $error } kroku, ale obrázek trvá { $times }krát déle.
+accuracy-advice-even = I `{ $option }`, s nímž obrázek trvá { $times }krát déle než s výchozím nastavením, ponechá chybu { $error } kroku.
 accuracy-advice-busy = Počítač byl na přesné měření času příliš zaneprázdněný: procesor používaly i jiné programy, takže běhy trvaly { $times }násobek svého času procesoru. Než se na časy spolehnete, ukončete tyto programy a měřte znovu.
 accuracy-advice-others = Každý z ostatních druhů chyby je při výchozím nastavení menší než { $error } kroku.
 accuracy-advice-others-of = Každý z ostatních druhů chyby, které se měřily, je při výchozím nastavení menší než { $error } kroku.
@@ -34,12 +34,12 @@ accuracy-advice-no-change = Žádné jiné nastavení příkazu `zpg render` neu
 accuracy-depth-more = Výchozí hloubka { $depth } vynechává světlo, které by bylo vidět: `{ $option }` z { $off ->
     [one] { $off } pixelu
    *[other] { $off } pixelů
-} opraví { $right } a obrázek trvá { $times }krát tak dlouho.
+} opraví { $right } a obrázek trvá { $times }krát déle.
 accuracy-depth-less = Výchozí hloubka { $depth } je víc než dost: `{ $option }` dává na pohled stejný obrázek a { $price }.
 accuracy-depth-same = Výchozí hloubka { $depth } je víc než dost, ale menší neušetří žádný čas.
 accuracy-depth-right = Výchozí hloubka { $depth } stačí a s menší se obrázek změní.
-accuracy-numbers-same = Dvojitá přesnost tu stačí: double-double s dvojnásobným počtem číslic trvá { $times }krát tak dlouho a dává tentýž obrázek.
-accuracy-numbers-unseen = Dvojitá přesnost na pohled stačí: double-double s dvojnásobným počtem číslic trvá { $times }krát tak dlouho a neopraví žádný pixel.
+accuracy-numbers-same = Dvojitá přesnost tu stačí: double-double s dvojnásobným počtem číslic trvá { $times }krát déle a dává tentýž obrázek.
+accuracy-numbers-unseen = Dvojitá přesnost na pohled stačí: double-double s dvojnásobným počtem číslic trvá { $times }krát déle a neopraví žádný pixel.
 accuracy-numbers-untimed = Dvojitá přesnost nepokazí žádný pixel.
 accuracy-numbers-report = Dvojitá přesnost se mýlí v { $off ->
     [one] { $off } pixelu
