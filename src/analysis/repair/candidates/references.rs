@@ -106,7 +106,10 @@ impl LineContext<'_> {
             out.extend(shifted.and_then(|new| self.write(Habit::Shifted, &new)));
         }
         let is_render = self.ty().is_some_and(|ty| ty.kind == RecordKind::Render);
-        let parts = is_render.then(|| self.named_ids()).unwrap_or_default();
+        let parts = match is_render {
+            true => self.named_ids(),
+            false => FxHashSet::default(),
+        };
         for (t, kinds) in all.iter().filter(|(t, _)| finding.span == t.span()) {
             let written = id(t);
             let text = written.to_string();
