@@ -24,9 +24,13 @@ impl LineContext<'_> {
             return;
         };
         let rest: Vec<&str> = self.params().iter().map(|t| t.text(self.text)).collect();
-        let glued = match self.ty() {
-            Some(_) => Vec::new(),
-            None => split_glued(token.text(self.text)),
+        // What stands before a type is an ID.
+        let (behind, params) = self.params().split_first().unzip();
+        let behind = behind.and_then(|t| RecordType::by_code(t.integer(self.text)?));
+        let is_id = behind.is_some_and(|ty| params.is_some_and(|params| self.fit(ty, params)));
+        let glued = match self.ty().is_none() && !is_id {
+            true => split_glued(token.text(self.text)),
+            false => Vec::new(),
         };
         for parts in glued {
             let code = parts[0].parse().ok();
