@@ -208,6 +208,11 @@ fn format_file(
     let text = match &args.range {
         None => format(&source.text, &document, &config.format),
         Some(Lines(lines)) => {
+            let count = source.text.lines().count();
+            if *lines.start() > count {
+                let behind = Complaint::new("range-behind-end").with("path", name);
+                terminal::note(look, &behind.with("lines", Value::Count(count as u64)));
+            }
             let mut text = source.text.clone();
             if let Some(edit) = format_range(&source.text, &document, &config.format, lines.clone())
             {

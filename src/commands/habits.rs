@@ -91,6 +91,9 @@ pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
         ("--width", "fmt") => return Some("habit-line-length"),
         ("-j" | "--jobs", "render") => return Some("habit-threads"),
         ("-o" | "--out" | "--output", "fmt") => return Some("habit-fmt-output"),
+        ("--format" | "-f", "render") => return Some("habit-picture-format"),
+        ("--werror" | "--strict" | "--max-warnings", "check") => return Some("habit-deny"),
+        ("--seed", "render") => return Some("habit-seed"),
         _ => {}
     }
     let habit = HABITS.iter().find(|(name, _)| *name == word);
@@ -125,8 +128,12 @@ pub(super) fn output(word: &Path) -> Option<Complaint> {
     (is_output && !text.starts_with('-')).then_some(complaint)
 }
 
-/// Sides, as people say them, and the values of `--view`.
-const SIDES: [(&str, &str); 20] = [
+/// Values, as people say them, and what zpg calls them: of `--view`, `--precision` and `--to`.
+const VALUES: [(&str, &str); 24] = [
+    ("double", "f64"),
+    ("single", "f32"),
+    ("float", "f32"),
+    ("xml", "mitsuba"),
     ("above", "top"),
     ("up", "top"),
     ("shora", "top"),
@@ -152,6 +159,6 @@ const SIDES: [(&str, &str); 20] = [
 /// The value that is meant by another word.
 pub(super) fn value(word: &str) -> Option<&'static str> {
     let word = plain(word);
-    let side = SIDES.iter().find(|(name, _)| *name == word);
-    side.map(|(_, value)| *value)
+    let value = VALUES.iter().find(|(name, _)| *name == word);
+    value.map(|(_, value)| *value)
 }

@@ -8,7 +8,7 @@ use super::atomic_file::{AtomicFile, unwritable};
 use super::render::output::wrote;
 use super::terminal::{self, LookChoice, complain, note};
 use super::{Status, refuse_overwrite};
-use crate::diagnostics::Complaint;
+use crate::diagnostics::{Complaint, Value};
 use crate::picture_files::{self, Format, Origin, read};
 
 /// Put the parts of a picture together
@@ -54,9 +54,14 @@ enum Refusal {
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
     match join(args, look) {
-        Ok(origin) if look.quiet => drop(origin),
-        Ok(origin) => {
-            let wrote = wrote(&args.output, origin.size);
+        Ok(_) if look.quiet => {}
+        Ok(joined) => {
+            let wrote = wrote(&args.output, joined.whole.size);
+            let wrote = match joined.removed {
+                0 => wrote,
+                n => (Complaint::new("wrote-joined").with("wrote", wrote))
+                    .with("count", Value::Count(n as u64)),
+            };
             let line = wrote.wording(look.language());
             return terminal::print(look, Status::Clean, |out| writeln!(out, "{line}"));
         }
@@ -72,7 +77,14 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     Status::Clean
 }
 
-fn join(args: &Args, look: LookChoice) -> Result<Origin, Refusal> {
+/// A picture that was made of parts.
+struct Joined {
+    whole: Origin,
+    /// So many parts were removed.
+    removed: usize,
+}
+
+fn join(args: &Args, look: LookChoice) -> Result<Joined, Refusal> {
     let output = args.output.as_path();
     let format = Format::of(output)
         .ok_or_else(|| Complaint::new("joined-format").with("path", output))
@@ -112,9 +124,11 @@ fn join(args: &Args, look: LookChoice) -> Result<Origin, Refusal> {
     written.map_err(Refusal::Failure)?;
     // Linear colours are more than a PNG has.
     let is_all = |part: &&PartFile| part.format == format;
+    let mut removed = 0;
     if !args.keep {
         for part in parts.iter().filter(is_all) {
             match fs::remove_file(&part.path) {
+                Ok(()) => removed += 1,
                 // Another run has joined them as well.
                 Err(e) if e.kind() != io::ErrorKind::NotFound => {
                     return Err(Refusal::Failure(unwritable(&part.path, &e)));
@@ -123,7 +137,7 @@ fn join(args: &Args, look: LookChoice) -> Result<Origin, Refusal> {
             }
         }
     }
-    Ok(whole)
+    Ok(Joined { whole, removed })
 }
 
 /// Rows, or why there are no more.

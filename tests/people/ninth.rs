@@ -235,3 +235,68 @@ fn what_is_said_of_lamps_at_the_origin_and_of_touching_parts() {
     assert_eq!(chosen(&text, Code::W321, 0), MUG);
     assert_eq!(fixed(&text).matches("72 -102 71 60").count(), 1);
 }
+
+/// What is said of a command in a folder with the scene, and of the same in Czech.
+fn says(dir: &std::path::Path, line: &str) -> [String; 2] {
+    ["en", "cs"].map(|language| {
+        let words: Vec<&str> = line.split(' ').chain(["--lang", language]).collect();
+        let run = crate::support::program::zpg(dir, &words);
+        [run.stdout, run.stderr]
+            .map(|out| String::from_utf8(out).unwrap())
+            .concat()
+    })
+}
+
+/// Options and words of other programs.
+#[test]
+fn words_of_other_programs() {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("a.zpg"), MUG).unwrap();
+    for (line, words) in [
+        ("render a.zpg --format png", "-o picture.png"),
+        ("check a.zpg --werror", "--deny warnings"),
+        ("check a.zpg --strict", "--deny warnings"),
+        ("check a.zpg --max-warnings 0", "--deny warnings"),
+        ("render a.zpg --precision double", "f64"),
+        ("convert a.zpg --to xml", "mitsuba"),
+        ("explain boolean", "-101 B C"),
+        ("explain opacity", "kd ks kt"),
+        ("explain smooth", "nx1"),
+    ] {
+        for said in says(dir.path(), line) {
+            assert!(said.replace('\n', " ").contains(words), "{line}: {said}");
+        }
+    }
+    let [seed, _] = says(dir.path(), "render a.zpg --seed 3");
+    assert!(seed.contains("there is none"), "{seed}");
+}
+
+/// Lines behind the end of a file, and parts that are gone.
+#[test]
+fn lines_behind_the_end_and_parts_that_are_gone() {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("a.zpg"), MUG).unwrap();
+    let said = says(dir.path(), "fmt a.zpg --range 100-200");
+    assert!(said.iter().all(|said| said.contains("26")), "{said:?}");
+    assert_eq!(
+        std::fs::read_to_string(dir.path().join("a.zpg")).unwrap(),
+        MUG
+    );
+    for part in ["1", "2"] {
+        let line = format!("render a.zpg --size 40x30 --tile {part}/2 -o {part}.png");
+        says(dir.path(), &line);
+    }
+    let [said, _] = says(dir.path(), "join 1.png 2.png -o whole.png");
+    assert!(said.contains("removed its 2 parts"), "{said}");
+}
+
+/// The only camera is the one that is selected, and no proposal stands there twice.
+#[test]
+fn one_camera_and_one_proposal() {
+    let text = MUG.replace("1 9999", "91 -502 80\n1 9999");
+    assert_eq!(guessed(&text.replace("-502 80", "-502")), text);
+    let text = with("40 1 2 1 0 1 2", "40 cylinder <0,0,0>, <0,2,0>, 1");
+    let all = findings(&text);
+    assert_eq!(all[0].fixes.len(), 1);
+    assert_eq!(guessed(&text), MUG);
+}

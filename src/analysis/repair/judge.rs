@@ -1,7 +1,8 @@
 //! What is left to be said of a scene: the less, the likelier it is what a person meant.
 
+use super::candidates::{Candidate, Habit};
 use crate::analysis::Analysis;
-use crate::diagnostics::{Code, Severity};
+use crate::diagnostics::{Code, Diagnostic, Severity, Span};
 use crate::scene::{Node, NodeId, Scene, View, fold_up};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::proofs::{Literals, Proofs};
@@ -91,6 +92,45 @@ fn is_unseen(scene: &Scene, bounds: &[NodeBounds]) -> bool {
     };
     let nothing = bounds[render.root as usize].all.is_empty();
     nothing || out_of_view(scene, bounds, render.root, camera, Parts::All).is_some()
+}
+
+pub(super) fn has_error_at(scene: &Analysis, line: Span) -> bool {
+    errors_at(scene, line) > 0
+}
+
+pub(super) fn errors_at(scene: &Analysis, line: Span) -> usize {
+    codes_at(scene, line).count()
+}
+
+fn codes_at(scene: &Analysis, line: Span) -> impl Iterator<Item = Code> {
+    let source = &scene.source;
+    let at = source.line_index(source.floor(line.start));
+    let on_line = move |span: Span| source.line_index(source.floor(span.start)) == at;
+    (scene.errors.iter()).filter_map(move |&(code, span)| on_line(span).then_some(code))
+}
+
+/// How many errors of a line show only now that an unknown type has its minus again, or a rotation the number of its axis:
+/// undefined IDs. They are no reason to take it for something else.
+pub(super) fn hidden(d: &Diagnostic, candidate: &Candidate, scene: &Analysis, line: Span) -> usize {
+    let is_sign = d.code == Code::E007 && candidate.habit == Habit::Sign;
+    match is_sign || candidate.habit == Habit::Axis {
+        true => codes_at(scene, line)
+            .filter(|&code| code == Code::E101)
+            .count(),
+        false => 0,
+    }
+}
+
+/// Whether what begins on a line ends there, too.
+pub(super) fn ends_on_line(scene: &Analysis, line: Span) -> bool {
+    let (source, document) = (&scene.source, &scene.document);
+    let number = |at: u32| source.line_index(source.floor(at));
+    let own = number(line.start);
+    let spans = document.items.iter().map(|item| document.item_span(item));
+    let mut begun = spans
+        .skip_while(|span| number(span.start) < own)
+        .take_while(|span| number(span.start) == own);
+    begun.all(|span| number(span.end) == own)
 }
 
 #[cfg(test)]

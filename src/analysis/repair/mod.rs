@@ -21,7 +21,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span,
 use crate::scene::names;
 use crate::syntax::Item;
 use candidates::{Candidate, Habit, LineContext};
-use judge::Left;
+use judge::{Left, ends_on_line, errors_at, has_error_at, hidden};
 
 /// So many texts are tried for one file at most.
 const TRIALS: usize = 64;
@@ -453,7 +453,13 @@ impl Engine<'_> {
         let is_best =
             |&(i, j): &(usize, &(Left, Trial))| is_open || j.0.in_vain == least || Some(i) == kept;
         let best = judged.iter().enumerate().filter(is_best).map(|(_, j)| j);
-        let best = best.filter(is_place);
+        // What people read may be the same, by whatever edits.
+        let mut made: FxHashSet<String> = FxHashSet::default();
+        let is_other = |j: &&(Left, Trial)| {
+            let words: Vec<&str> = j.1.scene.source.text.split_whitespace().collect();
+            made.insert(words.join(" "))
+        };
+        let best = best.filter(is_place).filter(is_other);
         // One comment is as good as another.
         let mut comments = 0;
         let best = best.map(|j| &j.1.candidate).filter(|c| {
@@ -561,43 +567,4 @@ fn undefined(findings: &[Diagnostic]) -> Vec<u32> {
 
 fn has_safe_fix(d: &Diagnostic) -> bool {
     (d.fixes.iter()).any(|f| f.applicability == Applicability::Safe)
-}
-
-fn has_error_at(scene: &Analysis, line: Span) -> bool {
-    errors_at(scene, line) > 0
-}
-
-fn errors_at(scene: &Analysis, line: Span) -> usize {
-    codes_at(scene, line).count()
-}
-
-fn codes_at(scene: &Analysis, line: Span) -> impl Iterator<Item = Code> {
-    let source = &scene.source;
-    let at = source.line_index(source.floor(line.start));
-    let on_line = move |span: Span| source.line_index(source.floor(span.start)) == at;
-    (scene.errors.iter()).filter_map(move |&(code, span)| on_line(span).then_some(code))
-}
-
-/// How many errors of a line show only now that an unknown type has its minus again, or a rotation the number of its axis:
-/// undefined IDs. They are no reason to take it for something else.
-fn hidden(d: &Diagnostic, candidate: &Candidate, scene: &Analysis, line: Span) -> usize {
-    let is_sign = d.code == Code::E007 && candidate.habit == Habit::Sign;
-    match is_sign || candidate.habit == Habit::Axis {
-        true => codes_at(scene, line)
-            .filter(|&code| code == Code::E101)
-            .count(),
-        false => 0,
-    }
-}
-
-/// Whether what begins on a line ends there, too.
-fn ends_on_line(scene: &Analysis, line: Span) -> bool {
-    let (source, document) = (&scene.source, &scene.document);
-    let number = |at: u32| source.line_index(source.floor(at));
-    let own = number(line.start);
-    let spans = document.items.iter().map(|item| document.item_span(item));
-    let mut begun = spans
-        .skip_while(|span| number(span.start) < own)
-        .take_while(|span| number(span.start) == own);
-    begun.all(|span| number(span.end) == own)
 }

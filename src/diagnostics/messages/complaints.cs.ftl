@@ -91,6 +91,7 @@ left-unchanged = { $count ->
    *[other] { $count } souborů beze změny
 }
 list-comma = { $first }, { $last }
+range-behind-end = řádků je v souboru { $path } jen { $lines }: nic se neformátuje
 range-of-many = --range platí jen pro jeden soubor
 not-a-file = není to obyčejný soubor
 no-files = není tu soubor se scénou, jehož nastavení by šlo ukázat
@@ -157,6 +158,7 @@ wrote-scene = Zapsáno: { $path }; vykreslí se příkazem `zpg render { $file }
 no-target = do jakého formátu? Určete ho volbou `--to` ({ $names }), nebo ať jméno za `-o` končí na .pov, .xml, .ply, .obj, .glb, .stl, .json nebo .zpg
 gltf-is-glb = zpg zapisuje glTF jako jeden binární soubor: pojmenujte jej `-o { $path }`
 wrote-picture = Zapsáno: { $path }, { $width } × { $height } pixelů
+wrote-joined = { $wrote }; odstraněno částí: { $count }
 wrote-rows = Zapsáno: { $path }, řádky { $first } až { $last } z { $height }
 farm-folder = ve složce { $path } je něco jiného: určete složku, která je nová, prázdná, nebo patří dřívější úloze
 farm-name = { $path } nemůže být v úloze: jméno obsahuje konec řádku, nebo není v UTF-8
@@ -359,6 +361,7 @@ habit-check = zpg má místo toho `zpg check`
 habit-config = takový příkaz zpg nemá; `zpg check --show-settings` vypíše všechna nastavení a `--config` jedno změní
 habit-convert = zpg má místo toho `zpg convert`
 habit-crosscheck = zpg má místo toho `zpg crosscheck`
+habit-deny = zpg má místo toho `--deny warnings`
 habit-exclude = zpg má místo toho `--exclude`, které nahrazuje `exclude` ze zpg.toml
 habit-exit-non-zero = taková volba není; `--diff` nic nezapíše a skončí s kódem 1, když by se něco změnilo
 habit-exit-zero = zpg má místo toho `--exit-zero`
@@ -380,9 +383,11 @@ habit-new = zpg má místo toho `zpg new`
 habit-no-fix = taková volba není; bez `--fix` `zpg check` nic nezapíše
 habit-output = soubor, do kterého se zapíše, udává `-o { $path }`
 habit-per-file-ignores = zpg má místo toho {"`"}--config 'lint.per-file-ignores={"{"}"*" = ["W310"]{"}"}'`
+habit-picture-format = formát určuje přípona v `-o`, například `-o picture.png`
 habit-preview = taková volba není; všechna pravidla zpg jsou stálá
 habit-render = zpg má místo toho `zpg render`
 habit-samples = zpg má místo toho `--samples`, nebo `--quality draft`, `good` či `final`
+habit-seed = taková volba není; vzorky obrázku jsou vždy stejné
 habit-server = zpg má místo toho `zpg lsp`
 habit-show-fixes = taková volba není; co by `--fix` změnilo, ukáže `--diff`
 habit-show-source = taková volba není; nálezy ukazují své řádky vždy a `--output-format concise` je vynechá

@@ -88,6 +88,10 @@ left-unchanged = { $count ->
    *[other] { $count } files
 } left unchanged
 list-comma = { $first }, { $last }
+range-behind-end = { $path } has { $lines ->
+    [one] { $lines } line
+   *[other] { $lines } lines
+}: nothing is formatted
 range-of-many = --range takes the lines of one file
 not-a-file = it is not a plain file
 no-files = there is no scene file to show the settings of
@@ -153,6 +157,10 @@ wrote-scene = Wrote { $path }; `zpg render { $file }` draws it
 no-target = which format? Name it with `--to` ({ $names }), or let the name after `-o` end in .pov, .xml, .ply, .obj, .glb, .stl, .json or .zpg
 gltf-is-glb = zpg writes glTF as one binary file: name it with `-o { $path }`
 wrote-picture = Wrote { $path }: { $width } × { $height } pixels
+wrote-joined = { $wrote }; removed { $count ->
+    [one] its part
+   *[other] its { $count } parts
+}
 wrote-rows = Wrote { $path }: rows { $first } to { $last } of { $height }
 farm-folder = { $path } has other things in it: name a folder that is new or empty, or an earlier job
 farm-name = { $path } cannot go into a job: its name has a line break in it, or is not UTF-8
@@ -351,6 +359,7 @@ habit-check = zpg calls it `zpg check`
 habit-config = zpg has no such command; `zpg check --show-settings` shows all settings, and `--config` changes one
 habit-convert = zpg calls it `zpg convert`
 habit-crosscheck = zpg calls it `zpg crosscheck`
+habit-deny = zpg calls it `--deny warnings`
 habit-exclude = zpg calls it `--exclude`, which counts in place of `exclude` in zpg.toml
 habit-exit-non-zero = there is none; `--diff` writes nothing and exits with 1 where something would change
 habit-exit-zero = zpg calls it `--exit-zero`
@@ -372,9 +381,11 @@ habit-new = zpg calls it `zpg new`
 habit-no-fix = there is none; `zpg check` writes nothing without `--fix`
 habit-output = the file to write is named by `-o { $path }`
 habit-per-file-ignores = zpg calls it {"`"}--config 'lint.per-file-ignores={"{"}"*" = ["W310"]{"}"}'`
+habit-picture-format = the ending of `-o` says the format, for example `-o picture.png`
 habit-preview = there is none; all rules of zpg are stable
 habit-render = zpg calls it `zpg render`
 habit-samples = zpg calls it `--samples`, or `--quality draft`, `good` or `final`
+habit-seed = there is none; the samples of a picture are always the same
 habit-server = zpg calls it `zpg lsp`
 habit-show-fixes = there is none; `--diff` shows what `--fix` would change
 habit-show-source = there is none; findings always show their lines, and `--output-format concise` leaves them out

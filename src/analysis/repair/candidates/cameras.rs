@@ -6,7 +6,7 @@ use crate::geometry::array::{cross, length, sub};
 use crate::lint::spelling::decimal;
 use crate::syntax::lexer::Token;
 use crate::syntax::quote;
-use crate::syntax::table::RecordKind;
+use crate::syntax::table::{Kind, RecordKind};
 
 /// A direction of length 1 is written with so many digits at least.
 const ROUNDED: f64 = 1e-3;
@@ -14,6 +14,19 @@ const ROUNDED: f64 = 1e-3;
 pub(super) const ANGLE: f64 = 45.0;
 
 impl LineContext<'_> {
+    /// The selection of a camera without its ID, where there is but one.
+    pub(super) fn only_camera(&self) -> Option<Candidate> {
+        let is_one = self.ty()?.kind == RecordKind::MonoCamera && self.params().is_empty();
+        let known = self.entities(&[Kind::Camera]).filter(|e| e.kind.is_some());
+        let mut cameras = known.filter(|_| is_one);
+        let (Some(only), None) = (cameras.next(), cameras.next()) else {
+            return None;
+        };
+        let ty = self.tokens[1];
+        let text = format!("{} {}", ty.text(self.text), only.id);
+        self.write(Habit::Lost, &[(ty, text)])
+    }
+
     /// The direction is the point that the camera looks at, or the up vector is along the direction or zero.
     pub(super) fn camera(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let is_camera = self.ty().is_some_and(|ty| ty.kind == RecordKind::Camera);

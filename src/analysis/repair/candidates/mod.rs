@@ -339,6 +339,7 @@ impl<'a> LineContext<'a> {
             self.inline(&[undefined, taken].concat(), &mut out);
             self.camera(finding, &mut out);
             self.without_up(finding, &mut out);
+            out.extend(self.only_camera());
             self.lost_number(finding, &mut out);
             self.angle_before(finding, &mut out);
             out.extend(self.lost_id(finding));
