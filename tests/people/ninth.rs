@@ -300,3 +300,15 @@ fn one_camera_and_one_proposal() {
     assert_eq!(all[0].fixes.len(), 1);
     assert_eq!(guessed(&text), MUG);
 }
+
+/// Brackets leave no spaces behind.
+#[test]
+fn brackets_leave_no_spaces() {
+    for (line, written) in [
+        ("42 -103 40 41", "42 difference { 40 41 }"),
+        ("50 11 -2 0.7 1.2 0.7", "50 sphere { <-2, 0.7, 1.2>, 0.7 }"),
+        ("81 -1 -4 6 5", "81 -1 ( -4 , 6 , 5 )"),
+    ] {
+        assert_eq!(fixed(&with(line, written)), MUG, "{written}");
+    }
+}

@@ -65,12 +65,26 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         };
         let text = context.text.as_bytes();
         let space = |i: usize| text.get(i).is_none_or(u8::is_ascii_whitespace);
+        let is_next = |a: &Token, b: &Token| a.end() == b.start;
+        // Whether there is a space behind each and those directly behind it.
+        let mut behind: Vec<bool> = separators.iter().map(|t| space(t.end() as usize)).collect();
+        for i in (1..separators.len()).rev() {
+            if is_next(separators[i - 1], separators[i]) {
+                behind[i - 1] = behind[i];
+            }
+        }
         let mut edits = Vec::new();
-        for t in &separators {
-            // Numbers that only the separator keeps apart need a space in its place.
-            let apart = space(t.end() as usize) || t.start == 0 || space(t.start as usize - 1);
+        for (i, (t, behind)) in separators.iter().zip(behind).enumerate() {
+            // Numbers that only separators keep apart need one space in their place.
+            let before = t.start as usize;
+            let is_behind_another = i > 0 && is_next(separators[i - 1], t);
+            let apart = behind || is_behind_another || before == 0 || space(before - 1);
+            // Of the spaces on both sides those behind it stay.
+            let blank = |i: &usize| matches!(text[*i], b' ' | b'\t');
+            let blanks = (0..before).rev().take_while(blank).count();
+            let start = before - if behind { blanks } else { 0 };
             edits.push(Edit {
-                span: t.span(),
+                span: Span::new(start as u32, t.end()),
                 text: if apart { "" } else { " " }.to_owned(),
             });
         }
