@@ -133,6 +133,7 @@ mod tests {
         assert_eq!(all("-12.5"), ["-1 2.5"]);
         assert_eq!(all("7051"), ["70 51", "705 1", "70 5 1"]);
         assert!(all("-4020.9").contains(&"-402 0.9".to_owned()));
-        assert!(all("-101").is_empty() && all("1-2").is_empty() && all("1.5e3").is_empty());
+        assert_eq!(all("-101"), ["-10 1"]);
+        assert!(all("1-2").is_empty() && all("1.5e3").is_empty());
     }
 }
