@@ -5,7 +5,7 @@ use crate::diagnostics::{Code, Diagnostic};
 use crate::syntax::allows;
 use crate::syntax::lexer::Token;
 use crate::syntax::quote;
-use crate::syntax::table::{Param, ParamKind, RecordType};
+use crate::syntax::table::{Family, Param, ParamKind, RecordType};
 
 /// No more numbers than these are taken from one token.
 const MAX_PARTS: usize = 3;
@@ -27,7 +27,8 @@ impl LineContext<'_> {
         // What stands before a type is an ID.
         let (behind, params) = self.params().split_first().unzip();
         let behind = behind.and_then(|t| RecordType::by_code(t.integer(self.text)?));
-        let is_id = behind.is_some_and(|ty| params.is_some_and(|params| self.fit(ty, params)));
+        let is_id = behind.filter(|ty| ty.family != Family::Void).zip(params);
+        let is_id = is_id.is_some_and(|(ty, params)| self.fit(ty, params));
         let glued = match self.ty().is_none() && !is_id {
             true => split_glued(token.text(self.text)),
             false => Vec::new(),
