@@ -35,7 +35,7 @@
 //! - where three solids would be in one place, or one medium is on both sides of a surface;
 //! - where the point that it meets is not known well enough.
 //!
-//! Such a ray ends, and its sample is flagged ([`Drawn`]); the other rays of the sample go on. The arbiter then draws the
+//! Such a ray ends, and its sample is flagged ([`drawn`]); the other rays of the sample go on. The arbiter then draws the
 //! sample from its start. Before a picture is drawn a few tiles are tried: where more than an eighth of their samples are in
 //! doubt, the arbiter draws the whole picture.
 
