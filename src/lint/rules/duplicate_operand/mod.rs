@@ -10,17 +10,23 @@ use crate::solids::named_core;
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let live = live_nodes(scene);
+    let originals = originals(scene);
     let mut is_part = vec![false; scene.nodes.len()];
     // Operations stand behind their operands: the outermost union comes first.
     for (i, node) in scene.nodes.iter().enumerate().rev() {
         if live[i] && !is_part[i] && matches!(node, Node::Union(..)) {
-            twice(scene, i as NodeId, &mut is_part, out);
+            twice(scene, i as NodeId, (&originals, &mut is_part), out);
         }
     }
 }
 
 /// The copies among the operands of a union, and of the unions that these are, that are as another operand.
-fn twice(scene: &Scene, union: NodeId, is_part: &mut [bool], out: &mut Vec<Diagnostic>) {
+fn twice(
+    scene: &Scene,
+    union: NodeId,
+    (originals, is_part): (&[NodeId], &mut [bool]),
+    out: &mut Vec<Diagnostic>,
+) {
     let mut seen: FxHashMap<NodeId, NodeId> = FxHashMap::default();
     let mut todo = vec![union];
     while let Some(node) = todo.pop() {
@@ -30,20 +36,24 @@ fn twice(scene: &Scene, union: NodeId, is_part: &mut [bool], out: &mut Vec<Diagn
             }
             continue;
         }
-        let what = original(scene, node);
-        let first = *seen.entry(what).or_insert(node);
+        let original = originals[node as usize];
+        let first = *seen.entry(original).or_insert(node);
         if first != node {
             out.extend(finding(scene, union, first, node));
         }
     }
 }
 
-/// What a copy without changes is a copy of.
-fn original(scene: &Scene, mut node: NodeId) -> NodeId {
-    while let Node::Copy { child, .. } = scene.nodes[node as usize] {
-        node = child;
+/// Of each node what it is a copy of without changes, or itself. Copies stand behind their originals.
+fn originals(scene: &Scene) -> Vec<NodeId> {
+    let mut originals: Vec<NodeId> = Vec::with_capacity(scene.nodes.len());
+    for (i, node) in scene.nodes.iter().enumerate() {
+        originals.push(match node {
+            Node::Copy { child, .. } => originals[*child as usize],
+            _ => i as NodeId,
+        });
     }
-    node
+    originals
 }
 
 fn finding(scene: &Scene, union: NodeId, a: NodeId, b: NodeId) -> Option<Diagnostic> {

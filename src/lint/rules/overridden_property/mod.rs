@@ -21,6 +21,9 @@ const KINDS: [RecordKind; 5] = [
 /// So many objects are proposed at most.
 const PROPOSALS: usize = 2;
 
+/// Findings that get proposals: each looks through the whole scene for them.
+const MAX_PROPOSED: usize = 16;
+
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if context.has_broken() {
         return;
@@ -48,7 +51,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         true => return,
         false => context.titles(),
     };
-    for (first, second) in pairs {
+    for (i, (first, second)) in pairs.into_iter().enumerate() {
         let span = |r: &Record| context.document.span(r.first, r.last);
         let title = titles.get(&second.id).copied().unwrap_or("object");
         let mut d = Diagnostic::new(Code::W334, span(first))
@@ -56,7 +59,9 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .with("type", Value::Term(title))
             .with("id", first.id.to_string())
             .label(span(second), "second");
-        d.fixes = neighbours(context, second);
+        if i < MAX_PROPOSED {
+            d.fixes = neighbours(context, second);
+        }
         out.push(d);
     }
 }
