@@ -5,7 +5,7 @@ use crate::scene::Vec3;
 use crate::solids::contacts::face::Faces;
 
 /// The questions that every shape answers, in its own coordinates. No method has a default: whoever adds a shape gives
-/// an answer to each question, and nobody else has to ask which shape it is.
+/// an answer to each question. What few shapes answer is a match over [`AnyShape`](super::AnyShape) where it is asked.
 pub trait Facts {
     fn character(&self) -> Character;
 
