@@ -5,7 +5,7 @@ use super::leaf::{Leaf, Way};
 use super::query::{Crossing, Start, Within};
 use super::resolved::Resolved;
 use super::stage::Stage;
-use super::wave::{MIRRORED, Node, Ray, Scene, Tile};
+use super::wave::{MIRRORED, Ray, RayNode, Scene, Tile};
 use crate::geometry::array::each;
 use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
 
@@ -173,7 +173,7 @@ impl Tile {
                 continue;
             }
             let node = self.nodes.len() as u32;
-            self.nodes.push(Node::DARK);
+            self.nodes.push(RayNode::DARK);
             self.nodes[from.node as usize].children[child] = node;
             let at = |columns: &[[f64; LANES]; 3]| {
                 [columns[0][lane], columns[1][lane], columns[2][lane]]

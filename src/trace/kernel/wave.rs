@@ -57,7 +57,7 @@ pub struct Ray {
 
 /// The light of a ray, and the rays that go on from where it ends: one for each way through, and the mirrored one.
 #[derive(Debug, Clone, Copy)]
-pub struct Node {
+pub struct RayNode {
     pub light: Vec3,
     pub children: [u32; 4],
 }
@@ -65,9 +65,9 @@ pub struct Node {
 /// Which child of a node is the mirrored ray.
 pub const MIRRORED: usize = 3;
 
-impl Node {
+impl RayNode {
     /// No light, and nothing goes on.
-    pub const DARK: Node = Node {
+    pub const DARK: RayNode = RayNode {
         light: Vec3::ZERO,
         children: [NONE; 4],
     };
@@ -79,7 +79,7 @@ pub struct Tile {
     pub(super) pixels: Vec<Drawn>,
     pub(super) wave: Vec<Ray>,
     pub(super) next: Vec<Ray>,
-    pub(super) nodes: Vec<Node>,
+    pub(super) nodes: Vec<RayNode>,
     /// Rays of the wave that have met a shape of each kind: see [`slot`].
     met: [Vec<u32>; 2 * KINDS.len()],
     /// For each light, what was in its way last.
@@ -128,7 +128,7 @@ impl Tile {
         self.last.resize(scene.lights.len(), NONE);
         for (i, &[origin, direction]) in (0..).zip(cameras) {
             self.pixels.push(Drawn::default());
-            self.nodes.push(Node::DARK);
+            self.nodes.push(RayNode::DARK);
             self.wave.push(Ray {
                 start: Start {
                     origin: origin.0,
@@ -167,7 +167,7 @@ impl Tile {
         for (root, pixel) in (0..).zip(&mut self.pixels) {
             let first = self.nodes[root as usize];
             let mut sum = first.light;
-            let push = |pending: &mut Vec<u32>, node: Node| {
+            let push = |pending: &mut Vec<u32>, node: RayNode| {
                 pending.extend(node.children.into_iter().filter(|&child| child != NONE));
             };
             push(&mut self.pending, first);

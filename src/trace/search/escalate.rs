@@ -200,7 +200,7 @@ impl Tracer {
     /// Whether a point is inside some solid of the scene.
     pub fn holds<R: Precision>(&self, walkers: &mut Walkers<R>, point: Vec3<R>) -> bool {
         let up = Vec3::new(R::ZERO, R::ZERO, R::ONE);
-        walkers.ask(&Holds, &Ray::new(point, up))
+        walkers.ask(&StartsInside, &Ray::new(point, up))
     }
 
     /// The crossings of a ray in the region that is drawn: all with t > 0, ascending, as if every surface let it
@@ -296,9 +296,9 @@ impl Question for FaceBehindSheet {
 }
 
 /// Whether the origin is in a solid.
-struct Holds;
+struct StartsInside;
 
-impl Question for Holds {
+impl Question for StartsInside {
     type Answer<R: Precision> = bool;
 
     fn ask<R: Precision>(&self, _: &Tracer, walker: &mut Walker<R>, ray: &Ray<R>) -> bool {
