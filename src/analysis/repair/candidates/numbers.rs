@@ -4,6 +4,7 @@ use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::characters;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::lint::spelling::decimal;
+use crate::syntax::allows;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
@@ -286,7 +287,11 @@ impl LineContext<'_> {
                 let is_bracket = matches!(token.text(self.text), "[" | "]");
                 let number = is_bracket.then(String::new);
                 let written = token.text(self.text);
-                let number = number.or_else(|| characters::number(written));
+                // A sign too many may hide another mistake, if the number is none that may stand here.
+                let has_sign_behind = written.ends_with(['.', '-']);
+                let number = number
+                    .or_else(|| characters::number(written))
+                    .filter(|number| !has_sign_behind || self.may_stand(i, number));
                 let is_angle = i == 2 && turns;
                 match number.or_else(|| characters::degrees(written).filter(|_| is_angle)) {
                     Some(text) => new.push((token, text)),
@@ -298,6 +303,19 @@ impl LineContext<'_> {
             i += 1;
         }
         out.extend(self.write(Habit::Characters, &new));
+    }
+
+    /// Whether a number may be what stands on the line at a place, with the ID and the type counted. The parts of colours
+    /// are not above 1.
+    fn may_stand(&self, place: usize, number: &str) -> bool {
+        let count = self.params().first().and_then(|t| t.integer(self.text));
+        let count = count.and_then(|n| usize::try_from(n).ok()).unwrap_or(0);
+        let param = || self.ty()?.param(place.checked_sub(2)?, count);
+        param().is_none_or(|param| {
+            let is_part_of_colour = matches!(param.name, "r" | "g" | "b");
+            let fits = |x: f64| allows(param, x) && !(is_part_of_colour && x > 1.0);
+            number.parse().is_ok_and(fits)
+        })
     }
 
     /// Square roots as functions, `sqrt(2)`, which may be divided: `sqrt(2)/2`, `1/sqrt(2)`.
