@@ -156,7 +156,7 @@ pub fn explain_what_is_left(analysis: &Analysis, findings: &mut [Diagnostic]) {
     }
 }
 
-/// Makes the guesses of a finding, which would leave no less to mend, a person's choice.
+/// Turns the guesses of a finding into choices for a person: to apply one would leave as many findings as there are.
 fn leave_open(d: &mut Diagnostic) {
     let mut guesses = d.fixes.iter_mut().filter(|f| is_guess(f)).peekable();
     if guesses.peek().is_some() && !d.notes.contains(&"refused") {

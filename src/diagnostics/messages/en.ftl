@@ -206,7 +206,7 @@ E003-material = { $text } is a material, and not its numbers
     .fix = { fix-write }
 E003-glued = { $text } is not one number, but several
     .label = a space is missing here: { $number }
-    .help = the record takes as many numbers as that gives it
+    .help = with the space the record has as many numbers as it takes
     .fix = { fix-write }
 
 E004 = { $text } is too large

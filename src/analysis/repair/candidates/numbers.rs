@@ -308,12 +308,16 @@ impl LineContext<'_> {
     /// Whether a number may be what stands on the line at a place, with the ID and the type counted. The parts of colours
     /// are not above 1.
     fn may_stand(&self, place: usize, number: &str) -> bool {
+        let (Some(ty), Some(i)) = (self.ty(), place.checked_sub(2)) else {
+            return true;
+        };
         let count = self.params().first().and_then(|t| t.integer(self.text));
-        let count = count.and_then(|n| usize::try_from(n).ok()).unwrap_or(0);
-        let param = || self.ty()?.param(place.checked_sub(2)?, count);
-        param().is_none_or(|param| {
-            let is_part_of_colour = matches!(param.name, "r" | "g" | "b");
-            let fits = |x: f64| allows(param, x) && !(is_part_of_colour && x > 1.0);
+        let count = count.and_then(|n| usize::try_from(n).ok());
+        // No more than there are parameters.
+        let count = count.map_or(0, |n| n.min(self.params().len()));
+        let is_colour = ty.first_colour(count).is_some_and(|first| i >= first);
+        ty.param(i, count).is_none_or(|param| {
+            let fits = |x: f64| allows(param, x) && !(is_colour && x > 1.0);
             number.parse().is_ok_and(fits)
         })
     }

@@ -151,7 +151,7 @@ fn finding(
     Some(d)
 }
 
-/// Most of the reach of bounds that is no extent.
+/// Bounds that are thinner than this share of their reach are flat: that is what a few roundings leave.
 const FLAT_REL_EXTENT: f64 = 1e-9;
 
 /// Whether all of a node is within a plane across an axis.

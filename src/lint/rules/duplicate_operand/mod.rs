@@ -20,7 +20,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The copies among the operands of a union, and of the unions that these are, that are as another operand.
+/// Finds the copies among the operands of a union, and of the unions within it, that equal another operand.
 fn twice(
     scene: &Scene,
     union: NodeId,

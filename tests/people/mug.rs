@@ -209,6 +209,11 @@ fn signs_behind_numbers_and_an_index_by_its_name() {
     ] {
         assert_eq!(fixed(&with(line, written)), MUG, "{written}");
     }
+    // A radius may be above 1, a part of a colour may not.
+    let ball = "2 9 2.5\n9 -501 0 0 9 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 2 0\n";
+    assert_eq!(fixed(&ball.replace("2.5", "2.5.")), ball);
+    let count = i64::MAX;
+    assert!(!findings(&format!("2 2 {count} 0 1.5.\n{ball}")).is_empty());
 }
 
 /// A half-space that is turned round holds the camera.
