@@ -1,7 +1,7 @@
 //! What many rays that go nearly the same way may meet.
 
 use super::lanes::{LANES, Lanes, V3, gathered, is_greater, lanes_where};
-use super::near::in_box;
+use super::cull::in_box;
 use super::query::{SKINS, Start};
 use super::stage::Stage;
 use crate::geometry::aabb::Aabb;
@@ -187,8 +187,8 @@ impl Along {
             let misses = is_greater(near, far * splat(1.0 + REL_ROOM)).to_bitmask();
             let mut met = live & !misses & !dark;
             let block = &stage.blocks[candidate.block as usize];
-            if let (Some(near), true) = (&block.near, met != 0) {
-                let passing = near.pass(origin, direction, before, to);
+            if let (Some(cull), true) = (&block.cull, met != 0) {
+                let passing = cull.passing(origin, direction, before, to);
                 met &= !passing.beside;
                 let leaf = &stage.leaves[block.leaves[0] as usize];
                 let through = met & shadow & passing.through;

@@ -48,9 +48,9 @@ impl Csg {
         }
     }
 
-    /// Goes into a shape or out of it.
+    /// Counts that a place goes into a shape, or out of it.
     #[inline]
-    fn pass(&self, leaf: &Leaf, goes_in: bool, unmet: &mut [u32]) {
+    fn enter_or_leave(&self, leaf: &Leaf, goes_in: bool, unmet: &mut [u32]) {
         let (mut gate, mut is_cut, mut goes_in) = (leaf.gate as usize, leaf.is_cut, goes_in);
         loop {
             let was_in = unmet[gate] == 0;
@@ -113,9 +113,9 @@ impl Stage<'_> {
             // A crossing at the start must not change whether the ray is inside.
             [(leaf, goes_in)] => {
                 let leaf = &self.leaves[leaf as usize];
-                csg.pass(leaf, !goes_in, unmet);
+                csg.enter_or_leave(leaf, !goes_in, unmet);
                 let was_in = unmet[0] == 0;
-                csg.pass(leaf, goes_in, unmet);
+                csg.enter_or_leave(leaf, goes_in, unmet);
                 if was_in != is_in {
                     return Crossed::Doubt;
                 }
@@ -140,7 +140,7 @@ impl Stage<'_> {
                 // Two in one place: what each of them does must not depend on which comes first.
                 let other = &self.leaves[next.surface as usize];
                 let mut after = |leaf: &Leaf, goes_in| {
-                    csg.pass(leaf, goes_in, unmet);
+                    csg.enter_or_leave(leaf, goes_in, unmet);
                     unmet[0] == 0
                 };
                 let [one, both] = [after(leaf, !event.is_exit), after(other, !next.is_exit)];
@@ -151,7 +151,7 @@ impl Stage<'_> {
                     return Crossed::Doubt;
                 }
             }
-            csg.pass(leaf, !event.is_exit, unmet);
+            csg.enter_or_leave(leaf, !event.is_exit, unmet);
             if is_in != (unmet[0] == 0) {
                 is_in = !is_in;
                 ahead.push(*event);
@@ -245,7 +245,7 @@ impl Stage<'_> {
         csg: &Csg,
         scratch: &mut Scratch,
     ) -> Result<(), Doubt> {
-        if let Shapes::Alone = block.shapes {
+        if let Shapes::Single = block.shapes {
             let surface = block.leaves[0];
             let leaf = &self.leaves[surface as usize];
             let mut roots = std::mem::take(&mut scratch.roots);
@@ -257,7 +257,7 @@ impl Stage<'_> {
                 Raw::Nothing | Raw::Somewhere => Ok(()),
                 Raw::Ahead { line, mut inside } => {
                     if inside {
-                        csg.pass(leaf, true, &mut scratch.unmet);
+                        csg.enter_or_leave(leaf, true, &mut scratch.unmet);
                     }
                     for &root in &roots.list {
                         scratch.events.push(Crossing {
@@ -295,7 +295,7 @@ impl Stage<'_> {
             };
             if leaf.twin == start.left {
                 if start.goes_in {
-                    csg.pass(leaf, true, &mut scratch.unmet);
+                    csg.enter_or_leave(leaf, true, &mut scratch.unmet);
                     // There is no way out of a half-space for what has come in.
                     if leaf.kind != Kind::HalfSpace {
                         let out = self.way_out(probe, leaf, skin).ok_or(Doubt)?;
@@ -317,7 +317,7 @@ impl Stage<'_> {
             let is_met_before = near.t < -(skin + near.error);
             match (is_met_ahead, is_left_ahead) {
                 (true, _) => note(near, false, scratch),
-                (false, true) => csg.pass(leaf, true, &mut scratch.unmet),
+                (false, true) => csg.enter_or_leave(leaf, true, &mut scratch.unmet),
                 (false, false) if is_met_before => {}
                 (false, false) => return Err(Doubt),
             }

@@ -128,7 +128,7 @@ pub fn resolve(origin: V3, d: V3, min: V3, max: V3, exit: Lanes) -> Resolved {
     let (mut near, mut far) = (splat(f64::NEG_INFINITY), splat(f64::INFINITY));
     // The axis across the face, as a mask for each.
     let mut entered = [zero; 3];
-    let mut left = [zero; 3];
+    let mut exited = [zero; 3];
     for i in 0..3 {
         let (o, d) = (origin.0[i], d.0[i]);
         let falls = is_less(d, zero);
@@ -142,7 +142,7 @@ pub fn resolve(origin: V3, d: V3, min: V3, max: V3, exit: Lanes) -> Resolved {
         for j in 0..3 {
             let this = if i == j { mask(ALL) } else { zero };
             entered[j] = either(later, this, entered[j]);
-            left[j] = either(earlier, this, left[j]);
+            exited[j] = either(earlier, this, exited[j]);
         }
     }
     let t = either(exit, far, near);
@@ -151,7 +151,7 @@ pub fn resolve(origin: V3, d: V3, min: V3, max: V3, exit: Lanes) -> Resolved {
     let mut error = origin.abs() * splat(gamma(4)) + step.abs() * splat(gamma(4));
     let mut normal = V3([zero; 3]);
     for i in 0..3 {
-        let across = either(exit, left[i], entered[i]);
+        let across = either(exit, exited[i], entered[i]);
         // The upper face is entered by lines that fall, and left by those that rise.
         let upper = is_less(d.0[i], zero) ^ exit;
         let side = either(upper, max.0[i], min.0[i]);

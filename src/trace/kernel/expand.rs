@@ -190,22 +190,22 @@ impl Leaves {
     }
 
     /// Adds a part that is a shape, if it is for the kernel; returns its number. If it is a tool whose faces
-    /// look like what is cut, it takes the looks of that `owner`.
+    /// look like what is cut, it takes these `looks`.
     fn leaf(
         &mut self,
         graph: &Graph,
         part: u32,
         above: &Above,
-        owner: Option<&Above>,
+        looks: Option<&Above>,
     ) -> Option<u32> {
         let Target::Shape(primitive) = graph.parts[part as usize].target else {
             return None;
         };
         let shape = &graph.primitives[primitive as usize];
         // No other shape has colours of its own.
-        let has_own = matches!(shape, Primitive::Revolution(_)) && owner.is_none();
-        let owner = owner.unwrap_or(above);
-        let (plain, colour) = match &owner.texture {
+        let has_own = matches!(shape, Primitive::Revolution(_)) && looks.is_none();
+        let looks = looks.unwrap_or(above);
+        let (plain, colour) = match &looks.texture {
             Some((texture, chain)) => match &graph.textures[*texture as usize] {
                 Texture::Colour(colour) => (*colour, Colour::Plain),
                 _ => {
@@ -216,7 +216,7 @@ impl Leaves {
             None if has_own => (DEFAULT_COLOUR, Colour::Own),
             None => (DEFAULT_COLOUR, Colour::Plain),
         };
-        let optics = &graph.optics[owner.optics.unwrap_or(0) as usize];
+        let optics = &graph.optics[looks.optics.unwrap_or(0) as usize];
         let is_clear = optics.kt != [0.0; 3];
         let placement = match above.chain[..] {
             [] => Some(0),
@@ -240,7 +240,7 @@ impl Leaves {
             true => graph.indices[number as usize],
             false => [1.0; 3],
         };
-        let own = index(owner.index.unwrap_or(0));
+        let own = index(looks.index.unwrap_or(0));
         let may_part = !graph.without.dispersion;
         let (ways, way_count) = Way::through(optics.kt, index(0), own, may_part);
         let number = self.all.len() as u32;
@@ -266,7 +266,7 @@ impl Leaves {
             albedo,
             ks: optics.ks,
             kt: optics.kt,
-            medium: [owner.optics, owner.index].map(|number| number.unwrap_or(0)),
+            medium: [looks.optics, looks.index].map(|number| number.unwrap_or(0)),
             index: own,
             ways,
             way_count,
@@ -290,10 +290,10 @@ impl Leaves {
                 .as_ref()
                 .is_some_and(|a| a.path == self.paths[leaf as usize])
         };
-        let owner = operands.all().find(is_foremost);
-        let whole = self.all[owner.or(operands.all().next())? as usize].clone();
+        let foremost = operands.all().find(is_foremost);
+        let whole = self.all[foremost.or(operands.all().next())? as usize].clone();
         let has_unions = operands.gates.iter().any(|gate| gate.is_union);
-        let is_medium = owner.is_some() && whole.is_clear && !has_unions;
+        let is_medium = foremost.is_some() && whole.is_clear && !has_unions;
         for leaf in operands.all() {
             let leaf = &mut self.all[leaf as usize];
             let is_known = !leaf.is_clear && !whole.is_clear
@@ -336,17 +336,17 @@ impl Leaves {
         // With each object its gate and how deep that is, what is above it, and what its shapes look like, if not like
         // themselves.
         let mut pending = vec![(object, [0, 0], above.clone(), None)];
-        while let Some((object, [gate, depth], above, owner)) = pending.pop() {
-            let (firsts, cuts, cut_owner) = match &object.operation {
-                Operation::Union(all) => (0..0, all, owner.clone()),
+        while let Some((object, [gate, depth], above, looks)) = pending.pop() {
+            let (firsts, cuts, cut_looks) = match &object.operation {
+                Operation::Union(all) => (0..0, all, looks.clone()),
                 Operation::Intersection {
                     first,
                     cuts,
                     inherit,
                 } => {
-                    let inherited = match (&owner, inherit) {
+                    let inherited = match (&looks, inherit) {
                         (None, true) => Some(foremost(graph, first.clone(), &above)?),
-                        _ => owner.clone(),
+                        _ => looks.clone(),
                     };
                     (first.clone(), cuts, inherited)
                 }
@@ -356,7 +356,7 @@ impl Leaves {
             let loose = cuts.loose.iter().map(|&part| (part, None, true));
             let firsts = firsts.map(|part| (part, None, false));
             for (number, bounds, is_cut) in firsts.chain(loose).chain(bounds) {
-                let owner = if is_cut { &cut_owner } else { &owner };
+                let looks = if is_cut { &cut_looks } else { &looks };
                 let part = &graph.parts[number as usize];
                 let own = above.and(graph, number);
                 let shape = match part.target {
@@ -372,12 +372,12 @@ impl Leaves {
                             is_cut,
                             is_union: matches!(object.operation, Operation::Union(_)),
                         });
-                        pending.push((object, [inner, depth + 1], own, owner.clone()));
+                        pending.push((object, [inner, depth + 1], own, looks.clone()));
                         continue;
                     }
                 };
                 let is_cut = is_cut != part.inverted;
-                let leaf = self.leaf(graph, number, &own, owner.as_ref())?;
+                let leaf = self.leaf(graph, number, &own, looks.as_ref())?;
                 (self.all[leaf as usize].gate, self.all[leaf as usize].is_cut) = (gate, is_cut);
                 let bounds = match bounds {
                     Some(bounds) if gate == 0 => bounds,

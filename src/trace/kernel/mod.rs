@@ -15,13 +15,13 @@
 //!    planes and rectangles have lanes ([`sphere`], [`cuboid`], [`plane`], [`rectangle`]): a ray is held against four at
 //!    once. Other shapes are asked one by one by the arbiter's own formulas ([`scalar`]). [`csg`] merges what a ray meets of
 //!    an intersection. Rays that go nearly the same way share one walk through the tree ([`bundle`]), and four of them at
-//!    a time are held against a shape before it is asked ([`near`]).
+//!    a time are held against a shape before it is asked ([`cull`]).
 //! 2. Where a leaf is met is computed with the operations of the arbiter in the arbiter's order, for four rays at once;
 //!    [`place`] takes rays into the spaces of shapes. [`shade`] sends on what is mirrored and refracted: the next wave.
 //! 3. [`light`] adds up the light of the lamps, one lamp after the other for all places of the wave; [`shadow`] says how much
 //!    of it gets through.
 //!
-//! In the search the four lanes are four shapes beside one ray; in the other phases, and in [`near`], they are four rays.
+//! In the search the four lanes are four shapes beside one ray; in the other phases, and in [`cull`], they are four rays.
 //!
 //! From inside of a transparent solid that is near nothing else its other side comes next, and nothing is searched. Inside of
 //! others the ray also crosses surfaces that are not seen: an earlier operand of the union hides what is in it
@@ -41,6 +41,7 @@
 
 mod bundle;
 mod csg;
+mod cull;
 mod cuboid;
 mod drawn;
 mod expand;
@@ -48,7 +49,6 @@ mod lanes;
 mod leaf;
 mod light;
 mod lone;
-mod near;
 mod place;
 mod plane;
 mod probe;

@@ -47,7 +47,7 @@ impl Stage<'_> {
     /// Finds where a ray crosses a leaf without lanes ahead of its start: what is asked for is in
     /// `scratch.ahead`. Places outside of a stretch may be missing.
     #[inline]
-    pub fn meet_alone(
+    pub fn meet_single(
         &self,
         query: &Query,
         number: u32,

@@ -226,12 +226,12 @@ impl Stage<'_> {
             |leaf: &Leaf| within.is_some_and(|own| leaf.is_solid && leaf.operand > own.operand);
         let (start, skin) = (query.start, query.skin);
         tests.shapes += 1;
-        if let Shapes::Alone = block.shapes {
+        if let Shapes::Single = block.shapes {
             let number = block.leaves[0];
             let is_hidden = is_hidden(&self.leaves[number as usize]);
             let stretch = [-skin, best.limit];
             let ask = if is_hidden { Ask::All } else { Ask::First };
-            match self.meet_alone(query, number, stretch, ask, (scratch, tests)) {
+            match self.meet_single(query, number, stretch, ask, (scratch, tests)) {
                 Crossed::Doubt | Crossed::Somewhere => return false,
                 Crossed::Nothing => {}
                 Crossed::Ahead if is_hidden => {
@@ -320,7 +320,7 @@ impl Stage<'_> {
         let query = Query::new(start);
         let everywhere = [-query.skin, f64::INFINITY];
         let own = start.within.owner();
-        match self.meet_alone(&query, own, everywhere, Ask::First, (scratch, tests)) {
+        match self.meet_single(&query, own, everywhere, Ask::First, (scratch, tests)) {
             Crossed::Ahead => match scratch.ahead.first() {
                 Some(&crossing) => Met::Surface(crossing, [start.within, Within::NOTHING]),
                 None => Met::Doubt,
@@ -400,7 +400,7 @@ impl Block {
             Shapes::Cuboids(cuboids) => cuboids.chords(probe, from, to),
             Shapes::Planes(planes) => planes.chords(probe, from, to),
             Shapes::Rectangles(rectangles) => rectangles.chords(probe, from, to),
-            Shapes::Alone => Chords::NONE,
+            Shapes::Single => Chords::NONE,
         }
     }
 }

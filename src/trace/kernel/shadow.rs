@@ -148,8 +148,8 @@ impl Stage<'_> {
     ) -> Found {
         let block = &self.blocks[block as usize];
         tests.shapes += 1;
-        if let Shapes::Alone = block.shapes {
-            return self.meets_alone(query, block.leaves[0], (scratch, tests));
+        if let Shapes::Single = block.shapes {
+            return self.meets_single(query, block.leaves[0], (scratch, tests));
         }
         let (start, skin) = (query.start, query.skin);
         let mut moved = Probe::NONE;
@@ -186,7 +186,7 @@ impl Stage<'_> {
                 return Found::Doubt;
             }
             let faces = [end, out].map(|end| Face { end, surface: own });
-            match self.met(own, faces, scratch) {
+            match self.note_chord(own, faces, scratch) {
                 Found::Nothing => {}
                 found => return found,
             }
@@ -196,7 +196,7 @@ impl Stage<'_> {
 
     /// Notes a leaf that light meets at one place and leaves at another, ahead of the ray's start.
     #[inline(always)]
-    fn met(&self, number: u32, [near, far]: [Face; 2], scratch: &mut Scratch) -> Found {
+    fn note_chord(&self, number: u32, [near, far]: [Face; 2], scratch: &mut Scratch) -> Found {
         let leaf = &self.leaves[number as usize];
         let passed = Passed {
             leaf: number,
@@ -220,7 +220,7 @@ impl Stage<'_> {
 
     /// Notes how a leaf without lanes is in the way of the light.
     #[inline(never)]
-    fn meets_alone(
+    fn meets_single(
         &self,
         query: &Query,
         number: u32,
@@ -236,23 +236,23 @@ impl Stage<'_> {
             (false, true) => Ask::Any,
             (false, false) => Ask::First,
         };
-        match self.meet_alone(query, number, stretch, ask, (scratch, tests)) {
+        match self.meet_single(query, number, stretch, ask, (scratch, tests)) {
             Crossed::Nothing => return Found::Nothing,
             Crossed::Somewhere => return Found::Dark,
             Crossed::Doubt => return Found::Doubt,
             Crossed::Ahead => {}
         }
         let ahead = std::mem::take(&mut scratch.ahead);
-        let found = self.met_all(number, &ahead, scratch);
+        let found = self.note_chords(number, &ahead, scratch);
         scratch.ahead = ahead;
         found
     }
 
     /// Notes a leaf that light meets from outside, and where it crosses that.
-    fn met_all(&self, number: u32, ahead: &[Crossing], scratch: &mut Scratch) -> Found {
-        let met = |faces| self.met(number, faces, scratch);
+    fn note_chords(&self, number: u32, ahead: &[Crossing], scratch: &mut Scratch) -> Found {
+        let note = |faces| self.note_chord(number, faces, scratch);
         chords(&self.leaves[number as usize], ahead)
-            .map(met)
+            .map(note)
             .find(|found| !matches!(found, Found::Nothing))
             .unwrap_or(Found::Nothing)
     }
@@ -269,7 +269,7 @@ impl Stage<'_> {
         let leaf = &self.leaves[own as usize];
         let far = if matches!(leaf.kind, Kind::Other | Kind::Csg) {
             let everywhere = [-query.skin, f64::INFINITY];
-            match self.meet_alone(query, own, everywhere, Ask::All, (scratch, tests)) {
+            match self.meet_single(query, own, everywhere, Ask::All, (scratch, tests)) {
                 Crossed::Ahead => {
                     let mut ahead = std::mem::take(&mut scratch.ahead);
                     let far = ahead.first().map(|crossing| Face {
@@ -278,7 +278,7 @@ impl Stage<'_> {
                     });
                     ahead.drain(..ahead.len().min(1));
                     // It may come back.
-                    let found = self.met_all(own, &ahead, scratch);
+                    let found = self.note_chords(own, &ahead, scratch);
                     scratch.ahead = ahead;
                     far.filter(|_| matches!(found, Found::Nothing))
                 }
@@ -332,7 +332,7 @@ impl Stage<'_> {
                 continue;
             }
             let stretch = [-query.skin, 1.0];
-            let crossed = self.meet_alone(query, passed.leaf, stretch, Ask::All, (scratch, tests));
+            let crossed = self.meet_single(query, passed.leaf, stretch, Ask::All, (scratch, tests));
             is_known &= matches!(crossed, Crossed::Ahead);
             let ahead = std::mem::take(&mut scratch.ahead);
             for [near, far] in chords(leaf, &ahead) {

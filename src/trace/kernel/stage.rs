@@ -1,11 +1,11 @@
 //! A scene as the kernel sees it: shapes in blocks, blocks in a tree.
 
 use super::csg::Csg;
+use super::cull::Cull;
 use super::cuboid::Cuboids;
 use super::expand::Leaves;
 use super::leaf::{Kind, Leaf};
 use super::lone::find_lone;
-use super::near::Near;
 use super::plane::Planes;
 use super::query::NONE;
 use super::rectangle::Rectangles;
@@ -29,8 +29,8 @@ pub struct Block {
     pub extent: f64,
     /// Of all of them, if it is in a tree.
     pub bounds: Aabb,
-    /// Tells which rays come near it, if it is one shape without lanes, or a placed one.
-    pub near: Option<Box<Near>>,
+    /// Tells which rays miss it, if it is one shape without lanes, or a placed one.
+    pub cull: Option<Box<Cull>>,
 }
 
 #[derive(Debug, Clone)]
@@ -39,8 +39,8 @@ pub enum Shapes {
     Cuboids(Cuboids),
     Planes(Planes),
     Rectangles(Rectangles),
-    /// One leaf alone, without lanes.
-    Alone,
+    /// One leaf, without lanes.
+    Single,
 }
 
 /// Blocks that a ray may meet.
@@ -94,7 +94,7 @@ impl Stage<'_> {
         let all = Forest::new(&leaves, &loose, boxes, &mut blocks);
         for block in &mut blocks {
             let leaf = &leaves[block.leaves[0] as usize];
-            let is_apart = matches!(block.shapes, Shapes::Alone) || block.placement != 0;
+            let is_apart = matches!(block.shapes, Shapes::Single) || block.placement != 0;
             if !is_apart || block.leaves[1] != NONE {
                 continue;
             }
@@ -106,7 +106,7 @@ impl Stage<'_> {
                 }
             };
             let chain = &chains[leaf.chain as usize];
-            block.near = Near::new(graph, chain, &bounds, outline).map(Box::new);
+            block.cull = Cull::new(graph, chain, &bounds, outline).map(Box::new);
         }
         let csgs = operands
             .into_iter()
@@ -170,8 +170,8 @@ fn clustered(
 
 /// Puts shapes of one kind in one space into a block.
 pub fn in_blocks(leaves: &[Leaf], items: &[u32], blocks: &mut Vec<Block>) {
-    let mut left: Vec<u32> = items.to_vec();
-    while let Some(&first) = left.first() {
+    let mut rest: Vec<u32> = items.to_vec();
+    while let Some(&first) = rest.first() {
         let like = |i: &u32| {
             let [a, b] = [first, *i].map(|i| &leaves[i as usize]);
             a.kind == b.kind && a.placement == b.placement
@@ -180,8 +180,8 @@ pub fn in_blocks(leaves: &[Leaf], items: &[u32], blocks: &mut Vec<Block>) {
             Kind::Other | Kind::Csg => 1,
             _ => 4,
         };
-        let own: Vec<u32> = left.iter().copied().filter(like).take(lanes).collect();
-        left.retain(|i| !own.contains(i));
+        let own: Vec<u32> = rest.iter().copied().filter(like).take(lanes).collect();
+        rest.retain(|i| !own.contains(i));
         blocks.push(block(leaves, &own));
     }
 }
@@ -209,7 +209,7 @@ fn block(leaves: &[Leaf], numbers: &[u32]) -> Block {
         Kind::Rectangle => {
             Shapes::Rectangles(Rectangles::new(&all.iter().map(four).collect::<Vec<_>>()))
         }
-        Kind::Other | Kind::Csg => Shapes::Alone,
+        Kind::Other | Kind::Csg => Shapes::Single,
     };
     let mut own = [u32::MAX; 4];
     own[..numbers.len()].copy_from_slice(numbers);
@@ -219,6 +219,6 @@ fn block(leaves: &[Leaf], numbers: &[u32]) -> Block {
         leaves: own,
         extent: all.iter().fold(0.0, |most, leaf| leaf.extent.max(most)),
         bounds: Aabb::ALL,
-        near: None,
+        cull: None,
     }
 }

@@ -37,7 +37,7 @@ pub struct Scene<'t> {
     pub features: Features,
     /// Whether what is outside of the shape is never in the way of a light: see
     /// [`Plan::lone_convex`](crate::trace::plan::Plan::lone_convex).
-    pub is_alone: bool,
+    pub is_lone_convex: bool,
 }
 
 /// A ray of a wave.
@@ -81,7 +81,7 @@ pub struct Tile {
     pub(super) next: Vec<Ray>,
     pub(super) nodes: Vec<RayNode>,
     /// Rays of the wave that have met a shape of each kind: see [`slot`].
-    met: [Vec<u32>; 2 * KINDS.len()],
+    by_kind: [Vec<u32>; 2 * KINDS.len()],
     /// For each light, what was in its way last.
     pub(super) last: Vec<u32>,
     pub(super) search: Scratch,
@@ -184,7 +184,7 @@ impl Tile {
     #[inline(never)]
     fn step(&mut self, scene: &Scene) {
         self.next.clear();
-        self.met.iter_mut().for_each(Vec::clear);
+        self.by_kind.iter_mut().for_each(Vec::clear);
         self.lit.clear();
         let is_known = self.find_along(scene);
         let boxes = match is_known {
@@ -212,7 +212,7 @@ impl Tile {
                 Met::Surface(crossing, sides) => {
                     (ray.met, ray.sides) = (crossing, sides);
                     let leaf = &scene.stage.leaves[crossing.surface as usize];
-                    self.met[slot(leaf.kind, leaf.placement != 0)].push(i as u32);
+                    self.by_kind[slot(leaf.kind, leaf.placement != 0)].push(i as u32);
                 }
             }
         }
@@ -220,7 +220,7 @@ impl Tile {
         for kind in KINDS {
             for is_placed in [false, true] {
                 let slot = slot(kind, is_placed);
-                let met = std::mem::take(&mut self.met[slot]);
+                let met = std::mem::take(&mut self.by_kind[slot]);
                 for some in met.chunks(LANES) {
                     let mut all = [some[0]; LANES];
                     all[..some.len()].copy_from_slice(some);
@@ -236,7 +236,7 @@ impl Tile {
                         Kind::Other | Kind::Csg => self.hits_one_by_one(scene, (&four, live)),
                     }
                 }
-                self.met[slot] = met;
+                self.by_kind[slot] = met;
             }
         }
         self.wave = wave;

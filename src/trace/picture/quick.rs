@@ -60,7 +60,7 @@ impl<'t> Drawing<'t> {
             background: self.tracer.background,
             limits: self.limits,
             features: self.features,
-            is_alone: self.tracer.plan.lone_convex,
+            is_lone_convex: self.tracer.plan.lone_convex,
         }
     }
 }

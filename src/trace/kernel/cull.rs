@@ -1,4 +1,4 @@
-//! Which of four rays come near a shape. The shape itself, which takes rays one by one, is asked only about those.
+//! Which of four rays surely miss a shape, and which surely go through it. The shape itself, which takes rays one by one, is asked only about the others.
 //!
 //! In the shape's space the box around it cuts a piece out of each ray. The polynomial of its [`Outline`] is taken there in
 //! Bernstein's form: where no coefficient of either half is below a margin, the ray misses the shape. The margins are those
@@ -16,7 +16,7 @@ use crate::trace::shapes::quick_reject::{LINE_REL_ERROR, POLYNOMIAL_MARGIN};
 
 /// A shape, and the way into its space.
 #[derive(Debug, Clone)]
-pub struct Near {
+pub struct Cull {
     back: Affine,
     /// Bounds on the sums of the sizes of all that is added up on the way into the space: for coordinates of 1, and for
     /// what the maps add.
@@ -44,9 +44,9 @@ pub struct Passing {
 /// More than what is rounded on the way into a shape's space, as a share of the numbers behind a point.
 const REL_ROUNDED: f64 = 1e-13;
 
-impl Near {
+impl Cull {
     /// `None` for what has no bounds, or numbers beyond the usual.
-    pub fn new(graph: &Graph, chain: &[u32], bounds: &Aabb, outline: Outline) -> Option<Near> {
+    pub fn new(graph: &Graph, chain: &[u32], bounds: &Aabb, outline: Outline) -> Option<Cull> {
         let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let (mut rows, mut offset) = (identity.map(Vec3), Vec3::ZERO);
         let (mut sums, mut added) = (rows, offset);
@@ -80,7 +80,7 @@ impl Near {
         let [min, max] = [Vec3(bounds.min), Vec3(bounds.max)];
         let numbers = [reach, margin, sizes[0]];
         let is_usual = numbers.into_iter().all(f64::is_normal) && sizes[1].is_finite();
-        (bounds.is_bounded() && is_usual).then(|| Near {
+        (bounds.is_bounded() && is_usual).then(|| Cull {
             back: Affine::of(rows, offset),
             sizes,
             around: Aabb::new(min - room, max + room),
@@ -93,7 +93,7 @@ impl Near {
 
     /// Of four rays, from a little before their starts to some t.
     #[inline(never)]
-    pub fn pass(&self, origin: V3, direction: V3, before: Lanes, to: f64) -> Passing {
+    pub fn passing(&self, origin: V3, direction: V3, before: Lanes, to: f64) -> Passing {
         let splat = Lanes::splat;
         let back = Maps::gathered([&self.back; LANES], |map| map);
         let (o, d) = (back.point(origin), back.vector(direction));
@@ -301,9 +301,9 @@ mod tests {
                 };
                 let chain: &[u32] = if i % 2 == 0 { &[] } else { &[0] };
                 let (bounds, outline) = (shape.shape().bounds(), shape.shape().outline());
-                let near = Near::new(&graph, chain, &bounds, outline).expect("usual numbers");
+                let cull = Cull::new(&graph, chain, &bounds, outline).expect("usual numbers");
                 let line = Line::new(o, (to - o) * (1.0 + x[1].abs()));
-                let passing = near.pass(
+                let passing = cull.passing(
                     V3::splat(line.origin),
                     V3::splat(line.direction),
                     Lanes::ZERO,
