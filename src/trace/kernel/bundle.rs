@@ -1,7 +1,7 @@
 //! What many rays that go nearly the same way may meet.
 
-use super::lanes::{LANES, Lanes, V3, gathered, is_greater, lanes_where};
 use super::cull::in_box;
+use super::lanes::{LANES, Lanes, V3, gathered, is_greater, lanes_where};
 use super::query::{SKINS, Start};
 use super::stage::Stage;
 use crate::geometry::aabb::Aabb;

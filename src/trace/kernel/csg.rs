@@ -1,13 +1,14 @@
 //! Intersections and differences, of shapes or of other operations: the places where a ray crosses any of the shapes are
 //! put in order, and at each one it is told whether the whole begins or ends there.
 
+use super::block::{Block, Shapes, in_blocks};
 use super::expand::{Gate, Operands};
 use super::leaf::{Kind, Leaf};
 use super::probe::Probe;
 use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Tests};
 use super::scalar::Raw;
 use super::scratch::Scratch;
-use super::stage::{Block, Forest, Shapes, Stage, in_blocks};
+use super::stage::{Forest, Stage};
 use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH as CHILDREN};
 use crate::trace::shapes::Root;
 
@@ -298,7 +299,7 @@ impl Stage<'_> {
                     csg.enter_or_leave(leaf, true, &mut scratch.unmet);
                     // There is no way out of a half-space for what has come in.
                     if leaf.kind != Kind::HalfSpace {
-                        let out = self.way_out(probe, leaf, skin).ok_or(Doubt)?;
+                        let out = leaf.way_out(probe, skin).ok_or(Doubt)?;
                         note(out, true, scratch);
                     }
                 }
@@ -307,11 +308,11 @@ impl Stage<'_> {
             if chords.sure >> lane & 1 == 0 {
                 return Err(Doubt);
             }
-            let far = self.rough(probe, leaf, chords.far[lane], false);
+            let far = leaf.rough(probe, chords.far[lane], false);
             if far.t < -(skin + far.error) {
                 continue;
             }
-            let near = self.rough(probe, leaf, chords.near[lane], true);
+            let near = leaf.rough(probe, chords.near[lane], true);
             let is_met_ahead = near.t > skin + near.error;
             let is_left_ahead = far.t > skin + far.error;
             let is_met_before = near.t < -(skin + near.error);

@@ -1,48 +1,16 @@
 //! The graph of the scene, taken apart into leaves.
 
-use super::leaf::{Colour, Kind, Leaf, Way};
+mod operands;
+
+pub use operands::{Gate, Operands};
+
+use super::leaf::{Colour, Kind, Leaf, Way, is_usual, with_lanes};
 use crate::geometry::aabb::Aabb;
-use crate::geometry::affine::{Affine, Placement};
-use crate::geometry::exponent::{exponent, shifted};
 use crate::geometry::vec::Vec3;
 use crate::scene::{DEFAULT_COLOUR, Texture};
-use crate::trace::graph::{Coat, Graph, Object, Operation, Target};
+use crate::trace::graph::{Coat, Graph, Operation, Target};
 use crate::trace::shapes::Primitive;
 use rustc_hash::FxHashMap;
-use std::ops::Range;
-
-/// A solid within an intersection: what is in all of some operands and in none of some others, the cuts. A union is kept as
-/// the complement of what is in none of its operands.
-#[derive(Debug, Clone, Copy)]
-pub struct Gate {
-    /// The gate that it is an operand of, which is an earlier one. That of the whole is its own.
-    pub parent: u32,
-    /// Whether it is a cut there.
-    pub is_cut: bool,
-    pub is_union: bool,
-}
-
-/// What an intersection is made of.
-#[derive(Debug)]
-pub struct Operands {
-    /// Holds all of it, in its space.
-    pub bounds: Aabb,
-    /// The whole comes first.
-    pub gates: Vec<Gate>,
-    /// Shapes that all of the whole is in.
-    pub firsts: Vec<u32>,
-    /// Other shapes without bounds.
-    pub loose: Vec<u32>,
-    /// The other shapes, with their boxes in the space of the intersection.
-    pub boxes: Vec<(u32, Aabb)>,
-}
-
-impl Operands {
-    pub fn all(&self) -> impl Iterator<Item = u32> {
-        let boxes = self.boxes.iter().map(|(leaf, _)| leaf);
-        self.firsts.iter().chain(&self.loose).chain(boxes).copied()
-    }
-}
 
 /// The leaves of a scene.
 #[derive(Default)]
@@ -106,16 +74,6 @@ impl Above {
         }
     }
 }
-
-/// Numbers of a shape with lanes are between this and its reciprocal, or zero.
-const LEAST: f64 = 1e-30;
-/// Deeper operations are left to the arbiter, who skips what a ray passes level by level: a scene of forty lines may have
-/// 2⁴⁰ operands.
-const MAX_GATE_DEPTH: u32 = 4;
-/// More operations within one intersection are left to the arbiter, too: each merged list counts in all of them.
-const MAX_GATES: usize = 1000;
-/// Maps that stretch by more than this along one axis, compared with another, are not for lanes.
-const STRETCH: f64 = 100.0;
 
 impl Leaves {
     /// `None` where something in the scene is not for the kernel, or where there are more than so many leaves.
@@ -275,206 +233,10 @@ impl Leaves {
         });
         Some(number)
     }
-
-    /// Adds an intersection or a difference of solids, if it is for the kernel; returns its number.
-    fn csg(&mut self, graph: &Graph, object: &Object, above: &Above) -> Option<u32> {
-        let operands = self.operands(graph, object, above)?;
-        let number = self.all.len() as u32;
-        let first = match &object.operation {
-            Operation::Intersection { first, .. } => foremost(graph, first.clone(), above),
-            Operation::Union(_) => None,
-        };
-        // What is in it is one medium: that of its foremost shape.
-        let is_foremost = |&leaf: &u32| {
-            first
-                .as_ref()
-                .is_some_and(|a| a.path == self.paths[leaf as usize])
-        };
-        let foremost = operands.all().find(is_foremost);
-        let whole = self.all[foremost.or(operands.all().next())? as usize].clone();
-        let has_unions = operands.gates.iter().any(|gate| gate.is_union);
-        let is_medium = foremost.is_some() && whole.is_clear && !has_unions;
-        for leaf in operands.all() {
-            let leaf = &mut self.all[leaf as usize];
-            let is_known = !leaf.is_clear && !whole.is_clear
-                || is_medium && (leaf.ways == whole.ways || !leaf.is_clear);
-            if !(leaf.is_solid && is_known) {
-                return None;
-            }
-            leaf.solid = number;
-        }
-        let chain = self.chain(&above.chain);
-        self.paths.push(above.path.clone());
-        self.all.push(Leaf {
-            kind: Kind::Csg,
-            primitive: self.operands.len() as u32,
-            chain,
-            placement: 0,
-            solid: number,
-            twin: number,
-            is_convex: false,
-            ..whole
-        });
-        self.operands.push(operands);
-        Some(number)
-    }
-
-    /// Adds the shapes that an intersection or a difference is made of.
-    fn operands(&mut self, graph: &Graph, object: &Object, above: &Above) -> Option<Operands> {
-        let mut operands = Operands {
-            bounds: object.bounds,
-            gates: vec![Gate {
-                parent: 0,
-                is_cut: false,
-                is_union: false,
-            }],
-            firsts: Vec::new(),
-            loose: Vec::new(),
-            boxes: Vec::new(),
-        };
-        let outer = above.chain.len();
-        // With each object its gate and how deep that is, what is above it, and what its shapes look like, if not like
-        // themselves.
-        let mut pending = vec![(object, [0, 0], above.clone(), None)];
-        while let Some((object, [gate, depth], above, looks)) = pending.pop() {
-            let (firsts, cuts, cut_looks) = match &object.operation {
-                Operation::Union(all) => (0..0, all, looks.clone()),
-                Operation::Intersection {
-                    first,
-                    cuts,
-                    inherit,
-                } => {
-                    let inherited = match (&looks, inherit) {
-                        (None, true) => Some(foremost(graph, first.clone(), &above)?),
-                        _ => looks.clone(),
-                    };
-                    (first.clone(), cuts, inherited)
-                }
-            };
-            let bounds = cuts.tree.boxes(&object.frame);
-            let bounds = bounds.map(|(part, bounds)| (part, Some(bounds), true));
-            let loose = cuts.loose.iter().map(|&part| (part, None, true));
-            let firsts = firsts.map(|part| (part, None, false));
-            for (number, bounds, is_cut) in firsts.chain(loose).chain(bounds) {
-                let looks = if is_cut { &cut_looks } else { &looks };
-                let part = &graph.parts[number as usize];
-                let own = above.and(graph, number);
-                let shape = match part.target {
-                    Target::Shape(primitive) => graph.primitives[primitive as usize].shape(),
-                    Target::Object(object) => {
-                        let object = &graph.objects[object as usize];
-                        let inner = operands.gates.len() as u32;
-                        if depth == MAX_GATE_DEPTH || operands.gates.len() == MAX_GATES {
-                            return None;
-                        }
-                        operands.gates.push(Gate {
-                            parent: gate,
-                            is_cut,
-                            is_union: matches!(object.operation, Operation::Union(_)),
-                        });
-                        pending.push((object, [inner, depth + 1], own, looks.clone()));
-                        continue;
-                    }
-                };
-                let is_cut = is_cut != part.inverted;
-                let leaf = self.leaf(graph, number, &own, looks.as_ref())?;
-                (self.all[leaf as usize].gate, self.all[leaf as usize].is_cut) = (gate, is_cut);
-                let bounds = match bounds {
-                    Some(bounds) if gate == 0 => bounds,
-                    _ => moved(graph, &shape.bounds(), &own.chain[outer..]),
-                };
-                match bounds.is_bounded() {
-                    _ if gate == 0 && !is_cut => operands.firsts.push(leaf),
-                    true => operands.boxes.push((leaf, bounds)),
-                    false => operands.loose.push(leaf),
-                }
-            }
-        }
-        Some(operands)
-    }
-}
-
-/// What is above the shape that owns all that is in all of some parts: the first one of the first part. `None` where that
-/// is not everywhere one shape, and not all of them look alike.
-fn foremost(graph: &Graph, parts: Range<u32>, above: &Above) -> Option<Above> {
-    let mut pending = vec![above.and(graph, parts.clone().next()?)];
-    let (mut found, mut count): (Option<Above>, usize) = (None, 0);
-    while let Some(above) = pending.pop() {
-        count += 1;
-        let target = above
-            .path
-            .last()
-            .map(|&part| graph.parts[part as usize].target)?;
-        let Target::Object(object) = target else {
-            let is_like = |other: &Above| other.look() == above.look();
-            if !found.as_ref().is_none_or(is_like) || count > MAX_GATES {
-                return None;
-            }
-            found = Some(above);
-            continue;
-        };
-        match &graph.objects[object as usize].operation {
-            Operation::Intersection { first, .. } => {
-                pending.push(above.and(graph, first.clone().next()?));
-            }
-            Operation::Union(all) => {
-                pending.extend(all.parts().map(|part| above.and(graph, part)));
-            }
-        }
-    }
-    found
 }
 
 /// A box around what is in a box, in the space that a chain leads from, with room for what maps round.
 fn moved(graph: &Graph, bounds: &Aabb, chain: &[u32]) -> Aabb {
     let out = |bounds: Aabb, &m: &u32| bounds.image(&graph.placements[m as usize].out).padded();
     chain.iter().rev().fold(*bounds, out)
-}
-
-/// The kind and the numbers of a shape that has lanes.
-fn with_lanes(primitive: &Primitive, is_clear: bool) -> Option<(Kind, [f64; 8])> {
-    let (kind, numbers, sizes) = match primitive {
-        Primitive::Sphere(sphere) => {
-            let ([x, y, z], r) = sphere.numbers();
-            (Kind::Sphere, [x, y, z, r, 0.0, 0.0, 0.0, 0.0], vec![r])
-        }
-        Primitive::Cuboid(cuboid) => {
-            let [min, max] = cuboid.corners();
-            let sizes = (0..3).map(|i| max[i] - min[i]).collect();
-            let ([a, b, c], [x, y, z]) = (min, max);
-            (Kind::Cuboid, [a, b, c, x, y, z, 0.0, 0.0], sizes)
-        }
-        Primitive::Rectangle(rectangle) => {
-            let [[a, b], [x, y]] = rectangle.corners();
-            let numbers = [a, b, x, y, 0.0, 0.0, 0.0, 0.0];
-            (Kind::Rectangle, numbers, vec![x - a, y - b])
-        }
-        Primitive::Plane(plane) => (Kind::Plane, of_plane(plane.abcd()), Vec::new()),
-        // There may be no way out of it.
-        Primitive::HalfSpace(solid) if !is_clear => {
-            (Kind::HalfSpace, of_plane(solid.abcd()), Vec::new())
-        }
-        _ => return None,
-    };
-    let usual = |x: &f64| (LEAST..LEAST.recip()).contains(x);
-    let are_usual = numbers.iter().all(|&x| x == 0.0 || usual(&x.abs()));
-    (are_usual && sizes.iter().all(usual)).then_some((kind, numbers))
-}
-
-/// a, b, c and d as written, and in units of the normal.
-fn of_plane([a, b, c, d]: [f64; 4]) -> [f64; 8] {
-    let steep = exponent(a.abs().max(b.abs()).max(c.abs()));
-    let [x, y, z, w] = [a, b, c, d].map(|number| shifted(number, -steep));
-    [a, b, c, d, x, y, z, w]
-}
-
-/// Whether a map neither stretches much along one axis, nor takes numbers far.
-fn is_usual(placement: &Placement) -> bool {
-    let spread = |map: &Affine| {
-        let rows = map.rows.map(|row| row.abs().dot(Vec3::ONE));
-        rows[0].max(rows[1]).max(rows[2])
-    };
-    let [out, back] = [&placement.out, &placement.back].map(spread);
-    let sizes = [out, back].into_iter().chain(placement.out.offset.abs().0);
-    out * back <= STRETCH && sizes.into_iter().all(|x| x <= LEAST.recip().sqrt())
 }

@@ -1,6 +1,10 @@
 //! A shape of the scene as the kernel sees it.
 
+use crate::geometry::affine::{Affine, Placement};
+use crate::geometry::exponent::{exponent, shifted};
+use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
+use crate::trace::shapes::Primitive;
 
 /// Kinds of shapes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -154,4 +158,57 @@ impl Leaf {
 #[inline(always)]
 fn three(numbers: &[f64; 8], from: usize) -> &[f64; 3] {
     numbers[from..].first_chunk().unwrap_or(&[0.0; 3])
+}
+
+/// Numbers of a shape with lanes are between this and its reciprocal, or zero.
+const LEAST: f64 = 1e-30;
+/// Maps that stretch by more than this along one axis, compared with another, are not for lanes.
+const STRETCH: f64 = 100.0;
+
+/// The kind and the numbers of a shape that has lanes.
+pub fn with_lanes(primitive: &Primitive, is_clear: bool) -> Option<(Kind, [f64; 8])> {
+    let (kind, numbers, sizes) = match primitive {
+        Primitive::Sphere(sphere) => {
+            let ([x, y, z], r) = sphere.numbers();
+            (Kind::Sphere, [x, y, z, r, 0.0, 0.0, 0.0, 0.0], vec![r])
+        }
+        Primitive::Cuboid(cuboid) => {
+            let [min, max] = cuboid.corners();
+            let sizes = (0..3).map(|i| max[i] - min[i]).collect();
+            let ([a, b, c], [x, y, z]) = (min, max);
+            (Kind::Cuboid, [a, b, c, x, y, z, 0.0, 0.0], sizes)
+        }
+        Primitive::Rectangle(rectangle) => {
+            let [[a, b], [x, y]] = rectangle.corners();
+            let numbers = [a, b, x, y, 0.0, 0.0, 0.0, 0.0];
+            (Kind::Rectangle, numbers, vec![x - a, y - b])
+        }
+        Primitive::Plane(plane) => (Kind::Plane, of_plane(plane.abcd()), Vec::new()),
+        // There may be no way out of it.
+        Primitive::HalfSpace(solid) if !is_clear => {
+            (Kind::HalfSpace, of_plane(solid.abcd()), Vec::new())
+        }
+        _ => return None,
+    };
+    let usual = |x: &f64| (LEAST..LEAST.recip()).contains(x);
+    let are_usual = numbers.iter().all(|&x| x == 0.0 || usual(&x.abs()));
+    (are_usual && sizes.iter().all(usual)).then_some((kind, numbers))
+}
+
+/// a, b, c and d as written, and in units of the normal.
+fn of_plane([a, b, c, d]: [f64; 4]) -> [f64; 8] {
+    let steep = exponent(a.abs().max(b.abs()).max(c.abs()));
+    let [x, y, z, w] = [a, b, c, d].map(|number| shifted(number, -steep));
+    [a, b, c, d, x, y, z, w]
+}
+
+/// Whether a map neither stretches much along one axis, nor takes numbers far.
+pub fn is_usual(placement: &Placement) -> bool {
+    let spread = |map: &Affine| {
+        let rows = map.rows.map(|row| row.abs().dot(Vec3::ONE));
+        rows[0].max(rows[1]).max(rows[2])
+    };
+    let [out, back] = [&placement.out, &placement.back].map(spread);
+    let sizes = [out, back].into_iter().chain(placement.out.offset.abs().0);
+    out * back <= STRETCH && sizes.into_iter().all(|x| x <= LEAST.recip().sqrt())
 }

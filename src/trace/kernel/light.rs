@@ -138,7 +138,8 @@ impl Tile {
                 continue;
             }
             let start = &four.starts[lane];
-            let is_seen = !scene.features.shadows || (scene.is_lone_convex && start.within.is_empty());
+            let is_seen =
+                !scene.features.shadows || (scene.is_lone_convex && start.within.is_empty());
             *seen = if is_seen {
                 Vec3::ONE
             } else {

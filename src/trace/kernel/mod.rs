@@ -7,7 +7,7 @@
 //! pictures of which the kernel would know too little.
 //!
 //! The scene: [`expand`] takes the graph apart into leaves, each a shape with its looks ([`leaf`]). [`stage`] puts leaves of
-//! one kind into blocks of four, and blocks into a tree. [`lone`] finds what is near nothing else.
+//! one kind into blocks of four ([`block`]), and blocks into a tree. [`lone`] finds what is near nothing else.
 //!
 //! The rays of some pixels that are traced together are a wave: [`wave`]. Each wave goes through three phases.
 //!
@@ -39,10 +39,11 @@
 //! sample from its start. Before a picture is drawn a few tiles are tried: where more than an eighth of their samples are in
 //! doubt, the arbiter draws the whole picture.
 
+mod block;
 mod bundle;
 mod csg;
-mod cull;
 mod cuboid;
+mod cull;
 mod drawn;
 mod expand;
 mod lanes;

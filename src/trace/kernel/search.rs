@@ -1,14 +1,12 @@
 //! What a ray meets first.
 
+use super::block::{Block, Shapes};
 use super::bundle::Blocks;
 use super::leaf::{Kind, Leaf};
-use super::probe::{Chords, Probe};
+use super::probe::Probe;
 use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Start, Tests, Within};
 use super::scratch::Scratch;
-use super::stage::{Block, Shapes, Stage};
-use super::{cuboid, plane};
-use crate::geometry::array::each;
-use crate::geometry::vec::Vec3;
+use super::stage::Stage;
 use crate::geometry::wide_bvh::{Beam, Child, Is, Node, WIDTH as CHILDREN};
 use crate::trace::shapes::Root;
 
@@ -52,41 +50,6 @@ impl Nearest {
 }
 
 impl Stage<'_> {
-    /// A ray in the space of a placement, kept in `moved` where that is another one.
-    #[inline(always)]
-    pub(super) fn placed<'p>(
-        &self,
-        probe: &'p Probe,
-        placement: u32,
-        moved: &'p mut Probe,
-    ) -> &'p Probe {
-        if placement == 0 {
-            return probe;
-        }
-        *moved = probe.through(&self.graph.placements[placement as usize].back);
-        moved
-    }
-
-    /// A place where a ray meets a leaf with lanes, with a bound on its error.
-    #[inline(always)]
-    pub(super) fn rough(&self, probe: &Probe, leaf: &Leaf, t: f64, is_near: bool) -> End {
-        if t.is_infinite() {
-            return End { t, error: 0.0 };
-        }
-        let error = match leaf.kind {
-            Kind::Sphere | Kind::Other | Kind::Csg => {
-                BENT * ((probe.reach + leaf.extent) * probe.per_pace + t.abs())
-            }
-            Kind::Cuboid => cuboid::rough(probe, &leaf.numbers, leaf.extent, t, is_near),
-            Kind::Plane | Kind::HalfSpace => plane::rough(probe, *leaf.first(), leaf.extent, t),
-            Kind::Rectangle => {
-                let size = probe.reach + leaf.extent + t.abs() * probe.pace;
-                cuboid::SHARE * size / probe.direction[2].abs()
-            }
-        };
-        End { t, error }
-    }
-
     /// The surface that a ray meets first; `along` are the blocks on its way, if they are known.
     #[inline(always)]
     pub fn first(
@@ -265,7 +228,7 @@ impl Stage<'_> {
             if chords.sure >> lane & 1 == 0 {
                 return false;
             }
-            let out = self.rough(probe, leaf, chords.far[lane], false);
+            let out = leaf.rough(probe, chords.far[lane], false);
             let crossing = |end: End, is_exit| Crossing {
                 surface: number,
                 root: Root { t: end.t, face: 0 },
@@ -285,7 +248,7 @@ impl Stage<'_> {
             if out.t < -(skin + out.error) {
                 continue;
             }
-            let end = self.rough(probe, leaf, chords.near[lane], true);
+            let end = leaf.rough(probe, chords.near[lane], true);
             let is_ahead = end.t > skin + end.error;
             if !is_ahead {
                 return false;
@@ -340,35 +303,6 @@ impl Stage<'_> {
             scratch.pending.push((0.0, Child::item(block)));
         }
     }
-
-    /// Where a ray that starts in a leaf with lanes comes out of it.
-    #[inline(always)]
-    pub(super) fn way_out(&self, probe: &Probe, leaf: &Leaf, skin: f64) -> Option<End> {
-        let t = match leaf.kind {
-            Kind::Sphere => {
-                let [x, y, z, radius, ..] = leaf.numbers;
-                let to_centre = Vec3([x, y, z]) - Vec3(probe.origin);
-                let middle = to_centre.dot(Vec3(probe.direction)) * probe.per_square;
-                let depth = (radius * radius - to_centre.dot(to_centre)) * probe.per_square;
-                middle + (middle * middle + depth).max(0.0).sqrt()
-            }
-            Kind::Cuboid => {
-                let far = |i: usize| {
-                    let [low, high] = each([i, 3 + i], |side: usize| {
-                        (leaf.numbers[side] - probe.origin[i]) * probe.inverse[i]
-                    });
-                    low.max(high)
-                };
-                far(0).min(far(1)).min(far(2))
-            }
-            // Nothing goes through these, or there is no way out.
-            Kind::Plane | Kind::HalfSpace | Kind::Rectangle | Kind::Other | Kind::Csg => {
-                return None;
-            }
-        };
-        let out = self.rough(probe, leaf, t, false);
-        (out.t > 2.0 * (skin + out.error)).then_some(out)
-    }
 }
 
 /// The nearest child of a node that a ray may meet; the others are put on the stack, the farthest first.
@@ -389,18 +323,4 @@ fn nearest_child(
         }
         pending[at] = (near, child);
     })
-}
-
-impl Block {
-    /// The chords of its shapes, which have lanes.
-    #[inline(always)]
-    pub(super) fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {
-        match &self.shapes {
-            Shapes::Spheres(spheres) => spheres.chords(probe, from, to),
-            Shapes::Cuboids(cuboids) => cuboids.chords(probe, from, to),
-            Shapes::Planes(planes) => planes.chords(probe, from, to),
-            Shapes::Rectangles(rectangles) => rectangles.chords(probe, from, to),
-            Shapes::Single => Chords::NONE,
-        }
-    }
 }

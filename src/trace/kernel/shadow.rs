@@ -1,11 +1,12 @@
 //! How much light of a lamp gets to a point.
 
+use super::block::Shapes;
 use super::bundle::Blocks;
 use super::leaf::{Kind, Leaf};
 use super::probe::Probe;
 use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Start, Tests};
 use super::scratch::{Face, Passed, Scratch};
-use super::stage::{Shapes, Stage};
+use super::stage::Stage;
 use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH as CHILDREN};
 
@@ -174,11 +175,11 @@ impl Stage<'_> {
             if chords.sure >> lane & 1 == 0 {
                 return Found::Doubt;
             }
-            let out = self.rough(probe, leaf, chords.far[lane], false);
+            let out = leaf.rough(probe, chords.far[lane], false);
             if out.t < -(skin + out.error) {
                 continue;
             }
-            let end = self.rough(probe, leaf, chords.near[lane], true);
+            let end = leaf.rough(probe, chords.near[lane], true);
             if end.t - end.error > TO {
                 continue;
             }
@@ -287,7 +288,7 @@ impl Stage<'_> {
         } else {
             let mut moved = Probe::NONE;
             let probe = self.placed(&query.probe, leaf.placement, &mut moved);
-            let end = self.way_out(probe, leaf, query.skin);
+            let end = leaf.way_out(probe, query.skin);
             end.map(|end| Face { end, surface: own })
         };
         let Some((mut far, is_left)) = far.and_then(|far| Some((far, is_on_the_way(far.end)?)))

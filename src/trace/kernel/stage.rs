@@ -1,47 +1,19 @@
 //! A scene as the kernel sees it: shapes in blocks, blocks in a tree.
 
+use super::block::{Block, Shapes, in_blocks};
 use super::csg::Csg;
 use super::cull::Cull;
-use super::cuboid::Cuboids;
 use super::expand::Leaves;
 use super::leaf::{Kind, Leaf};
 use super::lone::find_lone;
-use super::plane::Planes;
+use super::probe::Probe;
 use super::query::NONE;
-use super::rectangle::Rectangles;
-use super::sphere::Spheres;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::bvh::Bvh;
 use crate::geometry::wide_bvh::{Frame, Tree};
 use crate::trace::graph::Graph;
 use crate::trace::shapes::outline::Outline;
 use rustc_hash::FxHashMap;
-
-/// Shapes that are tested together, in one space.
-#[derive(Debug, Clone)]
-pub struct Block {
-    pub shapes: Shapes,
-    /// Of all of them; see [`Leaf::placement`].
-    pub placement: u32,
-    /// Numbers of the leaves in the lanes.
-    pub leaves: [u32; 4],
-    /// The greatest extent of its leaves.
-    pub extent: f64,
-    /// Of all of them, if it is in a tree.
-    pub bounds: Aabb,
-    /// Tells which rays miss it, if it is one shape without lanes, or a placed one.
-    pub cull: Option<Box<Cull>>,
-}
-
-#[derive(Debug, Clone)]
-pub enum Shapes {
-    Spheres(Spheres),
-    Cuboids(Cuboids),
-    Planes(Planes),
-    Rectangles(Rectangles),
-    /// One leaf, without lanes.
-    Single,
-}
 
 /// Blocks that a ray may meet.
 #[derive(Debug)]
@@ -122,6 +94,16 @@ impl Stage<'_> {
             graph,
         })
     }
+
+    /// A ray in the space of a placement, kept in `moved` where that is another one.
+    #[inline(always)]
+    pub fn placed<'p>(&self, probe: &'p Probe, placement: u32, moved: &'p mut Probe) -> &'p Probe {
+        if placement == 0 {
+            return probe;
+        }
+        *moved = probe.through(&self.graph.placements[placement as usize].back);
+        moved
+    }
 }
 
 impl Forest {
@@ -166,59 +148,4 @@ fn clustered(
         }
     }
     bounds
-}
-
-/// Puts shapes of one kind in one space into a block.
-pub fn in_blocks(leaves: &[Leaf], items: &[u32], blocks: &mut Vec<Block>) {
-    let mut rest: Vec<u32> = items.to_vec();
-    while let Some(&first) = rest.first() {
-        let like = |i: &u32| {
-            let [a, b] = [first, *i].map(|i| &leaves[i as usize]);
-            a.kind == b.kind && a.placement == b.placement
-        };
-        let lanes = match leaves[first as usize].kind {
-            Kind::Other | Kind::Csg => 1,
-            _ => 4,
-        };
-        let own: Vec<u32> = rest.iter().copied().filter(like).take(lanes).collect();
-        rest.retain(|i| !own.contains(i));
-        blocks.push(block(leaves, &own));
-    }
-}
-
-/// Of up to four leaves of one kind.
-fn block(leaves: &[Leaf], numbers: &[u32]) -> Block {
-    let all: Vec<&Leaf> = numbers.iter().map(|&i| &leaves[i as usize]).collect();
-    let four = |leaf: &&Leaf| {
-        let [a, b, c, d, ..] = leaf.numbers;
-        [a, b, c, d]
-    };
-    let shapes = match all[0].kind {
-        Kind::Sphere => Shapes::Spheres(Spheres::new(&all.iter().map(four).collect::<Vec<_>>())),
-        Kind::Cuboid => {
-            let corners = |leaf: &&Leaf| {
-                let [a, b, c, x, y, z, ..] = leaf.numbers;
-                [a, b, c, x, y, z]
-            };
-            Shapes::Cuboids(Cuboids::new(&all.iter().map(corners).collect::<Vec<_>>()))
-        }
-        Kind::Plane | Kind::HalfSpace => {
-            let plane = |leaf: &&Leaf| (four(leaf), leaf.kind == Kind::HalfSpace);
-            Shapes::Planes(Planes::new(&all.iter().map(plane).collect::<Vec<_>>()))
-        }
-        Kind::Rectangle => {
-            Shapes::Rectangles(Rectangles::new(&all.iter().map(four).collect::<Vec<_>>()))
-        }
-        Kind::Other | Kind::Csg => Shapes::Single,
-    };
-    let mut own = [u32::MAX; 4];
-    own[..numbers.len()].copy_from_slice(numbers);
-    Block {
-        shapes,
-        placement: all[0].placement,
-        leaves: own,
-        extent: all.iter().fold(0.0, |most, leaf| leaf.extent.max(most)),
-        bounds: Aabb::ALL,
-        cull: None,
-    }
 }

@@ -1,0 +1,159 @@
+//! Shapes that are tested together, and where a ray meets them, with bounds on the errors.
+
+use super::cuboid::{self, Cuboids};
+use super::cull::Cull;
+use super::leaf::{Kind, Leaf};
+use super::plane::{self, Planes};
+use super::probe::{Chords, Probe};
+use super::query::{BENT, End};
+use super::rectangle::Rectangles;
+use super::sphere::Spheres;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
+use crate::geometry::vec::Vec3;
+
+/// Shapes that are tested together, in one space.
+#[derive(Debug, Clone)]
+pub struct Block {
+    pub shapes: Shapes,
+    /// Of all of them; see [`Leaf::placement`].
+    pub placement: u32,
+    /// Numbers of the leaves in the lanes.
+    pub leaves: [u32; 4],
+    /// The greatest extent of its leaves.
+    pub extent: f64,
+    /// Of all of them, if it is in a tree.
+    pub bounds: Aabb,
+    /// Tells which rays miss it, if it is one shape without lanes, or a placed one.
+    pub cull: Option<Box<Cull>>,
+}
+
+#[derive(Debug, Clone)]
+pub enum Shapes {
+    Spheres(Spheres),
+    Cuboids(Cuboids),
+    Planes(Planes),
+    Rectangles(Rectangles),
+    /// One leaf, without lanes.
+    Single,
+}
+
+/// Puts shapes of one kind in one space into a block.
+pub fn in_blocks(leaves: &[Leaf], items: &[u32], blocks: &mut Vec<Block>) {
+    let mut rest: Vec<u32> = items.to_vec();
+    while let Some(&first) = rest.first() {
+        let like = |i: &u32| {
+            let [a, b] = [first, *i].map(|i| &leaves[i as usize]);
+            a.kind == b.kind && a.placement == b.placement
+        };
+        let lanes = match leaves[first as usize].kind {
+            Kind::Other | Kind::Csg => 1,
+            _ => 4,
+        };
+        let own: Vec<u32> = rest.iter().copied().filter(like).take(lanes).collect();
+        rest.retain(|i| !own.contains(i));
+        blocks.push(block(leaves, &own));
+    }
+}
+
+/// Of up to four leaves of one kind.
+fn block(leaves: &[Leaf], numbers: &[u32]) -> Block {
+    let all: Vec<&Leaf> = numbers.iter().map(|&i| &leaves[i as usize]).collect();
+    let four = |leaf: &&Leaf| {
+        let [a, b, c, d, ..] = leaf.numbers;
+        [a, b, c, d]
+    };
+    let shapes = match all[0].kind {
+        Kind::Sphere => Shapes::Spheres(Spheres::new(&all.iter().map(four).collect::<Vec<_>>())),
+        Kind::Cuboid => {
+            let corners = |leaf: &&Leaf| {
+                let [a, b, c, x, y, z, ..] = leaf.numbers;
+                [a, b, c, x, y, z]
+            };
+            Shapes::Cuboids(Cuboids::new(&all.iter().map(corners).collect::<Vec<_>>()))
+        }
+        Kind::Plane | Kind::HalfSpace => {
+            let plane = |leaf: &&Leaf| (four(leaf), leaf.kind == Kind::HalfSpace);
+            Shapes::Planes(Planes::new(&all.iter().map(plane).collect::<Vec<_>>()))
+        }
+        Kind::Rectangle => {
+            Shapes::Rectangles(Rectangles::new(&all.iter().map(four).collect::<Vec<_>>()))
+        }
+        Kind::Other | Kind::Csg => Shapes::Single,
+    };
+    let mut own = [u32::MAX; 4];
+    own[..numbers.len()].copy_from_slice(numbers);
+    Block {
+        shapes,
+        placement: all[0].placement,
+        leaves: own,
+        extent: all.iter().fold(0.0, |most, leaf| leaf.extent.max(most)),
+        bounds: Aabb::ALL,
+        cull: None,
+    }
+}
+
+impl Block {
+    /// The chords of its shapes, which have lanes.
+    #[inline(always)]
+    pub fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {
+        match &self.shapes {
+            Shapes::Spheres(spheres) => spheres.chords(probe, from, to),
+            Shapes::Cuboids(cuboids) => cuboids.chords(probe, from, to),
+            Shapes::Planes(planes) => planes.chords(probe, from, to),
+            Shapes::Rectangles(rectangles) => rectangles.chords(probe, from, to),
+            Shapes::Single => Chords::NONE,
+        }
+    }
+}
+
+impl Leaf {
+    /// A place where a ray meets it, with a bound on its error.
+    #[inline(always)]
+    pub fn rough(&self, probe: &Probe, t: f64, is_near: bool) -> End {
+        if t.is_infinite() {
+            return End { t, error: 0.0 };
+        }
+        let error = match self.kind {
+            Kind::Sphere | Kind::Other | Kind::Csg => {
+                BENT * ((probe.reach + self.extent) * probe.per_pace + t.abs())
+            }
+            Kind::Cuboid => cuboid::rough(probe, &self.numbers, self.extent, t, is_near),
+            Kind::Plane | Kind::HalfSpace => plane::rough(probe, *self.first(), self.extent, t),
+            Kind::Rectangle => {
+                let size = probe.reach + self.extent + t.abs() * probe.pace;
+                cuboid::SHARE * size / probe.direction[2].abs()
+            }
+        };
+        End { t, error }
+    }
+
+    /// Where a ray that starts in it comes out of it.
+    #[inline(always)]
+    pub fn way_out(&self, probe: &Probe, skin: f64) -> Option<End> {
+        let t = match self.kind {
+            Kind::Sphere => {
+                let [x, y, z, radius, ..] = self.numbers;
+                let to_centre = Vec3([x, y, z]) - Vec3(probe.origin);
+                let middle = to_centre.dot(Vec3(probe.direction)) * probe.per_square;
+                let depth = (radius * radius - to_centre.dot(to_centre)) * probe.per_square;
+                middle + (middle * middle + depth).max(0.0).sqrt()
+            }
+            Kind::Cuboid => {
+                let far = |i: usize| {
+                    let [low, high] = each([i, 3 + i], |side: usize| {
+                        (self.numbers[side] - probe.origin[i]) * probe.inverse[i]
+                    });
+                    low.max(high)
+                };
+                far(0).min(far(1)).min(far(2))
+            }
+            // Nothing goes through these, or there is no way out.
+            Kind::Plane | Kind::HalfSpace | Kind::Rectangle | Kind::Other | Kind::Csg => {
+                return None;
+            }
+        };
+        let out = self.rough(probe, t, false);
+        (out.t > 2.0 * (skin + out.error)).then_some(out)
+    }
+}

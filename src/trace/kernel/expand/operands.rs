@@ -1,0 +1,196 @@
+//! What intersections and differences are made of.
+
+use super::{Above, Leaves, moved};
+use crate::geometry::aabb::Aabb;
+use crate::trace::graph::{Graph, Object, Operation, Target};
+use crate::trace::kernel::leaf::{Kind, Leaf};
+use std::ops::Range;
+
+/// A solid within an intersection: what is in all of some operands and in none of some others, the cuts. A union is kept as
+/// the complement of what is in none of its operands.
+#[derive(Debug, Clone, Copy)]
+pub struct Gate {
+    /// The gate that it is an operand of, which is an earlier one. That of the whole is its own.
+    pub parent: u32,
+    /// Whether it is a cut there.
+    pub is_cut: bool,
+    pub is_union: bool,
+}
+
+/// What an intersection is made of.
+#[derive(Debug)]
+pub struct Operands {
+    /// Holds all of it, in its space.
+    pub bounds: Aabb,
+    /// The whole comes first.
+    pub gates: Vec<Gate>,
+    /// Shapes that all of the whole is in.
+    pub firsts: Vec<u32>,
+    /// Other shapes without bounds.
+    pub loose: Vec<u32>,
+    /// The other shapes, with their boxes in the space of the intersection.
+    pub boxes: Vec<(u32, Aabb)>,
+}
+
+impl Operands {
+    pub fn all(&self) -> impl Iterator<Item = u32> {
+        let boxes = self.boxes.iter().map(|(leaf, _)| leaf);
+        self.firsts.iter().chain(&self.loose).chain(boxes).copied()
+    }
+}
+
+/// Deeper operations are left to the arbiter, who skips what a ray passes level by level: a scene of forty lines may have
+/// 2⁴⁰ operands.
+const MAX_GATE_DEPTH: u32 = 4;
+/// More operations within one intersection are left to the arbiter, too: each merged list counts in all of them.
+const MAX_GATES: usize = 1000;
+
+impl Leaves {
+    /// Adds an intersection or a difference of solids, if it is for the kernel; returns its number.
+    pub(super) fn csg(&mut self, graph: &Graph, object: &Object, above: &Above) -> Option<u32> {
+        let operands = self.operands(graph, object, above)?;
+        let number = self.all.len() as u32;
+        let first = match &object.operation {
+            Operation::Intersection { first, .. } => foremost(graph, first.clone(), above),
+            Operation::Union(_) => None,
+        };
+        // What is in it is one medium: that of its foremost shape.
+        let is_foremost = |&leaf: &u32| {
+            first
+                .as_ref()
+                .is_some_and(|a| a.path == self.paths[leaf as usize])
+        };
+        let foremost = operands.all().find(is_foremost);
+        let whole = self.all[foremost.or(operands.all().next())? as usize].clone();
+        let has_unions = operands.gates.iter().any(|gate| gate.is_union);
+        let is_medium = foremost.is_some() && whole.is_clear && !has_unions;
+        for leaf in operands.all() {
+            let leaf = &mut self.all[leaf as usize];
+            let is_known = !leaf.is_clear && !whole.is_clear
+                || is_medium && (leaf.ways == whole.ways || !leaf.is_clear);
+            if !(leaf.is_solid && is_known) {
+                return None;
+            }
+            leaf.solid = number;
+        }
+        let chain = self.chain(&above.chain);
+        self.paths.push(above.path.clone());
+        self.all.push(Leaf {
+            kind: Kind::Csg,
+            primitive: self.operands.len() as u32,
+            chain,
+            placement: 0,
+            solid: number,
+            twin: number,
+            is_convex: false,
+            ..whole
+        });
+        self.operands.push(operands);
+        Some(number)
+    }
+
+    /// Adds the shapes that an intersection or a difference is made of.
+    fn operands(&mut self, graph: &Graph, object: &Object, above: &Above) -> Option<Operands> {
+        let mut operands = Operands {
+            bounds: object.bounds,
+            gates: vec![Gate {
+                parent: 0,
+                is_cut: false,
+                is_union: false,
+            }],
+            firsts: Vec::new(),
+            loose: Vec::new(),
+            boxes: Vec::new(),
+        };
+        let outer = above.chain.len();
+        // With each object its gate and how deep that is, what is above it, and what its shapes look like, if not like
+        // themselves.
+        let mut pending = vec![(object, [0, 0], above.clone(), None)];
+        while let Some((object, [gate, depth], above, looks)) = pending.pop() {
+            let (firsts, cuts, cut_looks) = match &object.operation {
+                Operation::Union(all) => (0..0, all, looks.clone()),
+                Operation::Intersection {
+                    first,
+                    cuts,
+                    inherit,
+                } => {
+                    let inherited = match (&looks, inherit) {
+                        (None, true) => Some(foremost(graph, first.clone(), &above)?),
+                        _ => looks.clone(),
+                    };
+                    (first.clone(), cuts, inherited)
+                }
+            };
+            let bounds = cuts.tree.boxes(&object.frame);
+            let bounds = bounds.map(|(part, bounds)| (part, Some(bounds), true));
+            let loose = cuts.loose.iter().map(|&part| (part, None, true));
+            let firsts = firsts.map(|part| (part, None, false));
+            for (number, bounds, is_cut) in firsts.chain(loose).chain(bounds) {
+                let looks = if is_cut { &cut_looks } else { &looks };
+                let part = &graph.parts[number as usize];
+                let own = above.and(graph, number);
+                let shape = match part.target {
+                    Target::Shape(primitive) => graph.primitives[primitive as usize].shape(),
+                    Target::Object(object) => {
+                        let object = &graph.objects[object as usize];
+                        let inner = operands.gates.len() as u32;
+                        if depth == MAX_GATE_DEPTH || operands.gates.len() == MAX_GATES {
+                            return None;
+                        }
+                        operands.gates.push(Gate {
+                            parent: gate,
+                            is_cut,
+                            is_union: matches!(object.operation, Operation::Union(_)),
+                        });
+                        pending.push((object, [inner, depth + 1], own, looks.clone()));
+                        continue;
+                    }
+                };
+                let is_cut = is_cut != part.inverted;
+                let leaf = self.leaf(graph, number, &own, looks.as_ref())?;
+                (self.all[leaf as usize].gate, self.all[leaf as usize].is_cut) = (gate, is_cut);
+                let bounds = match bounds {
+                    Some(bounds) if gate == 0 => bounds,
+                    _ => moved(graph, &shape.bounds(), &own.chain[outer..]),
+                };
+                match bounds.is_bounded() {
+                    _ if gate == 0 && !is_cut => operands.firsts.push(leaf),
+                    true => operands.boxes.push((leaf, bounds)),
+                    false => operands.loose.push(leaf),
+                }
+            }
+        }
+        Some(operands)
+    }
+}
+
+/// What is above the shape that owns all that is in all of some parts: the first one of the first part. `None` where that
+/// is not everywhere one shape, and not all of them look alike.
+fn foremost(graph: &Graph, parts: Range<u32>, above: &Above) -> Option<Above> {
+    let mut pending = vec![above.and(graph, parts.clone().next()?)];
+    let (mut found, mut count): (Option<Above>, usize) = (None, 0);
+    while let Some(above) = pending.pop() {
+        count += 1;
+        let target = above
+            .path
+            .last()
+            .map(|&part| graph.parts[part as usize].target)?;
+        let Target::Object(object) = target else {
+            let is_like = |other: &Above| other.look() == above.look();
+            if !found.as_ref().is_none_or(is_like) || count > MAX_GATES {
+                return None;
+            }
+            found = Some(above);
+            continue;
+        };
+        match &graph.objects[object as usize].operation {
+            Operation::Intersection { first, .. } => {
+                pending.push(above.and(graph, first.clone().next()?));
+            }
+            Operation::Union(all) => {
+                pending.extend(all.parts().map(|part| above.and(graph, part)));
+            }
+        }
+    }
+    found
+}
