@@ -14,6 +14,7 @@ mod scenes;
 mod shell;
 mod slips;
 mod student;
+mod tenth;
 mod whole;
 
 use std::collections::BTreeMap;

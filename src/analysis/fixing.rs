@@ -128,16 +128,22 @@ pub fn is_applied(analysis: &Analysis, fix: &Fix) -> bool {
     step(analysis, std::slice::from_ref(fix), &read, &mut 1).is_some()
 }
 
+/// Whether guesses are tried for a scene at all: with a long one that takes too much time.
+pub fn is_tried(analysis: &Analysis) -> bool {
+    analysis.source.text.len() <= TRIED_BYTES
+}
+
 /// Says of guesses that `--unsafe-fixes` does not apply that it does not.
 pub fn explain_what_is_left(analysis: &Analysis, findings: &mut [Diagnostic]) {
     let mut left = TRIED_BYTES;
+    let errors = findings.iter().filter(|d| d.is_error()).take(2).count();
     for d in findings
         .iter_mut()
         .filter(|d| analysis.is_records() && !d.fixes.is_empty())
     {
         // A guess for an error may need those for others.
         if let Some(guess) = d.applicable_fix(true).filter(|f| is_guess(f))
-            && !d.is_error()
+            && (!d.is_error() || errors == 1)
             && let Some(rest) = left.checked_sub(analysis.source.text.len())
         {
             left = rest;

@@ -409,9 +409,13 @@ impl Checker<'_> {
             }
         }
         let mut tally = Tally::default();
-        let mut findings = left.unwrap_or_else(|| {
-            let found = loaded.take_findings();
-            repair::proposals_for(&loaded, found)
+        let mut findings = left.unwrap_or_else(|| match fixing::is_tried(&loaded) {
+            // A guess is weighed against the findings themselves.
+            true => repair::proposals(&loaded),
+            false => {
+                let found = loaded.take_findings();
+                repair::proposals_for(&loaded, found)
+            }
         });
         fixing::explain_what_is_left(&loaded, &mut findings);
         tally.add(&findings);
