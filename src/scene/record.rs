@@ -5,6 +5,11 @@ use crate::syntax::lexer::Token;
 use crate::syntax::table::{Constraint, Param, RecordKind, RecordType, ShapeKind};
 use crate::syntax::{Document, Record};
 
+/// Angles of view that cameras have.
+const USUAL_ANGLES: [f64; 13] = [
+    10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0, 75.0, 90.0,
+];
+
 /// A record with its values at hand. They are borrowed from the document's column.
 pub struct Params<'a> {
     pub text: &'a str,
@@ -132,6 +137,42 @@ impl<'a> Params<'a> {
         Fix::guess("fix", vec![edit(i, j), edit(j, i)])
     }
 
+    /// An angle of view that has a minus, or has lost its decimal point: `350` for `35.0`. A half and a whole turn may
+    /// be meant.
+    fn angle_of_view(&self, i: usize) -> Option<Fix> {
+        let x = self.number(i);
+        let is_one = self.ty.kind == RecordKind::Camera && i + 1 == self.len();
+        let (number, applicability) = match self.text_of(i).strip_prefix('-') {
+            _ if !is_one => return None,
+            Some(number) if (1.0..180.0).contains(&-x) => {
+                (number.to_owned(), Applicability::Unsafe)
+            }
+            None if x > 180.0 && x < 10_000.0 && x % 10.0 == 0.0 && x % 360.0 != 0.0 => {
+                let mut shifts = [x / 10.0, x / 100.0].into_iter();
+                let usual = shifts.find(|x| USUAL_ANGLES.contains(x))?;
+                (usual.to_string(), Applicability::Choice)
+            }
+            _ => return None,
+        };
+        let fix = Fix::replace("fix", applicability, self.span_of(i, 1), number.clone());
+        Some(fix.with("number", crate::syntax::quote(&number)))
+    }
+
+    /// The radius of a sphere before its centre, where a zero stands in its place.
+    fn radius_first(&self, i: usize) -> Option<Fix> {
+        let is_one = self.ty.kind == RecordKind::Shape(ShapeKind::Sphere)
+            && i + 1 == self.len()
+            && self.number(i) == 0.0
+            && self.number(0) > 0.0;
+        let order = [1, 2, 3, 0].map(|from| self.text_of(from.min(i)));
+        let edits = order.iter().enumerate().map(|(at, text)| Edit {
+            span: self.span_of(at, 1),
+            text: (*text).to_owned(),
+        });
+        let fix = Fix::guess("fix", edits.collect());
+        is_one.then(|| fix.with("number", crate::syntax::quote(&order.join(" "))))
+    }
+
     fn violation(&self, i: usize, p: &Param) -> Option<Diagnostic> {
         let x = self.number(i);
         let (holds, code, case, [low, high]) = match p.constraint {
@@ -169,6 +210,8 @@ impl<'a> Params<'a> {
                 }
                 _ => d,
             };
+            let others = [self.angle_of_view(i), self.radius_first(i)];
+            let d = others.into_iter().flatten().fold(d, Diagnostic::fix);
             d.with("parameter", Value::Term(p.doc))
                 .with("type", Value::Term(self.ty.title))
                 .with("name", p.name)

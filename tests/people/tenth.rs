@@ -1,7 +1,10 @@
 //! What two newcomers stumbled over, and what was meant.
 
 use serde_json::Value;
+use zpg::internals::analysis::{Analysis, fixing, repair};
+use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, fixes};
 
+use super::{read, said};
 use crate::support::program::{folder, text, zpg_with};
 
 /// A camera, a lamp, and what is drawn.
@@ -24,6 +27,29 @@ const GUESSES: &[(&str, &str)] = &[
     ("N607", "2 12 -1 -1 -1 1 1 1\n2 -2 0.79 2\n"),
     ("E106", "2 9 1\n"),
 ];
+
+/// The only error of a text, with what is proposed.
+fn error(text: &str) -> Diagnostic {
+    let all = repair::proposals(&read(text));
+    let errors: Vec<Diagnostic> = all.into_iter().filter(Diagnostic::is_error).collect();
+    let told: Vec<String> = errors.iter().flat_map(said).collect();
+    assert_eq!(errors.len(), 1, "{text}{}", told.join("; "));
+    errors[0].clone()
+}
+
+/// The scene after all guesses.
+fn fixed(text: &str) -> String {
+    let mended = fixing::to_fixed_point(read(text), true, Analysis::of);
+    mended.analysis.source.text.clone()
+}
+
+/// That the first proposal for the only error is what was meant, and is what is written.
+fn is_meant(text: &str, meant: &str) {
+    let error = error(text);
+    let shown = fixes::apply(text, error.fixes.iter().take(1)).0;
+    assert_eq!(shown, meant, "{}", said(&error).join("; "));
+    assert_eq!(fixed(text), meant);
+}
 
 /// What `zpg check` promises of guesses for warnings and notes is what `--fix --unsafe-fixes` does.
 #[test]
@@ -49,4 +75,121 @@ fn what_is_promised_of_guesses_is_done() {
         assert!(!said.contains("takes no guess"), "{said}");
         assert_ne!(fixed, scene);
     }
+}
+
+/// Where only the angle of view is out of range, no other number of a camera moves.
+#[test]
+fn angles_of_view_out_of_range() {
+    let scene = |angle: &str| {
+        let camera = format!("9 -501 2 5 16 -0.12 -0.3 -1 0 1 0 {angle}");
+        format!(
+            "2 9 1\n{}",
+            REST.replace("9 -501 0 0 6 0 0 -1 0 1 0 45", &camera)
+        )
+    };
+    for (angle, meant) in [
+        ("350", Some("35")),
+        ("450", Some("45")),
+        ("3500", Some("35")),
+        ("360", None),
+        ("180", None),
+        ("0", None),
+    ] {
+        let error = error(&scene(angle));
+        let shown = |fix| fixes::apply(&scene(angle), [fix].into_iter()).0;
+        let shown: Vec<String> = error.fixes.iter().map(shown).collect();
+        assert_eq!(shown, Vec::from_iter(meant.map(scene)));
+        assert!((error.fixes.iter()).all(|f| f.applicability == Applicability::Choice));
+        assert_eq!(fixed(&scene(angle)), scene(angle));
+    }
+    is_meant(&scene("-35"), &scene("35"));
+    // The angle stands before the up vector.
+    let scene = format!("2 9 1\n{}", REST.replace("0 1 0 45", "45 0 1 0"));
+    is_meant(&scene, &format!("2 9 1\n{REST}"));
+}
+
+/// Cones and cylinders from end to end, as POV-Ray has them, behind the type of a cone.
+#[test]
+fn cones_from_end_to_end() {
+    for numbers in [
+        "0 2 0 0 0 0 0 1",
+        "0 0 0 0.8 0 0.9 0 0",
+        "0 0 0 1 0 2 0 0",
+        "0 0 0 1 0 2 0 0.5",
+        "0 1 0 1 0 3 0 0",
+    ] {
+        let by_name = fixed(&format!("2 cone {numbers}\n{REST}"));
+        assert!(by_name.starts_with("2 1 2 "), "{by_name}");
+        is_meant(&format!("2 16 {numbers}\n{REST}"), &by_name);
+    }
+    is_meant(
+        &format!("2 16 0 0 0 0 2 0 0.5\n{REST}"),
+        &format!("2 1 2 0.5 0 0.5 2\n{REST}"),
+    );
+    // Nothing in the shape, or nothing to be moved.
+    let text = format!("2 14 0 1 0 0 0 1 0 0\n{REST}");
+    assert_eq!(error(&text).fixes, []);
+    let text = format!("2 11 0 0 0 1 0 0 0\n{REST}");
+    let all = error(&text).fixes;
+    let is_move = |fix: &_| fixes::apply(&text, [fix].into_iter()).0.contains("2 -1 ");
+    assert!(!all.iter().any(is_move));
+}
+
+/// A copied record has the ID of the one above, and its own properties have the right one.
+#[test]
+fn copied_definitions_with_properties() {
+    for (scene, (written, meant)) in [
+        (
+            "2 12 -1 0 -1 1 2 1\n2 -701 0.8 0.2 0.1\n2 11 3 1 0 1\n3 -1 0 0 1\n3 -701 0.2 0.6 0.3\n4 -101 2 3\n",
+            ("2 11", "3 11"),
+        ),
+        (
+            "2 12 -1 0 -1 1 2 1\n2 11 3 1 0 1\n3 -201 0.5 0.4 0.1\n3 -3 1 2 1\n4 -101 2 3\n",
+            ("2 11", "3 11"),
+        ),
+        (
+            "24 1 4 0 0 1 0 1 1 0 1\n24 -701 1 0 0\n24 1 4 0 0 2 0 2 1 0 1\n25 -1 3 0 0\n25 -701 .2 .3 .4\n30 11 3 3 3 1\n31 -101 30 25\n4 -101 31 24\n",
+            ("24 1 4 0 0 2", "25 1 4 0 0 2"),
+        ),
+    ] {
+        let text = format!("{scene}{}", REST.replace("9999 2", "9999 4"));
+        is_meant(&text, &text.replace(written, meant));
+    }
+}
+
+/// What a Czech keyboard writes in place of digits and the minus.
+#[test]
+fn records_by_a_czech_keyboard() {
+    let scene = |line: &str| format!("2 9 1\n{}", REST.replace("50 -1 3 5 5", line));
+    for (written, meant) in [
+        ("50 =1 4 7 6", "50 -1 4 7 6"),
+        ("50 -1 0 0 =1", "50 -1 0 0 -1"),
+        ("řé =+ č ý ž", "50 -1 4 7 6"),
+        ("51 -401 é.2", "51 -401 0.2"),
+        ("51 -401 é.5", "51 -401 0.5"),
+        ("51 -401 é,8", "51 -401 0.8"),
+    ] {
+        is_meant(&scene(written), &scene(meant));
+    }
+}
+
+/// A radius before its centre, a minus before an ID, the radii of an ellipsoid behind the type of a sphere.
+#[test]
+fn spheres_and_ids() {
+    is_meant(
+        &format!("2 11 0.6 0 6.6 0\n{REST}"),
+        &format!("2 11 0 6.6 0 0.6\n{REST}"),
+    );
+    is_meant(
+        &format!("2 11 0 1 0 1\n-2 -1 0 6 0\n{REST}"),
+        &format!("2 11 0 1 0 1\n2 -1 0 6 0\n{REST}"),
+    );
+    let text = format!("2 11 4 1 3\n{REST}");
+    let error = error(&text);
+    assert_eq!(
+        (error.code, error.fixes[0].applicability),
+        (Code::E008, Applicability::Choice)
+    );
+    let shown = fixes::apply(&text, error.fixes.iter().take(1)).0;
+    assert_eq!(shown, text.replace("2 11", "2 10"));
 }

@@ -15,6 +15,12 @@ const UNITS: [&str; 12] = [
 pub(super) fn number(text: &str) -> Option<String> {
     // Square brackets belong to no number; other ones are no words.
     let text = text.trim_start_matches('[').trim_end_matches(']');
+    // On a Czech keyboard `=` stands where others have the minus.
+    if let Some(number) = text.strip_prefix('=')
+        && number.starts_with(|c: char| c.is_ascii_digit() || c == '.')
+    {
+        return Some(format!("-{}", plain(number)?));
+    }
     // Angles are in degrees, and lengths have no unit.
     let without_unit = UNITS.iter().find_map(|unit| text.strip_suffix(unit));
     let text = without_unit
@@ -55,10 +61,16 @@ pub(super) fn number(text: &str) -> Option<String> {
 /// The digits that were meant by the letters that a Czech keyboard has in their place without the shift key.
 fn without_shift(text: &str) -> Option<String> {
     const KEYS: &str = "é+ěščřžýáí";
-    let digits = text.strip_prefix('-').unwrap_or(text);
+    let digits = text.strip_prefix(['-', '=']).unwrap_or(text);
+    // Some digits may be those of a number pad.
+    let is_mixed = digits.contains(|c: char| c.is_ascii_digit());
+    let has_letter = digits.contains(|c| KEYS.contains(c) && c != '+');
+    if is_mixed && !(has_letter && digits.contains(['.', ','])) {
+        return None;
+    }
     let digit = |c: char| match KEYS.chars().position(|key| key == c) {
         Some(i) => char::from_digit(i as u32, 10),
-        None => matches!(c, '.' | ',').then_some(c),
+        None => matches!(c, '.' | ',' | '0'..='9').then_some(c),
     };
     let new: Option<String> = digits.chars().map(digit).collect();
     let sign = if digits == text { "" } else { "-" };
@@ -180,6 +192,10 @@ mod tests {
             ("++", "11"),
             ("-ýé+", "-701"),
             ("é,č", "0.4"),
+            ("é.2", "0.2"),
+            ("=+", "-1"),
+            ("=1", "-1"),
+            ("=.5", "-.5"),
             ("0.7f", "0.7"),
             ("2^3", "8"),
             ("0:8", "0.8"),

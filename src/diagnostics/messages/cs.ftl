@@ -557,6 +557,7 @@ E206 = { $type }: { $parameter } musí být mezi { $low } a { $high }
     .label = `{ $name }` je { $text }
 E206-between = { $type }: { $parameter } musí být mezi { $low } a { $high } (bez krajních hodnot)
     .label = `{ $name }` je { $text }
+    .fix = { fix-write }
 E206-least = { $type }: { $parameter } musí být aspoň { $low }
     .label = `{ $name }` je { $text }
 E206-count = { $type }: počet bodů profilu nemůže být { $value }

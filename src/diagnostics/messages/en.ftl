@@ -549,6 +549,7 @@ E206 = { $parameter } of the { $type } must lie between { $low } and { $high }
     .label = `{ $name }` is { $text }
 E206-between = { $parameter } of the { $type } must lie between { $low } and { $high }, ends excluded
     .label = `{ $name }` is { $text }
+    .fix = { fix-write }
 E206-least = { $parameter } of the { $type } must be at least { $low }
     .label = `{ $name }` is { $text }
 E206-count = { $type-a } needs at least 2 points, not { $value }

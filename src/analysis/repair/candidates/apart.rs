@@ -47,7 +47,7 @@ impl LineContext<'_> {
         let Some((own, rest)) = self.params().split_at_checked(wanted).filter(|_| is_one) else {
             return;
         };
-        if own.is_empty() {
+        if own.is_empty() || self.is_cone_of_circles() {
             return;
         }
         let records = match rest.len() {
@@ -59,7 +59,7 @@ impl LineContext<'_> {
         let at_origin = self.at_origin(ty, habit);
         for records in &records {
             let records: Vec<&RecordType> = records.iter().map(|&k| RecordType::of(k)).collect();
-            if !self.may_follow(&records, rest, kind) {
+            if !self.may_follow(&records, rest, kind) || self.is_flat(ty, own) {
                 continue;
             }
             let mut before = &own[own.len() - 1];
@@ -200,7 +200,7 @@ impl LineContext<'_> {
             ),
             _ => return None,
         };
-        if !self.may_follow(&records, params, kind) {
+        if !self.may_follow(&records, params, kind) || self.is_flat(ty, own) {
             return None;
         }
         let mut edits = self.signed(ty, habit);
@@ -284,6 +284,12 @@ impl LineContext<'_> {
         })
     }
 
+    /// Whether a shape of sizes alone has one of zero, so that there is nothing in it.
+    fn is_flat(&self, ty: &RecordType, sizes: &[Token]) -> bool {
+        let is_zero = |t: &Token| t.number(self.text) == Some(0.0);
+        ty.family == Family::Shape && ty.vectors.is_empty() && sizes.iter().any(is_zero)
+    }
+
     /// Whether numbers may be meant as records that follow what is defined.
     fn may_follow(&self, records: &[&RecordType], tokens: &[Token], kind: Kind) -> bool {
         let numbers: Option<Vec<f64>> = tokens.iter().map(|t| t.number(self.text)).collect();
@@ -312,6 +318,11 @@ fn may_follow(ty: &RecordType, kind: Kind, numbers: &[f64]) -> bool {
     let (Effect::Changes(kinds) | Effect::DefinesOrChanges(_, kinds)) = ty.effect else {
         return false;
     };
-    let is_colour = || numbers.iter().all(|x| (0.0..=1.0).contains(x));
-    kinds.contains(&kind) && (ty.kind != RecordKind::Colour || is_colour())
+    let fits = match ty.kind {
+        RecordKind::Colour => numbers.iter().all(|x| (0.0..=1.0).contains(x)),
+        // At the origin there is nothing to be moved.
+        RecordKind::Translation => numbers.iter().any(|&x| x != 0.0),
+        _ => true,
+    };
+    kinds.contains(&kind) && fits
 }

@@ -160,6 +160,15 @@ impl LineContext<'_> {
                 continue;
             }
             let behind = params[at + 1..].iter().chain([&params[at]]);
+            let up = |tokens: &[&Token]| -> Option<Vec<f64>> {
+                tokens.iter().map(|t| t.number(self.text)).collect()
+            };
+            let own = up(&params[6..9].iter().collect::<Vec<_>>());
+            let moved: Vec<&Token> = params[..at].iter().chain(behind.clone()).collect();
+            // A camera whose up vector is one stays as it is.
+            if !is_up_rather(up(&moved[6..9]), own) {
+                continue;
+            }
             let texts = behind.map(|t| t.text(self.text).to_owned());
             let new: Vec<(Token, String)> = params[at..].iter().copied().zip(texts).collect();
             out.extend(self.write(Habit::Up, &new));
@@ -197,6 +206,19 @@ impl LineContext<'_> {
 /// Whether a number may be an angle of view in degrees.
 fn is_angle(x: f64) -> bool {
     x > 1.0 && x < 180.0
+}
+
+/// Whether three numbers are the up vector of a camera rather than three others.
+fn is_up_rather(new: Option<Vec<f64>>, old: Option<Vec<f64>>) -> bool {
+    let vector = |v: Option<Vec<f64>>| <[f64; 3]>::try_from(v?).ok();
+    let (Some(new), Some(old)) = (vector(new), vector(old)) else {
+        return false;
+    };
+    let is_small = |v: [f64; 3]| v.iter().all(|x| x.abs() <= 1.0);
+    match is_axis(new) {
+        true => !is_axis(old) || new[1] == 1.0 && old[1] != 1.0,
+        false => is_small(new) && !is_small(old),
+    }
 }
 
 /// Whether a vector is one of length 1 along an axis, in its positive direction.

@@ -343,6 +343,7 @@ impl<'a> LineContext<'a> {
             self.lost_number(finding, &mut out);
             self.angle_before(finding, &mut out);
             out.extend(self.lost_id(finding));
+            out.extend(self.negative_id(finding, undefined));
             self.types(finding, &mut out);
             self.arranged(&mut out);
             self.references(finding, &mut out);

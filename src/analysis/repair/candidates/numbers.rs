@@ -270,6 +270,12 @@ impl LineContext<'_> {
                     () if characters::is_dash(a) && b_is_number => {
                         characters::number(&format!("-{b}"))
                     }
+                    // Czech letters for digits on a side of a decimal comma.
+                    () if !(a_is_number && b_is_number)
+                        && token.text(self.text) == format!("{a},{b}") =>
+                    {
+                        characters::number(token.text(self.text))
+                    }
                     () => None,
                 };
                 if let Some(text) = text {

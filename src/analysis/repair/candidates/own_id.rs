@@ -84,6 +84,16 @@ impl LineContext<'_> {
         self.write(Habit::Id, &[(*head, text)])
     }
 
+    /// The ID without its minus, if something has that.
+    pub(super) fn negative_id(&self, finding: &Diagnostic, undefined: &[u32]) -> Option<Candidate> {
+        let id = u32::try_from(self.int(0)?.checked_neg()?).ok()?;
+        let mut entities = self.analysis.scene.entities.iter();
+        let is_known = undefined.contains(&id) || entities.any(|e| e.id == id);
+        let is_one = finding.code == Code::E005 && self.ty().is_some_and(|ty| self.fits(ty));
+        let new = [(self.tokens[0], id.to_string())];
+        (is_known && is_one).then(|| self.write(Habit::Id, &new))?
+    }
+
     /// The ID of the record before, if it is of one of these kinds.
     pub(super) fn id_before(&self, kinds: &'static [Kind]) -> Option<u32> {
         let document = &self.analysis.document;

@@ -282,7 +282,9 @@ impl LineContext<'_> {
                 out.push(again);
                 return;
             }
+            let misused = self.misused_below();
             let new = undefined.iter().take(MAX_CANDIDATES / 2);
+            let new = misused.iter().chain(new);
             let changes = Vec::from_iter(self.id().into_iter().flat_map(|id| self.changes(id)));
             out.extend(new.filter_map(|id| {
                 let text = id.to_string();
@@ -345,6 +347,23 @@ impl LineContext<'_> {
             (others.iter().take(MAX_CANDIDATES / 2))
                 .filter_map(|o| self.write(Habit::Id, &[(head, o.4.to_string())])),
         );
+    }
+
+    /// The IDs of properties that are defined below and are used there as what they are not: that of an object of which
+    /// but a property is left.
+    fn misused_below(&self) -> Vec<u32> {
+        let wrong = self.analysis.errors.iter().filter(|e| e.0 == Code::E103);
+        let mut ids: Vec<u32> = wrong
+            .filter_map(|(_, span)| self.text.get(span.range())?.parse().ok())
+            .collect();
+        ids.sort_unstable();
+        ids.dedup();
+        let is_property = |kind: Kind| matches!(kind, Kind::Optics | Kind::Texture | Kind::Colour);
+        let below = (self.analysis.scene.entities.iter())
+            .filter(|e| e.span.start > self.line.end && e.kind.is_some_and(is_property));
+        ids.retain(|&id| below.clone().any(|e| e.id == id));
+        ids.truncate(MAX_CANDIDATES / 4);
+        ids
     }
 
     /// A record that stands there twice, the one directly behind the other: it goes.

@@ -23,7 +23,7 @@ const OFTEN: &[i32] = &[
 const SIBLINGS: &[(i32, &[i32])] = &[
     (9, &[11, 10, 13]),
     (10, &[9, 11]),
-    (11, &[9]),
+    (11, &[9, 10]),
     (13, &[9]),
     (3, &[4]),
     (5, &[12]),
@@ -54,24 +54,37 @@ const CYLINDER: usize = 7;
 const CONE: usize = 8;
 
 impl LineContext<'_> {
-    /// The numbers of a cylinder behind the type of a surface of revolution: a radius and a height, or as POV-Ray has it.
+    /// The numbers of a cylinder behind the type of a surface of revolution or of a cone: a radius and a height, or as
+    /// POV-Ray has it.
     pub(super) fn profile(&self, out: &mut Vec<Candidate>) {
-        let kind = RecordKind::Shape(ShapeKind::SurfaceOfRevolution);
-        let is_one = self
-            .ty()
-            .is_some_and(|ty| ty.kind == kind && !self.fits(ty));
-        let is_cylinder = match self.params() {
-            [a, _] => a.integer(self.text).is_none(),
-            all => all.len() == CYLINDER,
+        let Some(kind) = self.ty().filter(|ty| !self.fits(ty)).map(|ty| ty.kind) else {
+            return;
         };
-        let (Some(ty), true) = (self.tokens.get(1), is_one && is_cylinder) else {
+        let is_cone = kind == RecordKind::Shape(ShapeKind::Cone);
+        let is_profile = kind == RecordKind::Shape(ShapeKind::SurfaceOfRevolution);
+        let is_cylinder = match self.params() {
+            [a, _] => is_profile && a.integer(self.text).is_none(),
+            all if is_cone => matches!(all.len(), CYLINDER | CONE),
+            all => is_profile && all.len() == CYLINDER,
+        };
+        let (Some(ty), true) = (self.tokens.get(1), is_cylinder) else {
             return;
         };
         let start = out.len();
         self.cylinder(ty.span(), self.params(), out);
         for candidate in &mut out[start..] {
-            candidate.habit = Habit::Count;
+            candidate.habit = if is_cone {
+                Habit::Sibling
+            } else {
+                Habit::Count
+            };
         }
+    }
+
+    /// Whether the numbers are those of a cone from one circle to another.
+    pub(super) fn is_cone_of_circles(&self) -> bool {
+        let is_cone = |ty: &RecordType| ty.kind == RecordKind::Shape(ShapeKind::Cone);
+        self.ty().is_some_and(is_cone) && self.params().len() == CONE
     }
 
     /// A word, or several, in the place of a type's number.
@@ -205,6 +218,10 @@ impl LineContext<'_> {
         let Some(ty) = self.ty().filter(|ty| !self.fits(ty)) else {
             return;
         };
+        let (kind, [sphere, ellipsoid]) = (
+            ty.kind,
+            [ShapeKind::Sphere, ShapeKind::Ellipsoid].map(RecordKind::Shape),
+        );
         // An operand is missing rather than that another operation was meant.
         let spare = self.spare_operands(ty);
         let siblings = SIBLINGS
@@ -212,7 +229,16 @@ impl LineContext<'_> {
             .filter(|s| s.0 == ty.code && spare.is_empty());
         for &code in siblings.flat_map(|s| s.1) {
             if let Some(ty) = RecordType::by_code(code.into()).filter(|ty| self.fits(ty)) {
-                out.push(self.write_type(Habit::Sibling, ty));
+                let mut candidate = self.write_type(Habit::Sibling, ty);
+                // A sphere may lack its radius, too.
+                let is_size = |t: &Token| t.number(self.text).is_some_and(|x| x > 0.0);
+                if (ty.kind, kind) == (ellipsoid, sphere) {
+                    if !self.params().iter().all(is_size) {
+                        continue;
+                    }
+                    candidate.fix.applicability = Applicability::Choice;
+                }
+                out.push(candidate);
             }
         }
         let new = |title, text: String| {
