@@ -61,9 +61,12 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             terminal::print(look, Status::Clean, |out| out.write_all(page.as_bytes()))
         }
         None => {
-            let complaint = Complaint::new("no-topic").with("text", quote(topic));
             let near = suggestions(topic, look.language());
-            complain(look, &complaint.or_meant(near));
+            let complaint = Complaint::new(match near.is_empty() {
+                true => "no-topic-list",
+                false => "no-topic",
+            });
+            complain(look, &complaint.with("text", quote(topic)).or_meant(near));
             Status::Failure
         }
     }

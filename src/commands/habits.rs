@@ -1,6 +1,6 @@
 //! What people write who know ruff or speak Czech: options, commands and values that zpg calls otherwise, or does without.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
@@ -9,7 +9,7 @@ use crate::diagnostics::Complaint;
 use crate::syntax::words::plain;
 
 /// A word of ruff or of a renderer, and the message that says what there is instead.
-const HABITS: [(&str, &str); 71] = [
+const HABITS: [(&str, &str); 75] = [
     ("--add-noqa", "habit-add-allow"),
     ("--cache-dir", "habit-cache"),
     ("--no-cache", "habit-cache"),
@@ -41,7 +41,11 @@ const HABITS: [(&str, &str); 71] = [
     ("--log-level", "habit-verbose"),
     ("--all", "habit-linter"),
     ("--no-fix", "habit-no-fix"),
+    ("--no-fix-only", "habit-no-option"),
+    ("--no-force-exclude", "habit-default"),
     ("--no-preview", "habit-preview"),
+    ("--no-show-fixes", "habit-no-option"),
+    ("--no-unsafe-fixes", "habit-default"),
     ("--no-respect-gitignore", "habit-gitignore"),
     ("-n", "habit-cache"),
     ("-s", "habit-silent-or-size"),
@@ -111,6 +115,9 @@ const OUTPUTS: [&str; 13] = [
     "png", "apng", "jpg", "jpeg", "webp", "exr", "pfm", "pov", "xml", "ply", "obj", "glb", "stl",
 ];
 
+/// The endings of translations.
+const TRANSLATIONS: [&str; 7] = ["pov", "xml", "ply", "obj", "glb", "stl", "json"];
+
 /// What there is instead of a word that stands where a scene belongs and is none: the name of a picture, or an option of
 /// POV-Ray.
 pub(super) fn output(word: &Path) -> Option<Complaint> {
@@ -126,6 +133,19 @@ pub(super) fn output(word: &Path) -> Option<Complaint> {
     let is_output = OUTPUTS.iter().any(|e| ending.eq_ignore_ascii_case(e));
     let complaint = Complaint::new("habit-output").with("path", word);
     (is_output && !text.starts_with('-')).then_some(complaint)
+}
+
+/// What there is instead of a picture where the name is that of a translation, for scenes of which the first one is
+/// told.
+pub(super) fn translation(word: &Path, scenes: &[PathBuf]) -> Option<Complaint> {
+    let ending = word.extension()?;
+    let is_one = TRANSLATIONS.iter().any(|e| ending.eq_ignore_ascii_case(e));
+    let scene = scenes.iter().find(|path| *path != word)?;
+    is_one.then(|| {
+        Complaint::new("habit-translation")
+            .with("path", word)
+            .with("scene", scene.as_path())
+    })
 }
 
 /// Values, as people say them, and what zpg calls them: of `--view`, `--precision` and `--to`.

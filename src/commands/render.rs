@@ -157,15 +157,22 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
 fn jobs(args: &Args, look: LookChoice) -> Option<Vec<Job>> {
     // Nothing is drawn where a name among the scenes is meant as something else.
     let no_scene = args.paths.iter().filter(|path| !path.exists());
-    if let Some((path, instead)) = no_scene
-        .filter_map(|path| Some((path, habits::output(path)?)))
+    let instead = |path: &Path| {
+        let translation = habits::translation(path, &args.paths);
+        translation.or_else(|| habits::output(path))
+    };
+    let output = args.output.as_deref().filter(|path| !path.is_dir());
+    let picture = output.and_then(|path| {
+        let instead = habits::translation(path, &args.paths)?;
+        Some(("no-picture", path, instead))
+    });
+    if let Some((what, path, instead)) = no_scene
+        .filter_map(|path| Some(("no-scene", path.as_path(), instead(path)?)))
         .next()
+        .or(picture)
     {
         let complaint = Complaint::new("with-reason")
-            .with(
-                "what",
-                Complaint::new("no-scene").with("path", path.as_path()),
-            )
+            .with("what", Complaint::new(what).with("path", path))
             .with("reason", instead);
         complain(look, &complaint);
         return None;

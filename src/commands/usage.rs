@@ -166,7 +166,8 @@ fn complaint(error: &clap::Error, commands: &[String]) -> Option<Complaint> {
     let usage = error.get(ContextKind::Usage).map(ToString::to_string);
     let command = usage.as_deref().and_then(|u| u.split_whitespace().nth(2));
     let instead = foreign.as_deref().and_then(|word| {
-        let habit = habits::message(word, command.unwrap_or_default()).map(Complaint::new);
+        let habit = habits::message(word, command.unwrap_or_default());
+        let habit = habit.map(|message| Complaint::new(message).with("text", opposite(word)));
         let template = || habits::template(word, command.unwrap_or_default());
         habit
             .or_else(template)
@@ -241,8 +242,18 @@ fn suggested(error: &clap::Error) -> Vec<String> {
     }
 }
 
+/// The option that another one turns off: `--fix` for `--no-fix`.
+fn opposite(word: &str) -> String {
+    let name = word.split('=').next().unwrap_or(word);
+    name.replacen("--no-", "--", 1)
+}
+
 /// Whether someone may have meant one name who has written another: a part of it, or few letters are others.
 pub fn is_near(written: &str, name: &str) -> bool {
+    // Nobody means the opposite.
+    if written.starts_with("--no-") && !name.starts_with("--no-") {
+        return false;
+    }
     let [written, name] = [written, name].map(|w| w.trim_start_matches('-'));
     let part = written.len() > 2 && (name.contains(written) || written.contains(name));
     part || strsim::osa_distance(written, name) <= 1 + written.len() / 4

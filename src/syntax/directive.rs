@@ -6,13 +6,17 @@ use crate::diagnostics::Span;
 /// The beginning of every such comment, behind its `#`.
 pub const PREFIX: &str = "zpg:";
 
+/// As ruff and flake8 begin them: such a comment is meant for zpg, which does not understand it.
+const FOREIGN: &str = "noqa";
+
 /// Whether a token is such a comment. It needs no `0` in front.
 pub fn is_directive(token: &Token, text: &str) -> bool {
     if !token.kind().is_comment() {
         return false;
     }
     let inside = token.text(text).trim_start_matches('#').trim_start();
-    without_word(inside, PREFIX).is_some()
+    let is_end = |rest: &str| rest.is_empty() || rest.starts_with([':', '#']);
+    without_word(inside, PREFIX).is_some() || without_word(inside, FOREIGN).is_some_and(is_end)
 }
 
 /// The text after a word, in any case, at the start of a text.

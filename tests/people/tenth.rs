@@ -5,7 +5,7 @@ use zpg::internals::analysis::{Analysis, fixing, repair};
 use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, fixes};
 
 use super::{read, said};
-use crate::support::program::{folder, text, zpg_with};
+use crate::support::program::{folder, text, zpg, zpg_with};
 
 /// A camera, a lamp, and what is drawn.
 const REST: &str = "9 -501 0 0 6 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 2 0\n";
@@ -192,4 +192,74 @@ fn spheres_and_ids() {
     );
     let shown = fixes::apply(&text, error.fixes.iter().take(1)).0;
     assert_eq!(shown, text.replace("2 11", "2 10"));
+}
+
+/// Where a name is that of a translation, the command that writes one is told.
+#[test]
+fn translations_in_the_place_of_pictures() {
+    let dir = folder(&[("scene.zpg", format!("2 9 1\n{REST}"))]);
+    for ending in ["pov", "xml", "obj", "ply", "glb", "stl", "json"] {
+        let name = format!("dobra.{ending}");
+        for arguments in [&["scene.zpg", &name][..], &["scene.zpg", "-o", &name]] {
+            let run = zpg(dir.path(), &[&["render"], arguments].concat());
+            let told = text(&run.stderr);
+            let right = format!("`zpg convert scene.zpg -o {name}`");
+            assert!(told.replace("\n  ", " ").contains(&right), "{told}");
+            assert_eq!(run.status.code(), Some(2));
+        }
+    }
+}
+
+/// What turns off what is off: never is the opposite proposed.
+#[test]
+fn options_that_turn_off_what_is_off() {
+    let dir = folder::<&str>(&[]);
+    for (option, told) in [
+        ("--no-unsafe-fixes", "leave out `--unsafe-fixes`"),
+        ("--no-force-exclude", "leave out `--force-exclude`"),
+        ("--no-fix-only", "without any option"),
+        ("--no-show-fixes", "without any option"),
+    ] {
+        let all = text(&zpg(dir.path(), &["check", option]).stderr).replace("\n  ", " ");
+        assert!(all.contains("that is the default") && all.contains(told));
+        assert!(
+            !all.contains("did you mean") && !all.contains("Usage"),
+            "{all}"
+        );
+    }
+}
+
+/// Words of no meaning in settings.
+#[test]
+fn settings_without_quotes() {
+    for (settings, told) in [
+        ("align = no\n", "write `true` or `false`"),
+        ("[format]\ngroup = True\n", "write `true` or `false`"),
+        ("[lint]\nW310 = off # here\n", "write `\"off\"`"),
+    ] {
+        let dir = folder(&[("zpg.toml", settings), ("a.zpg", "2 9 1\n1 9999 2 0\n")]);
+        let all = text(&zpg(dir.path(), &["check"]).stderr).replace("\n  ", " ");
+        assert!(all.contains(told), "{all}");
+    }
+}
+
+/// Comments for ruff, unknown topics, the name of a translation, and points as the handout has them.
+#[test]
+fn smaller_things() {
+    let scene = format!("2 9 1 # noqa: W307 #\n{REST}");
+    let codes: Vec<Code> = read(&scene).findings().iter().map(|d| d.code).collect();
+    assert_eq!(codes, [Code::S504]);
+    let dir = folder(&[("scene.zpg", format!("2 9 1\n{REST}"))]);
+    let run = |arguments: &[&str]| zpg(dir.path(), arguments);
+    for word in ["kostka", "lesk", "E999"] {
+        let told = text(&run(&["explain", word]).stderr);
+        assert!(told.contains("`zpg explain` lists all"), "{told}");
+    }
+    run(&["convert", "scene.zpg", "-o", "base.pov"]);
+    let made = std::fs::read_to_string(dir.path().join("base.pov")).unwrap();
+    assert!(made.contains("+Ibase.pov +Obase.png "), "{made}");
+    let printed = text(&run(&["convert", "scene.zpg", "--to", "pov"]).stdout);
+    assert!(printed.contains("+Iscene.pov +Oscene.png "));
+    let told = text(&run(&["probe", "scene.zpg", "--point", "[0,6; 1; 1,2]"]).stderr);
+    assert!(told.contains("`0.6 1 1.2`"), "{told}");
 }

@@ -33,6 +33,8 @@ const FORMAT: &str = "format";
 
 /// The settings of each table by their whole names. In `lint` codes stand beside them.
 const TOP: [&str; 4] = [EXCLUDE, FORMAT, LINT, PER_FILE_IGNORES];
+/// The settings that are true or false.
+const BOOLEANS: [&str; 2] = ["align", "group"];
 const OF_FORMAT: [&str; 4] = ["align", "group", "numbers", "width"];
 
 type KeyValue<'t, 'i> = (
@@ -49,8 +51,9 @@ impl Written {
     pub(super) fn read(text: &str, root: &Path) -> Result<Written, Vec<Fault>> {
         let (table, errors) = DeTable::parse_recoverable(text);
         let faults = errors.iter().map(|e| {
-            let why = Complaint::new("setting-toml").with("reason", e.message().to_owned());
-            (e.span().map_or(0, |s| s.start), why)
+            let at = e.span().map_or(0, |s| s.start);
+            let other = || Complaint::new("setting-toml").with("reason", e.message().to_owned());
+            (at, bare(text, at).unwrap_or_else(other))
         });
         let mut reader = Reader {
             text,
@@ -68,6 +71,27 @@ impl Written {
             false => Err(reader.faults),
         }
     }
+}
+
+/// What is right where a word of no meaning, as `no` or `off`, is the value that stands at a place: a truth value of
+/// TOML, or a text in quotes.
+fn bare(text: &str, at: usize) -> Option<Complaint> {
+    let start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
+    let (key, value) = text[start..].lines().next()?.split_once('=')?;
+    let word = value.split('#').next()?.trim();
+    let is_part = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_');
+    if !word.starts_with(char::is_alphabetic)
+        || !word.chars().all(is_part)
+        || matches!(word, "true" | "false" | "inf" | "nan")
+    {
+        return None;
+    }
+    let name = key.trim().rsplit('.').next()?;
+    let why = match BOOLEANS.contains(&name) {
+        true => Complaint::new("setting-truth"),
+        false => Complaint::new("setting-quotes").with("right", quote(&format!("\"{word}\""))),
+    };
+    Some(why.with("text", quote(word)))
 }
 
 /// The entries of a table, in the order of the text.

@@ -42,6 +42,7 @@ pub(super) fn compare(
         pictures,
         stereo: pov::Stereo::TwoFiles,
         captions: Captions::of(&loaded.document, &loaded.source.text),
+        ..pov::Options::default()
     };
     let translation = pov::write(scene, &options)?;
     let tracer = Tracer::with_images(scene, &images)?;

@@ -42,6 +42,9 @@ impl BadRay {
 
 /// Reads N numbers separated by white space, commas or both.
 pub(super) fn numbers<const N: usize>(s: &str) -> Result<[f64; N], Complaint> {
+    // As the handout writes points: `[0,6; 1; 1,2]`.
+    let s = s.trim().trim_start_matches('[').trim_end_matches(']');
+    let s = &s.replace(';', " ");
     let mut out = [0.0; N];
     let mut count = 0;
     let words = s.split(|c: char| c.is_whitespace() || c == ',');

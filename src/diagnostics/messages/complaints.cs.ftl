@@ -9,6 +9,7 @@ at-line = { $path }:{ $line }: { $why }
 ## Soubory
 
 no-scene = { $path } není scéna
+no-picture = { $path } není obrázek
 cannot-read = { $path } nelze přečíst: { $reason }
 cannot-write = { $path } nelze zapsat: { $reason }
 cannot-print = na standardní výstup nelze zapisovat: { $reason }
@@ -41,6 +42,8 @@ io-read-only = disk je jen pro čtení
 
 in-file = { $path }:{ $line }:{ $column }: { $why }
 setting-toml = toto není TOML
+setting-truth = { $text } není hodnota TOML: napište `true` nebo `false`
+setting-quotes = { $text } není hodnota TOML: text patří do uvozovek, napište { $right }
 setting-unknown = nastavení { $key } neexistuje; existují { $known }
 setting-codes-known = kódy s úrovní, například `W310 = "off"`, a `per-file-ignores`
 setting-value = `{ $key }`: očekává se { $wanted }, uvedeno je { $found }
@@ -65,6 +68,7 @@ always-error = { $code } je vždy chyba
 error-not-ignored = { $code } je vždy chyba a nelze ji vynechat
 statistics-format = statistika je text nebo JSON: --format human nebo json
 no-topic = žádný nález ani typ záznamu se nejmenuje { $text }
+no-topic-list = žádný nález ani typ záznamu se nejmenuje { $text } (všechny vypíše `zpg explain`)
 
 ## Sledování
 
@@ -361,6 +365,7 @@ habit-check = zpg má místo toho `zpg check`
 habit-config = takový příkaz zpg nemá; `zpg check --show-settings` vypíše všechna nastavení a `--config` jedno změní
 habit-convert = zpg má místo toho `zpg convert`
 habit-crosscheck = zpg má místo toho `zpg crosscheck`
+habit-default = tak je to i bez této volby: stačí `{ $text }` vynechat
 habit-deny = zpg má místo toho `--deny warnings`
 habit-exclude = zpg má místo toho `--exclude`, které nahrazuje `exclude` ze zpg.toml
 habit-exit-non-zero = taková volba není; `--diff` nic nezapíše a skončí s kódem 1, když by se něco změnilo
@@ -381,6 +386,7 @@ habit-line-length = zpg má místo toho `--config format.width=100`
 habit-linter = takový příkaz zpg nemá; všechny kódy vypíše `zpg explain`
 habit-new = zpg má místo toho `zpg new`
 habit-no-fix = taková volba není; bez `--fix` `zpg check` nic nezapíše
+habit-no-option = tak je to i bez jakékoli volby
 habit-output = soubor, do kterého se zapíše, udává `-o { $path }`
 habit-per-file-ignores = zpg má místo toho {"`"}--config 'lint.per-file-ignores={"{"}"*" = ["W310"]{"}"}'`
 habit-picture-format = formát určuje přípona v `-o`, například `-o picture.png`
@@ -395,6 +401,7 @@ habit-silent = zpg má místo toho `--quiet`
 habit-silent-or-size = v zpg je to `--quiet`; velikost obrázku udává `--size`, například `--size 640x480`
 habit-size = zpg má místo toho `--size`, například `--size 640x480`
 habit-target-version = taková volba není; jazyk scén má jedinou verzi
+habit-translation = scénu převede `zpg convert { $scene } -o { $path }`
 habit-threads = zpg má místo toho `--threads`, například `--threads 4`
 habit-verbose = taková volba není; zpg vypíše vše, co našlo
 habit-version = zpg má místo toho `zpg --version`

@@ -9,6 +9,7 @@ at-line = { $path }:{ $line }: { $why }
 ## Files
 
 no-scene = { $path } is no scene
+no-picture = { $path } is no picture
 cannot-read = cannot read { $path }: { $reason }
 cannot-write = cannot write { $path }: { $reason }
 cannot-print = cannot write to standard output: { $reason }
@@ -41,6 +42,8 @@ io-read-only = Read-only file system
 
 in-file = { $path }:{ $line }:{ $column }: { $why }
 setting-toml = this is not TOML: { $reason }
+setting-truth = { $text } is no value of TOML: write `true` or `false`
+setting-quotes = { $text } is no value of TOML: a text stands in quotes, write { $right }
 setting-unknown = there is no setting { $key }, only { $known }
 setting-codes-known = codes with their levels, as in `W310 = "off"`, and `per-file-ignores`
 setting-value = `{ $key }`: expected { $wanted }, found { $found }
@@ -65,6 +68,7 @@ always-error = { $code } is always an error
 error-not-ignored = { $code } is always an error and cannot be ignored
 statistics-format = statistics are text or JSON: --format human or json
 no-topic = there is no finding or record type { $text }
+no-topic-list = there is no finding or record type { $text } (`zpg explain` lists all)
 
 ## Watching
 
@@ -359,6 +363,7 @@ habit-check = zpg calls it `zpg check`
 habit-config = zpg has no such command; `zpg check --show-settings` shows all settings, and `--config` changes one
 habit-convert = zpg calls it `zpg convert`
 habit-crosscheck = zpg calls it `zpg crosscheck`
+habit-default = that is the default: leave out `{ $text }`
 habit-deny = zpg calls it `--deny warnings`
 habit-exclude = zpg calls it `--exclude`, which counts in place of `exclude` in zpg.toml
 habit-exit-non-zero = there is none; `--diff` writes nothing and exits with 1 where something would change
@@ -379,6 +384,7 @@ habit-line-length = zpg calls it `--config format.width=100`
 habit-linter = zpg has no such command; `zpg explain` lists all codes
 habit-new = zpg calls it `zpg new`
 habit-no-fix = there is none; `zpg check` writes nothing without `--fix`
+habit-no-option = that is the default, without any option
 habit-output = the file to write is named by `-o { $path }`
 habit-per-file-ignores = zpg calls it {"`"}--config 'lint.per-file-ignores={"{"}"*" = ["W310"]{"}"}'`
 habit-picture-format = the ending of `-o` says the format, for example `-o picture.png`
@@ -393,6 +399,7 @@ habit-silent = zpg calls it `--quiet`
 habit-silent-or-size = zpg calls it `--quiet`; the size of a picture is `--size`, for example `--size 640x480`
 habit-size = zpg calls it `--size`, for example `--size 640x480`
 habit-target-version = there is none; the scene language has one version
+habit-translation = `zpg convert { $scene } -o { $path }` translates the scene
 habit-threads = zpg calls it `--threads`, for example `--threads 4`
 habit-verbose = there is none; zpg says all that it found
 habit-version = zpg calls it `zpg --version`

@@ -43,6 +43,8 @@ pub struct Options {
     pub stereo: Stereo,
     /// The scene's names in comments.
     pub captions: Captions,
+    /// The name of the file to be, without its extension.
+    pub name: String,
 }
 
 /// The treatment of a pair of cameras.
@@ -63,6 +65,7 @@ impl Default for Options {
             pictures: Pictures::default(),
             stereo: Stereo::TwoFiles,
             captions: Captions::default(),
+            name: "scene".to_owned(),
         }
     }
 }
@@ -105,7 +108,12 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
     let file = |suffix, lenses: &[Lens]| {
         let mut text = String::new();
         // Writing to a string does not fail.
-        let _ = print::print(&mut text, &document, lenses);
+        let _ = print::print(
+            &mut text,
+            &document,
+            lenses,
+            &format!("{}{suffix}", options.name),
+        );
         File { suffix, text }
     };
     let files = match (&lenses[..], options.stereo) {

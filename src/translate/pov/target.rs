@@ -28,11 +28,10 @@ impl Target for Pov {
         let span = scene.scene().render.map(|r| r.span);
         let crowded = |why| Error::Scene { why, span };
         (options.confine)(scene.scene()).map_err(crowded)?;
+        let stem = (options.output).and_then(|path| Some(path.file_stem()?.to_string_lossy()));
+        let stem = stem.unwrap_or("scene".into());
         let (pictures, copies) = match options.output {
-            Some(path) => {
-                let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-                Pictures::beside(&scene.images()?, &stem)
-            }
+            Some(_) => Pictures::beside(&scene.images()?, &stem),
             // Nobody knows where the translation will lie.
             None => (Pictures::InPlace(whole(scene.folder())), Vec::new()),
         };
@@ -46,6 +45,7 @@ impl Target for Pov {
                 None => Stereo::OneFile,
             },
             captions: scene.captions.clone(),
+            name: stem.into_owned(),
         };
         let Translation {
             files,

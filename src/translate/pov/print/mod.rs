@@ -27,8 +27,13 @@ const EVERYWHERE: &str = "\
 ///
 /// # Errors
 /// The errors of the stream.
-pub(super) fn print(out: &mut dyn Write, document: &Document, lenses: &[Lens]) -> Result {
-    header(out, document, lenses)?;
+pub(super) fn print(
+    out: &mut dyn Write,
+    document: &Document,
+    lenses: &[Lens],
+    name: &str,
+) -> Result {
+    header(out, document, lenses, name)?;
     settings(out, document)?;
     cameras(out, lenses, &document.frame)?;
     if !document.lights_in_group {
@@ -63,15 +68,20 @@ pub(super) fn print(out: &mut dyn Write, document: &Document, lenses: &[Lens]) -
 }
 
 /// How to render the file so that its pixels can be compared.
-fn header(out: &mut dyn Write, document: &Document, lenses: &[Lens]) -> Result {
+fn header(out: &mut dyn Write, document: &Document, lenses: &[Lens], name: &str) -> Result {
     let (w, h) = document.size;
+    let argument = |option: &str, ending: &str| match name.contains(char::is_whitespace) {
+        true => format!("\"{option}{name}.{ending}\""),
+        false => format!("{option}{name}.{ending}"),
+    };
+    let (input, output) = (argument("+I", "pov"), argument("+O", "png"));
     if let Some(title) = document.title {
         writeln!(out, "// {title}")?;
     }
     write!(
         out,
         "// A scene for POV-Ray 3.7. For linear values, one ray through the middle of each pixel:\n\
-         //   povray +Iscene.pov +Oscene.png +W{w} +H{h} -A -D +FN16 File_Gamma=1.0"
+         //   povray {input} {output} +W{w} +H{h} -A -D +FN16 File_Gamma=1.0"
     )?;
     if document.tree.uses.dispersion {
         out.write_str(" Declare=Channel=0")?;
