@@ -39,9 +39,8 @@ fn record(kind: RecordKind) -> FeatureSupport {
         RecordKind::RefractiveIndex => FeatureSupport::exact("interior { ior }"),
         RecordKind::Assignment | RecordKind::Colour => FeatureSupport::exact(""),
         RecordKind::ImageTexture => FeatureSupport::exact(IMAGE_MAP),
-        RecordKind::SolidTexture | RecordKind::Checkerboard => {
-            FeatureSupport::exact("a function pigment")
-        }
+        RecordKind::SolidTexture => FeatureSupport::exact("checker"),
+        RecordKind::Checkerboard => FeatureSupport::exact("checker, or a function pigment"),
         RecordKind::AmbientLight => FeatureSupport::exact("ambient_light"),
         RecordKind::PointLight => FeatureSupport::exact("light_source without fading"),
         RecordKind::Camera | RecordKind::MonoCamera => FeatureSupport::exact("camera"),

@@ -14,8 +14,8 @@ use crate::translate::pov::tree::Frame;
 /// limits, 1e7, far away.
 const SIZE: f64 = 32.0;
 
-/// Distance at which faces are put that were in one place: a few times POV-Ray's tolerances.
-const FACE_GAP: f64 = 1.0 / 512.0;
+/// How far faces are moved apart that are in one place, in POV-Ray's units: a few times its tolerances.
+const FACE_OFFSET: f64 = 1.0 / 512.0;
 
 /// Shadow rays overlook what is closer than this.
 const OVERLOOKED: f64 = 1e-3;
@@ -86,5 +86,5 @@ pub(super) fn frame(
 /// How far apart faces are put in the scene's coordinates that are one: less than can be seen, more than POV-Ray's
 /// tolerances.
 pub(super) fn hair(frame: &Frame) -> f64 {
-    FACE_GAP / frame.unit
+    FACE_OFFSET / frame.unit
 }

@@ -9,8 +9,6 @@ use crate::trace::{Ray, Tracer, Walkers};
 
 /// The picture is looked at through so many pixels.
 const GRID: (u32, u32) = (40, 30);
-/// In scenes of more nodes nobody looks: that would take longer than the rest of the translation.
-const MOST_NODES: usize = 100_000;
 /// A ray is followed through so many surfaces.
 const SURFACES: usize = 8;
 
@@ -28,9 +26,6 @@ pub(super) struct SightRange {
 
 /// Looks through the eyes; nothing where there is nothing to be seen.
 pub(super) fn sight_range(scene: &Scene, eyes: &[Eye], whole: Aabb) -> Option<SightRange> {
-    if scene.nodes.len() > MOST_NODES {
-        return None;
-    }
     let tracer = Tracer::new(scene).ok()?;
     let mut sight = Sight {
         scene,

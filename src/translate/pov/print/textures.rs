@@ -12,26 +12,37 @@ use super::text::{matrix, number, rgb};
 use super::uv::Along;
 use crate::geometry::Matrix;
 use crate::scene::{CELL_NUDGE, Geometry, Rgb};
-use crate::translate::pov::tree::{Pattern, Texture, Tree};
+use crate::translate::pov::tree::{Image, Pattern, Texture, Tree};
 
 /// Prints the declarations of all images and textures.
 pub(super) fn print(out: &mut dyn Write, tree: &Tree) -> Result {
     for (i, image) in tree.images.iter().enumerate() {
-        writeln!(
-            out,
-            "#declare {} = function {{ pigment {{ image_map {{ {} gamma srgb interpolate 2 }} }} }} // {}",
-            image_name(i),
-            image.file,
-            image.caption
-        )?;
+        let is_looked_up = |texture: &Texture| {
+            matches!(texture.pattern, Pattern::Image(_, number) if number == i)
+                && image_map(texture).is_none()
+        };
+        if tree.textures.iter().any(is_looked_up) {
+            writeln!(
+                out,
+                "#declare {} = function {{ pigment {{ {} }} }} // {}",
+                image_name(i),
+                lookup(image),
+                image.caption
+            )?;
+        }
     }
     for texture in &tree.textures {
         functions(out, texture)?;
         write!(out, "#declare {} =", texture.name)?;
-        layers(out, texture)?;
+        layers(out, texture, &tree.images)?;
         out.write_str(";\n")?;
     }
     Ok(())
+}
+
+/// An image in the unit square.
+fn lookup(image: &Image) -> String {
+    format!("image_map {{ {} gamma srgb interpolate 2 }}", image.file)
 }
 
 /// The function that looks up an image.
@@ -41,8 +52,10 @@ fn image_name(number: usize) -> String {
 
 /// The declarations of the surface coordinates that a pattern on a shape needs.
 fn functions(out: &mut dyn Write, texture: &Texture) -> Result {
-    let (Pattern::Checkerboard(shape, ..) | Pattern::Image(shape, _)) = &texture.pattern else {
-        return Ok(());
+    let shape = match &texture.pattern {
+        Pattern::Checkerboard(shape, cells, _) if laid(shape, *cells).is_none() => shape,
+        Pattern::Image(shape, _) if image_map(texture).is_none() => shape,
+        _ => return Ok(()),
     };
     let name = &texture.name;
     let coordinates = coordinates(shape);
@@ -57,7 +70,38 @@ fn functions(out: &mut dyn Write, texture: &Texture) -> Result {
     }
 }
 
-fn layers(out: &mut dyn Write, texture: &Texture) -> Result {
+/// How a pattern whose cells are unit squares is laid on a shape with so many cells along the surface coordinates: what is
+/// said before it and behind it. `None` for shapes of which POV-Ray has no such coordinates.
+fn laid(shape: &Geometry, [n, m]: [u32; 2]) -> Option<(&'static str, String)> {
+    let [n, m] = [n, m].map(f64::from);
+    match shape {
+        Geometry::Rectangle { min, max } => {
+            let [width, height] = [0, 1].map(|i: usize| max[i] - min[i]);
+            let size = [width / n, height / m, 1.0].map(number).join(", ");
+            let from = [min[0], min[1], 0.0].map(number).join(", ");
+            Some(("", format!("scale <{size}> translate <{from}>")))
+        }
+        // POV-Ray goes round the other way.
+        Geometry::Sphere { .. } => {
+            let size = [-1.0 / n, 1.0 / m, 1.0].map(number).join(", ");
+            Some(("uv_mapping ", format!("scale <{size}> translate x")))
+        }
+        _ => None,
+    }
+}
+
+/// How the image of a texture is laid on a shape as it is. `None` where it has to be looked up channel by channel: POV-Ray
+/// can neither tint an image nor let light through it.
+fn image_map(texture: &Texture) -> Option<(&'static str, String)> {
+    let optics = &texture.optics;
+    let is_grey = optics.kd.iter().all(|k| *k == optics.kd[0]);
+    match texture.pattern {
+        Pattern::Image(shape, _) if is_grey && optics.kt == [0.0; 3] => laid(shape, [1, 1]),
+        _ => None,
+    }
+}
+
+fn layers(out: &mut dyn Write, texture: &Texture, images: &[Image]) -> Result {
     let optics = &texture.optics;
     let transparent = optics.kt.iter().any(|k| *k > 0.0);
     let opacity = if transparent { 0.5 } else { 1.0 };
@@ -75,7 +119,7 @@ fn layers(out: &mut dyn Write, texture: &Texture) -> Result {
     }
     let strength = number(kd / opacity);
     out.write_str("\n  texture {\n    ")?;
-    pigment(out, texture, tint, 1.0 - opacity)?;
+    pigment(out, (texture, images), tint, 1.0 - opacity)?;
     // The second number is for light from the other side.
     let other_side = if texture.is_behind { "0, " } else { "" };
     write!(
@@ -89,7 +133,12 @@ fn layers(out: &mut dyn Write, texture: &Texture) -> Result {
 }
 
 /// `pigment { … }` with all colours multiplied by `tint`.
-fn pigment(out: &mut dyn Write, texture: &Texture, tint: Rgb, transmit: f64) -> Result {
+fn pigment(
+    out: &mut dyn Write,
+    (texture, images): (&Texture, &[Image]),
+    tint: Rgb,
+    transmit: f64,
+) -> Result {
     let colour = |c: &Rgb| {
         let c = [c[0] * tint[0], c[1] * tint[1], c[2] * tint[2]];
         if transmit > 0.0 {
@@ -104,17 +153,6 @@ fn pigment(out: &mut dyn Write, texture: &Texture, tint: Rgb, transmit: f64) -> 
         Geometry::Revolution { .. } => "uv_mapping ",
         _ => "",
     };
-    // Even sums of cells give 1/4, odd ones 3/4: well away from where the map changes.
-    let cells = |out: &mut dyn Write, mapped: &str, sum: &str, colours: &[Rgb; 2]| {
-        write!(
-            out,
-            "pigment {{\n      {mapped}function {{ 0.25 + 0.5*abs(mod({sum}, 2)) }}\n      \
-             color_map {{ [0.5 {}] [0.5 {}] }}",
-            colour(&colours[0]),
-            colour(&colours[1])
-        )
-    };
-    let floor = |what: &str| format!("floor({what} + {CELL_NUDGE:e})");
     let name = &texture.name;
     match &texture.pattern {
         Pattern::Colour(c) => return write!(out, "pigment {{ {} }}", colour(c)),
@@ -123,19 +161,48 @@ fn pigment(out: &mut dyn Write, texture: &Texture, tint: Rgb, transmit: f64) -> 
             write!(out, "pigment {{\n      uv_mapping {pattern}")?;
         }
         Pattern::Cubes(frame, colours, size) => {
-            let size = number(*size);
-            let sum = ["x", "y", "z"].map(|axis| floor(&format!("{axis}/{size}")));
-            cells(out, "", &sum.join(" + "), colours)?;
+            let [a, b] = colours.each_ref().map(colour);
+            write!(
+                out,
+                "pigment {{\n      checker {a}, {b} scale {}",
+                number(*size)
+            )?;
             if *frame != Matrix::IDENTITY {
                 write!(out, "\n      {}", matrix(frame))?;
             }
         }
-        Pattern::Checkerboard(shape, [n, m], colours) => {
-            let u = floor(&format!("{n}*{name}_u(x, y, z)"));
-            let v = floor(&format!("{m}*{name}_v(x, y, z)"));
-            cells(out, mapped(shape), &format!("{u} + {v}"), colours)?;
-        }
+        Pattern::Checkerboard(shape, cells, colours) => match laid(shape, *cells) {
+            Some((before, behind)) => {
+                let [a, b] = colours.each_ref().map(colour);
+                write!(out, "pigment {{\n      {before}checker {a}, {b} {behind}")?;
+            }
+            None => {
+                let floor = |count: u32, what: &str| {
+                    format!("floor({count}*{name}_{what}(x, y, z) + {CELL_NUDGE:e})")
+                };
+                // Even sums of cells give 1/4, odd ones 3/4: well away from where the map changes.
+                write!(
+                    out,
+                    "pigment {{\n      {}function {{ 0.25 + 0.5*abs(mod({} + {}, 2)) }}\n      \
+                     color_map {{ [0.5 {}] [0.5 {}] }}",
+                    mapped(shape),
+                    floor(cells[0], "u"),
+                    floor(cells[1], "v"),
+                    colour(&colours[0]),
+                    colour(&colours[1])
+                )?;
+            }
+        },
         Pattern::Image(shape, image) => {
+            if let Some((before, behind)) = image_map(texture) {
+                let image = &images[*image];
+                return write!(
+                    out,
+                    "pigment {{\n      {before}{} {behind} // {}\n    }}",
+                    lookup(image),
+                    image.caption
+                );
+            }
             let place = format!(
                 "{}({name}_u(x, y, z), {name}_v(x, y, z), 0)",
                 image_name(*image)
