@@ -8,6 +8,7 @@ use std::path::Path;
 use crate::support::compare::{agrees, compare};
 use crate::support::{cases, povray, seeds};
 use zpg::internals::analysis::Analysis;
+use zpg::internals::translate::pov;
 
 /// Glass of three kinds, two opaque materials, one that light goes through straight on.
 const LOOKS: &str = "11 -701 0.3 0.6 0.58\n12 -701 0.85 0.5 0.8\n13 -701 0.9 0.7 0.2\n14 -701 0.4 0.5 0.62\n\
@@ -36,6 +37,22 @@ const EYE: [f64; 3] = [0.8, 1.8, 2.2];
 
 /// Something opaque that fills a hole in glass: the face is the glass's, through which one sees into it, but
 /// nothing of what else is in it, before it or after it in the order.
+/// Boxes with their tops in one plane are moved apart only where the tops meet, and not where boxes around them do.
+#[test]
+fn only_faces_that_meet_are_moved_apart() {
+    // Along the diagonal the boxes, turned by 45 degrees, are 2 long.
+    for (apart, is_moved) in [(2.4, false), (2.001, false), (1.9, true), (0.5, true)] {
+        let way = apart / 2.0f64.sqrt();
+        let body = format!(
+            "2 12 -1 -1 -1 1 1 1\n2 -2 45 2\n2 -701 1 0 0\n3 12 -1 -1 -1 1 1 1\n3 -2 45 2\n3 -1 {way} 0 {way}\n"
+        );
+        let loaded = parts(&body, &[2, 3], [0.0, 4.0, 14.0]);
+        let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
+        let text = &translation.files[0].text;
+        assert_eq!(text.contains("made longer"), is_moved, "{apart}\n{text}");
+    }
+}
+
 #[test]
 #[ignore = "needs POV-Ray"]
 fn what_is_in_opaque_fillings() {

@@ -29,6 +29,30 @@ pub(crate) struct Face {
     /// Whether the face is a surface, and not that of a solid.
     pub is_sheet: bool,
     around: Aabb,
+    /// Holds a flat face that ends, if its shape says so.
+    outline: Option<Parallelogram>,
+}
+
+/// centre ± sides[0] ± sides[1].
+#[derive(Debug, Clone, Copy)]
+struct Parallelogram {
+    centre: Vec3,
+    sides: [Vec3; 2],
+}
+
+impl Parallelogram {
+    /// Whether it has no more than an edge in common with another one in a plane with this normal: some line in the plane
+    /// along a side of one of them has each on another side of it, but for `edge`.
+    fn is_beside(&self, other: &Parallelogram, normal: Vec3, edge: f64) -> bool {
+        let [p, q] = self.sides;
+        let [r, s] = other.sides;
+        let way = sub(other.centre, self.centre);
+        [p, q, r, s].iter().any(|side| {
+            let across = cross(normal, *side);
+            let reach: f64 = [p, q, r, s].iter().map(|v| dot(*v, across).abs()).sum();
+            dot(way, across).abs() >= reach - edge * length(across)
+        })
+    }
 }
 
 enum Surface {
@@ -60,7 +84,7 @@ impl Face {
         }
     }
 
-    /// How another face lies in this one, if it does.
+    /// How another face lies in this one, if it does and more than an edge is in common.
     pub(crate) fn contact(&self, other: &Face) -> Option<Contact> {
         let ends = [&self.around, &other.around];
         let ends = ends.into_iter().flat_map(|b| [b.min, b.max]).flatten();
@@ -82,7 +106,9 @@ impl Face {
                 let along = dot(a.n, b.n).signum();
                 let same = length(sub(a.n, b.n.map(|x| x * along))) <= SURFACE_REL_EPS
                     && (a.d - b.d * along).abs() <= gap;
-                same.then_some(along > 0.0)?
+                let outlines = self.outline.as_ref().zip(other.outline.as_ref());
+                let are_beside = outlines.is_some_and(|(p, q)| p.is_beside(q, a.n, edge));
+                (same && !are_beside).then_some(along > 0.0)?
             }
             (Surface::Quadric(a), Surface::Quadric(b)) => {
                 ((a - b).abs() <= SURFACE_REL_EPS * a.abs()).then_some(true)?
@@ -207,6 +233,7 @@ impl Model<'_> {
                     is_outer,
                     is_sheet: true,
                     around: geometry.bounds(m),
+                    outline: None,
                 })
             }));
             return;
@@ -221,6 +248,17 @@ impl Model<'_> {
         for face in all {
             let quadric = geometry.quadric(face.part);
             let corners = face.form.corners();
+            let outline = match face.form {
+                FaceShape::Flat {
+                    point,
+                    sides: Some(sides),
+                    ..
+                } => Some(Parallelogram {
+                    centre: point,
+                    sides,
+                }),
+                _ => None,
+            };
             let surface = match face.form {
                 FaceShape::Flat { normal, point, .. } => Surface::Flat(Plane {
                     n: normal,
@@ -251,6 +289,7 @@ impl Model<'_> {
                 is_outer,
                 is_sheet: false,
                 around,
+                outline,
             });
         }
     }
