@@ -127,8 +127,9 @@ fn cones_from_end_to_end() {
         &format!("2 1 2 0.5 0 0.5 2\n{REST}"),
     );
     // Nothing in the shape, or nothing to be moved.
-    let text = format!("2 14 0 1 0 0 0 1 0 0\n{REST}");
-    assert_eq!(error(&text).fixes, []);
+    for line in ["2 14 0 1 0 0 0 1 0 0", "2 12 0 0 0 0 1 1 1 2 3 1 0 0"] {
+        assert_eq!(error(&format!("{line}\n{REST}")).fixes, []);
+    }
     let text = format!("2 11 0 0 0 1 0 0 0\n{REST}");
     let all = error(&text).fixes;
     let is_move = |fix: &_| fixes::apply(&text, [fix].into_iter()).0.contains("2 -1 ");

@@ -284,10 +284,17 @@ impl LineContext<'_> {
         })
     }
 
-    /// Whether a shape of sizes alone has one of zero, so that there is nothing in it.
-    fn is_flat(&self, ty: &RecordType, sizes: &[Token]) -> bool {
+    /// Whether there is nothing in a shape: one of sizes alone has one of zero, or a box ends where it begins.
+    fn is_flat(&self, ty: &RecordType, own: &[Token]) -> bool {
         let is_zero = |t: &Token| t.number(self.text) == Some(0.0);
-        ty.family == Family::Shape && ty.vectors.is_empty() && sizes.iter().any(is_zero)
+        let is_same = |(low, high): (&Token, &Token)| {
+            low.number(self.text).map(f64::to_bits) == high.number(self.text).map(f64::to_bits)
+        };
+        match ty.kind {
+            RecordKind::Shape(ShapeKind::Box) => own.iter().zip(own.iter().skip(OWN)).any(is_same),
+            RecordKind::Shape(_) => ty.vectors.is_empty() && own.iter().any(is_zero),
+            _ => false,
+        }
     }
 
     /// Whether numbers may be meant as records that follow what is defined.
