@@ -17,7 +17,7 @@ use zpg::internals::trace::film::{Film, Packing};
 mod hard;
 
 /// How far two pixels may be apart in 8-bit sRGB, in any channel, and still count as the same.
-const SAME: u8 = 2;
+const MAX_STEPS: u8 = 2;
 
 const BEGIN: &str = "<!-- Figures, written by `cargo bench --bench hard_gallery`. -->\n";
 const END: &str = "<!-- End of the figures. -->\n";
@@ -70,8 +70,9 @@ fn main() -> Outcome<()> {
 /// How many pixels are not the same.
 fn differing(a: &Film, b: &Film) -> usize {
     use zpg::internals::trace::film::srgb8;
-    let same =
-        |(p, q): (&[f32; 3], &[f32; 3])| (0..3).all(|c| srgb8(p[c]).abs_diff(srgb8(q[c])) <= SAME);
+    let same = |(p, q): (&[f32; 3], &[f32; 3])| {
+        (0..3).all(|c| srgb8(p[c]).abs_diff(srgb8(q[c])) <= MAX_STEPS)
+    };
     let pairs = a.pixels.iter().zip(&b.pixels);
     pairs.filter(|&pair| !same(pair)).count()
 }

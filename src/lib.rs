@@ -46,6 +46,8 @@
 
 // Not in Cargo.toml, whose lints hold for tests and benches, too: there, nothing is reachable.
 #![warn(unreachable_pub)]
+// Only `commands` and `lsp` write to a terminal, to what they are given.
+#![warn(clippy::print_stdout, clippy::print_stderr)]
 
 // The modules, each of which imports only what stands before it.
 

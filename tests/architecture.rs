@@ -228,6 +228,30 @@ fn circles_are_small() {
     );
 }
 
+/// What prints POV-Ray's text knows the tree that it prints, and none of the passes before it.
+#[test]
+fn the_printer_of_pov_ray_sees_no_scene() {
+    let all = modules();
+    let is_printer = |module: &Module| module.join("::").starts_with("translate::pov::print");
+    let printers = all.keys().filter(|module| is_printer(module));
+    assert!(printers.clone().count() > 5);
+    for printer in printers {
+        for path in &all[printer].code {
+            let path = path.join("::");
+            let is_pass = ["lower", "model", "separate", "simplify"]
+                .iter()
+                .any(|pass| path.starts_with(&format!("crate::translate::pov::{pass}")));
+            let is_scene =
+                path == "crate::scene::Scene" || path.starts_with("crate::scene::NodeId");
+            assert!(
+                !(is_pass || is_scene),
+                "{} imports {path}",
+                printer.join("::")
+            );
+        }
+    }
+}
+
 /// CONTRIBUTING names the layers in the order of `src/lib.rs`.
 #[test]
 fn the_page_draws_the_same_picture() {

@@ -13,9 +13,9 @@ use zpg::internals::translate::pov::{self, Options};
 
 const SIZE: [u32; 2] = [32, 24];
 /// Linear values may differ by so much.
-const SAME: f32 = 1e-4;
+const MAX_DIFFERENCE: f32 = 1e-4;
 /// Outside of a surface, in scenes of size 1 to 10: more than the share of the way to a lamp that counts as the lamp.
-const HAIR: f64 = 1e-7;
+const OFF_SURFACE: f64 = 1e-7;
 /// Surely inside.
 const INSIDE: f64 = -1e-5;
 
@@ -308,8 +308,8 @@ fn a_lamp_on_a_surface_lights_the_outer_side() {
             return;
         }
         compared += 1;
-        let inwards = if spot.is_solid { INSIDE } else { -HAIR };
-        let [on, outside, inside] = [0.0, HAIR, inwards].map(|off| {
+        let inwards = if spot.is_solid { INSIDE } else { -OFF_SURFACE };
+        let [on, outside, inside] = [0.0, OFF_SURFACE, inwards].map(|off| {
             let text = text(spot, whole, seed, off);
             drawn(&resolved(&text), Numbers::F64)
         });
@@ -327,7 +327,7 @@ fn a_lamp_on_a_surface_lights_the_outer_side() {
                 .fold(0.0, |m: f32, x| m.max(*x));
             assert!(most < 1e-6, "{most} {}", text(spot, whole, seed, INSIDE));
         }
-        let apart = unlike(&on, &expected, SAME);
+        let apart = unlike(&on, &expected, MAX_DIFFERENCE);
         assert!(apart <= 1, "{apart} {}", text(spot, whole, seed, 0.0));
     });
     assert!(compared > 16, "{compared}");

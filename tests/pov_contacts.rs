@@ -43,10 +43,11 @@ fn only_faces_that_meet_are_moved_apart() {
     // Along the diagonal the boxes, turned by 45 degrees, are 2 long.
     for (apart, is_moved) in [(2.4, false), (2.001, false), (1.9, true), (0.5, true)] {
         let way = apart / 2.0f64.sqrt();
-        let body = format!(
-            "2 12 -1 -1 -1 1 1 1\n2 -2 45 2\n2 -701 1 0 0\n3 12 -1 -1 -1 1 1 1\n3 -2 45 2\n3 -1 {way} 0 {way}\n"
+        let text = format!(
+            "2 12 -1 -1 -1 1 1 1\n2 -701 1 0 0\n2 -2 45 2\n3 12 -1 -1 -1 1 1 1\n3 -2 45 2\n3 -1 {way} 0 {way}\n\
+             4 -101 2 3\n1 9999 4 0\n"
         );
-        let loaded = parts(&body, &[2, 3], [0.0, 4.0, 14.0]);
+        let loaded = Analysis::new("boxes.zpg", text.into_bytes());
         let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
         let text = &translation.files[0].text;
         assert_eq!(text.contains("made longer"), is_moved, "{apart}\n{text}");

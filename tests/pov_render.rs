@@ -16,11 +16,11 @@ const SIZE: (u32, u32) = (96, 72);
 /// Pixels may differ by so much.
 const BAR: f64 = 2.0 / 255.0;
 /// A pixel whose value changes by more than the bar within this part of a pixel lies on an edge.
-const NEAR: f64 = 0.02;
+const EDGE_WIDTH_PIXELS: f64 = 0.02;
 
 /// The tracer and the evaluator may differ by so much: the evaluator leaves surfaces by a fixed distance, which shows
 /// in tiny scenes.
-const SAME: f64 = BAR;
+const EVALUATOR_BAR: f64 = BAR;
 
 /// Renders a scene with all three and compares all pixels off edges; those with total reflection,
 /// where POV-Ray is known to differ, without POV-Ray.
@@ -49,10 +49,10 @@ fn compare_view(name: &str, scene: &Scene, translation: &Translation, camera: Ca
     // Each pixel's centre, and four places around it.
     let around = [
         (0.0, 0.0),
-        (NEAR, NEAR),
-        (-NEAR, NEAR),
-        (NEAR, -NEAR),
-        (-NEAR, -NEAR),
+        (EDGE_WIDTH_PIXELS, EDGE_WIDTH_PIXELS),
+        (-EDGE_WIDTH_PIXELS, EDGE_WIDTH_PIXELS),
+        (EDGE_WIDTH_PIXELS, -EDGE_WIDTH_PIXELS),
+        (-EDGE_WIDTH_PIXELS, -EDGE_WIDTH_PIXELS),
     ];
     let places: Vec<[f64; 2]> = (0..SIZE.0 * SIZE.1)
         .flat_map(|i| {
@@ -83,7 +83,7 @@ fn compare_view(name: &str, scene: &Scene, translation: &Translation, camera: Ca
             let on_edge = samples
                 .iter()
                 .any(|s| difference(s.colour, here) > BAR / 2.0);
-            if !on_edge && difference(traced, here) > SAME {
+            if !on_edge && difference(traced, here) > EVALUATOR_BAR {
                 unlike.push((x, y, traced, here));
             }
             if samples.iter().any(|s| s.rays.totally_reflected > 0) {

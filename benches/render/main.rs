@@ -32,7 +32,7 @@ const EDGE: f64 = 0.1;
 /// The programs follow as many rays, but for this factor: the same work.
 const ONE_ORDER: f64 = 3.0;
 /// More pixels than this may not differ, those on edges apart.
-const FEW: f64 = 0.01;
+const MAX_DIFFERING_SHARE: f64 = 0.01;
 
 /// What is promised: how many times as long POV-Ray takes.
 const MEAN: f64 = 3.5;
@@ -160,7 +160,7 @@ fn beside_pov_ray(scenes: &[&Scene], folder: &Path, bars: &mut Bars) {
             seconds(0),
             differ * 100.0,
             seconds(1),
-            bars.judge(ratio[0] >= bar && differ <= FEW && same_work)
+            bars.judge(ratio[0] >= bar && differ <= MAX_DIFFERING_SHARE && same_work)
         );
     }
     if logarithms.len() == 9 {

@@ -45,7 +45,11 @@ fn read(mut input: impl BufRead, to: &Sender<Message>, back: &Sender<String>) {
                 }
             }
             Err((id, why)) => {
-                eprintln!("zpg lsp: a message is refused: {}", why.message);
+                // Editors show what a server writes there.
+                #[expect(clippy::print_stderr)]
+                {
+                    eprintln!("zpg lsp: a message is refused: {}", why.message);
+                }
                 let _ = back.send(outgoing::refused(id, &why));
             }
         }

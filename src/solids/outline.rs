@@ -27,8 +27,8 @@ const SUPPORTS: usize = 16;
 /// How far from the surface a point is tried, as a share of how far that is out of the volume.
 const STEP: f64 = 0.01;
 
-/// Directions in which shapes are asked how far they reach, for all searches of a rule together: some
-/// tenths of a second.
+/// Directions in which shapes are asked how far they reach, for all searches that share a budget: some tenths of
+/// a second.
 pub const DIRECTIONS: usize = 3_000_000;
 
 /// The exactly known points of an object: those where its leaves reach furthest.

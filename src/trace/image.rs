@@ -61,6 +61,7 @@ impl Images {
         files.filter(|file| seen.insert(*file)).collect()
     }
 
+    /// The picture of a file, if it could be read.
     pub fn get(&self, file: &str) -> Option<&Arc<Bitmap>> {
         self.0.get(file)
     }

@@ -32,3 +32,16 @@ pub struct File {
 pub fn about_camera(camera: &Camera, message: &'static str) -> Complaint {
     Complaint::new(message).with("id", camera.id.to_string())
 }
+
+/// The shortest decimal that reads back as the same number.
+fn number(x: f64) -> String {
+    let size = x.abs();
+    if x == 0.0 {
+        "0".to_owned()
+    } else if (1e-5..1e15).contains(&size) {
+        // As people write it, where an exponent would not be shorter; whole numbers to 2⁵³ are exact.
+        x.to_string()
+    } else {
+        format!("{x:e}")
+    }
+}

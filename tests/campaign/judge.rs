@@ -13,7 +13,7 @@ use zpg::internals::trace::shapes::{Primitive, Roots};
 
 /// Where sides are looked for between crossings, these are taken to be no farther from the surface than
 /// this, in the unit of [`Row::worst`].
-const MOST: f64 = 64.0;
+const MAX_ERROR_UNITS: f64 = 64.0;
 
 /// How many failures of a row are described.
 const DESCRIBED: usize = 12;
@@ -336,7 +336,7 @@ impl<'a> Judge<'a> {
             let what = format!("{worst:.1} ε away from the surface");
             row.fail(self.describe(&what, roots));
         }
-        let tolerance = bar.min(MOST) * R::EPSILON * reach;
+        let tolerance = bar.min(MAX_ERROR_UNITS) * R::EPSILON * reach;
         if right
             && self.truth.is_solid()
             && !alternates(self.truth, (&self.o, &self.d), &t, roots.inside, tolerance)

@@ -14,7 +14,7 @@ use zpg::internals::diagnostics::Language;
 use super::model::Model;
 
 /// How long anything may take.
-const PATIENCE: Duration = Duration::from_secs(60);
+const TIMEOUT: Duration = Duration::from_secs(60);
 
 pub struct Session {
     to: Sender<Message>,
@@ -184,7 +184,7 @@ impl Session {
     }
 
     fn next_message(&mut self) {
-        let message = self.from.recv_timeout(PATIENCE).expect("a message");
+        let message = self.from.recv_timeout(TIMEOUT).expect("a message");
         let right = match message {
             Message::Response(response) => self.take(response),
             Message::Notification(n) => {

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use sysinfo::{Pid, ProcessRefreshKind, ProcessStatus, ProcessesToUpdate, System};
 
 /// How long it may take to start or to end.
-const PATIENCE: Duration = Duration::from_secs(30);
+const TIMEOUT: Duration = Duration::from_secs(30);
 
 pub struct Endless {
     pub path: PathBuf,
@@ -56,7 +56,7 @@ fn is_running(pid: Pid) -> bool {
 fn wait(why: &str, is_over: impl Fn() -> bool) {
     let start = Instant::now();
     while !is_over() {
-        assert!(start.elapsed() < PATIENCE, "{why}");
+        assert!(start.elapsed() < TIMEOUT, "{why}");
         std::thread::sleep(Duration::from_millis(20));
     }
 }

@@ -174,13 +174,30 @@ pub fn nearest(profile: &[[f64; 2]], x: f64, y: f64) -> (f64, f64, f64) {
     best
 }
 
-/// The points of a profile and those on the axis that close it, in no order.
+/// Twice the area that a closed polygon runs around, negative where it does so clockwise.
+pub fn twice_area(polygon: &[[f64; 2]]) -> f64 {
+    let n = polygon.len();
+    let sides = (0..n).map(|i| [polygon[i], polygon[(i + 1) % n]]);
+    sides.map(|[p, q]| p[0] * q[1] - q[0] * p[1]).sum()
+}
+
+/// A profile closed over the axis, no point twice in a row.
 pub fn closed(profile: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let ends = match (profile.first(), profile.last()) {
-        (Some(first), Some(last)) if first != last => vec![[0.0, first[1]], [0.0, last[1]]],
-        _ => Vec::new(),
+    let mut closed: Vec<[f64; 2]> = Vec::with_capacity(profile.len() + 2);
+    let (Some(&first), Some(&last)) = (profile.first(), profile.last()) else {
+        return closed;
     };
-    profile.iter().copied().chain(ends).collect()
+    let ends = [[0.0, first[1]], [0.0, last[1]]];
+    let points = match first == last {
+        true => profile[1..].to_vec(),
+        false => [&ends[..1], profile, &ends[1..]].concat(),
+    };
+    for p in points {
+        if closed.last() != Some(&p) {
+            closed.push(p);
+        }
+    }
+    closed
 }
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ pub(super) struct Pixel {
 
 /// The place of a sample: the column and the row of its pixel, and which of how many it is there.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct SampleOf {
     pub(super) pixel: [u32; 2],
     pub(super) sample: u32,
     pub(super) of: u32,
@@ -82,11 +82,11 @@ impl<R: Precision> Pen<'_, '_, R> {
     }
 
     /// Draws samples, in their order.
-    pub(super) fn samples(&mut self, places: &[Place]) -> Vec<Sample> {
+    pub(super) fn samples(&mut self, places: &[SampleOf]) -> Vec<Sample> {
         let Some(mut quick) = self.quick.take() else {
             return places.iter().map(|&place| self.slow(place)).collect();
         };
-        let line = |place: &Place| {
+        let line = |place: &SampleOf| {
             let [x, y] = place.pixel;
             let line = self.drawing.line(x, y, place.sample, place.of);
             line.unwrap_or_default()
@@ -112,8 +112,8 @@ impl<R: Precision> Pen<'_, '_, R> {
     }
 
     /// A sample, as the arbiter draws it.
-    fn slow(&mut self, place: Place) -> Sample {
-        let Place {
+    fn slow(&mut self, place: SampleOf) -> Sample {
+        let SampleOf {
             pixel: [x, y],
             sample,
             of,
@@ -244,8 +244,12 @@ impl<R: Precision> Pen<'_, '_, R> {
 }
 
 /// The places of some samples of a pixel.
-fn places(pixel: [u32; 2], samples: std::ops::Range<u32>, of: u32) -> impl Iterator<Item = Place> {
-    samples.map(move |sample| Place { pixel, sample, of })
+fn places(
+    pixel: [u32; 2],
+    samples: std::ops::Range<u32>,
+    of: u32,
+) -> impl Iterator<Item = SampleOf> {
+    samples.map(move |sample| SampleOf { pixel, sample, of })
 }
 
 fn mean(batch: &[Vec3; BATCH_SAMPLES as usize]) -> Vec3 {

@@ -4,11 +4,12 @@ use std::collections::{BTreeSet, HashMap};
 use std::fmt::Write as _;
 
 use super::exact::Exact;
-use super::xml::{escaped, number, rgb};
+use super::xml::{escaped, rgb};
 use crate::scene::{DEFAULT_COLOUR, Optics, Rgb, Texture};
 use crate::trace::graph::Graph;
 use crate::translate::mesh::SurfaceLabel;
 use crate::translate::mesh::picture::file_name;
+use crate::translate::number;
 
 /// How a mesh knows its colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -178,7 +178,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
             false => format!(
                 "<!-- of the scene's coordinates, {} is taken off; the rest is multiplied by {} -->\n",
                 xml::vector(frame.origin),
-                xml::number(frame.scale)
+                crate::translate::number(frame.scale)
             ),
         };
         documents.push((

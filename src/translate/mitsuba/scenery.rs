@@ -5,13 +5,14 @@ use std::fmt::Write as _;
 
 use super::frame::SceneFrame;
 use super::options::{Integrator, Options};
-use super::xml::{number, rgb, transform, vector};
+use super::xml::{rgb, transform, vector};
 use crate::diagnostics::Error;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Camera, Scene};
 use crate::solids::staging::Basis;
 use crate::translate::about_camera;
 use crate::translate::lens::{Lens, Pinhole};
+use crate::translate::number;
 
 /// Samples a pixel of a path-traced picture.
 const SAMPLES: u32 = 64;

@@ -3,22 +3,12 @@
 use super::output::ShapeInfo;
 use crate::geometry::Matrix;
 use crate::scene::Vec3;
+use crate::translate::number;
 
 /// `1, 2, 3`.
 pub(super) fn vector(v: Vec3) -> String {
     let [x, y, z] = v.map(number);
     format!("{x}, {y}, {z}")
-}
-
-/// The shortest decimal that reads back as the same number.
-pub(super) fn number(x: f64) -> String {
-    let size = x.abs();
-    // As people write it, where an exponent would not be shorter.
-    if x == 0.0 || (1e-5..1e15).contains(&size) {
-        (x + 0.0).to_string()
-    } else {
-        format!("{x:e}")
-    }
 }
 
 /// A transformation by a matrix.

@@ -3,12 +3,12 @@
 use std::borrow::Cow;
 
 use super::model::stretch::power_of_two_about;
-use super::print::text::number;
 use super::tree::Document;
 use crate::diagnostics::Complaint;
 use crate::scene::Optics;
 use crate::solids::staging::staged;
 use crate::trace::{Settings, Tracer};
+use crate::translate::number;
 use crate::translate::target::{self, Prepared};
 use crate::translate::{Fidelity, Report};
 

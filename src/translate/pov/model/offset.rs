@@ -3,6 +3,7 @@
 use crate::scene::Geometry;
 use crate::solids::shapes::AnyShape;
 use crate::solids::shapes::ball;
+use crate::solids::shapes::profile::{closed, twice_area};
 
 /// A profile may be sharper than a right angle, but not so sharp that its tip would move so many times
 /// as far as its sides.
@@ -10,32 +11,6 @@ const SHARP: f64 = 16.0;
 
 /// Most points of a profile that is asked whether it crosses itself.
 const MAX_PROFILE_POINTS: usize = 512;
-
-/// Twice the area that a closed polygon runs around, negative where it does so clockwise.
-pub(crate) fn twice_area(polygon: &[[f64; 2]]) -> f64 {
-    let n = polygon.len();
-    let sides = (0..n).map(|i| [polygon[i], polygon[(i + 1) % n]]);
-    sides.map(|[p, q]| p[0] * q[1] - q[0] * p[1]).sum()
-}
-
-/// A profile closed over the axis, no point twice in a row.
-fn closed(profile: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut closed: Vec<[f64; 2]> = Vec::with_capacity(profile.len() + 2);
-    let (Some(&first), Some(&last)) = (profile.first(), profile.last()) else {
-        return closed;
-    };
-    let ends = [[0.0, first[1]], [0.0, last[1]]];
-    let points = match first == last {
-        true => profile[1..].to_vec(),
-        false => [&ends[..1], profile, &ends[1..]].concat(),
-    };
-    for p in points {
-        if closed.last() != Some(&p) {
-            closed.push(p);
-        }
-    }
-    closed
-}
 
 /// A profile of a surface of revolution with its sides moved outwards.
 fn offset_profile(profile: &[[f64; 2]], by: f64) -> Option<Vec<[f64; 2]>> {

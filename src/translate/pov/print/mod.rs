@@ -11,7 +11,8 @@ mod uv;
 use std::fmt::{Result, Write};
 
 use super::tree::{Document, Frame, Lens, Light};
-use text::{Page, number, rgb, vector};
+use crate::translate::number;
+use text::{Page, rgb, vector};
 
 /// The look of faces that are only there for POV-Ray to know where a ray leaves an object.
 const UNSEEN: &str = "\

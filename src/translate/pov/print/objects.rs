@@ -3,8 +3,9 @@
 use std::fmt::{Result, Write};
 
 use super::shape::{Primitive, primitive};
-use super::text::{Page, number, transformation, vector};
+use super::text::{Page, transformation, vector};
 use crate::scene::Volume;
+use crate::translate::number;
 use crate::translate::pov::tree::{Body, Modifier, Object, Operation, Tree};
 
 /// Characters of an object, without its braces, that stand on one line.

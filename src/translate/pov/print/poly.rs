@@ -2,7 +2,7 @@
 //! 1e-4, so the coefficients are made large.
 
 use super::shape::{Primitive, size_unit};
-use super::text::number;
+use crate::translate::number;
 
 /// Largest coefficient: the tolerance is 1e-10 of it.
 const MAX_COEFFICIENT: f64 = 1e6;

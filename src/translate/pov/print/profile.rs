@@ -4,9 +4,10 @@
 //! share t of segment i of n.
 
 use super::shape::{Primitive, size_unit};
-use super::text::{number, vector};
+use super::text::vector;
 use crate::scene::Rgb;
-use crate::translate::pov::model::offset::twice_area;
+use crate::solids::shapes::profile::twice_area;
+use crate::translate::number;
 
 /// Most entries of one of POV-Ray's maps.
 const MAP: usize = 256;

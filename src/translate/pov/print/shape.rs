@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 use std::fmt::{Result, Write};
 
 use super::profile::Profile;
-use super::text::{number, vector};
+use super::text::vector;
 use super::{poly, uv};
 use crate::geometry::array::length;
 use crate::scene::{Geometry, TriangleNormals, Vec3};
+use crate::translate::number;
 
 /// A primitive in the shape's own coordinates: a keyword, and what stands between its braces, one
 /// line each.

@@ -3,19 +3,7 @@
 use std::fmt::{self, Write};
 
 use crate::geometry::Matrix;
-
-/// The shortest decimal that reads back as the same number.
-pub(crate) fn number(x: f64) -> String {
-    let size = x.abs();
-    if x == 0.0 {
-        "0".to_owned()
-    } else if (1e-5..1e15).contains(&size) {
-        // As people write it, where an exponent would not be shorter; whole numbers to 2⁵³ are exact.
-        x.to_string()
-    } else {
-        format!("{x:e}")
-    }
-}
+use crate::translate::number;
 
 /// `<1, 2, 3>`.
 pub(crate) fn vector(v: &[f64]) -> String {

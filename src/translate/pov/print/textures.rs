@@ -8,10 +8,11 @@ use std::fmt::{Result, Write};
 
 use super::profile::Profile;
 use super::shape::coordinates;
-use super::text::{matrix, number, rgb};
+use super::text::{matrix, rgb};
 use super::uv::Along;
 use crate::geometry::Matrix;
 use crate::scene::{CELL_NUDGE, Geometry, Rgb};
+use crate::translate::number;
 use crate::translate::pov::tree::{Image, Pattern, Texture, Tree};
 
 /// Prints the declarations of all images and textures.

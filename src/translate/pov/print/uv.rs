@@ -1,9 +1,9 @@
 //! Surface coordinates as POV-Ray functions of a point in the shape's own coordinates.
 //! POV-Ray's `uv_mapping` has other coordinates for most shapes.
 
-use super::text::number;
 use crate::geometry::array::{cross, dot, length};
 use crate::scene::Vec3;
+use crate::translate::number;
 
 /// u and v as functions of (x, y, z): of a point, and for a lathe, of what `uv_mapping` makes of it.
 pub(super) struct Coordinates {
