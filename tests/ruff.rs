@@ -90,7 +90,8 @@ fn more_codes_are_selected() {
 
 #[test]
 fn other_words_of_ruff_have_an_answer() {
-    let dir = folder(&[("a.zpg", SCENE)]);
+    let drawn = "2 11 0 1 0 1\n1 9999 2 0\n";
+    let dir = folder(&[("a.zpg", SCENE), ("b.zpg", drawn)]);
     for (arguments, answer) in [
         (
             &["check", "--fix-only"][..],
@@ -164,6 +165,26 @@ fn other_words_of_ruff_have_an_answer() {
             "write `0.5`, with a decimal point",
         ),
         (&["convert", "a.zpg", "--tolerance", "0,01"], "write `0.01`"),
+        // Words of other programs.
+        (&["render", "--preview", "a.zpg"], "`--quality draft`"),
+        (&["check", "--dry-run", "a.zpg"], "zpg calls it `--diff`"),
+        (&["fmt", "--dry-run", "a.zpg"], "zpg calls it `--diff`"),
+        (&["fmt", "--stdout", "a.zpg"], "`zpg fmt - < scene.zpg`"),
+        (&["check", "--warnings-as-errors"], "`--deny warnings`"),
+        (&["render", "--camera", "top", "a.zpg"], "`--view top`"),
+        (&["probe", "--json", "a.zpg"], "always writes JSON"),
+        (&["check", "fix", "a.zpg"], "`zpg check --fix`"),
+        (&["napoveda"], "`zpg --help`"),
+        (&["nápověda"], "`zpg --help`"),
+        // A folder that is not there.
+        (
+            &["convert", "b.zpg", "--to", "pov", "-o", "c/b.pov"],
+            "there is no folder c",
+        ),
+        (
+            &["render", "b.zpg", "-o", "c/b.png"],
+            "there is no folder c",
+        ),
         (
             &["check", "--per-file-ignores", "*:W310"],
             "`--config 'lint.per-file-ignores={\"*\" = [\"W310\"]}'`",

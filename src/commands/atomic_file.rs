@@ -306,9 +306,16 @@ fn clear(folder: &Path) {
 
 /// A file cannot be written.
 pub fn unwritable(path: &Path, error: &io::Error) -> Complaint {
+    let folder = path
+        .parent()
+        .filter(|f| !f.as_os_str().is_empty() && !f.exists());
+    let reason = match folder {
+        Some(folder) => Complaint::new("no-folder").with("path", folder),
+        None => Complaint::from(error),
+    };
     Complaint::new("cannot-write")
         .with("path", path)
-        .with("reason", Complaint::from(error))
+        .with("reason", reason)
 }
 
 #[cfg(test)]

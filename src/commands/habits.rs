@@ -6,6 +6,7 @@ use clap::ValueEnum;
 
 use super::new::Template;
 use crate::diagnostics::Complaint;
+use crate::solids::staging::Side;
 use crate::syntax::words::plain;
 
 /// A word of ruff or of a renderer, and the message that says what there is instead.
@@ -85,6 +86,10 @@ const HABITS: [(&str, &str); 75] = [
     ("--spp", "habit-samples"),
     ("--gamma", "habit-gamma"),
     ("version", "habit-version"),
+    ("--warnings-as-errors", "habit-deny"),
+    ("napoveda", "habit-help"),
+    ("nápověda", "habit-help"),
+    ("pomoc", "habit-help"),
 ];
 
 /// The message about a word, if it is one of them, behind a command of zpg.
@@ -98,6 +103,10 @@ pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
         ("--format" | "-f", "render") => return Some("habit-picture-format"),
         ("--werror" | "--strict" | "--max-warnings", "check") => return Some("habit-deny"),
         ("--seed", "render") => return Some("habit-seed"),
+        ("--preview", "render") => return Some("habit-render-preview"),
+        ("--dry-run", "check" | "fmt") => return Some("habit-dry-run"),
+        ("--stdout", "fmt") => return Some("habit-fmt-output"),
+        ("--json", "probe") => return Some("habit-probe-json"),
         _ => {}
     }
     let habit = HABITS.iter().find(|(name, _)| *name == word);
@@ -175,6 +184,20 @@ const VALUES: [(&str, &str); 24] = [
     ("izometrie", "iso"),
     ("sikmo", "iso"),
 ];
+
+/// What there is instead of a value of `--camera` that is a side.
+pub(super) fn camera(argument: &str, value: &str) -> Option<Complaint> {
+    let is_camera = argument.split(' ').next() == Some("--camera");
+    let side = self::value(value).map_or_else(|| plain(value), str::to_owned);
+    let is_side = is_camera && Side::from_str(&side, true).is_ok();
+    is_side.then(|| Complaint::new("habit-view").with("text", side))
+}
+
+/// What there is instead of a word in the place of a file to check that is none.
+pub(super) fn of_check(word: &Path) -> Option<Complaint> {
+    let is_one = word.as_os_str() == "fix" && !word.exists();
+    is_one.then(|| Complaint::new("habit-fix"))
+}
 
 /// The value that is meant by another word.
 pub(super) fn value(word: &str) -> Option<&'static str> {

@@ -146,7 +146,10 @@ fn complaint(error: &clap::Error, commands: &[String]) -> Option<Complaint> {
                 None => arg("usage-no-value")?,
                 Some(text) => arg("usage-value")?.with("text", text),
             };
-            match reason(error) {
+            let [argument, value] = [ContextKind::InvalidArg, ContextKind::InvalidValue]
+                .map(|kind| get(kind).unwrap_or_default());
+            let reason = habits::camera(&argument, &value).or_else(|| reason(error));
+            match reason {
                 Some(reason) => Complaint::new("with-reason")
                     .with("what", what)
                     .with("reason", reason),

@@ -12,6 +12,7 @@ use std::sync::atomic::AtomicBool;
 use super::atomic_file::{self, try_file_in_new_folder, unwritable};
 use super::difference::{Change, changes, diff};
 use super::endings;
+use super::habits;
 use super::help;
 use super::load::{analyse, is_json};
 use super::memory::Memory;
@@ -193,8 +194,15 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &Complaint::new("statistics-format"));
         return Status::Failure;
     }
+    let roots = args.chosen.roots();
+    if let Some((path, instead)) = roots.iter().find_map(|p| Some((p, habits::of_check(p)?))) {
+        let what = Complaint::new("no-scene").with("path", path.as_path());
+        let complaint = Complaint::new("with-reason").with("what", what);
+        complain(look, &complaint.with("reason", instead));
+        return Status::Failure;
+    }
     if args.watch {
-        let (roots, never) = (args.chosen.roots(), AtomicBool::new(false));
+        let never = AtomicBool::new(false);
         return watch::run(&roots, look, &never, |_| false, || once(args, look));
     }
     once(args, look)
