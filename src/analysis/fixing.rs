@@ -3,6 +3,8 @@
 use std::collections::VecDeque;
 use std::ops::Range;
 
+use rustc_hash::FxHashSet;
+
 use super::Analysis;
 use super::allowing::TRIED_BYTES;
 use super::repair;
@@ -41,9 +43,10 @@ pub fn to_fixed_point(
         (REFUSED_BYTES / analysis.source.text.len().max(1)).clamp(REFUSED.start, REFUSED.end);
     let (mut count, mut rounds) = (0, Vec::new());
     let mut guessed = false;
-    let unseen = analysis.findings().iter().any(|d| d.code == Code::W324);
+    // What was said before the first guess; what only a guess has brought to light is guessed at by nobody.
+    let mut said = Said::default();
     // Errors first: what they hid is weighed against what there is then.
-    let of = |analysis: &Analysis, errors: bool, guessed: bool| -> Vec<Fix> {
+    let of = |analysis: &Analysis, errors: bool, said: Option<&Said>| -> Vec<Fix> {
         // Nothing has to be tried for fixes that are certain.
         let proposals;
         let findings = match unsafe_too && analysis.findings().iter().any(repair::is_tried) {
@@ -55,24 +58,34 @@ pub fn to_fixed_point(
         };
         // What a guess has made may be what the next one would take out.
         let is_asked = |d: &&Diagnostic| {
-            d.is_error() == errors && !(guessed && lint::takes_records_out(d.code))
+            d.is_error() == errors && !(said.is_some() && lint::takes_records_out(d.code))
         };
         let all = findings.iter().filter(is_asked).filter_map(|d| {
             let fix = d.applicable_fix(unsafe_too)?;
-            // What a guess has moved out of view is no reason to turn a camera that was right.
-            let follows = guessed && d.code == Code::W324 && !unseen;
+            let is_new = |said: &Said| !errors && !said.contains(&key(analysis, d));
+            let follows = is_guess(fix) && said.is_some_and(is_new);
             (!follows).then(|| fix.clone())
         });
         all.collect()
     };
-    let mut next = |analysis: &Analysis, guessed: bool| {
+    let mut next = |analysis: &Analysis, said: Option<&Said>| {
         [true, false].into_iter().find_map(|errors| {
-            let all = of(analysis, errors, guessed);
+            let all = of(analysis, errors, said);
             let step = step(analysis, &all, &again, &mut left)?;
             Some((step, all.iter().any(is_guess)))
         })
     };
-    while let Some((step, with_guesses)) = next(&analysis, guessed) {
+    loop {
+        if !guessed {
+            said = analysis
+                .findings()
+                .iter()
+                .map(|d| key(&analysis, d))
+                .collect();
+        }
+        let Some((step, with_guesses)) = next(&analysis, guessed.then_some(&said)) else {
+            break;
+        };
         guessed |= with_guesses;
         analysis = step.analysis;
         count += step.count;
@@ -81,13 +94,15 @@ pub fn to_fixed_point(
     if left > 0 {
         let mut findings = analysis.take_findings();
         for d in &mut findings {
+            let is_new = guessed && !said.contains(&key(&analysis, d));
             let is_error = d.is_error();
             (d.fixes).retain(|f| match f.applicability {
                 Applicability::Safe => false,
                 Applicability::Unsafe => !(unsafe_too && is_error),
                 Applicability::Choice => true,
             });
-            if unsafe_too {
+            // The next run may take what only a guess has brought to light.
+            if unsafe_too && !is_new {
                 leave_open(d);
             }
         }
@@ -106,6 +121,13 @@ pub fn to_fixed_point(
         count,
         rounds,
     }
+}
+
+/// Findings, by their codes and the texts that they point at.
+type Said = FxHashSet<(Code, String)>;
+
+fn key(analysis: &Analysis, d: &Diagnostic) -> (Code, String) {
+    (d.code, analysis.source.slice(d.span).to_owned())
 }
 
 /// The findings that are left, with the guesses among which a person has to choose.

@@ -40,12 +40,16 @@ fn beside(folder: &Path, file: &Path) -> Option<String> {
     }
     let written = file.file_name()?.to_str()?.to_lowercase();
     let parent = file.parent().unwrap_or(Path::new(""));
-    let most = 1 + written.chars().count() / 5;
-    let stem = |name: &str| Path::new(name).file_stem().map(ToOwned::to_owned);
-    let distance = |name: &str| match stem(name) == stem(&written) {
-        // Another ending is one mistake.
-        true => 1,
-        false => strsim::osa_distance(name, &written),
+    let parts = |name: &str| match name.rsplit_once('.') {
+        Some((stem, ending)) => (stem.to_owned(), ending.to_owned()),
+        None => (name.to_owned(), String::new()),
+    };
+    let (stem, ending) = parts(&written);
+    let most = 1 + stem.chars().count() / 5;
+    // Another ending is one mistake.
+    let distance = |name: &str| {
+        let (other, with) = parts(name);
+        strsim::osa_distance(&stem, &other) + usize::from(with != ending)
     };
     let entries = std::fs::read_dir(folder.join(parent)).ok()?;
     let names = entries.take(ENTRIES).flatten();
