@@ -3,6 +3,7 @@
 
 mod agreement;
 mod commas;
+mod forgotten;
 mod guesses;
 mod meant;
 mod messages;

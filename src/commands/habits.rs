@@ -10,7 +10,7 @@ use crate::solids::staging::Side;
 use crate::syntax::words::plain;
 
 /// A word of ruff or of a renderer, and the message that says what there is instead.
-const HABITS: [(&str, &str); 75] = [
+const HABITS: [(&str, &str); 79] = [
     ("--add-noqa", "habit-add-allow"),
     ("--cache-dir", "habit-cache"),
     ("--no-cache", "habit-cache"),

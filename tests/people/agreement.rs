@@ -19,6 +19,8 @@ fn disagreement(d: &Diagnostic, text: &str) -> Option<String> {
     let agrees = match d.code {
         // Something is missing, or too much, anywhere in the record; or the whole record moves.
         Code::E008 | Code::E009 | Code::E107 => true,
+        // A record that is missing goes above the one that needs it.
+        Code::E101 if d.case == "missing-union" => true,
         // Nothing but the ID is said to be missing.
         Code::E005 if d.case == "lost" => first.edits.iter().all(|e| e.span.start == d.span.start),
         _ => first.edits.iter().any(|e| points(e.span)),

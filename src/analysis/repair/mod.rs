@@ -11,6 +11,7 @@ mod elsewhere;
 mod heads;
 mod in_comments;
 mod judge;
+mod missing;
 mod slashes;
 mod whole;
 
@@ -51,10 +52,12 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
     if analysis.is_records() && engine.findings.iter().any(is_tried) {
         heads::retell(engine.analysis, &mut engine.findings);
         in_comments::retell(engine.analysis, &mut engine.findings);
+        missing::retell(engine.analysis, &mut engine.findings);
         engine.whole();
         engine.elsewhere();
         engine.lines();
         engine.lacking();
+        engine.behind_comments();
     }
     engine.findings
 }
@@ -210,7 +213,8 @@ impl Engine<'_> {
             let done = mended.is_some_and(|line| line.touches(finding.span));
             let settled = has_safe_fix(finding)
                 || whole::is_of_many(finding)
-                || in_comments::is_told(finding);
+                || in_comments::is_told(finding)
+                || missing::is_told(finding);
             if is_tried(finding)
                 && !done
                 && !settled
@@ -247,6 +251,18 @@ impl Engine<'_> {
             if let Some((note, values)) = lacking.filter(|l| l.0 == "lack" || d.fixes.is_empty()) {
                 d.values.extend(values);
                 d.notes.push(note);
+            }
+        }
+    }
+
+    /// Says of numbers too many behind a comment, as in `# ball #1`, where that comment ends.
+    fn behind_comments(&mut self) {
+        let text = &self.analysis.source.text;
+        let many = |d: &&mut Diagnostic| d.code == Code::E009 && !d.notes.contains(&"comment-ends");
+        for d in self.findings.iter_mut().filter(many) {
+            let before = text[..d.span.start as usize].trim_end_matches([' ', '\t']);
+            if before.ends_with('#') {
+                d.notes.push("comment-ends");
             }
         }
     }
@@ -556,7 +572,7 @@ fn defines(analysis: &Analysis, id: Option<u32>) -> bool {
 /// The IDs that are used and defined nowhere, the first ones.
 fn undefined(findings: &[Diagnostic]) -> Vec<u32> {
     let mut all: Vec<u32> = (findings.iter())
-        .filter(|d| d.code == Code::E101 && !in_comments::is_told(d))
+        .filter(|d| d.code == Code::E101 && !in_comments::is_told(d) && !missing::is_told(d))
         .filter_map(named)
         .take(TRIALS)
         .collect();

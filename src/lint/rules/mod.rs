@@ -71,7 +71,7 @@ use ShapeKind as S;
 
 const CUTS: &[RecordKind] = &[R::Intersection, R::Difference];
 const UNIONS: &[RecordKind] = &[R::Union];
-const COPIES: &[RecordKind] = &[R::Copy];
+const JOINS: &[RecordKind] = &[R::Union, R::Intersection];
 const DIFFERENCES: &[RecordKind] = &[R::Difference];
 const ROTATIONS: &[RecordKind] = &[R::Rotation];
 const INTERSECTIONS: &[RecordKind] = &[R::Intersection];
@@ -304,7 +304,7 @@ pub(super) const RULES: &[Rule] = &[
     Rule {
         code: Code::W333,
         check: duplicate_operand::check,
-        asks_for: &[UNIONS, COPIES],
+        asks_for: &[JOINS],
     },
     Rule {
         code: Code::W334,

@@ -50,7 +50,10 @@ fn without_inner_signs(text: &str, tokens: &[Token]) -> Option<Fix> {
         text[sign + 1..].starts_with(char::is_alphanumeric) && text[..sign].ends_with(' ')
     };
     let mut inside = words.match_indices('#').skip(1);
+    // As in `# a # ball #`: closed once more, the words between two signs would be read as a record.
+    let is_closed = words.ends_with('#') && words.matches('#').count() > 2;
     let begin = match words {
+        _ if is_closed => last.start,
         _ if inside.any(|(at, _)| is_tag(last.start as usize + at)) => last.start,
         // As in `# ball #1 #`: the sign has closed the comment, and the last one is left over.
         "#" => {

@@ -161,6 +161,37 @@ impl LineContext<'_> {
         })
     }
 
+    /// The line of a record and the next one of the same ID, without the end of a line between them.
+    pub(super) fn lost_line_end(&self, finding: &Diagnostic) -> Option<Candidate> {
+        let is_surplus = finding.code == Code::E009;
+        let ty =
+            (self.ty()).filter(|ty| is_surplus && !ty.is_counted() && !ty.params.is_empty())?;
+        let (own, behind) = self.params().split_at_checked(ty.params.len())?;
+        let (last, id) = (own.last()?, self.tokens[0].text(self.text));
+        let number = last.text(self.text).strip_suffix(id)?;
+        let is_number = number.parse::<f64>().is_ok() && !number.ends_with('.');
+        let (head, params) = behind.split_first().filter(|_| is_number)?;
+        let next = RecordType::by_code(head.integer(self.text)?)?;
+        let changes = !matches!(next.effect, Effect::Defines(_));
+        if !changes || !self.fit(next, params) {
+            return None;
+        }
+        let text = format!("{id} {}", self.spaced(behind)?);
+        let fix = Fix::replace(
+            "fix-apart",
+            Applicability::Unsafe,
+            last.span(),
+            format!("{number}\n{id}"),
+        );
+        Some(Candidate {
+            habit: Habit::Apart,
+            fix: fix
+                .with("type", Value::Term(next.title))
+                .with("text", quote(&text)),
+            ty: None,
+        })
+    }
+
     /// How many of the parameters here are those of the record, and these as numbers.
     fn own_numbers(&self, ty: &RecordType) -> Option<(usize, String)> {
         let colour = (ty.kind == RecordKind::Colour).then(|| self.named_colour(self.params()));

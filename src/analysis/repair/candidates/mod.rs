@@ -12,6 +12,7 @@ mod notation;
 mod numbers;
 mod own_id;
 mod references;
+mod sizes;
 mod types;
 
 use rustc_hash::FxHashSet;
@@ -329,6 +330,8 @@ impl<'a> LineContext<'a> {
             out.extend(self.per_cent(finding));
             out.extend(self.operands(&[undefined, taken].concat()));
             self.siblings(&mut out);
+            self.by_sizes(finding, &mut out);
+            out.extend(self.lost_line_end(finding));
             let behind = self.records_behind();
             // A record is no comment.
             if behind.is_some() {

@@ -1,11 +1,13 @@
-//! W333: a union of an object and a copy of it that stays where it was.
+//! W333: a union or an intersection of an object with itself, or a union with a copy of it that stays where it was.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::{Context, live_nodes};
 use crate::scene::{Node, NodeId, Scene};
 use crate::solids::named_core;
+use crate::syntax::quote;
+use crate::syntax::table::Kind;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -14,6 +16,13 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut is_part = vec![false; scene.nodes.len()];
     // Operations stand behind their operands: the outermost union comes first.
     for (i, node) in scene.nodes.iter().enumerate().rev() {
+        if live[i]
+            && let Node::Union(a, b) | Node::Intersection(a, b) = node
+            && a == b
+        {
+            out.extend(same(context, i as NodeId));
+            continue;
+        }
         if live[i] && !is_part[i] && matches!(node, Node::Union(..)) {
             twice(scene, i as NodeId, (&originals, &mut is_part), out);
         }
@@ -43,6 +52,34 @@ fn twice(
         }
     }
 }
+
+/// The finding about an operation that names an object twice, with the only object that no record names as a guess.
+fn same(context: &Context, operation: NodeId) -> Option<Diagnostic> {
+    let record = context.scene.origins[operation as usize];
+    let p = context.params(record.span)?;
+    let id = p.integer(SECOND);
+    let place = p.span_of(SECOND, 1);
+    let d = Diagnostic::new(Code::W333, place)
+        .case("same")
+        .with("type", Value::Term(p.ty.title))
+        .with("id", record.id.to_string())
+        .with("one-id", id.to_string());
+    let named: FxHashSet<u32> = (context.records())
+        .flat_map(|r| context.references(r))
+        .collect();
+    let mut unused = (context.scene.entities.iter())
+        .filter(|e| e.kind == Some(Kind::Object) && e.span.start < record.span.start)
+        .filter(|e| !named.contains(&e.id));
+    let (Some(one), None) = (unused.next(), unused.next()) else {
+        return Some(d);
+    };
+    let text = one.id.to_string();
+    let fix = Fix::replace("fix-write", Applicability::Unsafe, place, text.clone());
+    Some(d.fix(fix.with("number", quote(&text))))
+}
+
+/// The place of the second operand in its record.
+const SECOND: usize = 1;
 
 /// Of each node what it is a copy of without changes, or itself. Copies stand behind their originals.
 fn originals(scene: &Scene) -> Vec<NodeId> {

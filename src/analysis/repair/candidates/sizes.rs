@@ -1,0 +1,57 @@
+//! Shapes by their sizes, as other programs have them: a cone with two radii, a box without its place.
+
+use super::{Candidate, Habit, LineContext};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
+use crate::syntax::quote;
+use crate::syntax::table::{RecordKind, RecordType, ShapeKind};
+
+impl LineContext<'_> {
+    /// A cone of a height and two radii, of which one is zero or the profile has both; a box of three edges, about the
+    /// origin or beside it.
+    pub(super) fn by_sizes(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
+        let code = RecordType::of(RecordKind::Shape(ShapeKind::SurfaceOfRevolution)).code;
+        let written: Option<Vec<f64>> = (self.params().iter())
+            .map(|t| t.number(self.text))
+            .collect();
+        let (Some(&[a, b, c]), Some(ty)) = (written.as_deref(), self.ty()) else {
+            return;
+        };
+        let texts = self.params().iter().map(|t| t.text(self.text));
+        let [h, one, two] = Vec::from_iter(texts)[..] else {
+            return;
+        };
+        let is_solid = a > 0.0 && b >= 0.0 && c >= 0.0;
+        match (ty.kind, finding.code) {
+            (RecordKind::Shape(ShapeKind::Cone), Code::E009) if is_solid => {
+                let new = match (b > 0.0, c > 0.0) {
+                    (true, true) => format!("{code} 2 {one} 0 {two} {h}"),
+                    (true, false) => format!("{} {h} {one}", ty.code),
+                    (false, true) => format!("{} {h} {two}", ty.code),
+                    (false, false) => return,
+                };
+                out.push(self.anew(&new, Applicability::Unsafe));
+            }
+            (RecordKind::Shape(ShapeKind::Box), Code::E008) if is_solid && b * c > 0.0 => {
+                let [x, y, z] = [a, b, c].map(|edge| edge / 2.0);
+                let about = format!("{} -{x} -{y} -{z} {x} {y} {z}", ty.code);
+                let beside = format!("{} 0 0 0 {h} {one} {two}", ty.code);
+                let choice = |new: &String| self.anew(new, Applicability::Choice);
+                out.extend([about, beside].iter().map(choice));
+            }
+            _ => {}
+        }
+    }
+
+    /// All of a record behind its ID in another way.
+    fn anew(&self, new: &str, applicability: Applicability) -> Candidate {
+        let [first, last] = [self.tokens[1], self.tokens[self.tokens.len() - 1]];
+        let span = first.span().to(last.span());
+        let shown = format!("{} {new}", self.tokens[0].text(self.text));
+        let fix = Fix::replace("fix-write", applicability, span, new);
+        Candidate {
+            habit: Habit::Sibling,
+            fix: fix.with("number", quote(&shown)),
+            ty: None,
+        }
+    }
+}

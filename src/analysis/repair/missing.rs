@@ -1,0 +1,279 @@
+//! Records that a scene needs and lacks: what is left speaks of the ID that they would define.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use super::named;
+use crate::analysis::Analysis;
+use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Span};
+use crate::scene::{Entity, names};
+use crate::syntax::table::{Effect, Family, Kind, RecordKind};
+use crate::syntax::{Item, Record};
+
+/// So many IDs are looked at.
+const IDS: usize = 16;
+
+/// Whether a finding says that the definition of an ID is missing.
+pub(super) fn is_told(d: &Diagnostic) -> bool {
+    d.code == Code::E101 && d.case.starts_with("missing")
+}
+
+/// What the records of a scene say of its IDs.
+struct Ids<'a> {
+    analysis: &'a Analysis,
+    records: Vec<&'a Record>,
+    /// How often records name an ID.
+    uses: FxHashMap<u32, usize>,
+}
+
+/// Says of IDs that their definition is missing, once each, and proposes no other ID. Guesses of a definition are
+/// tried by the caller.
+pub(super) fn retell(analysis: &Analysis, findings: &mut Vec<Diagnostic>) {
+    let is_of_id = |d: &&Diagnostic| {
+        matches!(d.code, Code::E101 | Code::E103) && matches!(d.case, "" | "changed")
+    };
+    let mut ids: Vec<u32> = (findings.iter().filter(is_of_id))
+        .filter_map(named)
+        .take(IDS)
+        .collect();
+    ids.sort_unstable();
+    ids.dedup();
+    // What cannot be read, stands there twice or has a reserved ID may be what is missing.
+    let is_broken = |item: &Item| matches!(item, Item::Broken(_));
+    if ids.is_empty()
+        || analysis.document.items.iter().any(is_broken)
+        || (findings.iter()).any(|d| matches!(d.code, Code::E102 | Code::E105))
+    {
+        return;
+    }
+    let scene = Ids::new(analysis);
+    for id in ids {
+        let of_id = |d: &Diagnostic| is_of_id(&d) && named(d) == Some(id);
+        let spans: Vec<Span> = (findings.iter().filter(|d| of_id(d)))
+            .map(|d| d.span)
+            .collect();
+        let Some(finding) = spans.first().and_then(|_| scene.missing(id, &spans)) else {
+            continue;
+        };
+        let copies = scene.copies(id);
+        let is_of_copy =
+            |d: &Diagnostic| is_of_id(&d) && named(d).is_some_and(|id| copies.contains(&id));
+        // What is wrong with a record in several places is a slip of that record.
+        let mut others = findings
+            .iter()
+            .filter(|d| d.is_error() && !of_id(d) && !is_of_copy(d));
+        if others.any(|d| scene.in_one_record(&spans, d.span)) {
+            continue;
+        }
+        let is_lamp = finding.case == "missing-lamp";
+        // That a property is not used, and that there is no light, is plain then.
+        let is_plain = |d: &Diagnostic| {
+            d.code == Code::W310 && named(d) == Some(id) || d.code == Code::N603 && is_lamp
+        };
+        findings.retain(|d| !of_id(d) && !is_of_copy(d) && !is_plain(d));
+        findings.push(finding);
+        crate::diagnostics::sort(findings);
+    }
+}
+
+impl<'a> Ids<'a> {
+    fn new(analysis: &'a Analysis) -> Ids<'a> {
+        let records: Vec<&Record> = (analysis.document.items.iter())
+            .filter_map(Item::record)
+            .collect();
+        let mut uses = FxHashMap::default();
+        for record in &records {
+            for id in names::references(&analysis.document, record) {
+                *uses.entry(id).or_default() += 1;
+            }
+        }
+        Ids {
+            analysis,
+            records,
+            uses,
+        }
+    }
+
+    fn uses(&self, id: u32) -> usize {
+        self.uses.get(&id).copied().unwrap_or(0)
+    }
+
+    /// Whether a place is in a record that one of some others is in.
+    fn in_one_record(&self, places: &[Span], place: Span) -> bool {
+        let record = |at: Span| self.record_at(at).map(|r| r.first);
+        let own = record(place);
+        own.is_some() && places.iter().any(|&other| record(other) == own)
+    }
+
+    fn record_at(&self, place: Span) -> Option<&'a Record> {
+        let document = &self.analysis.document;
+        let mut all = self.records.iter().copied();
+        all.find(|r| document.span(r.first, r.last).touches(place))
+    }
+
+    /// The finding about an ID whose definition is missing; `spans` are where something is said of the ID.
+    fn missing(&self, id: u32, spans: &[Span]) -> Option<Diagnostic> {
+        let own: Vec<&Record> = (self.records.iter())
+            .filter(|r| r.id == id)
+            .copied()
+            .collect();
+        if own
+            .iter()
+            .any(|r| matches!(r.ty().effect, Effect::Defines(_)))
+        {
+            return None;
+        }
+        let document = &self.analysis.document;
+        let uses = self.uses(id);
+        let is_property = |r: &&&Record| matches!(r.ty().effect, Effect::DefinesOrChanges(..));
+        let properties = own.iter().filter(is_property).count();
+        let is_of_use = |span: &&Span| !own.iter().any(|r| document.id_token(r).span() == **span);
+        let wrong = spans.iter().filter(is_of_use).count();
+        // What is asked for is an object.
+        let asks = |r: &Record| matches!(r.ty().family, Family::Operation | Family::Render);
+        let mut users = spans
+            .iter()
+            .filter(is_of_use)
+            .filter_map(|&s| self.record_at(s));
+        if users.any(|r| !asks(r)) {
+            return None;
+        }
+        // The object of an assignment may stand in the place of a property.
+        let names_object = |r: &&Record| {
+            let is_object = |e: &Entity, id| e.id == id && e.kind == Some(Kind::Object);
+            let named = |id| {
+                self.analysis
+                    .scene
+                    .entities
+                    .iter()
+                    .any(|e| is_object(e, id))
+            };
+            r.kind == RecordKind::Assignment && names::references(document, r).any(named)
+        };
+        if own.iter().any(|r| names_object(r)) {
+            return None;
+        }
+        // A property that something has is one.
+        if properties > 0 && uses > wrong + self.copied(id) {
+            return None;
+        }
+        let lights = (own.iter()).all(|r| match r.ty().effect {
+            Effect::Changes(kinds) | Effect::DefinesOrChanges(_, kinds) => {
+                kinds.contains(&Kind::PointLight)
+            }
+            Effect::Defines(_) => false,
+        });
+        let is_lamp = uses == 0 && lights;
+        if self.is_left_over(id, is_lamp) {
+            return None;
+        }
+        let at = spans[0];
+        let finding = Diagnostic::new(Code::E101, at).with("id", id.to_string());
+        let several = own.len() + uses > 1;
+        if is_lamp && (several || self.is_in_order(id, own.first()?)) {
+            return Some(finding.case(match self.has_lamp() {
+                true => "missing",
+                false => "missing-lamp",
+            }));
+        }
+        if several && !own.is_empty() {
+            return Some(finding.case("missing-shape"));
+        }
+        let user = self.record_at(at)?;
+        if uses != 1 || !own.is_empty() || !asks(user) {
+            return None;
+        }
+        let start = document.tokens[user.first as usize].start;
+        let left: Vec<&Entity> = self.unused(Kind::Object, start).take(3).collect();
+        match left[..] {
+            // All references of a record may be off by the same number.
+            [a, b] if self.is_shifted(user, [a.id, b.id]) => None,
+            [a, b] => {
+                let text = format!("{id} -101 {} {}", a.id, b.id);
+                let span = Span::new(start, start);
+                let edits = vec![Edit {
+                    span,
+                    text: format!("{text}\n"),
+                }];
+                let fix = Fix::guess("fix-union", edits).with("text", text);
+                Some(finding.case("missing-union").fix(fix))
+            }
+            [_, _, ..] => Some(finding.case("missing")),
+            _ => None,
+        }
+    }
+
+    /// Whether a record names two things with IDs that are all off by one or two.
+    fn is_shifted(&self, user: &Record, left: [u32; 2]) -> bool {
+        let named: Vec<u32> = names::references(&self.analysis.document, user).collect();
+        let is_off = |by: i64| {
+            let mut meant = named.iter().map(|&id| i64::from(id) + by);
+            named.len() == left.len() && meant.all(|id| left.iter().any(|&l| i64::from(l) == id))
+        };
+        [1, -1, 2, -2].into_iter().any(is_off)
+    }
+
+    /// Whether the ID of a record lies between those of the definitions above and below, and is no slip of the ID above.
+    fn is_in_order(&self, id: u32, record: &Record) -> bool {
+        let document = &self.analysis.document;
+        let start = document.tokens[record.first as usize].start;
+        let all = || self.analysis.scene.entities.iter();
+        let above = all().filter(|e| e.span.start < start);
+        let below = all().filter(|e| e.span.start > start && e.kind != Some(Kind::Render));
+        let (Some(last), Some(next)) = (above.map(|e| e.id).max(), below.map(|e| e.id).min())
+        else {
+            return false;
+        };
+        let before = self.records.iter().rev().find(|r| r.first < record.first);
+        let is_near = |other: u32| strsim::osa_distance(&id.to_string(), &other.to_string()) < 2;
+        let is_next = last + 1 == id && id + 1 == next;
+        last < id && id < next && (is_next || before.is_some_and(|r| !is_near(r.id)))
+    }
+
+    fn has_lamp(&self) -> bool {
+        let is_lamp = |r: &&Record| r.kind == RecordKind::PointLight;
+        self.records.iter().any(is_lamp)
+    }
+
+    /// Things of a kind above a place that no record names.
+    fn unused(&self, kind: Kind, before: u32) -> impl Iterator<Item = &'a Entity> {
+        let entities = self.analysis.scene.entities.iter();
+        entities
+            .filter(move |e| e.kind == Some(kind) && e.span.start < before && self.uses(e.id) == 0)
+    }
+
+    /// Whether something else may be what is called missing, under a wrong ID: a lamp that nobody moves, an object that
+    /// nobody uses.
+    fn is_left_over(&self, id: u32, is_lamp: bool) -> bool {
+        let moved = |e: &Entity| {
+            let is_move = |r: &&Record| r.id == e.id && r.ty().family == Family::Transformation;
+            self.records.iter().any(is_move)
+        };
+        let own = self.records.iter().any(|r| r.id == id);
+        match is_lamp {
+            true => self.unused(Kind::PointLight, u32::MAX).any(|e| !moved(e)),
+            false => own && self.unused(Kind::Object, u32::MAX).next().is_some(),
+        }
+    }
+
+    /// How many records copy something.
+    fn copied(&self, id: u32) -> usize {
+        let document = &self.analysis.document;
+        let is_copy = |r: &&&Record| r.kind == RecordKind::Copy;
+        let of_id = |r: &&Record| names::references(document, r).any(|named| named == id);
+        (self.records.iter().filter(is_copy))
+            .filter(|r| of_id(r))
+            .count()
+    }
+
+    /// The IDs of copies of something, and of their copies.
+    fn copies(&self, id: u32) -> FxHashSet<u32> {
+        let mut all = FxHashSet::default();
+        for record in self.records.iter().filter(|r| r.kind == RecordKind::Copy) {
+            let mut of = names::references(&self.analysis.document, record);
+            if of.any(|named| named == id || all.contains(&named)) {
+                all.insert(record.id);
+            }
+        }
+        all
+    }
+}

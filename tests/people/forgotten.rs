@@ -1,0 +1,216 @@
+//! Records that somebody forgot to write, and other slips of newcomers: what is said, and what is guessed.
+
+use zpg::internals::analysis::{Analysis, fixing, repair};
+use zpg::internals::diagnostics::{Code, Diagnostic, Language, Severity};
+
+use super::{read, said};
+use crate::support::program;
+
+/// A ring and a cube on a table, without mistakes.
+const TABLE: &str = "\
+40 12 -4 -1 -4 4 0 4
+40 -701 0.3 0.4 0.5
+41 14 0.7 0.25
+41 -701 0.6 0.35 0.1
+41 -1 -1.5 0.25 -1
+42 12 1 0 -1 2 1 0
+50 -101 41 42
+51 -101 50 40
+60 -402 0.8
+60 -1 -4 6 3
+63 -501 0 4.4 6 0 -0.68 -1 0 1 0 34
+1 9999 51 0
+";
+
+const REST: &str = "9 -501 0 0 6 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n";
+
+const COURSE: [&str; 2] = [
+    include_str!("../../docs/course/scenes/1-snowman.zpg"),
+    include_str!("../../docs/course/scenes/2-cup.zpg"),
+];
+
+fn scene(lines: &str, drawn: u32) -> String {
+    format!("{lines}\n{REST}1 9999 {drawn} 0\n")
+}
+
+/// A scene without the line that begins so.
+fn without(text: &str, line: &str) -> String {
+    let (gone, left): (Vec<&str>, Vec<&str>) = text.lines().partition(|l| l.starts_with(line));
+    assert_eq!(gone.len(), 1, "{line}");
+    left.join("\n") + "\n"
+}
+
+fn findings(text: &str) -> Vec<Diagnostic> {
+    repair::proposals(&read(text))
+}
+
+/// The scene after all guesses, and how many these were.
+fn fixed(text: &str) -> (String, usize) {
+    let mended = fixing::to_fixed_point(read(text), true, Analysis::of);
+    (mended.analysis.source.text.clone(), mended.count)
+}
+
+/// The only finding about a text.
+fn only(text: &str) -> Diagnostic {
+    let mut all = findings(text);
+    let told: Vec<String> = all.iter().flat_map(said).collect();
+    assert_eq!(all.len(), 1, "{told:#?}\n{text}");
+    all.remove(0)
+}
+
+#[test]
+fn the_table_has_no_mistakes() {
+    assert_eq!(findings(TABLE), []);
+}
+
+/// Nobody guesses another ID for what has lost its definition.
+#[test]
+fn forgotten_lamps_and_shapes() {
+    let [snowman, cup] = COURSE;
+    let template = include_str!("../../src/commands/new/scene.zpg");
+    for (text, line, case) in [
+        (TABLE, "60 -402", "missing-lamp"),
+        (TABLE, "41 14", "missing-shape"),
+        (snowman, "50 -402", "missing-lamp"),
+        (cup, "60 -402", "missing"),
+        (template, "11 -402", "missing-lamp"),
+        (snowman, "22 11", "missing-shape"),
+        (cup, "20 1 2", "missing-shape"),
+        (template, "3 14", "missing-shape"),
+    ] {
+        let text = without(text, line);
+        let finding = only(&text);
+        assert_eq!((finding.code, finding.case), (Code::E101, case), "{line}");
+        assert_eq!(finding.fixes, [], "{line}");
+        assert_eq!(fixed(&text), (text.clone(), 0), "{line}");
+    }
+    let words = only(&without(TABLE, "60 -402")).wording(Language::English);
+    assert!(words.message.contains("`60 -402`"), "{}", words.message);
+}
+
+/// A slip of one digit is none of these.
+#[test]
+fn slips_of_ids_are_guessed() {
+    for (line, slip) in [
+        ("41 -1 -1.5", "43 -1 -1.5"),
+        ("50 -101 41 42", "50 -101 41 43"),
+        ("60 -1 -4", "61 -1 -4"),
+        ("51 -101 50 40", "51 -101 52 40"),
+    ] {
+        assert_eq!(fixed(&TABLE.replace(line, slip)).0, TABLE, "{slip}");
+    }
+}
+
+/// Two objects that nothing uses are those of the union that is missing.
+#[test]
+fn forgotten_unions() {
+    let [snowman, _] = COURSE;
+    for (text, line) in [(snowman, "40 -101"), (TABLE, "50 -101"), (TABLE, "51 -101")] {
+        let left = without(text, line);
+        let finding = only(&left);
+        assert_eq!(finding.case, "missing-union", "{line}");
+        let values = |text: &str| super::values(text);
+        let (made, count) = fixed(&left);
+        assert_eq!(count, 1);
+        let is_union = |l: &&str| l.starts_with(line);
+        let union = made.lines().find(is_union).expect("the union");
+        assert_eq!(values(union).len(), 4);
+        assert_eq!(findings(&made), []);
+    }
+    // Of three objects nobody can tell.
+    let text = without(&without(TABLE, "50 -101"), "51 -101");
+    assert_eq!(fixed(&text).1, 0);
+}
+
+/// A comment with a `#` in it: one guess, which is taken.
+#[test]
+fn signs_within_comments() {
+    for (line, meant) in [
+        ("2 11 0 1 0 1 # a # ball #", "2 11 0 1 0 1 # a ball #"),
+        (
+            "2 11 0 1 0 1 # above # the desk #",
+            "2 11 0 1 0 1 # above the desk #",
+        ),
+        (
+            "0 # the mug # with a handle #\n2 11 0 1 0 1",
+            "0 # the mug with a handle #\n2 11 0 1 0 1",
+        ),
+    ] {
+        let text = scene(line, 2);
+        assert_eq!(only(&text).fixes.len(), 1);
+        assert_eq!(fixed(&text), (scene(meant, 2), 1));
+    }
+    let many = only(&scene("2 11 0 1 0 1 # ball #1", 2));
+    assert_eq!(
+        (many.code, &many.notes[..]),
+        (Code::E009, &["comment-ends"][..])
+    );
+}
+
+/// An operation of an object and itself.
+#[test]
+fn the_same_operand_twice() {
+    for code in [-101, -102] {
+        let d = only(&scene(&format!("2 11 0 1 0 1\n4 {code} 2 2"), 4));
+        assert_eq!((d.code, d.case, d.fixes.len()), (Code::W333, "same", 0));
+    }
+    let lines = "41 11 0 1 0 1\n42 12 1 0 0 2 1 1\n51 -101 41 41";
+    let meant = lines.replace("41 41", "41 42");
+    assert_eq!(fixed(&scene(lines, 51)), (scene(&meant, 51), 1));
+}
+
+/// What only a guess brings to light is not guessed at: as many guesses are taken as were announced.
+#[test]
+fn as_many_guesses_as_announced() {
+    let lines = "20 11 0 0 0 1\n20 -3 2\n21 11 0.5 0 0 1.5\n21 -203 1.5 1.5 1.5\n20 -203 1.4 1.4 1.4\n\
+                 20 -201 0 0 1\n21 -201 0 0 1\n22 -101 20 21";
+    let text = scene(lines, 22);
+    let announced = findings(&text);
+    let applied = announced.iter().filter_map(|d| d.applicable_fix(true));
+    assert_eq!(fixed(&text).1, applied.count());
+    let left = fixed(&text).0;
+    assert_eq!(left.lines().count(), text.lines().count(), "{left}");
+}
+
+/// A lost end of a line between two records of one ID.
+#[test]
+fn lost_ends_of_lines() {
+    let lines = "41 14 0.7 0.2541 -701 0.6 0.35 0.1\n41 -1 0 0.5 0";
+    let meant = lines.replace("0.2541", "0.25\n41");
+    assert_eq!(fixed(&scene(lines, 41)), (scene(&meant, 41), 1));
+}
+
+/// Shapes as OpenSCAD has them: a cone of two radii, a box of three edges.
+#[test]
+fn shapes_by_their_sizes() {
+    for (line, meant) in [
+        ("42 16 1.5 0.6 0", "42 16 1.5 0.6"),
+        ("42 16 1.5 0.6 0.3", "42 1 2 0.6 0 0.3 1.5"),
+    ] {
+        assert_eq!(fixed(&scene(line, 42)), (scene(meant, 42), 1));
+    }
+    let text = scene("20 12 8 0.3 8", 20);
+    let shown = only(&text)
+        .fixes
+        .into_iter()
+        .map(|f| f.edits[0].text.clone());
+    let shown: Vec<String> = shown.collect();
+    assert_eq!(shown, ["12 -4 -0.15 -4 4 0.15 4", "12 0 0 0 8 0.3 8"]);
+    assert_eq!(fixed(&text).1, 0);
+    assert_eq!(only(&text).severity, Severity::Error);
+}
+
+/// A picture with another name is none that was meant.
+#[test]
+fn pictures_that_are_not_there() {
+    let picture = include_bytes!("../../scenes/hard/pictures/sheet.png");
+    for (there, is_near) in [("good.png", false), ("mon.png", true), ("moon.jpg", true)] {
+        let text = scene("2 12 0 0 0 1 1 1\n2 -301 moon.png", 2);
+        let dir = program::folder(&[("a.zpg", &text)]);
+        std::fs::write(dir.path().join(there), picture).expect("a picture");
+        let run = program::zpg(dir.path(), &["check", "a.zpg"]);
+        let said = program::text(&run.stdout);
+        assert!(said.contains("E210"), "{said}");
+        assert_eq!(said.contains(there), is_near, "{said}");
+    }
+}
