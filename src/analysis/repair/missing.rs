@@ -149,7 +149,7 @@ impl<'a> Ids<'a> {
             };
             r.kind == RecordKind::Assignment && names::references(document, r).any(named)
         };
-        if own.iter().any(|r| names_object(r)) {
+        if own.iter().any(names_object) {
             return None;
         }
         // A property that something has is one.
