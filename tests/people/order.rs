@@ -192,7 +192,6 @@ fn what_is_defined_below_is_not_called_undefined() {
     for (line, kind, below) in [
         ("51 -1 0 5 0", "ambient light", "51 -401 0.2"),
         ("51 -2 30 1", "ambient light", "51 -401 0.2"),
-        ("51 -3 1 2 1", "colour", "51 -701 1 0 0"),
         ("51 -601 0 0 0 1 1 1", "point light", "51 -402 1"),
     ] {
         let text = format!("2 11 0 0 0 1\n{line}\n{below}\n1 9999 2 0\n");
@@ -205,6 +204,9 @@ fn what_is_defined_below_is_not_called_undefined() {
             super::said(&all[0])
         );
     }
+    // Of what is moved and coloured the definition is missing.
+    let found = errors("2 11 0 0 0 1\n51 -3 1 2 1\n51 -701 1 0 0\n1 9999 2 0\n");
+    assert_eq!((found.len(), found[0].case), (1, "missing-lamp"));
     // What can be changed only stands in the wrong place.
     let found = errors("2 11 0 0 0 1\n51 -1 0 5 0\n51 -402 1\n1 9999 2 0\n");
     assert_eq!(
