@@ -6,6 +6,7 @@ mod glance;
 pub mod levels;
 mod operations;
 mod parts;
+mod places;
 mod properties;
 mod rays;
 mod records;

@@ -264,3 +264,29 @@ fn smaller_things() {
     let told = text(&run(&["probe", "scene.zpg", "--point", "[0,6; 1; 1,2]"]).stderr);
     assert!(told.contains("`0.6 1 1.2`"), "{told}");
 }
+
+/// The place of a lamp on its line, where its numbers are a shape, too: the lamp does not stay at the origin.
+#[test]
+fn a_place_of_a_lamp_that_is_a_shape() {
+    let scene = |lamp: &str, rest: &str| {
+        format!("{lamp}\n{rest}2 11 0 0 0 1\n9 -501 0 0 6 0 0 -1 0 1 0 45\n1 9999 2 0\n")
+    };
+    let line = "50 -402 1 5 9 5";
+    let fix = |text: &str, is_unsafe: bool| {
+        let mended = fixing::to_fixed_point(read(text), is_unsafe, Analysis::of);
+        mended.analysis.source.text.clone()
+    };
+    for rest in ["", "50 -1 1 1 1\n"] {
+        let text = scene(line, rest);
+        assert_eq!(fix(&text, false), text);
+        assert_eq!(fix(&text, true), scene("50 -402 1\n50 -1 5 9 5", rest));
+    }
+    // A ball of its own.
+    let known = scene(line, "5 -1 2 2 2\n");
+    let apart = scene("50 -402 1\n5 9 5", "5 -1 2 2 2\n");
+    assert_eq!(fix(&known, false), apart);
+    // A second lamp with the ID is another mistake.
+    let again = error(&scene("50 -402 1 4 6 5", "50 -402 0.9\n"));
+    assert!(said(&again).iter().any(|s| s.contains("`4 6 5`")));
+    assert_eq!(again.fixes[0].applicability, Applicability::Choice);
+}

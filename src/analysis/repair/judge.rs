@@ -121,6 +121,23 @@ pub(super) fn hidden(d: &Diagnostic, candidate: &Candidate, scene: &Analysis, li
     }
 }
 
+/// How many IDs prove to be defined again only now that a record has no numbers too many: that is another mistake.
+pub(super) fn redefined(
+    d: &Diagnostic,
+    candidate: &Candidate,
+    before: &Analysis,
+    scene: &Analysis,
+) -> usize {
+    let again = |analysis: &Analysis| {
+        let codes = analysis.errors.iter().map(|&(code, _)| code);
+        codes.filter(|&code| code == Code::E102).count()
+    };
+    match d.code == Code::E009 && candidate.habit == Habit::Apart {
+        true => again(scene).saturating_sub(again(before)),
+        false => 0,
+    }
+}
+
 /// Whether what begins on a line ends there, too.
 pub(super) fn ends_on_line(scene: &Analysis, line: Span) -> bool {
     let (source, document) = (&scene.source, &scene.document);

@@ -353,7 +353,8 @@ impl Engine<'_> {
                 break;
             };
             let hidden = hidden(&finding, &candidate, &scene, own_line);
-            let errors = judge::errors(&scene) - hidden;
+            let again = judge::redefined(&finding, &candidate, &base, &scene);
+            let errors = judge::errors(&scene) - hidden - again;
             let least = trials.first().map_or(usize::MAX, |t| t.errors);
             let better = match finding.is_error() {
                 true => errors < errors_before,

@@ -1,5 +1,7 @@
 //! S503: more than one record on a line.
 
+use rustc_hash::FxHashSet;
+
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::format::Options;
 use crate::lint::Context;
@@ -19,14 +21,19 @@ struct Line<'a> {
     broken: bool,
 }
 
+/// The first tokens of records that may be the place of the lamp before them.
+type Places = FxHashSet<u32>;
+
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let document = context.document;
+    let places = context.lamps_with_places().into_iter();
+    let places: Places = places.map(|(_, place)| place.first).collect();
     let mut line = Line::default();
     for pair in document.items.windows(2) {
         let [before, item] = [&pair[0], &pair[1]];
         let between = before.ends().1 + 1..item.ends().0;
         if breaks(context, between.start, between.end) {
-            report(context, &line, true, out);
+            report(context, &line, true, &places, out);
             line = Line::default();
             continue;
         }
@@ -36,7 +43,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             continue;
         }
         if is_torn(context, before) {
-            report(context, &line, false, out);
+            report(context, &line, false, &places, out);
             line = Line {
                 first: Some(before),
                 torn: Some(before),
@@ -46,7 +53,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         line.first.get_or_insert(before);
         line.more.push(item);
     }
-    report(context, &line, true, out);
+    report(context, &line, true, &places, out);
 }
 
 /// Whether a line ends among some tokens.
@@ -61,7 +68,7 @@ fn is_torn(context: &Context, item: &Item) -> bool {
 }
 
 /// Reports a line, and what becomes of its last record where that `ends` with nothing behind it.
-fn report(context: &Context, line: &Line, ends: bool, out: &mut Vec<Diagnostic>) {
+fn report(context: &Context, line: &Line, ends: bool, places: &Places, out: &mut Vec<Diagnostic>) {
     let Some(first) = line.more.first() else {
         return;
     };
@@ -95,8 +102,9 @@ fn report(context: &Context, line: &Line, ends: bool, out: &mut Vec<Diagnostic>)
         .with("count", Value::Count(line.more.len() as u64));
     // What could not be read is read by its lines: with others it may be something else. So beside it only a line is
     // cut that is whole records. And a record that may have taken another one's numbers must not look as if all were
-    // well.
-    let is_doubted = |item: &Item| context.document.is_doubted(item.ends().0);
+    // well. Nor must a lamp stay at the origin whose place may have been read as a shape.
+    let is_doubted =
+        |item: &Item| context.document.is_doubted(item.ends().0) || places.contains(&item.ends().0);
     let mut items = line.first.into_iter().chain(line.more.iter().copied());
     let is_whole = line.torn.is_none() && !line.more.last().is_some_and(|l| is_torn(context, l));
     let is_sure = !context.document.contents.broken || is_whole && !line.broken;

@@ -6,10 +6,13 @@ mod whole;
 
 use std::cell::LazyCell;
 
+use rustc_hash::FxHashMap;
+
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::scene::Entity;
 use crate::scene::names::Names;
+use crate::syntax::Record;
 use crate::syntax::table::{Effect, Kind, RecordKind};
 
 /// Flags of an ID. A large scene has millions of IDs, so each has one byte.
@@ -62,6 +65,15 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             }
             properties.extend(finding.case.is_empty().then_some((at, entity)));
             out.push(finding);
+        }
+    }
+    let start = |record: &Record| context.document.tokens[record.first as usize].start;
+    let lamps = context.lamps_with_places().into_iter();
+    let lamps: FxHashMap<u32, _> = lamps.map(|pair| (start(pair.1), pair)).collect();
+    for finding in out.iter_mut().filter(|d| is_of_object(d)) {
+        if let Some((lamp, place)) = lamps.get(&finding.span.start) {
+            let fix = slip::of_a_lamp(context, lamp, place);
+            finding.fixes.push(fix);
         }
     }
     if let [(at, property)] = properties[..] {

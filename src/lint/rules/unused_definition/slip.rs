@@ -1,12 +1,13 @@
-//! The object that a refractive index may have been meant for, by a slip of its ID.
+//! What may have been meant by something that nothing needs: a refractive index for another object, by a slip of its ID;
+//! a place of a lamp.
 
 use rustc_hash::FxHashSet;
 
-use crate::diagnostics::{Applicability, Edit, Fix, Span};
+use crate::diagnostics::{Applicability, Edit, Fix, Span, Value};
 use crate::lint::Context;
 use crate::scene::{Entity, Node};
-use crate::syntax::quote;
-use crate::syntax::table::{Effect, Kind, RecordKind};
+use crate::syntax::table::{Effect, Kind, RecordKind, RecordType};
+use crate::syntax::{Record, quote};
 
 /// The index with the ID of a transparent object that has none, if one digit or the order of two makes the difference;
 /// swapped digits come first.
@@ -61,4 +62,21 @@ fn is_transparent(context: &Context, object: &Entity) -> bool {
         _ => None,
     });
     optics.is_some_and(|o| o.kt.iter().any(|&k| k > 0.0))
+}
+
+/// A shape behind a lamp on its line as the place of the lamp: a translation.
+pub(super) fn of_a_lamp(context: &Context, lamp: &Record, place: &Record) -> Fix {
+    let document = context.document;
+    let own = document.span(place.first, place.last);
+    let end = document.span(lamp.first, lamp.last).end;
+    let ty = RecordType::of(RecordKind::Translation);
+    let text = format!("\n{} {} ", lamp.id, ty.code);
+    let span = Span::new(end, own.start);
+    let numbers = &context.text[own.start as usize..own.end as usize];
+    let mut fix = Fix::guess("fix-apart", vec![Edit { span, text }]);
+    fix.values = vec![
+        ("type", Value::Term(ty.title)),
+        ("text", quote(numbers).into()),
+    ];
+    fix
 }
