@@ -58,10 +58,19 @@ pub(super) fn retell(analysis: &Analysis, findings: &mut Vec<Diagnostic>) {
         let is_of_copy =
             |d: &Diagnostic| is_of_id(&d) && named(d).is_some_and(|id| copies.contains(&id));
         // What is wrong with a record in several places is a slip of that record.
+        let told: FxHashSet<u32> = (spans.iter())
+            .filter_map(|&span| scene.record_at(span))
+            .map(|record| record.first)
+            .collect();
+        let is_of_those = |d: &Diagnostic| {
+            scene
+                .record_at(d.span)
+                .is_some_and(|r| told.contains(&r.first))
+        };
         let mut others = findings
             .iter()
             .filter(|d| d.is_error() && !of_id(d) && !is_of_copy(d));
-        if others.any(|d| scene.in_one_record(&spans, d.span)) {
+        if others.any(is_of_those) {
             continue;
         }
         let is_lamp = finding.case == "missing-lamp";
@@ -97,17 +106,12 @@ impl<'a> Ids<'a> {
         self.uses.get(&id).copied().unwrap_or(0)
     }
 
-    /// Whether a place is in a record that one of some others is in.
-    fn in_one_record(&self, places: &[Span], place: Span) -> bool {
-        let record = |at: Span| self.record_at(at).map(|r| r.first);
-        let own = record(place);
-        own.is_some() && places.iter().any(|&other| record(other) == own)
-    }
-
+    /// The record that a place is in, or touches.
     fn record_at(&self, place: Span) -> Option<&'a Record> {
-        let document = &self.analysis.document;
-        let mut all = self.records.iter().copied();
-        all.find(|r| document.span(r.first, r.last).touches(place))
+        let span = |r: &Record| self.analysis.document.span(r.first, r.last);
+        let behind = self.records.partition_point(|r| span(r).start <= place.end);
+        let near = &self.records[behind.saturating_sub(2)..behind];
+        near.iter().find(|r| span(r).touches(place)).copied()
     }
 
     /// The finding about an ID whose definition is missing; `spans` are where something is said of the ID.
