@@ -612,3 +612,52 @@ fn numbers_of_reports_have_a_comma() {
     // Times may have none.
     assert!(commas >= 1, "{commas}");
 }
+
+/// Numbers in Czech sentences have a comma, and those of the scene stand between backquotes.
+#[test]
+fn numbers_of_findings_have_a_comma() {
+    let rest = "9 -501 0 0 6 0 0 -1 0 1 0 0.785\n50 -402 1\n50 -1 3 5 5\n1 9999 4 0\n";
+    let balls = "2 11 0.25 0 0 1\n3 11 0.75 0 0 1.25\n3 -203 1.5 1.5 1.5\n2 -201 0.5 0.25 0.85\n";
+    for (scene, said) in [
+        (format!("{balls}3 -2 0.785 2\n4 -103 2 3\n{rest}"), ""),
+        (format!("{balls}4 -101 2 3\n{rest}"), "`kd + ks + kt = 1.6`"),
+        (
+            "2 11 0 0 0 1\n2 -701 1.5 0 0\n1 9999 2 0\n".to_owned(),
+            "`r = 1.5`",
+        ),
+        ("2 11 0 0 0 1\n1 9999 2 0\n".to_owned(), "světlo 0,2"),
+    ] {
+        let dir = folder(&[("a.zpg", &scene)]);
+        let run = program::zpg(
+            dir.path(),
+            &["check", "a.zpg", "--format", "short", "--lang", "cs"],
+        );
+        let all = text(&run.stdout);
+        assert!(all.contains(said), "{all}");
+        for (i, part) in all.split('`').enumerate().filter(|(i, _)| i % 2 == 0) {
+            let bytes = part.as_bytes().windows(3);
+            let digit = |b: u8| b.is_ascii_digit();
+            let has_point = |w: &[u8]| digit(w[0]) && w[1] == b'.' && digit(w[2]);
+            assert!(!bytes.into_iter().any(has_point), "{i}: {all}");
+        }
+    }
+    // How bright the picture is, too.
+    let bright = "2 11 0 0 0 1\n9 -501 0 0 6 0 0 -1 0 1 0 45\n50 -402 3\n50 -1 3 5 5\n1 9999 2 0\n";
+    let dir = folder(&[("a.zpg", bright)]);
+    let arguments = [
+        "convert",
+        "a.zpg",
+        "--verbose",
+        "--to",
+        "pov",
+        "-o",
+        "a.pov",
+        "--lang",
+        "cs",
+    ];
+    let all = text(&program::zpg(dir.path(), &arguments).stderr).replace('\n', " ");
+    assert!(
+        all.contains("=0.25") && all.contains("0,25násobek"),
+        "{all}"
+    );
+}

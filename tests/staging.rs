@@ -97,6 +97,16 @@ fn the_lamp_stands_on_the_left_of_the_camera() {
     }
 }
 
+/// From below it stands below.
+#[test]
+fn the_lamp_stands_below_what_is_seen_from_below() {
+    let lamp = words(at(-70.0, -45.0, 10.0 * radius()));
+    let lit = format!("50 -401 0.2\n51 -402 0.8\n51 -1 {lamp}\n");
+    let seen = pixels(&[THINGS, RENDER].concat(), &["--view", "bottom"]);
+    let meant = [THINGS, &camera(0.0, -90.0, "0 0 1"), &lit, RENDER].concat();
+    are_alike(&seen, &pixels(&meant, &[]));
+}
+
 #[test]
 fn views_from_all_sides() {
     let own = camera(100.0, -10.0, "0 1 0");

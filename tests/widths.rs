@@ -53,6 +53,9 @@ fn all_that_is_said_fits() {
                 &["check", "--diff", "--unsafe-fixes", "--no-such-option"],
                 &["explain", "W307"],
                 &["explain", "torus"],
+                &["explain", "glass"],
+                &["explain", "E015"],
+                &["explain", "W303"],
                 &["explain", "no-such-thing"],
                 &["explain"],
                 &["render", "--help"],
@@ -160,4 +163,23 @@ fn columns_fit_and_hang() {
     // The settings of the style are a table of three columns.
     let under = format!("\n{}under each other\n", " ".repeat(33));
     assert!(help.contains(&under), "{help}");
+}
+
+/// Times differ from run to run.
+#[test]
+fn what_a_picture_costs_fits() {
+    for language in ["en", "cs"] {
+        let arguments = [
+            "render", "b.zpg", "-o", "b.png", "--size", "16x12", "--cost", "--lang", language,
+        ];
+        let dir = folder(&[("b.zpg", GLASS)]);
+        let mut command = program::command();
+        let command = command.env("COLUMNS", "80").current_dir(dir.path());
+        let run = command.args(arguments).output().unwrap();
+        let all = text(&run.stdout) + &text(&run.stderr);
+        assert!(run.status.success() && all.contains(" · "), "{all}");
+        for line in all.lines() {
+            assert!(line.width() <= 80, "{line}");
+        }
+    }
 }

@@ -91,7 +91,11 @@ pub fn refuse(error: &clap::Error, command: &mut Command, look: LookChoice) -> S
             .as_deref()
             .is_none_or(|written| is_near(written, near))
     };
-    let usage = usage.filter(|_| suggested(error).iter().all(is_meant));
+    // An answer of its own says what to write instead.
+    let has_answer = unknown
+        .as_deref()
+        .is_some_and(|word| habits::message(word, command_of(usage.as_deref())).is_some());
+    let usage = usage.filter(|_| !has_answer && suggested(error).iter().all(is_meant));
     // With a conflict, that of all arguments that are there, and these may not go together either.
     let usage = match error.kind() {
         ErrorKind::ArgumentConflict => usage.map(|usage| general(&usage, command)),
@@ -102,6 +106,12 @@ pub fn refuse(error: &clap::Error, command: &mut Command, look: LookChoice) -> S
     }
     say(Complaint::new("usage-more"));
     Status::Failure
+}
+
+/// The name of the subcommand that a usage is of.
+fn command_of(usage: Option<&str>) -> &str {
+    let name = usage.and_then(|u| u.split_whitespace().nth(2));
+    name.unwrap_or_default()
 }
 
 /// The usage of the subcommand that a usage is of, as its help begins.
@@ -167,11 +177,11 @@ fn complaint(error: &clap::Error, commands: &[String]) -> Option<Complaint> {
     let foreign = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand];
     let foreign = foreign.into_iter().find_map(get).filter(|_| unknown);
     let usage = error.get(ContextKind::Usage).map(ToString::to_string);
-    let command = usage.as_deref().and_then(|u| u.split_whitespace().nth(2));
+    let command = command_of(usage.as_deref());
     let instead = foreign.as_deref().and_then(|word| {
-        let habit = habits::message(word, command.unwrap_or_default());
+        let habit = habits::message(word, command);
         let habit = habit.map(|message| Complaint::new(message).with("text", opposite(word)));
-        let template = || habits::template(word, command.unwrap_or_default());
+        let template = || habits::template(word, command);
         habit
             .or_else(template)
             .or_else(|| habits::output(Path::new(word)))

@@ -50,7 +50,7 @@ impl Level {
 pub struct Selector(Vec<Code>);
 
 /// The names of many codes.
-const GROUPS: [&str; 4] = ["all", "notes", "style", "warnings"];
+pub const GROUPS: [&str; 4] = ["all", "notes", "style", "warnings"];
 
 /// Why a text selects nothing.
 #[derive(Debug, Clone, PartialEq, Eq)]

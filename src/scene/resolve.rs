@@ -181,12 +181,13 @@ impl<'a> Resolver<'a> {
         }
         let d = if is_render {
             self.has_render = true;
-            Diagnostic::new(Code::E105, p.id_span()).fix(Fix::replace(
-                "fix",
-                Applicability::Safe,
-                p.id_span(),
-                "1",
-            ))
+            let d = Diagnostic::new(Code::E105, p.id_span());
+            let is_render = |ty: &RecordType| ty.kind == RecordKind::Render;
+            match self.document.contents.count(is_render) {
+                0 | 1 => d.fix(Fix::replace("fix", Applicability::Safe, p.id_span(), "1")),
+                // With the ID of the other one it would be defined again.
+                _ => d.case("again"),
+            }
         } else {
             Diagnostic::new(Code::E105, p.id_span())
                 .case("other")

@@ -174,17 +174,22 @@ pub fn automatic_camera(scene: &Scene, bounds: &[NodeBounds], aspect: f64) -> Ca
 }
 
 /// Where the automatic lamp stands: to the left of the camera about the vertical axis through the middle of the scene.
+/// Of a camera that looks straight up the lamp stands as far below, so that what is seen is lit.
 fn lamp(centre: Vec3, radius: f64, camera: Option<&Camera>) -> Vec3 {
-    let back = camera.and_then(Basis::of).map_or([0.0, 0.0, 1.0], |basis| {
-        let [x, _, z] = basis.forward;
+    let front = ([0.0, 0.0, 1.0], LAMP_HEIGHT);
+    let (back, height) = camera.and_then(Basis::of).map_or(front, |basis| {
+        let [x, y, z] = basis.forward;
         // Of a camera that looks straight down or up, its right still tells where it stands.
         match libm::hypot(x, z) > MIN_HORIZONTAL_SINE {
-            true => [-x, 0.0, -z],
-            false => cross(basis.right, [0.0, 1.0, 0.0]),
+            true => ([-x, 0.0, -z], LAMP_HEIGHT),
+            false => (
+                cross(basis.right, [0.0, 1.0, 0.0]),
+                LAMP_HEIGHT.copysign(-y),
+            ),
         }
     });
     let azimuth = libm::atan2(back[0], back[2]).to_degrees() - LAMP_LEFT;
-    add(centre, towards([azimuth, LAMP_HEIGHT]), LAMP_RADII * radius)
+    add(centre, towards([azimuth, height]), LAMP_RADII * radius)
 }
 
 /// Length of a unit direction's horizontal part below which a camera looks up or down.

@@ -30,7 +30,7 @@ fidelity-parallel = její paprsky budou rovnoběžné: posunou se o méně než 
 fidelity-volumes = u { $ids }: není dokázáno, že svůj objekt obsahují, nebo se objekt zapisuje beze jména
 fidelity-depth = paprsky končí v hloubce { $depth }
 fidelity-light-above-white = jasnějších než bílá je { $percent } % obrázku; soubor s obrázkem je ořízne
-fidelity-light-scale = s volbou Declare=Light_Scale={ $scale } se nic neořízne, ale celý obrázek je tmavší
+fidelity-light-scale = s volbou Declare=Light_Scale={ $scale } se nic neořízne, ale všechno má jen { $times }násobek jasu
 fidelity-no-light-above-white = v malém obrázku není nic jasnější než bílá
 fidelity-overlooked = stíny a odražené světlo, které začínají blíž než { $length }, se mohou ztratit
 fidelity-overlooked-behind = co je za plochou blíž než { $length }, se může ztratit

@@ -28,7 +28,7 @@ fidelity-parallel = its rays are made parallel: off by less than { $pixels } of 
 fidelity-volumes = of { $ids }: not proved to hold their objects, or written without a name
 fidelity-depth = rays end at depth { $depth }
 fidelity-light-above-white = { $percent } % of the picture is brighter than white; an image file clips that
-fidelity-light-scale = with Declare=Light_Scale={ $scale } nothing is clipped, and all is { $scale } times as bright
+fidelity-light-scale = with Declare=Light_Scale={ $scale } nothing is clipped, and all is { $times } times as bright
 fidelity-no-light-above-white = nothing in a small picture is brighter than white
 fidelity-overlooked = shadows and mirrored light that begin nearer than { $length } may be overlooked
 fidelity-overlooked-behind = what is nearer than { $length } behind a surface may be overlooked

@@ -230,6 +230,19 @@ fn options_that_turn_off_what_is_off() {
     }
 }
 
+/// An answer that says what to write has no usage of another option.
+#[test]
+fn an_answer_without_a_usage() {
+    let dir = folder::<&str>(&[]);
+    let run = |arguments: &[&str]| text(&zpg(dir.path(), arguments).stderr);
+    let all = run(&["check", "--show-fixes", "x"]);
+    assert!(
+        all.contains("`--diff`") && !all.contains("--show-files"),
+        "{all}"
+    );
+    assert!(run(&["check", "--show-filez"]).contains("Usage"));
+}
+
 /// Words of no meaning in settings.
 #[test]
 fn settings_without_quotes() {
@@ -237,6 +250,9 @@ fn settings_without_quotes() {
         ("align = no\n", "write `true` or `false`"),
         ("[format]\ngroup = True\n", "write `true` or `false`"),
         ("[lint]\nW310 = off # here\n", "write `\"off\"`"),
+        ("styl = \"off\"\n", "did you mean `lint.style`?"),
+        ("style = \"off\"\n", "did you mean `lint.style`?"),
+        ("widht = 80\n", "did you mean `format.width`?"),
     ] {
         let dir = folder(&[("zpg.toml", settings), ("a.zpg", "2 9 1\n1 9999 2 0\n")]);
         let all = text(&zpg(dir.path(), &["check"]).stderr).replace("\n  ", " ");
@@ -289,4 +305,27 @@ fn a_place_of_a_lamp_that_is_a_shape() {
     let again = error(&scene("50 -402 1 4 6 5", "50 -402 0.9\n"));
     assert!(said(&again).iter().any(|s| s.contains("`4 6 5`")));
     assert_eq!(again.fixes[0].applicability, Applicability::Choice);
+}
+
+/// What stands in the place of numbers: a name of a colour, an axis without its angle, one colour of two.
+#[test]
+fn words_in_the_place_of_numbers() {
+    is_meant(
+        &format!("2 9 1\n2 -701 fuchsiová\n{REST}"),
+        &format!("2 9 1\n2 -701 1 0 1\n{REST}"),
+    );
+    is_meant(
+        &format!("5 -701 0 1 0\n2 9 1\n2 -399 1 1 5 1 0 0\n{REST}"),
+        &format!("5 -701 0 1 0\n2 9 1\n51 -701 1 0 0\n2 -399 1 1 5 51\n{REST}"),
+    );
+    let angle = error(&format!("2 9 1\n2 -2 y\n{REST}"));
+    assert_eq!((angle.code, angle.case), (Code::E012, "angle"));
+}
+
+/// A second render record is not given the ID of the first one.
+#[test]
+fn a_second_render_record() {
+    let again = error(&format!("2 9 1\n{REST}7 9999 2 0\n"));
+    assert_eq!((again.code, again.case), (Code::E105, "again"));
+    assert!(again.fixes.is_empty());
 }

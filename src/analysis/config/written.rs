@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 use super::patterns::Pattern;
 use crate::diagnostics::{Code, Complaint};
 use crate::format::{Numbers, Options};
-use crate::lint::levels::{Level, Selector, UnknownCode};
+use crate::lint::levels::{GROUPS, Level, Selector, UnknownCode};
 use crate::syntax::quote;
 
 /// Some settings; the rest is as it was.
@@ -305,7 +305,11 @@ fn unknown(table: &str, key: &Spanned<std::borrow::Cow<str>>, known: &[&'static 
     };
     let list: Vec<String> = known.iter().map(|k| format!("`{k}`")).collect();
     let list = Complaint::quoted(list.join(", "));
-    let near = near(name, known).or_else(|| misplaced(name));
+    let within =
+        |table: &str, names: &[&'static str]| Some(format!("{table}.{}", near(name, names)?));
+    let nested = || within(LINT, &GROUPS).or_else(|| within(FORMAT, &OF_FORMAT));
+    let near = (near(name, known).or_else(|| misplaced(name)))
+        .or_else(|| nested().filter(|_| table.is_empty()));
     (key.span().start, no_setting(&full, list, near))
 }
 

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use super::stats::Seconds;
 use crate::analysis::Analysis;
-use crate::commands::LookChoice;
+use crate::commands::{LookChoice, terminal};
+use crate::diagnostics::layout::hanging;
 use crate::diagnostics::{Error, Value};
 use crate::scene::{Camera, Scene};
 use crate::study::accuracy::{cost, number_format};
@@ -76,6 +77,7 @@ pub(super) fn spent(
     let widest = lines.iter().map(|line| line.0.chars().count() + 2).max();
     let width = widest.unwrap_or(0).max(LABEL_WIDTH);
     let lines = lines.iter();
-    let lines = lines.map(|(name, text)| format!("{name:<width$}{text}\n"));
+    let lines = lines.map(|(name, text)| format!("{name:<width$}{text}"));
+    let lines = lines.map(|line| hanging(&line, terminal::width()) + "\n");
     Ok(lines.collect())
 }

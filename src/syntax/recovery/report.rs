@@ -311,7 +311,14 @@ impl Reporter<'_, '_> {
                 && i - first < most
                 && let Some(d) = out.pop_if(|d| d.code == Code::E012)
             {
-                out.push(d.case("parameter").with("header", header(ty)));
+                let is_axis = ["x", "y", "z"].contains(&self.text(i).to_lowercase().as_str());
+                // All that it has is its axis.
+                let is_alone = ty.kind == RecordKind::Rotation && end - first == 1;
+                let case = match is_alone && is_axis {
+                    true => "angle",
+                    false => "parameter",
+                };
+                out.push(d.case(case).with("header", header(ty)));
             }
         }
     }

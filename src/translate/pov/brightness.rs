@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::model::stretch::power_of_two_about;
 use super::tree::Document;
-use crate::diagnostics::Complaint;
+use crate::diagnostics::{Complaint, Value};
 use crate::scene::Optics;
 use crate::solids::staging::staged;
 use crate::trace::{Settings, Tracer};
@@ -58,7 +58,9 @@ pub fn state(report: &mut Report, scene: &Prepared, options: &target::Options, d
                 percent => format!("{percent:.0}"),
             });
             let bound = Complaint::new("fidelity-light-above-white").with("percent", percent);
-            let note = Complaint::new("fidelity-light-scale").with("scale", number(dimmed));
+            let note = Complaint::new("fidelity-light-scale")
+                .with("scale", number(dimmed))
+                .with("times", Value::Decimal(number(dimmed)));
             (Fidelity::Approximate(bound), note)
         }
     };

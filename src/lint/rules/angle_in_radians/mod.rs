@@ -1,6 +1,6 @@
 //! W323: an angle of view that is so small that it was hardly meant in degrees.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::scene::Camera;
 use crate::scene::record::Params;
@@ -34,6 +34,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 .case(case)
                 .with("angle", p.text_of(FOVY).to_owned())
                 .with("degrees", degrees.clone())
+                .with("about", Value::Decimal(degrees.clone()))
                 .fix(Fix::replace(
                     "fix",
                     Applicability::Unsafe,

@@ -1,4 +1,4 @@
-W304 = matice kvadriky { $id } není symetrická: { $first } je { $first-number }, ale { $mirror } je { $mirror-number }{ $more ->
+W304 = matice kvadriky { $id } není symetrická: { $first } je `{ $first-number }`, ale { $mirror } je `{ $mirror-number }`{ $more ->
     [0] {""}
     [one] {" "}a liší se ještě { $more } dvojice
     [few] {" "}a liší se ještě { $more } dvojice

@@ -3,7 +3,7 @@
 
 use std::cell::Cell;
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::geometry::array::{sub, unit};
 use crate::geometry::{Aabb, Matrix};
 use crate::lint::Context;
@@ -77,9 +77,9 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 Volume::Sphere { .. } => "sphere",
             })
             .with("id", promise.id.to_string())
-            .with("x", x)
-            .with("y", y)
-            .with("z", z);
+            .with("x", Value::Decimal(x))
+            .with("y", Value::Decimal(y))
+            .with("z", Value::Decimal(z));
         if let Some(fix) = enlarged(&p, promise, &whole, reach) {
             d = d.fix(fix);
         }

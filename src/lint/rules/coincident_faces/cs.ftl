@@ -1,4 +1,4 @@
-W321 = { $operation } { $id }: { W321.the-tool } končí přesně na povrchu, který má { W321.the-other }: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
+W321 = { $operation } { $id }: { W321.the-tool } končí přesně na povrchu, který má { W321.the-other }: mají společnou stěnu kolem ({ $x }; { $y }; { $z })
     .label = { $tool-face ->
         [side] stěna { $tool-name }
         [boundary] hraniční rovina
@@ -42,14 +42,14 @@ W321-round = { W321 }
     .note = { W321.note }
     .help = zvětšete tam odečítané těleso tak, aby o kousek přesahovalo to, co řeže, nebo zapište oba tvary stejně: o stejných tvarech na jednom místě se rozhoduje přesně
     .fix = { W321.fix }
-W321-holes = { $operation } { $id }: { W321.the-tool } řeže až tam, kam { W321.the-other }: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
+W321-holes = { $operation } { $id }: { W321.the-tool } řeže až tam, kam { W321.the-other }: mají společnou stěnu kolem ({ $x }; { $y }; { $z })
     .label = { W321.label }
     .other = { W321.other }
     .operation = { W321.operation }
     .note = zda mezi nimi zbude stěna nulové tloušťky, záleží na zaokrouhlení
     .help = protáhněte jedno z odečítaných těles o kousek do druhého
     .fix = { W321.fix }
-W321-touch = { $operation } { $id }: { W321.the-tool } a { W321.the-other } se jen dotýkají: mají společnou stěnu kolem ({ $x }, { $y }, { $z })
+W321-touch = { $operation } { $id }: { W321.the-tool } a { W321.the-other } se jen dotýkají: mají společnou stěnu kolem ({ $x }; { $y }; { $z })
     .label = { W321.label }
     .other = { W321.other }
     .operation = { W321.operation }

@@ -123,9 +123,9 @@ fn finding(
         .with("other-in", within(other))
         .with("other-face", face_of_other)
         .with("other-name", other_name)
-        .with("x", x)
-        .with("y", y)
-        .with("z", z)
+        .with("x", Value::Decimal(x))
+        .with("y", Value::Decimal(y))
+        .with("z", Value::Decimal(z))
         .label(other_span, "other")
         .label(record.span, "operation");
     let skin = pairs.iter().any(|p| p.skin);

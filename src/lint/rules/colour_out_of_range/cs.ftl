@@ -1,4 +1,4 @@
-W301 = složky barvy mají být mezi 0 a 1; zde je { $parts }
+W301 = složky barvy mají být mezi 0 a 1; zde je `{ $parts }`
     .label = barva se použije tak, jak je
     .note = povrch se složkou větší než 1 je jasnější než světlo, které na něj dopadá; záporná složka světlo ubírá. Má-li světlo svítit víc, zvyšte jeho intenzitu
     .bytes = vypadá to na čísla od 0 do 255, která jsou jako v jiných programech sRGB; barvy scény jsou lineární
@@ -6,7 +6,7 @@ W301 = složky barvy mají být mezi 0 a 1; zde je { $parts }
     .hundredths = vydělit číslem 100
     .point-lost = napsat desetinnou tečku
     .fix = napsat nejbližší přípustnou hodnotu
-W301-point = složky barvy mají být mezi 0 a 1; v bodě profilu { $point } je { $parts }{ $others ->
+W301-point = složky barvy mají být mezi 0 a 1; v bodě profilu { $point } je `{ $parts }`{ $others ->
     [0] {""}
     [one] {" "}a mimo rozsah je ještě { $others } barva
     [few] {" "}a mimo rozsah jsou ještě { $others } barvy

@@ -1,4 +1,4 @@
-W319 = { $operation } { $id } je prázdný: { $one } { $one-id } a { $two } { $two-id } se neprotínají ({ $axis } ≤ { $end } a { $axis } ≥ { $begin })
+W319 = { $operation } { $id } je prázdný: { $one } { $one-id } a { $two } { $two-id } se neprotínají (`{ $axis } ≤ { $end }` a `{ $axis } ≥ { $begin }`)
     .label = nic nezbude
     .one = { $one }
     .two = { $two }

@@ -42,8 +42,8 @@ fn finding(
             .with("begin", near(*begin, size)),
         Reason::Balls { between, radii } => d
             .case("balls")
-            .with("between", near(*between, size))
-            .with("radii", near(*radii, size)),
+            .with("between", Value::Decimal(near(*between, size)))
+            .with("radii", Value::Decimal(near(*radii, size))),
         Reason::Plane { normal, end, begin } => {
             let largest = normal.iter().fold(0.0f64, |m, x| m.max(x.abs()));
             d.with("axis", sum(normal.map(|x| x / largest)))

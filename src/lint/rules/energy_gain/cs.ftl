@@ -1,7 +1,7 @@
 sum-in-red = kd + ks + kt = { $red } v červené složce
 sum-in-green = kd + ks + kt = { $green } v zelené složce
 sum-in-blue = kd + ks + kt = { $blue } v modré složce
-W302 = tento povrch vydává více světla, než dostává: kd + ks + kt = { $sum }
+W302 = tento povrch vydává více světla, než dostává: `kd + ks + kt = { $sum }`
     .label = více než 1
     .help = difuzní, zrcadlová a propuštěná část se dělí o dopadající světlo; jejich součet má být nejvýše 1
     .fix = vydělit části jejich součtem

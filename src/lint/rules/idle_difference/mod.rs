@@ -44,7 +44,7 @@ fn finding(
         Reason::Beyond | Reason::Parts => None,
     };
     let d = match gap {
-        Some(gap) => d.case("gap").with("gap", near(gap, gap)),
+        Some(gap) => d.case("gap").with("gap", Value::Decimal(near(gap, gap))),
         None => d,
     };
     let same = one.span == two.span;

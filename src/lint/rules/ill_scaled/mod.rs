@@ -64,9 +64,9 @@ fn finding(
         .with("type", Value::Term(shape.ty().title))
         .with("id", shape.id.to_string())
         .with("large", Value::Term(large.what))
-        .with("large-size", rough(large.size))
+        .with("large-size", Value::Decimal(rough(large.size)))
         .with("small", Value::Term(small.what))
-        .with("small-size", rough(small.size))
+        .with("small-size", Value::Decimal(rough(small.size)))
 }
 
 /// The smallest and the largest length of a shape moved by a matrix, where they are too different.

@@ -1,6 +1,6 @@
 //! S505: a number that begins with a zero and has rather lost its point: `08` for `0.8`.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::lint::spelling::spelled;
 use crate::syntax::table::{ParamKind, RecordKind};
@@ -34,7 +34,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             let finding = Diagnostic::new(Code::S505, token.span());
             let finding = finding
                 .with("text", quote(text))
-                .with("value", spelled(value));
+                .with("value", Value::Decimal(spelled(value)));
             out.push(finding.with("number", quote(&number)).fix(fix));
         }
     }

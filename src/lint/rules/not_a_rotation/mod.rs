@@ -119,9 +119,9 @@ fn deed(finding: Diagnostic, m: &Matrix3, mirrors: bool) -> Diagnostic {
             .to_owned()
     });
     (finding.with("deeds", Value::Phrases(deeds)))
-        .with("x", x)
-        .with("y", y)
-        .with("z", z)
+        .with("x", Value::Decimal(x))
+        .with("y", Value::Decimal(y))
+        .with("z", Value::Decimal(z))
 }
 
 /// The orthogonal matrix nearest to an invertible one, its factor in the polar decomposition:

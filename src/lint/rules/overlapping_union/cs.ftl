@@ -1,11 +1,11 @@
-W307 = ve sjednocení { $id } se překrývají { $one } { $one-id } a { $two } { $two-id } s různými optickými vlastnostmi: bod ({ $x }, { $y }, { $z }) leží v obou
+W307 = ve sjednocení { $id } se překrývají { $one } { $one-id } a { $two } { $two-id } s různými optickými vlastnostmi: bod ({ $x }; { $y }; { $z }) leží v obou
     .label = co leží v obou, patří prvnímu operandu
     .first = { $one }
     .second = { $two }
     .note = uvnitř prvního operandu není povrch druhého vidět: obrázek závisí na pořadí operandů
     .help = odečtěte jeden operand od druhého, nebo zapište překryv jako samostatnou část s vlastními vlastnostmi
     .fix = zapsat jako (A ∩ B) ∪ (A − B) ∪ (B − A)
-W307-open = sjednocení { $id }: { $one } { $one-id } a { $two } { $two-id } se překrývají, vypadají různě a jsou rozříznuté: v bodě ({ $x }, { $y }, { $z }) vede řez oběma
+W307-open = sjednocení { $id }: { $one } { $one-id } a { $two } { $two-id } se překrývají, vypadají různě a jsou rozříznuté: v bodě ({ $x }; { $y }; { $z }) vede řez oběma
     .label = { W307.label }
     .first = { W307.first }
     .second = { W307.second }

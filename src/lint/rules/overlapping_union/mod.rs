@@ -69,9 +69,9 @@ fn finding(unions: &Unions, p: &Params, record: &Origin, found: &Overlap) -> Dia
         .with("one-id", one.named.id.to_string())
         .with("two", Value::Term(two.named.title))
         .with("two-id", two.named.id.to_string())
-        .with("x", x)
-        .with("y", y)
-        .with("z", z)
+        .with("x", Value::Decimal(x))
+        .with("y", Value::Decimal(y))
+        .with("z", Value::Decimal(z))
         .label(one.named.span, "first")
         .label(two.named.span, "second")
 }

@@ -1,4 +1,4 @@
-W312 = kvádr renderovacího záznamu ořezává scénu: { $type } { $id } z něj přesahuje v bodě ({ $x }, { $y }, { $z })
+W312 = kvádr renderovacího záznamu ořezává scénu: { $type } { $id } z něj přesahuje v bodě ({ $x }; { $y }; { $z })
     .label = co leží mimo tento kvádr, není vidět
     .shape = toto z něj přesahuje
     .note = řez není uzavřený: je vidět dovnitř objektu

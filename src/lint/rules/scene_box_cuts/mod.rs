@@ -40,7 +40,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 .case("outside")
                 .with("id", render.root_id.to_string())
                 .with("axis", AXES[axis])
-                .with("reach", near(reach, clip.radius()))
+                .with("reach", Value::Decimal(near(reach, clip.radius())))
                 .with("name", p.param(side).map_or("", |q| q.name))
                 .with("where", if above { "above" } else { "below" }),
         );
@@ -109,9 +109,9 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         Diagnostic::new(Code::W312, span)
             .with("type", Value::Term(shape.title))
             .with("id", met.shape.to_string())
-            .with("x", x)
-            .with("y", y)
-            .with("z", z)
+            .with("x", Value::Decimal(x))
+            .with("y", Value::Decimal(y))
+            .with("z", Value::Decimal(z))
             .label(shape.span, "shape"),
     );
 }
@@ -141,7 +141,7 @@ fn not_drawn(
             .with("type", Value::Term(shape.title))
             .with("id", leaf.id.to_string())
             .with("axis", AXES[axis])
-            .with("reach", near(reach, clip.radius()))
+            .with("reach", Value::Decimal(near(reach, clip.radius())))
             .with("name", p.param(side).map_or("", |q| q.name))
             .with("where", if above { "above" } else { "below" })
             .with("others", Value::Count(all.count() as u64))

@@ -1,4 +1,4 @@
-W320 = { $type } { $id }: profil protíná sám sebe poblíž x = { $x }, y = { $y }
+W320 = { $type } { $id }: profil protíná sám sebe poblíž bodu ({ $x }; { $y })
     .label = { $one ->
         [start] kruh, který uzavírá první bod
         [end] kruh, který uzavírá poslední bod
@@ -11,7 +11,7 @@ W320 = { $type } { $id }: profil protíná sám sebe poblíž x = { $x }, y = { 
     }
     .note = co profil obíhá dvakrát, je podle pravidla sudá–lichá venku: uvnitř je dutina
     .help = nejsou dva body profilu v opačném pořadí?
-W320-torus = torus { $id } prochází sám sebou: trubka (r = { $tube }) je širší než prstenec (R = { $ring })
+W320-torus = torus { $id } prochází sám sebou: trubka (`r = { $tube }`) je širší než prstenec (`R = { $ring }`)
     .label = r, poloměr trubky
     .ring = R, od osy do středu trubky
     .note = místo kolem osy, kde se trubka překrývá sama se sebou, už k tělesu nepatří: uvnitř je dutina

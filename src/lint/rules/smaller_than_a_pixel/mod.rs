@@ -1,6 +1,6 @@
 //! W329: all that is drawn is smaller than a pixel.
 
-use crate::diagnostics::{Code, Diagnostic};
+use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
 use crate::lint::spelling::rough;
@@ -27,7 +27,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         out.push(
             Diagnostic::new(Code::W329, span)
                 .with("id", camera.id.to_string())
-                .with("size", rough(size))
+                .with("size", Value::Decimal(rough(size)))
                 .with("width", USUAL[0].to_string())
                 .with("height", USUAL[1].to_string()),
         );

@@ -1,7 +1,7 @@
 //! W328: a camera whose up vector is nearly along its view direction; a note on one that takes z for up in a scene where y
 //! is.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Severity};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Severity, Value};
 use crate::geometry::array::{cross, length, sub, unit};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
@@ -37,7 +37,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
         let d = Diagnostic::new(Code::W328, p.span_of(3, 6))
             .with("id", camera.id.to_string())
-            .with("angle", format!("{:.1e}", sine.asin().to_degrees()));
+            .with(
+                "angle",
+                Value::Decimal(format!("{:.1e}", sine.asin().to_degrees())),
+            );
         out.push(match upright(camera, &p) {
             Some(fix) => d.fix(fix),
             None => d,
