@@ -84,7 +84,7 @@ fn the_icon_is_drawn() {
     let output = program::command()
         .arg("render")
         .arg(path("images/icon.zpg"))
-        .args(["--size", "256x256", "-o"])
+        .args(["--size", "256x256", "--samples", "1", "-o"])
         .arg(&drawn)
         .output()
         .unwrap();

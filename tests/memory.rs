@@ -125,6 +125,8 @@ fn shared_parts_that_do_not_overlap_are_drawn() {
         billion.to_str().unwrap(),
         "--size",
         "32x24",
+        "--samples",
+        "1",
         "--memory",
         "100M",
     ];
