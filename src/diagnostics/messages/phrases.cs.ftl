@@ -226,7 +226,6 @@ term-max-depth = max_depth
 term-paths-end-at-random-which-is-right-on-average = dráhy končí náhodně, v průměru to vychází správně
 term-matrix = matrix
 term-location-direction-right-and-up = location, direction, right a up
-term-checker-or-a-function-pigment = checker, nebo pigment s funkcí
 term-union-of-transparent-parts-merge = union, u průhledných částí merge
 term-inverse = inverse
 term-the-same-object-declared-once = týž objekt, jednou deklarovaný
