@@ -214,3 +214,25 @@ fn pictures_that_are_not_there() {
         assert_eq!(said.contains(there), is_near, "{said}");
     }
 }
+
+/// The plane of POV-Ray, whose last number has the other sign, is no plane with the numbers as they stand.
+#[test]
+fn planes_of_povray() {
+    let meant = "3 4 0 1 0 1\n2 11 0 0 0 1";
+    for plane in [
+        "plane { <0,1,0>, -1 }",
+        "plane { <0, 1, 0>, -1 }",
+        "plane { y, -1 }",
+    ] {
+        let text = scene(&format!("3 {plane}\n2 11 0 0 0 1"), 2);
+        assert_eq!(only(&text).fixes.len(), 1, "{plane}");
+        assert_eq!(fixed(&text).0, scene(meant, 2), "{plane}");
+    }
+    for (plane, record) in [
+        ("3 plane { <0,1,0>, -1 }", "3 4 0 1 0 1"),
+        ("3 plane { <0,1,0>, -1 } # floor #", "3 4 0 1 0 1 # floor #"),
+    ] {
+        let lines = |line: &str| scene(&format!("2 11 0 1 0 1\n{line}\n20 -103 2 3"), 20);
+        assert_eq!(fixed(&lines(plane)).0, lines(record), "{plane}");
+    }
+}

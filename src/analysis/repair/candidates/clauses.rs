@@ -92,6 +92,13 @@ impl LineContext<'_> {
         })
     }
 
+    /// Whether a candidate is for a block in braces whose numbers are not those of a record: `plane { <0,1,0>, -1 }`.
+    pub(super) fn is_in_braces(&self, candidate: &Candidate) -> bool {
+        let word = candidate.fix.edits[0].span;
+        candidate.fix.title == BLOCK_TITLE
+            && self.text[word.end as usize..].trim_start().starts_with('{')
+    }
+
     /// Properties of POV-Ray behind an ID: `9 pigment { color rgb <1,0,0> }`, `8 interior { ior 1.5 }`.
     fn only_properties(&self, id: u32, word: Token, behind: &[Token]) -> Option<Candidate> {
         let index = RecordType::of(RecordKind::RefractiveIndex);

@@ -309,14 +309,18 @@ impl<'a> LineContext<'a> {
             out.extend(self.equation());
             out.extend(self.named_values());
             self.keyword(&[undefined, taken].concat(), &mut out);
-            if let Some(clauses) = self.clauses(&[undefined, taken].concat()) {
+            let clauses = self.clauses(&[undefined, taken].concat());
+            let is_block = clauses.as_ref().is_some_and(|c| self.is_in_braces(c));
+            if let Some(clauses) = clauses {
                 // Its numbers mean something else than those of a record.
                 out.retain(|c| c.habit != Habit::Unnamed);
                 out.push(clauses);
             }
             out.extend(self.square_roots());
             self.spaced_name(&mut out);
-            self.words(&mut out);
+            if !is_block {
+                self.words(&mut out);
+            }
             self.profile(&mut out);
             self.axis(&mut out);
             self.comments(&mut out);
