@@ -236,3 +236,34 @@ fn planes_of_povray() {
         assert_eq!(fixed(&lines(plane)).0, lines(record), "{plane}");
     }
 }
+
+/// A lamp of POV-Ray is as bright as its grey, with an ID and without.
+#[test]
+fn lamps_of_povray() {
+    for (look, intensity, colour) in [
+        ("color rgb 1", "1", ""),
+        ("rgb 0.8", "0.8", ""),
+        ("color rgb<1,1,1>*0.8", "0.8", ""),
+        (", rgb <1,1,1>*0.8", "0.8", ""),
+        (", 0.8", "0.8", ""),
+        ("color rgb <1,0.5,0>*0.8", "0.8", "1 0.5 0"),
+        ("color White", "1", "1 1 1"),
+    ] {
+        let drawn = "2 11 0 1 0 1\n9 -501 0 0 6 0 0 -1 0 1 0 45\n1 9999 2 0\n";
+        for (written, id) in [("", 10), ("70 ", 70)] {
+            let line = format!("{written}light_source {{ <4, 6, 5> {look} }}\n");
+            let mut records = format!("{id} -402 {intensity}\n{id} -1 4 6 5\n");
+            if !colour.is_empty() {
+                records += &format!("{id} -701 {colour}\n");
+            }
+            let text = line + drawn;
+            let errors: Vec<Diagnostic> = findings(&text)
+                .into_iter()
+                .filter(Diagnostic::is_error)
+                .collect();
+            assert_eq!(errors.len(), 1, "{text}");
+            assert_eq!(errors[0].fixes.len(), 1, "{text}");
+            assert_eq!(fixed(&text), (records + drawn, 1), "{text}");
+        }
+    }
+}

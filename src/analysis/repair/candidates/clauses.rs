@@ -18,12 +18,11 @@ const OWN: usize = 3;
 /// What POV-Ray says of surfaces and insides in ways that records have no numbers for.
 const OTHERS: [&str; 4] = ["finish", "normal", "interior", "no_shadow"];
 
+/// A record: its type and its numbers.
+type Line = (&'static RecordType, String);
+
 /// A type, the records with their numbers of which the first is of that type, and the tokens that follow.
-type Block<'t> = (
-    &'static RecordType,
-    Vec<(&'static RecordType, String)>,
-    &'t [Token],
-);
+type Block<'t> = (&'static RecordType, Vec<Line>, &'t [Token]);
 
 /// The words of POV-Ray for a refractive index, and what is around it.
 const INSIDE: [&str; 2] = ["interior", "ior"];
@@ -167,12 +166,41 @@ impl LineContext<'_> {
                 Some((lines[0].0, lines, rest))
             }
             ("light_source", &[_, _, _]) => {
-                let [light, translation] =
-                    [RecordKind::PointLight, RecordKind::Translation].map(RecordType::of);
-                let lines = vec![(light, "1".to_owned()), (translation, self.texts(own))];
-                Some((light, lines, rest))
+                let (intensity, colour, rest) = self.brightness(rest);
+                let mut lines = lamp(intensity, self.texts(own));
+                lines.extend(colour);
+                Some((lines[0].0, lines, rest))
+            }
+            ("light_source", &[_, _, _, _]) => {
+                let intensity = own[OWN].text(self.text).to_owned();
+                let lines = lamp(intensity, self.texts(&own[..OWN]));
+                Some((lines[0].0, lines, rest))
             }
             _ => None,
+        }
+    }
+
+    /// How bright a lamp is, the record of its colour where that is no white, and what follows: `rgb 0.8`,
+    /// `color rgb<1,1,1>*0.8`. A colour without a factor is a property.
+    fn brightness<'t>(&self, behind: &'t [Token]) -> (String, Option<Line>, &'t [Token]) {
+        let is_colour = |t: &&Token| {
+            let named = words::types(t.text(self.text));
+            is_word(t) && named.iter().any(|ty| ty.kind == RecordKind::Colour)
+        };
+        let count = behind.iter().take_while(is_colour).count();
+        let (own, rest) = behind[count..].split_at(numbers(&behind[count..]));
+        let factor = rest.first().and_then(|t| {
+            let factor = t.text(self.text).strip_prefix('*')?;
+            factor.parse().is_ok_and(f64::is_finite).then_some(factor)
+        });
+        match (own, factor) {
+            ([one], None) if count > 0 => (one.text(self.text).to_owned(), None, rest),
+            ([_, _, _], Some(factor)) if count > 0 => {
+                let is_white = own.iter().all(|t| t.number(self.text) == Some(1.0));
+                let colour = (RecordType::of(RecordKind::Colour), self.texts(own));
+                (factor.to_owned(), (!is_white).then_some(colour), &rest[1..])
+            }
+            _ => ("1".to_owned(), None, behind),
         }
     }
 
@@ -284,6 +312,13 @@ impl LineContext<'_> {
         let texts: Vec<&str> = tokens.iter().map(|t| t.text(self.text)).collect();
         texts.join(" ")
     }
+}
+
+/// A lamp and its move to its place.
+fn lamp(intensity: String, place: String) -> Vec<Line> {
+    let [light, translation] =
+        [RecordKind::PointLight, RecordKind::Translation].map(RecordType::of);
+    vec![(light, intensity), (translation, place)]
 }
 
 /// The half-space below a plane: its normal, and how far the plane is along that.
