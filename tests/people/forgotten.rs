@@ -267,3 +267,22 @@ fn lamps_of_povray() {
         }
     }
 }
+
+/// A property by its ID, behind the type of the property in place of an assignment.
+#[test]
+fn properties_by_their_ids() {
+    let others = "31 -201 0.5 0.5 0\n14 -701 1 0 0\n32 -399 2 2 14 14\n12 11 0 1 0 1\n2 11 3 1 0 1\n\
+                  20 -101 12 2\n12 -299 0 31\n2 -299 32 0";
+    for (line, meant) in [
+        ("12 -203 31", "12 -299 0 31"),
+        ("12 -201 31", "12 -299 0 31"),
+        ("12 -202 31", "12 -299 0 31"),
+        ("2 -399 32", "2 -299 32 0"),
+        ("2 -302 32", "2 -299 32 0"),
+        ("2 -301 32", "2 -299 32 0"),
+    ] {
+        let text = scene(&others.replace(meant, line), 20);
+        assert_eq!(only(&text).fixes.len(), 1, "{line}");
+        assert_eq!(fixed(&text), (scene(others, 20), 1), "{line}");
+    }
+}

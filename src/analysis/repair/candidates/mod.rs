@@ -333,7 +333,10 @@ impl<'a> LineContext<'a> {
             out.extend(self.angles());
             out.extend(self.per_cent(finding));
             out.extend(self.operands(&[undefined, taken].concat()));
-            self.siblings(&mut out);
+            match self.assignment() {
+                Some(assignment) => out.push(assignment),
+                None => self.siblings(&mut out),
+            }
             self.by_sizes(finding, &mut out);
             out.extend(self.lost_line_end(finding));
             let behind = self.records_behind();

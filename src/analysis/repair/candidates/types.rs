@@ -293,18 +293,6 @@ impl LineContext<'_> {
                     candidate
                 }));
             }
-            // The colour or the texture by its ID.
-            (RecordKind::Colour, &[s], _) if self.is_look(s) => {
-                let ty = RecordType::of(RecordKind::Assignment);
-                let span = self.tokens[1].span().to(self.tokens[2].span());
-                let text = format!("{} {s} 0", ty.code);
-                let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
-                out.push(Candidate {
-                    habit: Habit::Sibling,
-                    fix: fix.with("number", quote(&text)),
-                    ty: None,
-                });
-            }
             // A grey, but not six digits as other programs write a colour. It may be a byte or in per cent: another
             // finding says so of the three.
             (RecordKind::Colour, &[s], _)
@@ -336,11 +324,34 @@ impl LineContext<'_> {
         }
     }
 
-    /// Whether a number larger than a part of a colour is the ID of a colour or a texture.
-    fn is_look(&self, written: &str) -> bool {
-        let id = written.parse().ok().filter(|&id: &i64| id > 1);
-        let kind = id.and_then(|id| self.kind_of(id));
-        matches!(kind, Some(Kind::Colour | Kind::Texture))
+    /// An assignment in the place of a property that is told by its ID: `12 -203 31`, `2 -399 32`.
+    pub(super) fn assignment(&self) -> Option<Candidate> {
+        let (ty, [property]) = (self.ty()?, self.params()) else {
+            return None;
+        };
+        let written = property.text(self.text);
+        // A part of a colour is no ID.
+        let id = property.integer(self.text).filter(|&id| id > 1)?;
+        let places = match (ty.kind, self.kind_of(id)?) {
+            (RecordKind::Colour, Kind::Colour | Kind::Texture)
+            | (
+                RecordKind::ImageTexture | RecordKind::SolidTexture | RecordKind::Checkerboard,
+                Kind::Texture,
+            ) => format!("{written} 0"),
+            (
+                RecordKind::Optics | RecordKind::OpticsRgb | RecordKind::RefractiveIndex,
+                Kind::Optics,
+            ) => format!("0 {written}"),
+            _ => return None,
+        };
+        let text = format!("{} {places}", RecordType::of(RecordKind::Assignment).code);
+        let span = self.tokens[1].span().to(property.span());
+        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
+        Some(Candidate {
+            habit: Habit::Sibling,
+            fix: fix.with("number", quote(&text)),
+            ty: None,
+        })
     }
 
     /// One part of light, or its per cent, in the place of three: it may be any of them, and the rest is diffuse.
