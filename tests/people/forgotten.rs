@@ -286,3 +286,17 @@ fn properties_by_their_ids() {
         assert_eq!(fixed(&text), (scene(others, 20), 1), "{line}");
     }
 }
+
+/// A word before the letter of an axis.
+#[test]
+fn axes_with_a_word() {
+    for axis in ["x", "osa x", "axis x", "osy x"] {
+        let text = scene(&format!("8 11 0 1 0 1\n8 -2 90 {axis}"), 8);
+        only(&text);
+        assert_eq!(
+            fixed(&text),
+            (scene("8 11 0 1 0 1\n8 -2 90 1", 8), 1),
+            "{axis}"
+        );
+    }
+}

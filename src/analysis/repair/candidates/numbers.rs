@@ -13,6 +13,9 @@ use crate::syntax::with_point;
 /// Words before the point that a camera of other programs looks at.
 const LOOK_AT: [&str; 4] = ["look_at", "lookat", "target", "at"];
 
+/// Words before the letter of an axis.
+const AXIS: [&str; 4] = ["axis", "osa", "osy", "ose"];
+
 /// So many places of one decimal comma are a choice.
 const MAX_PLACES: usize = 3;
 
@@ -218,8 +221,24 @@ impl LineContext<'_> {
     /// An axis by its letter, which may stand before the angle.
     pub(super) fn axis(&self, out: &mut Vec<Candidate>) {
         let turns = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Rotation);
-        let new = self.axis_number(self.params()).filter(|_| turns);
+        let params = self.without_axis_word();
+        let new = self.axis_number(&params).filter(|_| turns);
         out.extend(new.and_then(|new| self.write(Habit::Axis, &new)));
+    }
+
+    /// The parameters, where a word for an axis is a part of the one behind it: `90 axis x`.
+    fn without_axis_word(&self) -> Vec<Token> {
+        let is_word = |t: &Token| {
+            let text = t.text(self.text).to_lowercase();
+            AXIS.contains(&&*text)
+        };
+        let mut params = self.params().to_vec();
+        let word = params.iter().position(is_word);
+        if let Some(i) = word.filter(|&i| i + 1 < params.len()) {
+            let word = params.remove(i);
+            params[i] = self.joined(&word, &params[i]);
+        }
+        params
     }
 
     /// The angle and the axis of a rotation whose axis is a letter.
@@ -227,7 +246,8 @@ impl LineContext<'_> {
         let &[first, last] = params else {
             return None;
         };
-        let axis = |t: &Token| match t.text(self.text) {
+        let last_word = |t: &Token| t.text(self.text).split_whitespace().last();
+        let axis = |t: &Token| match last_word(t)? {
             "x" | "X" => Some("1"),
             "y" | "Y" => Some("2"),
             "z" | "Z" => Some("3"),
