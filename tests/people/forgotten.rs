@@ -300,3 +300,18 @@ fn axes_with_a_word() {
         );
     }
 }
+
+/// A plane across an axis as its equation.
+#[test]
+fn equations_of_planes() {
+    for (line, meant) in [
+        ("2 4 y = 0", "2 4 0 1 0 0"),
+        ("2 4 y=0", "2 4 0 1 0 0"),
+        ("2 3 y = 1", "2 3 0 1 0 -1"),
+        ("2 3 z = -1.5", "2 3 0 0 1 1.5"),
+    ] {
+        let text = scene(line, 2);
+        only(&text);
+        assert_eq!(fixed(&text), (scene(meant, 2), 1), "{line}");
+    }
+}

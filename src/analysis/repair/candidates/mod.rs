@@ -308,6 +308,7 @@ impl<'a> LineContext<'a> {
             out.extend(self.labelled());
             out.extend(self.equation());
             out.extend(self.named_values());
+            out.extend(self.axis_equation());
             self.keyword(&[undefined, taken].concat(), &mut out);
             let clauses = self.clauses(&[undefined, taken].concat());
             let is_block = clauses.as_ref().is_some_and(|c| self.is_in_braces(c));

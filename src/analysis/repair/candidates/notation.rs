@@ -2,9 +2,10 @@
 
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Edit, Fix, Value};
+use crate::lint::spelling::decimal;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
-use crate::syntax::table::{Family, Kind, RecordKind, RecordType};
+use crate::syntax::table::{Family, Kind, RecordKind, RecordType, ShapeKind};
 
 /// What stands between a name and its number.
 const EQUALS: [char; 2] = ['=', ':'];
@@ -106,6 +107,24 @@ impl LineContext<'_> {
             .map(|v| (v.whole, v.number.to_owned()))
             .collect();
         self.write(Habit::Characters, &new)
+    }
+
+    /// A plane across an axis as its equation: `2 4 y = 0`.
+    pub(super) fn axis_equation(&self) -> Option<Candidate> {
+        let planes = [ShapeKind::HalfSpace, ShapeKind::Plane].map(RecordKind::Shape);
+        self.ty().filter(|ty| planes.contains(&ty.kind))?;
+        let (first, last) = (self.params().first()?, self.params().last()?);
+        let whole = self.joined(first, last);
+        let (axis, value) = whole.text(self.text).split_once('=')?;
+        let normal = match axis.trim() {
+            "x" => "1 0 0",
+            "y" => "0 1 0",
+            "z" => "0 0 1",
+            _ => return None,
+        };
+        let value: f64 = value.trim().parse().ok().filter(|x: &f64| x.is_finite())?;
+        let record = format!("{normal} {}", decimal(0.0 - value));
+        self.write(Habit::Characters, &[(whole, record)])
     }
 
     /// The number that some tokens begin with, and how many it takes.
