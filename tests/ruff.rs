@@ -144,6 +144,12 @@ fn other_words_of_ruff_have_an_answer() {
         ),
         (&["render", "a.zpg", "--res", "160x120"], "`--size 640x480`"),
         (&["render", "a.zpg", "+W160", "+H120"], "`--size 640x480`"),
+        (&["render", "a.zpg", "+Oout.png"], "`-o out.png`"),
+        (&["render", "a.zpg", "+A0.3"], "zpg calls it `--samples`"),
+        (&["render", "a.zpg", "+A"], "zpg calls it `--samples`"),
+        (&["render", "a.zpg", "+Q9"], "`--quality draft`"),
+        (&["render", "a.zpg", "+FN"], "the ending of `-o`"),
+        (&["render", "+Ia.zpg"], "`zpg render a.zpg`"),
         (&["render", "a.zpg", "out.png"], "`-o out.png`"),
         (&["convert", "a.zpg", "out.pov"], "`-o out.pov`"),
         (

@@ -127,16 +127,33 @@ const OUTPUTS: [&str; 13] = [
 /// The endings of translations.
 const TRANSLATIONS: [&str; 7] = ["pov", "xml", "ply", "obj", "glb", "stl", "json"];
 
+/// What there is instead of an option of POV-Ray: `+W640`, `+Opicture.png`.
+fn of_povray(word: &str) -> Option<Complaint> {
+    let rest = word.strip_prefix('+')?;
+    let letter = rest.chars().next()?;
+    let value = &rest[letter.len_utf8()..];
+    let is_whole = !value.is_empty() && value.bytes().all(|c| c.is_ascii_digit());
+    let is_number = value.is_empty() || value.parse().is_ok_and(f64::is_finite);
+    match letter {
+        'W' | 'H' if is_whole => Some(Complaint::new("habit-size")),
+        'A' | 'Q' if is_number => Some(Complaint::new("habit-samples")),
+        'F' if value.len() <= 2 => Some(Complaint::new("habit-picture-format")),
+        'O' if !value.is_empty() => {
+            Some(Complaint::new("habit-output").with("path", Path::new(value)))
+        }
+        'I' if !value.is_empty() => {
+            Some(Complaint::new("habit-scene").with("path", Path::new(value)))
+        }
+        _ => None,
+    }
+}
+
 /// What there is instead of a word that stands where a scene belongs and is none: the name of a picture, or an option of
 /// POV-Ray.
 pub(super) fn output(word: &Path) -> Option<Complaint> {
     let text = word.to_string_lossy();
-    let is_size = |text: &str| {
-        let digits = text.strip_prefix("+W").or(text.strip_prefix("+H"));
-        digits.is_some_and(|d| !d.is_empty() && d.bytes().all(|c| c.is_ascii_digit()))
-    };
-    if is_size(&text) {
-        return Some(Complaint::new("habit-size"));
+    if let Some(complaint) = of_povray(&text) {
+        return Some(complaint);
     }
     let ending = word.extension()?;
     let is_output = OUTPUTS.iter().any(|e| ending.eq_ignore_ascii_case(e));

@@ -398,6 +398,7 @@ habit-probe-json = taková volba není; `zpg probe` vypisuje vždy JSON
 habit-render = zpg má místo toho `zpg render`
 habit-render-preview = taková volba není; `--quality draft` vykreslí obrázek rychle a `--watch` znovu po každé změně scény
 habit-samples = zpg má místo toho `--samples`, nebo `--quality draft`, `good` či `final`
+habit-scene = scéna se uvádí samotná, bez volby: `zpg render { $path }`
 habit-seed = taková volba není; vzorky obrázku jsou vždy stejné
 habit-server = zpg má místo toho `zpg lsp`
 habit-show-fixes = taková volba není; co by `--fix` změnilo, ukáže `--diff`

@@ -396,6 +396,7 @@ habit-probe-json = there is none; `zpg probe` always writes JSON
 habit-render = zpg calls it `zpg render`
 habit-render-preview = there is none; `--quality draft` draws quickly, and `--watch` draws again when the scene changes
 habit-samples = zpg calls it `--samples`, or `--quality draft`, `good` or `final`
+habit-scene = the scene is named on its own, without an option: `zpg render { $path }`
 habit-seed = there is none; the samples of a picture are always the same
 habit-server = zpg calls it `zpg lsp`
 habit-show-fixes = there is none; `--diff` shows what `--fix` would change
