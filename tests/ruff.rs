@@ -179,6 +179,23 @@ fn other_words_of_ruff_have_an_answer() {
         (&["check", "--warnings-as-errors"], "`--deny warnings`"),
         (&["render", "--camera", "top", "a.zpg"], "`--view top`"),
         (&["probe", "--json", "a.zpg"], "always writes JSON"),
+        (&["check", "--json", "a.zpg"], "`--format json`"),
+        (
+            &["plan", "a.zpg", "--format", "json"],
+            "zpg calls it `--json`",
+        ),
+        (
+            &["plan", "--output-format=json", "a.zpg"],
+            "zpg calls it `--json`",
+        ),
+        (
+            &["crosscheck", "a.zpg", "--format", "json"],
+            "zpg calls it `--json`",
+        ),
+        (
+            &["accuracy", "a.zpg", "--format", "json"],
+            "zpg calls it `--json`",
+        ),
         (&["check", "fix", "a.zpg"], "`zpg check --fix`"),
         (&["napoveda"], "`zpg --help`"),
         (&["nápověda"], "`zpg --help`"),

@@ -107,6 +107,10 @@ pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
         ("--dry-run", "check" | "fmt") => return Some("habit-dry-run"),
         ("--stdout", "fmt") => return Some("habit-fmt-output"),
         ("--json", "probe") => return Some("habit-probe-json"),
+        ("--json", "check") => return Some("habit-check-json"),
+        ("--format" | "--output-format", "plan" | "crosscheck" | "accuracy") => {
+            return Some("habit-json");
+        }
         _ => {}
     }
     let habit = HABITS.iter().find(|(name, _)| *name == word);

@@ -363,6 +363,7 @@ habit-angle = taková volba není; zorný úhel je poslední číslo záznamu ka
 habit-background = taková volba není; pozadí je druhé číslo renderovacího záznamu (9999): ID barvy, nebo 0 pro černou
 habit-cache = zpg si nic neukládá do mezipaměti
 habit-check = zpg má místo toho `zpg check`
+habit-check-json = u `zpg check` je to `--format json`
 habit-config = takový příkaz zpg nemá; `zpg check --show-settings` vypíše všechna nastavení a `--config` jedno změní
 habit-convert = zpg má místo toho `zpg convert`
 habit-crosscheck = zpg má místo toho `zpg crosscheck`
@@ -385,6 +386,7 @@ habit-help = zpg má místo toho `zpg --help`
 habit-ignore = zpg má místo toho `--ignore`
 habit-ignore-allow = taková volba není; komentáře, které povolují nálezy, platí vždy
 habit-in-place = taková volba není; `zpg fmt` zapisuje přímo do souborů a `--diff` jen ukáže, co by změnil
+habit-json = zpg má místo toho `--json`
 habit-line-length = zpg má místo toho `--config format.width=100`
 habit-linter = takový příkaz zpg nemá; všechny kódy vypíše `zpg explain`
 habit-new = zpg má místo toho `zpg new`

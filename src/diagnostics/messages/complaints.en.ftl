@@ -361,6 +361,7 @@ habit-angle = there is none; the angle of view is the last number of the camera'
 habit-background = there is none; the background is the second number of the render record (9999): the ID of a colour, or 0 for black
 habit-cache = zpg keeps no cache
 habit-check = zpg calls it `zpg check`
+habit-check-json = `zpg check` calls it `--format json`
 habit-config = zpg has no such command; `zpg check --show-settings` shows all settings, and `--config` changes one
 habit-convert = zpg calls it `zpg convert`
 habit-crosscheck = zpg calls it `zpg crosscheck`
@@ -383,6 +384,7 @@ habit-help = zpg calls it `zpg --help`
 habit-ignore = zpg calls it `--ignore`
 habit-ignore-allow = there is none; the comments that allow findings always count
 habit-in-place = there is none; `zpg fmt` writes into the files, and `--diff` only shows what it would change
+habit-json = zpg calls it `--json`
 habit-line-length = zpg calls it `--config format.width=100`
 habit-linter = zpg has no such command; `zpg explain` lists all codes
 habit-new = zpg calls it `zpg new`
