@@ -179,6 +179,17 @@ fn other_words_of_ruff_have_an_answer() {
         (&["check", "--warnings-as-errors"], "`--deny warnings`"),
         (&["render", "--camera", "top", "a.zpg"], "`--view top`"),
         (&["probe", "--json", "a.zpg"], "always writes JSON"),
+        (&["accuracy", "a.zpg", "--samples", "4"], "`--axes`"),
+        (&["accuracy", "a.zpg", "--adaptive"], "`--axes`"),
+        (&["accuracy", "a.zpg", "--depth=4"], "`--axes`"),
+        (&["accuracy", "a.zpg", "--precision", "f32"], "`--axes`"),
+        (&["accuracy", "a.zpg", "--quality", "draft"], "`--axes`"),
+        (&["generate-shell-completion", "bash"], "`zpg completions`"),
+        (
+            &["--config", "format.width=100", "check", "a.zpg"],
+            "`zpg check --config`",
+        ),
+        (&["--isolated", "check", "a.zpg"], "`zpg check --isolated`"),
         (&["check", "--json", "a.zpg"], "`--format json`"),
         (
             &["plan", "a.zpg", "--format", "json"],

@@ -10,7 +10,7 @@ use crate::solids::staging::Side;
 use crate::syntax::words::plain;
 
 /// A word of ruff or of a renderer, and the message that says what there is instead.
-const HABITS: [(&str, &str); 79] = [
+const HABITS: [(&str, &str); 80] = [
     ("--add-noqa", "habit-add-allow"),
     ("--cache-dir", "habit-cache"),
     ("--no-cache", "habit-cache"),
@@ -86,6 +86,7 @@ const HABITS: [(&str, &str); 79] = [
     ("--spp", "habit-samples"),
     ("--gamma", "habit-gamma"),
     ("version", "habit-version"),
+    ("generate-shell-completion", "habit-completions"),
     ("--warnings-as-errors", "habit-deny"),
     ("napoveda", "habit-help"),
     ("nápověda", "habit-help"),
@@ -111,6 +112,11 @@ pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
         ("--format" | "--output-format", "plan" | "crosscheck" | "accuracy") => {
             return Some("habit-json");
         }
+        ("--samples" | "--adaptive" | "--depth" | "--precision" | "--quality", "accuracy") => {
+            return Some("habit-axes");
+        }
+        // Before the command, the usage is that of all.
+        ("--config" | "--isolated", "[OPTIONS]") => return Some("habit-behind-command"),
         _ => {}
     }
     let habit = HABITS.iter().find(|(name, _)| *name == word);
