@@ -315,3 +315,11 @@ fn equations_of_planes() {
         assert_eq!(fixed(&text), (scene(meant, 2), 1), "{line}");
     }
 }
+
+/// Decimal commas in square brackets: one finding.
+#[test]
+fn commas_in_square_brackets() {
+    let text = scene("11 11 [0,9; 2; -0,3] 0,5", 11);
+    only(&text);
+    assert_eq!(fixed(&text), (scene("11 11 0.9 2 -0.3 0.5", 11), 1));
+}

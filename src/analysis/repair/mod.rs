@@ -321,8 +321,11 @@ impl Engine<'_> {
         let elsewhere = |d: &&Diagnostic| {
             d.is_error() && (!line.touches(d.span) || certain(d)) && !moves(d) && !is_named(d)
         };
+        let is_included = |f: &&Fix| candidates.iter().any(|c| c.includes(f));
         let others: Vec<Fix> = (self.findings.iter().filter(elsewhere))
-            .filter_map(|d| d.applicable_fix(true).or(d.fixes.first()).cloned())
+            .filter_map(|d| d.applicable_fix(true).or(d.fixes.first()))
+            .filter(|fix| !is_included(fix))
+            .cloned()
             .collect();
         if !is_asked && others.is_empty() {
             return false;
@@ -434,7 +437,8 @@ impl Engine<'_> {
                     .is_some_and(|scene| judge::errors(&scene) == 0);
         let mut index = 0;
         self.findings.retain(|d| {
-            let on_line = clean && line.touches(d.span) && !has_safe_fix(d);
+            let is_included = d.fixes.iter().any(|f| best.candidate.includes(f));
+            let on_line = clean && line.touches(d.span) && (!has_safe_fix(d) || is_included);
             let own = index == at;
             index += 1;
             own || !(d.is_error() && (alone || on_line))

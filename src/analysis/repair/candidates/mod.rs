@@ -134,6 +134,14 @@ pub(super) struct Candidate {
     pub ty: Option<&'static RecordType>,
 }
 
+impl Candidate {
+    /// Whether this, too, writes all decimal commas of a fix as points.
+    pub(super) fn includes(&self, fix: &Fix) -> bool {
+        let is_here = |e: &Edit| self.fix.edits.contains(e);
+        self.fix.title == numbers::COMMA_TITLE && fix.edits.iter().all(is_here)
+    }
+}
+
 /// Most candidates for one finding.
 const MAX_CANDIDATES: usize = 16;
 

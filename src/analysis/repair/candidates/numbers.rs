@@ -16,6 +16,9 @@ const LOOK_AT: [&str; 4] = ["look_at", "lookat", "target", "at"];
 /// Words before the letter of an axis.
 const AXIS: [&str; 4] = ["axis", "osa", "osy", "ose"];
 
+/// The title of fixes that write decimal commas as points.
+pub(super) const COMMA_TITLE: &str = "fix-decimal-comma";
+
 /// So many places of one decimal comma are a choice.
 const MAX_PLACES: usize = 3;
 
@@ -482,9 +485,18 @@ impl LineContext<'_> {
             let Some(mut candidate) = self.write(Habit::Doubled, &new) else {
                 continue;
             };
-            candidate.fix.title = "fix-decimal-comma";
+            candidate.fix.title = COMMA_TITLE;
             candidate.fix.applicability = applicability;
             candidate.fix = candidate.fix.with("text", quote(&self.text[all.range()]));
+            // Commas that are read as decimal ones are points, too.
+            let commas = params
+                .iter()
+                .filter(|t| t.kind() == TokenKind::DecimalComma);
+            candidate.fix.edits.extend(commas.map(|t| Edit {
+                span: t.span(),
+                text: text(t).replace(',', "."),
+            }));
+            candidate.fix.edits.sort_by_key(|e| e.span.start);
             out.push(candidate);
         }
     }
