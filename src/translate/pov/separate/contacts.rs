@@ -33,7 +33,7 @@ pub(crate) struct Face {
     outline: Option<Parallelogram>,
 }
 
-/// centre ± sides[0] ± sides[1].
+/// All points from the centre up to one side each way, and up to the other.
 #[derive(Debug, Clone, Copy)]
 struct Parallelogram {
     centre: Vec3,
