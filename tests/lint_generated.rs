@@ -23,6 +23,7 @@ fn text(d: &Diagnostic, place: &str) -> String {
     let found = d.values.iter().find(|v| v.0 == place);
     match found.map(|v| &v.1) {
         Some(Value::Text(text)) => text.to_string(),
+        Some(Value::Decimal(number)) => number.clone(),
         other => panic!("{place}: {other:?}"),
     }
 }

@@ -211,6 +211,7 @@ fn witness(d: &Diagnostic) -> Vec3 {
         let value = &d.values.iter().find(|v| v.0 == axis).unwrap().1;
         match value {
             Value::Text(text) => text.parse().unwrap(),
+            Value::Decimal(number) => number.parse().unwrap(),
             other => panic!("{other:?}"),
         }
     }))
