@@ -3,7 +3,8 @@
 
 use std::fmt::Write;
 
-use zpg::internals::analysis::Analysis;
+use zpg::internals::analysis::{Analysis, repair};
+use zpg::internals::diagnostics::Code;
 use zpg::internals::diagnostics::render::human::{self, Look};
 
 const N: u32 = 20_000;
@@ -163,4 +164,40 @@ fn comments_that_allow_in_a_row() {
         _ => String::new(),
     };
     assert_eq!(check(line, ""), ["N602", "N603", "S504"]);
+}
+
+#[test]
+fn operations_on_one_thing_twice() {
+    let object = |id| match id {
+        2 => "2 9 1".to_owned(),
+        id => format!("{id} -101 2 2"),
+    };
+    assert!(check(object, "-101 ROOT ID").contains(&"W333"));
+}
+
+/// Unions of unions have 2⁴⁰ ways to one sphere; the camera, which takes z for up, is held against the floor.
+#[test]
+fn ways_to_one_thing() {
+    let mut text = "2 11 0 1 0 1\n".to_owned();
+    for id in 3..43 {
+        writeln!(text, "{id} -101 {0} {0}", id - 1).unwrap();
+    }
+    text += "60 4 0 1 0 0\n61 -101 42 60\n90 -501 2 5 16 -0.12 -0.1 -1 0 0 1 35\n50 -402 1\n50 -1 5 5 5\n1 9999 61 0\n";
+    let loaded = Analysis::new("scene.zpg", text.into_bytes());
+    assert!(loaded.findings().iter().any(|d| d.code == Code::W328));
+}
+
+/// Where IDs are not defined, all lamps are asked whether something moves them.
+#[test]
+fn lamps_beside_moves_of_nothing() {
+    let mut text = "2 11 0 0 0 1\n".to_owned();
+    (0..N).for_each(|i| writeln!(text, "{} -402 0.1", 1000 + i).unwrap());
+    (0..N).for_each(|i| writeln!(text, "{} -1 1 2 3", 1000 + i).unwrap());
+    for id in RESULTS..RESULTS + 16 {
+        writeln!(text, "{id} -1 1 2 3\n{id} -2 30 1").unwrap();
+    }
+    let loaded = Analysis::new("scene.zpg", (text + "1 9999 2 0\n").into_bytes());
+    let told = repair::proposals(&loaded);
+    let missing = told.iter().filter(|d| d.code == Code::E101);
+    assert_eq!(missing.filter(|d| d.case == "missing").count(), 16);
 }

@@ -76,7 +76,7 @@ pub fn to_fixed_point(
         })
     };
     loop {
-        if !guessed {
+        if unsafe_too && !guessed {
             said = analysis
                 .findings()
                 .iter()

@@ -8,6 +8,7 @@ use super::new::Template;
 use crate::diagnostics::Complaint;
 use crate::solids::staging::Side;
 use crate::syntax::words::plain;
+use crate::translate::registry::of_file;
 
 /// A word of ruff or of a renderer, and the message that says what there is instead.
 const HABITS: [(&str, &str); 80] = [
@@ -134,9 +135,6 @@ const OUTPUTS: [&str; 13] = [
     "png", "apng", "jpg", "jpeg", "webp", "exr", "pfm", "pov", "xml", "ply", "obj", "glb", "stl",
 ];
 
-/// The endings of translations.
-const TRANSLATIONS: [&str; 7] = ["pov", "xml", "ply", "obj", "glb", "stl", "json"];
-
 /// What there is instead of an option of POV-Ray: `+W640`, `+Opicture.png`.
 fn of_povray(word: &str) -> Option<Complaint> {
     let rest = word.strip_prefix('+')?;
@@ -174,14 +172,10 @@ pub(super) fn output(word: &Path) -> Option<Complaint> {
 /// What there is instead of a picture where the name is that of a translation, for scenes of which the first one is
 /// told.
 pub(super) fn translation(word: &Path, scenes: &[PathBuf]) -> Option<Complaint> {
-    let ending = word.extension()?;
-    let is_one = TRANSLATIONS.iter().any(|e| ending.eq_ignore_ascii_case(e));
+    of_file(word).filter(|target| target.ending() != "zpg")?;
     let scene = scenes.iter().find(|path| *path != word)?;
-    is_one.then(|| {
-        Complaint::new("habit-translation")
-            .with("path", word)
-            .with("scene", scene.as_path())
-    })
+    let complaint = Complaint::new("habit-translation").with("path", word);
+    Some(complaint.with("scene", scene.as_path()))
 }
 
 /// Values, as people say them, and what zpg calls them: of `--view`, `--precision` and `--to`.

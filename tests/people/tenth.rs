@@ -275,6 +275,10 @@ fn smaller_things() {
     run(&["convert", "scene.zpg", "-o", "base.pov"]);
     let made = std::fs::read_to_string(dir.path().join("base.pov")).unwrap();
     assert!(made.contains("+Ibase.pov +Obase.png "), "{made}");
+    // Nothing in a name ends the comment.
+    run(&["convert", "scene.zpg", "-o", "a\nsphere { 0, 1 }.pov"]);
+    let made = std::fs::read_to_string(dir.path().join("a\nsphere { 0, 1 }.pov")).unwrap();
+    assert!(made.contains("+Iscene.pov +Oscene.png "), "{made}");
     let printed = text(&run(&["convert", "scene.zpg", "--to", "pov"]).stdout);
     assert!(printed.contains("+Iscene.pov +Oscene.png "));
     let told = text(&run(&["probe", "scene.zpg", "--point", "[0,6; 1; 1,2]"]).stderr);

@@ -23,6 +23,8 @@ struct Ids<'a> {
     records: Vec<&'a Record>,
     /// How often records name an ID.
     uses: FxHashMap<u32, usize>,
+    /// The IDs of what is moved.
+    moved: FxHashSet<u32>,
 }
 
 /// Says of IDs that their definition is missing, once each, and proposes no other ID. Guesses of a definition are
@@ -31,12 +33,13 @@ pub(super) fn retell(analysis: &Analysis, findings: &mut Vec<Diagnostic>) {
     let is_of_id = |d: &&Diagnostic| {
         matches!(d.code, Code::E101 | Code::E103) && matches!(d.case, "" | "changed")
     };
+    let mut seen = FxHashSet::default();
     let mut ids: Vec<u32> = (findings.iter().filter(is_of_id))
         .filter_map(named)
+        .filter(|&id| seen.insert(id))
         .take(IDS)
         .collect();
     ids.sort_unstable();
-    ids.dedup();
     // What cannot be read, stands there twice or has a reserved ID may be what is missing.
     let is_broken = |item: &Item| matches!(item, Item::Broken(_));
     if ids.is_empty()
@@ -89,8 +92,11 @@ impl<'a> Ids<'a> {
         let records: Vec<&Record> = (analysis.document.items.iter())
             .filter_map(Item::record)
             .collect();
-        let mut uses = FxHashMap::default();
+        let (mut uses, mut moved) = (FxHashMap::default(), FxHashSet::default());
         for record in &records {
+            if record.ty().family == Family::Transformation {
+                moved.insert(record.id);
+            }
             for id in names::references(&analysis.document, record) {
                 *uses.entry(id).or_default() += 1;
             }
@@ -99,6 +105,7 @@ impl<'a> Ids<'a> {
             analysis,
             records,
             uses,
+            moved,
         }
     }
 
@@ -130,7 +137,8 @@ impl<'a> Ids<'a> {
         let uses = self.uses(id);
         let is_property = |r: &&&Record| matches!(r.ty().effect, Effect::DefinesOrChanges(..));
         let properties = own.iter().filter(is_property).count();
-        let is_of_use = |span: &&Span| !own.iter().any(|r| document.id_token(r).span() == **span);
+        let heads: FxHashSet<Span> = own.iter().map(|r| document.id_token(r).span()).collect();
+        let is_of_use = |span: &&Span| !heads.contains(*span);
         let wrong = spans.iter().filter(is_of_use).count();
         // What is asked for is an object.
         let asks = |r: &Record| matches!(r.ty().family, Family::Operation | Family::Render);
@@ -142,18 +150,12 @@ impl<'a> Ids<'a> {
             return None;
         }
         // The object of an assignment may stand in the place of a property.
-        let names_object = |r: &&Record| {
-            let is_object = |e: &Entity, id| e.id == id && e.kind == Some(Kind::Object);
-            let named = |id| {
-                self.analysis
-                    .scene
-                    .entities
-                    .iter()
-                    .any(|e| is_object(e, id))
-            };
-            r.kind == RecordKind::Assignment && names::references(document, r).any(named)
-        };
-        if own.iter().any(names_object) {
+        let assigned: FxHashSet<u32> = (own.iter())
+            .filter(|r| r.kind == RecordKind::Assignment)
+            .flat_map(|r| names::references(document, r))
+            .collect();
+        let is_object = |e: &Entity| e.kind == Some(Kind::Object) && assigned.contains(&e.id);
+        if self.analysis.scene.entities.iter().any(is_object) {
             return None;
         }
         // A property that something has is one.
@@ -248,13 +250,11 @@ impl<'a> Ids<'a> {
     /// Whether something else may be what is called missing, under a wrong ID: a lamp that nobody moves, an object that
     /// nobody uses.
     fn is_left_over(&self, id: u32, is_lamp: bool) -> bool {
-        let moved = |e: &Entity| {
-            let is_move = |r: &&Record| r.id == e.id && r.ty().family == Family::Transformation;
-            self.records.iter().any(is_move)
-        };
         let own = self.records.iter().any(|r| r.id == id);
         match is_lamp {
-            true => self.unused(Kind::PointLight, u32::MAX).any(|e| !moved(e)),
+            true => self
+                .unused(Kind::PointLight, u32::MAX)
+                .any(|e| !self.moved.contains(&e.id)),
             false => own && self.unused(Kind::Object, u32::MAX).next().is_some(),
         }
     }

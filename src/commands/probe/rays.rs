@@ -43,7 +43,8 @@ impl BadRay {
 /// Reads N numbers separated by white space, commas or both.
 pub(super) fn numbers<const N: usize>(s: &str) -> Result<[f64; N], Complaint> {
     // As the handout writes points: `[0,6; 1; 1,2]`.
-    let s = s.trim().trim_start_matches('[').trim_end_matches(']');
+    let s = s.trim();
+    let s = (s.strip_prefix('[').and_then(|s| s.strip_suffix(']'))).unwrap_or(s);
     let s = &s.replace(';', " ");
     let mut out = [0.0; N];
     let mut count = 0;

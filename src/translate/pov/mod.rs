@@ -43,7 +43,7 @@ pub struct Options {
     pub stereo: Stereo,
     /// The scene's names in comments.
     pub captions: Captions,
-    /// The name of the file to be, without its extension.
+    /// The name of the file to be, without its extension. One that a shell would read otherwise is not written into it.
     pub name: String,
 }
 
@@ -105,15 +105,15 @@ pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
     document.tree = simplified(document.tree);
     document.light_scale = brightness::light_scale(&document, options.depth);
     report_uses(&document, options, &mut report);
+    let is_plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.' | ' ');
+    let name = match options.name.chars().all(is_plain) {
+        true => &options.name,
+        false => "scene",
+    };
     let file = |suffix, lenses: &[Lens]| {
         let mut text = String::new();
         // Writing to a string does not fail.
-        let _ = print::print(
-            &mut text,
-            &document,
-            lenses,
-            &format!("{}{suffix}", options.name),
-        );
+        let _ = print::print(&mut text, &document, lenses, &format!("{name}{suffix}"));
         File { suffix, text }
     };
     let files = match (&lenses[..], options.stereo) {

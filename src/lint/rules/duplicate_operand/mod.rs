@@ -1,10 +1,12 @@
 //! W333: a union or an intersection of an object with itself, or a union with a copy of it that stays where it was.
 
+use std::cell::LazyCell;
+
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::{Context, live_nodes};
-use crate::scene::{Node, NodeId, Scene};
+use crate::scene::{Entity, Node, NodeId, Scene};
 use crate::solids::named_core;
 use crate::syntax::quote;
 use crate::syntax::table::Kind;
@@ -14,13 +16,14 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let live = live_nodes(scene);
     let originals = originals(scene);
     let mut is_part = vec![false; scene.nodes.len()];
+    let unused = LazyCell::new(|| unused(context));
     // Operations stand behind their operands: the outermost union comes first.
     for (i, node) in scene.nodes.iter().enumerate().rev() {
         if live[i]
             && let Node::Union(a, b) | Node::Intersection(a, b) = node
             && a == b
         {
-            out.extend(same(context, i as NodeId));
+            out.extend(same(context, i as NodeId, &unused));
             continue;
         }
         if live[i] && !is_part[i] && matches!(node, Node::Union(..)) {
@@ -53,8 +56,18 @@ fn twice(
     }
 }
 
-/// The finding about an operation that names an object twice, with the only object that no record names as a guess.
-fn same(context: &Context, operation: NodeId) -> Option<Diagnostic> {
+/// The objects that no record names.
+fn unused<'a>(context: &Context<'a>) -> Vec<&'a Entity> {
+    let named: FxHashSet<u32> = (context.records())
+        .flat_map(|r| context.references(r))
+        .collect();
+    let entities = context.scene.entities.iter();
+    let objects = entities.filter(|e| e.kind == Some(Kind::Object));
+    objects.filter(|e| !named.contains(&e.id)).collect()
+}
+
+/// The finding about an operation that names an object twice. If one object alone is unused above it, that is a guess.
+fn same(context: &Context, operation: NodeId, unused: &[&Entity]) -> Option<Diagnostic> {
     let record = context.scene.origins[operation as usize];
     let p = context.params(record.span)?;
     let id = p.integer(SECOND);
@@ -64,13 +77,8 @@ fn same(context: &Context, operation: NodeId) -> Option<Diagnostic> {
         .with("type", Value::Term(p.ty.title))
         .with("id", record.id.to_string())
         .with("one-id", id.to_string());
-    let named: FxHashSet<u32> = (context.records())
-        .flat_map(|r| context.references(r))
-        .collect();
-    let mut unused = (context.scene.entities.iter())
-        .filter(|e| e.kind == Some(Kind::Object) && e.span.start < record.span.start)
-        .filter(|e| !named.contains(&e.id));
-    let (Some(one), None) = (unused.next(), unused.next()) else {
+    let mut above = unused.iter().filter(|e| e.span.start < record.span.start);
+    let (Some(one), None) = (above.next(), above.next()) else {
         return Some(d);
     };
     let text = one.id.to_string();

@@ -1,6 +1,8 @@
 //! W328: a camera whose up vector is nearly along its view direction; a note on one that takes z for up in a scene where y
 //! is.
 
+use rustc_hash::FxHashSet;
+
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Severity, Value};
 use crate::geometry::array::{cross, length, sub, unit};
 use crate::lint::Context;
@@ -20,7 +22,7 @@ const TURNED: f64 = 0.5;
 /// A camera that looks up or down by more than this sine may have another way up.
 const LEVEL: f64 = 0.7;
 /// A floor is as near to the lowest point of what stands on it as this part of the size of that.
-const NEAR: f64 = 0.1;
+const FLOOR_REL_GAP: f64 = 0.1;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (camera, p) in chosen_cameras(context) {
@@ -94,7 +96,7 @@ fn turned(context: &Context, camera: &Camera, p: &Params) -> Option<Diagnostic> 
     }
     let objects = context.bounds()[render.root as usize].bounded();
     let size = length(sub(objects.max, objects.min));
-    if objects.is_empty() || (objects.min[1] - floor).abs() > NEAR * size {
+    if objects.is_empty() || (objects.min[1] - floor).abs() > FLOOR_REL_GAP * size {
         return None;
     }
     let edits = (0..3).map(|i| Edit {
@@ -111,7 +113,12 @@ fn floor(context: &Context, root: NodeId) -> Option<f64> {
     let scene = context.scene;
     let mut left = vec![root];
     let mut floor = None;
+    // Unions of copies have many ways to one node.
+    let mut seen = FxHashSet::default();
     while let Some(node) = left.pop() {
+        if !seen.insert(node) {
+            continue;
+        }
         match scene.nodes[node as usize] {
             Node::Union(a, b) => left.extend([a, b]),
             Node::Paint { child, .. } => left.push(child),
