@@ -289,13 +289,18 @@ impl<'t> Drawing<'t> {
         picture
     }
 
+    /// What draws the light along rays, on one thread.
+    fn shader<R: Precision>(&self) -> Shader<'_, R> {
+        Shader::new(self.tracer, self.lights, self.limits, self.features)
+    }
+
     /// A pen that draws pixels on one thread, with the quick kernel if that can draw the scene.
     pub(super) fn pen<'d, R: Precision>(
         &'d self,
         quick: Option<&'d kernel::Scene<'d>>,
     ) -> Pen<'d, 't, R> {
         Pen {
-            shader: Shader::new(self.tracer, self.lights, self.limits, self.features),
+            shader: self.shader(),
             drawing: self,
             quick: quick.map(Quick::new),
         }

@@ -1,10 +1,11 @@
 //! The light that comes back along a ray.
 
+use super::kernel::Arbiter;
 use super::precision::Precision;
 use super::ray::Ray;
 use super::search::escalate::Walkers;
 use super::search::hit::Hit;
-use super::stats::{Counts, Intersections, Rays, Work};
+use super::stats::{Cost, Counts, Intersections, Rays, Work};
 use super::tracer::{Light, Tracer};
 use crate::geometry::array::each;
 use crate::geometry::line::Line;
@@ -96,7 +97,7 @@ impl<'t, R: Precision> Shader<'t, R> {
         } = self.rays;
         Counts {
             rays: self.rays,
-            intersections: self.intersections(),
+            intersections: self.walkers.intersections(),
             work: Work {
                 shadow,
                 reflection,
@@ -110,14 +111,20 @@ impl<'t, R: Precision> Shader<'t, R> {
         }
     }
 
-    /// Intersection tests since the last reset.
-    pub fn intersections(&self) -> Intersections {
-        self.walkers.intersections()
+    /// Intersection tests since the last reset, and how often light was totally reflected.
+    pub fn spent(&self) -> [u64; 2] {
+        let Intersections { boxes, shape } = self.walkers.intersections();
+        [boxes + shape, self.rays.total]
     }
 
-    /// Times that light was totally reflected since the last reset.
-    pub fn total(&self) -> u64 {
-        self.rays.total
+    /// What has been spent since then, on one sample or on a part of it.
+    pub fn cost_since(&self, before: [u64; 2]) -> Cost {
+        let [tests, total] = self.spent();
+        Cost {
+            tests: u32::try_from(tests - before[0]).unwrap_or(u32::MAX),
+            total_reflection: total > before[1],
+            slow: 1,
+        }
     }
 
     /// The light along a camera ray.
@@ -127,6 +134,12 @@ impl<'t, R: Precision> Shader<'t, R> {
     pub fn radiance(&mut self, ray: &Ray<R>) -> Rgb {
         self.rays.camera += 1;
         let mut sum = self.light_along(ray, (Vec3::ONE, 0));
+        self.follow_branches(|light| sum = sum + light);
+        sum.0
+    }
+
+    /// Follows the rays that wait, and all that come of them; each one's light is added.
+    fn follow_branches(&mut self, mut add: impl FnMut(Vec3)) {
         while let Some(Branch {
             ray,
             weight,
@@ -134,13 +147,11 @@ impl<'t, R: Precision> Shader<'t, R> {
             sheet,
         }) = self.branches.pop()
         {
-            let light = match sheet {
+            add(match sheet {
                 None => self.light_along(&ray, (weight, depth)),
                 Some(kt) => self.light_behind_sheet(&ray, (weight, depth), kt),
-            };
-            sum = sum + light;
+            });
         }
-        sum.0
     }
 
     /// The light that a surface sends back along a ray by itself, times the weight. Rays that go on from there wait.
@@ -219,6 +230,11 @@ impl<'t, R: Precision> Shader<'t, R> {
             return Vec3::ONE;
         }
         self.rays.shadow += 1;
+        self.share(ray)
+    }
+
+    /// The share of light that gets through along a ray, up to t = 1.
+    fn share(&mut self, ray: &Ray<R>) -> Vec3 {
         let clear = self.features.glass && !self.tracer.graph.without.transparent_shadows;
         match clear {
             false => self.walkers.visibility::<false>(ray),
@@ -305,6 +321,21 @@ impl<'t, R: Precision> Shader<'t, R> {
             });
         }
         goes
+    }
+}
+
+impl<R: Precision> Arbiter for Shader<'_, R> {
+    fn radiance(&mut self, ray: &Ray, weight: Vec3, depth: u32, light: &mut Vec<Vec3>) -> Cost {
+        let before = self.spent();
+        light.push(self.light_along(&ray.cast(), (weight, depth)));
+        self.follow_branches(|more| light.push(more));
+        self.cost_since(before)
+    }
+
+    fn visibility(&mut self, ray: &Ray) -> (Vec3, Cost) {
+        let before = self.spent();
+        let share = self.share(&ray.cast());
+        (share, self.cost_since(before))
     }
 }
 

@@ -81,7 +81,7 @@ pub struct Counts {
     /// Rays about which something was closer than rounding errors: in doubles, those that were
     /// traced again in double-double.
     pub uncertain: u64,
-    /// Pixels that the quick kernel has drawn.
+    /// Pixels that the quick kernel has drawn alone.
     pub quick: u64,
 }
 
@@ -92,7 +92,7 @@ pub struct Cost {
     pub tests: u32,
     /// Whether they saw totally reflected light.
     pub total_reflection: bool,
-    /// Samples that the quick kernel has not drawn.
+    /// Samples that the quick kernel has not drawn alone.
     pub slow: u32,
 }
 

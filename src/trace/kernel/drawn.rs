@@ -7,8 +7,10 @@ use crate::trace::stats::{Cost, Counts};
 /// What a sample has come to.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Drawn {
-    /// Whether some ray was in doubt; then nothing else here means anything.
-    pub is_doubtful: bool,
+    /// Whether the kernel could not draw it; then nothing else here means anything.
+    pub is_lost: bool,
+    /// What the arbiter was asked for has cost.
+    pub(super) asked: Cost,
     pub light: Vec3,
     pub(super) tests: Tests,
     pub(super) shadow: u32,
@@ -23,14 +25,15 @@ pub struct Drawn {
 impl Drawn {
     /// What it has taken.
     pub fn cost(&self) -> Cost {
+        let own = self.tests.boxes.saturating_add(self.tests.shapes);
         Cost {
-            tests: self.tests.boxes.saturating_add(self.tests.shapes),
-            total_reflection: self.total > 0,
-            slow: 0,
+            tests: own.saturating_add(self.asked.tests),
+            total_reflection: self.total > 0 || self.asked.total_reflection,
+            slow: self.asked.slow.min(1),
         }
     }
 
-    /// Adds what it has cost, but for the work on surfaces: see [`Tile::take_work`](super::Tile::take_work).
+    /// Adds what it has cost the kernel, but for the work on surfaces: see [`Tile::take_work`](super::Tile::take_work).
     #[inline]
     pub fn count(&self, all: &mut Counts) {
         all.rays.camera += 1;

@@ -1,5 +1,6 @@
 //! The light of lamps on the places that a wave has met.
 
+use super::arbiter::Arbiter;
 use super::bundle::{Around, BUNDLE_MIN_RAYS, Rays};
 use super::lanes::{LANES, Lanes, V3, is_greater, is_less, mask};
 use super::query::Start;
@@ -49,6 +50,7 @@ impl Tile {
                 direction: [0.0; 3],
                 skin: skins[lane],
                 left: four.leaves[lane].twin,
+                face: four.rays[lane].met.root.face,
                 goes_in: entering >> lane & 1 == 0,
                 within: four.rays[lane].sides[0],
             }),
@@ -62,7 +64,7 @@ impl Tile {
 
     /// kd·C·(Σ ambient + Σ I·max(0, n·l)·V) for all places of the wave.
     #[inline(never)]
-    pub(super) fn illuminate(&mut self, scene: &Scene) {
+    pub(super) fn illuminate(&mut self, scene: &Scene, arbiter: &mut dyn Arbiter) {
         let mut lit = std::mem::take(&mut self.lit);
         let (mut around, mut count) = (Around::NOTHING, 0);
         if scene.features.shadows {
@@ -81,7 +83,7 @@ impl Tile {
             }
             let is_known = is_bundle && self.find_shaft(scene, &around, lamp);
             for four in &mut lit {
-                self.shine(scene, (number, lamp), four, is_known);
+                self.shine((scene, arbiter), (number, lamp), four, is_known);
             }
         }
         for four in &lit {
@@ -106,7 +108,7 @@ impl Tile {
     #[inline(always)]
     fn shine(
         &mut self,
-        scene: &Scene,
+        (scene, arbiter): (&Scene, &mut dyn Arbiter),
         (number, lamp): (usize, &tracer::Light),
         four: &mut Lit,
         is_known: bool,
@@ -159,8 +161,9 @@ impl Tile {
                         share
                     }
                     Light::Doubtful => {
-                        pixel.is_doubtful = true;
-                        Vec3::ZERO
+                        let (share, cost) = arbiter.visibility(&scene.stage.ray(start));
+                        pixel.asked += cost;
+                        share
                     }
                 }
             };

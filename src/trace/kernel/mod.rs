@@ -3,8 +3,8 @@
 //! Pictures have the bits of those that [`search`](super::search) and [`shade`](super::shade) draw, who are called the
 //! arbiter here. The kernel takes on scenes that are seen from outside: unions of shapes, intersections and differences,
 //! placed anywhere. A place may be inside of two of them at most. The kernel knows of each ray whether rounding may have
-//! decided anything about it. A sample with such a ray is in doubt, and the arbiter draws it. The arbiter also draws whole
-//! pictures of which the kernel would know too little.
+//! decided anything about it. The arbiter is asked about such a ray ([`arbiter`]). The arbiter also draws whole pictures of
+//! which the kernel would know too little.
 //!
 //! The scene: [`expand`] takes the graph apart into leaves, each a shape with its looks ([`leaf`]). [`stage`] puts leaves of
 //! one kind into blocks of four ([`block`]), and blocks into a tree. [`lone`] finds what is near nothing else.
@@ -35,10 +35,11 @@
 //! - where three solids would be in one place, or one medium is on both sides of a surface;
 //! - where the point that it meets is not known well enough.
 //!
-//! Such a ray ends, and its sample is flagged ([`drawn`]); the other rays of the sample go on. The arbiter then draws the
-//! sample from its start. Before a picture is drawn a few tiles are tried: where more than an eighth of their samples are in
-//! doubt, the arbiter draws the whole picture.
+//! The arbiter follows such a ray and all rays that come of it, or says how much of a lamp's light gets along it. The other
+//! rays of the sample go on. Before a picture is drawn a few tiles are tried: where more than an eighth of their samples
+//! have such a ray, the arbiter draws the whole picture.
 
+mod arbiter;
 mod block;
 mod bundle;
 mod csg;
@@ -67,6 +68,7 @@ mod stage;
 mod tests;
 mod wave;
 
+pub use arbiter::Arbiter;
 pub use stage::Stage;
 pub use wave::{Scene, Tile};
 

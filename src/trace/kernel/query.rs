@@ -17,6 +17,8 @@ pub struct Start {
     pub skin: f64,
     /// The first leaf with that surface, or [`NONE`]: see [`Leaf::twin`](super::leaf::Leaf::twin).
     pub left: u32,
+    /// The face that it starts on, of a leaf without lanes.
+    pub face: u32,
     /// Whether the ray goes against the normal of that surface.
     pub goes_in: bool,
     pub within: Within,

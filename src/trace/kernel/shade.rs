@@ -184,6 +184,7 @@ impl Tile {
                     direction: at(&directions),
                     skin: skins[lane],
                     left: four.leaves[lane].twin,
+                    face: from.met.root.face,
                     goes_in: is_entering == matches!(goes_on, Goes::Through { .. }),
                     within,
                 },

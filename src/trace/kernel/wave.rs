@@ -3,6 +3,7 @@
 //! All rays that a tile's pixels send, mirror and refract at one time are a wave. Each is traced by itself; what happens
 //! where they have met something is computed four at a time.
 
+use super::arbiter::Arbiter;
 use super::bundle::{Along, Around, BUNDLE_MIN_RAYS, Rays};
 use super::cuboid::Cuboids;
 use super::drawn::Drawn;
@@ -86,6 +87,10 @@ pub struct Tile {
     pub(super) last: Vec<u32>,
     pub(super) search: Scratch,
     pending: Vec<u32>,
+    /// Rays of the wave that the kernel is in doubt about.
+    doubtful: Vec<Ray>,
+    /// What the arbiter says about one of them.
+    answer: Vec<Vec3>,
     /// What the rays of a wave may meet, if they go nearly the same way.
     pub(super) along: Along,
     /// Places of the wave that lamps may shine on.
@@ -120,7 +125,12 @@ impl Tile {
     /// Draws pixels with a camera ray each, from outside of everything; the result is in their order.
     ///
     /// Of each the origin and the direction are given, which has the length 1.
-    pub fn draw(&mut self, scene: &Scene, cameras: &[[Vec3; 2]]) -> &[Drawn] {
+    pub fn draw(
+        &mut self,
+        scene: &Scene,
+        arbiter: &mut dyn Arbiter,
+        cameras: &[[Vec3; 2]],
+    ) -> &[Drawn] {
         self.pixels.clear();
         self.nodes.clear();
         self.wave.clear();
@@ -135,6 +145,7 @@ impl Tile {
                     direction: direction.0,
                     skin: 0.0,
                     left: NONE,
+                    face: 0,
                     goes_in: false,
                     within: Within::NOTHING,
                 },
@@ -146,16 +157,16 @@ impl Tile {
                 sides: [Within::NOTHING; 2],
             });
             if !(origin.is_finite() && direction.is_finite() && direction.any()) {
-                self.pixels[i as usize].is_doubtful = true;
+                self.pixels[i as usize].is_lost = true;
                 self.wave.pop();
             }
         }
         while !self.wave.is_empty() {
             if self.nodes.len() > MAX_RAYS_IN_TILE {
-                self.pixels.iter_mut().for_each(|p| p.is_doubtful = true);
+                self.pixels.iter_mut().for_each(|p| p.is_lost = true);
                 break;
             }
-            self.step(scene);
+            self.step(scene, arbiter);
             std::mem::swap(&mut self.wave, &mut self.next);
         }
         self.add_up();
@@ -182,7 +193,7 @@ impl Tile {
 
     /// Traces a wave, and makes the next one.
     #[inline(never)]
-    fn step(&mut self, scene: &Scene) {
+    fn step(&mut self, scene: &Scene, arbiter: &mut dyn Arbiter) {
         self.next.clear();
         self.by_kind.iter_mut().for_each(Vec::clear);
         self.lit.clear();
@@ -204,7 +215,7 @@ impl Tile {
             let pixel = &mut self.pixels[ray.pixel as usize];
             pixel.tests.boxes += boxes;
             match (scene.stage).first(&ray.start, along, &mut self.search, &mut pixel.tests) {
-                Met::Doubt => pixel.is_doubtful = true,
+                Met::Doubt => self.doubtful.push(*ray),
                 Met::Nothing => {
                     let light = scene.background.times(Vec3(ray.weight));
                     self.nodes[ray.node as usize].light = light;
@@ -240,7 +251,32 @@ impl Tile {
             }
         }
         self.wave = wave;
-        self.illuminate(scene);
+        self.illuminate(scene, arbiter);
+        let mut doubtful = std::mem::take(&mut self.doubtful);
+        for ray in doubtful.drain(..) {
+            self.ask(scene, arbiter, &ray);
+        }
+        self.doubtful = doubtful;
+    }
+
+    /// Asks the arbiter for the light of a ray, and of all that follow from it.
+    #[cold]
+    fn ask(&mut self, scene: &Scene, arbiter: &mut dyn Arbiter, ray: &Ray) {
+        self.answer.clear();
+        let start = scene.stage.ray(&ray.start);
+        self.pixels[ray.pixel as usize].asked +=
+            arbiter.radiance(&start, Vec3(ray.weight), ray.depth, &mut self.answer);
+        // One after the other, as they are added up.
+        let mut node = ray.node;
+        for (i, &light) in self.answer.iter().enumerate() {
+            if i > 0 {
+                let next = self.nodes.len() as u32;
+                self.nodes.push(RayNode::DARK);
+                self.nodes[node as usize].children = [next, NONE, NONE, NONE];
+                node = next;
+            }
+            self.nodes[node as usize].light = light;
+        }
     }
 
     /// Finds what the rays of the wave may meet, if they go nearly the same way.
@@ -333,21 +369,14 @@ impl Tile {
         V3::gathered(albedo.each_ref(), |albedo| albedo)
     }
 
-    /// Marks samples whose rays are met where rounding may have decided something; returns the others.
+    /// Notes rays that are met where rounding may have decided something; returns the others.
     #[inline(always)]
     fn known(&mut self, four: &Four, live: u32, resolved: &Resolved) -> u32 {
         let doubtful = live & !resolved.clear.to_bitmask();
-        self.doubt(four, doubtful);
-        live & !doubtful
-    }
-
-    /// Marks samples.
-    #[inline(always)]
-    pub(super) fn doubt(&mut self, four: &Four, doubtful: u32) {
         if doubtful != 0 {
-            for lane in (0..LANES).filter(|lane| doubtful >> lane & 1 != 0) {
-                self.pixels[four.rays[lane].pixel as usize].is_doubtful = true;
-            }
+            let lanes = (0..LANES).filter(|lane| doubtful >> lane & 1 != 0);
+            self.doubtful.extend(lanes.map(|lane| *four.rays[lane]));
         }
+        live & !doubtful
     }
 }

@@ -95,9 +95,9 @@ impl<R: Precision> Pen<'_, '_, R> {
         for places in places.chunks(kernel::TILE[0] * kernel::TILE[1]) {
             quick.rays.clear();
             quick.rays.extend(places.iter().map(line));
-            let drawn = quick.tile.draw(quick.scene, &quick.rays);
+            let drawn = (quick.tile).draw(quick.scene, &mut self.shader, &quick.rays);
             samples.extend(drawn.iter().zip(places).map(|(drawn, &place)| {
-                if drawn.is_doubtful {
+                if drawn.is_lost {
                     return self.slow(place);
                 }
                 drawn.count(&mut quick.counts);
@@ -118,18 +118,9 @@ impl<R: Precision> Pen<'_, '_, R> {
             sample,
             of,
         } = place;
-        let tests = |shader: &Shader<R>| {
-            let counted = shader.intersections();
-            counted.boxes + counted.shape
-        };
-        let (before, total) = (tests(&self.shader), self.shader.total());
+        let before = self.shader.spent();
         let light = self.sample(x, y, sample, of);
-        let tests = tests(&self.shader) - before;
-        let cost = Cost {
-            tests: u32::try_from(tests).unwrap_or(u32::MAX),
-            total_reflection: self.shader.total() > total,
-            slow: 1,
-        };
+        let cost = self.shader.cost_since(before);
         Sample { light, cost }
     }
 

@@ -3,6 +3,7 @@
 use super::{Crop, Drawing, Numbers, Settings};
 use crate::geometry::vec::Vec3;
 use crate::trace::kernel;
+use crate::trace::shade::Shader;
 
 impl<'t> Drawing<'t> {
     /// The scene for the quick kernel, if that can draw it, knows most of it, and saves time.
@@ -30,6 +31,7 @@ impl<'t> Drawing<'t> {
         // They take a hundredth of the time.
         let tiles = (across * down / 128).min(64);
         let mut tile = kernel::Tile::default();
+        let mut shader: Shader = self.shader();
         let (mut all, mut sure) = (0, 0);
         for i in 0..tiles {
             let number = (2 * i + 1) * across * down / (2 * tiles);
@@ -45,9 +47,12 @@ impl<'t> Drawing<'t> {
                     self.line(part.x + x, part.y + y, 0, 1)
                 })
                 .collect();
-            let drawn = tile.draw(scene, &rays);
+            let drawn = tile.draw(scene, &mut shader, &rays);
             all += drawn.len();
-            sure += drawn.iter().filter(|pixel| !pixel.is_doubtful).count();
+            sure += drawn
+                .iter()
+                .filter(|pixel| !pixel.is_lost && pixel.cost().slow == 0)
+                .count();
         }
         all - sure <= all / 8
     }

@@ -28,21 +28,11 @@ impl<R: Precision> Walker<'_, R> {
 
     /// Where a support in the space of a leaf's shape is.
     fn placed_support(&self, leaf: Leaf, own: Support) -> Placed {
-        let (mut carried, mut above) = ((own, 0.0), None);
+        let mut placed = Placed::new(own, self.chain(leaf));
         self.climb(leaf, |at, placement| {
-            let map = &self.graph.matrices[placement as usize];
-            match carried.0.moved(map, carried.1) {
-                Some(moved) if above.is_none() => carried = moved,
-                _ => above = above.or(Some(self.chain(at))),
-            }
+            placed.carry(&self.graph.matrices[placement as usize], || self.chain(at));
         });
-        Placed {
-            own,
-            chain: self.chain(leaf),
-            carried: carried.0,
-            off: carried.1,
-            above: above.unwrap_or(0),
-        }
+        placed
     }
 
     /// How a line passes the support of the face that it crosses, there.

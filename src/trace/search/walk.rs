@@ -53,13 +53,19 @@ fn mix(key: u64, value: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// The key below a placement; staying in place changes nothing.
-fn placed_key(key: u64, placement: u32) -> u64 {
+/// The key below a placement; staying in place changes nothing. That of the scene's space is 0.
+pub fn placed_key(key: u64, placement: u32) -> u64 {
     if placement == 0 {
         key
     } else {
         mix(key, placement as u64)
     }
+}
+
+/// A number for the surface of a shape below placements with a key.
+pub fn surface_key(key: u64, primitive: u32) -> u64 {
+    // Odd, and placements are not shifted: no mistaking one for the other.
+    mix(key, !(primitive as u64))
 }
 
 /// Whether a line is in a shape in whose space it is beyond the numbers: it crosses nothing there.
@@ -265,8 +271,7 @@ impl<'g, R: Precision> Walker<'g, R> {
     pub fn surface(&self, leaf: Leaf) -> u64 {
         let (part, key) = (self.part(leaf.part), self.chain(leaf));
         match part.target {
-            // Odd, and placements are not shifted: no mistaking one for the other.
-            Target::Shape(p) => mix(key, !(p as u64)),
+            Target::Shape(p) => surface_key(key, p),
             Target::Object(o) => mix(key, o as u64),
         }
     }

@@ -40,6 +40,30 @@ pub struct Placed {
     pub above: u64,
 }
 
+impl Placed {
+    /// In the space of its shape, which a chain of maps leads out of.
+    pub fn new(own: Support, chain: u64) -> Placed {
+        Placed {
+            own,
+            chain,
+            carried: own,
+            off: 0.0,
+            above: 0,
+        }
+    }
+
+    /// Carries it up by the next map, if that is simple and all before it were. `chain` numbers the maps from there on.
+    pub fn carry(&mut self, map: &Matrix, chain: impl FnOnce() -> u64) {
+        if self.above != 0 {
+            return;
+        }
+        match self.carried.moved(map, self.off) {
+            Some(moved) => (self.carried, self.off) = moved,
+            None => self.above = chain(),
+        }
+    }
+}
+
 /// How a line passes a support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Passage {

@@ -1,0 +1,91 @@
+//! Rays that the kernel is in doubt about, as the arbiter sees them.
+
+use super::leaf::Kind;
+use super::query::{NONE, Start};
+use super::stage::Stage;
+use crate::geometry::line::Line;
+use crate::geometry::vec::Vec3;
+use crate::trace::ray::{Left, Ray};
+use crate::trace::search::walk::{placed_key, surface_key};
+use crate::trace::shapes::Root;
+use crate::trace::shapes::support::{Passage, Placed};
+use crate::trace::stats::Cost;
+
+/// Answers what the kernel does not know.
+pub trait Arbiter {
+    /// Adds the light that comes back along a ray, and along all rays that follow from it, to a list: each times its
+    /// weight, in the order in which light is added up. Returns what that has cost.
+    fn radiance(&mut self, ray: &Ray, weight: Vec3, depth: u32, light: &mut Vec<Vec3>) -> Cost;
+
+    /// The share of light that gets along a ray to a lamp at t = 1, and what it has cost to know.
+    fn visibility(&mut self, ray: &Ray) -> (Vec3, Cost);
+}
+
+impl Stage<'_> {
+    /// A ray of the kernel.
+    #[cold]
+    pub fn ray(&self, start: &Start) -> Ray {
+        let line = Line::new(Vec3(start.origin), Vec3(start.direction));
+        Ray {
+            line,
+            left: (start.left != NONE).then(|| self.left(start, &line)),
+            is_outside: start.within.is_empty(),
+        }
+    }
+
+    /// The surface that a ray starts on.
+    fn left(&self, start: &Start, line: &Line) -> Left {
+        let leaf = &self.leaves[start.left as usize];
+        let keys = self.keys(leaf.chain);
+        let chain = keys.last().copied().unwrap_or(0);
+        Left {
+            surface: surface_key(chain, leaf.primitive),
+            primitive: leaf.primitive,
+            entering: start.goes_in,
+            skin: start.skin,
+            passage: self.passage(start, line, &keys),
+        }
+    }
+
+    /// Numbers for the beginnings of a chain of placements, with one placement, with two and so on.
+    fn keys(&self, chain: u32) -> Vec<u64> {
+        let below = |key: &mut u64, &placement: &u32| {
+            *key = placed_key(*key, placement);
+            Some(*key)
+        };
+        self.chains[chain as usize].iter().scan(0, below).collect()
+    }
+
+    /// How a ray passes the support of the face that it starts on.
+    fn passage(&self, start: &Start, line: &Line, keys: &[u64]) -> Option<Passage> {
+        let leaf = &self.leaves[start.left as usize];
+        let primitive = &self.graph.primitives[leaf.primitive as usize];
+        let line = self.line_through(line, leaf.chain);
+        let face = match leaf.kind {
+            Kind::Cuboid => nearest_face([*leaf.first(), *leaf.upper()], line.origin),
+            _ => start.face,
+        };
+        let own = primitive.shape().support(face)?;
+        let chain = &self.chains[leaf.chain as usize];
+        let mut placed = Placed::new(own, keys.last().copied().unwrap_or(0));
+        for (&placement, &key) in chain.iter().zip(keys).rev() {
+            placed.carry(&self.graph.matrices[placement as usize], || key);
+        }
+        let located = primitive.intersect().locate(&line, Root { t: 0.0, face });
+        let outwards = own.outwards(located.point);
+        Some(Passage {
+            placed,
+            outwards: outwards.map(|n| (n.dot(located.normal) > 0.0) != start.goes_in),
+        })
+    }
+}
+
+/// The face of a box, between its corners, that a point on it is on.
+fn nearest_face(corners: [[f64; 3]; 2], point: Vec3) -> u32 {
+    let distance = |face: &u32| {
+        let axis = *face as usize / 2;
+        (corners[*face as usize % 2][axis] - point[axis]).abs()
+    };
+    let nearest = (0..6).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    nearest.unwrap_or(0)
+}
