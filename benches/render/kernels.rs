@@ -30,7 +30,7 @@ pub fn certainty(scenes: &[&Scene], bars: &mut Bars) {
     println!("\n| pixels alone | plain-f64, s | f64, s | ratio | bar | dd, s | |");
     println!("|---|---:|---:|---:|---:|---:|---|");
     for scene in scenes {
-        let loaded = Analysis::new(scene.name, scene.text.clone().into_bytes());
+        let loaded = Analysis::new(&scene.name, scene.text.clone().into_bytes());
         let tracer = Tracer::new(&loaded.scene).expect("the scene can be drawn");
         let camera = selected_camera(&loaded.scene, f64::from(SIZE[0]) / f64::from(SIZE[1]));
         let settings = |numbers| Settings {

@@ -1,9 +1,10 @@
-//! The twelve scenes: five of one kind each, and seven that are made to be hard.
+//! The twelve scenes: five of one kind each, and seven that are made to be hard. Then mixtures, and what rays alone are
+//! measured on.
 
 use std::fmt::Write;
 
 pub struct Scene {
-    pub name: &'static str,
+    pub name: String,
     /// Whether most of the time goes into intersections and differences.
     pub csg: bool,
     /// How many times as long POV-Ray is to take, where that is another number than for most.
@@ -87,6 +88,18 @@ impl Writer {
         all
     }
 
+    /// The same as a tree.
+    fn tree(&mut self, mut parts: Vec<u32>) -> u32 {
+        while parts.len() > 1 {
+            let pair = |pair: &[u32]| match *pair {
+                [a, b] => self.new_record(format_args!("-101 {a} {b}")),
+                _ => pair[0],
+            };
+            parts = parts.chunks(2).map(pair).collect();
+        }
+        parts[0]
+    }
+
     /// A floor and a wall, for glass to be seen before.
     fn room(&mut self) -> Vec<u32> {
         ["12 -12 -7 -12 12 -6 8", "12 -12 -6 -13 12 12 -12"]
@@ -112,12 +125,12 @@ impl Writer {
     }
 
     /// The camera at a distance, and the render record.
-    fn done(mut self, name: &'static str, csg: bool, root: u32, distance: f64) -> Scene {
+    fn done(mut self, name: &str, csg: bool, root: u32, distance: f64) -> Scene {
         self.new_record(format_args!("-501 0 0 {distance} 0 0 -1 0 1 0 45"));
         let sky = self.new_record("-701 0.1 0.15 0.3");
         self.line(format_args!("1 9999 {root} {sky}"));
         Scene {
-            name,
+            name: name.to_owned(),
             csg,
             bar: None,
             text: self.text,
@@ -450,4 +463,139 @@ fn everything(seed: u64) -> Scene {
     let root = w.union(&parts);
     w.lamps(&[TWO[0], TWO[1], [0.0, 30.0, 0.0]], 0.4);
     w.done("everything at once", false, root, 22.0)
+}
+
+/// Twenty scenes with shapes, materials, lights and groups as they come.
+pub fn mixtures(seed: u64) -> Vec<Scene> {
+    (1..=20).map(|number| mixture(seed, number)).collect()
+}
+
+fn mixture(seed: u64, number: u64) -> Scene {
+    let mut w = Writer::new(seed.wrapping_mul(0x1000).wrapping_add(number));
+    let kinds: Vec<u32> = (0..KINDS).filter(|_| w.chance(0.4)).collect();
+    let count = 30.0 * 30f64.powf(w.real(0.0, 1.0));
+    // Many scenes have nothing of a material.
+    let mut share = |most: f64| (w.real(-most, most)).max(0.0);
+    let [glass, mirrors, boards] = [share(0.3), share(0.4), share(0.5)];
+    let size = 0.9 * count.cbrt();
+    let two = [[1.0, 0.9, 0.8], [0.2, 0.3, 0.5]]
+        .map(|[r, g, b]| w.new_record(format_args!("-701 {r} {g} {b}")));
+    let board = w.new_record(format_args!("-399 10 10 {} {}", two[0], two[1]));
+    let mut parts = Vec::new();
+    for i in 0..count as usize {
+        let kind = kinds.get(i % kinds.len().max(1)).copied().unwrap_or(0);
+        let id = part(&mut w, kind);
+        match w.chance(boards) {
+            true => w.line(format_args!("{id} -299 {board} 0")),
+            false => w.coloured(id),
+        }
+        if w.chance(glass) {
+            let index = w.real(1.05, 1.6);
+            w.glass(id, index);
+        } else if w.chance(mirrors) {
+            w.line(format_args!("{id} -201 0.6 0.4 0"));
+        }
+        if w.chance(0.3) {
+            let [x, y, z] = w.reals(0.5, 1.4);
+            w.line(format_args!("{id} -3 {x} {y} {z}"));
+        }
+        w.turned(id);
+        w.scattered(id, size);
+        parts.push(id);
+    }
+    if w.chance(0.4) {
+        parts = grouped(&mut w, &parts);
+    }
+    if w.chance(0.6) {
+        let [far, low] = [2.0 * size, -1.2 * size];
+        let floor = w.new_record(format_args!(
+            "12 {} {} {} {far} {low} {far}",
+            -far,
+            low - 1.0,
+            -far
+        ));
+        w.coloured(floor);
+        parts.push(floor);
+    }
+    let root = match w.chance(0.5) {
+        true => w.union(&parts),
+        false => w.tree(parts),
+    };
+    let lamps: Vec<[f64; 3]> = (0..1 + number % 5)
+        .map(|_| [w.real(-40.0, 40.0), w.real(5.0, 40.0), w.real(0.0, 40.0)])
+        .collect();
+    w.lamps(&lamps, 0.8 / lamps.len() as f64);
+    w.done(&format!("mixture {number}"), false, root, 3.2 * size + 2.0)
+}
+
+/// Kinds of parts of mixtures.
+const KINDS: u32 = 12;
+
+fn part(w: &mut Writer, kind: u32) -> u32 {
+    match kind {
+        0..=5 => any_shape(w, kind),
+        6 => w.new_record("9 0.6"),
+        7 => w.new_record("14 0.6 0.2"),
+        8 => vase(w, 12),
+        9 => w.new_record("13 0.7 2"),
+        10 => {
+            let [a, b] = ["11 0 0 0.3 0.7", "11 0 0 -0.3 0.7"].map(|ball| w.new_record(ball));
+            w.new_record(format_args!("-102 {a} {b}"))
+        }
+        _ => {
+            let kind = w.real(0.0, 5.0) as u32;
+            let [a, b] = [any_shape(w, kind), any_shape(w, kind + 1)];
+            w.moved(b, [0.4, 0.2, 0.1]);
+            w.new_record(format_args!("-103 {a} {b}"))
+        }
+    }
+}
+
+/// Unions of ten parts each, turned and moved.
+fn grouped(w: &mut Writer, parts: &[u32]) -> Vec<u32> {
+    let group = |some: &[u32]| {
+        let id = w.union(some);
+        if some.len() > 1 {
+            w.turned(id);
+            w.scattered(id, 1.0);
+        }
+        id
+    };
+    parts.chunks(10).map(group).collect()
+}
+
+/// Scenes without lamps, for primary rays alone.
+pub fn of_rays(seed: u64) -> Vec<Scene> {
+    let without_lamps = |name: &str, fill: fn(&mut Writer) -> Vec<u32>| {
+        let mut w = Writer::new(seed);
+        let parts = fill(&mut w);
+        let root = w.tree(parts);
+        w.lamps(&[], 0.0);
+        w.done(name, false, root, 22.0)
+    };
+    vec![
+        without_lamps("ten thousand spheres", |w| {
+            let sphere = |_| {
+                let [x, y, z] = w.reals(-8.0, 8.0);
+                let r = w.real(0.05, 0.15);
+                w.new_record(format_args!("11 {x} {y} {z} {r}"))
+            };
+            (0..10_000).map(sphere).collect()
+        }),
+        without_lamps("a geodesic sphere of level 7", |w| {
+            vec![w.new_record("13 6 7")]
+        }),
+        without_lamps("100 000 triangles", |w| {
+            let triangle = |_| {
+                let [x, y, z] = w.reals(-8.0, 8.0);
+                let mut corner = || {
+                    let [a, b, c] = w.reals(-0.2, 0.2);
+                    format!("{:.4} {:.4} {:.4}", x + a, y + b, z + c)
+                };
+                let corners = [corner(), corner(), corner()].join(" ");
+                w.new_record(format_args!("6 {corners}"))
+            };
+            (0..100_000).map(triangle).collect()
+        }),
+    ]
 }
