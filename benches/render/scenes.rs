@@ -485,15 +485,16 @@ fn mixture(seed: u64, number: u64) -> Scene {
     for i in 0..count as usize {
         let kind = kinds.get(i % kinds.len().max(1)).copied().unwrap_or(0);
         let id = part(&mut w, kind);
-        match w.chance(boards) {
-            true => w.line(format_args!("{id} -299 {board} 0")),
-            false => w.coloured(id),
-        }
-        if w.chance(glass) {
-            let index = w.real(1.05, 1.6);
-            w.glass(id, index);
-        } else if w.chance(mirrors) {
-            w.line(format_args!("{id} -201 0.6 0.4 0"));
+        if w.chance(boards) {
+            w.line(format_args!("{id} -299 {board} 0"));
+        } else {
+            w.coloured(id);
+            if w.chance(glass) {
+                let index = w.real(1.05, 1.6);
+                w.glass(id, index);
+            } else if w.chance(mirrors) {
+                w.line(format_args!("{id} -201 0.6 0.4 0"));
+            }
         }
         if w.chance(0.3) {
             let [x, y, z] = w.reals(0.5, 1.4);

@@ -1,14 +1,14 @@
-//! Rays that the kernel is in doubt about, as the arbiter sees them.
+//! Rays that the kernel is in doubt about, as the arbiter sees them, and faces in one plane, as the arbiter knows them.
 
-use super::leaf::Kind;
-use super::query::{NONE, Start};
+use super::leaf::{Kind, Leaf};
+use super::query::{Crossing, NONE, Query, Start, UNKNOWN_FACE};
 use super::stage::Stage;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::trace::ray::{Left, Ray};
 use crate::trace::search::walk::{placed_key, surface_key};
-use crate::trace::shapes::Root;
 use crate::trace::shapes::support::{Passage, Placed};
+use crate::trace::shapes::{Root, Roots};
 use crate::trace::stats::Cost;
 
 /// Answers what the kernel does not know.
@@ -59,24 +59,57 @@ impl Stage<'_> {
     /// How a ray passes the support of the face that it starts on.
     fn passage(&self, start: &Start, line: &Line, keys: &[u64]) -> Option<Passage> {
         let leaf = &self.leaves[start.left as usize];
-        let primitive = &self.graph.primitives[leaf.primitive as usize];
+        let shape = self.graph.primitives[leaf.primitive as usize].intersect();
         let line = self.line_through(line, leaf.chain);
-        let face = match leaf.kind {
-            Kind::Cuboid => nearest_face([*leaf.first(), *leaf.upper()], line.origin),
-            _ => start.face,
-        };
+        let face = face_at(leaf, start.face, line.origin);
+        let placed = self.placed_support(leaf, face, keys)?;
+        let located = shape.locate(&line, Root { t: 0.0, face });
+        let outwards = placed.own.outwards(located.point);
+        Some(Passage {
+            placed,
+            outwards: outwards.map(|n| (n.dot(located.normal) > 0.0) != start.goes_in),
+        })
+    }
+
+    /// Where the support of a face is, if other shapes may have faces in it.
+    fn placed_support(&self, leaf: &Leaf, face: u32, keys: &[u64]) -> Option<Placed> {
+        let primitive = &self.graph.primitives[leaf.primitive as usize];
         let own = primitive.shape().support(face)?;
         let chain = &self.chains[leaf.chain as usize];
         let mut placed = Placed::new(own, keys.last().copied().unwrap_or(0));
         for (&placement, &key) in chain.iter().zip(keys).rev() {
             placed.carry(&self.graph.matrices[placement as usize], || key);
         }
-        let located = primitive.intersect().locate(&line, Root { t: 0.0, face });
-        let outwards = own.outwards(located.point);
-        Some(Passage {
-            placed,
-            outwards: outwards.map(|n| (n.dot(located.normal) > 0.0) != start.goes_in),
-        })
+        Some(placed)
+    }
+
+    /// Whether two crossings that are near each other are of flat faces in one plane, by the numbers of the scene.
+    #[cold]
+    pub fn are_flush(&self, query: &Query, crossings: [&Crossing; 2]) -> bool {
+        let flat = |crossing: &Crossing| {
+            let leaf = &self.leaves[crossing.surface as usize];
+            let mut crossing = *crossing;
+            if leaf.kind == Kind::Quadric && crossing.root.face == UNKNOWN_FACE {
+                let is_known = self.sharpen(query.start, &mut crossing, &mut Roots::default());
+                is_known.then_some(())?;
+            }
+            let line = self.line_through(&query.line, leaf.chain);
+            let point = line.at(crossing.root.t);
+            let face = face_at(leaf, crossing.root.face, point);
+            let placed = self.placed_support(leaf, face, &self.keys(leaf.chain))?;
+            placed.own.outwards(point).is_none().then_some(placed)
+        };
+        let [a, b] = crossings.map(flat);
+        a.zip(b).is_some_and(|(a, b)| a.is(&b))
+    }
+}
+
+/// The face that a point is on, in the space of the shape, where that has to be found out.
+fn face_at(leaf: &Leaf, face: u32, point: Vec3) -> u32 {
+    match leaf.kind {
+        Kind::Cuboid => nearest_face([*leaf.first(), *leaf.upper()], point),
+        Kind::Quadric | Kind::Other => face,
+        _ => 0,
     }
 }
 

@@ -5,6 +5,7 @@ use super::cull::Cull;
 use super::leaf::{Kind, Leaf};
 use super::plane::{self, Planes};
 use super::probe::{Chords, Probe};
+use super::quadric::{Quadric, Quadrics};
 use super::query::{BENT, End};
 use super::rectangle::Rectangles;
 use super::sphere::Spheres;
@@ -34,6 +35,8 @@ pub enum Shapes {
     Cuboids(Cuboids),
     Planes(Planes),
     Rectangles(Rectangles),
+    /// In the scene's space: each has a space of its own besides.
+    Quadrics(Box<Quadrics>),
     /// One leaf, without lanes.
     Single,
 }
@@ -79,6 +82,10 @@ fn block(leaves: &[Leaf], numbers: &[u32]) -> Block {
         Kind::Rectangle => {
             Shapes::Rectangles(Rectangles::new(&all.iter().map(four).collect::<Vec<_>>()))
         }
+        Kind::Quadric => {
+            let quadrics: Vec<&Quadric> = all.iter().filter_map(|l| l.quadric.as_deref()).collect();
+            Shapes::Quadrics(Box::new(Quadrics::new(&quadrics)))
+        }
         Kind::Other | Kind::Csg => Shapes::Single,
     };
     let mut own = [u32::MAX; 4];
@@ -102,6 +109,7 @@ impl Block {
             Shapes::Cuboids(cuboids) => cuboids.chords(probe, from, to),
             Shapes::Planes(planes) => planes.chords(probe, from, to),
             Shapes::Rectangles(rectangles) => rectangles.chords(probe, from, to),
+            Shapes::Quadrics(quadrics) => quadrics.chords(probe, from, to),
             Shapes::Single => Chords::NONE,
         }
     }
@@ -117,6 +125,18 @@ impl Leaf {
         let error = match self.kind {
             Kind::Sphere | Kind::Other | Kind::Csg => {
                 BENT * ((probe.reach + self.extent) * probe.per_pace + t.abs())
+            }
+            Kind::Quadric => {
+                let size = (probe.reach + self.extent) * probe.per_pace + t.abs();
+                let [x, y, z, stretch, ..] = self.numbers;
+                let [dx, dy, dz] = probe.direction;
+                let across = (x * dx + y * dy + z * dz).abs();
+                let has_ends = x != 0.0 || y != 0.0 || z != 0.0;
+                let flat = match has_ends {
+                    true => cuboid::SHARE * probe.pace / across,
+                    false => 0.0,
+                };
+                (BENT + flat) * stretch * size
             }
             Kind::Cuboid => cuboid::rough(probe, &self.numbers, self.extent, t, is_near),
             Kind::Plane | Kind::HalfSpace => plane::rough(probe, *self.first(), self.extent, t),
@@ -148,8 +168,13 @@ impl Leaf {
                 };
                 far(0).min(far(1)).min(far(2))
             }
-            // Nothing goes through these, or there is no way out.
-            Kind::Plane | Kind::HalfSpace | Kind::Rectangle | Kind::Other | Kind::Csg => {
+            // Nothing goes through these, there is no way out, or the shape itself finds it.
+            Kind::Plane
+            | Kind::HalfSpace
+            | Kind::Rectangle
+            | Kind::Quadric
+            | Kind::Other
+            | Kind::Csg => {
                 return None;
             }
         };

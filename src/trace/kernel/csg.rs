@@ -5,7 +5,7 @@ use super::block::{Block, Shapes, in_blocks};
 use super::expand::{Gate, Operands};
 use super::leaf::{Kind, Leaf};
 use super::probe::Probe;
-use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Tests};
+use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Tests, UNKNOWN_FACE};
 use super::scalar::Raw;
 use super::scratch::Scratch;
 use super::stage::{Forest, Stage};
@@ -135,7 +135,11 @@ impl Stage<'_> {
         let is_before = |end: End, other: usize| {
             (least.get(other)).is_none_or(|&least| end.t + end.error < least)
         };
+        let mut is_passed = false;
         for (i, event) in events.iter().enumerate() {
+            if std::mem::take(&mut is_passed) {
+                continue;
+            }
             let leaf = &self.leaves[event.surface as usize];
             if let Some(next) = events.get(i + 1).filter(|_| !is_before(event.end, i + 1)) {
                 // Two in one place: what each of them does must not depend on which comes first.
@@ -148,8 +152,17 @@ impl Stage<'_> {
                 let [two, before] = [after(leaf, event.is_exit), after(other, next.is_exit)];
                 let is_free = (before != one) == (two != both) && (one != both) == (before != two);
                 let are_two = is_before(event.end, i + 2) && is_before(next.end, i + 2);
-                if !(is_free && are_two) {
-                    return Crossed::Doubt;
+                // Of faces in one plane neither comes first.
+                let cancel = || before == both && self.are_flush(query, [event, next]);
+                match are_two {
+                    true if is_free => {}
+                    true if cancel() => {
+                        csg.enter_or_leave(leaf, !event.is_exit, unmet);
+                        csg.enter_or_leave(other, !next.is_exit, unmet);
+                        is_passed = true;
+                        continue;
+                    }
+                    _ => return Crossed::Doubt,
                 }
             }
             csg.enter_or_leave(leaf, !event.is_exit, unmet);
@@ -236,6 +249,43 @@ impl Stage<'_> {
         result
     }
 
+    /// Lists where a ray crosses an operand, as the arbiter finds it.
+    fn operand(
+        &self,
+        query: &Query,
+        surface: u32,
+        from: f64,
+        csg: &Csg,
+        scratch: &mut Scratch,
+    ) -> Result<(), Doubt> {
+        let leaf = &self.leaves[surface as usize];
+        let mut roots = std::mem::take(&mut scratch.roots);
+        // All of the line: a way out that is far away may mean that the start is inside.
+        let everywhere = [from, f64::INFINITY];
+        let crossed = self.cross(query, surface, everywhere, Ask::All, &mut roots);
+        let listed = match crossed {
+            Raw::Doubt => Err(Doubt),
+            Raw::Nothing | Raw::Somewhere => Ok(()),
+            Raw::Ahead { line, mut inside } => {
+                if inside {
+                    csg.enter_or_leave(leaf, true, &mut scratch.unmet);
+                }
+                for &root in &roots.list {
+                    scratch.events.push(Crossing {
+                        surface,
+                        root,
+                        end: self.end(leaf, &line, root),
+                        is_exit: inside,
+                    });
+                    inside = !inside;
+                }
+                Ok(())
+            }
+        };
+        scratch.roots = roots;
+        listed
+    }
+
     /// Lists where a ray crosses the operands in a block.
     #[inline(always)]
     fn operands(
@@ -247,33 +297,7 @@ impl Stage<'_> {
         scratch: &mut Scratch,
     ) -> Result<(), Doubt> {
         if let Shapes::Single = block.shapes {
-            let surface = block.leaves[0];
-            let leaf = &self.leaves[surface as usize];
-            let mut roots = std::mem::take(&mut scratch.roots);
-            // All of the line: a way out that is far away may mean that the start is inside.
-            let everywhere = [from, f64::INFINITY];
-            let crossed = self.cross(query, surface, everywhere, Ask::All, &mut roots);
-            let listed = match crossed {
-                Raw::Doubt => Err(Doubt),
-                Raw::Nothing | Raw::Somewhere => Ok(()),
-                Raw::Ahead { line, mut inside } => {
-                    if inside {
-                        csg.enter_or_leave(leaf, true, &mut scratch.unmet);
-                    }
-                    for &root in &roots.list {
-                        scratch.events.push(Crossing {
-                            surface,
-                            root,
-                            end: self.end(leaf, &line, root),
-                            is_exit: inside,
-                        });
-                        inside = !inside;
-                    }
-                    Ok(())
-                }
-            };
-            scratch.roots = roots;
-            return listed;
+            return self.operand(query, block.leaves[0], from, csg, scratch);
         }
         let (start, skin) = (query.start, query.skin);
         let mut moved = Probe::NONE;
@@ -289,13 +313,18 @@ impl Stage<'_> {
             let note = |end: End, is_exit: bool, scratch: &mut Scratch| {
                 scratch.events.push(Crossing {
                     surface,
-                    root: Root { t: end.t, face: 0 },
+                    root: Root {
+                        t: end.t,
+                        face: UNKNOWN_FACE,
+                    },
                     end,
                     is_exit,
                 });
             };
             if leaf.twin == start.left {
-                if start.goes_in {
+                if start.goes_in && leaf.kind == Kind::Quadric {
+                    self.operand(query, surface, from, csg, scratch)?;
+                } else if start.goes_in {
                     csg.enter_or_leave(leaf, true, &mut scratch.unmet);
                     // There is no way out of a half-space for what has come in.
                     if leaf.kind != Kind::HalfSpace {

@@ -5,9 +5,8 @@
 //! of [`quick_reject`](crate::trace::shapes::quick_reject), beside which all that is rounded is nothing.
 
 use super::lanes::{ALL, LANES, Lanes, V3, either, is_at_most, is_greater, is_less};
-use super::place::Maps;
+use super::place::{Maps, REL_ROUNDED, WayIn};
 use crate::geometry::aabb::Aabb;
-use crate::geometry::affine::Affine;
 use crate::geometry::array::each;
 use crate::geometry::vec::Vec3;
 use crate::trace::graph::Graph;
@@ -17,10 +16,7 @@ use crate::trace::shapes::quick_reject::{LINE_REL_ERROR, POLYNOMIAL_MARGIN};
 /// A shape, and the way into its space.
 #[derive(Debug, Clone)]
 pub struct Cull {
-    back: Affine,
-    /// Bounds on the sums of the sizes of all that is added up on the way into the space: for coordinates of 1, and for
-    /// what the maps add.
-    sizes: [f64; 2],
+    way: WayIn,
     /// The box around the shape, with some room.
     around: Aabb,
     /// The box made smaller by as much.
@@ -41,23 +37,10 @@ pub struct Passing {
     pub through: u32,
 }
 
-/// More than what is rounded on the way into a shape's space, as a share of the numbers behind a point.
-const REL_ROUNDED: f64 = 1e-13;
-
 impl Cull {
     /// `None` for what has no bounds, or numbers beyond the usual.
     pub fn new(graph: &Graph, chain: &[u32], bounds: &Aabb, outline: Outline) -> Option<Cull> {
-        let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let (mut rows, mut offset) = (identity.map(Vec3), Vec3::ZERO);
-        let (mut sums, mut added) = (rows, offset);
-        for &placement in chain {
-            let back = &graph.placements[placement as usize].back;
-            let of = |row: Vec3, m: [Vec3; 3]| m[0] * row[0] + m[1] * row[1] + m[2] * row[2];
-            offset = back.point(offset);
-            added = back.sizes(added) + back.offset.abs();
-            rows = back.rows.map(|row| of(row, rows));
-            sums = back.rows.map(|row| of(row.abs(), sums));
-        }
+        let way = WayIn::new(graph, chain);
         let reach = bounds.reach();
         let margin = POLYNOMIAL_MARGIN
             * match &outline.form {
@@ -71,18 +54,11 @@ impl Cull {
                 Form::Torus([major, minor]) => (major + minor).powi(4),
             };
         let room = Vec3::ONE * (POLYNOMIAL_MARGIN * reach);
-        let sizes = [
-            sums.map(|row| row.dot(Vec3::ONE))
-                .into_iter()
-                .fold(0.0, f64::max),
-            added.max_component(),
-        ];
         let [min, max] = [Vec3(bounds.min), Vec3(bounds.max)];
-        let numbers = [reach, margin, sizes[0]];
-        let is_usual = numbers.into_iter().all(f64::is_normal) && sizes[1].is_finite();
+        let numbers = [reach, margin, way.sizes[0]];
+        let is_usual = numbers.into_iter().all(f64::is_normal) && way.sizes[1].is_finite();
         (bounds.is_bounded() && is_usual).then(|| Cull {
-            back: Affine::of(rows, offset),
-            sizes,
+            way,
             around: Aabb::new(min - room, max + room),
             within: Aabb::new(min + room, max - room),
             outline,
@@ -95,13 +71,13 @@ impl Cull {
     #[inline(never)]
     pub fn passing(&self, origin: V3, direction: V3, before: Lanes, to: f64) -> Passing {
         let splat = Lanes::splat;
-        let back = Maps::gathered([&self.back; LANES], |map| map);
+        let back = Maps::gathered([&self.way.back; LANES], |map| map);
         let (o, d) = (back.point(origin), back.vector(direction));
         let inverse = V3(each(d.0, |d| splat(1.0) / d));
         let [near, far] = in_box(&self.around, o, inverse, [-before, splat(to)]);
         let [start, pace] = [origin, direction].map(|v| v.abs().max_component());
-        let size = splat(self.sizes[0]) * (start + pace * near.abs().fast_max(far.abs()));
-        let error = splat(REL_ROUNDED) * (size + splat(self.sizes[1]));
+        let size = splat(self.way.sizes[0]) * (start + pace * near.abs().fast_max(far.abs()));
+        let error = splat(REL_ROUNDED) * (size + splat(self.way.sizes[1]));
         // All is written so that nothing is said where a number is NaN.
         let known = is_at_most(error, splat(LINE_REL_ERROR * self.reach));
         let misses = is_greater(near, far);
@@ -220,7 +196,7 @@ fn numbers(lanes: Lanes, sum: Lanes) -> Lanes {
 mod tests {
     use super::*;
     use crate::geometry::Matrix;
-    use crate::geometry::affine::Placement;
+    use crate::geometry::affine::{Affine, Placement};
     use crate::geometry::line::Line;
     use crate::scene::Geometry;
     use crate::testing::random;

@@ -4,7 +4,7 @@ mod operands;
 
 pub use operands::{Gate, Operands};
 
-use super::leaf::{Colour, Kind, Leaf, Way, is_usual, with_lanes};
+use super::leaf::{self, Colour, Kind, Leaf, Way, is_usual, with_lanes};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::vec::Vec3;
 use crate::scene::{DEFAULT_COLOUR, Texture};
@@ -188,7 +188,15 @@ impl Leaves {
             }
             None => None,
         };
-        let (kind, numbers, placement) = lanes.unwrap_or((Kind::Other, [0.0; 8], 0));
+        let (mut kind, mut numbers, placement) = lanes.unwrap_or((Kind::Other, [0.0; 8], 0));
+        let mut extent = graph.extents[primitive as usize];
+        let mut quadric = None;
+        if kind == Kind::Other
+            && let Some((own, of_it, size)) = leaf::quadric(graph, &above.chain, shape)
+        {
+            (kind, numbers, quadric) = (Kind::Quadric, of_it, Some(own));
+            extent = extent.max(size);
+        }
         let albedo = match optics.kd {
             [0.0, 0.0, 0.0] => [0.0; 3],
             kd => Vec3(kd).times(Vec3(plain)).0,
@@ -208,12 +216,13 @@ impl Leaves {
         self.all.push(Leaf {
             kind,
             numbers,
+            quadric,
             primitive,
             chain,
             placement,
             solid: number,
             twin,
-            extent: graph.extents[primitive as usize],
+            extent,
             operand: 0,
             gate: 0,
             is_cut: false,

@@ -1,9 +1,12 @@
 //! A shape of the scene as the kernel sees it.
 
+use super::place::WayIn;
+use super::quadric::Quadric;
 use crate::geometry::affine::{Affine, Placement};
 use crate::geometry::exponent::{exponent, shifted};
 use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
+use crate::trace::graph::Graph;
 use crate::trace::shapes::Primitive;
 
 /// Kinds of shapes.
@@ -19,6 +22,9 @@ pub enum Kind {
     HalfSpace,
     /// The least x and y, and the greatest.
     Rectangle,
+    /// A unit vector across the flat ends, or zeros, and how much more the map stretches along one axis than along another;
+    /// see [`Leaf::quadric`].
+    Quadric,
     /// Any shape, as the arbiter sees it: one ray at a time.
     Other,
     /// No shape, but an intersection or a difference of some.
@@ -26,12 +32,13 @@ pub enum Kind {
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 7] = [
+pub const KINDS: [Kind; 8] = [
     Kind::Sphere,
     Kind::Cuboid,
     Kind::Plane,
     Kind::HalfSpace,
     Kind::Rectangle,
+    Kind::Quadric,
     Kind::Other,
     Kind::Csg,
 ];
@@ -92,6 +99,8 @@ pub struct Leaf {
     pub kind: Kind,
     /// What makes it what it is: see [`Kind`].
     pub numbers: [f64; 8],
+    /// Of a convex solid of second degree, what else makes it what it is.
+    pub quadric: Option<Box<Quadric>>,
     /// Index into [`Graph::primitives`](crate::trace::graph::Graph::primitives), or into
     /// [`Stage::csgs`](super::stage::Stage::csgs).
     pub primitive: u32,
@@ -193,6 +202,23 @@ pub fn with_lanes(primitive: &Primitive, is_clear: bool) -> Option<(Kind, [f64; 
     let usual = |x: &f64| (LEAST..LEAST.recip()).contains(x);
     let are_usual = numbers.iter().all(|&x| x == 0.0 || usual(&x.abs()));
     (are_usual && sizes.iter().all(usual)).then_some((kind, numbers))
+}
+
+/// A convex solid of second degree below a chain of placements, with its numbers and its extent.
+pub fn quadric(
+    graph: &Graph,
+    chain: &[u32],
+    primitive: &Primitive,
+) -> Option<(Box<Quadric>, [f64; 8], f64)> {
+    let shape = primitive.shape();
+    let piece = shape.convex_piece()?;
+    let way = WayIn::new(graph, chain);
+    let (out, back) = (way.back.inverse()?, way.back);
+    let quadric = Quadric::new(&piece, &shape.bounds(), way)?;
+    let [extent, stretch] = quadric.extent(&out);
+    let Vec3([x, y, z]) = quadric.across();
+    let numbers = [x, y, z, stretch, 0.0, 0.0, 0.0, 0.0];
+    is_usual(&Placement { out, back }).then(|| (Box::new(quadric), numbers, extent))
 }
 
 /// a, b, c and d as written, and in units of the normal.

@@ -131,6 +131,9 @@ pub struct Crossing {
     pub is_exit: bool,
 }
 
+/// The face of a place that is known about.
+pub const UNKNOWN_FACE: u32 = u32::MAX;
+
 impl Crossing {
     /// With nothing.
     pub const NONE: Crossing = Crossing {

@@ -2,7 +2,7 @@
 
 use super::lanes::{LANES, Lanes, V3, mask};
 use super::leaf::{Colour, Kind, Leaf};
-use super::query::{Ask, Crossed, Crossing, End, Query, Tests};
+use super::query::{Ask, Crossed, Crossing, End, Query, Start, Tests};
 use super::resolved::Resolved;
 use super::scratch::Scratch;
 use super::stage::Stage;
@@ -84,6 +84,28 @@ impl Stage<'_> {
         };
         scratch.roots = roots;
         crossed
+    }
+
+    /// Finds where exactly a ray crosses a convex solid of second degree; `false` where that is not known.
+    #[inline(never)]
+    pub fn sharpen(&self, start: &Start, crossing: &mut Crossing, roots: &mut Roots) -> bool {
+        let query = Query::new(start);
+        let everywhere = [-query.skin, f64::INFINITY];
+        let crossed = self.cross(&query, crossing.surface, everywhere, Ask::All, roots);
+        let root = match crossed {
+            Raw::Ahead { inside, .. } => {
+                let before = usize::from(crossing.is_exit && !inside);
+                let is_side = crossing.is_exit || !inside;
+                roots.list.get(before).copied().filter(|_| is_side)
+            }
+            Raw::Nothing | Raw::Somewhere | Raw::Doubt => None,
+        };
+        let is_near = |root: &Root| (root.t - crossing.end.t).abs() <= 2.0 * crossing.end.error;
+        let Some(root) = root.filter(is_near) else {
+            return false;
+        };
+        crossing.root = root;
+        true
     }
 
     /// A crossing with a leaf without lanes, with a bound on its error.

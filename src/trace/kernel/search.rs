@@ -4,7 +4,9 @@ use super::block::{Block, Shapes};
 use super::bundle::Blocks;
 use super::leaf::{Kind, Leaf};
 use super::probe::Probe;
-use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Start, Tests, Within};
+use super::query::{
+    Ask, BENT, Crossed, Crossing, End, NONE, Query, Start, Tests, UNKNOWN_FACE, Within,
+};
 use super::scratch::Scratch;
 use super::stage::Stage;
 use crate::geometry::wide_bvh::{Beam, Child, Is, Node, WIDTH as CHILDREN};
@@ -231,7 +233,10 @@ impl Stage<'_> {
             let out = leaf.rough(probe, chords.far[lane], false);
             let crossing = |end: End, is_exit| Crossing {
                 surface: number,
-                root: Root { t: end.t, face: 0 },
+                root: Root {
+                    t: end.t,
+                    face: UNKNOWN_FACE,
+                },
                 end,
                 is_exit,
             };
@@ -271,7 +276,7 @@ impl Stage<'_> {
         scratch: &mut Scratch,
         tests: &mut Tests,
     ) -> Met {
-        if !matches!(own.kind, Kind::Other | Kind::Csg) {
+        if !matches!(own.kind, Kind::Quadric | Kind::Other | Kind::Csg) {
             let crossing = Crossing {
                 surface: start.within.owner(),
                 is_exit: true,

@@ -268,7 +268,7 @@ impl Stage<'_> {
         tests: &mut Tests,
     ) -> bool {
         let leaf = &self.leaves[own as usize];
-        let far = if matches!(leaf.kind, Kind::Other | Kind::Csg) {
+        let far = if matches!(leaf.kind, Kind::Quadric | Kind::Other | Kind::Csg) {
             let everywhere = [-query.skin, f64::INFINITY];
             match self.meet_single(query, own, everywhere, Ask::All, (scratch, tests)) {
                 Crossed::Ahead => {
@@ -428,9 +428,9 @@ impl Stage<'_> {
                 if is_hidden {
                     continue;
                 }
-                // The same medium on both sides: there is no surface, and the arbiter says what comes next.
+                // The same medium on both sides: there is no surface.
                 if around.is_some_and(|around| around.medium == own.medium) {
-                    return Light::Doubtful;
+                    continue;
                 }
             }
             let is_next = |before: Face| {

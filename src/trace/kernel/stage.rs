@@ -66,7 +66,8 @@ impl Stage<'_> {
         let all = Forest::new(&leaves, &loose, boxes, &mut blocks);
         for block in &mut blocks {
             let leaf = &leaves[block.leaves[0] as usize];
-            let is_apart = matches!(block.shapes, Shapes::Single) || block.placement != 0;
+            let is_apart = matches!(block.shapes, Shapes::Single | Shapes::Quadrics(_))
+                || block.placement != 0;
             if !is_apart || block.leaves[1] != NONE {
                 continue;
             }

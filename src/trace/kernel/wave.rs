@@ -12,7 +12,7 @@ use super::leaf::{Colour, KINDS, Kind, Leaf};
 use super::light::Lit;
 use super::place;
 use super::plane::Planes;
-use super::query::{Crossing, NONE, Start, Within};
+use super::query::{Crossing, NONE, Start, UNKNOWN_FACE, Within};
 use super::rectangle::Rectangles;
 use super::resolved::{Meet, Resolved};
 use super::scalar::{self, Place};
@@ -220,9 +220,18 @@ impl Tile {
                     let light = scene.background.times(Vec3(ray.weight));
                     self.nodes[ray.node as usize].light = light;
                 }
-                Met::Surface(crossing, sides) => {
-                    (ray.met, ray.sides) = (crossing, sides);
+                Met::Surface(mut crossing, sides) => {
                     let leaf = &scene.stage.leaves[crossing.surface as usize];
+                    if leaf.kind == Kind::Quadric
+                        && crossing.root.face == UNKNOWN_FACE
+                        && !scene
+                            .stage
+                            .sharpen(&ray.start, &mut crossing, &mut self.search.roots)
+                    {
+                        self.doubtful.push(*ray);
+                        continue;
+                    }
+                    (ray.met, ray.sides) = (crossing, sides);
                     self.by_kind[slot(leaf.kind, leaf.placement != 0)].push(i as u32);
                 }
             }
@@ -244,7 +253,9 @@ impl Tile {
                             self.hits::<Planes>(scene, (&four, live), is_placed);
                         }
                         Kind::Rectangle => self.hits::<Rectangles>(scene, (&four, live), is_placed),
-                        Kind::Other | Kind::Csg => self.hits_one_by_one(scene, (&four, live)),
+                        Kind::Quadric | Kind::Other | Kind::Csg => {
+                            self.hits_one_by_one(scene, (&four, live));
+                        }
                     }
                 }
                 self.by_kind[slot] = met;

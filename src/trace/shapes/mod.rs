@@ -7,6 +7,7 @@
 mod close_calls;
 #[cfg(test)]
 mod contract_tests;
+pub mod convex_piece;
 mod cuboid;
 mod error_bound;
 mod facet;
@@ -31,6 +32,7 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::{Geometry, Rgb};
 use crate::solids::shapes::AnyShape;
+use convex_piece::ConvexPiece;
 use error_bound::is_final;
 use outline::Outline;
 use quick_reject::Pass;
@@ -176,6 +178,11 @@ pub trait Shape {
     /// What holds the shape, within its bounds.
     fn outline(&self) -> Outline {
         Outline::BOUNDS
+    }
+
+    /// The solid as a convex one of second degree, if it is one.
+    fn convex_piece(&self) -> Option<ConvexPiece> {
+        None
     }
 
     /// Whether a line whose origin is on the surface, and which goes out there, may cross the surface again, as

@@ -9,6 +9,7 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::convex_piece::ConvexPiece;
 use crate::trace::shapes::error_bound::is_final;
 use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::quad_double::decide_closer;
@@ -82,6 +83,11 @@ impl Cone {
 impl Shape for Cone {
     fn outline(&self) -> Outline {
         Outline::exact(Form::Quadric(self.form.polynomial()))
+    }
+
+    fn convex_piece(&self) -> Option<ConvexPiece> {
+        let base = [self.record.radius, self.record.height];
+        (!self.record.double).then(|| ConvexPiece::turned([[0.0; 2], base]))?
     }
 
     fn bounds(&self) -> Aabb {

@@ -9,6 +9,7 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
+use crate::trace::shapes::convex_piece::ConvexPiece;
 use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::quick_reject::{Ball, POLYNOMIAL_MARGIN, Pass};
 use crate::trace::shapes::support::Support;
@@ -39,6 +40,10 @@ impl Ellipsoid {
 impl Shape for Ellipsoid {
     fn outline(&self) -> Outline {
         Outline::exact(Form::Quadric(self.form.polynomial()))
+    }
+
+    fn convex_piece(&self) -> Option<ConvexPiece> {
+        ConvexPiece::all_of(&self.form.polynomial())
     }
 
     fn bounds(&self) -> Aabb {

@@ -18,6 +18,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::solids::shapes::facts::Facts;
 use crate::solids::shapes::quadric::Quadric as Record;
+use crate::trace::shapes::convex_piece::ConvexPiece;
 use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::quad_double::decide_closer;
 use crate::trace::shapes::quick_reject::{Ball, LINE_REL_ERROR, POLYNOMIAL_MARGIN, Pass};
@@ -113,6 +114,10 @@ fn turn(p: Vec3) -> f64 {
 impl Shape for Quadric {
     fn outline(&self) -> Outline {
         Outline::exact(Form::Quadric(self.form.polynomial()))
+    }
+
+    fn convex_piece(&self) -> Option<ConvexPiece> {
+        ConvexPiece::all_of(&self.form.polynomial())
     }
 
     fn bounds(&self) -> Aabb {

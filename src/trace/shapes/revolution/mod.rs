@@ -17,6 +17,7 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
 use crate::solids::shapes as solids;
+use crate::trace::shapes::convex_piece::ConvexPiece;
 use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::support::Support;
 use cylinders::Cylinders;
@@ -164,6 +165,16 @@ impl Revolution {
 }
 
 impl Shape for Revolution {
+    /// Of a segment: the closed profile has two points on the axis besides.
+    fn convex_piece(&self) -> Option<ConvexPiece> {
+        match self.points[..] {
+            [_, a, b, _] if !self.ring => {
+                ConvexPiece::turned(each([a, b], |point| each(point, |x| x / self.scale)))
+            }
+            _ => None,
+        }
+    }
+
     /// A cylinder.
     fn outline(&self) -> Outline {
         let widest = self.bounds().max[0];

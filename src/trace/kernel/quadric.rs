@@ -1,0 +1,404 @@
+//! Convex solids of second degree, with flat ends or without: where a line goes into them and out of them, about. Each has a
+//! space of its own, so that those that are placed in different ways share a test.
+//!
+//! With the line's point nearest to the middle of a solid, q, the polynomial along the line is a t² + 2 b t + c. It is known
+//! to a margin of a millionth of the sizes of its terms, which is far more than all that is rounded, here or by the arbiter
+//! ([`POLYNOMIAL_MARGIN`]). A line is told to meet a solid where the least value is below −margin; so it passes through the
+//! surface at a slope of more than a millionth, and [`BENT`](super::query::BENT) bounds the errors.
+
+use super::lanes::{ALL, Lanes, V3, either, gathered, is_at_most, is_greater, is_less};
+use super::place::{REL_ROUNDED, WayIn};
+use super::probe::{Chords, Probe};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::affine::Affine;
+use crate::geometry::array::each;
+use crate::geometry::vec::Vec3;
+use crate::trace::shapes::convex_piece::ConvexPiece;
+use crate::trace::shapes::quick_reject::{LINE_REL_ERROR, POLYNOMIAL_MARGIN};
+
+/// A convex solid of second degree.
+#[derive(Debug, Clone)]
+pub struct Quadric {
+    way: WayIn,
+    /// Its middle, and the square of the radius of a ball around it; infinite where there is none.
+    middle: Vec3,
+    ball: f64,
+    /// The polynomial about the middle: see [`Form::Quadric`](crate::trace::shapes::outline::Form::Quadric).
+    polynomial: [f64; 10],
+    /// Relative to the middle.
+    heights: [f64; 2],
+    /// 1 where it is above the apex of a cone, -1 where below.
+    side: f64,
+    /// The size of the solid, beside which roundings count.
+    reach: f64,
+}
+
+/// The slope of a direction beside a generator of a cone, or the axis of a cylinder, about which nothing is said: as a share
+/// of the coefficients.
+const LEAST_CURVE: f64 = 1e-6;
+
+impl Quadric {
+    /// `None` for numbers beyond the usual.
+    pub fn new(piece: &ConvexPiece, bounds: &Aabb, way: WayIn) -> Option<Quadric> {
+        let (middle, ball, reach) = match bounds.is_bounded() {
+            true => {
+                let radius = bounds.radius();
+                let wide = 1.001 * radius;
+                (Vec3(bounds.centre()), wide * wide, radius)
+            }
+            false => {
+                // The distance at which terms of different degrees are equal in size, about.
+                let size = |c: &[f64]| c.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                let c = &piece.polynomial;
+                let [second, first] = [size(&c[..6]), size(&c[6..9])];
+                let reach = (c[9].abs() / second).sqrt().max(first / second);
+                (Vec3::ZERO, f64::INFINITY, reach)
+            }
+        };
+        let quadric = Quadric {
+            way,
+            middle,
+            ball,
+            polynomial: about(&piece.polynomial, middle),
+            heights: each(piece.heights, |y| y - middle[1]),
+            side: match piece.apex {
+                Some(apex)
+                    if apex > piece.heights[0] + 0.5 * (piece.heights[1] - piece.heights[0]) =>
+                {
+                    -1.0
+                }
+                _ => 1.0,
+            },
+            reach,
+        };
+        let are_usual = quadric.polynomial.iter().all(|x| x.is_finite());
+        (are_usual && reach.is_normal() && ball > 0.0).then_some(quadric)
+    }
+
+    /// How far the numbers reach in the scene's space that a crossing is computed from, and how much more a map stretches
+    /// along one axis than along another.
+    pub fn extent(&self, out: &Affine) -> [f64; 2] {
+        let spread = |map: &Affine| {
+            let sums = map.rows.map(|row| row.abs().dot(Vec3::ONE));
+            sums.into_iter().fold(0.0, f64::max)
+        };
+        let size = out.point(self.middle).abs().max_component() + spread(out) * self.reach;
+        // A turn alone makes three of it.
+        [size, (spread(out) * spread(&self.way.back) / 3.0).max(1.0)]
+    }
+
+    /// The direction across the flat ends, in the space that it is placed in, with a largest component of 1; zero where
+    /// there are none.
+    pub fn across(&self) -> Vec3 {
+        let row = self.way.back.rows[1];
+        match self.heights[0].is_finite() {
+            true => row / row.abs().max_component(),
+            false => Vec3::ZERO,
+        }
+    }
+
+    /// The sizes of the coefficients of second degree, of first and of none.
+    fn degrees(&self) -> [f64; 3] {
+        let sum = |from: usize, to: usize| self.polynomial[from..to].iter().map(|x| x.abs()).sum();
+        [sum(0, 6), sum(6, 9), sum(9, 10)]
+    }
+}
+
+/// A polynomial of p as one of p − m.
+fn about(c: &[f64; 10], m: Vec3) -> [f64; 10] {
+    let [xx, yy, zz, xy, xz, yz, x, y, z, one] = *c;
+    let Vec3([a, b, d]) = m;
+    let first = [
+        x + 2.0 * xx * a + xy * b + xz * d,
+        y + 2.0 * yy * b + xy * a + yz * d,
+        z + 2.0 * zz * d + xz * a + yz * b,
+    ];
+    let value =
+        one + (x + xx * a + xy * b) * a + (y + yy * b + yz * d) * b + (z + zz * d + xz * a) * d;
+    let [x, y, z] = first;
+    [xx, yy, zz, xy, xz, yz, x, y, z, value]
+}
+
+/// Up to four of them.
+#[derive(Debug, Clone)]
+pub struct Quadrics {
+    rows: [V3; 3],
+    offset: V3,
+    sizes: [Lanes; 2],
+    middle: V3,
+    ball: Lanes,
+    polynomial: [Lanes; 10],
+    degrees: [Lanes; 3],
+    heights: [Lanes; 2],
+    side: Lanes,
+    reach: Lanes,
+}
+
+impl Quadrics {
+    /// Of one or more; where there are fewer than four the rest are met by no line.
+    pub fn new(all: &[&Quadric]) -> Quadrics {
+        let at = |k: usize| all[k.min(all.len() - 1)];
+        let four = [at(0), at(1), at(2), at(3)];
+        let ball = |k: usize| all.get(k).map_or(-1.0, |quadric| quadric.ball);
+        let degrees = each(four, Quadric::degrees);
+        Quadrics {
+            rows: each([0, 1, 2], |i: usize| {
+                V3::gathered(four, |q| &q.way.back.rows[i].0)
+            }),
+            offset: V3::gathered(four, |q| &q.way.back.offset.0),
+            sizes: each([0, 1], |i: usize| gathered(four, |q| q.way.sizes[i])),
+            middle: V3::gathered(four, |q| &q.middle.0),
+            ball: Lanes::new([ball(0), ball(1), ball(2), ball(3)]),
+            polynomial: each([0, 1, 2, 3, 4, 5, 6, 7, 8, 9], |i: usize| {
+                gathered(four, |q| q.polynomial[i])
+            }),
+            degrees: each([0, 1, 2], |i: usize| gathered(degrees.each_ref(), |d| d[i])),
+            heights: each([0, 1], |i: usize| gathered(four, |q| q.heights[i])),
+            side: gathered(four, |q| q.side),
+            reach: gathered(four, |q| q.reach),
+        }
+    }
+
+    /// The solids that a line may meet after `from` and before `to`.
+    #[inline(always)]
+    pub fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {
+        let splat = Lanes::splat;
+        let zero = Lanes::ZERO;
+        let [o, d] = each([probe.origin, probe.direction], |v| V3::splat(Vec3(v)));
+        let into = |v: V3| V3(each([0, 1, 2], |i: usize| self.rows[i].dot(v)));
+        let (o, d) = (into(o) + self.offset - self.middle, into(d));
+        let square = d.dot(d);
+        let shift = -o.dot(d) / square;
+        let q = o + d * shift;
+        let beside = is_greater(q.dot(q), self.ball);
+        if beside.to_bitmask() == ALL {
+            return Chords::NONE;
+        }
+        let [xx, yy, zz, xy, xz, yz, x, y, z, one] = self.polynomial;
+        let half = splat(0.5);
+        // Half of the gradient of second degree, at q and along d.
+        let half_gradient = |v: V3| {
+            let [a, b, c] = v.0;
+            V3([
+                xx * a + half * (xy * b + xz * c),
+                yy * b + half * (xy * a + yz * c),
+                zz * c + half * (xz * a + yz * b),
+            ])
+        };
+        let linear = V3([x, y, z]);
+        let (at_q, at_d) = (half_gradient(q), half_gradient(d));
+        let a = at_d.dot(d);
+        let b = at_q.dot(d) + half * linear.dot(d);
+        let c = at_q.dot(q) + linear.dot(q) + one;
+        let discriminant = b * b - a * c;
+        let root = discriminant.fast_max(zero).sqrt();
+        // The root that adds sizes, and the other one by their product.
+        let sum = either(is_less(b, zero), root - b, -root - b);
+        let (one_root, other_root) = (sum / a, c / sum);
+        let (low, high) = (one_root.fast_min(other_root), one_root.fast_max(other_root));
+        let opens = is_less(a, zero);
+        // Of the two halves of a cone the one that it is in.
+        let rises = is_greater(d.0[1] * self.side, zero);
+        let infinite = splat(f64::INFINITY);
+        let near = either(opens, either(rises, high, -infinite), low);
+        let far = either(opens, either(rises, infinite, low), high);
+        let per_rise = splat(1.0) / d.0[1];
+        let ends = each(self.heights, |height| (height - q.0[1]) * per_rise);
+        let near = near.fast_max(ends[0].fast_min(ends[1]));
+        let far = far.fast_min(ends[0].fast_max(ends[1]));
+        // How far the numbers reach where the line is in the solid.
+        let pace = d.abs().max_component();
+        let is_bounded = is_less(self.ball, infinite);
+        let reach = q.abs().max_component()
+            + either(is_bounded, self.reach, (root / a).abs() * pace + self.reach);
+        let [second, first, constant] = self.degrees;
+        let margin = splat(POLYNOMIAL_MARGIN) * ((second * reach + first) * reach + constant);
+        let told = a.abs() * margin;
+        let curve = splat(LEAST_CURVE) * second * square;
+        let slack = splat(POLYNOMIAL_MARGIN) * reach / pace;
+        let start = splat(probe.reach) + splat(probe.pace) * shift.abs();
+        let error = splat(REL_ROUNDED)
+            * (self.sizes[0] * start + self.sizes[1] + self.middle.abs().max_component());
+        let is_known = is_at_most(error, splat(LINE_REL_ERROR) * self.reach);
+        let is_curved = is_greater(a.abs(), curve);
+        // Written so that NaN is neither missed nor sure.
+        let crosses = is_curved & is_greater(discriminant, told);
+        let mut misses = beside
+            | (is_less(discriminant, -told) & is_greater(a, curve))
+            | (crosses & is_greater(near - far, slack));
+        let mut sure = crosses & is_greater(far - near, slack);
+        let (mut near, mut far) = (near, far);
+        if !is_curved.all() {
+            // Along the axis of a cylinder, or a generator of a cone, the ends decide.
+            let [enter, leave] = [ends[0].fast_min(ends[1]), ends[0].fast_max(ends[1])];
+            let reach = q.abs().max_component() + self.reach;
+            let margin =
+                splat(2.0 * POLYNOMIAL_MARGIN) * ((second * reach + first) * reach + constant);
+            let is_still = is_at_most(a.abs() + b.abs(), zero);
+            let value = |t: Lanes| either(is_still, c, (b + b) * t + c);
+            let values = [value(enter), value(leave)];
+            let is_long = is_greater(leave - enter, slack);
+            let [is_in, is_out] = [
+                is_less(values[0].fast_max(values[1]), -margin),
+                is_greater(values[0].fast_min(values[1]), margin),
+            ];
+            let has_ends = is_bounded | is_still;
+            let straight =
+                is_known & has_ends & is_less(curve, infinite) & is_at_most(a.abs(), curve);
+            misses = misses | (straight & is_out);
+            let along = straight & is_in & is_long;
+            (near, far) = (either(along, enter, near), either(along, leave, far));
+            sure = sure | along;
+        }
+        let (near, far) = (near + shift, far + shift);
+        let [from, to] = each([from, to], splat);
+        let around = ((self.ball - q.dot(q)) / square).sqrt();
+        let elsewhere = (sure & (is_less(far, from) | is_greater(near, to)))
+            | is_less(shift + around, from)
+            | is_greater(shift - around, to);
+        let absent = is_less(self.ball, zero);
+        Chords {
+            maybe: ALL & !((is_known & (misses | elsewhere)) | absent).to_bitmask(),
+            sure: (is_known & sure).to_bitmask(),
+            near: near.to_array(),
+            far: far.to_array(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Matrix;
+    use crate::geometry::affine::Placement;
+    use crate::geometry::line::Line;
+    use crate::scene::Geometry;
+    use crate::testing::random;
+    use crate::trace::graph::Graph;
+    use crate::trace::shapes::{Primitive, Roots};
+
+    fn shapes() -> Vec<Primitive> {
+        let tube = [
+            1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, -0.25,
+        ];
+        let ellipsoid = [
+            2.0, 0.0, 0.0, 0.3, 0.0, 1.5, 0.4, 0.0, 0.0, 0.4, 3.0, 0.0, 0.3, 0.0, 0.0, -1.0,
+        ];
+        let bowl = [
+            1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        ];
+        let turned = |a: [f64; 2], b: [f64; 2]| Geometry::Revolution {
+            profile: vec![a, b],
+            colours: Vec::new(),
+        };
+        let geometries = [
+            Geometry::Quadric(Box::new(tube)),
+            Geometry::Quadric(Box::new(ellipsoid)),
+            Geometry::Quadric(Box::new(bowl)),
+            Geometry::Ellipsoid {
+                semi_axes: [0.9, 0.5, 0.2],
+            },
+            Geometry::Cone {
+                height: 0.9,
+                radius: 0.5,
+            },
+            Geometry::Cone {
+                height: -0.4,
+                radius: 0.6,
+            },
+            turned([0.5, -0.7], [0.5, 0.7]),
+            turned([0.2, 0.9], [0.6, 0.1]),
+            turned([0.1, -0.5], [0.7, 0.4]),
+        ];
+        geometries.iter().map(Primitive::new).collect()
+    }
+
+    /// What is said of a line is what the shape itself finds, and of nearly all lines something is said. Lines are aimed
+    /// anywhere, along axes and generators, and at points of the surface.
+    #[test]
+    fn lines_that_are_told_apart_are_told_right() {
+        let mut next = random();
+        let mut number = move || next(2_000_001) as f64 / 1e6 - 1.0;
+        for shape in shapes() {
+            let (mut told, mut met, mut count) = (0, 0, 0);
+            for i in 0..8_000 {
+                let mut vector = || Vec3::new(number(), number(), number());
+                let [o, to, x, y] = [vector() * 2.5, vector(), vector(), vector()];
+                let turn = |angle: f64, axis| match i % 5 {
+                    // Quarter turns leave axes along axes.
+                    0 => Matrix::rotation(90.0 * (4.0 * angle).round(), axis),
+                    _ => Matrix::rotation(360.0 * angle, axis),
+                };
+                let out = Matrix::translation(3.0 * x[0], x[1], x[2])
+                    .after(&turn(y[0], i % 3))
+                    .after(&turn(y[1], (i + 1) % 3))
+                    .after(&Matrix::scaling(1.0, 1.5 + y[2], 1.0));
+                let back = out.inverse().expect("it can be undone");
+                let placement = Placement {
+                    out: Affine::new(&out),
+                    back: Affine::new(&back),
+                };
+                let graph = Graph {
+                    placements: vec![placement],
+                    ..Graph::default()
+                };
+                let chain: &[u32] = if i % 2 == 0 { &[] } else { &[0] };
+                let local = Line::new(o, (to - o) * (1.0 + x[1].abs()));
+                let axis = Vec3(each([0, 1, 2], |k| {
+                    f64::from(u8::from(k == i as usize / 7 % 3))
+                }));
+                let local = match i % 7 {
+                    0 => Line::new(o, axis * (1.0 + x[1].abs())),
+                    _ => local,
+                };
+                let maps = &graph.placements[0].out;
+                let line = match chain.is_empty() {
+                    true => local,
+                    false => Line::new(maps.point(local.origin), maps.vector(local.direction)),
+                };
+                let piece = shape.shape().convex_piece().expect("it is one");
+                let bounds = shape.shape().bounds();
+                let way = WayIn::new(&graph, chain);
+                let quadric = Quadric::new(&piece, &bounds, way).expect("usual numbers");
+                let chords = Quadrics::new(&[&quadric]).chords(&Probe::new(&line), -0.5, 1.0);
+                assert_eq!((chords.maybe | chords.sure) >> 1 & chords.maybe >> 1, 0);
+                let mut roots = Roots::default();
+                let own = chain
+                    .iter()
+                    .fold(line, |line, _| line.through(&graph.placements[0].back));
+                shape.intersect::<f64>().crossings(&own, &mut roots);
+                let inside = roots.inside;
+                let ends = match (inside, &roots.list[..]) {
+                    (false, []) => None,
+                    (false, [a, b]) => Some([a.t, b.t]),
+                    (false, [a]) => Some([a.t, f64::INFINITY]),
+                    (true, []) => Some([f64::NEG_INFINITY, f64::INFINITY]),
+                    (true, [b]) => Some([f64::NEG_INFINITY, b.t]),
+                    odd => panic!("{shape:?} {odd:?}"),
+                };
+                count += 1;
+                if chords.maybe & 1 == 0 {
+                    let is_there = ends.is_some_and(|[a, b]| b > -0.5 + 1e-5 && a < 1.0 - 1e-5);
+                    assert!(!is_there, "{shape:?} {line:?} {ends:?} {chords:?}");
+                    told += 1;
+                } else if chords.sure & 1 != 0 {
+                    let [a, b] = ends.unwrap_or_else(|| panic!("{shape:?} {line:?} {chords:?}"));
+                    let is_near = |x: f64, y: f64| x == y || (x - y).abs() < 1e-7 * (1.0 + x.abs());
+                    assert!(
+                        is_near(a, chords.near[0]) && is_near(b, chords.far[0]),
+                        "{shape:?} {line:?} {ends:?} {chords:?}"
+                    );
+                    (told, met) = (told + 1, met + 1);
+                }
+            }
+            // Of lines along the axis of what has no end nothing is said, but for those exactly along a tube.
+            let least = if shape.shape().bounds().is_bounded() {
+                99
+            } else {
+                95
+            };
+            assert!(told * 100 > count * least, "{shape:?}: {told} of {count}");
+            assert!(met * 10 > count, "{shape:?}: {met} of {count}");
+        }
+    }
+}
