@@ -261,6 +261,13 @@ impl<'a> Lower<'a> {
 
     /// States what the scene has that the objects have not.
     pub(super) fn report_what_is_left(&mut self) {
+        if self.model.is_budget_spent.get() {
+            self.model.report.state(
+                "operations of very many parts",
+                Fidelity::approximate("faces in one place are not looked for in all of them"),
+                "",
+            );
+        }
         if self.model.unseen_twice {
             self.model.report.state(
                 "depth of rays in parts that others surround",

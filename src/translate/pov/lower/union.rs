@@ -26,28 +26,28 @@ impl<'a> Model<'a> {
             return Object::unless_empty(Operation::Union, pieces);
         }
         let (mut solids, mut surfaces) = self.by_part(&members);
-        let (kinds, reaching) = self.settled(&mut solids);
+        let (kinds, extensions) = self.settled(&mut solids);
         self.level_all(&mut solids, &mut surfaces, &kinds);
-        let mut groups = self.by_medium(&solids, &kinds);
-        let meetings = self.meetings(&mut groups, &reaching);
+        let groups = self.by_medium(&solids, &kinds);
+        let union = self.meetings(groups, extensions);
         let mut pieces = Vec::new();
-        for i in 0..groups.len() {
+        for (i, group) in union.groups.iter().enumerate() {
             let mut clips = Vec::new();
-            for meeting in meetings.of_later(i) {
-                let earlier = &groups[meeting.earlier];
-                clips.extend(self.outside_of(earlier, &reaching));
+            for meeting in union.of_later(i) {
+                let earlier = &union.groups[meeting.earlier];
+                clips.extend(self.outside_of(&union, earlier));
                 if !meeting.apart && earlier.transparent {
-                    self.overlap(earlier, &groups[i]);
+                    self.overlap(earlier, group);
                 }
             }
-            let mut hidden = self.skin(&groups, &meetings, i, &reaching);
-            let (outer, rest) = self.outer_sides(&groups, &meetings, i, &reaching);
+            let mut hidden = self.skin(&union, i);
+            let (outer, rest) = self.outer_sides(&union, i);
             hidden.extend(outer.into_iter().map(|p| p.with(clips.clone())));
             clips.extend(rest);
-            pieces.extend(self.one_medium_union(&mut groups[i], clips, hidden));
+            pieces.extend(self.one_medium_union(group, clips, hidden));
         }
         for surface in &mut surfaces {
-            let plate = self.plate(*surface, &groups);
+            let plate = self.plate(*surface, &union.groups);
             surface.1.flush = plate.or(surface.1.flush);
         }
         pieces.extend(self.refer_all(&surfaces));
@@ -104,7 +104,7 @@ impl<'a> Model<'a> {
     /// is seen from both sides, `others` the rest of its surface.
     fn one_medium_union(
         &mut self,
-        group: &mut Members,
+        group: &Members,
         clips: Vec<Modifier<'a>>,
         others: Vec<Object<'a>>,
     ) -> Option<Object<'a>> {
@@ -114,10 +114,11 @@ impl<'a> Model<'a> {
             return Some(Object::unless_empty(Operation::Union, pieces)?.with(clips));
         }
         let index = group.medium.map_or(DEFAULT, |(_, index)| index);
-        for (_, state) in &mut group.nodes {
-            *state = state.medium(Medium::Above);
-        }
-        let pieces = self.refer_all(&group.nodes);
+        let nodes = group.nodes.iter();
+        let nodes: Vec<_> = nodes
+            .map(|(node, state)| (*node, state.medium(Medium::Above)))
+            .collect();
+        let pieces = self.refer_all(&nodes);
         let seen = Object::unless_empty(kind, pieces)?.with(clips);
         let all = std::iter::once(seen).chain(others).collect();
         let piece = Object::of(Operation::Union, all);

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::plane::{Plane, with_planes_moved};
+use super::state::State;
 use super::stretch::stretched;
 use crate::geometry::Matrix;
 use crate::scene::Geometry;
@@ -46,8 +47,11 @@ impl Changes {
         number
     }
 
-    /// The number of the change that moves the faces in some planes out.
-    pub(crate) fn of_planes(&mut self, planes: Vec<(Plane, f64)>) -> u32 {
+    /// The number of the change that moves the faces in some planes out, if there are any.
+    pub(crate) fn of_planes(&mut self, planes: Vec<(Plane, f64)>) -> Option<u32> {
+        if planes.is_empty() {
+            return None;
+        }
         let bits = |(p, by): &(Plane, f64)| [p.n[0], p.n[1], p.n[2], p.d, *by].map(f64::to_bits);
         let key = planes.iter().flat_map(bits).collect();
         let next = self.planes.len() as u32;
@@ -55,7 +59,7 @@ impl Changes {
         if number == next {
             self.planes.push(planes);
         }
-        self.number(Change::Planes(number))
+        Some(self.number(Change::Planes(number)))
     }
 
     /// The number of one change after another, if there is that.
@@ -63,6 +67,13 @@ impl Changes {
         match first {
             Some(first) => self.number(Change::Both(first, second)),
             None => second,
+        }
+    }
+
+    /// Makes changes to a solid after those that are made to it already.
+    pub(crate) fn add(&mut self, state: &mut State, changes: impl IntoIterator<Item = u32>) {
+        for change in changes {
+            state.flush = Some(self.both(state.flush, change));
         }
     }
 
@@ -135,8 +146,7 @@ impl Changes {
                     let (plane, factor) = plane.moved_back(m)?;
                     Some((plane, by * factor))
                 });
-                let moved = moved.collect();
-                return Some(self.of_planes(moved));
+                return self.of_planes(moved.collect());
             }
             Change::Both(a, b) => {
                 return match (self.moved_back(a, m), self.moved_back(b, m)) {

@@ -1,6 +1,7 @@
 //! What is known of the scene before and while its objects are made: a [`Model`]. Nothing in here knows how objects are
 //! made, or what is done about faces in one place.
 
+pub(super) mod contacts;
 pub(super) mod displacement;
 pub(super) mod grouping;
 mod interner;
@@ -16,6 +17,7 @@ pub(super) mod tables;
 pub(super) mod textures;
 mod visibility;
 
+use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
 use crate::diagnostics::Complaint;
@@ -25,6 +27,7 @@ use crate::solids::bounds::NodeBounds;
 use crate::translate::fidelity::{Fidelity, Report};
 use crate::translate::names;
 use crate::translate::pov::tree::{Body, Modifier, Object};
+use contacts::Contacts;
 use displacement::Changes;
 use interner::Interner;
 use materials::{Material, materials};
@@ -52,6 +55,9 @@ pub(super) struct Model<'a> {
     pub textures: Textures,
     /// How shapes are changed where nobody sees it.
     pub changes: Changes,
+    contacts: Contacts,
+    /// Something was too large to look for faces in one place.
+    pub is_budget_spent: Cell<bool>,
     /// The keys of what is declared, by number.
     keys: Vec<Key>,
     numbers: HashMap<Key, usize>,
@@ -102,6 +108,8 @@ impl<'a> Model<'a> {
             ids: names::node_ids(scene),
             textures: Textures::default(),
             changes: Changes::default(),
+            contacts: Contacts::default(),
+            is_budget_spent: Cell::default(),
             keys: Vec::new(),
             numbers: HashMap::new(),
             hair: 0.0,
@@ -200,10 +208,8 @@ impl<'a> Model<'a> {
     }
 
     /// Says that something was too large to look for faces in one place.
-    pub(super) fn budget_is_spent(&mut self) {
-        let large = "operations of very many parts";
-        let doubt = Fidelity::approximate("faces in one place are not looked for in all of them");
-        self.report.state(large, doubt, "");
+    pub(super) fn budget_is_spent(&self) {
+        self.is_budget_spent.set(true);
     }
 
     pub(super) fn media_are_approximate(&mut self) {

@@ -4,10 +4,10 @@
 
 use std::collections::HashMap;
 
-use super::contacts::{Contact, Face};
 use super::settle::Kind;
 use crate::scene::NodeId;
 use crate::translate::pov::model::Model;
+use crate::translate::pov::model::contacts::{Face, Orientation};
 use crate::translate::pov::model::displacement::Change;
 use crate::translate::pov::model::plane::Plane;
 use crate::translate::pov::model::state::{Appearance, State};
@@ -33,12 +33,11 @@ impl Model<'_> {
         }
         let mut faces: Vec<Flat> = Vec::new();
         for (part, &(node, state)) in parts.iter().enumerate() {
-            let all = self.faces_of_layer(node, state.layer).into_iter();
-            let flat = |face: Face| Some((face.plane()?, face));
-            faces.extend(
-                all.filter_map(flat)
-                    .map(|(plane, face)| Flat { part, plane, face }),
-            );
+            let all = self.faces_of(node, state.layer);
+            faces.extend(all.iter().filter_map(|&face| {
+                let plane = face.plane()?;
+                Some(Flat { part, plane, face })
+            }));
         }
         // Those that are seen first, first.
         faces.sort_by_key(|f| (!f.face.is_sheet, f.part));
@@ -74,12 +73,10 @@ impl Model<'_> {
             }
         }
         for (i, (_, state)) in parts.iter_mut().enumerate() {
-            let planes = (moved.remove(&i)).map(|planes| self.changes.of_planes(planes));
+            let planes = self.changes.of_planes(moved.remove(&i).unwrap_or_default());
             let plate = sheets.remove(&i);
             let plate = plate.map(|by| self.changes.number(Change::Plate(by, self.densest)));
-            for change in [planes, plate].into_iter().flatten() {
-                state.flush = Some(self.changes.both(state.flush, change));
-            }
+            self.changes.add(state, planes.into_iter().chain(plate));
         }
     }
 
@@ -97,7 +94,7 @@ impl Model<'_> {
             return;
         }
         let is_level = || match f.face.contact(&g.face) {
-            Some(contact) => contact == Contact::Alike || f.face.is_sheet || g.face.is_sheet,
+            Some(way) => way == Orientation::Alike || f.face.is_sheet || g.face.is_sheet,
             None => false,
         };
         if f.face.is_sheet || (!of_f.1 && !of_g.1) {

@@ -8,12 +8,12 @@
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-use super::contacts::{Contact, contacts};
 use super::settle::{Operands, SolidExtensions};
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
 use crate::translate::fidelity::Fidelity;
 use crate::translate::pov::model::Model;
+use crate::translate::pov::model::contacts::Orientation;
 use crate::translate::pov::model::displacement::Change;
 use crate::translate::pov::model::grouping::{self, meet_each_other};
 use crate::translate::pov::model::plane::Plane;
@@ -71,33 +71,25 @@ pub(crate) struct Meeting {
     seen: InterfaceLook,
 }
 
-/// All meetings.
+/// The groups of a union, and where they touch.
 pub(crate) struct Meetings {
+    pub groups: Vec<Members>,
+    extensions: SolidExtensions,
     /// Ordered by the later of the two.
     all: Vec<Meeting>,
     /// By the earlier one those whose faces have two sides.
     sided: HashMap<usize, Vec<Meeting>>,
-    pub neighbours: Neighbours,
+    /// By two groups, the earlier one first, those of their solids that lie against each other.
+    contacts: BTreeMap<(usize, usize), Vec<(NodeId, NodeId)>>,
+    /// For each group the opaque ones before it that it touches.
+    walls: HashMap<usize, Vec<usize>>,
+    /// The pairs of groups that touch, with the earlier one first, of which the later one is a wall.
+    walled: HashSet<(usize, usize)>,
 }
 
 impl Meetings {
-    fn of(all: Vec<Meeting>, neighbours: Neighbours) -> Meetings {
-        let mut sided: HashMap<_, Vec<_>> = HashMap::new();
-        for meeting in all
-            .iter()
-            .filter(|m| m.apart && m.seen != InterfaceLook::Face)
-        {
-            sided.entry(meeting.earlier).or_default().push(*meeting);
-        }
-        Meetings {
-            all,
-            sided,
-            neighbours,
-        }
-    }
-
     /// The groups within which one ends, so that it is a hair behind their faces.
-    pub(crate) fn around(&self, later: usize) -> impl Iterator<Item = usize> {
+    fn around(&self, later: usize) -> impl Iterator<Item = usize> {
         let apart = self.of_later(later).iter().filter(|m| m.apart);
         apart.map(|m| m.earlier)
     }
@@ -128,18 +120,17 @@ impl<'a> Model<'a> {
     /// The groups of a union that touch, and how the faces between them are seen.
     pub(crate) fn meetings(
         &mut self,
-        groups: &mut [Members],
-        reaching: &SolidExtensions,
+        mut groups: Vec<Members>,
+        extensions: SolidExtensions,
     ) -> Meetings {
         let mut meetings = Vec::new();
         let mut smaller = vec![None; groups.len()];
         let mut looks = vec![None; groups.len()];
         let boxes: Vec<&[Aabb]> = groups.iter().map(|g| &g.boxes[..]).collect();
         let pairs = grouping::pairs(&boxes);
-        let neighbours = Neighbours::of(groups, &pairs, reaching);
-        for (earlier, later) in pairs {
+        for &(earlier, later) in &pairs {
             let [a, b] = [earlier, later].map(|i| &groups[i]);
-            if !(a.seen_into || (b.seen_into && reaching.any_of(&a.nodes))) {
+            if !(a.seen_into || (b.seen_into && extensions.any_of(&a.nodes))) {
                 continue;
             }
             let has_offset = || {
@@ -147,7 +138,7 @@ impl<'a> Model<'a> {
                 self.hair > 0.0 && nodes.into_iter().all(|n| self.has_offset(n, -self.hair))
             };
             let apart = a.seen_into
-                && self.have_a_hair(a, b, reaching)
+                && self.have_a_hair(a, b, &extensions)
                 && *smaller[earlier].get_or_insert_with(has_offset);
             let seen = if !apart {
                 InterfaceLook::Face
@@ -178,11 +169,52 @@ impl<'a> Model<'a> {
                 same.iter_mut().for_each(|m| m.seen = InterfaceLook::Face);
             }
         }
-        Meetings::of(meetings, neighbours)
+        let owners: HashMap<NodeId, usize> = (groups.iter().enumerate())
+            .flat_map(|(i, group)| group.nodes.iter().map(move |(node, _)| (*node, i)))
+            .collect();
+        let mut contacts: BTreeMap<_, Vec<_>> = BTreeMap::new();
+        for &(a, b) in &extensions.contacts {
+            if let (Some(&i), Some(&j)) = (owners.get(&a), owners.get(&b)) {
+                contacts.entry((i, j)).or_default().push((a, b));
+            }
+        }
+        for pairs in contacts.values_mut() {
+            pairs.sort_unstable();
+            pairs.dedup();
+        }
+        let mut walls: HashMap<_, Vec<_>> = HashMap::new();
+        let mut walled = HashSet::new();
+        for (earlier, later) in pairs {
+            if !groups[earlier].transparent {
+                walls.entry(later).or_default().push(earlier);
+            }
+            if !groups[later].transparent {
+                walled.insert((earlier, later));
+            }
+        }
+        let mut sided: HashMap<_, Vec<_>> = HashMap::new();
+        let is_sided = |m: &&Meeting| m.apart && m.seen != InterfaceLook::Face;
+        for meeting in meetings.iter().filter(is_sided) {
+            sided.entry(meeting.earlier).or_default().push(*meeting);
+        }
+        Meetings {
+            groups,
+            extensions,
+            all: meetings,
+            sided,
+            contacts,
+            walls,
+            walled,
+        }
     }
 
     /// Whether one medium may end a hair within an earlier one where they meet, if that can be made smaller.
-    fn have_a_hair(&self, earlier: &Members, later: &Members, reaching: &SolidExtensions) -> bool {
+    fn have_a_hair(
+        &self,
+        earlier: &Members,
+        later: &Members,
+        extensions: &SolidExtensions,
+    ) -> bool {
         let has_media = earlier.medium.is_some() && later.medium.is_some();
         // Where nothing bends light, which of them a ray is in makes no difference.
         let bends = self.densest != DEFAULT;
@@ -193,7 +225,7 @@ impl<'a> Model<'a> {
             let mut nodes = later.nodes.iter();
             nodes.all(|(node, _)| self.has_offset(*node, self.hair / 2.0))
         };
-        has_media && counts && (!reaching.has(&earlier.nodes, &later.nodes) || can_grow())
+        has_media && counts && (!extensions.has(&earlier.nodes, &later.nodes) || can_grow())
     }
 
     /// The number of the look that all of a group has, if it can be said from outside.
@@ -211,14 +243,8 @@ impl<'a> Model<'a> {
     }
 
     /// The face that a group has within earlier ones, a hair behind theirs, but not within opaque ones.
-    pub(crate) fn skin(
-        &mut self,
-        groups: &[Members],
-        meetings: &Meetings,
-        later: usize,
-        reaching: &SolidExtensions,
-    ) -> Vec<Object<'a>> {
-        let clear: Vec<_> = (meetings.of_later(later).iter())
+    pub(crate) fn skin(&mut self, union: &Meetings, later: usize) -> Vec<Object<'a>> {
+        let clear: Vec<_> = (union.of_later(later).iter())
             .filter(|m| m.apart)
             .copied()
             .collect();
@@ -228,10 +254,10 @@ impl<'a> Model<'a> {
         let smaller = self.changes.number(Change::Offset(-self.hair));
         let mut taken = Vec::new();
         for meeting in &clear {
-            taken.extend(self.bare(&groups[meeting.earlier], |_, _| Some(smaller)));
-            taken.extend(self.joints(&meetings.neighbours, meeting.earlier));
+            taken.extend(self.bare(&union.groups[meeting.earlier], |_, _| Some(smaller)));
+            taken.extend(self.joints(union, meeting.earlier));
         }
-        let Some(own) = self.grown(groups, meetings, later, reaching) else {
+        let Some(own) = self.grown(union, later) else {
             return Vec::new();
         };
         let mut pieces = Vec::new();
@@ -239,7 +265,7 @@ impl<'a> Model<'a> {
         for alike in clear.chunk_by(|a, b| a.seen == b.seen) {
             let mut around = Vec::new();
             for meeting in alike {
-                around.extend(self.bare(&groups[meeting.earlier], |_, _| None));
+                around.extend(self.bare(&union.groups[meeting.earlier], |_, _| None));
             }
             self.unseen_twice |= alike[0].seen == InterfaceLook::Face;
             let modifiers = alike[0].seen.kept(&around, &before);
@@ -254,15 +280,13 @@ impl<'a> Model<'a> {
     /// and what to keep of the rest of it.
     pub(crate) fn outer_sides(
         &mut self,
-        groups: &[Members],
-        meetings: &Meetings,
+        union: &Meetings,
         earlier: usize,
-        reaching: &SolidExtensions,
     ) -> (Vec<Object<'a>>, Option<Modifier<'a>>) {
-        let Some(sided) = meetings.sided.get(&earlier) else {
+        let Some(sided) = union.sided.get(&earlier) else {
             return (Vec::new(), None);
         };
-        let group = &groups[earlier];
+        let group = &union.groups[earlier];
         let own = self.bare(group, |_, state| state.flush);
         let Some(own) = Object::unless_empty(group.kind(), own) else {
             return (Vec::new(), None);
@@ -273,14 +297,14 @@ impl<'a> Model<'a> {
         for alike in sided.chunk_by(|a, b| a.seen == b.seen) {
             let mut around = Vec::new();
             for meeting in alike {
-                let Some(later) = self.grown(groups, meetings, meeting.later, reaching) else {
+                let Some(later) = self.grown(union, meeting.later) else {
                     continue;
                 };
                 // Where a third one comes between them and has no skin there it has that face as it is.
-                let between = meetings.of_later(meeting.later).iter();
+                let between = union.of_later(meeting.later).iter();
                 let mut all = vec![later];
                 for third in between.filter(|m| m.earlier > earlier) {
-                    let group = &groups[third.earlier];
+                    let group = &union.groups[third.earlier];
                     let has_skin = sided.iter().any(|m| m.later == third.earlier);
                     if !has_skin && (third.apart || group.transparent) {
                         all.extend(self.longer_into(group, &parts));
@@ -307,34 +331,28 @@ impl<'a> Model<'a> {
 
     /// A group without the opaque ones before it. Where it lies against those that it ends within it is
     /// larger by half a hair, and where it ends as they do, smaller.
-    fn grown(
-        &mut self,
-        groups: &[Members],
-        meetings: &Meetings,
-        later: usize,
-        reaching: &SolidExtensions,
-    ) -> Option<Object<'a>> {
-        let clear = || meetings.around(later).map(|earlier| &groups[earlier]);
-        let group = &groups[later];
-        let grows = clear().any(|earlier| reaching.has(&earlier.nodes, &group.nodes));
+    fn grown(&mut self, union: &Meetings, later: usize) -> Option<Object<'a>> {
+        let around = || union.around(later).map(|earlier| &union.groups[earlier]);
+        let group = &union.groups[later];
+        let grows = around().any(|earlier| union.extensions.has(&earlier.nodes, &group.nodes));
         let mut changes = HashMap::new();
         for &(node, _) in &group.nodes {
-            let around = meetings.around(later).map(|earlier| &groups[earlier]);
-            if let Some(change) = self.skin_of(node, around, grows) {
-                changes.insert(node, change);
-            }
+            changes.extend(
+                self.skin_of(node, around(), grows)
+                    .map(|change| (node, change)),
+            );
         }
         let own = self.bare(group, |node, state| {
             changes.get(&node).copied().or(state.flush)
         });
         let mut all = vec![Object::unless_empty(group.kind(), own)?];
-        for meeting in meetings.of_later(later) {
-            let earlier = &groups[meeting.earlier];
+        for meeting in union.of_later(later) {
+            let earlier = &union.groups[meeting.earlier];
             if !earlier.transparent && !meeting.apart {
-                all.extend(self.longer(earlier, reaching));
+                all.extend(self.longer(union, earlier));
             }
         }
-        all.extend(self.owned_by_neighbours(groups, meetings, later, reaching));
+        all.extend(self.owned_by_neighbours(union, later));
         Some(Object::of(Operation::Difference, all))
     }
 
@@ -345,19 +363,21 @@ impl<'a> Model<'a> {
         others: impl Iterator<Item = &'m Members>,
         grows: bool,
     ) -> Option<u32> {
-        let own = self.faces_of(node);
-        let others: Vec<_> = others
-            .flat_map(|group| &group.nodes)
-            .flat_map(|(other, _)| self.faces_of(*other))
+        let others = others.flat_map(|group| &group.nodes);
+        let contacts: Vec<_> = others
+            .map(|(other, _)| self.contacts(node, *other))
             .collect();
-        let ends = |wanted: Contact| {
-            let found = contacts(&own, &others).filter(move |c| c.0 == wanted);
-            found.filter_map(|(_, [face, _])| face.plane())
+        let ends = |wanted: Orientation| {
+            let found = contacts.iter().flat_map(|c| c.iter());
+            let found = found.filter(move |c| c.orientation == wanted);
+            found.filter_map(|c| c.faces[0].plane())
         };
         let mut within: Vec<(Plane, f64)> = Vec::new();
-        for plane in ends(Contact::Alike) {
+        for plane in ends(Orientation::Alike) {
             // Not where it stands on one of them.
-            if !ends(Contact::Opposed).any(|p| p == plane) && within.iter().all(|w| w.0 != plane) {
+            if !ends(Orientation::Opposed).any(|p| p == plane)
+                && within.iter().all(|w| w.0 != plane)
+            {
                 within.push((plane, -4.0 * self.hair));
             }
         }
@@ -366,36 +386,28 @@ impl<'a> Model<'a> {
             return None;
         }
         let larger = self.changes.number(Change::Offset(self.hair / 2.0));
-        let within = (!within.is_empty()).then(|| self.changes.of_planes(within));
+        let within = self.changes.of_planes(within);
         Some(self.changes.both(within, larger))
     }
 
     /// Keeps of an object what no operand of a group holds.
-    pub(crate) fn outside_of(
-        &mut self,
-        group: &Members,
-        reaching: &SolidExtensions,
-    ) -> Option<Modifier<'a>> {
-        let by = Object::unless_empty(Operation::Union, self.longer(group, reaching))?;
+    pub(crate) fn outside_of(&mut self, union: &Meetings, group: &Members) -> Option<Modifier<'a>> {
+        let by = Object::unless_empty(Operation::Union, self.longer(union, group))?;
         Some(Modifier::outside(by))
     }
 
     /// The solids of a group, longer as they are where later ones are clipped by them.
-    pub(crate) fn longer(
-        &mut self,
-        group: &Members,
-        reaching: &SolidExtensions,
-    ) -> Vec<Object<'a>> {
+    fn longer(&mut self, union: &Meetings, group: &Members) -> Vec<Object<'a>> {
         // What is within something opaque is not seen anyway, but for faces that are in one place with its.
         let members: Vec<_> = (group.nodes.iter())
-            .map(|(node, _)| (*node, State::GEOMETRY.flush(reaching.of(*node))))
+            .map(|(node, _)| (*node, State::GEOMETRY.flush(union.extensions.of(*node))))
             .filter(|(_, state)| group.seen_into || state.flush.is_some())
             .collect();
         self.refer_all(&members)
     }
 
     /// The bare solids of a group, changed.
-    pub(crate) fn bare(
+    fn bare(
         &mut self,
         group: &Members,
         change: impl Fn(NodeId, State) -> Option<u32>,
@@ -421,98 +433,36 @@ impl<'a> Model<'a> {
             );
         }
     }
-}
 
-/// Neighbours of parts of a union, which are groups by position.
-pub(crate) struct Neighbours {
-    /// By two groups, the earlier one first, those of their solids that lie against each other.
-    contacts: BTreeMap<(usize, usize), Vec<(NodeId, NodeId)>>,
-    /// For each group the opaque ones before it that it touches.
-    walls: HashMap<usize, Vec<usize>>,
-    /// The pairs of groups that touch, with the earlier one first, of which the later one is a wall.
-    walled: HashSet<(usize, usize)>,
-}
-
-impl Neighbours {
-    /// Builds the neighbours of groups from the pairs of those that touch.
-    pub(crate) fn of(
-        groups: &[Members],
-        pairs: &[(usize, usize)],
-        reaching: &SolidExtensions,
-    ) -> Neighbours {
-        let owners: HashMap<NodeId, usize> = (groups.iter().enumerate())
-            .flat_map(|(i, group)| group.nodes.iter().map(move |(node, _)| (*node, i)))
-            .collect();
-        let mut contacts: BTreeMap<_, Vec<_>> = BTreeMap::new();
-        for &(a, b) in &reaching.contacts {
-            if let (Some(&i), Some(&j)) = (owners.get(&a), owners.get(&b)) {
-                contacts.entry((i, j)).or_default().push((a, b));
-            }
-        }
-        for pairs in contacts.values_mut() {
-            pairs.sort_unstable();
-            pairs.dedup();
-        }
-        let mut walls: HashMap<_, Vec<_>> = HashMap::new();
-        let mut walled = HashSet::new();
-        for &(earlier, later) in pairs {
-            if !groups[earlier].transparent {
-                walls.entry(later).or_default().push(earlier);
-            }
-            if !groups[later].transparent {
-                walled.insert((earlier, later));
-            }
-        }
-        Neighbours {
-            contacts,
-            walls,
-            walled,
-        }
-    }
-}
-
-impl<'a> Model<'a> {
     /// The parts that are not a group's although they would be behind the faces of those within which it ends: opaque
     /// groups there, and the places where those lie against each other, or against what is opaque.
-    pub(crate) fn owned_by_neighbours(
-        &mut self,
-        groups: &[Members],
-        meetings: &Meetings,
-        later: usize,
-        reaching: &SolidExtensions,
-    ) -> Vec<Object<'a>> {
-        let around: Vec<usize> = meetings.around(later).collect();
-        let neighbours = &meetings.neighbours;
-        let walls = neighbours.walls.get(&later).map_or(&[][..], |w| &w[..]);
+    fn owned_by_neighbours(&mut self, union: &Meetings, later: usize) -> Vec<Object<'a>> {
+        let around: Vec<usize> = union.around(later).collect();
+        let walls = union.walls.get(&later).map_or(&[][..], |w| &w[..]);
         let hull = |group: &Members| group.boxes.iter().fold(Aabb::EMPTY, |h, b| h.hull(b));
-        let own = hull(&groups[later]);
+        let own = hull(&union.groups[later]);
         let mut pieces = Vec::new();
         // Those that are seen into were taken away as a whole.
         let is_taken = |wall: usize| {
-            let mut met = meetings.of_later(later).iter();
-            groups[wall].seen_into && met.any(|m| m.earlier == wall && !m.apart)
+            let mut met = union.of_later(later).iter();
+            union.groups[wall].seen_into && met.any(|m| m.earlier == wall && !m.apart)
         };
         for &wall in walls.iter().filter(|w| !is_taken(**w)) {
             let touched = around
                 .iter()
-                .filter(|e| neighbours.walled.contains(&(**e, wall)));
-            let place = touched
-                .fold(Aabb::EMPTY, |h, e| h.hull(&hull(&groups[*e])))
-                .intersection(&own);
-            let group = &groups[wall];
-            let near = group
-                .nodes
-                .iter()
-                .zip(&group.boxes)
-                .filter(|(_, b)| b.overlaps(&place));
-            let members: Vec<_> = near
-                .map(|((node, _), _)| (*node, State::GEOMETRY.flush(reaching.of(*node))))
-                .collect();
-            pieces.extend(self.refer_all(&members));
+                .filter(|e| union.walled.contains(&(**e, wall)));
+            let place = touched.fold(Aabb::EMPTY, |h, e| h.hull(&hull(&union.groups[*e])));
+            let place = place.intersection(&own);
+            let group = &union.groups[wall];
+            let members = group.nodes.iter().zip(&group.boxes);
+            for ((node, _), _) in members.filter(|(_, b)| b.overlaps(&place)) {
+                let state = State::GEOMETRY.flush(union.extensions.of(*node));
+                pieces.push(self.refer(*node, state));
+            }
         }
         for &i in &around {
             for &j in around.iter().chain(walls) {
-                let contacts = neighbours.contacts.get(&(i.min(j), i.max(j)));
+                let contacts = union.contacts.get(&(i.min(j), i.max(j)));
                 for &(a, b) in contacts
                     .filter(|_| i < j || walls.contains(&j))
                     .into_iter()
@@ -529,8 +479,8 @@ impl<'a> Model<'a> {
 
     /// The layers along the faces where solids of one group lie against each other: what is a hair smaller than
     /// each of them leaves these out.
-    pub(crate) fn joints(&mut self, neighbours: &Neighbours, group: usize) -> Vec<Object<'a>> {
-        let contacts = neighbours.contacts.get(&(group, group));
+    fn joints(&mut self, union: &Meetings, group: usize) -> Vec<Object<'a>> {
+        let contacts = union.contacts.get(&(group, group));
         let pairs = contacts.into_iter().flatten();
         pairs.filter_map(|(a, b)| self.contact(*a, *b)).collect()
     }

@@ -2,7 +2,6 @@
 //! now the other, so one of them is put where nobody sees it, or a part of a hair away.
 
 pub(super) mod backward_normals;
-mod contacts;
 pub(super) mod coplanar;
 pub(super) mod media;
 pub(super) mod plates;

@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-use super::contacts::{Contact, Face, contacts};
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
 use crate::translate::pov::model::Model;
+use crate::translate::pov::model::contacts::{Contact, Orientation};
 use crate::translate::pov::model::displacement::Change;
 use crate::translate::pov::model::plane::Plane;
 use crate::translate::pov::model::state::State;
@@ -59,25 +59,24 @@ impl<'a> Model<'a> {
             self.budget_is_spent();
             return (kinds, SolidExtensions::default());
         }
-        let faces: Vec<_> = solids.iter().map(|s| self.faces_of(s.0)).collect();
-        for i in self.opened(solids, &kinds, &faces) {
+        for i in self.opened(solids, &kinds) {
             kinds[i].1 = true;
         }
-        let reaching = self.settle(solids, &kinds, &faces);
+        let reaching = self.settle(solids, &kinds);
         (kinds, reaching)
     }
 
     /// The opaque ones among solids that are seen into where earlier ones that light goes through have the
     /// face, since they overlap or lie against them, if there are faces of others to be seen in them; and
     /// those of their medium there, with which they are one.
-    fn opened(&self, solids: &Operands, kinds: &[Kind], faces: &[Vec<Face>]) -> BTreeSet<usize> {
+    fn opened(&self, solids: &Operands, kinds: &[Kind]) -> BTreeSet<usize> {
         let boxes: Vec<Aabb> = solids.iter().map(|(node, _)| self.box_of(*node)).collect();
         // A ball on a floor has no more than a point in common with it.
         let touch = |i: usize, j: usize| {
             let common = boxes[i].intersection(&boxes[j]);
             let overlap = (0..3).all(|axis| common.max[axis] - common.min[axis] > self.hair);
             boxes[i].touches(&boxes[j])
-                && (overlap || contacts(&faces[i], &faces[j]).next().is_some())
+                && (overlap || !self.contacts(solids[i].0, solids[j].0).is_empty())
         };
         let mut opened = BTreeSet::new();
         for i in (0..solids.len()).filter(|i| !kinds[*i].1) {
@@ -96,12 +95,7 @@ impl<'a> Model<'a> {
 
     /// Finds which solids have faces in one place. Later ones are clipped by an earlier one that is made a hair larger,
     /// and solids of one medium that lie against each other are made to overlap.
-    fn settle(
-        &mut self,
-        solids: &mut Operands,
-        kinds: &[Kind],
-        faces: &[Vec<Face>],
-    ) -> SolidExtensions {
+    fn settle(&mut self, solids: &mut Operands, kinds: &[Kind]) -> SolidExtensions {
         let mut reaching = SolidExtensions::default();
         let boxes: Vec<Aabb> = solids.iter().map(|s| self.box_of(s.0)).collect();
         let by = 2.0 * self.hair;
@@ -113,14 +107,12 @@ impl<'a> Model<'a> {
                 if !(kinds[i].1 || kinds[j].1) || !boxes[i].touches(&boxes[j]) {
                     continue;
                 }
-                let found: Vec<_> = contacts(&faces[i], &faces[j]).collect();
+                let [a, b] = [i, j].map(|k| solids[k].0);
+                let found = self.contacts(a, b);
                 if found.is_empty() {
                     continue;
                 }
-                let [a, b] = [i, j].map(|k| solids[k].0);
-                let opposed = found
-                    .iter()
-                    .any(|(contact, _)| *contact == Contact::Opposed);
+                let opposed = found.iter().any(|c| c.orientation == Orientation::Opposed);
                 if opposed {
                     reaching.contacts.push((a, b));
                 }
@@ -142,11 +134,9 @@ impl<'a> Model<'a> {
             let larger = Change::Offset(self.hair);
             let larger = (grows && self.has_offset(solids[j].0, self.hair))
                 .then(|| self.changes.number(larger));
-            let into = (!into.is_empty()).then(|| self.changes.of_planes(into));
-            let state = &mut solids[j].1;
-            for change in [into, larger].into_iter().flatten() {
-                state.flush = Some(self.changes.both(state.flush, change));
-            }
+            let into = self.changes.of_planes(into);
+            self.changes
+                .add(&mut solids[j].1, into.into_iter().chain(larger));
         }
         reaching
     }
@@ -154,9 +144,8 @@ impl<'a> Model<'a> {
     /// The change of a solid that others are clipped by, so that they lose the faces that they have in one
     /// place with it.
     pub(crate) fn reach(&mut self, node: NodeId, others: &[NodeId]) -> Option<u32> {
-        let own = self.faces_of(node);
         let by = 2.0 * self.hair;
-        let touches = (others.iter()).any(|o| contacts(&own, &self.faces_of(*o)).next().is_some());
+        let touches = others.iter().any(|o| !self.contacts(node, *o).is_empty());
         let larger = (touches && self.has_offset(node, by)).then_some(Change::Offset(by));
         larger.map(|larger| self.changes.number(larger))
     }
@@ -164,9 +153,12 @@ impl<'a> Model<'a> {
 
 /// The faces with which a later solid stands on an earlier one, if they touch with no others: these may go on into what
 /// nobody sees into.
-fn standing(found: &[(Contact, [&Face; 2])]) -> Option<Vec<Plane>> {
-    let plane = |(contact, [_, face]): &(Contact, [&Face; 2])| {
-        let stands = *contact == Contact::Opposed && face.is_outer;
+fn standing(found: &[Contact]) -> Option<Vec<Plane>> {
+    let plane = |Contact {
+                     orientation,
+                     faces: [_, face],
+                 }: &Contact| {
+        let stands = *orientation == Orientation::Opposed && face.is_outer;
         face.plane().filter(|_| stands)
     };
     found.iter().map(plane).collect()

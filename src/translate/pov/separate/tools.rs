@@ -2,12 +2,11 @@
 //! to rounding. The tool of such a hole is written longer than it is. That changes nothing: what is added lies outside
 //! of the thing that is cut.
 
-use super::contacts::{Contact, Face, contacts};
+use super::settle::Operands;
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
 use crate::translate::pov::model::Model;
-use crate::translate::pov::model::plane::Plane;
-use crate::translate::pov::model::state::State;
+use crate::translate::pov::model::contacts::{Contact, Face, Orientation};
 
 /// Hairs that tools are made longer by: more than faces are moved by for other reasons.
 const LONGER: f64 = 32.0;
@@ -19,64 +18,36 @@ const MAX_OPERANDS: usize = 256;
 impl Model<'_> {
     /// The number of the change of a tool that makes it longer where it ends flush with what is cut.
     pub(crate) fn longer_tool(&mut self, tool: NodeId, base: NodeId) -> Option<u32> {
-        let (tool, base) = (self.faces_of(tool), self.faces_of(base));
-        let by = LONGER * self.hair;
-        let planes = contacts(&tool, &base).filter_map(|(contact, [face, _])| {
-            let is_flush = face.is_outer && contact == Contact::Alike;
-            Some((face.plane().filter(|_| is_flush)?, by))
-        });
-        let planes = planes.collect();
-        self.moved_out(planes)
+        let is_flush = |face: &Face, way| face.is_outer && way == Orientation::Alike;
+        self.moved_out(tool, base, LONGER, is_flush)
     }
 
     /// Makes tools longer that end where others begin: they would leave a skin there.
-    pub(crate) fn overlap_tools(&mut self, tools: &mut [(NodeId, State)], cut: Aabb) {
-        if tools.len() > MAX_OPERANDS {
-            return self.budget_is_spent();
-        }
-        let faces: Vec<_> = tools.iter().map(|t| self.faces_of(t.0)).collect();
+    pub(crate) fn overlap_tools(&mut self, tools: &mut Operands, cut: Aabb) {
+        let is_end = |face: &Face, way| face.is_outer && way == Orientation::Opposed;
         for (i, j) in self.touching(tools, &cut) {
-            let by = LONGER_INTO_EACH_OTHER * self.hair;
-            let planes = contacts(&faces[i], &faces[j]).filter_map(|(contact, [face, _])| {
-                let is_end = face.is_outer && contact == Contact::Opposed;
-                Some((face.plane().filter(|_| is_end)?, by))
-            });
-            let planes = planes.collect();
-            if let Some(change) = self.moved_out(planes) {
-                let state = &mut tools[i].1;
-                state.flush = Some(self.changes.both(state.flush, change));
-            }
+            let longer = self.moved_out(tools[i].0, tools[j].0, LONGER_INTO_EACH_OTHER, is_end);
+            self.changes.add(&mut tools[i].1, longer);
         }
     }
 
     /// Makes the holes in operands of an intersection longer where they end flush with other operands.
-    pub(crate) fn longer_holes(&mut self, operands: &mut [(NodeId, State)]) {
-        if operands.len() > MAX_OPERANDS {
-            return self.budget_is_spent();
-        }
-        let faces: Vec<_> = operands.iter().map(|o| self.faces_of(o.0)).collect();
+    pub(crate) fn longer_holes(&mut self, operands: &mut Operands) {
+        let is_hole = |face: &Face, way| !face.is_outer && way == Orientation::Opposed;
         for (i, j) in self.touching(operands, &Aabb::ALL) {
-            for (k, other) in [(i, j), (j, i)] {
-                let planes = self.ends_of_holes(&faces[k], &faces[other]);
-                if let Some(change) = self.moved_out(planes) {
-                    let state = &mut operands[k].1;
-                    state.flush = Some(self.changes.both(state.flush, change));
-                }
+            for (of, other) in [(i, j), (j, i)] {
+                let longer = self.moved_out(operands[of].0, operands[other].0, LONGER, is_hole);
+                self.changes.add(&mut operands[of].1, longer);
             }
         }
     }
 
-    fn ends_of_holes(&self, own: &[Face], other: &[Face]) -> Vec<(Plane, f64)> {
-        let by = LONGER * self.hair;
-        let planes = contacts(own, other).filter_map(|(contact, [face, _])| {
-            let is_hole = !face.is_outer && contact == Contact::Opposed;
-            Some((face.plane().filter(|_| is_hole)?, by))
-        });
-        planes.collect()
-    }
-
     /// The pairs of operands whose boxes touch, where that can be seen.
-    fn touching(&self, operands: &[(NodeId, State)], seen: &Aabb) -> Vec<(usize, usize)> {
+    fn touching(&self, operands: &Operands, seen: &Aabb) -> Vec<(usize, usize)> {
+        if operands.len() > MAX_OPERANDS {
+            self.budget_is_spent();
+            return Vec::new();
+        }
         let boxes: Vec<_> = operands.iter().map(|o| self.box_of(o.0)).collect();
         let pairs = (0..boxes.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
         let touch = |(i, j): &(usize, usize)| {
@@ -85,7 +56,26 @@ impl Model<'_> {
         pairs.filter(touch).collect()
     }
 
-    fn moved_out(&mut self, planes: Vec<(Plane, f64)>) -> Option<u32> {
-        (!planes.is_empty()).then(|| self.changes.of_planes(planes))
+    /// The change that moves the flat faces of a node out, by so many hairs, that are in one place with those of another
+    /// one as is asked for.
+    fn moved_out(
+        &mut self,
+        node: NodeId,
+        other: NodeId,
+        hairs: f64,
+        is_meant: impl Fn(&Face, Orientation) -> bool,
+    ) -> Option<u32> {
+        let contacts = self.contacts(node, other);
+        let plane = |Contact {
+                         orientation,
+                         faces: [face, _],
+                     }: &Contact| {
+            Some((
+                face.plane().filter(|_| is_meant(face, *orientation))?,
+                hairs * self.hair,
+            ))
+        };
+        let planes = contacts.iter().filter_map(plane).collect();
+        self.changes.of_planes(planes)
     }
 }

@@ -1,15 +1,19 @@
-//! Which operands of an operation have faces in one place.
+//! Which nodes have faces in one place: found once for each two, and read by all that is done about it.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use super::Model;
+use super::plane::Plane;
+use super::state::Layer;
 use crate::geometry::array::{cross, dot, length, sub};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Node, NodeId, TriangleNormals, Vec3};
-use crate::solids::contacts::face::{FaceShape, Faces};
+use crate::solids::contacts::face::{FaceShape, Faces, QUADRIC};
 use crate::solids::contacts::quadric;
 use crate::solids::shapes::AnyShape;
 use crate::solids::shapes::facts::Facts as _;
-use crate::translate::pov::model::Model;
-use crate::translate::pov::model::plane::Plane;
-use crate::translate::pov::model::state::Layer;
 
 /// Nodes of an operand that are looked at.
 const MAX_NODES: usize = 256;
@@ -21,7 +25,8 @@ const EDGE_REL_OVERLAP: f64 = 1e-9;
 /// Difference of normals, sizes and quadrics that are one, as a part of them: what turning may do.
 const SURFACE_REL_EPS: f64 = 1e-12;
 
-/// A face of an operand, in the coordinates of the operation.
+/// A face of a node, in the coordinates that it is placed in.
+#[derive(Clone, Copy)]
 pub(crate) struct Face {
     surface: Surface,
     /// The solid lies inside of the shape that has the face; it is no hole.
@@ -29,63 +34,66 @@ pub(crate) struct Face {
     /// Whether the face is a surface, and not that of a solid.
     pub is_sheet: bool,
     around: Aabb,
-    /// Holds a flat face that ends, if its shape says so.
-    outline: Option<Parallelogram>,
 }
 
-/// All points from the centre up to one side each way, and up to the other.
-#[derive(Debug, Clone, Copy)]
-struct Parallelogram {
-    centre: Vec3,
-    sides: [Vec3; 2],
-}
-
-impl Parallelogram {
-    /// Whether it has no more than an edge in common with another one in a plane with this normal: some line in the plane
-    /// along a side of one of them has each on another side of it, but for `edge`.
-    fn is_beside(&self, other: &Parallelogram, normal: Vec3, edge: f64) -> bool {
-        let [p, q] = self.sides;
-        let [r, s] = other.sides;
-        let way = sub(other.centre, self.centre);
-        [p, q, r, s].iter().any(|side| {
-            let across = cross(normal, *side);
-            let reach: f64 = [p, q, r, s].iter().map(|v| dot(*v, across).abs()).sum();
-            dot(way, across).abs() >= reach - edge * length(across)
-        })
-    }
-}
-
+#[derive(Clone, Copy)]
 enum Surface {
-    /// The normal points out of the shape that has the face.
-    Flat(Plane),
-    /// A quadric, by a number that only equal ones have.
-    Quadric(f64),
-    Other {
-        anchor: Vec3,
-        scale: f64,
-        class: u8,
-    },
+    /// The normal points out of the shape that has the face; a parallelogram that holds it if it ends and its shape says
+    /// so.
+    Flat(Plane, Option<Parallelogram>),
+    /// Anchor, scale and class, as [`FaceShape::Round`] has them.
+    Round(Vec3, f64, u8),
+}
+
+/// A centre, and the ways to the middles of two sides that meet.
+type Parallelogram = [Vec3; 3];
+
+/// Whether two parallelograms in a plane with this normal have no more than an edge in common: some line in the plane along
+/// a side of one of them has each on another side of it, but for `edge`.
+fn are_beside([a, p, q]: Parallelogram, [b, r, s]: Parallelogram, normal: Vec3, edge: f64) -> bool {
+    let way = sub(b, a);
+    [p, q, r, s].iter().any(|side| {
+        let across = cross(normal, *side);
+        let reach: f64 = [p, q, r, s].iter().map(|v| dot(*v, across).abs()).sum();
+        dot(way, across).abs() >= reach - edge * length(across)
+    })
 }
 
 /// How two faces in one place lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Contact {
+pub(crate) enum Orientation {
     /// Both solids are on one side of it.
     Alike,
     /// One ends where the other begins.
     Opposed,
 }
 
+/// Two faces in one place.
+pub(crate) struct Contact {
+    pub orientation: Orientation,
+    pub faces: [Face; 2],
+}
+
+/// What was found so far of a node and something else.
+type Found<K, T> = RefCell<HashMap<(NodeId, K), Rc<[T]>>>;
+
+/// All faces and contacts that were asked for so far.
+#[derive(Default)]
+pub(crate) struct Contacts {
+    faces: Found<Layer, Face>,
+    found: Found<NodeId, Contact>,
+}
+
 impl Face {
     pub(crate) fn plane(&self) -> Option<Plane> {
         match self.surface {
-            Surface::Flat(plane) => Some(plane),
-            _ => None,
+            Surface::Flat(plane, _) => Some(plane),
+            Surface::Round(..) => None,
         }
     }
 
     /// How another face lies in this one, if it does and more than an edge is in common.
-    pub(crate) fn contact(&self, other: &Face) -> Option<Contact> {
+    pub(crate) fn contact(&self, other: &Face) -> Option<Orientation> {
         let ends = [&self.around, &other.around];
         let ends = ends.into_iter().flat_map(|b| [b.min, b.max]).flatten();
         let size = (ends.filter(|x| x.is_finite())).fold(0.0f64, |m, x| m.max(x.abs()));
@@ -102,58 +110,65 @@ impl Face {
             return None;
         }
         let same_side = match (&self.surface, &other.surface) {
-            (Surface::Flat(a), Surface::Flat(b)) => {
+            (Surface::Flat(a, around), Surface::Flat(b, other)) => {
                 let along = dot(a.n, b.n).signum();
                 let same = length(sub(a.n, b.n.map(|x| x * along))) <= SURFACE_REL_EPS
                     && (a.d - b.d * along).abs() <= gap;
-                let outlines = self.outline.as_ref().zip(other.outline.as_ref());
-                let are_beside = outlines.is_some_and(|(p, q)| p.is_beside(q, a.n, edge));
-                (same && !are_beside).then_some(along > 0.0)?
+                let both = around.zip(*other);
+                let beside = both.is_some_and(|(p, q)| are_beside(p, q, a.n, edge));
+                (same && !beside).then_some(along > 0.0)?
             }
-            (Surface::Quadric(a), Surface::Quadric(b)) => {
-                ((a - b).abs() <= SURFACE_REL_EPS * a.abs()).then_some(true)?
-            }
-            (
-                Surface::Other {
-                    anchor,
-                    scale,
-                    class,
-                },
-                Surface::Other {
-                    anchor: p,
-                    scale: s,
-                    class: c,
-                },
-            ) => {
-                let same = class == c && (scale - s).abs() <= SURFACE_REL_EPS * scale;
-                (same && length(sub(*anchor, *p)) <= SURFACE_REL_EPS * size).then_some(true)?
+            (Surface::Round(p, a, class), Surface::Round(q, b, c)) => {
+                let size = if *class == QUADRIC { p[0].abs() } else { size };
+                let near = |by: f64, size: f64| by <= SURFACE_REL_EPS * size;
+                let same = class == c && near((a - b).abs(), *a) && near(length(sub(*p, *q)), size);
+                same.then_some(true)?
             }
             _ => return None,
         };
         Some(match same_side == (self.is_outer == other.is_outer) {
-            true => Contact::Alike,
-            false => Contact::Opposed,
+            true => Orientation::Alike,
+            false => Orientation::Opposed,
         })
     }
 }
 
-/// The faces of two solids that are in one place.
-pub(super) fn contacts<'f>(
-    a: &'f [Face],
-    b: &'f [Face],
-) -> impl Iterator<Item = (Contact, [&'f Face; 2])> {
-    a.iter()
-        .flat_map(move |f| b.iter().filter_map(move |g| Some((f.contact(g)?, [f, g]))))
-}
-
 impl Model<'_> {
-    /// The faces of the solids that a node is made of, as far as these are looked at.
-    pub(crate) fn faces_of(&mut self, node: NodeId) -> Vec<Face> {
-        self.faces_of_layer(node, Layer::Solid)
+    /// The faces that the solids of two nodes have in one place, the first node's first.
+    pub(crate) fn contacts(&self, a: NodeId, b: NodeId) -> Rc<[Contact]> {
+        if let Some(known) = self.contacts.found.borrow().get(&(a, b)) {
+            return known.clone();
+        }
+        let [own, other] = [a, b].map(|node| self.faces_of(node, Layer::Solid));
+        let meet = |f: &Face, g: &Face| {
+            let (orientation, faces) = (f.contact(g)?, [*f, *g]);
+            Some(Contact { orientation, faces })
+        };
+        let found = own
+            .iter()
+            .flat_map(|f| other.iter().filter_map(|g| meet(f, g)));
+        let found: Rc<[Contact]> = found.collect();
+        self.contacts
+            .found
+            .borrow_mut()
+            .insert((a, b), found.clone());
+        found
     }
 
-    /// The faces of the solids, of the surfaces, or of both.
-    pub(crate) fn faces_of_layer(&mut self, node: NodeId, layer: Layer) -> Vec<Face> {
+    /// The faces of the solids that a node is made of, of its surfaces, or of both, as far as these are looked at.
+    pub(crate) fn faces_of(&self, node: NodeId, layer: Layer) -> Rc<[Face]> {
+        let known = self.contacts.faces.borrow().get(&(node, layer)).cloned();
+        known.unwrap_or_else(|| {
+            let faces: Rc<[Face]> = self.find_faces(node, layer).into();
+            self.contacts
+                .faces
+                .borrow_mut()
+                .insert((node, layer), faces.clone());
+            faces
+        })
+    }
+
+    fn find_faces(&self, node: NodeId, layer: Layer) -> Vec<Face> {
         let own = self.box_of(node);
         let mut faces = Vec::new();
         let mut todo = vec![(node, Matrix::IDENTITY, true)];
@@ -178,7 +193,7 @@ impl Model<'_> {
         for face in &mut faces {
             face.around = face.around.intersection(&own);
             // Endless ones are thin, too.
-            if let Surface::Flat(Plane { n, d }) = &face.surface
+            if let Surface::Flat(Plane { n, d }, _) = &face.surface
                 && let Some(axis) = (0..3).find(|i| n[*i].abs() == 1.0)
             {
                 let at = -d * n[axis];
@@ -189,7 +204,7 @@ impl Model<'_> {
         let (outer, mut holes): (Vec<_>, Vec<_>) = faces.into_iter().partition(|f| f.is_outer);
         let is_end = |hole: &Face| {
             let mut found = outer.iter().map(|face| face.contact(hole));
-            hole.plane().is_some() && found.any(|c| c == Some(Contact::Opposed))
+            hole.plane().is_some() && found.any(|c| c == Some(Orientation::Opposed))
         };
         holes.retain(|hole| !is_end(hole));
         outer.into_iter().chain(holes).collect()
@@ -229,11 +244,10 @@ impl Model<'_> {
             out.extend(normal.and_then(|(n, d)| {
                 let plane = Plane::of(n, d)?.moved_back(&m.inverse()?)?.0;
                 Some(Face {
-                    surface: Surface::Flat(plane),
+                    surface: Surface::Flat(plane, None),
                     is_outer,
                     is_sheet: true,
                     around: geometry.bounds(m),
-                    outline: None,
                 })
             }));
             return;
@@ -247,49 +261,41 @@ impl Model<'_> {
         let bounds = geometry.bounds(m);
         for face in all {
             let quadric = geometry.quadric(face.part);
-            let corners = face.form.corners();
-            let outline = match face.form {
-                FaceShape::Flat {
-                    point,
-                    sides: Some(sides),
-                    ..
-                } => Some(Parallelogram {
-                    centre: point,
-                    sides,
-                }),
-                _ => None,
-            };
-            let surface = match face.form {
-                FaceShape::Flat { normal, point, .. } => Surface::Flat(Plane {
-                    n: normal,
-                    d: -dot(normal, point),
-                }),
-                FaceShape::Round {
-                    anchor,
-                    scale,
-                    class,
-                } => match quadric.and_then(|q| quadric::fingerprint(&q, m)) {
-                    Some(number) => Surface::Quadric(number),
-                    None => Surface::Other {
+            let number = quadric.and_then(|q| quadric::fingerprint(&q, m));
+            let around = face.form.corners().map_or(bounds, |corners| {
+                let grown = |hull: Aabb, p: &Vec3| hull.hull(&Aabb::new(*p, *p));
+                corners.iter().fold(Aabb::EMPTY, grown)
+            });
+            let surface = match (face.form, number) {
+                (FaceShape::Round { .. }, Some(number)) => {
+                    Surface::Round([number, 0.0, 0.0], 0.0, QUADRIC)
+                }
+                (
+                    FaceShape::Round {
                         anchor,
                         scale,
                         class,
                     },
-                },
-            };
-            let around = match corners {
-                Some(corners) => {
-                    let grown = |hull: Aabb, p: &Vec3| hull.hull(&Aabb::new(*p, *p));
-                    corners.iter().fold(Aabb::EMPTY, grown)
+                    None,
+                ) => Surface::Round(anchor, scale, class),
+                (
+                    FaceShape::Flat {
+                        normal,
+                        point,
+                        sides,
+                        ..
+                    },
+                    _,
+                ) => {
+                    let (n, d) = (normal, -dot(normal, point));
+                    Surface::Flat(Plane { n, d }, sides.map(|[u, v]| [point, u, v]))
                 }
-                None => bounds,
             };
             out.push(Face {
                 surface,
                 is_outer,
                 is_sheet: false,
                 around,
-                outline,
             });
         }
     }
