@@ -8,6 +8,7 @@ use std::path::Path;
 use crate::support::compare::{agrees, compare};
 use crate::support::{cases, povray, seeds};
 use zpg::internals::analysis::Analysis;
+use zpg::internals::diagnostics::Language;
 use zpg::internals::translate::pov;
 
 /// Glass of three kinds, two opaque materials, one that light goes through straight on.
@@ -51,6 +52,43 @@ fn only_faces_that_meet_are_moved_apart() {
         let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
         let text = &translation.files[0].text;
         assert_eq!(text.contains("made longer"), is_moved, "{apart}\n{text}");
+    }
+}
+
+/// A union of very many parts and an operand that is moved very often: the report names both limits, in both languages.
+#[test]
+fn limits_that_are_exceeded_are_named() {
+    let mut text =
+        "2 12 -1 -1 -1 1 1 1\n3 9 1\n".to_owned() + &"2 -1 0.1 0 0\n2 -701 1 0 0\n".repeat(33);
+    text += "4 -103 2 3\n";
+    let mut root = 4;
+    for (part, union) in (5..1030).zip(2000..) {
+        text += &format!("{part} 11 {part} 0 0 0.25\n{union} -101 {root} {part}\n");
+        root = union;
+    }
+    text += &format!("1 9999 {root} 0\n");
+    let loaded = Analysis::new("parts.zpg", text.into_bytes());
+    let report = (pov::write(&loaded.scene, &pov::Options::default()).unwrap()).report;
+    for (language, words) in [
+        (
+            Language::English,
+            "limits of the translation (in unions of more than 1024 parts faces",
+        ),
+        (
+            Language::English,
+            "limits of the translation (operands that are modified more than 64 times",
+        ),
+        (
+            Language::Czech,
+            "meze převodu (ve sjednoceních o více než 1024 částech se stěny",
+        ),
+        (
+            Language::Czech,
+            "meze převodu (operandy změněné více než 64krát",
+        ),
+    ] {
+        let text = report.text(language);
+        assert!(text.contains(words), "{words}\n{text}");
     }
 }
 

@@ -9,6 +9,7 @@
 //! is empty or there twice, and names the rest; [`mod@print`] writes the text. It decides nothing, and never sees the scene.
 
 pub mod brightness;
+mod budget;
 mod lower;
 mod model;
 pub mod pictures;
@@ -26,6 +27,7 @@ use crate::diagnostics::{Complaint, Error};
 use crate::scene::Scene;
 use crate::solids::staging::{Viewpoint, staged};
 use crate::syntax::Captions;
+use budget::Budget;
 use pictures::Pictures;
 use simplify::simplified;
 use tree::{Document, Lens};
@@ -100,8 +102,10 @@ const MAX_TRACE_LEVEL: u32 = 256;
 pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
     let report = Report::of("pov", scene, |f| verdict::verdict(f, &options.pictures));
     let staged = staged(scene, options.viewpoint, options.aspect());
-    let scene = lower::rewritten(&staged);
-    let (mut document, lenses, mut report) = lower::lower(&scene, options, report)?;
+    let budget = Budget::default();
+    let scene = lower::rewritten(&staged, &budget);
+    let (mut document, lenses, mut report) = lower::lower(&scene, options, &budget, report)?;
+    budget.report(&mut report);
     document.tree = simplified(document.tree);
     document.light_scale = brightness::light_scale(&document, options.depth);
     report_uses(&document, options, &mut report);

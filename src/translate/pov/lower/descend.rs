@@ -3,13 +3,11 @@
 //! without a say.
 
 use crate::scene::{Node, NodeId};
+use crate::translate::pov::budget::Limit;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::state::{Appearance, Key, Layer, Medium, State};
 use crate::translate::pov::model::tables::{DEFAULT, TextureUse};
 use crate::translate::pov::tree::Modifier;
-
-/// Most parts of a union that is taken apart.
-const MAX_UNION_PARTS_SPLIT: usize = 32;
 
 /// The node at the end of the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -225,7 +223,7 @@ impl<'a> Model<'a> {
                 Node::Union(a, b) => todo.extend([a, b]),
                 _ => parts += 1,
             }
-            if parts + todo.len() > MAX_UNION_PARTS_SPLIT {
+            if !self.budget.spend(Limit::PartsSplit, parts + todo.len()) {
                 return false;
             }
         }

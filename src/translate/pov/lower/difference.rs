@@ -204,7 +204,10 @@ impl<'a> Model<'a> {
             nodes: group.iter().map(|i| parts[*i]).collect(),
             boxes: group.iter().map(|i| operands[*i].1).collect(),
         };
-        grouping::in_order(&operands).iter().map(cut).collect()
+        grouping::in_order(&operands, self.budget)
+            .iter()
+            .map(cut)
+            .collect()
     }
 
     /// Where parts of different substance overlap, the first one owns the overlap.

@@ -8,20 +8,27 @@ use super::rewrite::{Modifications, Rewrite, below};
 use crate::geometry::Aabb;
 use crate::scene::{Node, NodeId, Scene};
 use crate::solids::bounds::node_bounds;
+use crate::translate::pov::budget::{Budget, Limit};
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::materials::{Material, materials};
 use crate::translate::pov::model::tables::Tables;
 
-/// Half the most unions and parts, taken together, of a union that is not left as it is.
-const MAX_UNION_PARTS: usize = 512;
-/// Most parts of a group that is not left as it is.
-const MAX_GROUP_PARTS: usize = 32;
-
 /// The same scene with such groups spread, if there are any.
-pub(super) fn distributed(scene: &Scene) -> Option<Scene> {
+pub(super) fn distributed(scene: &Scene, budget: &Budget) -> Option<Scene> {
     let root = scene.render?.root;
-    let mut unions: Vec<_> = wholes(scene, root).into_iter().map(|w| w.parts).collect();
-    unions.retain(|parts| parts.iter().any(|part| union(scene, *part).is_some()));
+    let mut optics = scene.paints.iter().filter_map(|p| p.optics.as_ref());
+    if !optics.any(|o| o.kt.iter().any(|k| *k > 0.0)) {
+        return None;
+    }
+    let mut unions: Vec<_> = wholes(scene, root, budget)
+        .into_iter()
+        .map(|w| w.parts)
+        .collect();
+    unions.retain(|parts| {
+        parts
+            .iter()
+            .any(|part| union(scene, *part, budget).is_some())
+    });
     if unions.is_empty() {
         return None;
     }
@@ -34,9 +41,9 @@ pub(super) fn distributed(scene: &Scene) -> Option<Scene> {
     for parts in unions {
         for &part in &parts {
             let mut others = parts.iter().filter(|other| **other != part);
-            if is_group(scene, &facts, part)
+            if is_group(scene, &facts, part, budget)
                 && others.any(|other| is_clear(*other) && box_of(part).touches(&box_of(*other)))
-                && let Some(members) = members(scene, part)
+                && let Some(members) = members(scene, part, budget)
             {
                 groups.insert(part, members);
             }
@@ -63,7 +70,7 @@ pub(super) fn beside_clear(model: &Model, root: NodeId) -> HashSet<NodeId> {
     let is_clear = |node: &NodeId| model.materials[*node as usize].transparent;
     let box_of = |node: NodeId| model.box_of(node);
     let mut beside = HashSet::new();
-    for whole in wholes(model.scene, root) {
+    for whole in wholes(model.scene, root, model.budget) {
         let clear: Vec<Aabb> = (whole.parts.iter().copied())
             .filter(is_clear)
             .map(box_of)
@@ -84,13 +91,13 @@ struct Whole {
 }
 
 /// All unions that are no parts of unions themselves, but those of very many.
-fn wholes(scene: &Scene, root: NodeId) -> Vec<Whole> {
+fn wholes(scene: &Scene, root: NodeId, budget: &Budget) -> Vec<Whole> {
     let mut is_part = vec![false; root as usize + 1];
     let mut wholes = Vec::new();
     for node in (0..=root).rev() {
         if let Node::Union(a, b) = scene.nodes[node as usize] {
             if !is_part[node as usize] {
-                wholes.extend(whole(scene, node));
+                wholes.extend(whole(scene, node, budget));
             }
             is_part[a as usize] = true;
             is_part[b as usize] = true;
@@ -100,7 +107,7 @@ fn wholes(scene: &Scene, root: NodeId) -> Vec<Whole> {
 }
 
 /// The operands of a union, and those of the unions among its operands.
-fn whole(scene: &Scene, union: NodeId) -> Option<Whole> {
+fn whole(scene: &Scene, union: NodeId, budget: &Budget) -> Option<Whole> {
     let mut whole = Whole::default();
     let mut todo = vec![union];
     while let Some(node) = todo.pop() {
@@ -110,7 +117,9 @@ fn whole(scene: &Scene, union: NodeId) -> Option<Whole> {
         } else {
             whole.parts.push(node);
         }
-        if whole.parts.len() + whole.unions.len() > 2 * MAX_UNION_PARTS {
+        // A union has one part more than unions in it.
+        let nodes = whole.parts.len() + whole.unions.len();
+        if !budget.spend(Limit::PartsAround, nodes.div_ceil(2)) {
             return None;
         }
     }
@@ -118,8 +127,8 @@ fn whole(scene: &Scene, union: NodeId) -> Option<Whole> {
 }
 
 /// The modifications of a union, the last first, and its operands; `None` for a node that is no union.
-fn union(scene: &Scene, node: NodeId) -> Option<(Modifications, NodeId, NodeId)> {
-    let (way, core) = below(scene, node);
+fn union(scene: &Scene, node: NodeId, budget: &Budget) -> Option<(Modifications, NodeId, NodeId)> {
+    let (way, core) = below(scene, node, budget);
     match scene.nodes[core as usize] {
         Node::Union(a, b) => Some((way, a, b)),
         _ => None,
@@ -127,21 +136,21 @@ fn union(scene: &Scene, node: NodeId) -> Option<(Modifications, NodeId, NodeId)>
 }
 
 /// Whether a node is a union of several media, or an opaque one.
-fn is_group(scene: &Scene, facts: &[Material], node: NodeId) -> bool {
+fn is_group(scene: &Scene, facts: &[Material], node: NodeId, budget: &Budget) -> bool {
     let of = &facts[node as usize];
     let is_one = of.transparent && of.optics.uniform && of.index.uniform;
-    !is_one && union(scene, node).is_some()
+    !is_one && union(scene, node, budget).is_some()
 }
 
 /// The parts of a group that are no unions themselves, each with what is done to it, the last first.
-fn members(scene: &Scene, group: NodeId) -> Option<Vec<(Modifications, NodeId)>> {
+fn members(scene: &Scene, group: NodeId, budget: &Budget) -> Option<Vec<(Modifications, NodeId)>> {
     let mut todo = vec![(Vec::new(), group)];
     let mut members = Vec::new();
     while let Some((mut way, node)) = todo.pop() {
-        if members.len() + todo.len() > MAX_GROUP_PARTS {
+        if !budget.spend(Limit::PartsSplit, members.len() + todo.len()) {
             return None;
         }
-        if let Some((more, a, b)) = union(scene, node) {
+        if let Some((more, a, b)) = union(scene, node, budget) {
             way.extend(more);
             todo.extend([(way.clone(), b), (way, a)]);
         } else {

@@ -19,6 +19,7 @@ mod volumes;
 use std::borrow::Cow;
 use std::collections::HashMap;
 
+use super::budget::Budget;
 use super::model::Model;
 use super::separate::{backward_normals, plates};
 use super::tree::{Document, Lens, Tree, Uses};
@@ -32,9 +33,9 @@ use crate::translate::fidelity::Report;
 use nodes::Lower;
 
 /// The scene with operands in another order, and operations distributed over unions, where POV-Ray needs it.
-pub(super) fn rewritten(scene: &Scene) -> Cow<'_, Scene> {
-    let reordered = reorder::reordered(scene).map_or(Cow::Borrowed(scene), Cow::Owned);
-    match distribute::distributed(&reordered) {
+pub(super) fn rewritten<'a>(scene: &'a Scene, budget: &Budget) -> Cow<'a, Scene> {
+    let reordered = reorder::reordered(scene, budget).map_or(Cow::Borrowed(scene), Cow::Owned);
+    match distribute::distributed(&reordered, budget) {
         Some(distributed) => Cow::Owned(distributed),
         None => reordered,
     }
@@ -47,6 +48,7 @@ pub(super) fn rewritten(scene: &Scene) -> Cow<'_, Scene> {
 pub(super) fn lower<'a>(
     scene: &'a Scene,
     options: &'a Options,
+    budget: &'a Budget,
     mut report: Report,
 ) -> Result<(Document<'a>, Vec<Lens>, Report), Error> {
     let render = scene.render.ok_or_else(Error::nothing_to_draw)?;
@@ -66,7 +68,7 @@ pub(super) fn lower<'a>(
     let hair = frame::hair(&frame);
     let lights_in_group = lights::is_any_on_surface(scene, &bounds, render.root);
 
-    let mut model = Model::new(scene, bounds, render.root, report);
+    let mut model = Model::new(scene, bounds, render.root, budget, report);
     model.hair_of_scene = hair;
     if model.is_clear() {
         model.beside_clear = distribute::beside_clear(&model, render.root);
@@ -74,7 +76,7 @@ pub(super) fn lower<'a>(
     }
     let mut backward = HashMap::new();
     if let Some(eye) = eyes.first() {
-        backward = backward_normals::backward(scene, &model.materials, eye.camera.position);
+        backward = backward_normals::backward(&model, eye.camera.position);
         model.holds_backward_normals =
             backward_normals::holders(scene, &model.materials, &backward);
     }

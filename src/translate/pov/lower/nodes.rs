@@ -254,20 +254,13 @@ impl<'a> Lower<'a> {
             self.model
                 .report
                 .count("vertex normals of different length", fidelity, "a mesh");
-            return Body::Mesh(triangle::cut(vertices, normals));
+            return Body::Mesh(triangle::cut(vertices, normals, self.model.budget));
         }
         Body::Shape(geometry)
     }
 
     /// States what the scene has that the objects have not.
     pub(super) fn report_what_is_left(&mut self) {
-        if self.model.is_budget_spent.get() {
-            self.model.report.state(
-                "operations of very many parts",
-                Fidelity::approximate("faces in one place are not looked for in all of them"),
-                "",
-            );
-        }
         if self.model.unseen_twice {
             self.model.report.state(
                 "depth of rays in parts that others surround",

@@ -5,15 +5,10 @@ use std::collections::{HashMap, HashSet};
 use super::descend::End;
 use super::descend::Stop;
 use crate::scene::NodeId;
+use crate::translate::pov::budget::Limit;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::looks::Substance;
 use crate::translate::pov::model::state::{Layer, State};
-
-/// Unions of more members are not searched for faces in one place.
-const MAX_MEMBERS: usize = 4096;
-
-/// Operands of larger intersections are not compared with each other.
-const MAX_COMPARED: usize = 64;
 
 impl<'a> Model<'a> {
     /// The operands of a union and of the unions among them, in order. What is within one that came
@@ -52,8 +47,8 @@ impl<'a> Model<'a> {
 
     /// Says so where members that look different are made of one and the same solid.
     fn look_for_shared_faces(&mut self, members: &[(NodeId, State)]) {
-        if members.len() > MAX_MEMBERS {
-            return self.budget_is_spent();
+        if !self.budget.spend(Limit::PartsShared, members.len()) {
+            return;
         }
         let mut seen: HashMap<_, (Option<Substance>, NodeId, bool)> = HashMap::new();
         for &(node, state) in members {
@@ -107,7 +102,7 @@ impl<'a> Model<'a> {
         &mut self,
         mut members: Vec<(NodeId, State)>,
     ) -> Vec<(NodeId, State)> {
-        if members.len() > MAX_COMPARED
+        if !self.budget.spend(Limit::OperandsHeld, members.len())
             || members
                 .iter()
                 .any(|m| self.materials[m.0 as usize].has_surface)

@@ -3,13 +3,14 @@
 
 use super::rewrite::{Rewrite, below};
 use crate::scene::{Node, NodeId, Scene};
+use crate::translate::pov::budget::Budget;
 use crate::translate::pov::model::materials::{Material, materials};
 use crate::translate::pov::model::tables::Tables;
 
 /// The same scene with such operations in the other order, if there are any.
-pub(super) fn reordered(scene: &Scene) -> Option<Scene> {
+pub(super) fn reordered(scene: &Scene, budget: &Budget) -> Option<Scene> {
     let root = scene.render?.root;
-    if !(0..=root).any(|node| is_candidate(scene, node)) {
+    if !(0..=root).any(|node| is_candidate(scene, node, budget)) {
         return None;
     }
     let mut tables = Tables::of(scene);
@@ -22,7 +23,7 @@ pub(super) fn reordered(scene: &Scene) -> Option<Scene> {
             (Node::Difference(a, _), Node::Difference(now, tool))
                 if !is_uniform(&materials[a as usize]) =>
             {
-                cut_first(&mut out, node, now, tool)
+                cut_first(&mut out, node, (now, tool), budget)
             }
             _ => None,
         };
@@ -36,11 +37,11 @@ pub(super) fn reordered(scene: &Scene) -> Option<Scene> {
 }
 
 /// Whether a node is a difference of an intersection.
-fn is_candidate(scene: &Scene, node: NodeId) -> bool {
+fn is_candidate(scene: &Scene, node: NodeId, budget: &Budget) -> bool {
     let Node::Difference(a, _) = scene.nodes[node as usize] else {
         return false;
     };
-    let core = below(scene, a).1;
+    let core = below(scene, a, budget).1;
     matches!(scene.nodes[core as usize], Node::Intersection(..))
 }
 
@@ -50,8 +51,13 @@ fn is_uniform(solid: &Material) -> bool {
 }
 
 /// (A ∩ B) − C as (A − C) ∩ B.
-fn cut_first(out: &mut Rewrite, node: NodeId, base: NodeId, tool: NodeId) -> Option<NodeId> {
-    let (way, core) = below(&out.scene, base);
+fn cut_first(
+    out: &mut Rewrite,
+    node: NodeId,
+    (base, tool): (NodeId, NodeId),
+    budget: &Budget,
+) -> Option<NodeId> {
+    let (way, core) = below(&out.scene, base, budget);
     let Node::Intersection(a, b) = out.scene.nodes[core as usize] else {
         return None;
     };

@@ -3,26 +3,26 @@
 use std::collections::HashMap;
 
 use crate::scene::{Node, NodeId, Scene};
-
-/// Most steps down a chain of transformations, properties and copies.
-const MAX_CHAIN_STEPS: usize = 64;
+use crate::translate::pov::budget::{Budget, Limit};
 
 /// The modifications of a node, the last first.
 pub(super) type Modifications = Vec<NodeId>;
 
-/// The modifications of a node, and the node that they modify: a shape or operation unless the chain is longer than
-/// [`MAX_CHAIN_STEPS`].
-pub(super) fn below(scene: &Scene, node: NodeId) -> (Modifications, NodeId) {
-    let states = || scene.states(node);
-    // Only the names of its parts are a copy's.
-    let done = states()
-        .take(MAX_CHAIN_STEPS)
-        .filter(|(_, n)| n.is_change());
-    let last = states().take(MAX_CHAIN_STEPS + 1).last();
-    (
-        done.map(|(id, _)| id).collect(),
-        last.map_or(node, |(id, _)| id),
-    )
+/// The modifications of a node, and the node that they modify: a shape or operation unless there are more of them than is
+/// looked at.
+pub(super) fn below(scene: &Scene, node: NodeId, budget: &Budget) -> (Modifications, NodeId) {
+    let mut modifications = Modifications::new();
+    for (steps, (id, state)) in scene.states(node).enumerate() {
+        let is_core = !(state.is_change() || matches!(state, Node::Copy { .. }));
+        if is_core || !budget.spend(Limit::Modifications, steps + 1) {
+            return (modifications, id);
+        }
+        // Only the names of its parts are a copy's.
+        if state.is_change() {
+            modifications.push(id);
+        }
+    }
+    (modifications, node)
 }
 
 /// A scene in which some nodes stand for others.

@@ -2,10 +2,8 @@
 
 use crate::geometry::array::length;
 use crate::scene::{Geometry, TriangleNormals, Vec3};
+use crate::translate::pov::budget::{Budget, Limit};
 
-/// POV-Ray makes the normals of the corners equally long before it interpolates. Where they are not,
-/// the triangle is cut into at most so many along each side, with its own normals at their corners.
-const PARTS: usize = 24;
 /// The normals may be off by this share of their differences: what that does to a colour is less than
 /// half a step of a picture with 8 bits.
 const OFF: f64 = 1e-3;
@@ -14,9 +12,14 @@ const OFF: f64 = 1e-3;
 pub(super) const BOUND: &str =
     "off by less than a thousandth of the difference between two normals";
 
-/// Triangles whose interpolated normals are those of one: itself, where its normals are equally long.
-pub(super) fn cut(vertices: &[Vec3; 3], normals: &[Vec3; 3]) -> Vec<Geometry> {
+/// POV-Ray makes the normals of the corners equally long before it interpolates. Where they are not, the triangle is cut
+/// into pieces with its own normals at their corners: triangles whose interpolated normals are those of one: itself, where its normals are equally long.
+pub(super) fn cut(vertices: &[Vec3; 3], normals: &[Vec3; 3], budget: &Budget) -> Vec<Geometry> {
     let parts = parts(normals);
+    let parts = match budget.spend(Limit::TrianglePieces, parts) {
+        true => parts,
+        false => Limit::TrianglePieces.most(),
+    };
     let at = |(i, j): (usize, usize), from: &[Vec3; 3]| -> Vec3 {
         let (u, v) = (i as f64 / parts as f64, j as f64 / parts as f64);
         std::array::from_fn(|k| from[0][k] * (1.0 - u - v) + from[1][k] * u + from[2][k] * v)
@@ -44,11 +47,10 @@ fn parts(normals: &[Vec3; 3]) -> usize {
     let most = lengths.iter().fold(0.0f64, |m, l| m.max(*l));
     let least = lengths.iter().fold(most, |m, l| m.min(*l));
     let parts = ((most / least - 1.0) / (4.0 * OFF)).sqrt().ceil();
-    // No number for a normal without length.
-    if parts < PARTS as f64 {
-        (parts as usize).max(1)
-    } else {
-        PARTS
+    // No number, or a very large one, for a normal without length.
+    match parts.is_nan() {
+        true => usize::MAX,
+        false => (parts as usize).max(1),
     }
 }
 

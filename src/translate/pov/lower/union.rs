@@ -97,7 +97,10 @@ impl<'a> Model<'a> {
             bounds_media: false,
             seen_into: group.iter().any(|i| kinds[*i].1),
         };
-        grouping::in_order(&operands).iter().map(members).collect()
+        grouping::in_order(&operands, self.budget)
+            .iter()
+            .map(members)
+            .collect()
     }
 
     /// Operands of one medium as one object; its inside is one, too. `clips` are what is kept of what

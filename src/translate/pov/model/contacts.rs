@@ -14,9 +14,8 @@ use crate::solids::contacts::face::{FaceShape, Faces, QUADRIC};
 use crate::solids::contacts::quadric;
 use crate::solids::shapes::AnyShape;
 use crate::solids::shapes::facts::Facts as _;
+use crate::translate::pov::budget::Limit;
 
-/// Nodes of an operand that are looked at.
-const MAX_NODES: usize = 256;
 /// Faces that are this near, as a part of the coordinates, are in one place: what a few hundred roundings may do. Thicker
 /// walls are walls.
 const FACE_GAP: f64 = 1e-13;
@@ -175,8 +174,7 @@ impl Model<'_> {
         let mut looked_at = 0;
         while let Some((node, m, is_outer)) = todo.pop() {
             looked_at += 1;
-            if looked_at > MAX_NODES {
-                self.budget_is_spent();
+            if !self.budget.spend(Limit::NodesWithFaces, looked_at) {
                 break;
             }
             match self.scene.nodes[node as usize] {

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::hash::Hash;
 
 use crate::geometry::Aabb;
+use crate::translate::pov::budget::{Budget, Limit};
 
 /// Most pairs of boxes that are looked at before two sets are taken to meet.
 const MAX_BOX_PAIRS: usize = 1 << 20;
@@ -11,7 +12,10 @@ const MAX_BOX_PAIRS: usize = 1 << 20;
 /// Groups the operands of a union by key, in order of first appearance; operands without a key stay
 /// alone. Where two operands overlap the first owns the overlap, so an operand joins an older group
 /// only if it meets nothing that has come since. Gives each group's operands by position.
-pub(crate) fn in_order<K: Eq + Hash>(operands: &[(Option<K>, Aabb)]) -> Vec<Vec<usize>> {
+pub(crate) fn in_order<K: Eq + Hash>(
+    operands: &[(Option<K>, Aabb)],
+    budget: &Budget,
+) -> Vec<Vec<usize>> {
     struct Grouped {
         members: Vec<usize>,
         hull: Aabb,
@@ -30,7 +34,8 @@ pub(crate) fn in_order<K: Eq + Hash>(operands: &[(Option<K>, Aabb)]) -> Vec<Vec<
         let known = key.as_ref().and_then(|k| newest.get(k).copied());
         let joined = known.filter(|g| {
             // Past a certain number of groups the answer is not worth its price.
-            groups.len() - g > MANY_GROUPS || !groups[g + 1..].iter().any(&mut meets)
+            !budget.spend(Limit::GroupsCompared, groups.len() - g)
+                || !groups[g + 1..].iter().any(&mut meets)
         });
         let group = joined.unwrap_or_else(|| {
             groups.push(Grouped {
@@ -47,9 +52,6 @@ pub(crate) fn in_order<K: Eq + Hash>(operands: &[(Option<K>, Aabb)]) -> Vec<Vec<
     }
     groups.into_iter().map(|g| g.members).collect()
 }
-
-/// An operand is compared with the members of at most this many groups.
-const MANY_GROUPS: usize = 256;
 
 /// The pairs of sets of which a box of the one touches one of the other, by position: the earlier and the
 /// later one, ordered by the later.
@@ -153,13 +155,14 @@ mod tests {
 
     #[test]
     fn groups_keep_the_order_where_it_matters() {
+        let budget = Budget::default();
         let part = |key, x| (Some(key), cube(x, 0.0));
         // The third touches the second, which would then own what is the second's.
         let touching = [part('a', 0.0), part('b', 3.0), part('a', 3.5)];
-        assert_eq!(in_order(&touching), [vec![0], vec![1], vec![2]]);
+        assert_eq!(in_order(&touching, &budget), [vec![0], vec![1], vec![2]]);
         let apart = [part('a', 0.0), part('b', 3.0), part('a', 6.0)];
-        assert_eq!(in_order(&apart), [vec![0, 2], vec![1]]);
+        assert_eq!(in_order(&apart, &budget), [vec![0, 2], vec![1]]);
         let alone = [(None, cube(0.0, 0.0)), (None, cube(0.0, 0.0))];
-        assert_eq!(in_order::<char>(&alone), [vec![0], vec![1]]);
+        assert_eq!(in_order::<char>(&alone, &budget), [vec![0], vec![1]]);
     }
 }

@@ -17,15 +17,16 @@ pub(super) mod tables;
 pub(super) mod textures;
 mod visibility;
 
-use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
 use crate::diagnostics::Complaint;
 use crate::geometry::Aabb;
-use crate::scene::{Node, NodeId, Scene};
+use crate::scene::{Geometry, Node, NodeId, Scene};
 use crate::solids::bounds::NodeBounds;
+use crate::solids::shapes::profile::closed;
 use crate::translate::fidelity::{Fidelity, Report};
 use crate::translate::names;
+use crate::translate::pov::budget::{Budget, Limit};
 use crate::translate::pov::tree::{Body, Modifier, Object};
 use contacts::Contacts;
 use displacement::Changes;
@@ -40,9 +41,6 @@ use visibility::camera_is_walled_in;
 /// The report's name for faces that POV-Ray cannot tell apart.
 const FACES: &str = "faces in one place";
 
-/// Most nodes that are looked at to find out whether a solid can be made smaller.
-const MAX_NODES_EXAMINED: usize = 4096;
-
 /// The scene, what is known of its nodes, and what its objects have in common, by number.
 pub(super) struct Model<'a> {
     pub scene: &'a Scene,
@@ -56,8 +54,7 @@ pub(super) struct Model<'a> {
     /// How shapes are changed where nobody sees it.
     pub changes: Changes,
     contacts: Contacts,
-    /// Something was too large to look for faces in one place.
-    pub is_budget_spent: Cell<bool>,
+    pub budget: &'a Budget,
     /// The keys of what is declared, by number.
     keys: Vec<Key>,
     numbers: HashMap<Key, usize>,
@@ -87,6 +84,7 @@ impl<'a> Model<'a> {
         scene: &'a Scene,
         bounds: Vec<NodeBounds>,
         root: NodeId,
+        budget: &'a Budget,
         report: Report,
     ) -> Model<'a> {
         let mut tables = Tables::of(scene);
@@ -109,7 +107,7 @@ impl<'a> Model<'a> {
             textures: Textures::default(),
             changes: Changes::default(),
             contacts: Contacts::default(),
-            is_budget_spent: Cell::default(),
+            budget,
             keys: Vec::new(),
             numbers: HashMap::new(),
             hair: 0.0,
@@ -170,14 +168,23 @@ impl<'a> Model<'a> {
     /// it is negative.
     pub(super) fn has_offset(&self, node: NodeId, by: f64) -> bool {
         let mut todo = vec![(node, by)];
-        for _ in 0..MAX_NODES_EXAMINED {
-            let Some((node, by)) = todo.pop() else {
-                return true;
-            };
+        let mut looked_at = 0;
+        while let Some((node, by)) = todo.pop() {
+            looked_at += 1;
+            if !self.budget.spend(Limit::NodesOffset, looked_at) {
+                return false;
+            }
             match self.scene.nodes[node as usize] {
                 Node::Shape(shape) => {
                     let geometry = &self.scene.shapes[shape as usize].geometry;
-                    if geometry.is_solid() && geometry.offset(by).is_none() {
+                    let has_room = match geometry {
+                        Geometry::Revolution { profile, .. } => {
+                            let points = closed(profile).len();
+                            self.budget.spend(Limit::ProfilePoints, points)
+                        }
+                        _ => true,
+                    };
+                    if geometry.is_solid() && !(has_room && geometry.offset(by).is_some()) {
                         return false;
                     }
                 }
@@ -192,7 +199,7 @@ impl<'a> Model<'a> {
                 node => todo.extend(node.children().map(|child| (child, by))),
             }
         }
-        false
+        true
     }
 
     /// Says that faces of an object lie in those of another; 0 is nobody's object.
@@ -205,11 +212,6 @@ impl<'a> Model<'a> {
         if !self.report.entries().any(known) {
             self.report.state(FACES, Fidelity::Approximate(doubt), "");
         }
-    }
-
-    /// Says that something was too large to look for faces in one place.
-    pub(super) fn budget_is_spent(&self) {
-        self.is_budget_spent.set(true);
     }
 
     pub(super) fn media_are_approximate(&mut self) {

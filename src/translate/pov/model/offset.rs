@@ -9,15 +9,12 @@ use crate::solids::shapes::profile::{closed, twice_area};
 /// as far as its sides.
 const SHARP: f64 = 16.0;
 
-/// Most points of a profile that is asked whether it crosses itself.
-const MAX_PROFILE_POINTS: usize = 512;
-
 /// A profile of a surface of revolution with its sides moved outwards.
 fn offset_profile(profile: &[[f64; 2]], by: f64) -> Option<Vec<[f64; 2]>> {
     let ring = profile.first()? == profile.last()?;
     let closed = closed(profile);
     let n = closed.len();
-    if !(3..=MAX_PROFILE_POINTS).contains(&n) || crosses_itself(&closed) {
+    if n < 3 || crosses_itself(&closed) {
         return None;
     }
     // To the right of the way if that runs counter-clockwise.

@@ -8,19 +8,18 @@ use crate::geometry::Matrix;
 use crate::geometry::vec::Vec3 as V;
 use crate::scene::{Geometry, Node, Scene, TriangleNormals, Vec3, fold_up};
 use crate::solids::shapes::facts::Facts as _;
+use crate::translate::pov::budget::{Budget, Limit};
+use crate::translate::pov::model::Model;
 use crate::translate::pov::model::materials::Material;
 
 /// For each such shape that stands in one place: whether its normals have to be turned to the eye's
 /// side.
-pub(crate) fn backward(scene: &Scene, facts: &[Material], eye: Vec3) -> HashMap<u32, bool> {
-    let eyes = mirrored(scene, V::from(eye));
-    if !scene
-        .shapes
-        .iter()
-        .any(|s| s.geometry.character().is_smooth)
-    {
+pub(crate) fn backward(model: &Model, eye: Vec3) -> HashMap<u32, bool> {
+    let (scene, facts) = (model.scene, &model.materials);
+    if !(scene.shapes.iter()).any(|s| s.geometry.character().is_smooth) {
         return HashMap::new();
     }
+    let eyes = mirrored(scene, V::from(eye), model.budget);
     let mut out = HashMap::new();
     let mut places: Vec<Option<Matrix>> = vec![None; facts.len()];
     if let Some(root) = places.last_mut() {
@@ -60,17 +59,19 @@ pub(crate) fn holders(scene: &Scene, facts: &[Material], turned: &HashMap<u32, b
 }
 
 /// The eye, and where it seems to be in the mirrors that planes may be.
-fn mirrored(scene: &Scene, eye: V) -> Vec<V> {
-    const MAX_MIRRORED_EYES: usize = 8;
+fn mirrored(scene: &Scene, eye: V, budget: &Budget) -> Vec<V> {
     let planes = scene.shapes.iter().filter_map(|s| {
         let [a, b, c, d] = s.geometry.plane()?;
         let n = V::new(a, b, c);
         Some(eye - n * (2.0 * (n.dot(eye) + d) / n.dot(n)))
     });
-    let finite = planes.filter(|p| p.is_finite());
-    std::iter::once(eye)
-        .chain(finite.take(MAX_MIRRORED_EYES))
-        .collect()
+    let mut eyes: Vec<V> = std::iter::once(eye)
+        .chain(planes.filter(|p| p.is_finite()))
+        .collect();
+    if !budget.spend(Limit::Mirrors, eyes.len() - 1) {
+        eyes.truncate(Limit::Mirrors.most() + 1);
+    }
+    eyes
 }
 
 /// Whether the normals are on the far side of a triangle on whose near side some of them turn away.

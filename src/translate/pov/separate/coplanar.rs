@@ -6,14 +6,13 @@ use std::collections::HashMap;
 
 use super::settle::Kind;
 use crate::scene::NodeId;
+use crate::translate::pov::budget::Limit;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::contacts::{Face, Orientation};
 use crate::translate::pov::model::displacement::Change;
 use crate::translate::pov::model::plane::Plane;
 use crate::translate::pov::model::state::{Appearance, State};
 
-/// Unions of more parts are not searched.
-const MAX_PARTS: usize = 1024;
 /// Hairs that faces are put apart at most.
 const MAX_HAIRS: f64 = 16.0;
 
@@ -28,8 +27,8 @@ impl Model<'_> {
     /// Changes parts of a union so that of several faces in one plane the right one is seen. `kinds` are
     /// what the parts are made of.
     pub(crate) fn level(&mut self, parts: &mut [(NodeId, State)], kinds: &[Kind]) {
-        if parts.len() > MAX_PARTS {
-            return self.budget_is_spent();
+        if !self.budget.spend(Limit::PartsLevelled, parts.len()) {
+            return;
         }
         let mut faces: Vec<Flat> = Vec::new();
         for (part, &(node, state)) in parts.iter().enumerate() {

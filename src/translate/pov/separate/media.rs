@@ -12,6 +12,7 @@ use super::settle::{Operands, SolidExtensions};
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
 use crate::translate::fidelity::Fidelity;
+use crate::translate::pov::budget::Limit;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::contacts::Orientation;
 use crate::translate::pov::model::displacement::Change;
@@ -20,13 +21,6 @@ use crate::translate::pov::model::plane::Plane;
 use crate::translate::pov::model::state::State;
 use crate::translate::pov::model::tables::DEFAULT;
 use crate::translate::pov::tree::{Modifier, Object, Operation};
-
-/// A group of a union may have so many parts of its skin that look different.
-const LOOKS: usize = 16;
-
-/// Most parts, in all together, of groups that touch and are written again for each other. Nobody could read or render
-/// more: groups are then written as they are.
-const MAX_REWRITTEN_PARTS: usize = 1 << 18;
 
 /// Operands of a union that are one medium.
 pub(crate) struct Members {
@@ -157,15 +151,13 @@ impl<'a> Model<'a> {
             });
         }
         let parts = |m: &Meeting| groups[m.earlier].nodes.len() + groups[m.later].nodes.len();
-        if meetings.iter().map(parts).sum::<usize>() > MAX_REWRITTEN_PARTS {
+        let parts = meetings.iter().map(parts).sum();
+        if !self.budget.spend(Limit::PartsRewritten, parts) {
             meetings.clear();
-            let plain = Fidelity::approximate("light goes through the faces within them, too");
-            let crowds = "crowds of overlapping parts of many media";
-            self.report.state(crowds, plain, "written as they are");
         }
         for same in meetings.chunk_by_mut(|a, b| a.later == b.later) {
             let changes = same.windows(2).filter(|w| w[0].seen != w[1].seen);
-            if changes.count() >= LOOKS {
+            if !self.budget.spend(Limit::LooksOfSkin, changes.count()) {
                 same.iter_mut().for_each(|m| m.seen = InterfaceLook::Face);
             }
         }

@@ -4,14 +4,12 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
+use crate::translate::pov::budget::Limit;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::contacts::{Contact, Orientation};
 use crate::translate::pov::model::displacement::Change;
 use crate::translate::pov::model::plane::Plane;
 use crate::translate::pov::model::state::State;
-
-/// Unions of more solids are not searched for those that stand on each other.
-const MAX_SOLIDS: usize = 512;
 
 /// Operands of an operation.
 pub(crate) type Operands = Vec<(NodeId, State)>;
@@ -55,8 +53,7 @@ impl<'a> Model<'a> {
         let mut kinds: Vec<Kind> = (solids.iter())
             .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
             .collect();
-        if solids.len() > MAX_SOLIDS {
-            self.budget_is_spent();
+        if !self.budget.spend(Limit::SolidsSettled, solids.len()) {
             return (kinds, SolidExtensions::default());
         }
         for i in self.opened(solids, &kinds) {

@@ -5,6 +5,7 @@
 use super::settle::Operands;
 use crate::geometry::Aabb;
 use crate::scene::NodeId;
+use crate::translate::pov::budget::Limit;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::contacts::{Contact, Face, Orientation};
 
@@ -12,8 +13,6 @@ use crate::translate::pov::model::contacts::{Contact, Face, Orientation};
 const LONGER: f64 = 32.0;
 /// Hairs that tools are made longer by into each other, which may be seen beside the other one.
 const LONGER_INTO_EACH_OTHER: f64 = 2.0;
-/// Operands of larger operations are not compared with each other.
-const MAX_OPERANDS: usize = 256;
 
 impl Model<'_> {
     /// The number of the change of a tool that makes it longer where it ends flush with what is cut.
@@ -44,8 +43,7 @@ impl Model<'_> {
 
     /// The pairs of operands whose boxes touch, where that can be seen.
     fn touching(&self, operands: &Operands, seen: &Aabb) -> Vec<(usize, usize)> {
-        if operands.len() > MAX_OPERANDS {
-            self.budget_is_spent();
+        if !self.budget.spend(Limit::OperandsFlush, operands.len()) {
             return Vec::new();
         }
         let boxes: Vec<_> = operands.iter().map(|o| self.box_of(o.0)).collect();
