@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use zpg::internals::analysis::Analysis;
 use zpg::internals::scene::{Camera, Scene};
+use zpg::internals::solids::bounds::node_bounds;
 use zpg::internals::solids::staging::Viewpoint;
 use zpg::internals::study::accuracy::configurations::{Kernel, Settings};
 use zpg::internals::study::accuracy::runner::Runner;
@@ -172,7 +173,8 @@ impl Prepared {
             viewpoint: Viewpoint::Scene,
             ..PovOptions::default()
         };
-        let mut translation = to_pov(&self.scene, &options).expect("one shape is translated");
+        let mut translation = to_pov(&self.scene, &node_bounds(&self.scene), &options)
+            .expect("one shape is translated");
         let up = 2.0 * (case.fovy.to_radians() / 2.0).tan();
         let right = up * f64::from(SIZE[0]) / f64::from(SIZE[1]);
         let [_, major, minor] = case.shape.split(' ').collect::<Vec<_>>()[..] else {
@@ -207,7 +209,8 @@ impl Prepared {
             stem: "peer".to_owned(),
             captions: Captions::default(),
         };
-        let mut made = to_mitsuba(&self.scene, &tracer, &options).expect("one shape is translated");
+        let mut made = to_mitsuba(&self.scene, &node_bounds(&self.scene), &tracer, &options)
+            .expect("one shape is translated");
         // From the eye on. A translation has rays begin halfway, where single precision tells more.
         let near = "near_clip\" value=\"";
         let text = &mut made.documents[0].1;

@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use zpg::internals::analysis::Analysis;
 use zpg::internals::scene::Scene;
+use zpg::internals::solids::bounds::node_bounds;
 use zpg::internals::study::naive::{Naive, Wide};
 use zpg::internals::trace::{Images, Numbers, Picture, Settings, members, selected_camera};
 use zpg::internals::translate::pov::{self, Options};
@@ -346,7 +347,8 @@ fn pov_ray_draws_lamps_on_surfaces() {
             size: (SIZE[0], SIZE[1]),
             ..Options::default()
         };
-        let translation = pov::write(&scene, &options).expect("a translation");
+        let translation =
+            pov::write(&scene, &node_bounds(&scene), &options).expect("a translation");
         grouped += usize::from(translation.files[0].text.contains("light_group"));
         let theirs = povray::render(&format!("lamp-{seed}"), &translation, 0, options.size);
         let ours = drawn(&scene, Numbers::F64);

@@ -148,7 +148,12 @@ fn the_gallery_is_closed_and_in_its_place() {
         let many = path.file_stem().unwrap() == "billion";
         let loaded = loaded(&path);
         let tracer = tracer(&loaded.scene, path.parent().unwrap());
-        let made = model(&loaded.scene, &tracer.graph, &Options::default());
+        let made = model(
+            &loaded.scene,
+            loaded.bounds(),
+            &tracer.graph,
+            &Options::default(),
+        );
         assert_eq!(made.is_err(), many, "{}", path.display());
         let Ok(model) = made else { continue };
         let faults = faults(&loaded.scene, &model, cases(60, 200));
@@ -166,7 +171,13 @@ fn random_scenes_are_closed_and_in_their_place() {
     for seed in seeds("MESH_SEEDS", 0..cases(8, 24)) {
         let loaded = Analysis::new("scene", scenes::scene(seed).into_bytes());
         let tracer = tracer(&loaded.scene, Path::new("."));
-        let model = model(&loaded.scene, &tracer.graph, &Options::default()).unwrap();
+        let model = model(
+            &loaded.scene,
+            loaded.bounds(),
+            &tracer.graph,
+            &Options::default(),
+        )
+        .unwrap();
         let report = report("ply", &loaded.scene, &model, 0.0).to_string();
         n += 1;
         let own_up = report.contains("failed") || report.contains("not joined");

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::lint_generated::scenes;
 use crate::support::{cases, mitsuba, seeds, takes_part};
 use zpg::internals::analysis::Analysis;
+use zpg::internals::solids::bounds::node_bounds;
 use zpg::internals::solids::staging::Viewpoint;
 use zpg::internals::study::geometry::{self, Comparison};
 use zpg::internals::syntax::Captions;
@@ -32,7 +33,7 @@ fn translated(
         stem: name.to_owned(),
         captions: Captions::of(&loaded.document, &loaded.source.text),
     };
-    let output = write(scene, &tracer, &options).unwrap();
+    let output = write(scene, &node_bounds(scene), &tracer, &options).unwrap();
     (tracer, output)
 }
 

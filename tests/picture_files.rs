@@ -284,7 +284,7 @@ fn mitsuba_draws_the_same() {
         stem: "files".to_owned(),
         captions: zpg::internals::syntax::Captions::default(),
     };
-    let mut output = write(&loaded.scene, &tracer, &options).unwrap();
+    let mut output = write(&loaded.scene, loaded.bounds(), &tracer, &options).unwrap();
     // One ray through the middle of each pixel, and all light by its colour alone: no noise.
     let document = &mut output.documents[0].1;
     let between = |from: &str, to: &str, by: &str, text: &str| {

@@ -49,7 +49,8 @@ fn only_faces_that_meet_are_moved_apart() {
              4 -101 2 3\n1 9999 4 0\n"
         );
         let loaded = Analysis::new("boxes.zpg", text.into_bytes());
-        let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
+        let translation =
+            pov::write(&loaded.scene, loaded.bounds(), &pov::Options::default()).unwrap();
         let text = &translation.files[0].text;
         assert_eq!(text.contains("made longer"), is_moved, "{apart}\n{text}");
     }
@@ -68,7 +69,8 @@ fn limits_that_are_exceeded_are_named() {
     }
     text += &format!("1 9999 {root} 0\n");
     let loaded = Analysis::new("parts.zpg", text.into_bytes());
-    let report = (pov::write(&loaded.scene, &pov::Options::default()).unwrap()).report;
+    let report =
+        (pov::write(&loaded.scene, loaded.bounds(), &pov::Options::default()).unwrap()).report;
     for (language, words) in [
         (
             Language::English,

@@ -7,6 +7,7 @@ use std::path::Path;
 use support::povray;
 use zpg::internals::geometry::Matrix;
 use zpg::internals::scene::{Camera, Scene, Texture, View};
+use zpg::internals::solids::bounds::node_bounds;
 use zpg::internals::solids::staging::{Viewpoint, staged};
 use zpg::internals::study::naive::Naive;
 use zpg::internals::trace::{Images, Settings, Tracer};
@@ -29,7 +30,7 @@ fn compare(name: &str, scene: &Scene) {
         size: SIZE,
         ..Options::default()
     };
-    let translation = pov::write(scene, &options).expect("a translation");
+    let translation = pov::write(scene, &node_bounds(scene), &options).expect("a translation");
     let staged = staged(
         scene,
         Viewpoint::Scene,
@@ -568,11 +569,13 @@ fn both_eyes() {
         ..options.clone()
     };
     for (eye, camera) in scene.cameras.iter().enumerate() {
-        let mut translation = pov::write(&scene, &one).expect("a translation");
+        let mut translation =
+            pov::write(&scene, &node_bounds(&scene), &one).expect("a translation");
         let switch = format!("#declare Eye = {eye};\n");
         translation.files[0].text.insert_str(0, &switch);
         compare_view(&format!("eye_{eye}"), &scene, &translation, *camera);
-        let mut translation = pov::write(&scene, &options).expect("a translation");
+        let mut translation =
+            pov::write(&scene, &node_bounds(&scene), &options).expect("a translation");
         let file = translation.files.swap_remove(eye);
         assert_eq!(file.suffix, ["_left", "_right"][eye]);
         translation.files = vec![file];

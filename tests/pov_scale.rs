@@ -5,6 +5,7 @@ use zpg::internals::geometry::Matrix;
 use zpg::internals::scene::{
     Geometry, Node, NodeId, Optics, Origin, Paint, Render, Scene, Shape, Texture,
 };
+use zpg::internals::solids::bounds::node_bounds;
 use zpg::internals::syntax::table::ShapeKind;
 use zpg::internals::translate::pov::{self, Options};
 
@@ -40,7 +41,7 @@ fn translate(mut scene: Scene) -> String {
         clip: None,
         span: Span::default(),
     });
-    pov::write(&scene, &Options::default())
+    pov::write(&scene, &node_bounds(&scene), &Options::default())
         .unwrap()
         .files
         .remove(0)
@@ -274,7 +275,7 @@ fn every_record_has_a_line_in_the_report() {
         let text = all.replace("1 9999", &format!("{view}1 9999"));
         let loaded = zpg::internals::analysis::Analysis::new("scene.zpg", text.clone().into());
         assert!(loaded.is_sound(), "{:?}\n{text}", loaded.findings());
-        let translation = pov::write(&loaded.scene, &Options::default()).unwrap();
+        let translation = pov::write(&loaded.scene, loaded.bounds(), &Options::default()).unwrap();
         seen.extend(translation.report.entries().map(|e| e.feature));
         assert!(!translation.report.has_dropped(), "{}", translation.report);
     }

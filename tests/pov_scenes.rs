@@ -153,7 +153,7 @@ fn glass_on_round_glass() {
     );
     let loaded = lit(&body, 9);
     agrees("lying", &loaded);
-    let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
+    let translation = pov::write(&loaded.scene, loaded.bounds(), &pov::Options::default()).unwrap();
     let report = translation.report.to_string();
     assert!(!report.contains("faces in one place"), "{report}");
 }
@@ -282,7 +282,7 @@ fn tiles_and_walls() {
         root = n.to_string();
     }
     let loaded = lit(&body, root.parse().unwrap());
-    let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
+    let translation = pov::write(&loaded.scene, loaded.bounds(), &pov::Options::default()).unwrap();
     assert!(!translation.files[0].text.contains("a hair thick"));
     assert!(
         !translation
@@ -566,7 +566,8 @@ fn light_from_glass_into_glass() {
     ];
     for (name, body) in scenes {
         let loaded = lit(&body, 9);
-        let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
+        let translation =
+            pov::write(&loaded.scene, loaded.bounds(), &pov::Options::default()).unwrap();
         let report = translation.report.to_string();
         for doubt in ["operations on media", "faces in one place"] {
             assert!(!report.contains(doubt), "{name} {report}");
@@ -646,7 +647,7 @@ fn comments_and_bounding_volumes() {
         captions: zpg::internals::syntax::Captions::of(&loaded.document, text),
         ..pov::Options::default()
     };
-    let translation = pov::write(&loaded.scene, &options).unwrap();
+    let translation = pov::write(&loaded.scene, loaded.bounds(), &options).unwrap();
     let written = &translation.files[0].text;
     assert!(written.starts_with("// a scene of balls\n"), "{written}");
     for line in [
@@ -696,7 +697,8 @@ fn flush_tools() {
     for (name, tool, exact) in tools {
         let loaded = Analysis::new("scene.zpg", of(tool).into());
         assert!(loaded.is_sound(), "{name} {:?}", loaded.findings());
-        let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
+        let translation =
+            pov::write(&loaded.scene, loaded.bounds(), &pov::Options::default()).unwrap();
         let report = translation.report.to_string();
         assert_eq!(
             !report.contains("faces in one place"),
@@ -723,7 +725,8 @@ fn flush_tools() {
     for small in ["-0.5 -0.5 -2 0.5 0.5 0", "-0.5 -0.7 -2 0.5 0.5 0"] {
         let loaded = Analysis::new("scene.zpg", holes(small).into());
         assert!(loaded.is_sound(), "{:?}", loaded.findings());
-        let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
+        let translation =
+            pov::write(&loaded.scene, loaded.bounds(), &pov::Options::default()).unwrap();
         let report = translation.report.to_string();
         assert!(!report.contains("faces in one place"), "{report}");
         for outcome in compare("flush_holes", &loaded.scene, Path::new("."), (96, 72)) {
@@ -766,7 +769,8 @@ fn random() {
         let name = format!("random_{seed}");
         let path = support::povray::folder().join(format!("{name}.zpg"));
         std::fs::write(path, &text).unwrap();
-        let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
+        let translation =
+            pov::write(&loaded.scene, loaded.bounds(), &pov::Options::default()).unwrap();
         let doubtful: Vec<_> = translation
             .report
             .entries()

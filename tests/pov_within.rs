@@ -18,7 +18,7 @@ fn load(text: &str) -> Analysis {
 }
 
 fn is_exact(loaded: &Analysis) -> bool {
-    let translation = pov::write(&loaded.scene, &pov::Options::default()).unwrap();
+    let translation = pov::write(&loaded.scene, loaded.bounds(), &pov::Options::default()).unwrap();
     let mut entries = translation.report.entries();
     entries.all(|e| e.fidelity == Fidelity::Exact)
 }

@@ -13,6 +13,7 @@ use super::fidelity::Report;
 use crate::analysis::Analysis;
 use crate::diagnostics::{Complaint, Error};
 use crate::scene::Scene;
+use crate::solids::bounds::NodeBounds;
 use crate::solids::staging::Viewpoint;
 use crate::syntax::Captions;
 use crate::trace::{Images, Settings, Tracer};
@@ -84,6 +85,11 @@ impl<'a> Prepared<'a> {
     /// The scene itself.
     pub fn scene(&self) -> &'a Scene {
         &self.analysis.scene
+    }
+
+    /// The bounds of each node of the scene.
+    pub fn bounds(&self) -> &'a [NodeBounds] {
+        self.analysis.bounds()
     }
 
     /// The scene compiled, with its pictures.

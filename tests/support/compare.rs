@@ -5,6 +5,7 @@ use std::path::Path;
 use super::{povray, takes_part};
 use zpg::internals::analysis::Analysis;
 use zpg::internals::scene::{Camera, Scene};
+use zpg::internals::solids::bounds::node_bounds;
 use zpg::internals::solids::staging::{Viewpoint, staged};
 use zpg::internals::study::compare::Comparison;
 use zpg::internals::trace::{Images, Settings, Tracer};
@@ -21,7 +22,8 @@ pub fn compare(name: &str, scene: &Scene, folder: &Path, size: (u32, u32)) -> Ve
         pictures: Pictures::InPlace(folder.to_owned()),
         ..Options::default()
     };
-    let translation = pov::write(scene, &options).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let translation =
+        pov::write(scene, &node_bounds(scene), &options).unwrap_or_else(|e| panic!("{name}: {e}"));
     let scene = &*staged(
         scene,
         Viewpoint::Scene,

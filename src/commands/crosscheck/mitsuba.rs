@@ -58,7 +58,7 @@ pub(super) fn compare(
             .with("other", squares.map_or(String::new(), text));
         return Err(Error::scene(why));
     }
-    let made = write(scene, &tracer, &options)?;
+    let made = write(scene, loaded.bounds(), &tracer, &options)?;
     let folder = Folder::made(
         args,
         loaded,

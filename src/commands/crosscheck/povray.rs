@@ -44,7 +44,7 @@ pub(super) fn compare(
         captions: Captions::of(&loaded.document, &loaded.source.text),
         ..pov::Options::default()
     };
-    let translation = pov::write(scene, &options)?;
+    let translation = pov::write(scene, loaded.bounds(), &options)?;
     let tracer = Tracer::with_images(scene, &images)?;
     let settings = Settings {
         width: size.0,

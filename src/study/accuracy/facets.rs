@@ -94,7 +94,7 @@ pub fn meshes(runner: &mut Runner, seconds: f64) -> Result<Option<Facets>, Error
             eye: Some(runner.camera().position),
             ..Options::default()
         };
-        let Ok(model) = mesh::model(&whole, &runner.tracer().graph, &options) else {
+        let Ok(model) = mesh::model(&whole, &bounds, &runner.tracer().graph, &options) else {
             continue;
         };
         let triangles = model.mesh.triangles.len();

@@ -1,4 +1,5 @@
 use super::*;
+use crate::solids::bounds::node_bounds;
 use crate::solids::staging::Viewpoint;
 use crate::syntax::Captions;
 use crate::testing::scene;
@@ -35,7 +36,7 @@ fn compared_in(text: &str, change: impl Fn(&Output, &mut [f32])) -> Comparison {
         stem: "scene".to_owned(),
         captions: Captions::default(),
     };
-    let made = mitsuba::write(&scene, &tracer, &options).unwrap();
+    let made = mitsuba::write(&scene, &node_bounds(&scene), &tracer, &options).unwrap();
     let camera = selected_camera(&scene, 4.0 / 3.0);
     let ours = seen(&tracer, &camera, SIZE);
     let mut theirs: Vec<f32> = ours.iter().flat_map(|s| channels(&made, *s)).collect();

@@ -4,7 +4,7 @@ use super::options::{DEFAULT_TOLERANCE, Options};
 use crate::diagnostics::Complaint;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Node, Scene, Texture, Vec3, fold_up};
-use crate::solids::bounds::{NodeBounds, node_bounds};
+use crate::solids::bounds::NodeBounds;
 use crate::solids::shapes::facts::Facts;
 use crate::solids::staging::seen_box;
 
@@ -55,16 +55,15 @@ impl Extent {
     }
 
     /// The region and the tolerance for a scene.
-    pub fn of(scene: &Scene, options: &Options) -> Extent {
-        let bounds = node_bounds(scene);
-        let seen = seen_box(scene, &bounds);
+    pub fn of(scene: &Scene, bounds: &[NodeBounds], options: &Options) -> Extent {
+        let seen = seen_box(scene, bounds);
         let boxed = scene.render.is_some_and(|r| r.clip.is_some());
         let seen = if seen.is_empty() || seen.radius() == 0.0 && !boxed {
             Aabb::new([-NOTHING_BOUNDED; 3], [NOTHING_BOUNDED; 3])
         } else {
             seen
         };
-        let all = seen.hull(&faces(scene, &bounds, &seen));
+        let all = seen.hull(&faces(scene, bounds, &seen));
         let region = match options.eye {
             _ if boxed => widened(&seen),
             Some(eye) => around(&all.hull(&Aabb::new(eye, eye))),
@@ -164,11 +163,12 @@ fn plane_foot(geometry: &Geometry) -> Option<Vec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solids::bounds::node_bounds;
     use crate::testing::scene;
 
     fn region(text: &str) -> Aabb {
         let scene = scene(text);
-        Extent::of(&scene, &Options::default()).region
+        Extent::of(&scene, &node_bounds(&scene), &Options::default()).region
     }
 
     #[test]
@@ -178,6 +178,7 @@ mod tests {
             let eye = Some([0.0, 1.0, 3.0]);
             let extent = Extent::of(
                 &scene,
+                &node_bounds(&scene),
                 &Options {
                     eye,
                     ..Options::default()

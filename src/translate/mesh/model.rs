@@ -16,6 +16,7 @@ use super::unite::Union;
 use super::verdict::{self, Bounds};
 use crate::diagnostics::Error;
 use crate::scene::Scene;
+use crate::solids::bounds::NodeBounds;
 use crate::syntax::table::RecordKind;
 use crate::trace::graph::Graph;
 use crate::translate::{Feature, FeatureSupport, Report};
@@ -38,8 +39,13 @@ pub struct Model {
 ///
 /// # Errors
 /// There would be too many.
-pub fn model(scene: &Scene, graph: &Graph, options: &Options) -> Result<Model, Error> {
-    let extent = Extent::of(scene, options);
+pub fn model(
+    scene: &Scene,
+    bounds: &[NodeBounds],
+    graph: &Graph,
+    options: &Options,
+) -> Result<Model, Error> {
+    let extent = Extent::of(scene, bounds, options);
     let (thing, mut troubles) = pieces(scene, graph, &extent, options)?;
     let (mut solids, mut surfaces) = (Vec::new(), Mesh::default());
     for piece in thing.pieces {

@@ -12,6 +12,7 @@ use super::unite::{self, Union};
 use crate::diagnostics::Error;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Scene;
+use crate::solids::bounds::NodeBounds;
 use crate::trace::graph::Graph;
 use crate::translate::{Fidelity, Report};
 
@@ -30,8 +31,13 @@ impl Parts {
     ///
     /// # Errors
     /// There would be too many triangles.
-    pub fn of(scene: &Scene, graph: &Graph, options: &Options) -> Result<Parts, Error> {
-        let extent = Extent::of(scene, options);
+    pub fn of(
+        scene: &Scene,
+        bounds: &[NodeBounds],
+        graph: &Graph,
+        options: &Options,
+    ) -> Result<Parts, Error> {
+        let extent = Extent::of(scene, bounds, options);
         let (thing, troubles) = pieces(scene, graph, &extent, options)?;
         Ok(Parts {
             pieces: thing.pieces,

@@ -69,7 +69,7 @@ impl Target for Format {
             pictured: matches!(self, Format::Obj | Format::Glb),
             digits: *self == Format::Obj,
         };
-        let model = model(scene.scene(), &tracer.graph, &own)?;
+        let model = model(scene.scene(), scene.bounds(), &tracer.graph, &own)?;
         let coloured = Coloured::new(&model, &tracer.graph, own.pictured);
         let names = Names::new(scene.scene(), &scene.captions);
         let mesh = &model.mesh;

@@ -1,5 +1,6 @@
 use super::*;
 use crate::geometry::array::{cross, dot, sub};
+use crate::solids::bounds::node_bounds;
 use crate::trace::Tracer;
 
 /// The model of a scene.
@@ -10,7 +11,7 @@ pub(super) fn made(text: &str, tolerance: f64) -> Model {
         tolerance: Some(tolerance),
         ..Options::default()
     };
-    model(&scene, &tracer.graph, &options).unwrap()
+    model(&scene, &node_bounds(&scene), &tracer.graph, &options).unwrap()
 }
 
 fn whole(model: &Model) -> Mesh {
@@ -173,7 +174,13 @@ fn copies_of_copies_are_refused_in_words() {
     text += "1 9999 82 0\n";
     let scene = crate::testing::scene(&text);
     let tracer = Tracer::new(&scene).unwrap();
-    let refused = model(&scene, &tracer.graph, &Options::default()).unwrap_err();
+    let refused = model(
+        &scene,
+        &node_bounds(&scene),
+        &tracer.graph,
+        &Options::default(),
+    )
+    .unwrap_err();
     assert!(refused.to_string().contains("triangles"), "{refused}");
 }
 

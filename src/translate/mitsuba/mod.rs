@@ -22,7 +22,7 @@ use super::{Fidelity, Report};
 use crate::diagnostics::{Complaint, Error};
 use crate::geometry::Aabb;
 use crate::scene::{Camera, Scene};
-use crate::solids::bounds::node_bounds;
+use crate::solids::bounds::NodeBounds;
 use crate::solids::staging::staged;
 use crate::trace::{Tracer, Walkers, camera::View};
 use bsdf::Bsdfs;
@@ -57,7 +57,12 @@ enum Kind {
 ///
 /// # Errors
 /// Something in it has no translation, or too many triangles.
-pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output, Error> {
+pub fn write(
+    scene: &Scene,
+    bounds: &[NodeBounds],
+    tracer: &Tracer,
+    options: &Options,
+) -> Result<Output, Error> {
     let render = scene.render.ok_or_else(Error::nothing_to_draw)?;
     let graph = &tracer.graph;
     let aspect = f64::from(options.size.0) / f64::from(options.size.1);
@@ -71,7 +76,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         pictured: true,
         digits: false,
     };
-    let mut parts = mesh::Parts::of(scene, graph, &of_meshes)?;
+    let mut parts = mesh::Parts::of(scene, bounds, graph, &of_meshes)?;
     parts.drop_equals();
     let clear =
         |skin: &mesh::SurfaceLabel| graph.optics[skin.optics.unwrap_or(0) as usize].kt != [0.0; 3];
@@ -163,7 +168,7 @@ pub fn write(scene: &Scene, tracer: &Tracer, options: &Options) -> Result<Output
         1 => &[""],
         _ => &["_left", "_right"],
     };
-    let all = node_bounds(scene)[render.root as usize].all;
+    let all = bounds[render.root as usize].all;
     let all = Aabb::new(frame.place(all.min), frame.place(all.max));
     let mut documents = Vec::new();
     for ((name, camera), there) in names.iter().zip(&cameras).zip(&there) {

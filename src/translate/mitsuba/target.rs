@@ -40,7 +40,7 @@ impl Target for Mitsuba {
             stem: stem.unwrap_or_default().to_string_lossy().into_owned(),
             captions: scene.captions.clone(),
         };
-        let made = write(scene.scene(), tracer, &own)?;
+        let made = write(scene.scene(), scene.bounds(), tracer, &own)?;
         if options.output.is_none() && made.documents.len() + made.meshes.len() > 1 {
             let count = |n: usize| Value::Count(n as u64);
             return Err(Error::Request(

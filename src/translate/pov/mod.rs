@@ -25,6 +25,7 @@ use std::slice;
 use super::{Fidelity, File, Report};
 use crate::diagnostics::{Complaint, Error};
 use crate::scene::Scene;
+use crate::solids::bounds::NodeBounds;
 use crate::solids::staging::{Viewpoint, staged};
 use crate::syntax::Captions;
 use budget::Budget;
@@ -95,16 +96,22 @@ pub struct Translation {
 /// POV-Ray's own limit on `max_trace_level`.
 const MAX_TRACE_LEVEL: u32 = 256;
 
-/// Translates a scene.
+/// Translates a scene with these bounds of its nodes.
 ///
 /// # Errors
 /// Something in it has no translation.
-pub fn write(scene: &Scene, options: &Options) -> Result<Translation, Error> {
+pub fn write(
+    scene: &Scene,
+    bounds: &[NodeBounds],
+    options: &Options,
+) -> Result<Translation, Error> {
     let report = Report::of("pov", scene, |f| verdict::verdict(f, &options.pictures));
     let staged = staged(scene, options.viewpoint, options.aspect());
     let budget = Budget::default();
-    let scene = lower::rewritten(&staged, &budget);
-    let (mut document, lenses, mut report) = lower::lower(&scene, options, &budget, report)?;
+    // What is staged has the same nodes.
+    let (scene, facts) =
+        lower::rewritten(&staged, bounds, &budget).ok_or_else(Error::nothing_to_draw)?;
+    let (mut document, lenses, mut report) = lower::lower(&scene, facts, options, &budget, report)?;
     budget.report(&mut report);
     document.tree = simplified(document.tree);
     document.light_scale = brightness::light_scale(&document, options.depth);

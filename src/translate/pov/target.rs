@@ -52,7 +52,7 @@ impl Target for Pov {
             mut report,
             light_scale,
             ..
-        } = write(scene.scene(), &own)?;
+        } = write(scene.scene(), scene.bounds(), &own)?;
         brightness::state(&mut report, scene, options, light_scale);
         // Pictures first: a translation is there when what it names is there.
         let beside = |name: String| options.output.map(|path| path.with_file_name(name));

@@ -7,17 +7,14 @@ use std::collections::{HashMap, HashSet};
 use super::rewrite::{Modifications, Rewrite, below};
 use crate::geometry::Aabb;
 use crate::scene::{Node, NodeId, Scene};
-use crate::solids::bounds::node_bounds;
 use crate::translate::pov::budget::{Budget, Limit};
 use crate::translate::pov::model::Model;
-use crate::translate::pov::model::materials::{Material, materials};
-use crate::translate::pov::model::tables::Tables;
+use crate::translate::pov::model::materials::{Facts, Material};
 
 /// The same scene with such groups spread, if there are any.
-pub(super) fn distributed(scene: &Scene, budget: &Budget) -> Option<Scene> {
+pub(super) fn distributed(scene: &Scene, facts: &Facts, budget: &Budget) -> Option<Scene> {
     let root = scene.render?.root;
-    let mut optics = scene.paints.iter().filter_map(|p| p.optics.as_ref());
-    if !optics.any(|o| o.kt.iter().any(|k| *k > 0.0)) {
+    if !facts.is_clear() {
         return None;
     }
     let mut unions: Vec<_> = wholes(scene, root, budget)
@@ -29,19 +26,13 @@ pub(super) fn distributed(scene: &Scene, budget: &Budget) -> Option<Scene> {
             .iter()
             .any(|part| union(scene, *part, budget).is_some())
     });
-    if unions.is_empty() {
-        return None;
-    }
-    let mut tables = Tables::of(scene);
-    let facts = materials(scene, &mut tables, root);
-    let bounds = node_bounds(scene);
-    let is_clear = |node: NodeId| facts[node as usize].transparent;
-    let box_of = |node: NodeId| bounds[node as usize].all;
+    let is_clear = |node: NodeId| facts.materials[node as usize].transparent;
+    let box_of = |node: NodeId| facts.bounds[node as usize].all;
     let mut groups = HashMap::new();
     for parts in unions {
         for &part in &parts {
             let mut others = parts.iter().filter(|other| **other != part);
-            if is_group(scene, &facts, part, budget)
+            if is_group(scene, &facts.materials, part, budget)
                 && others.any(|other| is_clear(*other) && box_of(part).touches(&box_of(*other)))
                 && let Some(members) = members(scene, part, budget)
             {
@@ -57,7 +48,7 @@ pub(super) fn distributed(scene: &Scene, budget: &Budget) -> Option<Scene> {
         if let Some(members) = groups.get(&node) {
             let union = joined(&mut out, node, members);
             out.replace(node, union);
-        } else if facts[node as usize].uses > 0 {
+        } else if facts.materials[node as usize].uses > 0 {
             let renewed = out.renew(node);
             out.settle(node, renewed);
         }
@@ -136,8 +127,8 @@ fn union(scene: &Scene, node: NodeId, budget: &Budget) -> Option<(Modifications,
 }
 
 /// Whether a node is a union of several media, or an opaque one.
-fn is_group(scene: &Scene, facts: &[Material], node: NodeId, budget: &Budget) -> bool {
-    let of = &facts[node as usize];
+fn is_group(scene: &Scene, materials: &[Material], node: NodeId, budget: &Budget) -> bool {
+    let of = &materials[node as usize];
     let is_one = of.transparent && of.optics.uniform && of.index.uniform;
     !is_one && union(scene, node, budget).is_some()
 }

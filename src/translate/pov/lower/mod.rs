@@ -21,24 +21,34 @@ use std::collections::HashMap;
 
 use super::budget::Budget;
 use super::model::Model;
+use super::model::materials::Facts;
 use super::separate::{backward_normals, plates};
 use super::tree::{Document, Lens, Tree, Uses};
 use super::{MAX_TRACE_LEVEL, Options};
 use crate::diagnostics::Error;
 use crate::geometry::Aabb;
 use crate::scene::Scene;
-use crate::solids::bounds::node_bounds;
+use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::solids::staging::seen_box;
 use crate::translate::fidelity::Report;
 use nodes::Lower;
 
 /// The scene with operands in another order, and operations distributed over unions, where POV-Ray needs it.
-pub(super) fn rewritten<'a>(scene: &'a Scene, budget: &Budget) -> Cow<'a, Scene> {
-    let reordered = reorder::reordered(scene, budget).map_or(Cow::Borrowed(scene), Cow::Owned);
-    match distribute::distributed(&reordered, budget) {
-        Some(distributed) => Cow::Owned(distributed),
-        None => reordered,
+/// `None` for one of which nothing is drawn.
+pub(super) fn rewritten<'a>(
+    scene: &'a Scene,
+    bounds: &'a [NodeBounds],
+    budget: &Budget,
+) -> Option<(Cow<'a, Scene>, Facts<'a>)> {
+    let facts = Facts::of(scene, Cow::Borrowed(bounds))?;
+    let mut known = (Cow::Borrowed(scene), facts);
+    for rewrite in [reorder::reordered, distribute::distributed] {
+        if let Some(other) = rewrite(&known.0, &known.1, budget) {
+            let facts = Facts::of(&other, node_bounds(&other).into())?;
+            known = (Cow::Owned(other), facts);
+        }
     }
+    Some(known)
 }
 
 /// All that is to be printed, and the cameras that take the pictures.
@@ -47,17 +57,18 @@ pub(super) fn rewritten<'a>(scene: &'a Scene, budget: &Budget) -> Cow<'a, Scene>
 /// Something in the scene has no translation.
 pub(super) fn lower<'a>(
     scene: &'a Scene,
+    facts: Facts<'a>,
     options: &'a Options,
     budget: &'a Budget,
     mut report: Report,
 ) -> Result<(Document<'a>, Vec<Lens>, Report), Error> {
     let render = scene.render.ok_or_else(Error::nothing_to_draw)?;
-    let bounds = node_bounds(scene);
+    let bounds = &facts.bounds;
     let whole = match render.clip {
         Some((min, max)) => Aabb::new(min, max),
         None => bounds[render.root as usize].all,
     };
-    let seen = seen_box(scene, &bounds);
+    let seen = seen_box(scene, bounds);
     let eyes = camera::eyes(scene, whole, options, &mut report)?;
     let frame = frame::frame(
         seen,
@@ -66,11 +77,12 @@ pub(super) fn lower<'a>(
         &mut report,
     );
     let hair = frame::hair(&frame);
-    let lights_in_group = lights::is_any_on_surface(scene, &bounds, render.root);
+    let lights_in_group = lights::is_any_on_surface(scene, bounds, render.root);
 
-    let mut model = Model::new(scene, bounds, render.root, budget, report);
+    let is_clear = facts.is_clear();
+    let mut model = Model::new(scene, facts, render.root, budget, report);
     model.hair_of_scene = hair;
-    if model.is_clear() {
+    if is_clear {
         model.beside_clear = distribute::beside_clear(&model, render.root);
         model.holds_sheets = plates::holders(scene);
     }

@@ -4,17 +4,15 @@
 use super::rewrite::{Rewrite, below};
 use crate::scene::{Node, NodeId, Scene};
 use crate::translate::pov::budget::Budget;
-use crate::translate::pov::model::materials::{Material, materials};
-use crate::translate::pov::model::tables::Tables;
+use crate::translate::pov::model::materials::{Facts, Material};
 
 /// The same scene with such operations in the other order, if there are any.
-pub(super) fn reordered(scene: &Scene, budget: &Budget) -> Option<Scene> {
+pub(super) fn reordered(scene: &Scene, facts: &Facts, budget: &Budget) -> Option<Scene> {
     let root = scene.render?.root;
     if !(0..=root).any(|node| is_candidate(scene, node, budget)) {
         return None;
     }
-    let mut tables = Tables::of(scene);
-    let materials = materials(scene, &mut tables, root);
+    let materials = &facts.materials;
     let mut out = Rewrite::of(scene);
     let mut any = false;
     for node in (0..=root).filter(|node| materials[*node as usize].uses > 0) {

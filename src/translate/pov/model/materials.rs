@@ -1,8 +1,11 @@
 //! What has to be known of every node before anything can be written: what it contains, whose
 //! properties it shows, and how often it is used. Computed bottom-up in one pass over the arena.
 
+use std::borrow::Cow;
+
 use super::tables::{DEFAULT, PROFILE, Tables, TextureUse};
 use crate::scene::{Node, NodeId, Scene};
+use crate::solids::bounds::NodeBounds;
 use crate::solids::shapes::facts::Facts as _;
 
 /// A property of the solids of a node, taken from whoever owns a point: of several operands the
@@ -73,8 +76,33 @@ const BARE: Material = Material {
     uses: 0,
 };
 
+/// What is known of a scene and its nodes.
+pub(crate) struct Facts<'a> {
+    pub bounds: Cow<'a, [NodeBounds]>,
+    pub tables: Tables,
+    pub materials: Vec<Material>,
+}
+
+impl<'a> Facts<'a> {
+    /// `None` where nothing is drawn.
+    pub(crate) fn of(scene: &Scene, bounds: Cow<'a, [NodeBounds]>) -> Option<Facts<'a>> {
+        let mut tables = Tables::of(scene);
+        let materials = materials(scene, &mut tables, scene.render?.root);
+        Some(Facts {
+            bounds,
+            tables,
+            materials,
+        })
+    }
+
+    /// Whether light goes through anything.
+    pub(crate) fn is_clear(&self) -> bool {
+        self.materials.iter().any(|f| f.uses > 0 && f.transparent)
+    }
+}
+
 /// The facts about all nodes up to the root; those that the root does not reach stay bare.
-pub(crate) fn materials(scene: &Scene, tables: &mut Tables, root: NodeId) -> Vec<Material> {
+fn materials(scene: &Scene, tables: &mut Tables, root: NodeId) -> Vec<Material> {
     let mut out = vec![BARE; root as usize + 1];
     out[root as usize].uses = 1;
     for (_, node) in scene.below(root) {

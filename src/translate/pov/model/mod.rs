@@ -17,6 +17,7 @@ pub(super) mod tables;
 pub(super) mod textures;
 mod visibility;
 
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 
 use crate::diagnostics::Complaint;
@@ -31,7 +32,7 @@ use crate::translate::pov::tree::{Body, Modifier, Object};
 use contacts::Contacts;
 use displacement::Changes;
 use interner::Interner;
-use materials::{Material, materials};
+use materials::{Facts, Material};
 use state::{Key, State};
 use stretch::{stretched, stretches};
 use tables::{DEFAULT, Tables};
@@ -44,7 +45,7 @@ const FACES: &str = "faces in one place";
 /// The scene, what is known of its nodes, and what its objects have in common, by number.
 pub(super) struct Model<'a> {
     pub scene: &'a Scene,
-    pub bounds: Vec<NodeBounds>,
+    pub bounds: Cow<'a, [NodeBounds]>,
     pub tables: Tables,
     pub materials: Vec<Material>,
     pub solids: Interner,
@@ -82,13 +83,16 @@ pub(super) struct Model<'a> {
 impl<'a> Model<'a> {
     pub(super) fn new(
         scene: &'a Scene,
-        bounds: Vec<NodeBounds>,
+        facts: Facts<'a>,
         root: NodeId,
         budget: &'a Budget,
         report: Report,
     ) -> Model<'a> {
-        let mut tables = Tables::of(scene);
-        let materials = materials(scene, &mut tables, root);
+        let Facts {
+            bounds,
+            mut tables,
+            materials,
+        } = facts;
         let all = bounds[root as usize].all;
         let clip = scene.render.and_then(|render| render.clip);
         let cut_open = clip.is_some_and(|(min, max)| !Aabb::new(min, max).holds(&all))
@@ -121,11 +125,6 @@ impl<'a> Model<'a> {
             unseen_twice: false,
             report,
         }
-    }
-
-    /// Whether light goes through anything.
-    pub(super) fn is_clear(&self) -> bool {
-        self.materials.iter().any(|f| f.uses > 0 && f.transparent)
     }
 
     /// An object that stands for a node in a state.
