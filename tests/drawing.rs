@@ -52,6 +52,44 @@ fn what_is_wrong_with_a_picture_is_said() {
     }
 }
 
+/// A view of the whole scene shows nothing only where there is nothing; what is brighter than white by one record is told so.
+#[test]
+fn what_check_explains_is_left_to_it() {
+    let nothing = "the scene has nothing that could be seen; `zpg check` says why\n";
+    let flat = "2 1 2  0 0  1 0\n1 9999 2 0\n";
+    let swapped = "3 9 1\n4 9 2\n2 -103 3 4\n1 9999 2 0\n";
+    for (scene, options, line) in [
+        ([LAMP, swapped].concat(), &["--view", "iso"][..], nothing),
+        (
+            [CAMERA, LAMP, swapped].concat(),
+            &["--view", "top"],
+            nothing,
+        ),
+        (
+            [CAMERA, LAMP, swapped].concat(),
+            &[],
+            "nothing is in view; `--view iso` shows the whole scene\n",
+        ),
+        (
+            [
+                CAMERA,
+                LAMP,
+                "20 -701 204 25 25\n2 9 1\n2 -299 20 0\n1 9999 2 0\n",
+            ]
+            .concat(),
+            &[],
+            "brighter than white: the record 20 gives out more light than it gets; `zpg check` says what to write\n",
+        ),
+    ] {
+        let dir = folder(&[("a.zpg", scene)]);
+        let said = &render(dir.path(), &[&["a.zpg"], options].concat())[1];
+        assert!(said.ends_with(line), "{said}");
+    }
+    let dir = folder(&[("a.zpg", [CAMERA, LAMP, flat].concat())]);
+    let said = &render(dir.path(), &["a.zpg", "--view", "iso"])[1];
+    assert!(said.ends_with(nothing), "{said}");
+}
+
 /// The render record names an earlier step of the scene, or something was forgotten in it.
 #[test]
 fn objects_that_are_not_drawn_are_counted() {

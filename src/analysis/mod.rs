@@ -54,6 +54,8 @@ pub struct Analysis {
     bounds: OnceLock<Vec<NodeBounds>>,
     /// For a scene in another notation, the records that say the same.
     foreign: Option<Foreign>,
+    /// What [`glaring`](Self::glaring) is, once the records are forgotten.
+    glaring: Option<u32>,
 }
 
 /// Records in the place of a file in another notation.
@@ -157,6 +159,7 @@ impl Analysis {
             definitions: OnceLock::new(),
             bounds: OnceLock::new(),
             foreign: None,
+            glaring: None,
         }
     }
 
@@ -231,6 +234,7 @@ impl Analysis {
 
     /// Forgets the text's records, which take more memory than the scene. Nothing can be found in them any more.
     pub fn forget_records(&mut self) {
+        self.glaring = self.glaring();
         self.document = Document::default();
         self.foreign = None;
     }
@@ -306,6 +310,21 @@ impl Analysis {
             return 0;
         }
         lint::undrawn(&self.context())
+    }
+
+    /// The ID of the first record of which the findings say that it gives out more light than it gets. The other findings
+    /// are not looked for.
+    pub fn glaring(&self) -> Option<u32> {
+        if let Some(foreign) = &self.foreign {
+            return foreign.records.glaring();
+        }
+        let Settings { levels, choice } = &self.settings;
+        match self.is_scene {
+            true => {
+                lint::glaring(&self.context(), |code| levels.is_on(choice, code)).or(self.glaring)
+            }
+            false => None,
+        }
     }
 
     /// Numbers that are read as two each, and may be one with a decimal comma.

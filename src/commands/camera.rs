@@ -61,6 +61,11 @@ impl CameraArgs {
         self.camera.is_some() || self.view.is_some()
     }
 
+    /// Whether a side was asked for.
+    pub fn is_side(self) -> bool {
+        self.view.is_some()
+    }
+
     /// Whose view that is in a scene.
     ///
     /// # Errors

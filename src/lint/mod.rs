@@ -160,6 +160,29 @@ pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec
     allow::apply(context, &allowing, out);
 }
 
+/// The ID of the first record that findings say gives out more light than it gets (W301, W302), without those that
+/// comments allow.
+pub fn glaring(context: &Context, is_on: impl Fn(Code) -> bool) -> Option<u32> {
+    use rules::{colour_out_of_range, energy_gain};
+    let mut found = Vec::new();
+    if is_on(Code::W301) {
+        colour_out_of_range::check(context, &mut found);
+    }
+    if is_on(Code::W302) {
+        energy_gain::check(context, &mut found);
+    }
+    if found.is_empty() {
+        return None;
+    }
+    allow::apply(context, &allow::comments(context), &mut found);
+    let first = found.iter().map(|d| d.span.start).min()?;
+    let records = context.records().take_while(|record| {
+        let token = &context.document.tokens[record.first as usize];
+        token.start <= first
+    });
+    records.last().map(|record| record.id)
+}
+
 /// How many objects findings say are not part of what is drawn (W310), without those that comments allow.
 pub fn undrawn(context: &Context) -> usize {
     let mut found = Vec::new();

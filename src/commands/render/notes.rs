@@ -7,7 +7,8 @@ use crate::commands::terminal::note;
 use crate::diagnostics::{Complaint, Value};
 use crate::geometry::Aabb;
 use crate::scene::{Camera, Scene, View};
-use crate::solids::staging::is_dark;
+use crate::solids::bounds::node_bounds;
+use crate::solids::staging::{is_dark, seen_box};
 use crate::syntax::quote;
 use crate::trace::camera;
 use crate::trace::film::{MAX_BRIGHT_PERCENT, is_above_white};
@@ -15,6 +16,8 @@ use crate::trace::{Film, Picture, Settings, Tracer};
 
 /// At most so many places of a picture are looked at across and down.
 const PLACES: u32 = 32;
+
+const NOTHING_IN_VIEW: &str = "note-nothing-in-view";
 
 /// Says what the scene lacks, and why a picture shows nothing.
 pub(super) fn say(
@@ -35,7 +38,15 @@ pub(super) fn say(
         note(look, &Complaint::new("note-no-light"));
     }
     for (camera, picture) in cameras.iter().zip(pictures) {
-        if let Some(message) = fault(tracer, (scene, camera), settings, picture) {
+        let is_of_all = args.picture.camera.is_side() || scene.view == View::Automatic;
+        let found = fault(tracer, (scene, camera), settings, picture);
+        let found = found.map(|message| match message {
+            NOTHING_IN_VIEW if has_nothing(scene, is_of_all && settings.crop.is_none()) => {
+                "note-nothing-to-see"
+            }
+            message => message,
+        });
+        if let Some(message) = found {
             note(look, &Complaint::new(message));
         }
     }
@@ -71,6 +82,11 @@ pub(super) fn say_of_records(args: &Args, loaded: &Analysis, look: LookChoice) {
     }
 }
 
+/// Whether a scene in whose picture nothing is seen has nothing to be seen. `of_all`: the camera looks at the whole of it.
+fn has_nothing(scene: &Scene, of_all: bool) -> bool {
+    of_all || seen_box(scene, &node_bounds(scene)).is_empty()
+}
+
 /// Why a picture shows nothing, or not what is meant.
 fn fault(
     tracer: &Tracer,
@@ -103,7 +119,7 @@ fn fault(
             .pixels
             .iter()
             .all(|p| p == first)
-            .then_some("note-nothing-in-view"),
+            .then_some(NOTHING_IN_VIEW),
         false => {
             let is_black = |&(x, y): &(u32, u32)| film.pixel(x, y) == [0.0; 3];
             let all_black = seen.iter().all(is_black);
@@ -112,8 +128,9 @@ fn fault(
     }
 }
 
-/// Says how much of the pictures is brighter than white, and what mends it.
-pub(super) fn say_brightness(films: &[Film], exposure: f64, look: LookChoice) {
+/// Says how much of the pictures is brighter than white, and what mends it: the record that gives out more light than it
+/// gets, where there is one, or another exposure.
+pub(super) fn say_brightness(loaded: &Analysis, films: &[Film], exposure: f64, look: LookChoice) {
     let pixels = || films.iter().flat_map(|film| &film.pixels);
     let largest = |pixel: &[f32; 3]| pixel.iter().copied().fold(0.0, f32::max);
     let bright = pixels().filter(|&&pixel| is_above_white(pixel)).count();
@@ -122,10 +139,16 @@ pub(super) fn say_brightness(films: &[Film], exposure: f64, look: LookChoice) {
         return;
     }
     let most = pixels().map(largest).fold(1.0, f32::max);
+    let percent = format!("{share:.0}");
+    if let Some(id) = loaded.glaring() {
+        let complaint = Complaint::new("note-too-bright-by").with("percent", percent);
+        note(look, &complaint.with("id", id.to_string()));
+        return;
+    }
     note(
         look,
         &Complaint::new("note-too-bright")
-            .with("percent", format!("{share:.0}"))
+            .with("percent", percent)
             .with("exposure", rounded_down(exposure / f64::from(most))),
     );
 }

@@ -194,7 +194,8 @@ pub(super) fn draw(
         films.iter_mut().for_each(|film| film.expose(times));
     }
     if is_whole {
-        notes::say_brightness(&films, args.picture.exposure.unwrap_or(1.0), look);
+        let exposure = args.picture.exposure.unwrap_or(1.0);
+        notes::say_brightness(loaded, &films, exposure, look);
     }
     let mut said = String::new();
     for ((output, film), origin) in outputs.into_iter().zip(&films).zip(&origins) {

@@ -142,8 +142,10 @@ note-undrawn = { $count ->
 } `zpg check`
 note-no-light = scéna nemá světlo: přidá se ambientní světlo a bodové světlo nad kamerou a vlevo od ní
 note-nothing-in-view = v záběru nic není; celou scénu ukáže `--view iso`
+note-nothing-to-see = ve scéně není nic, co by bylo vidět; proč, řekne `zpg check`
 note-camera-inside = kamera je uvnitř tělesa: obrázek ukazuje těleso zevnitř
 note-nothing-lit = na nic, co je vidět, nedopadá světlo
+note-too-bright-by = { $percent } % pixelů je jasnějších než bílá: záznam { $id } vydává víc světla, než dostává; co napsat, řekne `zpg check`
 note-too-bright = { $percent } % pixelů je jasnějších než bílá; napraví to `--exposure { $exposure }`
 note-drawn-anyway = soubor { $path } nemůže uvést, čeho je obrázkem, jako to umí .png a .exr: vykreslí se v každém případě
 note-unfinished = v souboru { $path } zůstává { $percent } % obrázku; zbytek vykreslí tentýž příkaz s `--resume`

@@ -141,8 +141,10 @@ note-undrawn = { $count ->
 } not drawn: `zpg check` says which
 note-no-light = the scene has no light: an ambient light and a lamp above the camera and to its left are added
 note-nothing-in-view = nothing is in view; `--view iso` shows the whole scene
+note-nothing-to-see = the scene has nothing that could be seen; `zpg check` says why
 note-camera-inside = the camera is inside of a solid: the picture shows that from within
 note-nothing-lit = no light falls on anything that is seen
+note-too-bright-by = { $percent } % of the pixels are brighter than white: the record { $id } gives out more light than it gets; `zpg check` says what to write
 note-too-bright = { $percent } % of the pixels are brighter than white; `--exposure { $exposure }` mends it
 note-drawn-anyway = { $path } cannot say what it is a picture of, as .png and .exr can: it is drawn in any case
 note-unfinished = { $path } keeps { $percent } % of the picture; the same command with `--resume` draws the rest

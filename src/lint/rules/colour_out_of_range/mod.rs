@@ -13,7 +13,7 @@ const BYTE_MAX: f64 = 255.0;
 const PER_CENT_MAX: f64 = 100.0;
 const PER_CENT_MIN: f64 = 10.0;
 
-pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(in crate::lint) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for record in context.records() {
         // Its numbers may be another record's: W314 says so.
         if context.document.is_doubted(record.first) {

@@ -10,7 +10,7 @@ use crate::syntax::{Item, Record};
 /// The sum of the decimal numbers may exceed 1 by the rounding of its three terms and two additions.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(in crate::lint) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for item in &context.document.items {
         if let Item::Record(record) = item
             && matches!(record.kind, RecordKind::Optics | RecordKind::OpticsRgb)
