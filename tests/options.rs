@@ -349,11 +349,7 @@ fn settings_that_are_wrong() {
     );
     refused(dir.path(), &with("o.toml"), "did you mean `width`?");
     refused(dir.path(), &with("none.toml"), "there is no file none.toml");
-    refused(
-        dir.path(),
-        &with("lint.W310=off"),
-        "did you mean `lint.W310=\"off\"`?",
-    );
+    refused(dir.path(), &with("lint.W310=of"), "did you mean `off`?");
     refused(dir.path(), &with("excluded=[]"), "did you mean `exclude`?");
     refused(
         dir.path(),

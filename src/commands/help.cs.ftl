@@ -62,7 +62,7 @@ help-any-allowed = Kolik paměti smí příkaz nejvýše zabrat, například 800
     .value = KOLIK
 help-any-paths = Soubory nebo složky se scénami [výchozí: .]; `-` je standardní vstup
     .value = CESTA
-help-any-config = Soubor s nastavením místo všech souborů zpg.toml, nebo jedno nastavení, které má přednost před soubory, například `lint.W310="off"`
+help-any-config = Soubor s nastavením místo všech souborů zpg.toml, nebo jedno nastavení, které má přednost před soubory, například `lint.W310=off`
     .value = SOUBOR|KLÍČ=HODNOTA
 help-any-exclude = Vynechá soubory a složky, které odpovídají tomuto vzoru; co vynechávají nastavení, pak neplatí
     .value = VZOR
@@ -152,7 +152,7 @@ help-check = Hledá ve scénách chyby
           zpg check --format short sceny/      jeden řádek na nález
           zpg check --format json - < scena.zpg
           zpg check --format sarif --output-file zpg.sarif sceny/
-          zpg check --isolated --config 'lint.W310="off"' sceny/
+          zpg check --isolated --config lint.W310=off sceny/
 
         Podrobnosti o nálezu vypíše `zpg explain E101`.
 help-check-format = Jak nálezy vypsat

@@ -18,7 +18,7 @@ pub struct Chosen {
     pub paths: Vec<PathBuf>,
 
     /// A file of settings that counts in place of every zpg.toml, or one setting that counts more than
-    /// any file, such as `lint.W310="off"`
+    /// any file, such as `lint.W310=off`
     #[arg(help_heading = help::FILES)]
     #[arg(long, value_name = "FILE|KEY=VALUE")]
     config: Vec<String>,

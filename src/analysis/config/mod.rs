@@ -346,16 +346,13 @@ fn setting(text: &str, root: &Path) -> Result<Written, Complaint> {
     if !text.contains('=') {
         return Err(Complaint::new("config-neither").with("path", Path::new(text)));
     }
-    Written::read(text, root).map_err(|faults| {
+    // The shell takes quotation marks, and nobody misses them: `lint.W310=off`.
+    let with_marks = written::bare(text).map(|(key, word)| format!("{key}={}", quoted(word)));
+    let read = Written::read(with_marks.as_deref().unwrap_or(text), root);
+    read.map_err(|faults| {
         let why = faults.into_iter().next().map(|fault| fault.1);
-        let why = Complaint::new("config-setting")
+        Complaint::new("config-setting")
             .with("text", crate::syntax::quote(text))
-            .with("why", why.unwrap_or_default());
-        // Whoever writes `lint.W310=off` has forgotten the quotation marks, or the shell took them.
-        let with_marks = text.split_once('=').map(|(key, value)| {
-            let value = quoted(value.trim().trim_matches(['"', '\'']));
-            format!("{}={value}", key.trim())
-        });
-        why.or_meant(with_marks.filter(|text| Written::read(text, root).is_ok()))
+            .with("why", why.unwrap_or_default())
     })
 }

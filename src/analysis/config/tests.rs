@@ -249,9 +249,25 @@ fn settings_of_the_command_line() {
     };
     assert_eq!(
         says("none.toml"),
-        "--config: there is no file none.toml, and a setting is written as in lint.W310=\"off\""
+        "--config: there is no file none.toml, and a setting is written as in lint.W310=off"
     );
-    assert!(says("lint.W310=off").ends_with("did you mean `lint.W310=\"off\"`?"));
+    let of = |text: &str| {
+        Configs::chosen(&[text.to_owned()], &[], false)
+            .unwrap()
+            .over
+    };
+    for (bare, quoted) in [
+        ("lint.N602=off", "lint.N602=\"off\""),
+        ("format.numbers = keep", "format.numbers=\"keep\""),
+    ] {
+        assert_eq!(of(bare), of(quoted));
+    }
+    assert_eq!(
+        says("lint.W310=of"),
+        "--config `lint.W310=of`: `lint.W310`: expected one of `error`, `warning`, `note`, `off`, \
+         found `\"of\"`; did you mean `off`?"
+    );
+    assert!(says("format.align=yes").ends_with("write `true` or `false`"));
     assert!(says("lint.W310=\"of\"").ends_with("did you mean `off`?"));
     assert!(says("format.widht=80").ends_with("did you mean `width`?"));
     assert!(

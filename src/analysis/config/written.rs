@@ -53,7 +53,7 @@ impl Written {
         let faults = errors.iter().map(|e| {
             let at = e.span().map_or(0, |s| s.start);
             let other = || Complaint::new("setting-toml").with("reason", e.message().to_owned());
-            (at, bare(text, at).unwrap_or_else(other))
+            (at, text_is_meant(text, at).unwrap_or_else(other))
         });
         let mut reader = Reader {
             text,
@@ -75,9 +75,28 @@ impl Written {
 
 /// What is right where a word of no meaning, as `no` or `off`, is the value that stands at a place: a truth value of
 /// TOML, or a text in quotes.
-fn bare(text: &str, at: usize) -> Option<Complaint> {
+fn text_is_meant(text: &str, at: usize) -> Option<Complaint> {
     let start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
-    let (key, value) = text[start..].lines().next()?.split_once('=')?;
+    let line = text[start..].lines().next()?;
+    if let Some((_, word)) = bare(line) {
+        let right = quote(&format!("\"{word}\""));
+        let why = Complaint::new("setting-quotes").with("right", right);
+        return Some(why.with("text", quote(word)));
+    }
+    let word = word(line)?.1;
+    Some(Complaint::new("setting-truth").with("text", quote(word)))
+}
+
+/// The key of a setting on a line, and the word of no meaning that stands for a text as its value.
+pub(super) fn bare(line: &str) -> Option<(&str, &str)> {
+    let (key, word) = word(line)?;
+    let name = key.rsplit('.').next()?;
+    (!BOOLEANS.contains(&name)).then_some((key, word))
+}
+
+/// The key of a setting on a line, and its value, if that is a word that means nothing in TOML.
+fn word(line: &str) -> Option<(&str, &str)> {
+    let (key, value) = line.split_once('=')?;
     let word = value.split('#').next()?.trim();
     let is_part = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_');
     if !word.starts_with(char::is_alphabetic)
@@ -86,12 +105,7 @@ fn bare(text: &str, at: usize) -> Option<Complaint> {
     {
         return None;
     }
-    let name = key.trim().rsplit('.').next()?;
-    let why = match BOOLEANS.contains(&name) {
-        true => Complaint::new("setting-truth"),
-        false => Complaint::new("setting-quotes").with("right", quote(&format!("\"{word}\""))),
-    };
-    Some(why.with("text", quote(word)))
+    Some((key.trim(), word))
 }
 
 /// The entries of a table, in the order of the text.

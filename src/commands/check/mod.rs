@@ -62,7 +62,7 @@ Examples:
   zpg check --format short scenes/     one line for each finding
   zpg check --format json - < scene.zpg
   zpg check --format sarif --output-file zpg.sarif scenes/
-  zpg check --isolated --config 'lint.W310=\"off\"' scenes/
+  zpg check --isolated --config lint.W310=off scenes/
 
 `zpg explain E101` tells more about a finding.")]
 pub struct Args {

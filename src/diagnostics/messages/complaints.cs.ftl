@@ -56,7 +56,7 @@ setting-patterns = seznam vzorů jmen souborů, například ["old", "*/draft.zpg
 setting-width = celé číslo (šířka je od 20 do 1000)
 setting-bool = true nebo false
 setting-numbers = "shortest" nebo "keep"
-config-neither = --config: soubor { $path } neexistuje; nastavení se píše jako lint.W310="off"
+config-neither = --config: soubor { $path } neexistuje; nastavení se píše jako lint.W310=off
 config-setting = --config { $text }: { $why }
 config-two-files = --config uvádí dva soubory s nastavením, { $first } a { $second }: zadejte jen jeden
 config-isolated = --config { $path } nelze zadat spolu s --isolated: to žádný soubor s nastavením nečte

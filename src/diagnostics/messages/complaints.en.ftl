@@ -56,7 +56,7 @@ setting-patterns = a list of patterns of files, such as ["old", "*/draft.zpg"]
 setting-width = a whole number (a width is from 20 to 1000)
 setting-bool = true or false
 setting-numbers = "shortest" or "keep"
-config-neither = --config: there is no file { $path }, and a setting is written as in lint.W310="off"
+config-neither = --config: there is no file { $path }, and a setting is written as in lint.W310=off
 config-setting = --config { $text }: { $why }
 config-two-files = --config names two files of settings, { $first } and { $second }: name one
 config-isolated = --config { $path } does not go together with --isolated, which ignores all files of settings
