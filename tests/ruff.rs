@@ -140,7 +140,7 @@ fn other_words_of_ruff_have_an_answer() {
         (&["render", "-j", "4"], "zpg calls it `--threads`"),
         (
             &["render", "a.zpg", "-s", "160x120"],
-            "the size of a picture is `--size`",
+            "zpg calls it `--size`",
         ),
         (&["render", "a.zpg", "--res", "160x120"], "`--size 640x480`"),
         (&["render", "a.zpg", "+W160", "+H120"], "`--size 640x480`"),
@@ -210,6 +210,25 @@ fn other_words_of_ruff_have_an_answer() {
         (&["check", "fix", "a.zpg"], "`zpg check --fix`"),
         (&["napoveda"], "`zpg --help`"),
         (&["nápověda"], "`zpg --help`"),
+        (&["kontrola", "a.zpg"], "`zpg check`"),
+        (&["převeď", "a.zpg"], "`zpg convert`"),
+        (&["render", "a.zpg", "--rozměr=64x48"], "`--size`"),
+        (&["render", "a.zpg", "--kvalita", "good"], "`--quality`"),
+        (&["check", "--jazyk", "cs", "a.zpg"], "`--lang`"),
+        (&["--verze"], "`--version`"),
+        (&["render", "a.zpg", "-v"], "`--cost` prints"),
+        (
+            &["farm", "a.zpg", "-o", "job"],
+            "missing: --for <ENGINE> (openjd, slurm, shell)",
+        ),
+        (
+            &["crosscheck", "a.zpg", "--lang", "cs"],
+            "chybí: --with <PROGRAM> (povray, mitsuba)",
+        ),
+        (
+            &["render", "a.zpg", "--format", "jpg", "--lang", "cs"],
+            "`-o obrazek.png`",
+        ),
         // A folder that is not there.
         (
             &["convert", "b.zpg", "--to", "pov", "-o", "c/b.pov"],

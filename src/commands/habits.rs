@@ -11,7 +11,7 @@ use crate::syntax::words::plain;
 use crate::translate::registry::of_file;
 
 /// A word of ruff or of a renderer, and the message that says what there is instead.
-const HABITS: [(&str, &str); 80] = [
+const HABITS: [(&str, &str); 77] = [
     ("--add-noqa", "habit-add-allow"),
     ("--cache-dir", "habit-cache"),
     ("--no-cache", "habit-cache"),
@@ -89,10 +89,109 @@ const HABITS: [(&str, &str); 80] = [
     ("version", "habit-version"),
     ("generate-shell-completion", "habit-completions"),
     ("--warnings-as-errors", "habit-deny"),
-    ("napoveda", "habit-help"),
-    ("nápověda", "habit-help"),
-    ("pomoc", "habit-help"),
 ];
+
+/// Czech words for commands and options, without accents, and what zpg calls them.
+const CZECH: [(&str, &str); 89] = [
+    ("kontrola", "zpg check"),
+    ("kontroluj", "zpg check"),
+    ("zkontroluj", "zpg check"),
+    ("kontrolovat", "zpg check"),
+    ("zkontrolovat", "zpg check"),
+    ("oprav", "zpg check --fix"),
+    ("opravit", "zpg check --fix"),
+    ("vykresli", "zpg render"),
+    ("vykreslit", "zpg render"),
+    ("kresli", "zpg render"),
+    ("kreslit", "zpg render"),
+    ("nakresli", "zpg render"),
+    ("nakreslit", "zpg render"),
+    ("vykresleni", "zpg render"),
+    ("formatuj", "zpg fmt"),
+    ("formatovat", "zpg fmt"),
+    ("zformatuj", "zpg fmt"),
+    ("naformatuj", "zpg fmt"),
+    ("formatovani", "zpg fmt"),
+    ("preved", "zpg convert"),
+    ("prevest", "zpg convert"),
+    ("prevod", "zpg convert"),
+    ("preloz", "zpg convert"),
+    ("prelozit", "zpg convert"),
+    ("vysvetli", "zpg explain"),
+    ("vysvetlit", "zpg explain"),
+    ("vysvetleni", "zpg explain"),
+    ("novy", "zpg new"),
+    ("nova", "zpg new"),
+    ("nove", "zpg new"),
+    ("novascena", "zpg new"),
+    ("vytvor", "zpg new"),
+    ("vytvorit", "zpg new"),
+    ("porovnej", "zpg crosscheck"),
+    ("porovnat", "zpg crosscheck"),
+    ("presnost", "zpg accuracy"),
+    ("spoj", "zpg join"),
+    ("spojit", "zpg join"),
+    ("sonda", "zpg probe"),
+    ("dotaz", "zpg probe"),
+    ("prehled", "zpg sheet"),
+    ("farma", "zpg farm"),
+    ("verze", "zpg --version"),
+    ("napoveda", "zpg --help"),
+    ("pomoc", "zpg --help"),
+    ("--rozmer", "--size"),
+    ("--rozmery", "--size"),
+    ("--velikost", "--size"),
+    ("--rozliseni", "--size"),
+    ("--sirka", "--size"),
+    ("--vyska", "--size"),
+    ("--kvalita", "--quality"),
+    ("--jazyk", "--lang"),
+    ("--bod", "--point"),
+    ("--paprsek", "--ray"),
+    ("--verze", "--version"),
+    ("--napoveda", "--help"),
+    ("--pomoc", "--help"),
+    ("--pohled", "--view"),
+    ("--kamera", "--camera"),
+    ("--vystup", "--output"),
+    ("--oprav", "--fix"),
+    ("--opravit", "--fix"),
+    ("--tise", "--quiet"),
+    ("--ticho", "--quiet"),
+    ("--vzorky", "--samples"),
+    ("--hloubka", "--depth"),
+    ("--presnost", "--precision"),
+    ("--vlakna", "--threads"),
+    ("--pamet", "--memory"),
+    ("--expozice", "--exposure"),
+    ("--vyrez", "--crop"),
+    ("--snimky", "--frames"),
+    ("--sleduj", "--watch"),
+    ("--sledovat", "--watch"),
+    ("--pokracuj", "--resume"),
+    ("--pokracovat", "--resume"),
+    ("--barva", "--color"),
+    ("--barvy", "--color"),
+    ("--nastaveni", "--config"),
+    ("--vyber", "--select"),
+    ("--ignoruj", "--ignore"),
+    ("--ignorovat", "--ignore"),
+    ("--vynech", "--exclude"),
+    ("--vynechat", "--exclude"),
+    ("--prepis", "--force"),
+    ("--prepsat", "--force"),
+    ("--naklady", "--cost"),
+    ("--cena", "--cost"),
+];
+
+/// What zpg calls a command or an option that is named in Czech.
+pub(super) fn czech(word: &str) -> Option<Complaint> {
+    let name = word.split('=').next()?;
+    let dashes = if name.starts_with("--") { "--" } else { "" };
+    let name = format!("{dashes}{}", plain(name));
+    let (_, ours) = CZECH.iter().find(|(czech, _)| *czech == name)?;
+    Some(Complaint::new("habit-called").with("text", (*ours).to_owned()))
+}
 
 /// The message about a word, if it is one of them, behind a command of zpg.
 pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
@@ -102,6 +201,10 @@ pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
         ("--width", "fmt") => return Some("habit-line-length"),
         ("-j" | "--jobs", "render") => return Some("habit-threads"),
         ("-o" | "--out" | "--output", "fmt") => return Some("habit-fmt-output"),
+        ("-v" | "--verbose", "render") => return Some("habit-verbose-render"),
+        ("-s", "render" | "sheet" | "farm" | "crosscheck" | "accuracy") => {
+            return Some("habit-size-or-silent");
+        }
         ("--format" | "-f", "render") => return Some("habit-picture-format"),
         ("--werror" | "--strict" | "--max-warnings", "check") => return Some("habit-deny"),
         ("--seed", "render") => return Some("habit-seed"),

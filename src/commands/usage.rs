@@ -63,9 +63,7 @@ pub fn refuse(error: &clap::Error, command: &mut Command, look: LookChoice) -> S
         let _ = write!(io::stdout(), "{}", shown(help, language, width()));
         return Status::Clean;
     }
-    let commands = command.get_subcommands().map(|c| c.get_name().to_owned());
-    let commands: Vec<String> = commands.collect();
-    let Some(what) = complaint(error, &commands) else {
+    let Some(what) = complaint(error, command) else {
         let help = error.render();
         // Nobody is left to be told when the stream is gone.
         return match error.use_stderr() {
@@ -92,9 +90,10 @@ pub fn refuse(error: &clap::Error, command: &mut Command, look: LookChoice) -> S
             .is_none_or(|written| is_near(written, near))
     };
     // An answer of its own says what to write instead.
-    let has_answer = unknown
-        .as_deref()
-        .is_some_and(|word| habits::message(word, command_of(usage.as_deref())).is_some());
+    let has_answer = unknown.as_deref().is_some_and(|word| {
+        let message = habits::message(word, command_of(usage.as_deref()));
+        message.is_some() || habits::czech(word).is_some()
+    });
     let usage = usage.filter(|_| !has_answer && suggested(error).iter().all(is_meant));
     // With a conflict, that of all arguments that are there, and these may not go together either.
     let usage = match error.kind() {
@@ -134,7 +133,12 @@ fn laid_out(help: &StyledStr, colour: bool) -> String {
 }
 
 /// What is wrong with the arguments; nothing if that is for clap to say, as help is.
-fn complaint(error: &clap::Error, commands: &[String]) -> Option<Complaint> {
+fn complaint(error: &clap::Error, command: &Command) -> Option<Complaint> {
+    let commands: Vec<String> = (command.get_subcommands())
+        .map(|c| c.get_name().to_owned())
+        .collect();
+    let usage = error.get(ContextKind::Usage).map(ToString::to_string);
+    let of = command.find_subcommand(command_of(usage.as_deref()));
     let get = |kind| error.get(kind).and_then(listed);
     let arg = |message| Some(Complaint::new(message).with("arg", get(ContextKind::InvalidArg)?));
     let what = match error.kind() {
@@ -143,7 +147,13 @@ fn complaint(error: &clap::Error, commands: &[String]) -> Option<Complaint> {
             let command = get(ContextKind::InvalidSubcommand)?;
             Complaint::new("usage-no-command").with("arg", command)
         }
-        ErrorKind::MissingRequiredArgument => arg("usage-missing")?,
+        ErrorKind::MissingRequiredArgument => {
+            let missing = match error.get(ContextKind::InvalidArg)? {
+                ContextValue::Strings(all) => all.iter().map(|arg| with_values(arg, of)).collect(),
+                other => vec![listed(other)?],
+            };
+            Complaint::new("usage-missing").with("arg", missing.join(", "))
+        }
         ErrorKind::ArgumentConflict => match get(ContextKind::PriorArg)? {
             other if Some(&other) == get(ContextKind::InvalidArg).as_ref() => arg("usage-twice")?,
             other => arg("usage-conflict")?.with("other", other),
@@ -176,13 +186,13 @@ fn complaint(error: &clap::Error, commands: &[String]) -> Option<Complaint> {
     );
     let foreign = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand];
     let foreign = foreign.into_iter().find_map(get).filter(|_| unknown);
-    let usage = error.get(ContextKind::Usage).map(ToString::to_string);
     let command = command_of(usage.as_deref());
     let instead = foreign.as_deref().and_then(|word| {
         let habit = habits::message(word, command);
         let habit = habit.map(|message| Complaint::new(message).with("text", opposite(word)));
         let template = || habits::template(word, command);
         habit
+            .or_else(|| habits::czech(word))
             .or_else(template)
             .or_else(|| habits::output(Path::new(word)))
     });
@@ -202,9 +212,28 @@ fn complaint(error: &clap::Error, commands: &[String]) -> Option<Complaint> {
     let mut near = suggested(error);
     near.retain(|near| written.as_deref().is_none_or(|w| is_near(w, near)));
     if let Some(written) = written.as_deref().filter(|_| near.is_empty()) {
-        near = meant(error, written, commands);
+        near = meant(error, written, &commands);
     }
     Some(what.or_meant(near))
+}
+
+/// An argument that is missing, as `--for <ENGINE>`, with the values that a command knows for it.
+fn with_values(arg: &str, of: Option<&Command>) -> String {
+    let option = arg
+        .split(' ')
+        .next()
+        .and_then(|name| name.strip_prefix("--"));
+    let found = of.and_then(|of| {
+        of.get_arguments()
+            .find(|a| option.is_some() && a.get_long() == option)
+    });
+    let values = found.map_or(Vec::new(), clap::Arg::get_possible_values);
+    let names: Vec<&str> = values.iter().map(|value| value.get_name()).collect();
+    // A placeholder such as `<povray|mitsuba>` names them.
+    match names.is_empty() || arg.contains('|') {
+        true => arg.to_owned(),
+        false => format!("{arg} ({})", names.join(", ")),
+    }
 }
 
 /// What else may be meant by a word that clap has no name for.

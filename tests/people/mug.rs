@@ -258,7 +258,7 @@ fn words_of_other_programs() {
     let dir = tempfile::tempdir().unwrap();
     std::fs::write(dir.path().join("a.zpg"), MUG).unwrap();
     for (line, words) in [
-        ("render a.zpg --format png", "-o picture.png"),
+        ("render a.zpg --format png", ".png`"),
         ("check a.zpg --werror", "--deny warnings"),
         ("check a.zpg --strict", "--deny warnings"),
         ("check a.zpg --max-warnings 0", "--deny warnings"),
