@@ -256,3 +256,58 @@ fn an_id_that_a_comment_defines_is_no_other() {
         .replace("4 -701 1 0 0\n", "");
     assert_eq!(fixed(&text, true), text.replace("9999 4", "9999 2"));
 }
+
+/// What the guesses for an error say, in English.
+#[track_caller]
+fn titles(text: &str, code: Code) -> Vec<String> {
+    let all = repair::proposals(&read(text));
+    let finding = all.iter().find(|d| d.code == code);
+    finding.expect(text).wording(Language::English).fixes
+}
+
+#[test]
+fn a_space_within_a_whole_number() {
+    let rest = "2 9 1\n30 -402 0.5\n1 9999 2 0\n";
+    let camera = format!("{rest}40 -501  0 37  0 -0.35 -1  0 1 0  40\n");
+    assert_eq!(
+        titles(&camera, Code::E008)[0],
+        "if a space is missing, write `3 7`"
+    );
+    let lamp = format!("{rest}30 -1 46 5\n");
+    assert_eq!(
+        titles(&lamp, Code::E008),
+        ["if a space is missing, write `4 6`"]
+    );
+    // Of two vectors, tens, several numbers, and shares of light.
+    for line in [
+        "30 -1 40 5",
+        "30 -1 46 55",
+        "30 -701 25 1",
+        "9 -501 0 5 12 0 -1 0 1 0 45",
+    ] {
+        let text = format!("{rest}{line}\n");
+        let all = titles(&text, Code::E008);
+        assert!(!all.iter().any(|t| t.contains("space")), "{line}: {all:?}");
+    }
+}
+
+#[test]
+fn keys_of_a_czech_keyboard_are_named() {
+    let text = "2 9 1\n2 -1 č 0 0\n1 9999 2 0\n";
+    assert_eq!(
+        titles(text, Code::E012),
+        ["on a Czech keyboard `č` is the key of 4: write `4`"]
+    );
+}
+
+#[test]
+fn an_axis_behind_its_angle_is_in_its_place() {
+    let case = |line: &str| {
+        let text = format!("7 12 0 0 0 1 1 1\n{line}\n1 9999 7 0\n");
+        let all = repair::proposals(&read(&text)).into_iter();
+        let case = all.filter(|d| d.code == Code::E012).map(|d| d.case);
+        case.collect::<Vec<_>>()
+    };
+    assert_eq!(case("7 -2 90 x"), ["axis"]);
+    assert_eq!(case("7 -2 x 90"), ["axis-first"]);
+}

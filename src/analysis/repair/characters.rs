@@ -58,9 +58,19 @@ pub(super) fn number(text: &str) -> Option<String> {
         .or_else(|| plain(&without_shift(text)?))
 }
 
+/// The signs on the keys of the digits of a Czech keyboard, from 0 to 9.
+const KEYS: &str = "é+ěščřžýáí";
+
+/// The first letter of a Czech keyboard in the place of a digit, and that digit, of a word that is read so.
+pub(super) fn czech_key(text: &str) -> Option<(char, usize)> {
+    let is_read_so = without_shift(text).is_some() && number(text) == without_shift(text);
+    let place = |c: char| KEYS.chars().position(|key| key == c);
+    let mut keys = text.chars().filter_map(|c| Some((c, place(c)?)));
+    keys.next().filter(|_| is_read_so)
+}
+
 /// The digits that were meant by the letters that a Czech keyboard has in their place without the shift key.
 fn without_shift(text: &str) -> Option<String> {
-    const KEYS: &str = "é+ěščřžýáí";
     let digits = text.strip_prefix(['-', '=']).unwrap_or(text);
     // Some digits may be those of a number pad.
     let is_mixed = digits.contains(|c: char| c.is_ascii_digit());

@@ -106,6 +106,8 @@ folded-cut = { $count ->
 ## Společné věty
 
 fix-write = napsat { $number }
+fix-space = chybí-li mezera, napsat { $number }
+fix-czech-key = na české klávesnici je { $key } na klávese { $digit }: napsat { $number }
 fix-type = napsat `{ $number }` ({ $type })
 fix-lost-type = za ID napsat typ `{ $number }` ({ $type })
 fix-comment = dát to do komentáře
@@ -355,6 +357,8 @@ E012 = slovo { $text } tu nic neznamená
     .help = je-li to komentář, patří mezi dva znaky `#`
 E012-axis = osa { $text } se zapisuje číslem
     .label = 1 je x, 2 je y, 3 je z
+E012-axis-first = { E012-axis }
+    .label = { E012-axis.label }
     .help = nejdřív se píše úhel, pak osa
 E012-parameter = slovo { $text } stojí na místě čísla
     .label = zde má být číslo

@@ -98,6 +98,8 @@ folded-cut = { $count ->
 ## Shared phrases
 
 fix-write = write { $number }
+fix-space = if a space is missing, write { $number }
+fix-czech-key = on a Czech keyboard { $key } is the key of { $digit }: write { $number }
 fix-type = write `{ $number }` ({ $type })
 fix-lost-type = put the type `{ $number }` ({ $type }) after the ID
 fix-comment = turn this into a comment
@@ -352,6 +354,8 @@ E012 = the word { $text } means nothing here
     .help = if this is a comment, put it between two `#`
 E012-axis = the axis { $text } is written as a number
     .label = 1 is x, 2 is y, 3 is z
+E012-axis-first = { E012-axis }
+    .label = { E012-axis.label }
     .help = the angle comes first, then the axis
 E012-parameter = the word { $text } stands in the place of a number
     .label = a number was expected

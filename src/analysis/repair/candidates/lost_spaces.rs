@@ -59,6 +59,45 @@ impl LineContext<'_> {
         }
     }
 
+    /// Whether no other finding says the same of a record of this type. What many records lack is no space.
+    pub(super) fn is_only_one(&self, finding: &Diagnostic) -> bool {
+        let ty = |d: &Diagnostic| d.values.iter().find(|v| v.0 == "type").cloned();
+        let is_same = |d: &&Diagnostic| d.code == finding.code && ty(d) == ty(finding);
+        self.analysis
+            .findings()
+            .iter()
+            .filter(is_same)
+            .nth(1)
+            .is_none()
+    }
+
+    /// A whole number that is two digits, parts of one vector, if it is the only one of a record with which that has as many
+    /// numbers as it takes and all of them may stand where they are then. Tens are rather what they say.
+    pub(super) fn two_digits(&self) -> Option<Candidate> {
+        let ty = self.ty()?;
+        let rest: Vec<&str> = self.params().iter().map(|t| t.text(self.text)).collect();
+        let colour = ty.first_colour(0).unwrap_or(usize::MAX);
+        let split = |i: usize| {
+            let text = rest[i];
+            let digits = text.strip_prefix('-').unwrap_or(text);
+            let is_two = digits.len() == 2 && digits.bytes().all(|c| matches!(c, b'1'..=b'9'));
+            let is_two = is_two && is_within_vector(ty, i);
+            let parts = is_two.then(|| text.split_at(text.len() - 1))?;
+            let params = [&rest[..i], &[parts.0, parts.1], &rest[i + 1..]].concat();
+            let is_share = |text: &&str| text.parse().is_ok_and(|x: f64| x <= 1.0);
+            let has_colours = params.iter().skip(colour).all(is_share);
+            (has_colours && self.is_record(ty, &params))
+                .then(|| (self.params()[i], format!("{} {}", parts.0, parts.1)))
+        };
+        let mut all = (0..rest.len()).filter_map(split);
+        let (Some(only), None) = (all.next(), all.next()) else {
+            return None;
+        };
+        let mut candidate = self.write(Habit::Split, &[only])?;
+        candidate.fix.title = "fix-space";
+        Some(candidate)
+    }
+
     fn glued_apart(&self, token: &Token, parts: &[&str]) -> Option<Candidate> {
         self.write(Habit::Glued, &[(*token, parts.join(" "))])
     }
@@ -86,6 +125,19 @@ impl LineContext<'_> {
         let d = d.with("text", quote(&self.text[edit.span.range()]));
         Some(d.with("number", quote(&edit.text)))
     }
+}
+
+/// Whether the parameter of a number and the one behind it are parts of one vector.
+fn is_within_vector(ty: &RecordType, i: usize) -> bool {
+    if ty.vectors.is_empty() {
+        return ty.params.len() == 3;
+    }
+    let mut first = 0;
+    ty.vectors.iter().any(|&n| {
+        let is_within = (first..first + n).contains(&i) && i + 1 < first + n;
+        first += n;
+        is_within
+    })
 }
 
 /// All ways to take a number apart into several, of which only the first may have a sign: `-12.5` is `-1 2.5`.

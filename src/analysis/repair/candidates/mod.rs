@@ -64,6 +64,8 @@ pub(super) enum Habit {
     Point,
     /// The up vector of a camera is along its direction.
     Up,
+    /// A space is lost within a whole number, which is two digits.
+    Split,
     /// One of many numbers is lost.
     Lost,
     /// Two references stand in each other's place.
@@ -107,7 +109,7 @@ impl Habit {
             Habit::Direction | Habit::Point | Habit::Up => {
                 matches!(finding.code, E008 | E203 | E206 | E207)
             }
-            Habit::Lost => finding.code == E008,
+            Habit::Split | Habit::Lost => finding.code == E008,
             Habit::Swapped => {
                 matches!(finding.code, E101 | E103 | E104 | E107 | E108 | W319)
             }
@@ -371,6 +373,10 @@ impl<'a> LineContext<'a> {
             if out.is_empty() {
                 self.lost_type(&mut out);
             }
+            let is_short = finding.code == Code::E008 && out.iter().all(|c| c.habit == Habit::Lost);
+            if is_short && self.is_only_one(finding) {
+                out.extend(self.two_digits());
+            }
         } else if finding.code == Code::W319 {
             self.swapped(&mut out);
         }
@@ -433,7 +439,12 @@ impl<'a> LineContext<'a> {
             Habit::Doubled | Habit::Sibling | Habit::Apart => self.wrong_count(),
             Habit::Count => self.points(),
             Habit::Axis => {
-                let d = Diagnostic::new(Code::E012, edit.span).case("axis");
+                // With the angle behind it, that is written anew, too.
+                let case = match candidate.fix.edits.len() {
+                    1 => "axis",
+                    _ => "axis-first",
+                };
+                let d = Diagnostic::new(Code::E012, edit.span).case(case);
                 Some(d.with("text", written))
             }
             Habit::Swapped => {
@@ -447,7 +458,7 @@ impl<'a> LineContext<'a> {
             | Habit::Id
             | Habit::Type
             | Habit::Proposed => None,
-            Habit::Direction | Habit::Point | Habit::Up | Habit::Lost => None,
+            Habit::Direction | Habit::Point | Habit::Up | Habit::Split | Habit::Lost => None,
         }
     }
 

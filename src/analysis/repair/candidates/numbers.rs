@@ -331,7 +331,24 @@ impl LineContext<'_> {
             }
             i += 1;
         }
-        out.extend(self.write(Habit::Characters, &new));
+        let key = new
+            .iter()
+            .find_map(|(token, _)| characters::czech_key(token.text(self.text)));
+        let written = self.write(Habit::Characters, &new);
+        out.extend(written.map(|mut written| {
+            if let Some((key, digit)) = key {
+                written.fix.title = "fix-czech-key";
+                let names = [
+                    ("key", quote(&key.to_string())),
+                    ("digit", digit.to_string()),
+                ];
+                written
+                    .fix
+                    .values
+                    .extend(names.map(|(place, text)| (place, text.into())));
+            }
+            written
+        }));
     }
 
     /// Whether a number may be what stands on the line at a place, with the ID and the type counted. The parts of colours
