@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::io::{self, IsTerminal as _};
 
 use super::page::{PageStyle, laid_out};
-use super::topics::Topic;
+use super::topics::{self, Topic};
 use super::{LookChoice, Status, complain, terminal};
 use crate::diagnostics::layout::hanging;
 use crate::diagnostics::{Code, Complaint, Language};
@@ -12,7 +12,7 @@ use crate::features::pages::{code_page, type_page};
 use crate::lint::levels::Selector;
 use crate::syntax::quote;
 use crate::syntax::table::{RECORD_TYPES, RecordType};
-use crate::syntax::words::{self, plain};
+use crate::syntax::words::plain;
 
 /// Explain a finding or a record type
 #[derive(Debug, clap::Args)]
@@ -147,7 +147,7 @@ fn page(topic: &str, language: Language) -> Option<String> {
         return Some(page);
     }
     // What people call it. A word may stand for several types.
-    let types = words::named(&topic);
+    let types = topics::types(&topic);
     let list = |types: &[&RecordType]| {
         let one =
             |ty: &&RecordType| format!("{} (`zpg explain {}`)", language.name(ty.title), ty.code);
@@ -161,7 +161,11 @@ fn page(topic: &str, language: Language) -> Option<String> {
             true => title.to_owned(),
             false => format!("{word}: {title}"),
         };
-        return Some(format!("# {heading}\n\n{text}\n\n{}\n", list(&types)));
+        let also = match types.is_empty() {
+            true => String::new(),
+            false => format!("\n{}\n", list(&types)),
+        };
+        return Some(format!("# {heading}\n\n{text}\n{also}"));
     }
     let (ty, others) = types.split_first()?;
     let page = type_page(ty, language);
@@ -209,7 +213,7 @@ fn suggestions(topic: &str, language: Language) -> Vec<String> {
         Language::English => None,
         Language::Czech => Some(normalise(&language.name(t.title))),
     });
-    let other = words::all().map(|n| n.0.to_owned());
+    let other = topics::all().map(str::to_owned);
     let mut near: Vec<(usize, String)> = codes
         .chain(types)
         .chain(other)
@@ -284,6 +288,9 @@ mod tests {
             ("válec", &["1"]),
             ("look at", &["-501"]),
             ("light", &["-402", "-401"]),
+            ("kostka", &["12"]),
+            ("úhel", &["-2", "-501"]),
+            ("view", &["-501", "-502"]),
         ] {
             let page = page(word, Language::English).expect(word);
             assert!(
@@ -315,6 +322,11 @@ mod tests {
             ("hranol", czech, "# hranol", &["-102"]),
             ("shadow", english, "# shadow", &["-402"]),
             ("stin", czech, "# stín", &["-402"]),
+            ("jehlan", czech, "# jehlan", &["-102", "4"]),
+            ("phong", english, "# phong: highlight", &["-201"]),
+            ("circle", english, "# circle: disk", &["1"]),
+            ("mlha", czech, "# mlha", &["-201"]),
+            ("komentář", czech, "# komentář", &[]),
         ] {
             let page = page(word, language).expect(word);
             assert_eq!(page.lines().next(), Some(heading));

@@ -1,7 +1,8 @@
 //! What people want to make, which is no type of record: a page each of `zpg explain`, with a scene that does it.
 
 use crate::diagnostics::Language;
-use crate::syntax::words::plain;
+use crate::syntax::table::RecordType;
+use crate::syntax::words::{self, plain};
 
 /// A page.
 pub(super) struct Topic {
@@ -23,7 +24,7 @@ macro_rules! texts {
     };
 }
 
-pub(super) const TOPICS: [Topic; 5] = [
+pub(super) const TOPICS: [Topic; 11] = [
     Topic {
         titles: ["glass", "sklo"],
         words: &["transparent", "transparency", "pruhledny", "pruhlednost"],
@@ -49,7 +50,97 @@ pub(super) const TOPICS: [Topic; 5] = [
         words: &["checker", "chessboard"],
         texts: texts!("checkerboard"),
     },
+    Topic {
+        titles: ["pyramid", "jehlan"],
+        words: &[],
+        texts: texts!("pyramid"),
+    },
+    Topic {
+        titles: ["hemisphere", "polokoule"],
+        words: &["halfsphere", "bowl", "miska"],
+        texts: texts!("hemisphere"),
+    },
+    Topic {
+        titles: ["disk", "kruh"],
+        words: &["disc", "circle", "kotouc"],
+        texts: texts!("disk"),
+    },
+    Topic {
+        titles: ["highlight", "odlesk"],
+        words: &[
+            "highlights",
+            "odlesky",
+            "phong",
+            "specular",
+            "gloss",
+            "lesk",
+        ],
+        texts: texts!("highlight"),
+    },
+    Topic {
+        titles: ["fog", "mlha"],
+        words: &["mist", "haze", "opar"],
+        texts: texts!("fog"),
+    },
+    Topic {
+        titles: ["comment", "komentář"],
+        words: &["comments", "komentare", "poznamka"],
+        texts: texts!("comment"),
+    },
 ];
+
+/// Words that lead to types, without accents and in lower case, as those of [`words`]. They are nobody's guess in a scene.
+const WORDS: [(&str, &[i32]); 29] = [
+    ("kostka", &[12]),
+    ("toroid", &[14]),
+    ("cylindr", &[1]),
+    ("angle", &[-2, -501]),
+    ("uhel", &[-2, -501]),
+    ("axis", &[-2]),
+    ("osa", &[-2]),
+    ("view", &[-501, -502]),
+    ("pohled", &[-501, -502]),
+    ("pyramid", &[-102, 4, 12, 16]),
+    ("jehlan", &[-102, 4, 12, 16]),
+    ("hemisphere", &[-102, 4, 9, 11]),
+    ("polokoule", &[-102, 4, 9, 11]),
+    ("halfsphere", &[-102, 4, 9, 11]),
+    ("bowl", &[-103, 9, 11]),
+    ("miska", &[-103, 9, 11]),
+    ("circle", &[1]),
+    ("kotouc", &[1]),
+    ("highlight", &[-201]),
+    ("highlights", &[-201]),
+    ("odlesk", &[-201]),
+    ("odlesky", &[-201]),
+    ("phong", &[-201]),
+    ("specular", &[-201]),
+    ("gloss", &[-201]),
+    ("lesk", &[-201]),
+    ("fog", &[-201, 5]),
+    ("mlha", &[-201, 5]),
+    ("haze", &[-201, 5]),
+];
+
+/// The types that a word leads to here, the likeliest first.
+pub(super) fn types(word: &str) -> Vec<&'static RecordType> {
+    let named = words::named(word);
+    if !named.is_empty() {
+        return named;
+    }
+    let word = plain(word);
+    let codes = WORDS.iter().find(|(name, _)| *name == word).map(|n| n.1);
+    let types = codes.unwrap_or_default().iter();
+    types
+        .filter_map(|&code| RecordType::by_code(code.into()))
+        .collect()
+}
+
+/// All names that are no titles, without accents.
+pub(super) fn all() -> impl Iterator<Item = &'static str> {
+    let own = WORDS.iter().map(|n| n.0);
+    words::all().map(|n| n.0).chain(own)
+}
 
 impl Topic {
     /// The topic of a word.
@@ -78,6 +169,8 @@ mod tests {
     use super::*;
     use crate::analysis::Analysis;
     use crate::diagnostics::Code;
+    use crate::solids::bounds::node_bounds;
+    use crate::solids::inside::Inside;
     use crate::trace::plan::{Effect, Plan};
 
     /// Every page has one scene, which is right and needs what the page is about.
@@ -89,6 +182,12 @@ mod tests {
             None,
             Some(Effect::Shadows),
             Some(Effect::Checkerboard),
+            None,
+            None,
+            None,
+            Some(Effect::Reflection),
+            None,
+            None,
         ]) {
             let mut scenes = Vec::new();
             for language in [Language::English, Language::Czech] {
@@ -110,6 +209,74 @@ mod tests {
                 scenes.push(scene.lines().map(numbers).collect::<Vec<_>>());
             }
             assert_eq!(scenes[0], scenes[1]);
+        }
+    }
+
+    /// The points of the shapes that pages build of half-spaces, and points beside them.
+    #[test]
+    fn pages_build_the_shapes_that_they_are_about() {
+        for (word, within, without) in [
+            (
+                "pyramid",
+                &[
+                    [0.0, 0.01, 0.0],
+                    [0.9, 0.05, -0.9],
+                    [0.0, 1.98, 0.0],
+                    [-0.45, 1.0, 0.45],
+                ][..],
+                &[
+                    [0.0, -0.01, 0.0],
+                    [0.6, 1.0, 0.0],
+                    [0.0, 1.0, -0.6],
+                    [0.0, 2.1, 0.0],
+                ][..],
+            ),
+            (
+                "polokoule",
+                &[[0.0, 0.01, 0.0], [0.0, 0.99, 0.0], [0.7, 0.1, 0.7]],
+                &[[0.0, -0.01, 0.0], [0.0, 1.01, 0.0], [0.8, 0.1, 0.8]],
+            ),
+            (
+                "disk",
+                &[[0.99, 0.51, 0.0], [0.0, 0.01, 1.25]],
+                &[
+                    [1.01, 0.51, 0.0],
+                    [0.0, 0.49, 0.0],
+                    [0.0, 0.01, 0.9],
+                    [1.6, 0.01, 0.0],
+                ],
+            ),
+        ] {
+            let text = Topic::of(word).expect(word).text(Language::English);
+            let scene = text
+                .split("```zpg\n")
+                .nth(1)
+                .and_then(|rest| rest.split("```").next());
+            let analysis = Analysis::new("a.zpg", scene.expect(word).into());
+            let scene = &analysis.scene;
+            let bounds = node_bounds(scene);
+            let mut inside = Inside::new(scene, &bounds);
+            let root = scene.render.expect(word).root;
+            for (points, is_within) in [(within, true), (without, false)] {
+                for &point in points {
+                    assert_eq!(
+                        inside.node(root, point),
+                        Some(is_within),
+                        "{word} {point:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// Words lead somewhere, and to one place.
+    #[test]
+    fn words_are_written_as_they_are_compared() {
+        for (i, (name, codes)) in WORDS.iter().enumerate() {
+            assert_eq!(plain(name), *name);
+            assert_eq!(types(name).len(), codes.len(), "{name}");
+            assert!(words::named(name).is_empty(), "{name} twice");
+            assert!(WORDS[..i].iter().all(|n| n.0 != *name), "{name} twice");
         }
     }
 }
