@@ -278,7 +278,7 @@ impl<'a> Speaker<'a> {
             .catalogue
             .format_pattern(pattern, Some(&self.arguments), &mut errors);
         debug_assert!(errors.is_empty(), "{}: {errors:?}", self.own);
-        text.into_owned()
+        ids_behind_nouns(text.into_owned())
     }
 }
 
@@ -319,6 +319,33 @@ fn capitalised(text: &str) -> String {
     let mut chars = text.chars();
     let first = chars.next().into_iter().flat_map(char::to_uppercase);
     first.chain(chars.as_str().chars()).collect()
+}
+
+/// Names of shapes that go on behind their noun, in Czech. An ID behind them would be a part of what goes on.
+const LONG_NAMES: [&str; 3] = [
+    "oule se středem v počátku ",
+    "rojúhelník s normálou ",
+    "rojúhelník s normálami ve vrcholech ",
+];
+
+/// A text in which the IDs of such shapes stand behind the nouns: `koule 2 se středem v počátku`.
+fn ids_behind_nouns(mut text: String) -> String {
+    for name in LONG_NAMES {
+        let mut from = 0;
+        while let Some(at) = text[from..].find(name).map(|at| from + at) {
+            let end = at + name.len();
+            let digits = text[end..].bytes().take_while(u8::is_ascii_digit).count();
+            if let (Some((noun, rest)), 1..) = (name.split_once(' '), digits) {
+                let id = text[end..end + digits].to_owned();
+                text.replace_range(
+                    at..end + digits,
+                    &format!("{noun} {id} {}", rest.trim_end()),
+                );
+            }
+            from = end + digits.min(1);
+        }
+    }
+    text
 }
 
 fn plain(language: Language, pattern: &Pattern<&str>) -> String {

@@ -10,7 +10,7 @@ use std::str::FromStr;
 use super::help;
 use super::usage;
 use crate::analysis::parameters::Name;
-use crate::diagnostics::Complaint;
+use crate::diagnostics::{Complaint, Value};
 
 pub use motion::Frames;
 
@@ -175,7 +175,7 @@ impl FrameArgs {
         let last = frame.last - 1;
         Some(
             Complaint::new("note-one-frame")
-                .with("frame", frame.first.to_string())
+                .with("frame", Value::Count(frame.first.into()))
                 .with("last", last.to_string()),
         )
     }

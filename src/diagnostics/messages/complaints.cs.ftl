@@ -151,7 +151,10 @@ note-drawn-anyway = soubor { $path } nemůže uvést, čeho je obrázkem, jako t
 note-unfinished = v souboru { $path } zůstává { $percent } % obrázku; zbytek vykreslí tentýž příkaz s `--resume`
 note-other-part = { $path } je část jiného obrázku: nic se z ní nepoužije
 note-earlier-job = složka { $path } obsahuje dřívější úlohu a tato ji nahrazuje: skripty a scény se zapíšou znovu; obrázky zůstávají, a které by vyšly stejně, ty se znovu nekreslí
-note-one-frame = `--frames { $frame }` kreslí jen snímek { $frame }; prvních { $frame } kreslí `--frames 0-{ $last }`
+note-one-frame = `--frames { $frame }` kreslí jen snímek { $frame }; { $frame ->
+    [few] první { $frame }
+   *[other] prvních { $frame }
+} kreslí `--frames 0-{ $last }`
 several-with-tile = `--tile` je jen pro jednu scénu
 part-format = soubor { $path } nemůže uvést, která část obrázku v něm je: ať jeho jméno končí na .png nebo .exr
 more-tiles-than-rows = dílů je { $count }, víc než řádků obrázku: { $height }

@@ -24,7 +24,7 @@ accuracy-advice-others = Každý z ostatních druhů chyby je při výchozím na
 accuracy-advice-others-of = Každý z ostatních druhů chyby, které se měřily, je při výchozím nastavení menší než { $error } kroku.
 accuracy-price = za { $percent } % času navíc
 accuracy-price-none = bez měřitelného času navíc
-accuracy-price-unsure = za cenu, kterou na zaneprázdněném počítači nelze určit
+accuracy-price-unsure = za cenu, kterou se nepodařilo změřit
 accuracy-advice-repair = Z { $pixels ->
     [one] { $pixels } prohlédnutého pixelu
    *[other] { $pixels } prohlédnutých pixelů
@@ -60,7 +60,7 @@ accuracy-numbers-plain = Výpočet, který nehlídá vlastní zaokrouhlování, 
 accuracy-saves-nothing = trvá stejně dlouho
 accuracy-saves = ušetří { $percent } %
 accuracy-costs = trvá o { $percent } % déle
-accuracy-time-unsure = trvá dobu, kterou na zaneprázdněném počítači nelze určit
+accuracy-time-unsure = trvá neznámo jak dlouho
 
 accuracy-skip-unasked = nebylo požadováno
 accuracy-skip-light = nic nezrcadlí a nic nepropouští světlo: žádné světlo se nezanedbá

@@ -27,7 +27,7 @@ accuracy-advice-others-of = With the default settings each other kind of error t
 accuracy-advice-busy = The machine was too busy for exact times: other programs had the processor, so that the runs took { $times } times their CPU time. Close these programs and measure again before you rely on the times.
 accuracy-price = for { $percent } % more time
 accuracy-price-none = for no measurable time
-accuracy-price-unsure = at a price that cannot be told on this busy machine
+accuracy-price-unsure = at a price that could not be measured
 accuracy-advice-repair = In { $off } of the { $pixels ->
     [one] { $pixels } pixel
    *[other] { $pixels } pixels
@@ -61,7 +61,7 @@ accuracy-numbers-plain = The arithmetic of most ray tracers, which does not watc
 accuracy-saves-nothing = takes as long
 accuracy-saves = saves { $percent } %
 accuracy-costs = costs { $percent } % more
-accuracy-time-unsure = takes a time that cannot be told on this busy machine
+accuracy-time-unsure = takes a time that could not be measured
 
 accuracy-skip-unasked = not asked for
 accuracy-skip-light = nothing is mirrored and nothing lets light through: no light is cut
