@@ -291,6 +291,58 @@ fn pictures_behind_links_are_found_from_another_folder() {
     }
 }
 
+/// The index 1 of an assignment, which nobody wrote, is neither written nor mentioned, as long as there is no other.
+#[test]
+fn an_index_that_nobody_wrote() {
+    let dir = tempfile::tempdir().unwrap();
+    let assigned = "3 -201 0.5 0.5 0\n2 9 1\n2 -299 0 3\n1 9999 2 0\n";
+    let glass = "2 9 1\n2 -203 1.5 1.5 1.5\n3 -201 0.5 0.5 0\n2 -299 0 3\n1 9999 2 0\n";
+    for (scene, has_index) in [(assigned, false), (glass, true)] {
+        fs::write(dir.path().join("a.zpg"), scene).unwrap();
+        let run = zpg(dir.path(), &["convert", "a.zpg", "--to", "zpg"]);
+        let records = String::from_utf8(run.stdout).unwrap();
+        assert_eq!(records.contains("-203"), has_index, "{records}");
+        let run = zpg(dir.path(), &["convert", "a.zpg", "-o", "a.glb", "-v"]);
+        let said = String::from_utf8(run.stderr).unwrap();
+        assert_eq!(said.contains("refractive index"), has_index, "{said}");
+    }
+}
+
+/// A camera and light that are added are no secret.
+#[test]
+fn what_is_added_is_said() {
+    let dir = tempfile::tempdir().unwrap();
+    let camera = "9 -501 0 0 6 0 0 -1 0 1 0 45\n";
+    let (no_camera, no_light) = ("the scene has no camera", "the scene has no light");
+    for (rest, to, [lacks_camera, lacks_light]) in [
+        ("", "pov", [true, true]),
+        (camera, "pov", [false, true]),
+        ("", "mitsuba", [true, true]),
+        ("", "glb", [false; 2]),
+        ("", "zpg", [false; 2]),
+    ] {
+        fs::write(
+            dir.path().join("a.zpg"),
+            format!("2 9 1\n{rest}1 9999 2 0\n"),
+        )
+        .unwrap();
+        let out = format!("a.{}", if to == "mitsuba" { "xml" } else { to });
+        let arguments = [
+            "convert",
+            "a.zpg",
+            "--to",
+            to,
+            "--force",
+            "-o",
+            &format!("b{out}"),
+        ];
+        let run = zpg(dir.path(), &arguments);
+        let said = String::from_utf8(run.stderr).unwrap().replace("\n  ", " ");
+        assert_eq!(said.contains(no_camera), lacks_camera, "{to}: {said}");
+        assert_eq!(said.contains(no_light), lacks_light, "{to}: {said}");
+    }
+}
+
 /// What the report says of comments, and of a camera that is the only one.
 #[test]
 fn what_a_report_says() {

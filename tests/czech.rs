@@ -508,6 +508,64 @@ fn services_show_messages_in_the_language() {
     assert_eq!(prints("en"), prints("cs"));
 }
 
+/// Comments of translations are for people; all else in them is the same.
+#[test]
+fn comments_of_translations_are_czech() {
+    let sphere = "2 9 1\n9 -501 0 0 6 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 2 0\n";
+    let dir = folder(&[("a.zpg", sphere)]);
+    let written = |language: &str, to: &str| {
+        let arguments = ["convert", "a.zpg", "--to", to, "--lang", language];
+        text(&program::zpg(dir.path(), &arguments).stdout)
+    };
+    let bare = |text: &str| {
+        let lines = text
+            .lines()
+            .map(|line| line.split("//").next().unwrap_or(""));
+        lines
+            .map(|line| line.split('#').next().unwrap_or("").trim_end().to_owned())
+            .collect::<Vec<_>>()
+    };
+    for (to, words) in [
+        (
+            "pov",
+            ["// Scéna pro POV-Ray", "// Tolikrát se hotová scéna"],
+        ),
+        ("zpg", ["0 # světla #", "0 # co se zobrazí #"]),
+    ] {
+        let [english, czech] = ["en", "cs"].map(|language| written(language, to));
+        assert_eq!(bare(&english), bare(&czech));
+        for words in words {
+            assert!(czech.contains(words), "{czech}");
+        }
+    }
+    // What a solid texture is without its numbers, in words.
+    let page = is_czech(dir.path(), &["explain", "-302"], 0);
+    assert!(
+        page.contains("výchozí černá") && page.contains("výchozí bílá"),
+        "{page}"
+    );
+}
+
+/// Numbers and what they count; an ID behind the noun of a long name.
+#[test]
+fn numbers_agree_with_nouns() {
+    let scene = "2 9 2\n3 9 1\n4 -103 3 2\n9 -501 0 0 6 0 0 -1 0 1 0 45\n1 9999 4 0\n";
+    let dir = folder(&[
+        ("a.zpg", scene),
+        ("b.zpg", "2 9 1\n9 -501 0 0 6 0 0 -1 0 1 0 45\n1 9999 2 0\n"),
+    ]);
+    let said = is_czech(dir.path(), &["check", "a.zpg"], 0).replace("\n  ", " ");
+    assert!(said.contains("koule 3 se středem v počátku"), "{said}");
+    for (frames, words) in [("2", "první 2 kreslí"), ("5", "prvních 5 kreslí")] {
+        let arguments = [
+            "render", "b.zpg", "-o", "b.png", "--size", "8x6", "--frames", frames, "--orbit",
+            "9,360",
+        ];
+        let said = is_czech(dir.path(), &arguments, 0).replace("\n  ", " ");
+        assert!(said.contains(words), "{said}");
+    }
+}
+
 /// What programs read does not depend on the language.
 #[test]
 fn machines_are_spoken_to_in_one_language() {
@@ -523,9 +581,7 @@ fn machines_are_spoken_to_in_one_language() {
         &["check", "--show-settings", "b.zpg"],
         &["plan", "--json", "a.zpg"],
         &["probe", "a.zpg", "--ray", "0 0 9 0 0 -1"],
-        &["convert", "a.zpg", "--to", "pov"],
         &["convert", "a.zpg", "--to", "json"],
-        &["convert", "a.zpg", "--to", "zpg"],
         &["completions", "bash"],
     ] {
         let english = out("en", arguments);

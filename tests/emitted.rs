@@ -124,6 +124,7 @@ fn written(path: &Path, target: &str) -> String {
         confine: &|_| Ok(()),
         file: Path::new(name),
         output: Some(&output),
+        ..Options::default()
     };
     let made = match named(target)
         .unwrap()

@@ -11,11 +11,13 @@ use super::memory::Memory;
 use super::paths::is_stdout;
 use super::refuse_overwrite::refuse_overwrite;
 use super::size::Size;
-use super::terminal::{tell, width};
+use super::terminal::{note, tell, width};
 use super::{LookChoice, Needs, Status, complain, load_for, refuse, usage};
 use crate::analysis::file::STDIN;
 use crate::diagnostics::layout::hanging;
 use crate::diagnostics::{Complaint, Error, Value};
+use crate::scene::{Scene, View};
+use crate::solids::staging::is_dark;
 use crate::translate::Fidelity;
 use crate::translate::fidelity::row;
 use crate::translate::registry::{TARGETS, named, of_file};
@@ -164,6 +166,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         confine: &|scene| args.memory.confine_scene(scene),
         file: &args.file,
         // A mesh without a name of its own has that of the scene.
+        language: look.language(),
         output: (args.output.as_deref()).filter(|path| !is_text || !is_stdout(path)),
     };
     let made = to
@@ -184,8 +187,23 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         Ok(made)
     });
     match spared {
-        Ok(made) => deliver(args, &made, look),
+        Ok(made) => {
+            if to.adds_what_is_lacking() && !look.quiet {
+                say_added(args, &loaded.scene, look);
+            }
+            deliver(args, &made, look)
+        }
         Err(error) => refuse(&loaded, error, look),
+    }
+}
+
+/// Says that a camera and light are added that a scene lacks.
+fn say_added(args: &Args, scene: &Scene, look: LookChoice) {
+    if scene.view == View::Automatic && !args.camera.is_given() {
+        note(look, &Complaint::new("note-no-camera"));
+    }
+    if is_dark(scene) {
+        note(look, &Complaint::new("note-no-light"));
     }
 }
 

@@ -103,6 +103,11 @@ impl Param {
     /// Value, unit, constraint and default in one line: "number, scene units, > 0, default 1".
     pub fn rule_text(&self, language: Language) -> String {
         let default = self.default.map(|number| {
+            let number = match number {
+                "black" => language.say("default-black", &[]),
+                "white" => language.say("default-white", &[]),
+                number => number.to_owned(),
+            };
             let values = [("number", number.into())];
             language.say("record-default", &values)
         });

@@ -50,3 +50,16 @@ fidelity-light-scale = s volbou Declare=Light_Scale={ $scale } se nic neořízne
 fidelity-no-light-above-white = v malém obrázku není nic jasnější než bílá
 fidelity-overlooked = stíny a odražené světlo, které začínají blíž než { $length }, se mohou ztratit
 fidelity-overlooked-behind = co je za plochou blíž než { $length }, se může ztratit
+
+heading-lights = světla
+heading-camera = kamera
+heading-cameras = kamery
+heading-drawn = co se zobrazí
+
+pov-head = Scéna pro POV-Ray 3.7. Lineární hodnoty a jeden paprsek středem každého pixelu dává:
+pov-channels = Některý index lomu závisí na kanálu. Vykreslete scénu třikrát, s Channel 0, 1 a 2, a vezměte
+pov-channels-kept = z prvního obrázku červenou, z druhého zelenou a ze třetího modrou.
+pov-eyes = Stereoskopická dvojice: vykreslete ji s Eye 0 (levé oko) a Eye 1 (pravé oko).
+pov-light = Tímto se násobí veškeré světlo. Hodnota pod 1 zachová, co soubor s obrázkem neunese: světlo jasnější než bílá.
+pov-centre = O tolik se hotová scéna posune k počátku, protože daleko od něj jsou čísla hrubá.
+pov-unit = Tolikrát se hotová scéna zvětší, protože tolerance jsou absolutní.

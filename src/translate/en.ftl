@@ -48,3 +48,16 @@ fidelity-light-scale = with Declare=Light_Scale={ $scale } nothing is clipped, a
 fidelity-no-light-above-white = nothing in a small picture is brighter than white
 fidelity-overlooked = shadows and mirrored light that begin nearer than { $length } may be overlooked
 fidelity-overlooked-behind = what is nearer than { $length } behind a surface may be overlooked
+
+heading-lights = lights
+heading-camera = camera
+heading-cameras = cameras
+heading-drawn = what is drawn
+
+pov-head = A scene for POV-Ray 3.7. For linear values, one ray through the middle of each pixel:
+pov-channels = Some index differs by channel. Render three times, with Channel 0, 1 and 2, and keep
+pov-channels-kept = red of the first picture, green of the second and blue of the third.
+pov-eyes = A stereo pair: render with Eye 0 (left) and Eye 1 (right).
+pov-light = All light is multiplied by this. Less than 1 keeps what an image file cannot hold: light above white.
+pov-centre = The finished scene is moved by this to the origin, because far from it numbers are coarse.
+pov-unit = The finished scene is scaled by this, because tolerances are absolute.

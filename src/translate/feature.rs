@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use crate::geometry::Matrix;
-use crate::scene::{Node, Scene, Texture, View, Volume};
+use crate::scene::{Node, Paint, Scene, Texture, View, Volume};
 use crate::solids::staging::is_dark;
 use crate::syntax::table::{RECORD_TYPES, RecordKind, RecordType};
 use crate::trace::plan::{self, Plan};
@@ -100,6 +100,8 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
     let (Some(render), Some(plan)) = (&scene.render, Plan::new(scene)) else {
         return out;
     };
+    // An assignment gives the index 1, too, which nobody wrote and which matters beside other ones alone.
+    let is_refracting = scene.paints.iter().any(is_bent);
     let mut count = |kind: RecordKind| *out.entry(Feature::Record(kind)).or_insert(0) += 1;
     for (_, node) in scene.below(render.root) {
         match node {
@@ -131,7 +133,7 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
                         RecordKind::OpticsRgb
                     });
                 }
-                if paint.index.is_some() {
+                if paint.index.is_some() && is_refracting {
                     count(RecordKind::RefractiveIndex);
                 }
             }
@@ -178,6 +180,11 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
     out
 }
 
+/// Whether a paint gives an index that bends light.
+fn is_bent(paint: &Paint) -> bool {
+    paint.index.is_some_and(|index| index != [1.0; 3])
+}
+
 fn texture(texture: &Texture) -> RecordKind {
     match texture {
         Texture::Colour(_) => RecordKind::Colour,
@@ -206,7 +213,6 @@ fn transformation(m: &Matrix) -> RecordKind {
 fn shows(effect: Effect, scene: &Scene, plan: &Plan) -> bool {
     use plan::Effect as Planned;
     let refracts = plan.on(Planned::Refraction);
-    let bent = |p: &crate::scene::Paint| p.index.is_some_and(|i| i != [1.0; 3]);
     match effect {
         Effect::Diffuse => plan.on(Planned::Diffuse),
         Effect::Shadows => plan.on(Planned::Shadows),
@@ -214,7 +220,7 @@ fn shows(effect: Effect, scene: &Scene, plan: &Plan) -> bool {
         Effect::Reflection => plan.on(Planned::Reflection),
         Effect::Refraction => refracts,
         Effect::Dispersion => plan.on(Planned::Dispersion),
-        Effect::TotalReflection => refracts && scene.paints.iter().any(bent),
+        Effect::TotalReflection => refracts && scene.paints.iter().any(is_bent),
         Effect::VertexColours => plan.on(Planned::VertexColour),
         Effect::SmoothNormals => plan.on(Planned::SmoothNormals),
         Effect::Background => true,

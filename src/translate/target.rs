@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 use super::fidelity::Report;
 use crate::analysis::Analysis;
-use crate::diagnostics::{Complaint, Error};
+use crate::diagnostics::{Complaint, Error, Language};
 use crate::scene::Scene;
 use crate::solids::bounds::NodeBounds;
 use crate::solids::staging::Viewpoint;
@@ -33,6 +33,11 @@ pub trait Target: fmt::Debug + Sync {
 
     /// Whether it makes scenes such as people write.
     fn makes_scenes(&self) -> bool {
+        false
+    }
+
+    /// Whether the camera and the light are written out that a scene lacks.
+    fn adds_what_is_lacking(&self) -> bool {
         false
     }
 
@@ -134,6 +139,8 @@ pub struct Options<'a> {
     pub memory: Option<u64>,
     /// Refuses a scene in which rays find too much in one place.
     pub confine: &'a dyn Fn(&Scene) -> Result<(), Complaint>,
+    /// The language of comments.
+    pub language: Language,
     /// Where the scene is.
     pub file: &'a Path,
     /// Where to write, if that was said.
@@ -152,6 +159,7 @@ impl Default for Options<'_> {
             tolerance: None,
             memory: None,
             confine: &|_| Ok(()),
+            language: Language::English,
             file: Path::new(""),
             output: None,
         }

@@ -8,7 +8,7 @@ use super::model::Scene;
 use super::spell::{Matter, ModelElement, Records, spell};
 use super::{Unreadable, read};
 use crate::analysis::{Analysis, Origin};
-use crate::diagnostics::{Code, Diagnostic, SourceFile, Span};
+use crate::diagnostics::{Code, Diagnostic, Language, SourceFile, Span};
 use crate::syntax::table::RecordKind;
 
 /// Reads a scene in JSON; never fails. What is wrong with the JSON is a finding.
@@ -21,7 +21,7 @@ pub fn analyse(source: SourceFile) -> Analysis {
                 places,
                 matters,
                 made_up,
-            } = spell(&model);
+            } = spell(&model, Language::English);
             // Pictures are looked for beside the JSON.
             let records = SourceFile::new(source.path.clone(), text.into_bytes());
             let origin = Json {

@@ -10,6 +10,7 @@ use std::fmt::{self, Write};
 
 use super::locate::Path;
 use super::model::{self, Item, Node, Rgb, Scene, Texture, Volume};
+use crate::diagnostics::Language;
 use crate::geometry::Matrix;
 use crate::scene::geometry::Parameter;
 use crate::syntax::table::{RecordKind, RecordType};
@@ -82,8 +83,10 @@ pub struct Records {
 }
 
 /// Writes the records that make a scene, which has passed through [`read`](super::read()).
-pub fn spell(scene: &Scene) -> Records {
-    let mut speller = Speller::new(scene);
+///
+/// Headings are in the language.
+pub fn spell(scene: &Scene, language: Language) -> Records {
+    let mut speller = Speller::new(scene, language);
     speller.objects();
     speller.lights();
     speller.cameras();
@@ -104,6 +107,7 @@ pub fn spell(scene: &Scene) -> Records {
 
 struct Speller<'a> {
     scene: &'a Scene,
+    language: Language,
     text: String,
     places: Vec<ModelElement>,
     matters: Vec<Matter>,
@@ -124,7 +128,7 @@ struct Speller<'a> {
 }
 
 impl<'a> Speller<'a> {
-    fn new(scene: &'a Scene) -> Speller<'a> {
+    fn new(scene: &'a Scene, language: Language) -> Speller<'a> {
         let nodes = scene.nodes.iter().filter_map(|n| n.id);
         let ambient = scene.ambient_lights.iter().filter_map(|l| l.id);
         let points = scene.point_lights.iter().filter_map(|l| l.id);
@@ -138,6 +142,7 @@ impl<'a> Speller<'a> {
         }
         Speller {
             scene,
+            language,
             text: String::new(),
             places: Vec::new(),
             matters: Vec::new(),
@@ -183,7 +188,8 @@ impl<'a> Speller<'a> {
         self.matters.push(self.matter.unwrap_or(own));
     }
 
-    fn heading(&mut self, text: &str) {
+    fn heading(&mut self, message: &'static str) {
+        let text = self.language.say(message, &[]);
         let _ = writeln!(self.text, "0 # {text} #");
         self.places.push(self.place);
         self.matters.push(Matter::Type(None));
@@ -359,7 +365,7 @@ impl<'a> Speller<'a> {
         let scene = self.scene;
         self.place = ModelElement::Head;
         if !scene.ambient_lights.is_empty() || !scene.point_lights.is_empty() {
-            self.heading("lights");
+            self.heading("heading-lights");
         }
         for (light, i) in scene.ambient_lights.iter().zip(0..) {
             self.place = ModelElement::AmbientLight(i);
@@ -389,9 +395,9 @@ impl<'a> Speller<'a> {
         self.place = ModelElement::Head;
         if !scene.cameras.is_empty() {
             self.heading(if scene.cameras.len() == 1 {
-                "camera"
+                "heading-camera"
             } else {
-                "cameras"
+                "heading-cameras"
             });
         }
         let mut ids = Vec::new();
@@ -435,7 +441,7 @@ impl<'a> Speller<'a> {
             return;
         };
         self.place = ModelElement::Render;
-        self.heading("what is drawn");
+        self.heading("heading-drawn");
         let background = match render.background == [0.0; 3] {
             true => 0,
             false => self.colour(render.background, Matter::Background),

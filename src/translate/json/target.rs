@@ -1,5 +1,6 @@
 //! The resolved scene: as JSON, and as records.
 
+use super::model::{Node, Scene};
 use super::pictures::{Left, follow};
 use super::spell::spell;
 use super::verdict::verdict;
@@ -7,6 +8,7 @@ use super::write::write;
 use crate::diagnostics::Error;
 use crate::format;
 use crate::syntax;
+use crate::syntax::table::RecordKind;
 use crate::translate::fidelity::{Fidelity, Report};
 use crate::translate::target::{Options, Output, Prepared, Target};
 
@@ -60,7 +62,12 @@ impl Target for Zpg {
     fn write(&self, scene: &Prepared, options: &Options) -> Result<Output, Error> {
         let mut model = write(scene.scene());
         let left = follow(&mut model, scene, options);
-        let records = spell(&model).text;
+        let contents = &scene.analysis.document.contents;
+        // In JSON it is written.
+        if scene.analysis.is_records() && !contents.has(&[RecordKind::RefractiveIndex]) {
+            leave_out_default_index(&mut model);
+        }
+        let records = spell(&model, options.language).text;
         let (document, _) = syntax::parse(&records);
         let text = format::format(&records, &document, &format::Options::default());
         Ok(output(
@@ -70,6 +77,26 @@ impl Target for Zpg {
             &left,
             text.into_bytes(),
         ))
+    }
+}
+
+/// Takes the index 1 out that assignments of optics give, where no other index is in the scene.
+fn leave_out_default_index(model: &mut Scene) {
+    let is_default = |node: &Node| match node {
+        Node::Paint {
+            optics: Some(_),
+            index,
+            ..
+        } => index.is_none_or(|index| index == [1.0; 3]),
+        Node::Paint { index, .. } => index.is_none(),
+        _ => true,
+    };
+    if model.nodes.iter().all(|item| is_default(&item.node)) {
+        for item in &mut model.nodes {
+            if let Node::Paint { index, .. } = &mut item.node {
+                *index = None;
+            }
+        }
     }
 }
 

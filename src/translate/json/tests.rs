@@ -1,7 +1,7 @@
 //! There and back.
 
 use super::*;
-use crate::diagnostics::{Diagnostic, SourceFile};
+use crate::diagnostics::{Diagnostic, Language, SourceFile};
 use crate::{scene, syntax};
 
 fn resolve(text: &str) -> (scene::Scene, Vec<Diagnostic>) {
@@ -21,7 +21,7 @@ fn model(text: &str) -> model::Scene {
 
 /// The records of a model, which must resolve.
 fn records(model: &model::Scene) -> String {
-    let records = spell(model);
+    let records = spell(model, Language::English);
     assert_eq!(records.text.lines().count(), records.places.len());
     records.text
 }
@@ -284,7 +284,7 @@ fn numbers_are_the_values_that_they_are_called() {
         }
         let model = write(&scene);
         let json = serde_json::to_value(&model).unwrap();
-        let records = spell(&model);
+        let records = spell(&model, Language::English);
         assert_eq!(records.matters.len(), records.places.len());
         for (i, line) in records
             .text

@@ -23,6 +23,10 @@ impl Target for Mitsuba {
         "Mitsuba 3: XML, with meshes beside it"
     }
 
+    fn adds_what_is_lacking(&self) -> bool {
+        true
+    }
+
     fn draws(&self) -> bool {
         true
     }

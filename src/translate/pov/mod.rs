@@ -23,7 +23,7 @@ mod verdict;
 use std::slice;
 
 use super::{Fidelity, File, Report};
-use crate::diagnostics::{Complaint, Error};
+use crate::diagnostics::{Complaint, Error, Language};
 use crate::scene::Scene;
 use crate::solids::bounds::NodeBounds;
 use crate::solids::staging::{Viewpoint, staged};
@@ -48,6 +48,8 @@ pub struct Options {
     pub captions: Captions,
     /// The name of the file to be, without its extension. One that a shell would read otherwise is not written into it.
     pub name: String,
+    /// The language of the comments at the head.
+    pub language: Language,
 }
 
 /// The treatment of a pair of cameras.
@@ -69,6 +71,7 @@ impl Default for Options {
             stereo: Stereo::TwoFiles,
             captions: Captions::default(),
             name: "scene".to_owned(),
+            language: Language::English,
         }
     }
 }
@@ -124,7 +127,13 @@ pub fn write(
     let file = |suffix, lenses: &[Lens]| {
         let mut text = String::new();
         // Writing to a string does not fail.
-        let _ = print::print(&mut text, &document, lenses, &format!("{name}{suffix}"));
+        let _ = print::print(
+            &mut text,
+            &document,
+            lenses,
+            &format!("{name}{suffix}"),
+            options.language,
+        );
         File { suffix, text }
     };
     let files = match (&lenses[..], options.stereo) {

@@ -20,6 +20,10 @@ impl Target for Pov {
         "POV-Ray 3.7"
     }
 
+    fn adds_what_is_lacking(&self) -> bool {
+        true
+    }
+
     fn draws(&self) -> bool {
         true
     }
@@ -46,6 +50,7 @@ impl Target for Pov {
             },
             captions: scene.captions.clone(),
             name: stem.into_owned(),
+            language: options.language,
         };
         let Translation {
             files,

@@ -11,6 +11,7 @@ mod uv;
 use std::fmt::{Result, Write};
 
 use super::tree::{Document, Frame, Lens, Light};
+use crate::diagnostics::Language;
 use crate::translate::number;
 use text::{Page, rgb, vector};
 
@@ -24,7 +25,7 @@ const EVERYWHERE: &str = "\
     // All of space. What is clipped by it without something else is kept outside of that.\n\
     #declare Everywhere = plane { <0, 1, 0>, 1e9 };\n";
 
-/// Prints a file for a camera, or for two with a switch.
+/// Prints a file for a camera, or for two with a switch. The comments at its head are in the language.
 ///
 /// # Errors
 /// The errors of the stream.
@@ -33,9 +34,11 @@ pub(super) fn print(
     document: &Document,
     lenses: &[Lens],
     name: &str,
+    language: Language,
 ) -> Result {
-    header(out, document, lenses, name)?;
-    settings(out, document)?;
+    let say = |message| language.say(message, &[]);
+    header(out, document, lenses, name, &say)?;
+    settings(out, document, &say)?;
     cameras(out, lenses, &document.frame)?;
     if !document.lights_in_group {
         let mut page = Page::new(out);
@@ -69,7 +72,13 @@ pub(super) fn print(
 }
 
 /// How to render the file so that its pixels can be compared.
-fn header(out: &mut dyn Write, document: &Document, lenses: &[Lens], name: &str) -> Result {
+fn header(
+    out: &mut dyn Write,
+    document: &Document,
+    lenses: &[Lens],
+    name: &str,
+    say: &dyn Fn(&'static str) -> String,
+) -> Result {
     let (w, h) = document.size;
     let argument = |option: &str, ending: &str| match name.contains(char::is_whitespace) {
         true => format!("\"{option}{name}.{ending}\""),
@@ -81,8 +90,8 @@ fn header(out: &mut dyn Write, document: &Document, lenses: &[Lens], name: &str)
     }
     write!(
         out,
-        "// A scene for POV-Ray 3.7. For linear values, one ray through the middle of each pixel:\n\
-         //   povray {input} {output} +W{w} +H{h} -A -D +FN16 File_Gamma=1.0"
+        "// {}\n//   povray {input} {output} +W{w} +H{h} -A -D +FN16 File_Gamma=1.0",
+        say("pov-head")
     )?;
     if document.tree.uses.dispersion {
         out.write_str(" Declare=Channel=0")?;
@@ -95,46 +104,55 @@ fn header(out: &mut dyn Write, document: &Document, lenses: &[Lens], name: &str)
     }
     out.write_char('\n')?;
     if document.tree.uses.dispersion {
-        out.write_str(
-            "// Some index differs by channel. Render three times, with Channel 0, 1 and 2, and keep\n\
-             // red of the first picture, green of the second and blue of the third.\n\
-             #ifndef (Channel) #declare Channel = 0; #end\n",
+        writeln!(
+            out,
+            "// {}\n// {}\n#ifndef (Channel) #declare Channel = 0; #end",
+            say("pov-channels"),
+            say("pov-channels-kept")
         )?;
     }
     if lenses.len() > 1 {
-        out.write_str(
-            "// A stereo pair: render with Eye 0 (left) and Eye 1 (right).\n\
-             #ifndef (Eye) #declare Eye = 0; #end\n",
+        writeln!(
+            out,
+            "// {}\n#ifndef (Eye) #declare Eye = 0; #end",
+            say("pov-eyes")
         )?;
     }
     Ok(())
 }
 
 /// Scales, global settings, defaults, background.
-fn settings(out: &mut dyn Write, document: &Document) -> Result {
-    out.write_str(
+fn settings(
+    out: &mut dyn Write,
+    document: &Document,
+    say: &dyn Fn(&'static str) -> String,
+) -> Result {
+    writeln!(
+        out,
         "#version 3.7;\n\n\
-         // All light is multiplied by this. Less than 1 keeps what an image file cannot hold: light above white.\n\
-         #ifndef (Light_Scale) #declare Light_Scale = 1; #end\n",
+         // {}\n\
+         #ifndef (Light_Scale) #declare Light_Scale = 1; #end",
+        say("pov-light")
     )?;
     let Frame { centre, unit } = &document.frame;
     if document.frame.is_moved() {
         write!(
             out,
-            "// The finished scene is moved by this to the origin, because far from it numbers are coarse.\n\
-             #declare Centre = {};\n",
+            "// {}\n#declare Centre = {};\n",
+            say("pov-centre"),
             vector(centre)
         )?;
     }
     let (ambient, background) = (rgb(document.ambient), rgb(document.background));
     write!(
         out,
-        "// The finished scene is scaled by this, because tolerances are absolute.\n\
+        "// {}\n\
          #declare Unit = {};\n\
          \nglobal_settings {{\n  assumed_gamma 1\n  ambient_light {ambient}*Light_Scale\n  \
          max_trace_level {}\n  adc_bailout 0\n}}\n\
          #default {{ texture {{ pigment {{ rgb 1 }} finish {{ ambient 1 diffuse 1 emission 0 }} }} }}\n\
          background {{ {background}*Light_Scale }}\n\n",
+        say("pov-unit"),
         number(*unit),
         document.levels
     )
