@@ -85,6 +85,15 @@ fn what_check_explains_is_left_to_it() {
         let said = &render(dir.path(), &[&["a.zpg"], options].concat())[1];
         assert!(said.ends_with(line), "{said}");
     }
+    // A negative part makes nothing brighter, and what a comment allows is meant.
+    let glaring = "50 -402 2\n50 -1 0 0 1000\n";
+    let dark = "2 9 1\n2 -701 1 1 -1\n1 9999 2 0\n";
+    let meant = "2 9 1\n2 -701 204 1 1 # zpg: allow(W301) #\n1 9999 2 0\n";
+    for scene in [dark, meant] {
+        let dir = folder(&[("a.zpg", [CAMERA, glaring, scene].concat())]);
+        let said = &render(dir.path(), &["a.zpg"])[1];
+        assert!(said.contains("`--exposure 0."), "{said}");
+    }
     let dir = folder(&[("a.zpg", [CAMERA, LAMP, flat].concat())]);
     let said = &render(dir.path(), &["a.zpg", "--view", "iso"])[1];
     assert!(said.ends_with(nothing), "{said}");

@@ -175,12 +175,24 @@ pub fn glaring(context: &Context, is_on: impl Fn(Code) -> bool) -> Option<u32> {
         return None;
     }
     allow::apply(context, &allow::comments(context), &mut found);
-    let first = found.iter().map(|d| d.span.start).min()?;
-    let records = context.records().take_while(|record| {
-        let token = &context.document.tokens[record.first as usize];
-        token.start <= first
-    });
-    records.last().map(|record| record.id)
+    let (items, tokens) = (&context.document.items, &context.document.tokens);
+    let glares = |d: &Diagnostic| {
+        let starts_before = |item: &Item| tokens[item.ends().0 as usize].start <= d.span.start;
+        let at = items.partition_point(starts_before).checked_sub(1)?;
+        let Item::Record(record) = &items[at] else {
+            return None;
+        };
+        // Negative parts of colours are findings, too.
+        let p = context.record_params(record);
+        let is_above = (0..p.len()).any(|i| d.span.touches(p.span_of(i, 1)) && p.number(i) > 1.0);
+        let is_bright = match d.code {
+            Code::W301 => is_above,
+            code => code == Code::W302,
+        };
+        is_bright.then_some(record.id)
+    };
+    found.sort_by_key(|d| d.span.start);
+    found.iter().find_map(glares)
 }
 
 /// How many objects findings say are not part of what is drawn (W310), without those that comments allow.
