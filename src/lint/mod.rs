@@ -163,13 +163,12 @@ pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec
 /// The ID of the first record that findings say gives out more light than it gets (W301, W302), without those that
 /// comments allow.
 pub fn glaring(context: &Context, is_on: impl Fn(Code) -> bool) -> Option<u32> {
-    use rules::{colour_out_of_range, energy_gain};
     let mut found = Vec::new();
     if is_on(Code::W301) {
-        colour_out_of_range::check(context, &mut found);
+        rules::colour_out_of_range::check(context, &mut found);
     }
     if is_on(Code::W302) {
-        energy_gain::check(context, &mut found);
+        rules::energy_gain::check(context, &mut found);
     }
     if found.is_empty() {
         return None;
