@@ -29,6 +29,9 @@ pub struct Csg {
     unmet: Vec<u32>,
 }
 
+/// So few operands are asked without a look at their boxes.
+const MAX_LOOSE: usize = 4;
+
 impl Csg {
     pub fn new(leaves: &[Leaf], operands: Operands, blocks: &mut Vec<Block>) -> Csg {
         let mut unmet = vec![0; operands.gates.len()];
@@ -41,9 +44,14 @@ impl Csg {
         }
         let first = blocks.len() as u32;
         in_blocks(leaves, &operands.firsts, blocks);
+        let firsts = (first..blocks.len() as u32).collect();
+        let (mut loose, mut boxes) = (operands.loose, operands.boxes);
+        if boxes.len() <= MAX_LOOSE {
+            loose.extend(boxes.drain(..).map(|(leaf, _)| leaf));
+        }
         Csg {
-            firsts: (first..blocks.len() as u32).collect(),
-            others: Forest::new(leaves, &operands.loose, operands.boxes, blocks),
+            firsts,
+            others: Forest::new(leaves, &loose, boxes, blocks),
             gates: operands.gates,
             unmet,
         }
