@@ -2,7 +2,7 @@
 //!
 //! Pictures have the bits of those that [`search`](super::search) and [`shade`](super::shade) draw, who are called the
 //! arbiter here. The kernel takes on scenes that are seen from outside: unions of shapes, intersections and differences,
-//! placed anywhere. A place may be inside of two of them at most. The kernel knows of each ray whether rounding may have
+//! placed anywhere. A place may be inside of four of them at most. The kernel knows of each ray whether rounding may have
 //! decided anything about it. The arbiter is asked about such a ray ([`arbiter`]). The arbiter also draws whole pictures of
 //! which the kernel would know too little.
 //!
@@ -32,7 +32,7 @@
 //! - where it grazes a shape, or two crossings are nearer to each other than the bounds on their errors;
 //! - where a crossing is so near its start that it may lie before it;
 //! - where a crossing says that it starts inside of a solid, and what the ray carries says that it does not, or the reverse;
-//! - where three solids would be in one place, or one medium is on both sides of a surface;
+//! - where five solids would be in one place, or one medium is on both sides of a surface;
 //! - where the point that it meets is not known well enough.
 //!
 //! The arbiter follows such a ray and all rays that come of it, or says how much of a lamp's light gets along it. The other

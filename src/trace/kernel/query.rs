@@ -24,17 +24,22 @@ pub struct Start {
     pub within: Within,
 }
 
-/// The solids around a place, numbers of leaves: up to two, and then [`NONE`]. Of two the earlier operand, which owns the
-/// place, is first.
+/// The solids around a place, numbers of leaves: up to [`DEEPEST`], and then [`NONE`]. The earlier operands are first; the
+/// first one owns the place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Within(pub [u32; 2]);
+pub struct Within(pub [u32; DEEPEST]);
+
+/// Solids that a place may be in at most.
+pub const DEEPEST: usize = 4;
 
 impl Within {
-    pub const NOTHING: Within = Within([NONE; 2]);
+    pub const NOTHING: Within = Within([NONE; DEEPEST]);
 
     #[inline(always)]
     pub fn one(solid: u32) -> Within {
-        Within([solid, NONE])
+        let mut within = Within::NOTHING;
+        within.0[0] = solid;
+        within
     }
 
     /// The one that owns the place, or [`NONE`].
@@ -56,11 +61,24 @@ impl Within {
     /// All but one.
     #[inline(always)]
     pub fn without(self, solid: u32) -> Within {
-        match self.0 {
-            [first, second] if first == solid => Within([second, NONE]),
-            [first, second] if second == solid => Within([first, NONE]),
-            _ => self,
+        let mut within = self;
+        if let Some(at) = self.0.iter().position(|&other| other == solid) {
+            within.0.copy_within(at + 1.., at);
+            within.0[DEEPEST - 1] = NONE;
         }
+        within
+    }
+
+    /// One more, which comes before those that it precedes; `None` where there are too many.
+    pub fn with(self, solid: u32, precedes: impl Fn(u32) -> bool) -> Option<Within> {
+        let at = self
+            .0
+            .iter()
+            .position(|&other| other == NONE || precedes(other))?;
+        let mut within = self;
+        within.0.copy_within(at..DEEPEST - 1, at + 1);
+        within.0[at] = solid;
+        (self.0[DEEPEST - 1] == NONE).then_some(within)
     }
 }
 

@@ -163,16 +163,13 @@ impl Stage<'_> {
         (!is_one_medium).then_some([before, behind])
     }
 
-    /// The solids beyond the surface of one, if there are at most two.
+    /// The solids beyond the surface of one, if they are not too many.
     fn across(&self, within: Within, solid: u32) -> Option<Within> {
         let operand = |solid: u32| self.leaves[solid as usize].operand;
-        Some(match within.0 {
-            [NONE, _] => Within::one(solid),
-            _ if within.has(solid) => within.without(solid),
-            [only, NONE] if operand(only) < operand(solid) => Within([only, solid]),
-            [only, NONE] => Within([solid, only]),
-            _ => return None,
-        })
+        match within.has(solid) {
+            true => Some(within.without(solid)),
+            false => within.with(solid, |other| operand(solid) < operand(other)),
+        }
     }
 
     /// Looks for the first surface among those of a block; `false`: the kernel does not know.

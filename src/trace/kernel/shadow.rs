@@ -124,11 +124,10 @@ impl Stage<'_> {
                 }
             }
         }
-        if scratch
-            .opaque
-            .iter()
-            .any(|passed| !self.may_be_hidden(passed, &scratch.passed))
-        {
+        let Scratch { opaque, passed, .. } = &*scratch;
+        let is_seen =
+            |own: &Passed| !self.may_be_hidden(own, passed) && !self.may_be_hidden(own, opaque);
+        if opaque.iter().any(is_seen) {
             return Light::Dark;
         }
         match scratch.opaque[..] {
@@ -307,18 +306,18 @@ impl Stage<'_> {
     }
 
     /// Whether the near face of something opaque may be hidden in another solid: an earlier operand owns what both are in,
-    /// and within one medium there are no faces.
+    /// and within one medium there are no faces. Light is within something opaque only where the near face of that is hidden.
     #[inline]
-    fn may_be_hidden(&self, opaque: &Passed, passed: &[Passed]) -> bool {
+    fn may_be_hidden(&self, opaque: &Passed, others: &[Passed]) -> bool {
         let leaf = |passed: &Passed| &self.leaves[passed.leaf as usize];
         let (own, end) = (leaf(opaque), opaque.near.end);
-        let may_hide =
-            |other: &Passed| leaf(other).operand < own.operand || leaf(other).medium == own.medium;
+        let may_hide = |other: &Passed| {
+            other.leaf != opaque.leaf
+                && (leaf(other).operand < own.operand || leaf(other).medium == own.medium)
+        };
         let is_apart =
             |other: &Passed| end.is_before(other.near.end) || other.far.end.is_before(end);
-        passed
-            .iter()
-            .any(|other| may_hide(other) && !is_apart(other))
+        (others.iter()).any(|other| may_hide(other) && !is_apart(other))
     }
 
     /// What is left of light if all that is opaque begins in something transparent.
