@@ -1,7 +1,6 @@
 //! Ways to write shapes otherwise than they are where nobody sees it, by number.
 
-use std::collections::HashMap;
-
+use super::numbered::Numbered;
 use super::plane::{Plane, with_planes_moved};
 use super::state::State;
 use super::stretch::stretched;
@@ -24,11 +23,9 @@ pub(crate) enum Change {
 /// Changes, by number.
 #[derive(Debug, Default)]
 pub(crate) struct Changes {
-    changes: Vec<Change>,
-    numbers: HashMap<[u64; 3], u32>,
+    changes: Numbered<[u64; 3], Change>,
     /// Planes, and how far out what lies in them is moved.
-    planes: Vec<Vec<(Plane, f64)>>,
-    plane_numbers: HashMap<Vec<u64>, u32>,
+    planes: Numbered<Vec<u64>, Vec<(Plane, f64)>>,
 }
 
 impl Changes {
@@ -39,12 +36,7 @@ impl Changes {
             Change::Plate(by, index) => [2, by.to_bits(), u64::from(index)],
             Change::Both(a, b) => [3, u64::from(a), u64::from(b)],
         };
-        let next = self.changes.len() as u32;
-        let number = *self.numbers.entry(key).or_insert(next);
-        if number == next {
-            self.changes.push(change);
-        }
-        number
+        self.changes.number(key, || change)
     }
 
     /// The number of the change that moves the faces in some planes out, if there are any.
@@ -54,11 +46,7 @@ impl Changes {
         }
         let bits = |(p, by): &(Plane, f64)| [p.n[0], p.n[1], p.n[2], p.d, *by].map(f64::to_bits);
         let key = planes.iter().flat_map(bits).collect();
-        let next = self.planes.len() as u32;
-        let number = *self.plane_numbers.entry(key).or_insert(next);
-        if number == next {
-            self.planes.push(planes);
-        }
+        let number = self.planes.number(key, || planes);
         Some(self.number(Change::Planes(number)))
     }
 
@@ -117,7 +105,7 @@ impl Changes {
     }
 
     pub(crate) fn get(&self, number: u32) -> Change {
-        self.changes[number as usize]
+        *self.changes.get(number)
     }
 
     /// The changed shape, if there is anything to change about it.
@@ -126,7 +114,7 @@ impl Changes {
             Change::Offset(by) => geometry.offset(by),
             // It is no shape of the language.
             Change::Plate(..) => None,
-            Change::Planes(planes) => with_planes_moved(geometry, &self.planes[planes as usize]),
+            Change::Planes(planes) => with_planes_moved(geometry, self.planes.get(planes)),
             Change::Both(a, b) => {
                 let first = self.changed(a, geometry);
                 let second = self.changed(b, first.as_ref().unwrap_or(geometry));
@@ -141,7 +129,7 @@ impl Changes {
             Change::Offset(by) => Change::Offset(by * stretched(m)?),
             Change::Plate(by, index) => Change::Plate(by * stretched(m)?, index),
             Change::Planes(planes) => {
-                let planes = self.planes[planes as usize].clone();
+                let planes = self.planes.get(planes).clone();
                 let moved = planes.into_iter().filter_map(|(plane, by)| {
                     let (plane, factor) = plane.moved_back(m)?;
                     Some((plane, by * factor))

@@ -3,7 +3,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::matrices::Matrices;
+use super::numbered::Numbered;
 use crate::geometry::Matrix;
 use crate::geometry::array::{cross, dot, length};
 use crate::scene::geometry::Parameter;
@@ -32,8 +32,8 @@ enum Core {
 pub(crate) struct Interner {
     /// For each node.
     places: Vec<Occurrence>,
-    cores: Vec<Core>,
-    matrices: Matrices,
+    cores: Numbered<Core>,
+    matrices: Numbered<[u64; 16], Matrix>,
     /// The cores that are round about the y axis.
     round: HashSet<u32>,
 }
@@ -51,12 +51,11 @@ impl Interner {
     pub(crate) fn of(scene: &Scene, root: NodeId) -> Interner {
         let mut sets = Interner {
             places: Vec::with_capacity(root as usize + 1),
-            cores: Vec::new(),
-            matrices: Matrices::default(),
+            cores: Numbered::default(),
+            matrices: Numbered::default(),
             round: HashSet::new(),
         };
-        sets.matrices.number(&Matrix::IDENTITY);
-        let mut known: HashMap<Core, u32> = HashMap::new();
+        sets.matrices.matrix(&Matrix::IDENTITY);
         let mut shapes: HashMap<Vec<u64>, u32> = HashMap::new();
         for node in scene.nodes.iter().take(root as usize + 1) {
             let of = |id: NodeId| sets.places[id as usize];
@@ -69,7 +68,7 @@ impl Interner {
                         true => unturned(&m),
                         false => m,
                     };
-                    matrix = sets.matrices.number(&rounded(&m));
+                    matrix = sets.matrices.matrix(&rounded(&m));
                     core
                 }
                 Node::Union(a, b) => Core::Union(of(a), of(b)),
@@ -88,15 +87,11 @@ impl Interner {
                     continue;
                 }
             };
-            let next = sets.cores.len() as u32;
-            let number = *known.entry(core).or_insert(next);
-            if number == next {
-                sets.cores.push(core);
-                if let Core::Shape(s) = core
-                    && scene.shapes[s as usize].geometry.character().is_round
-                {
-                    sets.round.insert(number);
-                }
+            let number = sets.cores.number(core, || core);
+            if let Core::Shape(s) = core
+                && scene.shapes[s as usize].geometry.character().is_round
+            {
+                sets.round.insert(number);
             }
             sets.places.push(Occurrence {
                 core: number,
@@ -112,7 +107,7 @@ impl Interner {
             all = unturned(&all);
         }
         Occurrence {
-            matrix: self.matrices.number(&rounded(&all)),
+            matrix: self.matrices.matrix(&rounded(&all)),
             ..place
         }
     }
@@ -123,7 +118,7 @@ impl Interner {
 
     /// The core that a solid is made of.
     fn core(&mut self, place: Occurrence) -> Core {
-        let core = self.cores[place.core as usize];
+        let core = *self.cores.get(place.core);
         if place.matrix == HERE {
             return core;
         }

@@ -8,7 +8,7 @@ mod interner;
 mod lengthen;
 pub(super) mod looks;
 pub(super) mod materials;
-mod matrices;
+pub(super) mod numbered;
 pub(super) mod offset;
 pub(super) mod plane;
 pub(super) mod state;
@@ -18,7 +18,7 @@ pub(super) mod textures;
 mod visibility;
 
 use std::borrow::Cow;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 use crate::diagnostics::Complaint;
 use crate::geometry::Aabb;
@@ -33,6 +33,7 @@ use contacts::Contacts;
 use displacement::Changes;
 use interner::Interner;
 use materials::{Facts, Material};
+use numbered::Numbered;
 use state::{Key, State};
 use stretch::{stretched, stretches};
 use tables::{DEFAULT, Tables};
@@ -56,9 +57,8 @@ pub(super) struct Model<'a> {
     pub changes: Changes,
     contacts: Contacts,
     pub budget: &'a Budget,
-    /// The keys of what is declared, by number.
-    keys: Vec<Key>,
-    numbers: HashMap<Key, usize>,
+    /// What is declared.
+    keys: Numbered<Key>,
     /// How far apart faces are put that are one, in the coordinates of the operation at hand.
     pub hair: f64,
     /// The same in the scene's coordinates.
@@ -112,8 +112,7 @@ impl<'a> Model<'a> {
             changes: Changes::default(),
             contacts: Contacts::default(),
             budget,
-            keys: Vec::new(),
-            numbers: HashMap::new(),
+            keys: Numbered::default(),
             hair: 0.0,
             hair_of_scene: 0.0,
             stretches: stretches(scene, root),
@@ -130,12 +129,7 @@ impl<'a> Model<'a> {
     /// An object that stands for a node in a state.
     pub(super) fn refer(&mut self, node: NodeId, state: State) -> Object<'a> {
         let key = Key { node, state };
-        let next = self.keys.len();
-        let number = *self.numbers.entry(key).or_insert(next);
-        if number == next {
-            self.keys.push(key);
-        }
-        Object::new(Body::Declared(number))
+        Object::new(Body::Declared(self.keys.number(key, || key) as usize))
     }
 
     /// Objects that stand for operands.
@@ -146,7 +140,7 @@ impl<'a> Model<'a> {
 
     /// The key of the object with a number.
     pub(super) fn key(&self, number: usize) -> Key {
-        self.keys[number]
+        self.keys.values[number]
     }
 
     /// Turns to the coordinates that a node is placed in.

@@ -1,8 +1,7 @@
 //! Textures, optics and indices as small numbers, equal values with equal numbers; and where a
 //! texture lies.
 
-use std::collections::HashMap;
-
+use super::numbered::{Numbered, bits};
 use crate::geometry::Matrix;
 use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Optics, Rgb, Scene, Texture};
 
@@ -46,10 +45,10 @@ pub(crate) struct PaintAspects {
 /// The values of all aspects in a scene.
 #[derive(Debug)]
 pub(crate) struct Tables {
-    textures: Table<Texture>,
-    optics: Table<Optics>,
-    indices: Table<Rgb>,
-    frames: Table<Matrix>,
+    textures: Numbered<Vec<u64>, Texture>,
+    optics: Numbered<Vec<u64>, Optics>,
+    indices: Numbered<Vec<u64>, Rgb>,
+    frames: Numbered<[u64; 16], Matrix>,
     /// For each paint of the scene.
     paints: Vec<PaintAspects>,
     /// For each texture and each optics, the entity that was given it first.
@@ -60,21 +59,27 @@ pub(crate) struct Tables {
 impl Tables {
     pub(crate) fn of(scene: &Scene) -> Tables {
         let mut out = Tables {
-            textures: Table::with(Texture::Colour(DEFAULT_COLOUR)),
-            optics: Table::with(Optics::default()),
-            indices: Table::with(DEFAULT_INDEX),
-            frames: Table::with(Matrix::IDENTITY),
+            textures: Numbered::default(),
+            optics: Numbered::default(),
+            indices: Numbered::default(),
+            frames: Numbered::default(),
             paints: Vec::with_capacity(scene.paints.len()),
             texture_owners: vec![0; 2],
             optics_owners: vec![0],
         };
+        let (texture, optics) = (Texture::Colour(DEFAULT_COLOUR), Optics::default());
+        (out.textures).number(texture_bits(&texture), || texture.clone());
         // Only its number counts.
-        out.textures.values.push(Texture::Colour(DEFAULT_COLOUR));
+        out.textures.values.push(texture);
+        out.optics.number(optics_bits(&optics), || optics);
+        out.indices.number(bits(&DEFAULT_INDEX), || DEFAULT_INDEX);
+        out.frames.matrix(&Matrix::IDENTITY);
         for paint in &scene.paints {
+            let texture = |t| out.textures.number(texture_bits(t), || t.clone());
             let tables = PaintAspects {
-                texture: paint.texture.as_ref().map(|t| out.textures.number(t)),
-                optics: paint.optics.as_ref().map(|o| out.optics.number(o)),
-                index: paint.index.as_ref().map(|i| out.indices.number(i)),
+                texture: paint.texture.as_ref().map(texture),
+                optics: (paint.optics.as_ref()).map(|o| out.optics.number(optics_bits(o), || *o)),
+                index: (paint.index.as_ref()).map(|i| out.indices.number(bits(i), || *i)),
             };
             out.texture_owners
                 .resize(out.textures.values.len(), paint.owner);
@@ -90,26 +95,26 @@ impl Tables {
     }
 
     pub(crate) fn texture(&self, number: u32) -> &Texture {
-        &self.textures.values[number as usize]
+        self.textures.get(number)
     }
 
     pub(crate) fn optics(&self, number: u32) -> &Optics {
-        &self.optics.values[number as usize]
+        self.optics.get(number)
     }
 
     pub(crate) fn index(&self, number: u32) -> Rgb {
-        self.indices.values[number as usize]
+        *self.indices.get(number)
     }
 
     /// The number of the index that has the larger of two in each channel.
     pub(crate) fn denser(&mut self, a: u32, b: u32) -> u32 {
         let [a, b] = [a, b].map(|number| self.index(number));
         let most = std::array::from_fn(|i| a[i].max(b[i]));
-        self.indices.number(&most)
+        self.indices.number(bits(&most), || most)
     }
 
     pub(crate) fn frame(&self, number: u32) -> &Matrix {
-        &self.frames.values[number as usize]
+        self.frames.get(number)
     }
 
     /// The entity after which a look is named.
@@ -140,7 +145,7 @@ impl Tables {
         }
         let frame = m.after(self.frame(used.frame));
         TextureUse {
-            frame: self.frames.number(&frame),
+            frame: self.frames.matrix(&frame),
             ..used
         }
     }
@@ -156,77 +161,26 @@ impl Tables {
     }
 }
 
-/// Values by number.
-#[derive(Debug)]
-struct Table<T> {
-    values: Vec<T>,
-    numbers: HashMap<Vec<u64>, u32>,
-}
-
-impl<T: Bits + Clone> Table<T> {
-    fn with(first: T) -> Table<T> {
-        Table {
-            numbers: HashMap::from([(first.bits(), 0)]),
-            values: vec![first],
+fn texture_bits(texture: &Texture) -> Vec<u64> {
+    match texture {
+        Texture::Colour(c) => bits(c),
+        Texture::Checkerboard { n, m, colours } => {
+            let mut key = bits(colours.iter().flatten());
+            key.extend([u64::from(*n), u64::from(*m)]);
+            key
+        }
+        Texture::Solid { colours, size } => {
+            bits(colours.iter().flatten().chain(std::iter::once(size)))
+        }
+        // One byte a number, longer than any other key, the end marked.
+        Texture::Image { file, .. } => {
+            let mut key = vec![u64::MAX; 9];
+            key.extend(file.bytes().map(u64::from));
+            key
         }
     }
-
-    fn number(&mut self, value: &T) -> u32 {
-        let next = self.values.len() as u32;
-        let number = *self.numbers.entry(value.bits()).or_insert(next);
-        if number == next {
-            self.values.push(value.clone());
-        }
-        number
-    }
 }
 
-/// A value as a key to look it up by.
-trait Bits {
-    fn bits(&self) -> Vec<u64>;
-}
-
-fn bits<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> Vec<u64> {
-    // Adding zero makes one of the two zeros.
-    numbers.into_iter().map(|x| (x + 0.0).to_bits()).collect()
-}
-
-impl Bits for Rgb {
-    fn bits(&self) -> Vec<u64> {
-        bits(self)
-    }
-}
-
-impl Bits for Matrix {
-    fn bits(&self) -> Vec<u64> {
-        bits(self.0.iter().flatten())
-    }
-}
-
-impl Bits for Optics {
-    fn bits(&self) -> Vec<u64> {
-        bits(self.kd.iter().chain(&self.ks).chain(&self.kt))
-    }
-}
-
-impl Bits for Texture {
-    fn bits(&self) -> Vec<u64> {
-        match self {
-            Texture::Colour(c) => bits(c),
-            Texture::Checkerboard { n, m, colours } => {
-                let mut key = bits(colours.iter().flatten());
-                key.extend([u64::from(*n), u64::from(*m)]);
-                key
-            }
-            Texture::Solid { colours, size } => {
-                bits(colours.iter().flatten().chain(std::iter::once(size)))
-            }
-            // One byte a number, longer than any other key, the end marked.
-            Texture::Image { file, .. } => {
-                let mut key = vec![u64::MAX; 9];
-                key.extend(file.bytes().map(u64::from));
-                key
-            }
-        }
-    }
+fn optics_bits(o: &Optics) -> Vec<u64> {
+    bits(o.kd.iter().chain(&o.ks).chain(&o.kt))
 }

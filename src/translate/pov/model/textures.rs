@@ -1,8 +1,7 @@
 //! The textures that a translation declares: each a texture of the scene with optics, and for one that is laid on
 //! shapes, on a shape.
 
-use std::collections::HashMap;
-
+use super::numbered::Numbered;
 use super::tables::{DEFAULT, PROFILE, Tables, TextureUse};
 use crate::scene::{self, Geometry, Scene};
 use crate::translate::pov::pictures::Pictures;
@@ -20,8 +19,7 @@ struct Key {
 /// Textures by number.
 #[derive(Debug, Default)]
 pub(crate) struct Textures {
-    keys: Vec<Key>,
-    numbers: HashMap<Key, usize>,
+    keys: Numbered<Key>,
 }
 
 impl Textures {
@@ -39,31 +37,23 @@ impl Textures {
             shape,
             behind: false,
         };
-        (!is_default).then(|| self.of(key))
+        (!is_default).then(|| self.keys.number(key, || key) as usize)
     }
 
     /// The same texture lit from the other side; nothing for one that light goes through.
     pub(crate) fn behind(&mut self, tables: &Tables, number: usize) -> Option<usize> {
-        let front = self.keys[number];
+        let front = self.keys.values[number];
         let behind = Key {
             behind: true,
             ..front
         };
-        (!tables.is_transparent(front.optics)).then(|| self.of(behind))
-    }
-
-    fn of(&mut self, key: Key) -> usize {
-        let next = self.keys.len();
-        let number = *self.numbers.entry(key).or_insert(next);
-        if number == next {
-            self.keys.push(key);
-        }
-        number
+        let is_opaque = !tables.is_transparent(front.optics);
+        is_opaque.then(|| self.keys.number(behind, || behind) as usize)
     }
 
     /// Whether light goes through a texture.
     pub(crate) fn is_transparent(&self, tables: &Tables, number: usize) -> bool {
-        tables.is_transparent(self.keys[number].optics)
+        tables.is_transparent(self.keys.values[number].optics)
     }
 
     /// All textures, and the images that they show.
@@ -73,9 +63,9 @@ impl Textures {
         scene: &'a Scene,
         pictures: &Pictures,
     ) -> (Vec<Texture<'a>>, Vec<Image>) {
-        let mut images = Images::default();
-        let mut textures = Vec::with_capacity(self.keys.len());
-        for key in &self.keys {
+        let mut images = Numbered::default();
+        let mut textures = Vec::new();
+        for key in &self.keys.values {
             let owner = tables.owner(key.texture.texture, key.optics);
             textures.push(Texture {
                 owner: (owner, key.shape.map(|s| scene.shapes[s as usize].id)),
@@ -85,27 +75,7 @@ impl Textures {
                 is_behind: key.behind,
             });
         }
-        (textures, images.all)
-    }
-}
-
-#[derive(Default)]
-struct Images {
-    all: Vec<Image>,
-    numbers: HashMap<String, usize>,
-}
-
-impl Images {
-    fn number(&mut self, file: &str, pictures: &Pictures) -> usize {
-        if let Some(number) = self.numbers.get(file) {
-            return *number;
-        }
-        self.all.push(Image {
-            file: pictures.named(file),
-            caption: file.replace(char::is_control, " "),
-        });
-        self.numbers.insert(file.to_owned(), self.all.len() - 1);
-        self.all.len() - 1
+        (textures, images.values)
     }
 }
 
@@ -114,7 +84,7 @@ fn pattern<'a>(
     tables: &Tables,
     scene: &'a Scene,
     pictures: &Pictures,
-    images: &mut Images,
+    images: &mut Numbered<String, Image>,
 ) -> Pattern<'a> {
     let shape = key.shape.map(|s| &scene.shapes[s as usize].geometry);
     if key.texture.texture == PROFILE
@@ -131,7 +101,11 @@ fn pattern<'a>(
             Pattern::Checkerboard(shape, [*n, *m], *colours)
         }
         (scene::Texture::Image { file, .. }, Some(shape)) => {
-            Pattern::Image(shape, images.number(file, pictures))
+            let image = || Image {
+                file: pictures.named(file),
+                caption: file.replace(char::is_control, " "),
+            };
+            Pattern::Image(shape, images.number(file.clone(), image) as usize)
         }
         // Such textures are handed down to shapes.
         (scene::Texture::Checkerboard { colours, .. }, None) => Pattern::Colour(colours[0]),

@@ -1,0 +1,48 @@
+//! Values by number.
+
+use std::collections::HashMap;
+use std::hash::Hash;
+
+use crate::geometry::Matrix;
+
+/// Values by number, those with equal keys by the same one.
+#[derive(Debug)]
+pub(crate) struct Numbered<K, T = K> {
+    pub values: Vec<T>,
+    numbers: HashMap<K, u32>,
+}
+
+impl<K, T> Default for Numbered<K, T> {
+    fn default() -> Self {
+        Numbered {
+            values: Vec::new(),
+            numbers: HashMap::new(),
+        }
+    }
+}
+
+impl<K: Eq + Hash, T> Numbered<K, T> {
+    /// The number of the value with a key, which is made where there is none yet.
+    pub(crate) fn number(&mut self, key: K, value: impl FnOnce() -> T) -> u32 {
+        *self.numbers.entry(key).or_insert_with(|| {
+            self.values.push(value());
+            self.values.len() as u32 - 1
+        })
+    }
+
+    pub(crate) fn get(&self, number: u32) -> &T {
+        &self.values[number as usize]
+    }
+}
+
+/// Numbers as a key. Adding zero makes one of the two zeros.
+pub(crate) fn bits<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> Vec<u64> {
+    numbers.into_iter().map(|x| (x + 0.0).to_bits()).collect()
+}
+
+impl Numbered<[u64; 16], Matrix> {
+    pub(crate) fn matrix(&mut self, m: &Matrix) -> u32 {
+        let key = std::array::from_fn(|k| (m.0[k / 4][k % 4] + 0.0).to_bits());
+        self.number(key, || *m)
+    }
+}
