@@ -18,8 +18,15 @@ pub(super) fn simplified<'a>(tree: Tree<'a>) -> Tree<'a> {
     }
     let root = tree.root.and_then(|root| out.numbers[root]);
     let mut textures = used(&tree.textures, |f| {
+        let mut look = |object: &mut Object| {
+            for modifier in &mut object.modifiers {
+                if let Modifier::Texture(number) | Modifier::InnerTexture(number) = modifier {
+                    f(number);
+                }
+            }
+        };
         let objects = out.objects.iter_mut();
-        objects.for_each(|declared| declared.object.each_texture(f));
+        objects.for_each(|declared| declared.object.each(&mut look));
     });
     let images = used(&tree.images, |f| {
         for texture in &mut textures {
@@ -32,7 +39,7 @@ pub(super) fn simplified<'a>(tree: Tree<'a>) -> Tree<'a> {
     Tree {
         images,
         textures,
-        uses: uses(&out.objects),
+        uses: uses(&mut out.objects),
         objects: out.objects,
         root,
     }
@@ -160,7 +167,7 @@ fn name(textures: &mut [Texture]) {
     }
 }
 
-fn uses(objects: &[Declaration]) -> Uses {
+fn uses(objects: &mut [Declaration]) -> Uses {
     let mut uses = Uses::default();
     for declared in objects {
         declared.object.each(&mut |object| {

@@ -225,44 +225,16 @@ impl<'a> Object<'a> {
         self
     }
 
-    /// Calls `f` with the object and all that it is made of, as far as that is not declared. Operations nest a few
-    /// levels deep at most: deeper ones are declared objects.
-    pub fn each(&self, f: &mut impl FnMut(&Object<'a>)) {
-        f(self);
-        if let Body::Operation(_, operands) = &self.body {
-            operands.iter().for_each(|operand| operand.each(f));
+    /// Calls `f` with all that an object is made of, as far as that is not declared, in the order of the text: operands, the
+    /// object itself, and what it is clipped by. Operations nest a few levels deep at most: deeper ones are declared objects.
+    pub fn each(&mut self, f: &mut dyn FnMut(&mut Object<'a>)) {
+        if let Body::Operation(_, operands) = &mut self.body {
+            operands.iter_mut().for_each(|operand| operand.each(f));
         }
-        for modifier in &self.modifiers {
+        f(self);
+        for modifier in &mut self.modifiers {
             if let Modifier::Clip(by) = modifier {
                 by.each(f);
-            }
-        }
-    }
-
-    /// Calls `f` with the numbers of the textures in it, in the order of the text.
-    pub fn each_texture(&mut self, f: &mut dyn FnMut(&mut usize)) {
-        if let Body::Operation(_, operands) = &mut self.body {
-            operands.iter_mut().for_each(|o| o.each_texture(f));
-        }
-        for modifier in &mut self.modifiers {
-            match modifier {
-                Modifier::Texture(number) | Modifier::InnerTexture(number) => f(number),
-                Modifier::Clip(by) => by.each_texture(f),
-                _ => {}
-            }
-        }
-    }
-
-    /// Calls `f` with the numbers of the declared objects in it.
-    pub fn each_declared(&mut self, f: &mut impl FnMut(&mut usize)) {
-        match &mut self.body {
-            Body::Declared(number) => f(number),
-            Body::Operation(_, operands) => operands.iter_mut().for_each(|o| o.each_declared(f)),
-            Body::Shape(_) | Body::Mesh(_) | Body::Everything => {}
-        }
-        for modifier in &mut self.modifiers {
-            if let Modifier::Clip(by) = modifier {
-                by.each_declared(f);
             }
         }
     }

@@ -65,7 +65,7 @@ impl<'a> Lower<'a> {
                     if !visited.insert(number) {
                         continue;
                     }
-                    let declaration = self.declaration(self.model.key(number));
+                    let mut declaration = self.declaration(self.model.key(number));
                     let mut needs = Vec::new();
                     declaration.object.each(&mut |part| {
                         if let Body::Declared(number) = part.body {
@@ -76,7 +76,11 @@ impl<'a> Lower<'a> {
                     todo.extend(needs.into_iter().rev());
                 }
                 Step::Write(number, mut declaration) => {
-                    (declaration.object).each_declared(&mut |number| *number = places[number]);
+                    declaration.object.each(&mut |part| {
+                        if let Body::Declared(number) = &mut part.body {
+                            *number = places[number];
+                        }
+                    });
                     places.insert(number, objects.len());
                     objects.push(declaration);
                 }
@@ -88,7 +92,15 @@ impl<'a> Lower<'a> {
     fn declaration(&mut self, key: Key) -> Declaration<'a> {
         let id = self.model.ids[key.node as usize];
         let mut object = self.definition(key);
-        self.resolve(&mut object);
+        // What stands for nodes gives way to their objects: a shape is written out, an operation is declared before.
+        object.each(&mut |part| {
+            if let Body::Declared(number) = part.body {
+                let resolved = self.inline(number);
+                part.body = resolved.body;
+                part.modifiers.splice(..0, resolved.modifiers);
+                part.comment = resolved.comment;
+            }
+        });
         if key.state.flush.is_none()
             && let Some((volume, written)) = self.volumes.get_mut(&key.node)
         {
@@ -114,24 +126,6 @@ impl<'a> Lower<'a> {
             end => {
                 let body = self.model.body(&end).unwrap_or(Object::nothing());
                 body.with(descent.modifiers)
-            }
-        }
-    }
-
-    /// Puts in the place of what stands for nodes their objects: a shape is written out, an operation is declared
-    /// before.
-    fn resolve(&mut self, object: &mut Object<'a>) {
-        if let Body::Declared(number) = object.body {
-            let resolved = self.inline(number);
-            object.body = resolved.body;
-            object.modifiers.splice(..0, resolved.modifiers);
-            object.comment = resolved.comment;
-        } else if let Body::Operation(_, operands) = &mut object.body {
-            operands.iter_mut().for_each(|o| self.resolve(o));
-        }
-        for modifier in &mut object.modifiers {
-            if let Modifier::Clip(by) = modifier {
-                self.resolve(by);
             }
         }
     }
