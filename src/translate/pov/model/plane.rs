@@ -1,8 +1,8 @@
 //! Planes, and shapes with their faces in some of them farther out.
 
-use super::lengthen::{Cut, HALF};
+use super::lengthen::EndMove;
+use crate::geometry::Matrix;
 use crate::geometry::array::{length, sub};
-use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Vec3};
 
 /// Distance of normals that are one: what rotations may do.
@@ -63,21 +63,10 @@ pub(crate) fn with_planes_moved(geometry: &Geometry, planes: &[(Plane, f64)]) ->
             continue;
         };
         let sign = plane.n[axis].signum();
+        let (upper, by) = (sign > 0.0, *by);
         let at = -plane.d * sign;
-        let Some(end) = now.ends(axis).into_iter().find(|end| near(*end, at)) else {
-            continue;
-        };
-        let mut around = Aabb::ALL;
-        match sign > 0.0 {
-            true => around.max[axis] = end,
-            false => around.min[axis] = end,
-        }
-        let cut = Cut {
-            around,
-            by: HALF.copysign(*by),
-            most: by.abs(),
-        };
-        out = now.lengthened(&cut).or(out);
+        let moved = now.with_end_moved(&EndMove { axis, upper, by }, |end| near(*end, at));
+        out = moved.or(out);
     }
     out
 }
