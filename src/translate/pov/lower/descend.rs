@@ -48,26 +48,9 @@ pub(crate) struct Descent<'a> {
 }
 
 impl Descent<'_> {
-    /// The union at the end, if nothing stands before it.
-    pub(crate) fn bare_union(&self) -> Option<(NodeId, NodeId, State)> {
-        match self.end {
-            End::Union(a, b, state) if self.modifiers.is_empty() => Some((a, b, state)),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn bare_intersection(&self) -> Option<(NodeId, NodeId, State)> {
-        match self.end {
-            End::Intersection(a, b, state) if self.modifiers.is_empty() => Some((a, b, state)),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn bare_difference(&self) -> Option<(NodeId, NodeId, State)> {
-        match self.end {
-            End::Difference(a, b, state) if self.modifiers.is_empty() => Some((a, b, state)),
-            _ => None,
-        }
+    /// The end, if nothing stands before it.
+    pub(crate) fn bare(&self) -> Option<End> {
+        self.modifiers.is_empty().then_some(self.end)
     }
 }
 

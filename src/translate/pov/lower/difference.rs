@@ -36,9 +36,8 @@ impl<'a> Model<'a> {
     fn cut_chain(&mut self, a: NodeId, b: NodeId, state: State) -> ((NodeId, State), Vec<NodeId>) {
         let mut base = (a, state);
         let mut cutters = vec![b];
-        while let Some((a, b, state)) = self
-            .descend(base.0, base.1, Stop::AtShared)
-            .bare_difference()
+        while let Some(End::Difference(a, b, state)) =
+            self.descend(base.0, base.1, Stop::AtShared).bare()
         {
             cutters.push(b);
             base = (a, state);
@@ -60,7 +59,7 @@ impl<'a> Model<'a> {
         let offset = change.and_then(|c| self.changes.offset(c));
         let offset = offset.map(|c| self.changes.turned(c));
         let taken = self.cutters(cutters, look, Some(of), offset);
-        Some(difference(base, taken, &[]))
+        Some(difference(Operation::Difference, base, taken, Vec::new()))
     }
 
     /// A base, without those parts of it that certainly go: their faces are the cutters', too.
@@ -70,7 +69,7 @@ impl<'a> Model<'a> {
         cutters: &[NodeId],
     ) -> Option<Object<'a>> {
         let descent = self.descend(node, state, Stop::BelowStart);
-        let Some((a, b, inner)) = descent.bare_union() else {
+        let Some(End::Union(a, b, inner)) = descent.bare() else {
             return Some(self.refer(node, state));
         };
         let mut parts = self.flat_union(&[a, b], inner);
@@ -150,7 +149,7 @@ impl<'a> Model<'a> {
             return None;
         }
         let descent = self.descend(node, state, Stop::BelowStart);
-        let Some((a, b, inner)) = descent.bare_intersection() else {
+        let Some(End::Intersection(a, b, inner)) = descent.bare() else {
             return Some(self.refer(node, state));
         };
         let members = self.flat_intersection(a, b, inner);
@@ -165,16 +164,14 @@ impl<'a> Model<'a> {
     /// A base of several substances: its parts are cut one by one.
     fn cut_by_part(&mut self, base: (NodeId, State), cutters: &[NodeId]) -> Option<Object<'a>> {
         let descent = self.descend(base.0, base.1, Stop::Never);
-        let mut moved = Some(Matrix::IDENTITY);
-        for modifier in &descent.modifiers {
-            moved = match (moved, modifier) {
-                (Some(before), Modifier::Matrix(m)) => Some(m.after(&before)),
-                _ => None,
-            };
-        }
+        let moved = (descent.modifiers.iter()).try_fold(Matrix::IDENTITY, |before, m| match m {
+            Modifier::Matrix(m) => Some(m.after(&before)),
+            _ => None,
+        });
         let back = moved.and_then(|m| m.inverse());
         let (End::Union(a, b, state), Some(back)) = (descent.end, back) else {
-            return Some(self.cut_away(base, cutters));
+            let base = self.refer(base.0, base.1);
+            return Some(self.cut_away(base, cutters, &Matrix::IDENTITY, Vec::new()));
         };
         let mut parts = self.flat_union(&[a, b], state);
         if back == Matrix::IDENTITY {
@@ -246,7 +243,7 @@ impl<'a> Model<'a> {
     ) -> Option<Object<'a>> {
         let Some((look, index)) = group.substance else {
             let base = self.union(group.nodes.clone())?;
-            return Some(self.cut_away_piece(base, cutters, back, &others));
+            return Some(self.cut_away(base, cutters, back, others));
         };
         let nodes: Vec<_> = group
             .nodes
@@ -271,22 +268,17 @@ impl<'a> Model<'a> {
         };
         let taken = moved(self.cutters(cutters, look, None, None), back);
         let interior = (transparent && index != DEFAULT).then(|| self.index(index));
-        Some(difference(base, taken, &others).with(interior))
+        Some(difference(Operation::Difference, base, taken, others).with(interior))
     }
 
     /// The last resort for a base of several substances: POV-Ray finds out at every point of a cut
     /// face what it cuts.
-    fn cut_away(&mut self, base: (NodeId, State), cutters: &[NodeId]) -> Object<'a> {
-        let base = self.refer(base.0, base.1);
-        self.cut_away_piece(base, cutters, &Matrix::IDENTITY, &[])
-    }
-
-    fn cut_away_piece(
+    fn cut_away(
         &mut self,
         base: Object<'a>,
         cutters: &[NodeId],
         back: &Matrix,
-        others: &[Object<'a>],
+        others: Vec<Object<'a>>,
     ) -> Object<'a> {
         self.report.count(
             "cut faces of composite objects",
@@ -295,22 +287,24 @@ impl<'a> Model<'a> {
             ),
             "cutaway_textures",
         );
-        let taken = moved(
-            self.cutters(cutters, State::GEOMETRY.look, None, None),
-            back,
-        );
-        let mut members = vec![base];
-        members.extend(taken);
-        members.extend(others.iter().cloned());
-        Object::of(Operation::CutawayDifference, members)
+        let taken = self.cutters(cutters, State::GEOMETRY.look, None, None);
+        difference(
+            Operation::CutawayDifference,
+            base,
+            moved(taken, back),
+            others,
+        )
     }
 }
 
-fn difference<'a>(base: Object<'a>, taken: Vec<Object<'a>>, others: &[Object<'a>]) -> Object<'a> {
-    let mut members = vec![base];
-    members.extend(taken);
-    members.extend(others.iter().cloned());
-    Object::of(Operation::Difference, members)
+fn difference<'a>(
+    operation: Operation,
+    base: Object<'a>,
+    taken: Vec<Object<'a>>,
+    others: Vec<Object<'a>>,
+) -> Object<'a> {
+    let members = std::iter::once(base).chain(taken).chain(others);
+    Object::of(operation, members.collect())
 }
 
 fn moved<'a>(pieces: Vec<Object<'a>>, m: &Matrix) -> Vec<Object<'a>> {

@@ -20,10 +20,12 @@ impl<'a> Model<'a> {
         let mut solids = HashSet::new();
         while let Some((node, state)) = todo.pop() {
             let descent = self.descend(node, state, Stop::AmongParts);
-            match (descent.bare_union(), descent.end) {
-                (Some((a, b, state)), _) => todo.extend([(b, state), (a, state)]),
-                (None, End::Nothing) => {}
-                (None, _) => {
+            match descent.end {
+                End::Union(a, b, state) if descent.modifiers.is_empty() => {
+                    todo.extend([(b, state), (a, state)]);
+                }
+                End::Nothing => {}
+                _ => {
                     let facts = self.materials[node as usize];
                     let surface = facts.has_surface && state.layer != Layer::Solid;
                     let place = self.solids.place(node);
@@ -153,12 +155,9 @@ impl<'a> Model<'a> {
         let mut todo = vec![(b, state), (a, state)];
         let mut out = Vec::new();
         while let Some((node, state)) = todo.pop() {
-            match self
-                .descend(node, state, Stop::AtShared)
-                .bare_intersection()
-            {
-                Some((a, b, state)) => todo.extend([(b, state), (a, state)]),
-                None => out.push((node, state)),
+            match self.descend(node, state, Stop::AtShared).bare() {
+                Some(End::Intersection(a, b, state)) => todo.extend([(b, state), (a, state)]),
+                _ => out.push((node, state)),
             }
         }
         out
