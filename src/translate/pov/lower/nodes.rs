@@ -14,7 +14,6 @@ use crate::syntax::Captions;
 use crate::translate::fidelity::Fidelity;
 use crate::translate::names;
 use crate::translate::pov::model::Model;
-use crate::translate::pov::model::displacement::Change;
 use crate::translate::pov::model::state::{Appearance, Key, State};
 use crate::translate::pov::model::tables::{DEFAULT, PROFILE, TextureUse};
 use crate::translate::pov::separate::backward_normals::with_normals_turned;
@@ -170,9 +169,7 @@ impl<'a> Lower<'a> {
         let record = &scene.shapes[shape as usize];
         let geometry = &record.geometry;
         let change = state.flush.filter(|f| self.applies(*f, geometry));
-        if let Some(Change::Planes(_) | Change::Both(..)) =
-            change.map(|f| self.model.changes.get(f))
-        {
+        if change.is_some_and(|c| self.model.changes.is_longer(c)) {
             self.longer.insert(shape);
         }
         let own = match state.look {

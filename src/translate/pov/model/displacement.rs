@@ -1,7 +1,7 @@
 //! Ways to write shapes otherwise than they are where nobody sees it, by number.
 
 use super::numbered::Numbered;
-use super::plane::{Plane, with_planes_moved};
+use super::plane::{Plane, with_plane_moved};
 use super::state::State;
 use super::stretch::stretched;
 use crate::geometry::Matrix;
@@ -12,50 +12,66 @@ use crate::scene::Geometry;
 pub(crate) enum Change {
     /// The surface lies this far outside of where it is; inside where the number is negative.
     Offset(f64),
-    /// Flat faces in some planes, by their number, lie farther out.
-    Planes(u32),
+    /// A flat face in a plane lies this much farther out.
+    Plane(Plane, f64),
     /// A flat surface is a plate, so far from it on both sides, with the index of this number.
     Plate(f64, u32),
-    /// One change after the other, by their numbers.
-    Both(u32, u32),
 }
 
-/// Changes, by number.
+impl Change {
+    fn bits(self) -> [u64; 6] {
+        let bits = f64::to_bits;
+        match self {
+            Change::Offset(by) => [0, bits(by + 0.0), 0, 0, 0, 0],
+            Change::Plane(Plane { n: [x, y, z], d }, by) => {
+                [1, bits(x), bits(y), bits(z), bits(d), bits(by)]
+            }
+            Change::Plate(by, index) => [2, bits(by), u64::from(index), 0, 0, 0],
+        }
+    }
+
+    /// The same in the coordinates that a matrix leads away from.
+    fn moved_back(self, m: &Matrix) -> Option<Change> {
+        Some(match self {
+            Change::Offset(by) => Change::Offset(by * stretched(m)?),
+            Change::Plate(by, index) => Change::Plate(by * stretched(m)?, index),
+            Change::Plane(plane, by) => {
+                let (plane, factor) = plane.moved_back(m)?;
+                Change::Plane(plane, by * factor)
+            }
+        })
+    }
+}
+
+/// Changes, one after the other, by number.
 #[derive(Debug, Default)]
 pub(crate) struct Changes {
-    changes: Numbered<[u64; 3], Change>,
-    /// Planes, and how far out what lies in them is moved.
-    planes: Numbered<Vec<u64>, Vec<(Plane, f64)>>,
+    changes: Numbered<Vec<[u64; 6]>, Vec<Change>>,
 }
 
 impl Changes {
     pub(crate) fn number(&mut self, change: Change) -> u32 {
-        let key = match change {
-            Change::Offset(by) => [0, (by + 0.0).to_bits(), 0],
-            Change::Planes(planes) => [1, u64::from(planes), 0],
-            Change::Plate(by, index) => [2, by.to_bits(), u64::from(index)],
-            Change::Both(a, b) => [3, u64::from(a), u64::from(b)],
-        };
-        self.changes.number(key, || change)
+        self.number_all(vec![change])
+    }
+
+    fn number_all(&mut self, changes: Vec<Change>) -> u32 {
+        let key = changes.iter().map(|change| change.bits()).collect();
+        self.changes.number(key, || changes)
     }
 
     /// The number of the change that moves the faces in some planes out, if there are any.
     pub(crate) fn of_planes(&mut self, planes: Vec<(Plane, f64)>) -> Option<u32> {
-        if planes.is_empty() {
-            return None;
-        }
-        let bits = |(p, by): &(Plane, f64)| [p.n[0], p.n[1], p.n[2], p.d, *by].map(f64::to_bits);
-        let key = planes.iter().flat_map(bits).collect();
-        let number = self.planes.number(key, || planes);
-        Some(self.number(Change::Planes(number)))
+        let planes = planes.into_iter();
+        let changes: Vec<_> = planes.map(|(plane, by)| Change::Plane(plane, by)).collect();
+        (!changes.is_empty()).then(|| self.number_all(changes))
     }
 
     /// The number of one change after another, if there is that.
     pub(crate) fn both(&mut self, first: Option<u32>, second: u32) -> u32 {
-        match first {
-            Some(first) => self.number(Change::Both(first, second)),
-            None => second,
-        }
+        let numbers = first.into_iter().chain([second]);
+        let changes = numbers.flat_map(|number| self.changes.get(number)).copied();
+        let changes = changes.collect();
+        self.number_all(changes)
     }
 
     /// Makes changes to a solid after those that are made to it already.
@@ -66,95 +82,78 @@ impl Changes {
     }
 
     /// The part of a change that moves whole surfaces, of what is taken away, too.
-    pub(crate) fn offset(&self, number: u32) -> Option<u32> {
-        match self.get(number) {
-            Change::Offset(_) => Some(number),
-            Change::Both(a, b) => self.offset(a).or_else(|| self.offset(b)),
-            Change::Plate(..) | Change::Planes(_) => None,
-        }
+    pub(crate) fn offset(&mut self, number: u32) -> Option<u32> {
+        let mut changes = self.changes.get(number).iter();
+        let offset = *changes.find(|change| matches!(change, Change::Offset(_)))?;
+        Some(self.number(offset))
     }
 
     /// By how much a solid is larger all around.
     pub(crate) fn larger_by(&self, number: u32) -> f64 {
-        match self.get(number) {
-            Change::Offset(by) => by.max(0.0),
-            Change::Both(a, b) => self.larger_by(a).max(self.larger_by(b)),
-            Change::Plate(..) | Change::Planes(_) => 0.0,
-        }
+        let changes = self.changes.get(number).iter();
+        changes.fold(0.0, |most, change| match change {
+            Change::Offset(by) => by.max(most),
+            Change::Plate(..) | Change::Plane(..) => most,
+        })
     }
 
     /// How thick a sheet is to one side by a change, and of which index, if it is a plate.
     pub(crate) fn plate(&self, number: u32) -> Option<(f64, u32)> {
-        match self.get(number) {
-            Change::Plate(by, index) => Some((by, index)),
-            Change::Both(a, b) => self.plate(b).or_else(|| self.plate(a)),
-            Change::Offset(_) | Change::Planes(_) => None,
-        }
+        let mut changes = self.changes.get(number).iter().rev();
+        changes.find_map(|change| match change {
+            Change::Plate(by, index) => Some((*by, *index)),
+            Change::Offset(_) | Change::Plane(..) => None,
+        })
+    }
+
+    /// Whether a change is more than that of a whole surface.
+    pub(crate) fn is_longer(&self, number: u32) -> bool {
+        !matches!(
+            self.changes.get(number)[..],
+            [Change::Offset(_) | Change::Plate(..)]
+        )
     }
 
     /// The text of a comment on a shape that is changed so.
     pub(crate) fn note(&self, number: u32) -> &'static str {
-        match self.get(number) {
-            Change::Both(..) | Change::Planes(_) => {
-                ": made longer, since it ends flush with something"
-            }
-            Change::Offset(by) if by < 0.0 => ": a hair smaller",
-            Change::Offset(_) => ": a hair larger",
-            Change::Plate(..) => ": a hair thick",
+        match self.changes.get(number)[..] {
+            [Change::Offset(by)] if by < 0.0 => ": a hair smaller",
+            [Change::Offset(_)] => ": a hair larger",
+            [Change::Plate(..)] => ": a hair thick",
+            _ => ": made longer, since it ends flush with something",
         }
-    }
-
-    pub(crate) fn get(&self, number: u32) -> Change {
-        *self.changes.get(number)
     }
 
     /// The changed shape, if there is anything to change about it.
     pub(crate) fn changed(&self, number: u32, geometry: &Geometry) -> Option<Geometry> {
-        match self.get(number) {
-            Change::Offset(by) => geometry.offset(by),
-            // It is no shape of the language.
-            Change::Plate(..) => None,
-            Change::Planes(planes) => with_planes_moved(geometry, self.planes.get(planes)),
-            Change::Both(a, b) => {
-                let first = self.changed(a, geometry);
-                let second = self.changed(b, first.as_ref().unwrap_or(geometry));
-                second.or(first)
-            }
-        }
+        let changes = self.changes.get(number).iter();
+        changes.fold(None, |out: Option<Geometry>, change| {
+            let now = out.as_ref().unwrap_or(geometry);
+            let next = match change {
+                Change::Offset(by) => now.offset(*by),
+                // It is no shape of the language.
+                Change::Plate(..) => None,
+                Change::Plane(plane, by) => with_plane_moved(now, plane, *by),
+            };
+            next.or(out)
+        })
     }
 
     /// The same change in the coordinates that a matrix leads away from, if there is one.
     pub(crate) fn moved_back(&mut self, number: u32, m: &Matrix) -> Option<u32> {
-        let change = match self.get(number) {
-            Change::Offset(by) => Change::Offset(by * stretched(m)?),
-            Change::Plate(by, index) => Change::Plate(by * stretched(m)?, index),
-            Change::Planes(planes) => {
-                let planes = self.planes.get(planes).clone();
-                let moved = planes.into_iter().filter_map(|(plane, by)| {
-                    let (plane, factor) = plane.moved_back(m)?;
-                    Some((plane, by * factor))
-                });
-                return self.of_planes(moved.collect());
-            }
-            Change::Both(a, b) => {
-                return match (self.moved_back(a, m), self.moved_back(b, m)) {
-                    (Some(a), Some(b)) => Some(self.number(Change::Both(a, b))),
-                    (a, b) => a.or(b),
-                };
-            }
-        };
-        Some(self.number(change))
+        let changes = self.changes.get(number).iter();
+        let moved: Vec<_> = changes.filter_map(|change| change.moved_back(m)).collect();
+        (!moved.is_empty()).then(|| self.number_all(moved))
     }
 
     /// The change of what something is the complement of, or what is taken from it.
     pub(crate) fn turned(&mut self, number: u32) -> u32 {
-        match self.get(number) {
-            Change::Plate(..) | Change::Planes(_) => number,
-            Change::Offset(by) => self.number(Change::Offset(-by)),
-            Change::Both(a, b) => {
-                let (a, b) = (self.turned(a), self.turned(b));
-                self.number(Change::Both(a, b))
-            }
-        }
+        let changes = self.changes.get(number).iter();
+        let turned = changes.map(|change| match *change {
+            Change::Offset(by) => Change::Offset(-by),
+            change => change,
+        });
+        let turned = turned.collect();
+        self.number_all(turned)
     }
 }

@@ -1,4 +1,4 @@
-//! Planes, and shapes with their faces in some of them farther out.
+//! Planes, and shapes with their faces in one of them farther out.
 
 use super::lengthen::EndMove;
 use crate::geometry::Matrix;
@@ -43,30 +43,18 @@ impl Plane {
     }
 }
 
-/// The shape with its flat faces in some planes farther out, if it has any there.
-pub(crate) fn with_planes_moved(geometry: &Geometry, planes: &[(Plane, f64)]) -> Option<Geometry> {
-    let mut out: Option<Geometry> = None;
-    for (plane, by) in planes {
-        let now = out.as_ref().unwrap_or(geometry);
-        let near = |a: f64, b: f64| (a - b).abs() <= OFFSET_REL_EPS * by.abs();
-        if let (Some([a, b, c, d]), true) = (now.plane(), now.is_solid()) {
-            let n = [a, b, c];
-            let here = Plane::of(n, d)?;
-            if length(sub(here.n, plane.n)) <= NORMAL_EPS && near(here.d, plane.d) {
-                let d = d - by * length(n);
-                out = Some(Geometry::HalfSpace([a, b, c, d]));
-            }
-            continue;
-        }
-        // All others have such faces across their axes only.
-        let Some(axis) = (0..3).find(|i| plane.n[*i].abs() > 1.0 - NORMAL_EPS) else {
-            continue;
-        };
-        let sign = plane.n[axis].signum();
-        let (upper, by) = (sign > 0.0, *by);
-        let at = -plane.d * sign;
-        let moved = now.with_end_moved(&EndMove { axis, upper, by }, |end| near(*end, at));
-        out = moved.or(out);
+/// The shape with its flat face in a plane farther out, if it has one there.
+pub(super) fn with_plane_moved(geometry: &Geometry, plane: &Plane, by: f64) -> Option<Geometry> {
+    let near = |a: f64, b: f64| (a - b).abs() <= OFFSET_REL_EPS * by.abs();
+    if let (Some([a, b, c, d]), true) = (geometry.plane(), geometry.is_solid()) {
+        let n = [a, b, c];
+        let here = Plane::of(n, d)?;
+        let is_it = length(sub(here.n, plane.n)) <= NORMAL_EPS && near(here.d, plane.d);
+        return is_it.then(|| Geometry::HalfSpace([a, b, c, d - by * length(n)]));
     }
-    out
+    // All others have such faces across their axes only.
+    let axis = (0..3).find(|i| plane.n[*i].abs() > 1.0 - NORMAL_EPS)?;
+    let sign = plane.n[axis].signum();
+    let (upper, at) = (sign > 0.0, -plane.d * sign);
+    geometry.with_end_moved(&EndMove { axis, upper, by }, |end| near(*end, at))
 }
