@@ -6,18 +6,14 @@ use crate::geometry::{Aabb, Matrix};
 use crate::scene::NodeId;
 use crate::translate::fidelity::Fidelity;
 use crate::translate::pov::model::Model;
-use crate::translate::pov::model::grouping::{self, meet};
+use crate::translate::pov::model::grouping::{self, Group, meet};
 use crate::translate::pov::model::looks::Substance;
 use crate::translate::pov::model::state::{Appearance, Layer, Medium, State};
 use crate::translate::pov::model::tables::{DEFAULT, PROFILE, TextureUse};
 use crate::translate::pov::tree::{Modifier, Object, Operation};
 
 /// Parts of the object that is cut, all of one substance.
-struct Cut {
-    substance: Option<Substance>,
-    nodes: Vec<(NodeId, State)>,
-    boxes: Vec<Aabb>,
-}
+type Cut = Group<Substance, (NodeId, State)>;
 
 impl<'a> Model<'a> {
     /// A − B, with everything that is taken from A before.
@@ -158,7 +154,7 @@ impl<'a> Model<'a> {
         if kept.len() == members.len() || kept.is_empty() {
             return Some(self.refer(node, state));
         }
-        Some(Object::of(Operation::Intersection, self.refer_all(&kept)))
+        Some(Object::of(Operation::Intersection, self.refer_all(kept)))
     }
 
     /// A base of several substances: its parts are cut one by one.
@@ -177,12 +173,15 @@ impl<'a> Model<'a> {
         if back == Matrix::IDENTITY {
             parts.retain(|(node, _)| !self.is_within(*node, cutters));
         }
-        let groups = self.by_substance(&parts);
+        let substance = |&(node, state): &(NodeId, State)| self.substance(node, state);
+        let operands =
+            (parts.into_iter()).map(|part| (substance(&part), part, self.box_of(part.0)));
+        let groups = grouping::in_order(operands, self.budget);
         let mut pieces = Vec::new();
         for (i, group) in groups.iter().enumerate() {
             let mut others = Vec::new();
             for earlier in &groups[..i] {
-                if meet(&earlier.boxes, &group.boxes) {
+                if meet(&[&earlier.boxes, &group.boxes]) {
                     others.extend(self.taken_first(earlier, group));
                 }
             }
@@ -191,29 +190,10 @@ impl<'a> Model<'a> {
         Some(Object::unless_empty(Operation::Union, pieces)?.with(descent.modifiers))
     }
 
-    fn by_substance(&self, parts: &[(NodeId, State)]) -> Vec<Cut> {
-        let operands: Vec<_> = parts
-            .iter()
-            .map(|&(node, state)| (self.substance(node, state), self.box_of(node)))
-            .collect();
-        let cut = |group: &Vec<usize>| Cut {
-            substance: group.first().and_then(|i| operands[*i].0),
-            nodes: group.iter().map(|i| parts[*i]).collect(),
-            boxes: group.iter().map(|i| operands[*i].1).collect(),
-        };
-        grouping::in_order(&operands, self.budget)
-            .iter()
-            .map(cut)
-            .collect()
-    }
-
     /// Where parts of different substance overlap, the first one owns the overlap.
     fn taken_first(&mut self, earlier: &Cut, later: &Cut) -> Vec<Object<'a>> {
-        let both = earlier.nodes.iter().chain(&later.nodes);
-        if both
-            .into_iter()
-            .any(|&(node, state)| self.is_transparent(node, state.look))
-        {
+        let mut both = earlier.members.iter().chain(&later.members);
+        if both.any(|&(node, state)| self.is_transparent(node, state.look)) {
             self.report.count(
                 "cut faces through overlapping transparent parts",
                 Fidelity::approximate("faces between the parts may show twice"),
@@ -226,12 +206,8 @@ impl<'a> Model<'a> {
                 "",
             );
         }
-        let bare: Vec<_> = earlier
-            .nodes
-            .iter()
-            .map(|&(node, _)| (node, State::GEOMETRY))
-            .collect();
-        self.refer_all(&bare)
+        let bare = |(node, _): &(NodeId, State)| (*node, State::GEOMETRY);
+        self.refer_all(earlier.members.iter().map(bare))
     }
 
     fn cut_group(
@@ -241,20 +217,15 @@ impl<'a> Model<'a> {
         back: &Matrix,
         others: Vec<Object<'a>>,
     ) -> Option<Object<'a>> {
-        let Some((look, index)) = group.substance else {
-            let base = self.union(group.nodes.clone())?;
+        let Some((look, index)) = group.key else {
+            let base = self.union(group.members.clone())?;
             return Some(self.cut_away(base, cutters, back, others));
         };
-        let nodes: Vec<_> = group
-            .nodes
-            .iter()
-            .map(|&(node, state)| (node, state.medium(Medium::Above)))
-            .collect();
-        let base = self.union(nodes)?;
-        let transparent = match group.nodes.first() {
-            Some(&(node, _)) => self.is_transparent(node, look),
-            None => false,
-        };
+        let nodes = group.members.iter();
+        let nodes = nodes.map(|(node, state)| (*node, state.medium(Medium::Above)));
+        let base = self.union(nodes.collect())?;
+        let first = group.members.first();
+        let transparent = first.is_some_and(|(node, _)| self.is_transparent(*node, look));
         let look = match look {
             Appearance::Own {
                 texture: Some(t),

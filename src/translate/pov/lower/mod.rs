@@ -80,8 +80,7 @@ pub(super) fn lower<'a>(
     let lights_in_group = lights::is_any_on_surface(scene, bounds, render.root);
 
     let is_clear = facts.is_clear();
-    let mut model = Model::new(scene, facts, render.root, budget, report);
-    model.hair_of_scene = hair;
+    let mut model = Model::new(scene, facts, hair, budget, report);
     if is_clear {
         model.beside_clear = distribute::beside_clear(&model, render.root);
         model.holds_sheets = plates::holders(scene);

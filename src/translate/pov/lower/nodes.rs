@@ -252,13 +252,6 @@ impl<'a> Lower<'a> {
 
     /// States what the scene has that the objects have not.
     pub(super) fn report_what_is_left(&mut self) {
-        if self.model.unseen_twice {
-            self.model.report.state(
-                "depth of rays in parts that others surround",
-                Fidelity::approximate("light that is mirrored there takes two steps more"),
-                "",
-            );
-        }
         let is_left = |pair: &[u32; 2]| !pair.iter().any(|shape| self.longer.contains(shape));
         let mut flush = contacts::pairs(self.model.scene, &self.model.bounds).into_iter();
         if let Some([shape, _]) = flush.find(is_left) {

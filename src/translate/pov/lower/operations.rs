@@ -33,7 +33,7 @@ impl<'a> Model<'a> {
                 }
                 let mut members = self.without_wider(members);
                 self.longer_holes(&mut members);
-                Object::of(Operation::Intersection, self.refer_all(&members))
+                Object::of(Operation::Intersection, self.refer_all(members))
             }
             End::Difference(a, b, state) => self.difference(a, b, state)?,
             End::CrossedSurfaces(a, b, state) => {
@@ -52,7 +52,7 @@ impl<'a> Model<'a> {
                     (node, state.layer(Layer::Solid)),
                     (node, surface.flush(surface.flush.or(plate))),
                 ];
-                Object::of(Operation::Union, self.refer_all(&parts))
+                Object::of(Operation::Union, self.refer_all(parts))
             }
         })
     }

@@ -12,23 +12,23 @@ use crate::translate::pov::tree::{Modifier, Object, Operation};
 
 impl<'a> Model<'a> {
     /// The union of operands that are no unions themselves.
-    pub(crate) fn union(&mut self, members: Vec<(NodeId, State)>) -> Option<Object<'a>> {
+    pub(crate) fn union(&mut self, mut members: Vec<(NodeId, State)>) -> Option<Object<'a>> {
         let seen_into = |&(node, state): &(NodeId, State)| {
             self.materials[node as usize].has_solid
                 && state.layer != Layer::Surface
                 && self.is_seen_into(node, state)
         };
         if !members.iter().any(seen_into) {
-            let mut members = members;
-            let kinds = vec![(None, false); members.len()];
-            self.level(&mut members, &kinds);
-            let pieces = self.refer_all(&members);
+            self.level(&mut members, &[]);
+            let pieces = self.refer_all(members);
             return Object::unless_empty(Operation::Union, pieces);
         }
-        let (mut solids, mut surfaces) = self.by_part(&members);
-        let (kinds, extensions) = self.settled(&mut solids);
-        self.level_all(&mut solids, &mut surfaces, &kinds);
-        let groups = self.by_medium(&solids, &kinds);
+        let (mut parts, surfaces) = self.by_part(&members);
+        let (kinds, extensions) = self.settled(&mut parts);
+        parts.extend(surfaces);
+        self.level(&mut parts, &kinds);
+        let (solids, surfaces) = parts.split_at_mut(kinds.len());
+        let groups = self.by_medium(solids, &kinds);
         let union = self.meetings(groups, extensions);
         let mut pieces = Vec::new();
         for (i, group) in union.groups.iter().enumerate() {
@@ -46,23 +46,12 @@ impl<'a> Model<'a> {
             clips.extend(rest);
             pieces.extend(self.one_medium_union(group, clips, hidden));
         }
-        for surface in &mut surfaces {
+        for surface in surfaces.iter_mut() {
             let plate = self.plate(*surface, &union.groups);
             surface.1.flush = plate.or(surface.1.flush);
         }
-        pieces.extend(self.refer_all(&surfaces));
+        pieces.extend(self.refer_all(surfaces.iter().copied()));
         Object::unless_empty(Operation::Union, pieces)
-    }
-
-    fn level_all(&mut self, solids: &mut Operands, surfaces: &mut Operands, kinds: &[Kind]) {
-        let mut parts = solids.clone();
-        parts.extend(surfaces.iter().copied());
-        let mut kinds = kinds.to_vec();
-        kinds.resize(parts.len(), (None, false));
-        self.level(&mut parts, &kinds);
-        surfaces.copy_from_slice(&parts[solids.len()..]);
-        parts.truncate(solids.len());
-        *solids = parts;
     }
 
     /// Solids and surfaces apart: a merge has no place for surfaces.
@@ -81,25 +70,19 @@ impl<'a> Model<'a> {
     }
 
     fn by_medium(&self, solids: &[(NodeId, State)], kinds: &[Kind]) -> Vec<Members> {
-        let operands: Vec<_> = solids
-            .iter()
-            .zip(kinds)
-            .map(|(&(node, _), kind)| (kind.0, self.box_of(node)))
-            .collect();
-        let members = |group: &Vec<usize>| Members {
-            medium: group.first().and_then(|i| operands[*i].0),
-            nodes: group.iter().map(|i| solids[*i]).collect(),
-            boxes: group.iter().map(|i| operands[*i].1).collect(),
-            transparent: group.iter().any(|i| {
-                let (node, state) = solids[*i];
-                self.is_transparent(node, state.look)
-            }),
-            bounds_media: false,
-            seen_into: group.iter().any(|i| kinds[*i].1),
-        };
-        grouping::in_order(&operands, self.budget)
-            .iter()
-            .map(members)
+        let operands = (solids.iter().zip(kinds))
+            .map(|(solid, kind)| (kind.0, (*solid, kind.1), self.box_of(solid.0)));
+        let is_clear = |(node, state): (NodeId, State)| self.is_transparent(node, state.look);
+        let groups = grouping::in_order(operands, self.budget).into_iter();
+        groups
+            .map(|group| Members {
+                medium: group.key,
+                seen_into: group.members.iter().any(|(_, seen_into)| *seen_into),
+                transparent: group.members.iter().any(|(solid, _)| is_clear(*solid)),
+                nodes: group.members.into_iter().map(|(solid, _)| solid).collect(),
+                boxes: group.boxes,
+                bounds_media: false,
+            })
             .collect()
     }
 
@@ -113,15 +96,12 @@ impl<'a> Model<'a> {
     ) -> Option<Object<'a>> {
         let kind = group.kind();
         if kind == Operation::Union && others.is_empty() && !group.bounds_media {
-            let pieces = self.refer_all(&group.nodes);
+            let pieces = self.refer_all(group.nodes.iter().copied());
             return Some(Object::unless_empty(Operation::Union, pieces)?.with(clips));
         }
         let index = group.medium.map_or(DEFAULT, |(_, index)| index);
-        let nodes = group.nodes.iter();
-        let nodes: Vec<_> = nodes
-            .map(|(node, state)| (*node, state.medium(Medium::Above)))
-            .collect();
-        let pieces = self.refer_all(&nodes);
+        let within = |(node, state): &(NodeId, State)| (*node, state.medium(Medium::Above));
+        let pieces = self.refer_all(group.nodes.iter().map(within));
         let seen = Object::unless_empty(kind, pieces)?.with(clips);
         let all = std::iter::once(seen).chain(others).collect();
         let piece = Object::of(Operation::Union, all);

@@ -29,19 +29,20 @@ impl<'a> Model<'a> {
     /// The optics and index of a node that is one medium. What an object around the node gives is
     /// the same for all operands and counts as the default.
     pub(crate) fn medium(&self, node: NodeId, state: State) -> Option<(u32, u32)> {
-        let f = &self.materials[node as usize];
         let optics = match state.look {
-            Appearance::Above { .. } => Some(DEFAULT),
-            Appearance::Own {
-                optics: Some(o), ..
-            } => Some(o),
-            Appearance::Own { optics: None, .. } => f.optics.uniform.then_some(f.optics.first),
+            Appearance::Above { .. } => DEFAULT,
+            Appearance::Own { optics, .. } => {
+                optics.or(self.materials[node as usize].optics.only())?
+            }
         };
-        let index = match state.medium {
+        Some((optics, self.own_index(node, state)?))
+    }
+
+    fn own_index(&self, node: NodeId, state: State) -> Option<u32> {
+        match state.medium {
             Medium::Above => Some(DEFAULT),
-            Medium::Own => f.index.uniform.then_some(f.index.first),
-        };
-        optics.zip(index)
+            Medium::Own => self.materials[node as usize].index.only(),
+        }
     }
 
     /// The substance of all of a node, if it is the same everywhere.
@@ -50,15 +51,11 @@ impl<'a> Model<'a> {
         let look = match state.look {
             Appearance::Above { .. } => state.look,
             Appearance::Own { texture, optics } => Appearance::Own {
-                texture: Some(texture.or(f.texture.uniform.then_some(f.texture.first))?),
-                optics: Some(optics.or(f.optics.uniform.then_some(f.optics.first))?),
+                texture: Some(texture.or(f.texture.only())?),
+                optics: Some(optics.or(f.optics.only())?),
             },
         };
-        let index = match state.medium {
-            Medium::Above => DEFAULT,
-            Medium::Own => f.index.uniform.then_some(f.index.first)?,
-        };
-        Some((look, index))
+        Some((look, self.own_index(node, state)?))
     }
 
     /// The modifier that gives a node its look, where that is the same for all of it and can be

@@ -25,6 +25,11 @@ impl<T: Copy + PartialEq> Owned<T> {
         }
     }
 
+    /// The property of all points, if there is one.
+    pub(crate) fn only(self) -> Option<T> {
+        self.uniform.then_some(self.first)
+    }
+
     fn or(self, other: Owned<T>) -> Owned<T> {
         Owned {
             first: self.first,

@@ -61,10 +61,8 @@ pub(super) struct Model<'a> {
     keys: Numbered<Key>,
     /// How far apart faces are put that are one, in the coordinates of the operation at hand.
     pub hair: f64,
-    /// The same in the scene's coordinates.
-    pub hair_of_scene: f64,
-    /// For each node how many times as long the scene is in the coordinates that it is placed in.
-    stretches: Vec<f64>,
+    /// The same in the coordinates that each node is placed in.
+    hairs: Vec<f64>,
     /// The render box cuts through the scene, or a camera is in it: what lies inside of opaque objects can be seen.
     pub cut_open: bool,
     /// The number of an index as large as that of any solid.
@@ -75,8 +73,6 @@ pub(super) struct Model<'a> {
     pub holds_sheets: Vec<bool>,
     /// For each node whether triangles are in it with normals that turn away; nothing where there are none at all.
     pub holds_backward_normals: Vec<bool>,
-    /// Faces that nobody sees stand between other faces and those who look at them from inside.
-    pub unseen_twice: bool,
     pub report: Report,
 }
 
@@ -84,7 +80,7 @@ impl<'a> Model<'a> {
     pub(super) fn new(
         scene: &'a Scene,
         facts: Facts<'a>,
-        root: NodeId,
+        hair: f64,
         budget: &'a Budget,
         report: Report,
     ) -> Model<'a> {
@@ -93,6 +89,8 @@ impl<'a> Model<'a> {
             mut tables,
             materials,
         } = facts;
+        let root = materials.len() as NodeId - 1;
+        let hairs = stretches(scene, root).into_iter().map(|s| hair * s);
         let all = bounds[root as usize].all;
         let clip = scene.render.and_then(|render| render.clip);
         let cut_open = clip.is_some_and(|(min, max)| !Aabb::new(min, max).holds(&all))
@@ -114,14 +112,12 @@ impl<'a> Model<'a> {
             budget,
             keys: Numbered::default(),
             hair: 0.0,
-            hair_of_scene: 0.0,
-            stretches: stretches(scene, root),
+            hairs: hairs.collect(),
             cut_open,
             densest,
             beside_clear: HashSet::new(),
             holds_sheets: Vec::new(),
             holds_backward_normals: Vec::new(),
-            unseen_twice: false,
             report,
         }
     }
@@ -133,9 +129,14 @@ impl<'a> Model<'a> {
     }
 
     /// Objects that stand for operands.
-    pub(super) fn refer_all(&mut self, operands: &[(NodeId, State)]) -> Vec<Object<'a>> {
-        let refer = |&(node, state): &(NodeId, State)| self.refer(node, state);
-        operands.iter().map(refer).collect()
+    pub(super) fn refer_all(
+        &mut self,
+        operands: impl IntoIterator<Item = (NodeId, State)>,
+    ) -> Vec<Object<'a>> {
+        let operands = operands.into_iter();
+        operands
+            .map(|(node, state)| self.refer(node, state))
+            .collect()
     }
 
     /// The key of the object with a number.
@@ -145,7 +146,7 @@ impl<'a> Model<'a> {
 
     /// Turns to the coordinates that a node is placed in.
     pub(super) fn turn_to(&mut self, node: NodeId) {
-        self.hair = self.hair_of_scene * self.stretches[node as usize];
+        self.hair = self.hairs[node as usize];
     }
 
     pub(super) fn box_of(&self, node: NodeId) -> Aabb {

@@ -25,7 +25,7 @@ struct Flat {
 
 impl Model<'_> {
     /// Changes parts of a union so that of several faces in one plane the right one is seen. `kinds` are
-    /// what the parts are made of.
+    /// what the first parts are made of; nobody sees into the others.
     pub(crate) fn level(&mut self, parts: &mut [(NodeId, State)], kinds: &[Kind]) {
         if !self.budget.spend(Limit::PartsLevelled, parts.len()) {
             return;
@@ -88,7 +88,8 @@ impl Model<'_> {
         (parts, kinds): (&[(NodeId, State)], &[Kind]),
     ) {
         let (f, g) = (&faces[a], &faces[b]);
-        let [of_f, of_g] = [f.part, g.part].map(|part| kinds[part]);
+        let kind = |flat: &Flat| kinds.get(flat.part).copied().unwrap_or_default();
+        let [of_f, of_g] = [f, g].map(kind);
         if !f.face.is_outer && !g.face.is_outer {
             return;
         }

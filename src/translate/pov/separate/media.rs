@@ -236,17 +236,15 @@ impl<'a> Model<'a> {
 
     /// The face that a group has within earlier ones, a hair behind theirs, but not within opaque ones.
     pub(crate) fn skin(&mut self, union: &Meetings, later: usize) -> Vec<Object<'a>> {
-        let clear: Vec<_> = (union.of_later(later).iter())
-            .filter(|m| m.apart)
-            .copied()
-            .collect();
+        let clear = union.of_later(later).iter().filter(|m| m.apart);
+        let clear: Vec<_> = clear.copied().collect();
         if clear.is_empty() {
             return Vec::new();
         }
         let smaller = self.changes.number(Change::Offset(-self.hair));
         let mut taken = Vec::new();
         for meeting in &clear {
-            taken.extend(self.bare(&union.groups[meeting.earlier], |_, _| Some(smaller)));
+            taken.extend(self.bare(&union.groups[meeting.earlier], |_, _, _| Some(smaller)));
             taken.extend(self.joints(union, meeting.earlier));
         }
         let Some(own) = self.grown(union, later) else {
@@ -257,9 +255,15 @@ impl<'a> Model<'a> {
         for alike in clear.chunk_by(|a, b| a.seen == b.seen) {
             let mut around = Vec::new();
             for meeting in alike {
-                around.extend(self.bare(&union.groups[meeting.earlier], |_, _| None));
+                around.extend(self.bare(&union.groups[meeting.earlier], |_, _, _| None));
             }
-            self.unseen_twice |= alike[0].seen == InterfaceLook::Face;
+            // Faces that nobody sees stand between other faces and those who look at them from inside.
+            if alike[0].seen == InterfaceLook::Face {
+                let steps =
+                    Fidelity::approximate("light that is mirrored there takes two steps more");
+                let depth = "depth of rays in parts that others surround";
+                self.report.state(depth, steps, "");
+            }
             let modifiers = alike[0].seen.kept(&around, &before);
             before.extend(around);
             let all = std::iter::once(own.clone()).chain(taken.clone()).collect();
@@ -279,7 +283,7 @@ impl<'a> Model<'a> {
             return (Vec::new(), None);
         };
         let group = &union.groups[earlier];
-        let own = self.bare(group, |_, state| state.flush);
+        let own = self.bare(group, |_, _, state| state.flush);
         let Some(own) = Object::unless_empty(group.kind(), own) else {
             return (Vec::new(), None);
         };
@@ -299,7 +303,8 @@ impl<'a> Model<'a> {
                     let group = &union.groups[third.earlier];
                     let has_skin = sided.iter().any(|m| m.later == third.earlier);
                     if !has_skin && (third.apart || group.transparent) {
-                        all.extend(self.longer_into(group, &parts));
+                        // Longer where it has faces in one place with what it is taken from.
+                        all.extend(self.bare(group, |model, node, _| model.reach(node, &parts)));
                     }
                 }
                 around.push(Object::of(Operation::Difference, all));
@@ -312,30 +317,14 @@ impl<'a> Model<'a> {
         (pieces, rest)
     }
 
-    /// A group's solids, longer where they have faces in one place with others that they are to be taken from.
-    fn longer_into(&mut self, group: &Members, others: &[NodeId]) -> Vec<Object<'a>> {
-        let mut changes = HashMap::new();
-        for &(node, _) in &group.nodes {
-            changes.insert(node, self.reach(node, others));
-        }
-        self.bare(group, |node, _| changes[&node])
-    }
-
     /// A group without the opaque ones before it. Where it lies against those that it ends within it is
     /// larger by half a hair, and where it ends as they do, smaller.
     fn grown(&mut self, union: &Meetings, later: usize) -> Option<Object<'a>> {
         let around = || union.around(later).map(|earlier| &union.groups[earlier]);
         let group = &union.groups[later];
         let grows = around().any(|earlier| union.extensions.has(&earlier.nodes, &group.nodes));
-        let mut changes = HashMap::new();
-        for &(node, _) in &group.nodes {
-            changes.extend(
-                self.skin_of(node, around(), grows)
-                    .map(|change| (node, change)),
-            );
-        }
-        let own = self.bare(group, |node, state| {
-            changes.get(&node).copied().or(state.flush)
+        let own = self.bare(group, |model, node, state| {
+            model.skin_of(node, around(), grows).or(state.flush)
         });
         let mut all = vec![Object::unless_empty(group.kind(), own)?];
         for meeting in union.of_later(later) {
@@ -391,23 +380,23 @@ impl<'a> Model<'a> {
     /// The solids of a group, longer as they are where later ones are clipped by them.
     fn longer(&mut self, union: &Meetings, group: &Members) -> Vec<Object<'a>> {
         // What is within something opaque is not seen anyway, but for faces that are in one place with its.
-        let members: Vec<_> = (group.nodes.iter())
+        let members = (group.nodes.iter())
             .map(|(node, _)| (*node, State::GEOMETRY.flush(union.extensions.of(*node))))
-            .filter(|(_, state)| group.seen_into || state.flush.is_some())
-            .collect();
-        self.refer_all(&members)
+            .filter(|(_, state)| group.seen_into || state.flush.is_some());
+        self.refer_all(members)
     }
 
     /// The bare solids of a group, changed.
     fn bare(
         &mut self,
         group: &Members,
-        change: impl Fn(NodeId, State) -> Option<u32>,
+        change: impl Fn(&mut Self, NodeId, State) -> Option<u32>,
     ) -> Vec<Object<'a>> {
-        let members: Vec<_> = (group.nodes.iter())
-            .map(|&(node, state)| (node, State::GEOMETRY.flush(change(node, state))))
-            .collect();
-        self.refer_all(&members)
+        let bare = |&(node, state): &(NodeId, State)| {
+            let state = State::GEOMETRY.flush(change(self, node, state));
+            self.refer(node, state)
+        };
+        group.nodes.iter().map(bare).collect()
     }
 
     /// Says what two overlapping media cost.
@@ -486,6 +475,6 @@ impl<'a> Model<'a> {
         }
         let larger = self.changes.number(Change::Offset(by));
         let both = [a, b].map(|node| (node, State::GEOMETRY.flush(Some(larger))));
-        Some(Object::of(Operation::Intersection, self.refer_all(&both)))
+        Some(Object::of(Operation::Intersection, self.refer_all(both)))
     }
 }
