@@ -41,12 +41,10 @@ impl Pictures {
     /// A picture in POV-Ray's language: the kind of file, which its content tells and not its name, and
     /// its path.
     pub fn named(&self, file: &str) -> String {
-        let (kind, path) = match self {
-            Pictures::InPlace(_) => {
-                let path = self.path(file);
-                (kind(&path), path)
-            }
-            Pictures::Beside(names) => ("png", names.get(file).cloned().unwrap_or_default()),
+        let path = self.path(file);
+        let kind = match self {
+            Pictures::InPlace(_) => kind(&path),
+            Pictures::Beside(_) => "png",
         };
         let path = path.replace('\\', "\\\\").replace('"', "\\\"");
         format!("{kind} \"{path}\"")

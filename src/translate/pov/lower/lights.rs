@@ -25,11 +25,7 @@ pub(super) fn is_any_on_surface(scene: &Scene, bounds: &[NodeBounds], root: Node
 
 /// The sum of the ambient lights.
 pub(super) fn ambient(scene: &Scene) -> Rgb {
-    let mut sum = [0.0; 3];
-    for light in &scene.ambient_lights {
-        for (s, c) in sum.iter_mut().zip(light.colour) {
-            *s += light.intensity * c;
-        }
-    }
-    sum
+    (scene.ambient_lights.iter()).fold([0.0; 3], |sum, light| {
+        std::array::from_fn(|c| sum[c] + light.intensity * light.colour[c])
+    })
 }

@@ -11,45 +11,35 @@ const PARTS: usize = 256;
 
 /// Whether a camera is in a solid that lets no light through: it sees faces that are inside of others.
 pub(super) fn camera_is_walled_in(scene: &Scene, facts: &[Material], tables: &Tables) -> bool {
-    let Some(render) = scene.render else {
-        return false;
-    };
-    scene
-        .chosen_cameras()
-        .any(|c| is_walled_in(scene, (facts, tables), render.root, c.position.into()))
-}
-
-fn is_walled_in(
-    scene: &Scene,
-    (facts, tables): (&[Material], &Tables),
-    root: NodeId,
-    point: Vec3,
-) -> bool {
-    let mut todo = vec![(root, point)];
-    for _ in 0..PARTS {
-        let Some((node, point)) = todo.pop() else {
-            return false;
-        };
-        if !members(scene, node, point).is_ok_and(|m| m.in_root) {
-            continue;
-        }
-        let optics = facts[node as usize].optics;
-        match scene.nodes[node as usize] {
-            _ if optics.uniform => {
-                if !tables.is_transparent(optics.first) {
-                    return true;
+    let root = facts.len() as NodeId - 1;
+    let is_walled_in = |point: Vec3| {
+        let mut todo = vec![(root, point)];
+        for _ in 0..PARTS {
+            let Some((node, point)) = todo.pop() else {
+                return false;
+            };
+            if !members(scene, node, point).is_ok_and(|m| m.in_root) {
+                continue;
+            }
+            let optics = facts[node as usize].optics;
+            match scene.nodes[node as usize] {
+                _ if optics.uniform => {
+                    if !tables.is_transparent(optics.first) {
+                        return true;
+                    }
                 }
+                Node::Union(a, b) => todo.extend([(a, point), (b, point)]),
+                Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push((child, point)),
+                Node::Transform { child, matrix } => {
+                    let Some(back) = scene.matrices[matrix as usize].inverse() else {
+                        return true;
+                    };
+                    todo.push((child, back.point(point.0).into()));
+                }
+                _ => return true,
             }
-            Node::Union(a, b) => todo.extend([(a, point), (b, point)]),
-            Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push((child, point)),
-            Node::Transform { child, matrix } => {
-                let Some(back) = scene.matrices[matrix as usize].inverse() else {
-                    return true;
-                };
-                todo.push((child, back.point(point.0).into()));
-            }
-            _ => return true,
         }
-    }
-    true
+        true
+    };
+    (scene.chosen_cameras()).any(|camera| is_walled_in(camera.position.into()))
 }

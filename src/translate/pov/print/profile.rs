@@ -5,7 +5,6 @@
 
 use super::shape::{Primitive, size_unit};
 use super::text::vector;
-use crate::scene::Rgb;
 use crate::solids::shapes::profile::twice_area;
 use crate::translate::number;
 
@@ -91,12 +90,10 @@ impl Profile {
 
     /// A pattern over the profile, to follow `uv_mapping`: the lathe's own measure with the value
     /// at each point of the scene's profile, linear between them; discs have their point's.
-    pub(super) fn pattern(&self, values: &[String]) -> String {
+    pub(super) fn pattern(&self, values: impl Iterator<Item = String>) -> String {
         let segments = (self.points.len() - 1).max(1) as f64;
-        let mut entries = Vec::with_capacity(values.len() + 2);
-        for (place, value) in self.places.iter().zip(values) {
-            entries.push((*place as f64 / segments, value.as_str()));
-        }
+        let places = self.places.iter().map(|place| *place as f64 / segments);
+        let mut entries: Vec<_> = places.zip(values).collect();
         // Maps ascend.
         if self.places.first() > self.places.last() {
             entries.reverse();
@@ -106,26 +103,16 @@ impl Profile {
 
     /// The arc length along the profile as such a pattern, in grey.
     pub(super) fn arc_pattern(&self) -> String {
-        let values: Vec<String> = self
-            .arc
-            .iter()
-            .map(|a| format!("rgb {}", number(*a)))
-            .collect();
-        self.pattern(&values)
-    }
-
-    pub(super) fn colour_pattern(&self, colours: &[Rgb], write: impl Fn(&Rgb) -> String) -> String {
-        let values: Vec<String> = colours.iter().map(write).collect();
-        self.pattern(&values)
+        self.pattern(self.arc.iter().map(|a| format!("rgb {}", number(*a))))
     }
 }
 
 /// `function { … } color_map { … }` over y, which is kept away from 1 where patterns begin again; a
 /// map of maps for many entries.
-fn pattern(entries: &[(f64, &str)]) -> String {
+fn pattern(entries: &[(f64, String)]) -> String {
     const FUNCTION: &str = "function { 0.25 + 0.5*y }";
     let at = |y: f64| number(0.25 + 0.5 * y);
-    let colour_map = |entries: &[(f64, &str)]| {
+    let colour_map = |entries: &[(f64, String)]| {
         let list: Vec<String> = entries
             .iter()
             .map(|(y, value)| format!("[{} {value}]", at(*y)))

@@ -158,7 +158,7 @@ fn pigment(
     match &texture.pattern {
         Pattern::Colour(c) => return write!(out, "pigment {{ {} }}", colour(c)),
         Pattern::Profile(profile, colours) => {
-            let pattern = Profile::of(profile).colour_pattern(colours, colour);
+            let pattern = Profile::of(profile).pattern(colours.iter().map(colour));
             write!(out, "pigment {{\n      uv_mapping {pattern}")?;
         }
         Pattern::Cubes(frame, colours, size) => {
