@@ -22,13 +22,14 @@ use std::collections::HashMap;
 use super::budget::Budget;
 use super::model::Model;
 use super::model::materials::Facts;
-use super::separate::{backward_normals, plates};
+use super::separate::backward_normals;
 use super::tree::{Document, Lens, Tree, Uses};
 use super::{MAX_TRACE_LEVEL, Options};
 use crate::diagnostics::Error;
 use crate::geometry::Aabb;
 use crate::scene::Scene;
 use crate::solids::bounds::{NodeBounds, node_bounds};
+use crate::solids::shapes::facts::Facts as _;
 use crate::solids::staging::seen_box;
 use crate::translate::fidelity::Report;
 use nodes::Lower;
@@ -83,13 +84,13 @@ pub(super) fn lower<'a>(
     let mut model = Model::new(scene, facts, hair, budget, report);
     if is_clear {
         model.beside_clear = distribute::beside_clear(&model, render.root);
-        model.holds_sheets = plates::holders(scene);
+        let is_flat = |shape: u32| scene.shapes[shape as usize].geometry.character().is_flat;
+        model.holds_sheets = model.holders(is_flat);
     }
     let mut backward = HashMap::new();
     if let Some(eye) = eyes.first() {
         backward = backward_normals::backward(&model, eye.camera.position);
-        model.holds_backward_normals =
-            backward_normals::holders(scene, &model.materials, &backward);
+        model.holds_backward_normals = model.holders(|shape| backward.contains_key(&shape));
     }
     let mut lower = Lower::new(model, &options.captions, backward);
     let objects = lower.objects(render.root);

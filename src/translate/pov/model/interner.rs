@@ -59,46 +59,43 @@ impl Interner {
         let mut shapes: HashMap<Vec<u64>, u32> = HashMap::new();
         for node in scene.nodes.iter().take(root as usize + 1) {
             let of = |id: NodeId| sets.places[id as usize];
-            let mut matrix = HERE;
-            let core = match *node {
+            let place = match *node {
                 Node::Shape(s) => {
                     let (geometry, m) = standard(&scene.shapes[s as usize].geometry);
-                    let core = Core::Shape(*shapes.entry(bits(&geometry)).or_insert(s));
+                    let first = *shapes.entry(bits(&geometry)).or_insert(s);
                     let m = match geometry.character().is_round {
                         true => unturned(&m),
                         false => m,
                     };
-                    matrix = sets.matrices.matrix(&rounded(&m));
-                    core
+                    let place = Occurrence {
+                        matrix: sets.matrices.matrix(&rounded(&m)),
+                        ..sets.here(Core::Shape(first))
+                    };
+                    if scene.shapes[first as usize].geometry.character().is_round {
+                        sets.round.insert(place.core);
+                    }
+                    place
                 }
-                Node::Union(a, b) => Core::Union(of(a), of(b)),
-                Node::Intersection(a, b) => Core::Intersection(of(a), of(b)),
-                Node::Difference(a, b) => Core::Difference(of(a), of(b)),
-                Node::Complement(a) => Core::Complement(of(a)),
-                Node::Paint { child, .. } | Node::Copy { child, .. } => {
-                    let same = of(child);
-                    sets.places.push(same);
-                    continue;
-                }
+                Node::Union(a, b) => sets.here(Core::Union(of(a), of(b))),
+                Node::Intersection(a, b) => sets.here(Core::Intersection(of(a), of(b))),
+                Node::Difference(a, b) => sets.here(Core::Difference(of(a), of(b))),
+                Node::Complement(a) => sets.here(Core::Complement(of(a))),
+                Node::Paint { child, .. } | Node::Copy { child, .. } => of(child),
                 Node::Transform { child, matrix } => {
-                    let child = of(child);
-                    let moved = sets.moved(child, &scene.matrices[matrix as usize]);
-                    sets.places.push(moved);
-                    continue;
+                    sets.moved(of(child), &scene.matrices[matrix as usize])
                 }
             };
-            let number = sets.cores.number(core, || core);
-            if let Core::Shape(s) = core
-                && scene.shapes[s as usize].geometry.character().is_round
-            {
-                sets.round.insert(number);
-            }
-            sets.places.push(Occurrence {
-                core: number,
-                matrix,
-            });
+            sets.places.push(place);
         }
         sets
+    }
+
+    /// A core where it was made.
+    fn here(&mut self, core: Core) -> Occurrence {
+        Occurrence {
+            core: self.cores.number(core, || core),
+            matrix: HERE,
+        }
     }
 
     fn moved(&mut self, place: Occurrence, m: &Matrix) -> Occurrence {

@@ -22,7 +22,7 @@ use std::collections::HashSet;
 
 use crate::diagnostics::Complaint;
 use crate::geometry::Aabb;
-use crate::scene::{Geometry, Node, NodeId, Scene};
+use crate::scene::{Geometry, Node, NodeId, Scene, fold_up};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::shapes::profile::closed;
 use crate::translate::fidelity::{Fidelity, Report};
@@ -142,6 +142,15 @@ impl<'a> Model<'a> {
     /// The key of the object with a number.
     pub(super) fn key(&self, number: usize) -> Key {
         self.keys.values[number]
+    }
+
+    /// For each node whether it is made of a shape of which that is true.
+    pub(super) fn holders(&self, holds: impl Fn(u32) -> bool) -> Vec<bool> {
+        let nodes = &self.scene.nodes[..self.materials.len()];
+        fold_up(nodes, |_, node, below| match node {
+            Node::Shape(shape) => holds(shape),
+            node => node.children().any(|child| below[child as usize]),
+        })
     }
 
     /// Turns to the coordinates that a node is placed in.

@@ -6,11 +6,10 @@ use std::collections::HashMap;
 
 use crate::geometry::Matrix;
 use crate::geometry::vec::Vec3 as V;
-use crate::scene::{Geometry, Node, Scene, TriangleNormals, Vec3, fold_up};
+use crate::scene::{Geometry, Node, Scene, TriangleNormals, Vec3};
 use crate::solids::shapes::facts::Facts as _;
 use crate::translate::pov::budget::{Budget, Limit};
 use crate::translate::pov::model::Model;
-use crate::translate::pov::model::materials::Material;
 
 /// For each such shape that stands in one place: whether its normals have to be turned to the eye's
 /// side.
@@ -45,17 +44,6 @@ pub(crate) fn backward(model: &Model, eye: Vec3) -> HashMap<u32, bool> {
         }
     }
     out
-}
-
-/// For each node whether it is made of any such shape; nothing where there are none.
-pub(crate) fn holders(scene: &Scene, facts: &[Material], turned: &HashMap<u32, bool>) -> Vec<bool> {
-    if turned.is_empty() {
-        return Vec::new();
-    }
-    fold_up(&scene.nodes[..facts.len()], |_, node, holds| match node {
-        Node::Shape(shape) => turned.contains_key(&shape),
-        other => other.children().any(|c| holds[c as usize]),
-    })
 }
 
 /// The eye, and where it seems to be in the mirrors that planes may be.

@@ -10,21 +10,12 @@ use std::borrow::Cow;
 
 use super::media::Members;
 use crate::geometry::array::{add, cross, length, sub};
-use crate::scene::{Geometry, Node, NodeId, Scene, TriangleNormals, Vec3, fold_up};
-use crate::solids::shapes::facts::Facts as _;
+use crate::scene::{Geometry, NodeId, TriangleNormals, Vec3};
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::displacement::Change;
 use crate::translate::pov::model::state::State;
 use crate::translate::pov::model::tables::DEFAULT;
 use crate::translate::pov::tree::{Body, Object, Operation};
-
-/// For each node whether any flat surface is in it.
-pub(crate) fn holders(scene: &Scene) -> Vec<bool> {
-    fold_up(&scene.nodes, |_, node, holds| match node {
-        Node::Shape(shape) => scene.shapes[shape as usize].geometry.character().is_flat,
-        node => node.children().any(|child| holds[child as usize]),
-    })
-}
 
 impl Model<'_> {
     /// The change of a surface that makes a plate of it, if light goes through it and what is around it.

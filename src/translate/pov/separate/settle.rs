@@ -128,12 +128,12 @@ impl<'a> Model<'a> {
                     self.faces_in_one_place(self.ids[b as usize]);
                 }
             }
-            let larger = Change::Offset(self.hair);
-            let larger = (grows && self.has_offset(solids[j].0, self.hair))
-                .then(|| self.changes.number(larger));
             let into = self.changes.of_planes(into);
-            self.changes
-                .add(&mut solids[j].1, into.into_iter().chain(larger));
+            self.changes.add(&mut solids[j].1, into);
+            if grows && self.has_offset(solids[j].0, self.hair) {
+                let larger = self.changes.number(Change::Offset(self.hair));
+                self.changes.add(&mut solids[j].1, Some(larger));
+            }
         }
         reaching
     }
@@ -143,8 +143,7 @@ impl<'a> Model<'a> {
     pub(crate) fn reach(&mut self, node: NodeId, others: &[NodeId]) -> Option<u32> {
         let by = 2.0 * self.hair;
         let touches = others.iter().any(|o| !self.contacts(node, *o).is_empty());
-        let larger = (touches && self.has_offset(node, by)).then_some(Change::Offset(by));
-        larger.map(|larger| self.changes.number(larger))
+        (touches && self.has_offset(node, by)).then(|| self.changes.number(Change::Offset(by)))
     }
 }
 
