@@ -289,18 +289,13 @@ impl<'t> Drawing<'t> {
         picture
     }
 
-    /// What draws the light along rays, on one thread.
-    fn shader<R: Precision>(&self) -> Shader<'_, R> {
-        Shader::new(self.tracer, self.lights, self.limits, self.features)
-    }
-
     /// A pen that draws pixels on one thread, with the quick kernel if that can draw the scene.
     pub(super) fn pen<'d, R: Precision>(
         &'d self,
         quick: Option<&'d kernel::Scene<'d>>,
     ) -> Pen<'d, 't, R> {
         Pen {
-            shader: self.shader(),
+            shader: Shader::new(self.tracer, self.lights, self.limits, self.features),
             drawing: self,
             quick: quick.map(Quick::new),
         }

@@ -3,8 +3,7 @@
 //! Pictures have the bits of those that [`search`](super::search) and [`shade`](super::shade) draw, who are called the
 //! arbiter here. The kernel takes on scenes that are seen from outside: unions of shapes, intersections and differences,
 //! placed anywhere. A place may be inside of four of them at most. The kernel knows of each ray whether rounding may have
-//! decided anything about it. The arbiter is asked about such a ray ([`arbiter`]). The arbiter also draws whole pictures of
-//! which the kernel would know too little.
+//! decided anything about it. The arbiter is asked about such a ray ([`arbiter`]).
 //!
 //! The scene: [`expand`] takes the graph apart into leaves, each a shape with its looks ([`leaf`]). [`stage`] puts leaves of
 //! one kind into blocks of four ([`block`]), and blocks into a tree. [`lone`] finds what is near nothing else.
@@ -36,8 +35,7 @@
 //! - where the point that it meets is not known well enough.
 //!
 //! The arbiter follows such a ray and all rays that come of it, or says how much of a lamp's light gets along it. The other
-//! rays of the sample go on. Before a picture is drawn a few tiles are tried: where more than an eighth of their samples
-//! have such a ray, the arbiter draws the whole picture.
+//! rays of the sample go on.
 
 mod arbiter;
 mod block;
