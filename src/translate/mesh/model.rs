@@ -67,7 +67,7 @@ pub fn model(
         .iter()
         .map(|skin| {
             let pictured = options.pictured && picture::is_pictured(skin, graph);
-            skin.plain_colour(graph).is_none() && !pictured
+            !options.plain && !pictured && skin.plain_colour(graph).is_none()
         })
         .collect();
     let mut moved = 0.0f64;

@@ -12,6 +12,8 @@ pub struct Options {
     pub eye: Option<Vec3>,
     /// Textures are pictures, so that triangles need not be small for their sake.
     pub pictured: bool,
+    /// Files have no colours, so that triangles need not be small for the sake of textures either.
+    pub plain: bool,
     /// Files have as many digits as are needed, rather than single precision.
     pub digits: bool,
     /// How much memory triangles may take, in bytes, if that matters.

@@ -67,6 +67,7 @@ impl Target for Format {
             memory: options.memory,
             eye: None,
             pictured: matches!(self, Format::Obj | Format::Glb),
+            plain: *self == Format::Stl,
             digits: *self == Format::Obj,
         };
         let model = model(scene.scene(), scene.bounds(), &tracer.graph, &own)?;

@@ -74,6 +74,7 @@ pub fn write(
         memory: options.memory,
         eye: cameras.first().map(|c| c.position),
         pictured: true,
+        plain: false,
         digits: false,
     };
     let mut parts = mesh::Parts::of(scene, bounds, graph, &of_meshes)?;
