@@ -93,7 +93,7 @@ fn where_the_comment_stands() {
         // Behind the record, with what there is already.
         (
             "2 11 0 0 0 1\n2 -701 2 0 0\n",
-            "2 11 0 0 0 1\n2 -701 2 0 0 # zpg: allow(W301) #\n",
+            "2 11 0 0 0 1\n2 -701 2 0 0  # zpg: allow(W301) #\n",
         ),
         (
             "2 11 0 0 0 1\n2 -701 2 0 0 # red #\n",
@@ -102,7 +102,7 @@ fn where_the_comment_stands() {
         // Two codes on a line, in one comment.
         (
             "2 11 0 0 0 1 2 -701 2 0 0\n",
-            "2 11 0 0 0 1 2 -701 2 0 0 # zpg: allow(W301, S503) #\n",
+            "2 11 0 0 0 1 2 -701 2 0 0  # zpg: allow(W301, S503) #\n",
         ),
         // Into the comment that is there, before its reason.
         (
@@ -116,11 +116,11 @@ fn where_the_comment_stands() {
         // The last line of a record, and no line where a long comment begins.
         (
             "2 11 0 0 0 1\n2 -701 2\n0 0\n",
-            "2 11 0 0 0 1\n2 -701 2\n0 0 # zpg: allow(W301) #\n",
+            "2 11 0 0 0 1\n2 -701 2\n0 0  # zpg: allow(W301) #\n",
         ),
         (
             "2 11 0 0 0 1\n2 -701 2 0 0 # a\nlong one #\n",
-            "2 11 0 0 0 1\n2 -701 2 0 0 # zpg: allow(W301) # # a\nlong one #\n",
+            "2 11 0 0 0 1\n2 -701 2 0 0  # zpg: allow(W301) # # a\nlong one #\n",
         ),
         // What is in no record: at the head, for all of the file.
         (
@@ -158,7 +158,7 @@ fn files_are_changed_and_errors_stay() {
         out.contains("Allowed 1 finding in 1 file.\nFound 1 error in 1 file."),
         "{out}"
     );
-    let after = warned.replace("2 0 0\n3", "2 0 0 # zpg: allow(W301) #\n3");
+    let after = warned.replace("2 0 0\n3", "2 0 0  # zpg: allow(W301) #\n3");
     assert_eq!((read("a.zpg"), read("b.zpg")), (after.clone(), good));
     // Once more: nothing to do.
     let run = zpg(

@@ -68,7 +68,14 @@ impl CommentSlot {
         let (at, text) = match self {
             CommentSlot::List { at, first: true } => (at, codes),
             CommentSlot::List { at, first: false } => (at, format!(", {codes}")),
-            CommentSlot::Line(at) => (at, format!(" # zpg: allow({codes}) #")),
+            CommentSlot::Line(at) => {
+                // As the formatter has it: two spaces before the first comment, one between comments.
+                let space = match text[..at as usize].ends_with('#') {
+                    true => " ",
+                    false => "  ",
+                };
+                (at, format!("{space}# zpg: allow({codes}) #"))
+            }
             CommentSlot::Own(at) => (at, format!("# zpg: allow({codes}) #{}", line_break(text))),
             CommentSlot::AboveFirst(at) => {
                 let end = line_break(text);
