@@ -24,7 +24,7 @@ macro_rules! texts {
     };
 }
 
-pub(super) const TOPICS: [Topic; 11] = [
+pub(super) const TOPICS: [Topic; 12] = [
     Topic {
         titles: ["glass", "sklo"],
         words: &["transparent", "transparency", "pruhledny", "pruhlednost"],
@@ -32,7 +32,15 @@ pub(super) const TOPICS: [Topic; 11] = [
     },
     Topic {
         titles: ["mirror", "zrcadlo"],
-        words: &["reflection", "zrcadleni"],
+        words: &[
+            "reflection",
+            "zrcadleni",
+            "metal",
+            "metallic",
+            "chrome",
+            "kov",
+            "chrom",
+        ],
         texts: texts!("mirror"),
     },
     Topic {
@@ -87,10 +95,16 @@ pub(super) const TOPICS: [Topic; 11] = [
         words: &["comments", "komentare", "poznamka"],
         texts: texts!("comment"),
     },
+    Topic {
+        titles: ["gamma", "gama"],
+        words: &["srgb", "brightness", "jas", "exposure", "expozice"],
+        texts: texts!("gamma"),
+    },
 ];
 
 /// Words that lead to types, without accents and in lower case, as those of [`words`]. They are nobody's guess in a scene.
-const WORDS: [(&str, &[i32]); 29] = [
+const WORDS: [(&str, &[i32]); 30] = [
+    ("indexofrefraction", &[-203]),
     ("kostka", &[12]),
     ("toroid", &[14]),
     ("cylindr", &[1]),
@@ -186,6 +200,7 @@ mod tests {
             None,
             None,
             Some(Effect::Reflection),
+            None,
             None,
             None,
         ]) {
