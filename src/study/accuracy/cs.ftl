@@ -118,6 +118,7 @@ accuracy-background = pozadí
 accuracy-time-by = čas podle toho, co je vidět
 accuracy-error-by = chyba podle toho, co je vidět
 accuracy-taken-out = čas efektů (překrývají se)
+accuracy-nothing = Není co porovnávat · { $why }
 accuracy-not-run = neměřeno
 accuracy-cut = vynecháno kvůli času
 accuracy-noise = časy jsou jisté na ±{ $percent } %

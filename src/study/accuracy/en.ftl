@@ -118,6 +118,7 @@ accuracy-background = background
 accuracy-time-by = time by what is seen first
 accuracy-error-by = error by what is seen first
 accuracy-taken-out = time by effect (these overlap)
+accuracy-nothing = There is nothing to compare · { $why }
 accuracy-not-run = not run
 accuracy-cut = left out to keep the time
 accuracy-noise = times are sure to ±{ $percent } %

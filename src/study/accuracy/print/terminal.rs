@@ -4,8 +4,8 @@ use super::super::advice::names;
 use super::super::configurations::{Axis, Kind};
 use super::super::number_format::{self, local, say};
 use super::super::report::{Report, Row};
-use crate::diagnostics::Language;
 use crate::diagnostics::layout::{listed, wrapped};
+use crate::diagnostics::{Complaint, Language};
 use std::fmt::Write as _;
 use unicode_width::UnicodeWidthStr as _;
 
@@ -59,18 +59,35 @@ pub fn text(report: &Report, language: Language, page: Option<&str>, width: usiz
         }
     }
     out.push('\n');
-    let legend = say(
-        language,
-        "accuracy-legend",
-        &[("left", number_format::count(left))],
-    );
-    line(&mut out, &wrapped(&legend, width, "  "));
+    let under = match first {
+        true => nothing(report, language),
+        false => say(
+            language,
+            "accuracy-legend",
+            &[("left", number_format::count(left))],
+        ),
+    };
+    line(&mut out, &wrapped(&under, width, "  "));
     out.push('\n');
     summaries(&mut out, report, language, width);
     if let Some(page) = page {
         line(&mut out, &wrapped(page, width, "  "));
     }
     out
+}
+
+/// Why no setting was tried: for each axis that was asked for.
+fn nothing(report: &Report, language: Language) -> String {
+    let unasked = Complaint::new("accuracy-skip-unasked");
+    let asked = report.skipped.iter().filter(|s| s.why != unasked);
+    let why: Vec<String> = asked
+        .map(|s| format!("{}: {}", s.axis, s.why.wording(language)))
+        .collect();
+    say(
+        language,
+        "accuracy-nothing",
+        &[("why", why.join(" · ").into())],
+    )
 }
 
 fn line(out: &mut String, text: &str) {
