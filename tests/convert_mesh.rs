@@ -56,12 +56,15 @@ fn the_ending_says_what_it_is_to_be() {
         assert!(said.contains(&format!("Wrote {name}\n")), "{said}");
         let bytes = std::fs::read(folder.path().join(name)).expect("a file");
         assert!(bytes.starts_with(begins), "{name}");
-        let quiet = zpg(folder.path(), &["convert", "thing.zpg", "-o", name, "-q"]);
-        assert!(!errors(&quiet).contains("Wrote"));
+        let quiet = zpg(
+            folder.path(),
+            &["convert", "thing.zpg", "-o", name, "-q", "--force"],
+        );
+        assert_eq!(errors(&quiet), "");
     }
     for arguments in [
         &["convert", "thing.zpg"][..],
-        &["convert", "thing.zpg", "-o", "a.png"],
+        &["convert", "thing.zpg", "-o", "a.txt"],
     ] {
         let output = zpg(folder.path(), arguments);
         assert_eq!(output.status.code(), Some(2));
@@ -548,4 +551,28 @@ fn mitsuba_needs_a_place_for_meshes() {
     let output = zpg_with(folder.path(), &["convert", "-", "--to", "mitsuba"], ball);
     assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
     assert!(String::from_utf8_lossy(&output.stdout).contains("<shape type=\"sphere\""));
+}
+
+/// Triangles are small for the sake of a checkerboard only where the file shows it.
+#[test]
+fn what_has_no_colours_has_no_triangles_for_a_checkerboard() {
+    let board =
+        "2 5 -3 -3 3 3\n9 -501 0 5 5 0 -1 -1 0 1 0 45\n50 -402 1\n50 -1 0 9 0\n1 9999 2 0\n";
+    let dir = crate::support::program::folder(&[
+        ("plain.zpg", board),
+        (
+            "checked.zpg",
+            &board.replace(
+                "9 -501",
+                "21 -701 1 1 1\n22 -701 0 0 0\n2 -399 8 8 21 22\n9 -501",
+            ),
+        ),
+    ]);
+    let size = |scene: &str, to: &str| {
+        let output = zpg(dir.path(), &["convert", scene, "-o", to]);
+        assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+        std::fs::metadata(dir.path().join(to)).unwrap().len()
+    };
+    assert_eq!(size("checked.zpg", "a.stl"), size("plain.zpg", "b.stl"));
+    assert!(size("checked.zpg", "a.ply") > 4 * size("plain.zpg", "b.ply"));
 }

@@ -266,8 +266,7 @@ fn geometry_agrees_with_mitsuba() {
     assert_eq!(run.status.code(), Some(2));
     let said = String::from_utf8_lossy(&run.stderr).into_owned();
     assert!(
-        said.contains("error: Mitsuba is not installed: get it with `pip install")
-            && said.contains("nowhere` was tried)"),
+        said.contains("error: there is no program ") && said.contains("nowhere\n"),
         "{said}"
     );
 }
@@ -371,8 +370,7 @@ fn what_is_missing_is_said() {
     assert_eq!(run.status.code(), Some(2));
     let said = String::from_utf8_lossy(&run.stderr).into_owned();
     assert!(
-        said.contains("error: POV-Ray is not installed: get it")
-            && said.contains("nowhere` was tried)"),
+        said.contains("error: there is no program ") && said.contains("nowhere\n"),
         "{said}"
     );
     // What was prepared for the program goes, too.

@@ -83,6 +83,15 @@ fn the_answer_about_a_sphere() {
 }
 
 #[test]
+fn points_may_stand_in_brackets() {
+    let scene = scene("2 11 0 0 0 1", 2);
+    let plain = one(&scene, &DOWN);
+    for ray in ["<0, 0, 9> <0, 0, -1>", "<0,0,9>,<0,0,-1>"] {
+        assert_eq!(one(&scene, &["--ray", ray]), plain, "{ray}");
+    }
+}
+
+#[test]
 fn lengths_are_those_of_the_direction() {
     let answer = one(&scene("2 11 0 0 0 1", 2), &["--ray", "0 0 0 0 0 -4"]);
     assert_eq!(answer["inside_at_origin"], true);

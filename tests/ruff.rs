@@ -143,7 +143,7 @@ fn other_words_of_ruff_have_an_answer() {
             "zpg calls it `--size`",
         ),
         (&["render", "a.zpg", "--res", "160x120"], "`--size 640x480`"),
-        (&["render", "a.zpg", "+W160", "+H120"], "`--size 640x480`"),
+        (&["render", "a.zpg", "+W160", "+H120"], "`--size 160x120`"),
         (&["render", "a.zpg", "+Oout.png"], "`-o out.png`"),
         (&["render", "a.zpg", "+A0.3"], "zpg calls it `--samples`"),
         (&["render", "a.zpg", "+A"], "zpg calls it `--samples`"),
@@ -229,6 +229,44 @@ fn other_words_of_ruff_have_an_answer() {
             &["render", "a.zpg", "--format", "jpg", "--lang", "cs"],
             "`-o obrazek.png`",
         ),
+        (
+            &["check", "--add-ignore"],
+            "zpg calls it `zpg check --add-allow`",
+        ),
+        (
+            &["rule", "W310", "--output-format", "json"],
+            "`zpg explain` writes Markdown",
+        ),
+        (&["rule", "--all"], "without an argument lists all"),
+        (
+            &["fmt", "--output-format", "json"],
+            "`--diff` shows what would change",
+        ),
+        (&["render", "b.zpg", "--max-depth", "5"], "`--depth 5`"),
+        (&["render", "b.zpg", "--max-bounces=5"], "`--depth 5`"),
+        (&["render", "b.zpg", "-W160", "-H120"], "`--size 160x120`"),
+        (
+            &["render", "b.zpg", "--width", "320", "--height=200"],
+            "`--size 320x200`",
+        ),
+        (&["convert", "b.zpg", "-t", "pov"], "`--to pov`"),
+        (
+            &["convert", "b.zpg", "-o", "x.png"],
+            "x.png is a picture: `zpg render b.zpg -o x.png` draws it",
+        ),
+        (&["render", "-i", "b.zpg"], "on its own, without `-i`"),
+        (
+            &["render", "b.zpg", "-o", "x.gif"],
+            "`-o x.png` makes a still picture",
+        ),
+        (
+            &["check", "b.zpg", "--output-file", "c/b.txt"],
+            "there is no folder c",
+        ),
+        (
+            &["check", "a.zpg", "--stdin-filename", "b.zpg"],
+            "`--stdin-filename` names standard input, so a.zpg is not read",
+        ),
         // A folder that is not there.
         (
             &["convert", "b.zpg", "--to", "pov", "-o", "c/b.pov"],
@@ -269,4 +307,23 @@ fn other_words_of_ruff_have_an_answer() {
         let run = program::zpg(dir.path(), proposal);
         assert_ne!(run.status.code(), Some(2), "{proposal:?}");
     }
+}
+
+#[test]
+fn a_name_for_standard_input_means_standard_input() {
+    let dir = folder(&[("a.zpg", "2   9 0,5\n")]);
+    for (arguments, printed) in [
+        (&["fmt"][..], "2 9 0.5\n"),
+        (&["check", "--fix"], "2   9 0.5\n"),
+    ] {
+        let arguments = [arguments, &["--stdin-filename", "a.zpg"]].concat();
+        let scene = printed.replace("2 9", "2   9");
+        let run = program::zpg_with(dir.path(), &arguments, &scene);
+        assert_eq!(text(&run.stdout), printed, "{}", text(&run.stderr));
+    }
+    let check = ["check", "--stdin-filename", "b.zpg", "--format", "short"];
+    let run = program::zpg_with(dir.path(), &check, "2 11 0 0 0 -1\n1 9999 2 0\n");
+    assert!(text(&run.stdout).contains("b.zpg:1:12: E201"));
+    let a = std::fs::read_to_string(dir.path().join("a.zpg")).unwrap();
+    assert_eq!(a, "2   9 0,5\n");
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::atomic_file::{self, try_file};
 use super::camera::CameraArgs;
 use super::endings;
+use super::habits;
 use super::help;
 use super::memory::Memory;
 use super::paths::is_stdout;
@@ -126,6 +127,11 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             );
             return Status::Failure;
         }
+        let picture = args.output.as_deref();
+        if let Some(instead) = picture.and_then(|path| habits::picture(path, &args.file)) {
+            complain(look, &instead);
+            return Status::Failure;
+        }
         let complaint = Complaint::new("no-target");
         complain(
             look,
@@ -241,13 +247,13 @@ fn deliver(args: &Args, made: &Output, look: LookChoice) -> Status {
     let written = write(made.files.iter().chain(&report));
     let language = look.language();
     let said = match args.verbose {
+        _ if look.quiet => String::new(),
         true => made.report.text(language),
         false => {
             let (inexact, exact) = made.report.brief();
             let count = [("count", Value::Count(exact as u64))];
             let line = language.say("fidelity-exact-count", &count);
-            let is_said = exact > 0 && !look.quiet;
-            let exact = is_said.then(|| row(&Fidelity::Exact, &line, language));
+            let exact = (exact > 0).then(|| row(&Fidelity::Exact, &line, language));
             inexact.text(language) + &exact.unwrap_or_default()
         }
     };

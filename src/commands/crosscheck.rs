@@ -460,6 +460,10 @@ impl Asked {
         match error {
             ProgramError::Missing => {
                 folder.forget();
+                let is_place = program.path.components().count() > 1;
+                if is_place && !program.path.exists() {
+                    return Complaint::new("no-such-program").with("path", program.path.as_path());
+                }
                 Complaint::new("no-program")
                     .with("how", Complaint::new(self.how))
                     .with("path", program.path.as_path())

@@ -65,7 +65,7 @@ pub struct Args {
     #[arg(long, value_name = "FIRST-LAST")]
     range: Option<Lines>,
 
-    /// What standard input goes by, in messages and for zpg.toml
+    /// What standard input goes by, in messages and for zpg.toml; without a PATH, standard input is read
     #[arg(help_heading = help::FILES)]
     #[arg(long, value_name = "NAME")]
     stdin_filename: Option<PathBuf>,
@@ -111,7 +111,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     else {
         return Status::Failure;
     };
-    if found.files.is_empty() && args.chosen.reads_stdin() {
+    if found.files.is_empty() && args.chosen.reads_stdin(stdin) {
         return pass_through(!args.check && !args.diff, look);
     }
     if args.range.is_some() && found.files.len() != 1 {

@@ -11,7 +11,15 @@ use crate::syntax::words::plain;
 use crate::translate::registry::of_file;
 
 /// A word of ruff or of a renderer, and the message that says what there is instead.
-const HABITS: [(&str, &str); 77] = [
+const HABITS: [(&str, &str); 85] = [
+    ("--add-ignore", "habit-add-allow"),
+    ("--max-depth", "habit-depth"),
+    ("--max-bounces", "habit-depth"),
+    ("--bounces", "habit-depth"),
+    ("--max-trace-level", "habit-depth"),
+    ("--recursion", "habit-depth"),
+    ("-W", "habit-size"),
+    ("-H", "habit-size"),
     ("--add-noqa", "habit-add-allow"),
     ("--cache-dir", "habit-cache"),
     ("--no-cache", "habit-cache"),
@@ -205,6 +213,13 @@ pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
         ("-s", "render" | "sheet" | "farm" | "crosscheck" | "accuracy") => {
             return Some("habit-size-or-silent");
         }
+        ("-t", "convert") => return Some("habit-to"),
+        ("-i", "render" | "convert" | "plan" | "probe") => return Some("habit-scene-named"),
+        ("--all", "explain") => return Some("habit-all-codes"),
+        ("--output-format" | "--format" | "-f", "explain") => {
+            return Some("habit-output-format-explain");
+        }
+        ("--output-format" | "--format" | "-f", "fmt") => return Some("habit-output-format-fmt"),
         ("--format" | "-f", "render") => return Some("habit-picture-format"),
         ("--werror" | "--strict" | "--max-warnings", "check") => return Some("habit-deny"),
         ("--seed", "render") => return Some("habit-seed"),
@@ -238,6 +253,31 @@ const OUTPUTS: [&str; 13] = [
     "png", "apng", "jpg", "jpeg", "webp", "exr", "pfm", "pov", "xml", "ply", "obj", "glb", "stl",
 ];
 
+/// The size of a picture that the arguments of this run give in the way of others, `-W160 -H120` or `--width 160`, as
+/// zpg has it; otherwise a usual one.
+pub(super) fn size() -> String {
+    let written: Vec<String> = std::env::args_os()
+        .map(|argument| argument.to_string_lossy().into_owned())
+        .collect();
+    let side = |names: [&str; 3]| {
+        let behind = |at: usize, name: &str| {
+            let rest = written[at].strip_prefix(name)?;
+            let value = match rest {
+                "" => written.get(at + 1)?,
+                _ => rest.strip_prefix('=').unwrap_or(rest),
+            };
+            value.parse().ok().filter(|pixels: &u32| *pixels > 0)
+        };
+        (0..written.len()).find_map(|at| names.iter().find_map(|name| behind(at, name)))
+    };
+    let sides = side(["-W", "+W", "--width"]).zip(side(["-H", "+H", "--height"]));
+    let (width, height) = sides.unwrap_or((640, 480));
+    format!("{width}x{height}")
+}
+
+/// The endings of pictures that zpg draws.
+const PICTURES: [&str; 7] = ["png", "apng", "jpg", "jpeg", "webp", "exr", "pfm"];
+
 /// What there is instead of an option of POV-Ray: `+W640`, `+Opicture.png`.
 fn of_povray(word: &str) -> Option<Complaint> {
     let rest = word.strip_prefix('+')?;
@@ -246,7 +286,7 @@ fn of_povray(word: &str) -> Option<Complaint> {
     let is_whole = !value.is_empty() && value.bytes().all(|c| c.is_ascii_digit());
     let is_number = value.is_empty() || value.parse().is_ok_and(f64::is_finite);
     match letter {
-        'W' | 'H' if is_whole => Some(Complaint::new("habit-size")),
+        'W' | 'H' if is_whole => Some(Complaint::new("habit-size").with("size", size())),
         'A' | 'Q' if is_number => Some(Complaint::new("habit-samples")),
         'F' if value.len() <= 2 => Some(Complaint::new("habit-picture-format")),
         'O' if !value.is_empty() => {
@@ -270,6 +310,14 @@ pub(super) fn output(word: &Path) -> Option<Complaint> {
     let is_output = OUTPUTS.iter().any(|e| ending.eq_ignore_ascii_case(e));
     let complaint = Complaint::new("habit-output").with("path", word);
     (is_output && !text.starts_with('-')).then_some(complaint)
+}
+
+/// What draws a picture, where one is named to translate a scene to.
+pub(super) fn picture(word: &Path, scene: &Path) -> Option<Complaint> {
+    let ending = word.extension()?;
+    let is_picture = PICTURES.iter().any(|e| ending.eq_ignore_ascii_case(e));
+    let complaint = Complaint::new("picture-not-translated").with("path", word);
+    is_picture.then(|| complaint.with("scene", scene))
 }
 
 /// What there is instead of a picture where the name is that of a translation, for scenes of which the first one is

@@ -1,5 +1,6 @@
 //! Which files of settings count, and which files of scenes.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -9,6 +10,7 @@ use super::paths::{self, Files};
 use super::terminal::{self, LookChoice, complain};
 use crate::analysis::config::Configs;
 use crate::analysis::file;
+use crate::diagnostics::Complaint;
 
 /// The arguments that `check` and `fmt` share.
 #[derive(Debug, Clone, clap::Args)]
@@ -46,8 +48,17 @@ pub struct Scenes {
 }
 
 impl Chosen {
-    /// Finds the scenes. What is wrong with the settings of the command line is said, and then there are none.
+    /// Finds the scenes; `stdin` is what standard input goes by. What is wrong with the settings of the command line is
+    /// said, and then there are none.
     pub fn scenes(&self, stdin: Option<&Path>, look: LookChoice) -> Option<Scenes> {
+        let others = self.paths.iter().find(|path| !paths::is_stdin(path));
+        if let (Some(other), Some(_)) = (others, stdin) {
+            complain(
+                look,
+                &Complaint::new("stdin-and-path").with("path", other.as_path()),
+            );
+            return None;
+        }
         let configs = match Configs::chosen(&self.config, &self.exclude, self.isolated) {
             Ok(configs) => Arc::new(configs),
             Err(complaint) => {
@@ -55,9 +66,10 @@ impl Chosen {
                 return None;
             }
         };
+        let roots = self.roots(stdin);
         let mut files = match self.paths.is_empty() {
             true => {
-                let mut found = paths::expand(&self.roots(), &configs, look);
+                let mut found = paths::expand(&roots, &configs, look);
                 // Nobody has written the dot.
                 for file in &mut found.files {
                     if let Ok(plain) = file.strip_prefix(".") {
@@ -66,7 +78,7 @@ impl Chosen {
                 }
                 found
             }
-            false => paths::expand(&self.paths, &configs, look),
+            false => paths::expand(&roots, &configs, look),
         };
         if self.force_exclude {
             // What standard input goes by is excluded as a file of this name is.
@@ -75,20 +87,42 @@ impl Chosen {
                 false => !paths::is_excluded(&configs, file),
             });
         }
+        if !self.isolated {
+            note_misnamed(&files, look);
+        }
         Some(Scenes { files, configs })
     }
 
-    /// The files and folders that the run is about.
-    pub fn roots(&self) -> Vec<PathBuf> {
-        match self.paths.is_empty() {
-            true => vec![PathBuf::from(".")],
-            false => self.paths.clone(),
+    /// The files and folders that the run is about: standard input if it has a name, otherwise this folder, where no path
+    /// is given.
+    pub fn roots(&self, stdin: Option<&Path>) -> Vec<PathBuf> {
+        match (self.paths.is_empty(), stdin) {
+            (true, Some(_)) => vec![PathBuf::from(file::STDIN)],
+            (true, None) => vec![PathBuf::from(".")],
+            (false, _) => self.paths.clone(),
         }
     }
 
     /// Whether a scene comes from standard input.
-    pub fn reads_stdin(&self) -> bool {
-        self.paths.iter().any(|p| paths::is_stdin(p))
+    pub fn reads_stdin(&self, stdin: Option<&Path>) -> bool {
+        self.roots(stdin).iter().any(|path| paths::is_stdin(path))
+    }
+}
+
+/// Says of settings beside scenes that their name has a point before it, and so do not count.
+fn note_misnamed(files: &Files, look: LookChoice) {
+    let folders: BTreeSet<&Path> = files
+        .files
+        .iter()
+        .filter_map(|file| file.parent())
+        .collect();
+    for folder in folders {
+        let hidden = folder.join(".zpg.toml");
+        let named = folder.join("zpg.toml");
+        if hidden.is_file() && !named.exists() {
+            let misnamed = Complaint::new("misnamed-settings").with("path", hidden.as_path());
+            terminal::note(look, &misnamed.with("right", named.as_path()));
+        }
     }
 }
 

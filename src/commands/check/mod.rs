@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use super::atomic_file::{self, try_file_in_new_folder, unwritable};
+use super::atomic_file::{self, try_file};
 use super::difference::{Change, changes, diff};
 use super::endings;
 use super::habits;
@@ -141,7 +141,7 @@ pub struct Args {
     #[arg(long, conflicts_with = "diff")]
     statistics: bool,
 
-    /// What standard input goes by, in messages, for zpg.toml and for images
+    /// What standard input goes by, in messages, for zpg.toml and for images; without a PATH, standard input is read
     #[arg(help_heading = help::FILES)]
     #[arg(long, value_name = "NAME")]
     stdin_filename: Option<PathBuf>,
@@ -194,7 +194,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &Complaint::new("statistics-format"));
         return Status::Failure;
     }
-    let roots = args.chosen.roots();
+    let roots = args.chosen.roots(args.stdin_filename.as_deref());
     if let Some((path, instead)) = roots.iter().find_map(|p| Some((p, habits::of_check(p)?))) {
         let what = Complaint::new("no-scene").with("path", path.as_path());
         let complaint = Complaint::new("with-reason").with("what", what);
@@ -215,7 +215,7 @@ fn once(args: &Args, look: LookChoice) -> Status {
         return Status::Failure;
     };
     let mends = args.fix || args.add_allow;
-    if files.files.is_empty() && mends && args.chosen.reads_stdin() {
+    if files.files.is_empty() && mends && args.chosen.reads_stdin(stdin) {
         return pass_through(!args.diff, look);
     }
     let checker = Checker {
@@ -238,7 +238,7 @@ fn once(args: &Args, look: LookChoice) -> Status {
     let mut tried = named.map(|path| {
         refuse_overwrite_of_scenes(&files.files, path)?;
         endings::fits(path, args.endings())?;
-        try_file_in_new_folder(path)
+        try_file(path)
     });
     if let Err(complaint) = tried.try_for_each(|tried| tried) {
         complain(look, &complaint);
@@ -333,11 +333,7 @@ impl Checker<'_> {
         let Some(path) = named.filter(|path| !is_stdout(path)) else {
             return terminal::print(look, status, write);
         };
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let written = std::fs::create_dir_all(folder)
-            .map_err(|e| unwritable(path, &e))
-            .and_then(|()| atomic_file::write(path, write));
-        match written {
+        match atomic_file::write(path, write) {
             Ok(()) => status,
             Err(complaint) => {
                 complain(look, &complaint);
@@ -446,8 +442,9 @@ impl Checker<'_> {
     fn print(&self, status: Status, all: Vec<Checked>, total: &Tally) -> Status {
         let args = self.args;
         let fixes = self.fixes(&all);
+        let stdin = args.stdin_filename.as_deref();
         // Where standard output carries a scene or a difference, it carries nothing else.
-        let mends_stdin = (args.fix || args.add_allow) && args.chosen.reads_stdin();
+        let mends_stdin = (args.fix || args.add_allow) && args.chosen.reads_stdin(stdin);
         let data: Vec<Vec<u8>> = (all.iter()).map(|c| c.data.clone()).collect();
         let report = |out: &mut dyn Write| {
             if args.statistics {

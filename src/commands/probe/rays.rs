@@ -45,7 +45,8 @@ pub(super) fn numbers<const N: usize>(s: &str) -> Result<[f64; N], Complaint> {
     // As the handout writes points: `[0,6; 1; 1,2]`.
     let s = s.trim();
     let s = (s.strip_prefix('[').and_then(|s| s.strip_suffix(']'))).unwrap_or(s);
-    let s = &s.replace(';', " ");
+    // As scenes of POV-Ray do, with `<0, 4, 11>`.
+    let s = &s.replace([';', '<', '>'], " ");
     let mut out = [0.0; N];
     let mut count = 0;
     let words = s.split(|c: char| c.is_whitespace() || c == ',');

@@ -39,6 +39,10 @@ pub fn check(args: &Args, is_one: bool) -> Result<(), Complaint> {
     };
     let about = |message| Err(Complaint::new(message).with("path", output));
     match frames.are_given() {
+        false if ending(output) == "gif" => Err(Complaint::new("film-of-one")
+            .with("path", output)
+            .with("still", output.with_extension("png").as_path())
+            .with("animated", output.with_extension("apng").as_path())),
         _ if FILMS.contains(&ending(output).as_str()) => Err(by_ffmpeg(args, output)),
         false if is_animated(output) => about("animation-without-frames"),
         true if is_stdout(output) => about("frames-on-stdout"),

@@ -99,6 +99,8 @@ list-comma = { $first }, { $last }
 range-behind-end = řádků je v souboru { $path } jen { $lines }: nic se neformátuje
 range-of-many = --range platí jen pro jeden soubor
 not-a-file = není to obyčejný soubor
+stdin-and-path = `--stdin-filename` pojmenovává standardní vstup, takže { $path } se nepřečte: vynechte jedno z nich
+misnamed-settings = { $path } neplatí: soubor s nastavením se jmenuje { $right }
 no-files = není tu soubor se scénou, jehož nastavení by šlo ukázat
 
 ## Vykreslování a dotazy
@@ -165,6 +167,7 @@ several-on-stdout = na standardní výstup se vejde jeden obrázek: složku urč
 several-in-one-file = { $path } je jeden soubor, ale scén je několik: složku určete pomocí `-o`
 wrote-file = Zapsáno: { $path }
 wrote-scene = Zapsáno: { $path }; vykreslí se příkazem `zpg render { $file }`
+picture-not-translated = { $path } je obrázek: vykreslí ho `zpg render { $scene } -o { $path }`
 no-target = do jakého formátu? Určete ho volbou `--to` ({ $names }), nebo ať jméno za `-o` končí na .pov, .xml, .ply, .obj, .glb, .stl, .json nebo .zpg
 gltf-is-glb = zpg zapisuje glTF jako jeden binární soubor: pojmenujte jej `-o { $path }`
 wrote-picture = Zapsáno: { $path }, { $width } × { $height } pixelů
@@ -200,6 +203,7 @@ frames-on-stdout = snímky tvoří více obrázků: uveďte za `-o` soubor, nap�
 frames-of-json = { $path } je scéna v JSON, ale měnit lze jen čísla záznamů: na záznamy ji převede `zpg convert --to zpg`
 only-outside = `--only` uvádí snímky, které mezi snímky { $frames } nejsou
 too-many-frames = snímků smí být nejvýše { $most }
+film-of-one = { $path } zpg nezapisuje; jeden obrázek vykreslí s `-o { $still }` a animovaný s `--frames` a `-o { $animated }`
 film-by-ffmpeg = soubor { $path } zpg nezapisuje: vykreslete snímky s volbou `-o { $frames }` a film z nich vytvořte příkazem `{ $line }`. S volbou `-o { $animated }` zapíše zpg samo animovaný obrázek
 animation-without-frames = { $path } je animovaný obrázek: z jakých snímků má být, určuje `--frames`
 animation-of-tiles = `--tile` kreslí díly snímků do souborů .png nebo .exr, ne do { $path }
@@ -270,6 +274,7 @@ zero-direction = směr je nulový vektor
 ## Srovnávání
 
 no-program = program { $program } není nainstalován: získáte ho { $how } (hledalo se `{ $path }`)
+no-such-program = program { $path } neexistuje
 program-failed = { $program } selhal:
     { $said }
 program-late = program { $program } neskončil do { $seconds } s, a proto byl ukončen: dejte mu víc času volbou `--timeout`, nebo zvolte { $instead }
@@ -363,8 +368,9 @@ usage-values = možnosti jsou { $values }
 # Co má ruff a co se v zpg jmenuje jinak, nebo to v něm není.
 
 habit-add-allow = zpg má místo toho `zpg check --add-allow`
-habit-analyze = takový příkaz zpg nemá; `zpg plan` vypíše, které efekty scéna potřebuje
+habit-analyze = `zpg plan` vypíše, které efekty scéna potřebuje
 habit-angle = taková volba není; zorný úhel je poslední číslo záznamu kamery (-501)
+habit-all-codes = všechny vypíše `zpg explain` bez argumentu
 habit-axes = `zpg accuracy` porovnává víc hodnot; čeho, udává `--axes`, například `--axes samples,adaptive`
 habit-background = taková volba není; pozadí je druhé číslo renderovacího záznamu (9999): ID barvy, nebo 0 pro černou
 habit-behind-command = volby příkazu stojí za jeho jménem: `zpg check { $text }`
@@ -373,7 +379,7 @@ habit-called = v zpg je to `{ $text }`
 habit-check = zpg má místo toho `zpg check`
 habit-check-json = u `zpg check` je to `--format json`
 habit-completions = zpg má místo toho `zpg completions`
-habit-config = takový příkaz zpg nemá; `zpg check --show-settings` vypíše všechna nastavení a `--config` jedno změní
+habit-config = `zpg check --show-settings` vypíše všechna nastavení a `--config` jedno změní
 habit-convert = zpg má místo toho `zpg convert`
 habit-crosscheck = zpg má místo toho `zpg crosscheck`
 habit-default = tak je to i bez této volby: stačí `{ $text }` vynechat
@@ -388,6 +394,7 @@ habit-fix-only = taková volba není; `zpg check --fix` opraví, co lze, a vypí
 habit-fixable = taková volba není; `--fix` opraví vše, co je jisté, a `--select` a `--ignore` vybírají, co se hledá
 habit-fmt-output = taková volba není; `zpg fmt` zapisuje přímo do souborů a `zpg fmt - < scene.zpg` na standardní výstup
 habit-format = u `zpg convert` je to `--to` nebo přípona v `-o`, u `zpg check` je to `--output-format`
+habit-depth = zpg má místo toho `--depth`, například `--depth 5`
 habit-from = zpg má místo toho `--from { $text }`
 habit-gamma = taková volba není; obrázky se zapisují v sRGB a zesvětlí je `--exposure`
 habit-gitignore = taková volba není; při procházení složek platí .gitignore vždy
@@ -396,11 +403,13 @@ habit-ignore-allow = taková volba není; komentáře, které povolují nálezy,
 habit-in-place = taková volba není; `zpg fmt` zapisuje přímo do souborů a `--diff` jen ukáže, co by změnil
 habit-json = zpg má místo toho `--json`
 habit-line-length = zpg má místo toho `--config format.width=100`
-habit-linter = takový příkaz zpg nemá; všechny kódy vypíše `zpg explain`
+habit-linter = všechny kódy vypíše `zpg explain`
 habit-new = zpg má místo toho `zpg new`
 habit-no-fix = taková volba není; bez `--fix` `zpg check` nic nezapíše
 habit-no-option = tak je to i bez jakékoli volby
 habit-output = soubor, do kterého se zapíše, udává `-o { $path }`
+habit-output-format-explain = taková volba není; mimo terminál píše `zpg explain` v Markdownu
+habit-output-format-fmt = taková volba není; co by se změnilo, ukáže `--diff`, a soubory vypíše `--check`
 habit-per-file-ignores = zpg má místo toho {"`"}--config 'lint.per-file-ignores={"{"}"*" = ["W310"]{"}"}'`
 habit-picture-format = formát určuje přípona v `-o`, například `-o obrazek.png`
 habit-preview = taková volba není; všechna pravidla zpg jsou stálá
@@ -408,6 +417,7 @@ habit-probe-json = taková volba není; `zpg probe` vypisuje vždy JSON
 habit-render = zpg má místo toho `zpg render`
 habit-render-preview = taková volba není; `--quality draft` vykreslí obrázek rychle a `--watch` znovu po každé změně scény
 habit-samples = zpg má místo toho `--samples`, nebo `--quality draft`, `good` či `final`
+habit-scene-named = scéna se uvádí samotná, bez `{ $text }`
 habit-scene = scéna se uvádí samotná, bez volby: `zpg render { $path }`
 habit-seed = taková volba není; vzorky obrázku jsou vždy stejné
 habit-server = zpg má místo toho `zpg lsp`
@@ -416,8 +426,9 @@ habit-show-source = taková volba není; nálezy ukazují své řádky vždy a `
 habit-silent = zpg má místo toho `--quiet`
 habit-size-or-silent = v zpg je to `--size`, například `--size 640x480`; méně hlášení vypisuje s `--quiet`
 habit-silent-or-size = v zpg je to `--quiet`; velikost obrázku udává `--size`, například `--size 640x480`
-habit-size = zpg má místo toho `--size`, například `--size 640x480`
+habit-size = zpg má místo toho `--size`, například `--size { $size }`
 habit-target-version = taková volba není; jazyk scén má jedinou verzi
+habit-to = zpg má místo toho `--to`, například `--to pov`
 habit-translation = scénu převede `zpg convert { $scene } -o { $path }`
 habit-threads = zpg má místo toho `--threads`, například `--threads 4`
 habit-verbose-render = taková volba není; co obrázek stál a kde, vypíše `--cost`, a které jevy potřebuje, `zpg plan`

@@ -99,6 +99,8 @@ range-behind-end = { $path } has { $lines ->
 }: nothing is formatted
 range-of-many = --range takes the lines of one file
 not-a-file = it is not a plain file
+stdin-and-path = `--stdin-filename` names standard input, so { $path } is not read: leave out one of them
+misnamed-settings = { $path } does not count: the name of settings is { $right }
 no-files = there is no scene file to show the settings of
 
 ## Drawing and asking
@@ -161,6 +163,7 @@ several-on-stdout = standard output takes one picture: name a folder with `-o`
 several-in-one-file = { $path } is one file, and these are several scenes: name a folder with `-o`
 wrote-file = Wrote { $path }
 wrote-scene = Wrote { $path }; `zpg render { $file }` draws it
+picture-not-translated = { $path } is a picture: `zpg render { $scene } -o { $path }` draws it
 no-target = which format? Name it with `--to` ({ $names }), or let the name after `-o` end in .pov, .xml, .ply, .obj, .glb, .stl, .json or .zpg
 gltf-is-glb = zpg writes glTF as one binary file: name it with `-o { $path }`
 wrote-picture = Wrote { $path }: { $width } × { $height } pixels
@@ -202,6 +205,7 @@ frames-on-stdout = frames are several pictures: name a file with `-o`, such as f
 frames-of-json = { $path } is a scene in JSON, and the numbers of records vary: `zpg convert --to zpg` makes records of it
 only-outside = `--only` names frames that are not among the frames { $frames }
 too-many-frames = there are at most { $most } frames
+film-of-one = zpg does not write { $path }; `-o { $still }` makes a still picture, and with `--frames` and `-o { $animated }` zpg writes an animated one
 film-by-ffmpeg = zpg does not write { $path }: draw the frames with `-o { $frames }`, and make a film of them with `{ $line }`. With `-o { $animated }` zpg itself writes an animated picture
 animation-without-frames = { $path } is an animated picture: `--frames` says of which frames
 animation-of-tiles = `--tile` draws parts of frames into .png or .exr files, not into { $path }
@@ -268,6 +272,7 @@ zero-direction = the direction is the zero vector
 ## Comparing
 
 no-program = { $program } is not installed: get it { $how } (`{ $path }` was tried)
+no-such-program = there is no program { $path }
 program-failed = { $program } has failed:
     { $said }
 program-late = { $program } was ended, as it took longer than { $seconds } s: allow it more with `--timeout`, or choose { $instead }
@@ -358,8 +363,9 @@ usage-values = there are { $values }
 # What ruff has and zpg calls otherwise, or has not.
 
 habit-add-allow = zpg calls it `zpg check --add-allow`
-habit-analyze = zpg has no such command; `zpg plan` says which effects a scene needs
+habit-analyze = `zpg plan` says which effects a scene needs
 habit-angle = there is none; the angle of view is the last number of the camera's record (-501)
+habit-all-codes = `zpg explain` without an argument lists all
 habit-axes = `zpg accuracy` compares several values; `--axes` says of what, for example `--axes samples,adaptive`
 habit-background = there is none; the background is the second number of the render record (9999): the ID of a colour, or 0 for black
 habit-behind-command = the options of a command stand behind its name: `zpg check { $text }`
@@ -368,7 +374,7 @@ habit-called = zpg calls it `{ $text }`
 habit-check = zpg calls it `zpg check`
 habit-check-json = `zpg check` calls it `--format json`
 habit-completions = zpg calls it `zpg completions`
-habit-config = zpg has no such command; `zpg check --show-settings` shows all settings, and `--config` changes one
+habit-config = `zpg check --show-settings` shows all settings, and `--config` changes one
 habit-convert = zpg calls it `zpg convert`
 habit-crosscheck = zpg calls it `zpg crosscheck`
 habit-default = that is the default: leave out `{ $text }`
@@ -383,6 +389,7 @@ habit-fix-only = there is none; `zpg check --fix` mends and then reports what is
 habit-fixable = there is none; `--fix` mends all that is certain, and `--select` and `--ignore` choose what is looked for
 habit-fmt-output = there is none; `zpg fmt` writes into the files, and `zpg fmt - < scene.zpg` to standard output
 habit-format = `zpg convert` calls it `--to`, or takes the ending of `-o`; `zpg check` calls it `--output-format`
+habit-depth = zpg calls it `--depth`, for example `--depth 5`
 habit-from = zpg calls it `--from { $text }`
 habit-gamma = there is none; pictures are written in sRGB, and `--exposure` makes them brighter
 habit-gitignore = there is none; zpg always honours .gitignore in folders
@@ -391,11 +398,13 @@ habit-ignore-allow = there is none; the comments that allow findings always coun
 habit-in-place = there is none; `zpg fmt` writes into the files, and `--diff` only shows what it would change
 habit-json = zpg calls it `--json`
 habit-line-length = zpg calls it `--config format.width=100`
-habit-linter = zpg has no such command; `zpg explain` lists all codes
+habit-linter = `zpg explain` lists all codes
 habit-new = zpg calls it `zpg new`
 habit-no-fix = there is none; `zpg check` writes nothing without `--fix`
 habit-no-option = that is the default, without any option
 habit-output = the file to write is named by `-o { $path }`
+habit-output-format-explain = there is none; `zpg explain` writes Markdown where its output is no terminal
+habit-output-format-fmt = there is none; `--diff` shows what would change, and `--check` names the files
 habit-per-file-ignores = zpg calls it {"`"}--config 'lint.per-file-ignores={"{"}"*" = ["W310"]{"}"}'`
 habit-picture-format = the ending of `-o` says the format, for example `-o picture.png`
 habit-preview = there is none; all rules of zpg are stable
@@ -403,6 +412,7 @@ habit-probe-json = there is none; `zpg probe` always writes JSON
 habit-render = zpg calls it `zpg render`
 habit-render-preview = there is none; `--quality draft` draws quickly, and `--watch` draws again when the scene changes
 habit-samples = zpg calls it `--samples`, or `--quality draft`, `good` or `final`
+habit-scene-named = the scene is named on its own, without `{ $text }`
 habit-scene = the scene is named on its own, without an option: `zpg render { $path }`
 habit-seed = there is none; the samples of a picture are always the same
 habit-server = zpg calls it `zpg lsp`
@@ -411,8 +421,9 @@ habit-show-source = there is none; findings always show their lines, and `--outp
 habit-silent = zpg calls it `--quiet`
 habit-size-or-silent = zpg calls it `--size`, for example `--size 640x480`; what says less is `--quiet`
 habit-silent-or-size = zpg calls it `--quiet`; the size of a picture is `--size`, for example `--size 640x480`
-habit-size = zpg calls it `--size`, for example `--size 640x480`
+habit-size = zpg calls it `--size`, for example `--size { $size }`
 habit-target-version = there is none; the scene language has one version
+habit-to = zpg calls it `--to`, for example `--to pov`
 habit-translation = `zpg convert { $scene } -o { $path }` translates the scene
 habit-threads = zpg calls it `--threads`, for example `--threads 4`
 habit-verbose-render = there is none; `--cost` prints what the picture has cost and where, and `zpg plan` which effects it needs
