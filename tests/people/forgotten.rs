@@ -323,3 +323,20 @@ fn commas_in_square_brackets() {
     only(&text);
     assert_eq!(fixed(&text), (scene("11 11 0.9 2 -0.3 0.5", 11), 1));
 }
+
+/// The first number of a shape is no type where the ID has no other shape.
+#[test]
+fn types_that_are_missing_before_what_could_be_one() {
+    let with = |line: &str| scene(&format!("2 11 0 0 0 1\n{line}\n4 -101 2 3"), 4);
+    for (line, meant) in [
+        ("3 -2 0.9 1 0.9", "3 11 -2 0.9 1 0.9"),
+        ("3 -1 0.5 0 2 1 1", "3 12 -1 0.5 0 2 1 1"),
+        ("3 2 0.5 0 0.5 1.6", "3 1 2 0.5 0 0.5 1.6"),
+    ] {
+        let finding = only(&with(line));
+        assert_eq!(finding.code, Code::E006, "{line}");
+        assert_eq!(fixed(&with(line)).0, with(meant), "{line}");
+    }
+    let moved = with("3 11 0 2 0 1\n3 -2 0.9 1 0.9");
+    assert_eq!(only(&moved).code, Code::E009);
+}

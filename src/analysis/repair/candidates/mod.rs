@@ -373,6 +373,7 @@ impl<'a> LineContext<'a> {
             if out.is_empty() {
                 self.lost_type(&mut out);
             }
+            self.lost_shape_type(&mut out);
             let is_short = finding.code == Code::E008 && out.iter().all(|c| c.habit == Habit::Lost);
             if is_short && self.is_only_one(finding) {
                 out.extend(self.two_digits());
@@ -479,8 +480,12 @@ impl<'a> LineContext<'a> {
                 | Point
                 | Count
         );
+        // What takes out the word before a vector in brackets takes out these, too.
+        let is_bracket =
+            |t: &Token| t.kind() == TokenKind::Separator && "<>[](){}".contains(t.text(self.text));
+        let is_vector = candidate.habit == Characters && self.all.iter().any(is_bracket);
         let writes_type = candidate.ty.is_some() && candidate.habit != Unnamed;
-        if writes_type || !arranges {
+        if writes_type || !(arranges || is_vector) {
             return;
         }
         let edits = &mut candidate.fix.edits;

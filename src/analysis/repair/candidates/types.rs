@@ -505,8 +505,7 @@ impl LineContext<'_> {
             return;
         };
         let behind = &self.tokens[1..];
-        let mut entities = self.analysis.scene.entities.iter();
-        let is_defined = entities.any(|e| e.id == id && !self.line.touches(e.span));
+        let is_defined = self.is_defined_elsewhere(id);
         if (self.ty()).is_some_and(|ty| is_defined || !matches!(ty.effect, Effect::Changes(_))) {
             return;
         }
@@ -514,6 +513,34 @@ impl LineContext<'_> {
             .iter()
             .filter_map(|&code| RecordType::by_code(code.into()));
         let fitting = fitting.filter(|ty| self.fit(ty, behind));
+        out.extend(fitting.map(|ty| self.with_type(head, ty)));
+    }
+
+    fn is_defined_elsewhere(&self, id: u32) -> bool {
+        let mut entities = self.analysis.scene.entities.iter();
+        entities.any(|e| e.id == id && !self.line.touches(e.span))
+    }
+
+    /// A shape without its type whose first number happens to be another type, with a wrong count of numbers: the shape
+    /// of an ID that is used and defined nowhere else.
+    pub(super) fn lost_shape_type(&self, out: &mut Vec<Candidate>) {
+        let (Some(head), Some(id), Some(ty)) = (self.tokens.first(), self.id(), self.ty()) else {
+            return;
+        };
+        let is_count = |t: &Token| t.integer(self.text).is_some();
+        let is_change = matches!(ty.effect, Effect::Changes(_));
+        // Behind the type of a profile its number of points is whole.
+        let is_profile = ty.is_counted() && !self.params().first().is_none_or(is_count);
+        let is_wanted = !self.is_defined_elsewhere(id) && self.named_ids().contains(&id);
+        if self.fits(ty) || !is_wanted || !(is_change || is_profile) {
+            return;
+        }
+        let fitting = OFTEN
+            .iter()
+            .chain(&[1])
+            .filter_map(|&code| RecordType::by_code(code.into()))
+            .filter(|ty| ty.family == Family::Shape && (is_change || ty.is_counted()))
+            .filter(|ty| self.fit(ty, &self.tokens[1..]));
         out.extend(fitting.map(|ty| self.with_type(head, ty)));
     }
 
