@@ -1,7 +1,7 @@
 //! Applying fixes to a text.
 
 use super::source::line_break;
-use super::{Applicability, Diagnostic, Edit, Fix};
+use super::{Applicability, Diagnostic, Edit, Fix, Span};
 
 impl Diagnostic {
     /// The fix that is applied, if one may be: the first that is safe, or the first of all if it is no choice.
@@ -50,11 +50,36 @@ pub fn edits<'a>(text: &str, fixes: impl Iterator<Item = &'a Fix>) -> (Vec<Edit>
     }
     chosen.sort_by_key(|e| e.span);
     let line_break = line_break(text);
-    let edit = |e: &Edit| Edit {
-        span: e.span,
-        text: e.text.replace('\n', line_break),
+    let mut behind = 0;
+    let edit = |e: &Edit| {
+        let start = match e.text.is_empty() {
+            true => without_space_before(text, e.span).max(behind),
+            false => e.span.start,
+        };
+        behind = e.span.end;
+        Edit {
+            span: Span::new(start, e.span.end),
+            text: e.text.replace('\n', line_break),
+        }
     };
     (chosen.into_iter().map(edit).collect(), count)
+}
+
+/// Where a part of the text begins that is taken out: where nothing but white space is behind it on its line, that before
+/// it goes, too.
+fn without_space_before(text: &str, span: Span) -> u32 {
+    let rest = &text[span.end as usize..];
+    let is_tail = rest
+        .trim_start_matches([' ', '\t'])
+        .starts_with(['\r', '\n'])
+        || rest.trim().is_empty();
+    let before = &text[..span.start as usize];
+    let kept = before.trim_end_matches([' ', '\t']);
+    // A line of its own has nothing before it but its indentation.
+    match is_tail && span.start < span.end && !kept.is_empty() && !kept.ends_with(['\r', '\n']) {
+        true => kept.len() as u32,
+        false => span.start,
+    }
 }
 
 /// The text after some edits, which are in order.
@@ -73,7 +98,6 @@ pub fn edited(text: &str, edits: &[Edit]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostics::Span;
 
     fn fix(edits: &[(u32, u32, &str)]) -> Fix {
         let edit = |&(start, end, text): &(u32, u32, &str)| Edit {
@@ -108,6 +132,17 @@ mod tests {
         assert_eq!((text.as_str(), count), ("ax", 1));
         let (text, count) = apply("ž", [fix(&[(1, 2, "x")])].iter());
         assert_eq!((text.as_str(), count), ("ž", 0));
+    }
+
+    #[test]
+    fn no_space_is_left_at_the_end_of_a_line() {
+        let cut = |text: &str, start, end| apply(text, [fix(&[(start, end, "")])].iter()).0;
+        assert_eq!(cut("a b\r\nc", 2, 3), "a\r\nc");
+        assert_eq!(cut("a \tb", 3, 4), "a");
+        assert_eq!(cut("a b c", 2, 3), "a  c");
+        assert_eq!(cut("a\n b\n", 3, 4), "a\n \n");
+        let two = [fix(&[(0, 1, "x")]), fix(&[(2, 3, "")])];
+        assert_eq!(apply("a b", two.iter()).0, "x");
     }
 
     #[test]

@@ -239,7 +239,7 @@ const INSTEAD: &[(&str, &str, &str)] = &[
 const JOINED: &[(&str, &str)] = &[
     ("sphere 4 0 1.6 0 0.6", "4 11 0 1.6 0 0.6"),
     ("koule 4 0 1.6 0 0.6", "4 11 0 1.6 0 0.6"),
-    ("sphere { <0,1.6,0>, 0.6 }", "4 11  0 1.6 0  0.6 "),
+    ("sphere { <0,1.6,0>, 0.6 }", "4 11  0 1.6 0  0.6"),
     ("14 4 1 0.3", "4 14 1 0.3"),
     // A shape with its properties and moves, as POV-Ray has them.
     (
