@@ -1,11 +1,13 @@
 //! N606: a part of the picture is brighter than white.
 
-use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::geometry::array::add;
 use crate::lint::Context;
 use crate::lint::glance::{MAX_NODES, SIZE, glance};
+use crate::lint::spelling::decimal;
 use crate::scene::{Entity, Geometry, Optics, Paint, Render, Rgb, Scene, Shape, Texture};
 use crate::solids::staging::{Viewpoint, staged};
+use crate::syntax::quote;
 use crate::syntax::table::Kind;
 use crate::trace::film::{MAX_BRIGHT_PERCENT, is_above_white};
 use std::ops::ControlFlow;
@@ -46,8 +48,22 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         diagnostic = (diagnostic.with("light", Value::Term(kind)))
             .with("id", light.id.to_string())
             .label(light.span, "light");
+        diagnostic.fixes.extend(of_per_cent(context, light));
     }
     out.push(diagnostic);
+}
+
+/// The intensity of a light as a part, where it seems to be in per cent.
+fn of_per_cent(context: &Context, light: &Entity) -> Option<Fix> {
+    const INTENSITY: usize = 0;
+    let p = context.params(light.span)?;
+    let written: f64 = p.text_of(INTENSITY).parse().ok()?;
+    let text = (10.0..=100.0)
+        .contains(&written)
+        .then(|| decimal(written / 100.0))?;
+    let place = p.span_of(INTENSITY, 1);
+    let fix = Fix::replace("fix-write", Applicability::Unsafe, place, text.clone());
+    Some(fix.with("number", quote(&text)))
 }
 
 /// The light of the greatest intensity.
