@@ -1,6 +1,7 @@
 //! W310: something that is defined and not needed for the picture.
 
 mod assign;
+mod part;
 mod slip;
 mod whole;
 
@@ -48,7 +49,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
     }
     let holders = LazyCell::new(|| whole::holders(context, names));
-    let (mut properties, mut wholes) = (Vec::new(), Vec::new());
+    let (mut properties, mut objects, mut wholes) = (Vec::new(), Vec::new(), Vec::new());
     // A placeholder and its later definition share an ID. The finding points at the later one.
     for entity in context.scene.entities.iter().rev() {
         let Some(number) = context.scene.ids.get(entity.id) else {
@@ -63,6 +64,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 finding = finding.case("whole").with("part", root.clone());
                 wholes.push((at, entity));
             }
+            objects.extend((finding.case == "object").then_some((at, entity)));
             properties.extend(finding.case.is_empty().then_some((at, entity)));
             out.push(finding);
         }
@@ -84,6 +86,13 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             fixes.extend(assign::to_the_only_one(context, property));
         }
     }
+    if let [(at, object)] = objects[..]
+        && let Some(fix) = part::in_its_place(context, object)
+    {
+        out[at].case = "operand";
+        out[at].values.extend(fix.values.iter().cloned());
+        out[at].fixes.push(fix);
+    }
     if let [(at, object)] = wholes[..] {
         out[at].fixes.extend(whole::drawn(context, object));
     }
@@ -91,7 +100,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 
 /// Whether a finding is about an object.
 pub(crate) fn is_of_object(finding: &Diagnostic) -> bool {
-    finding.code == Code::W310 && ["object", "whole"].contains(&finding.case)
+    finding.code == Code::W310 && ["object", "whole", "operand"].contains(&finding.case)
 }
 
 fn finding(context: &Context, entity: &Entity) -> Option<Diagnostic> {
