@@ -15,6 +15,7 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 pub mod adaptive;
+mod arbiter;
 pub mod bitmap;
 pub mod camera;
 mod compile;

@@ -1,6 +1,6 @@
 //! The light that comes back along a ray.
 
-use super::kernel::Arbiter;
+use super::arbiter::Arbiter;
 use super::precision::Precision;
 use super::ray::Ray;
 use super::search::escalate::Walkers;

@@ -1,7 +1,7 @@
 //! A shape of the scene as the kernel sees it.
 
-use super::place::WayIn;
 use super::quadric::Quadric;
+use super::way_in::WayIn;
 use crate::geometry::affine::{Affine, Placement};
 use crate::geometry::exponent::{exponent, shifted};
 use crate::geometry::vec::Vec3;

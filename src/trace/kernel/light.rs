@@ -1,6 +1,5 @@
 //! The light of lamps on the places that a wave has met.
 
-use super::arbiter::Arbiter;
 use super::bundle::{Around, BUNDLE_MIN_RAYS, Rays};
 use super::lanes::{LANES, Lanes, V3, is_greater, is_less, mask};
 use super::query::Start;
@@ -10,6 +9,7 @@ use super::wave::{Scene, Tile};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
 use crate::geometry::vec::{UNIT_ROUNDOFF, Vec3};
+use crate::trace::arbiter::Arbiter;
 use crate::trace::tracer;
 
 /// Four places that lamps may shine on.

@@ -3,7 +3,7 @@
 //! Pictures have the bits of those that [`search`](super::search) and [`shade`](super::shade) draw, who are called the
 //! arbiter here. The kernel takes on scenes that are seen from outside: unions of shapes, intersections and differences,
 //! placed anywhere. A place may be inside of four of them at most. The kernel knows of each ray whether rounding may have
-//! decided anything about it. The arbiter is asked about such a ray ([`arbiter`]).
+//! decided anything about it. The arbiter is asked about such a ray ([`Arbiter`](super::arbiter::Arbiter), [`provenance`]).
 //!
 //! The scene: [`expand`] takes the graph apart into leaves, each a shape with its looks ([`leaf`]). [`stage`] puts leaves of
 //! one kind into blocks of four ([`block`]), and blocks into a tree. [`lone`] finds what is near nothing else.
@@ -37,7 +37,6 @@
 //! The arbiter follows such a ray and all rays that come of it, or says how much of a lamp's light gets along it. The other
 //! rays of the sample go on.
 
-mod arbiter;
 mod block;
 mod bundle;
 mod csg;
@@ -52,6 +51,7 @@ mod lone;
 mod place;
 mod plane;
 mod probe;
+mod provenance;
 mod quadric;
 mod query;
 mod rectangle;
@@ -66,8 +66,8 @@ mod stage;
 #[cfg(test)]
 mod tests;
 mod wave;
+mod way_in;
 
-pub use arbiter::Arbiter;
 pub use stage::Stage;
 pub use wave::{Scene, Tile};
 

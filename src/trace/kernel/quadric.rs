@@ -7,8 +7,8 @@
 //! surface at a slope of more than a millionth, and [`BENT`](super::query::BENT) bounds the errors.
 
 use super::lanes::{ALL, Lanes, V3, either, gathered, is_at_most, is_greater, is_less};
-use super::place::{REL_ROUNDED, WayIn};
 use super::probe::{Chords, Probe};
+use super::way_in::{REL_ROUNDED, WayIn};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::affine::Affine;
 use crate::geometry::array::each;

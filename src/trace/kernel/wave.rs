@@ -3,7 +3,6 @@
 //! All rays that a tile's pixels send, mirror and refract at one time are a wave. Each is traced by itself; what happens
 //! where they have met something is computed four at a time.
 
-use super::arbiter::Arbiter;
 use super::bundle::{Along, Around, BUNDLE_MIN_RAYS, Rays};
 use super::cuboid::Cuboids;
 use super::drawn::Drawn;
@@ -24,6 +23,7 @@ use super::stage::Stage;
 use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
+use crate::trace::arbiter::Arbiter;
 use crate::trace::shade::{Features, Limits};
 use crate::trace::stats::Work;
 use crate::trace::tracer;
