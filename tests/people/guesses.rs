@@ -311,3 +311,13 @@ fn an_axis_behind_its_angle_is_in_its_place() {
     assert_eq!(case("7 -2 90 x"), ["axis"]);
     assert_eq!(case("7 -2 x 90"), ["axis-first"]);
 }
+
+#[test]
+fn a_word_before_a_vector_in_brackets_goes_with_these() {
+    let scene = "2 11 0 0 0 1\n13 -701 rgb <0.25, 0.45, 0.75>\n2 -299 13 0\n9 -501 0 0 5 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 2 0\n";
+    assert_eq!(repair::proposals(&read(scene)).len(), 1);
+    for (_, made) in proposals(scene, Code::E012) {
+        assert!(!made.contains(['<', '>']), "{made}");
+    }
+    assert!(first(scene, Code::E012).contains("\n13 -701 0.25 0.45 0.75\n"));
+}
