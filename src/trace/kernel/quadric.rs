@@ -245,10 +245,10 @@ impl Quadrics {
             let has_ends = is_bounded | is_still;
             let straight =
                 is_known & has_ends & is_less(curve, infinite) & is_at_most(a.abs(), curve);
-            misses = misses | (straight & is_out);
+            misses |= straight & is_out;
             let along = straight & is_in & is_long;
             (near, far) = (either(along, enter, near), either(along, leave, far));
-            sure = sure | along;
+            sure |= along;
         }
         let (near, far) = (near + shift, far + shift);
         let [from, to] = each([from, to], splat);
@@ -345,7 +345,7 @@ mod tests {
                 let chain: &[u32] = if i % 2 == 0 { &[] } else { &[0] };
                 let local = Line::new(o, (to - o) * (1.0 + x[1].abs()));
                 let axis = Vec3(each([0, 1, 2], |k| {
-                    f64::from(u8::from(k == i as usize / 7 % 3))
+                    f64::from(u8::from(k == i / 7 % 3))
                 }));
                 let local = match i % 7 {
                     0 => Line::new(o, axis * (1.0 + x[1].abs())),
