@@ -1,4 +1,4 @@
-//! What the allocator does with memory that is freed.
+//! Settings of the allocator: reuse of freed memory.
 
 /// Makes the allocator use freed blocks of up to `bytes` bytes again, instead of returning them to the system: new memory
 /// from the system takes up to a quarter of the time of reading a scene.

@@ -124,7 +124,7 @@ pub use translate::Report;
 pub use translate::registry::{TARGETS, named as target};
 pub use translate::target::{Options as TranslationOptions, Output, Prepared, Target};
 
-/// Everything, for the command line, tests, benches and fuzz targets. It changes without notice.
+/// All modules, for the command line, tests, benches and fuzz targets. They change without notice.
 #[doc(hidden)]
 pub mod internals {
     pub mod allocator {

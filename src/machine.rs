@@ -12,7 +12,7 @@ pub use without_fma::suffices;
 /// The build with AVX2 and FMA.
 #[cfg(all(target_arch = "x86_64", target_feature = "fma"))]
 mod with_fma {
-    /// What is said where the processor lacks them, in both languages: nothing is known of the user yet.
+    /// The message where the processor lacks AVX2 or FMA, in both languages: nothing is known of the user yet.
     const TOO_OLD: &str = "error: this zpg was built for processors with AVX2 and FMA, and this one has not got them; \
         build it with RUSTFLAGS=\"-C target-cpu=x86-64\" cargo install --path .\n\
         chyba: toto zpg je sestaveno pro procesory s AVX2 a FMA a tento je nemá; \
@@ -54,7 +54,8 @@ mod with_fma {
 /// The build that runs on every machine of its kind.
 #[cfg(not(all(target_arch = "x86_64", target_feature = "fma")))]
 mod without_fma {
-    /// This build can run; where a faster one lies beside it, that one runs instead.
+    /// Always succeeds: this build runs on every processor. Where a faster build lies beside it and can run, that one
+    /// runs instead.
     #[expect(clippy::unnecessary_wraps, reason = "the other build can fail to run")]
     pub fn suffices() -> Result<(), &'static str> {
         #[cfg(all(target_arch = "x86_64", unix))]
@@ -92,8 +93,8 @@ mod without_fma {
             && is_x86_feature_detected!("movbe")
     }
 
-    /// Where the other build lies. A file of that name which is this build itself would hand over to itself for ever: such
-    /// a file, copied or linked, is none.
+    /// The path of the other build. A file of that name which is this build itself would hand over to itself for ever:
+    /// such a file, copied or linked, is none.
     #[cfg(all(target_arch = "x86_64", unix))]
     fn faster() -> Option<std::path::PathBuf> {
         const NAME: &str = "zpg-x86-64-v3";

@@ -94,7 +94,7 @@ pub fn map_with<S, T: Send>(
     all
 }
 
-/// What `work` makes of each of the items, in order.
+/// The results of `work` for each of the items, in order.
 pub fn map_each<I: Send, T: Send>(items: Vec<I>, work: impl Fn(I) -> T + Sync) -> Vec<T> {
     map_each_with(items, || (), |(), item| work(item))
 }

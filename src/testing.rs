@@ -1,4 +1,4 @@
-//! What tests share.
+//! Helpers that tests share.
 
 use crate::diagnostics::{Diagnostic, SourceFile};
 use crate::scene::{self, Geometry, Scene};

@@ -48,16 +48,16 @@ const TRIALS: usize = 64;
 /// Most bytes that are read again for what is offered at one place.
 pub const TRIED_BYTES: usize = 1_000_000;
 
-/// Where a comment or a part of it is written.
+/// The place of a comment or of a part of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum CommentSlot {
     /// Into a comment, as its first entry or behind others.
     List { at: u32, first: bool },
-    /// Behind what stands on the line.
+    /// A comment behind the text on the line.
     Line(u32),
-    /// On a line of its own.
+    /// A comment on a line of its own.
     Own(u32),
-    /// On the line above the first record, about that record alone.
+    /// A comment on the line above the first record, about that record alone.
     AboveFirst(u32),
 }
 
@@ -343,7 +343,7 @@ impl<'a> Finder<'a> {
         allow.is_some_and(|allow| allow.is_about_next)
     }
 
-    /// Behind the last entry between the brackets of a comment, unless the code is there.
+    /// The slot behind the last entry between the brackets of a comment; `None` if the code is there already.
     fn list(&self, directive: u32, code: Code) -> Option<CommentSlot> {
         let token = self.token(directive);
         let Allow { list, entries, .. } = Allow::read(token, &self.analysis.source.text)?;
@@ -357,7 +357,7 @@ impl<'a> Finder<'a> {
         })
     }
 
-    /// Behind all that stands on a record's last line, which is the same for all records that end on it.
+    /// The offset behind all text on a record's last line, which is the same for all records that end on it.
     fn end_of_line(&self, record: usize) -> Option<u32> {
         let line = *self.lines(record).end();
         if let Some(&known) = self.ends.borrow().get(&line) {
@@ -384,7 +384,7 @@ impl<'a> Finder<'a> {
         Some(end)
     }
 
-    /// Above the line that a record begins on, if nothing stands before it there.
+    /// The slot above the line that a record begins on, if nothing stands before the record there.
     fn line_above(&self, record: usize) -> Option<CommentSlot> {
         let source = &self.analysis.source;
         let start = self.span(record).start;
@@ -397,7 +397,8 @@ impl<'a> Finder<'a> {
         before.trim().is_empty().then_some(place)
     }
 
-    /// At the head of the file.
+    /// The slot at the head of the file for a comment that allows `code` in the whole file: in the comment that is there
+    /// for [`Kind::Merged`], in a new one for [`Kind::Head`].
     fn of_file(&self, code: Code, kind: Kind) -> Option<CommentSlot> {
         let of_file = |i: &u32| !self.is_about_next(*i);
         let first = self.directives.iter().copied().find(of_file);

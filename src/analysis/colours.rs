@@ -8,8 +8,8 @@ use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::RecordKind;
 use crate::syntax::{Document, Item, hex, quote};
 
-/// What the parser found about colours in hexadecimal digits, and about colours and materials by name, becomes one
-/// finding for each.
+/// Adds one finding for each colour in hexadecimal digits, and for each colour or material by name, that the parser
+/// found.
 pub fn join(document: &Document, source: &SourceFile, findings: &mut Vec<Diagnostic>) {
     if !document.contents.broken {
         return;
@@ -89,7 +89,7 @@ fn spelled_out(shown: [u8; 3]) -> String {
     shown.map(linear_part).join(" ")
 }
 
-/// A colour whose `#` began a comment; with what else the comment holds, as one.
+/// The colour whose `#` began a comment, with its span, and the rest of the text as a comment of its own.
 fn in_comment(sign: &Token, text: &str) -> Option<(Span, [u8; 3], String)> {
     let whole = sign.text(text);
     let (word, colour) = hex::at_start(whole)?;

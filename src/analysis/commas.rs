@@ -28,7 +28,7 @@ pub(super) fn join(source: &SourceFile, findings: &mut Vec<Diagnostic>) {
     });
 }
 
-/// One finding in the place of several on a line.
+/// Joins several findings on a line into one.
 fn joined(mut all: Vec<Diagnostic>) -> Diagnostic {
     all.sort_by_key(|d| d.span.start);
     let count = Value::Count(all.len() as u64);

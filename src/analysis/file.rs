@@ -47,7 +47,7 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
     }
 }
 
-/// Why there is no such file; names the scene that is called so but for its ending.
+/// The message about a file that does not exist; it names the scene that is called so but for its ending.
 fn not_found(path: &Path, error: &io::Error) -> Complaint {
     let mut scene = path.as_os_str().to_owned();
     scene.push(".zpg");

@@ -52,9 +52,9 @@ pub struct Analysis {
     findings: OnceLock<Vec<Diagnostic>>,
     definitions: OnceLock<FxHashMap<u32, u32>>,
     bounds: OnceLock<Vec<NodeBounds>>,
-    /// For a scene in another notation, the records that say the same.
+    /// The records that say the same as a scene in another notation; `None` for a scene in records.
     foreign: Option<Foreign>,
-    /// What [`glaring`](Self::glaring) is, once the records are forgotten.
+    /// The result of [`glaring`](Self::glaring), kept once the records are forgotten.
     glaring: Option<u32>,
 }
 
@@ -199,7 +199,7 @@ impl Analysis {
         }
     }
 
-    /// The same of a text that is only tried: what it says is counted, and not all proposals are made.
+    /// An analysis of a text that is only tried: its findings are counted, and not all proposals are made.
     fn trial(source: SourceFile) -> Analysis {
         Analysis::read(source, false)
     }
@@ -256,8 +256,8 @@ impl Analysis {
             && (self.foreign.as_ref()).is_none_or(|foreign| foreign.records.is_sound())
     }
 
-    /// Everything there is to say about the scene, with the settings applied, sorted by place. The rules
-    /// are run when this is first called.
+    /// All findings about the scene, with the settings applied, sorted by place. The rules are run when this is first
+    /// called.
     pub fn findings(&self) -> &[Diagnostic] {
         self.findings
             .get_or_init(|| self.find(self.read.clone(), &self.settings))

@@ -56,9 +56,9 @@ fn early_changes(mover: &Mover, findings: &mut [Diagnostic]) {
 struct Mover<'a> {
     source: &'a SourceFile,
     document: &'a Document,
-    /// For each definition, where it begins: the first item that uses it too early.
+    /// The first item that uses a definition too early, by the place where the definition begins.
     first_use: FxHashMap<u32, usize>,
-    /// For each ID that is used too early: how often it is, and how often it is referred to at all.
+    /// How often each ID is used too early, and how often it is referred to at all.
     uses: FxHashMap<u32, Uses>,
     /// The first and the last record with each ID, as items.
     records: FxHashMap<u32, (usize, usize)>,
@@ -145,13 +145,13 @@ impl<'a> Mover<'a> {
         is_free.then(|| self.fix("fix-down", Applicability::Unsafe, lines, block.lines.end))
     }
 
-    /// Whether those of some IDs that are defined have a record above an item.
+    /// Whether the definitions of some IDs have a record above an item.
     fn are_above(&self, ids: &FxHashSet<u32>, at: usize) -> bool {
         let first = |id| self.records.get(id).map(|&(first, _)| first);
         ids.iter().filter_map(first).all(|first| first < at)
     }
 
-    /// Whether nothing is against it that a definition stands before the item `to`.
+    /// Whether a definition may stand before the item `to` without a change to the scene.
     fn is_safe(&self, id: u32, needs: &FxHashSet<u32>, block: &Block, to: usize) -> bool {
         let items = &self.document.items;
         // What it is made of changes on the way, or it changes later, which would not reach what uses it.
@@ -190,7 +190,7 @@ impl<'a> Mover<'a> {
         (i < items.len()).then_some(i)
     }
 
-    /// A record and those right behind it that change it.
+    /// A record with the records right behind it that change its entity.
     fn block(&self, first: usize) -> Option<Block> {
         let id = self.record(first)?.id;
         let mut lines = self.own_lines(first..first + 1)?;
@@ -260,7 +260,7 @@ impl<'a> Mover<'a> {
         self.comment_above(block.lines.start)..block.lines.end
     }
 
-    /// Where the comments begin that stand on lines of their own right above a line.
+    /// The offset at which the comments begin that stand on lines of their own right above a line.
     fn comment_above(&self, line: usize) -> usize {
         let (source, tokens) = (self.source, &self.document.tokens);
         let start = source.line_span(line).start;

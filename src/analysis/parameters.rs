@@ -78,7 +78,7 @@ pub struct Number {
     /// The name of the parameter in messages.
     pub name: String,
     pub span: Span,
-    /// Where its value is in [`Document::values`](crate::syntax::Document::values).
+    /// Index of the value in [`Document::values`](crate::syntax::Document::values).
     at: usize,
 }
 
@@ -87,7 +87,7 @@ impl Number {
     ///
     /// # Errors
     ///
-    /// There is none of this name, there are several, or it is a whole number, which does not vary.
+    /// No number has this name, several have it, or the number is a whole one, which does not vary.
     pub fn named(analysis: &Analysis, name: &Name) -> Result<Number, Complaint> {
         let say = |message| Complaint::new(message).with("name", name.to_string());
         let line = |record: &Record| {
@@ -209,7 +209,7 @@ fn is_list(record: &Record, name: &str) -> bool {
     repeated.any(|param| param.name == name)
 }
 
-/// As many of these are named in a message.
+/// The most parameters that a message names.
 const NAMED: usize = 20;
 
 fn listed(all: impl IntoIterator<Item = String>) -> String {

@@ -6,7 +6,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile};
 use crate::scene::image_file;
 use crate::syntax::quote;
 
-/// For so many pictures of a scene folders are looked through.
+/// The most pictures of a scene for which folders are looked through.
 const PICTURES: usize = 16;
 /// Most entries of a folder that are looked at.
 const ENTRIES: usize = 1000;

@@ -1,4 +1,4 @@
-//! What it means that a scene checks worse after a fix.
+//! Comparison of a scene's findings before and after a fix: whether the scene checks worse.
 
 use std::collections::BTreeMap;
 

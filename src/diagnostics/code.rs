@@ -177,7 +177,7 @@ codes! {
 }
 
 impl Code {
-    /// Whether it is about how records are written, and not about the scene that they make.
+    /// Whether the code is about how records are written, and not about the scene that they make.
     pub fn is_about_notation(self) -> bool {
         use Code::{N601, N604, N605, W314, W315};
         self.severity() == Severity::Style || matches!(self, N601 | N604 | N605 | W314 | W315)
@@ -213,8 +213,8 @@ impl Code {
         }
     }
 
-    /// Whether it is always an error. That there is no render record is a warning as long as nothing
-    /// is to be drawn.
+    /// Whether the code is always an error. That there is no render record is a warning as long as nothing is to be
+    /// drawn.
     pub fn is_never_allowed(self) -> bool {
         self.severity() == Severity::Error && self != Code::E106
     }

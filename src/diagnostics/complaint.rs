@@ -1,5 +1,4 @@
-//! What a command has to say that is about no place in a scene: a file that cannot be read, a wish
-//! that cannot be met.
+//! Messages of a command that are about no place in a scene: a file that cannot be read, a wish that cannot be met.
 
 #![warn(missing_docs)]
 
@@ -65,7 +64,7 @@ impl Complaint {
         self
     }
 
-    /// In words; several complaints are several lines.
+    /// The message in words; several complaints are several lines.
     pub fn wording(&self, language: Language) -> String {
         let own = language.say(self.message, &self.values);
         let others = self.others.iter().map(|other| other.wording(language));
@@ -75,7 +74,7 @@ impl Complaint {
             .join("\n")
     }
 
-    /// This one and the others that it goes with, one by one.
+    /// This complaint and then the others that it goes with.
     pub fn each(&self) -> impl Iterator<Item = Complaint> + '_ {
         let alone = Complaint {
             others: Vec::new(),
@@ -103,7 +102,7 @@ impl From<&'static str> for Complaint {
     }
 }
 
-/// In English, for those who do not ask for a language.
+/// Writes the message in English, for those who do not ask for a language.
 impl fmt::Display for Complaint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.wording(Language::English))
@@ -112,14 +111,14 @@ impl fmt::Display for Complaint {
 
 impl Error for Complaint {}
 
-/// In English: programs read it.
+/// Writes the message in English, since programs read it.
 impl Serialize for Complaint {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
     }
 }
 
-/// Nothing.
+/// The empty complaint.
 impl Default for Complaint {
     fn default() -> Complaint {
         Complaint::quoted("")

@@ -23,11 +23,11 @@ pub enum Applicability {
     Safe,
     /// A good guess; a person should look.
     Unsafe,
-    /// One of several guesses that are as good: a person has to choose, and it is never applied.
+    /// A fix among several guesses that are as good: a person has to choose, and it is never applied.
     Choice,
 }
 
-/// One replacement of text.
+/// A replacement of text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edit {
     /// The text that is replaced.
@@ -45,7 +45,7 @@ pub struct Fix {
     pub values: Vec<(&'static str, Value)>,
     /// Whether the edits may be made without asking.
     pub applicability: Applicability,
-    /// In order of their spans, which do not overlap.
+    /// The edits in order of their spans, which do not overlap.
     pub edits: Vec<Edit>,
 }
 
@@ -85,7 +85,7 @@ impl Fix {
     }
 }
 
-/// One finding, in no language yet: [`wording`](super::wording) says it in words.
+/// A finding, in no language yet: [`wording`](super::wording) says it in words.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
     /// The code.

@@ -1,4 +1,4 @@
-//! Why something that was asked for is not done.
+//! Errors: the reasons why a request is not met.
 
 #![warn(missing_docs)]
 
@@ -8,14 +8,14 @@ use super::complaint::Complaint;
 use super::diagnostic::Diagnostic;
 use super::span::Span;
 
-/// Why a scene is not drawn, asked or translated. Every function that may refuse gives this type.
+/// The reason why a scene is not drawn, asked or translated. Every function that may refuse gives this type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Error {
-    /// Something in the scene stands in the way.
+    /// An error in the scene that stands in the way.
     Scene {
         /// The reason.
         why: Complaint,
-        /// Where it is written; `None` for the scene as a whole.
+        /// The place in the text; `None` for the scene as a whole.
         span: Option<Span>,
     },
     /// A finding says it: a picture that the scene names cannot be used.
@@ -58,7 +58,7 @@ impl From<Box<Diagnostic>> for Error {
     }
 }
 
-/// In English, for those who do not ask for a language.
+/// Writes the error in English, for those who do not ask for a language.
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

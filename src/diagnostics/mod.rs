@@ -1,7 +1,6 @@
-//! What the tools have to say about a scene: [`Diagnostic`]s with a stable [`Code`], spans, notes,
-//! help and fixes; what they say in words ([`wording`]); and the ways to print them ([`render`]).
-//! What is about no place in a scene is a [`Complaint`]; why something
-//! that was asked for is not done is an [`Error`].
+//! Diagnostics of a scene: [`Diagnostic`]s with a stable [`Code`], spans, notes, help and fixes; their texts
+//! ([`wording`]); and the ways to print them ([`render`]). What is about no place in a scene is a [`Complaint`]; why
+//! something that was asked for is not done is an [`Error`].
 //!
 //! Nothing here knows the language: the other modules make diagnostics, this one carries them.
 

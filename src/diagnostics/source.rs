@@ -16,9 +16,10 @@ pub const MAX_FILE_BYTES: usize = i32::MAX as usize;
 pub enum Encoding {
     /// UTF-8.
     Utf8,
-    /// Not valid UTF-8, so taken as the usual Czech encoding. One byte is one character.
+    /// A text that is not valid UTF-8, and so is taken as the usual Czech encoding. One byte is one character.
     Windows1250,
-    /// As Windows' Notepad writes it. A byte order mark says so, or that every other byte is NUL.
+    /// UTF-16 with the low byte first, the way of Windows' Notepad. A byte order mark says so, or that every other byte
+    /// is NUL.
     Utf16Le,
     /// The same with the bytes of each pair swapped.
     Utf16Be,
@@ -114,7 +115,7 @@ fn is_half_nul(bytes: &[u8], nul: usize) -> bool {
     !pairs.is_empty() && 4 * nuls(nul) >= 3 * pairs.len() && 16 * nuls(1 - nul) <= pairs.len()
 }
 
-/// Where a text ends. Behind it are marks of DOS, 0x1A, NULs, and perhaps blanks between them.
+/// The end of a text. Behind it are marks of DOS, 0x1A, NULs, and perhaps blanks between them.
 fn end_of_text(text: &str) -> usize {
     let is_fill = |c: char| matches!(c, '\0' | '\u{1a}');
     let kept = text.trim_end_matches(|c: char| is_fill(c) || matches!(c, ' ' | '\t' | '\r' | '\n'));
@@ -243,7 +244,7 @@ impl SourceFile {
         self.text.is_empty() && self.tail.contains('\0')
     }
 
-    /// Where lines start. Most scenes are right, and nobody asks.
+    /// The starts of lines, found when they are first asked for: most scenes are right, and nobody asks.
     fn lines(&self) -> &Lines {
         self.lines
             .get_or_init(|| Lines::new(&self.text, self.encoding))
@@ -372,8 +373,8 @@ impl<'a> Locator<'a> {
         }
     }
 
-    /// As [`SourceFile::position`]. An offset inside a character or past the end is moved back to
-    /// where a character starts.
+    /// The same position as [`SourceFile::position`] gives. An offset inside a character or past the end is moved back
+    /// to where a character starts.
     pub fn position(&mut self, offset: u32) -> Position {
         let file = self.file;
         let offset = file.floor(offset);

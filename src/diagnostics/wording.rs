@@ -1,4 +1,4 @@
-//! What findings say, in words.
+//! The texts of findings.
 //!
 //! The words stand in catalogues, a file a language, in the form of [Project
 //! Fluent](https://projectfluent.org): `messages/en.ftl` and `messages/cs.ftl`, and files of these names in
@@ -29,7 +29,7 @@ use super::language::Language;
 /// A value in a place of a message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Value {
-    /// As it is: text of the user's, numbers as they are spelled.
+    /// A text that stays as it is: the user's, or numbers as they are spelled.
     Text(Cow<'static, str>),
     /// A number that was measured or computed, with a decimal point: each language has its own sign. Numbers of the
     /// scene and of commands are text.
@@ -38,11 +38,11 @@ pub enum Value {
     Count(u64),
     /// A name of the language, in English.
     Term(&'static str),
-    /// One of several names: "an object or a camera".
+    /// Alternative names: "an object or a camera".
     OneOf(Vec<&'static str>),
     /// Phrases one after the other: "it mirrors, and its columns are not at right angles".
     Phrases(Vec<&'static str>),
-    /// Another message, with what fills its own places.
+    /// Another message, with the values of its own places.
     Said(Box<Complaint>),
 }
 
@@ -67,13 +67,13 @@ impl From<&Path> for Value {
     }
 }
 
-/// Everything a finding says.
+/// The texts of a finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wording {
     pub message: String,
     /// The text at the primary place; "here" when the message says it all.
     pub label: String,
-    /// One for each label.
+    /// The texts of the labels, in their order.
     pub labels: Vec<String>,
     pub notes: Vec<String>,
     pub help: Option<String>,
@@ -177,7 +177,7 @@ impl Language {
         })
     }
 
-    /// The language's files.
+    /// The message files of the language.
     fn sources(self) -> &'static [&'static str] {
         match self {
             Language::English => &[

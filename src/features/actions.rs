@@ -1,4 +1,4 @@
-//! What can be done about findings, and to a whole file.
+//! Code actions: fixes of findings, and actions on a whole file.
 
 use crate::analysis::{Analysis, Settings, allowing, fixing, repair};
 use crate::diagnostics::{
@@ -7,7 +7,7 @@ use crate::diagnostics::{
 
 use super::formatting;
 
-/// Something that is offered at a place.
+/// An action that is offered at a place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Action {
     pub title: String,

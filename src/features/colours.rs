@@ -15,7 +15,7 @@ use super::tokens::{Role, of_param};
 /// A colour as it is shown, and its three numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Colour {
-    /// From the first of its numbers to the last.
+    /// The numbers of the colour, from the first to the last.
     pub span: Span,
     /// sRGB, each part from 0 to 1.
     pub shown: [f64; 3],

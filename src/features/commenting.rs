@@ -64,7 +64,7 @@ pub fn direction(analysis: &Analysis, selection: Span) -> Option<Mode> {
 
 struct Lines<'a> {
     source: &'a SourceFile,
-    /// For each line whether a record or a comment goes on there that the line before has begun.
+    /// Whether a record or a comment that began on an earlier line goes on, for each line.
     spanned: Vec<bool>,
 }
 

@@ -13,7 +13,7 @@ use crate::syntax::words::names;
 use super::token_at_offset::{Typing, typing};
 use super::{allow_codes, entity, templates};
 
-/// Something that may be put in the place of what has been typed of it.
+/// A proposal to take the place of the part of a word that has been typed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Proposal {
     pub label: String,
@@ -34,7 +34,7 @@ pub struct Insert(pub Vec<SnippetPart>);
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SnippetPart {
     Fixed(String),
-    /// Something to be replaced, with a value that is right.
+    /// A value that is right, and that the user may replace.
     Place(String),
 }
 
@@ -47,7 +47,7 @@ impl Insert {
         self.0.iter().any(|p| matches!(p, SnippetPart::Place(_)))
     }
 
-    /// Whether it is a text and nothing else.
+    /// Whether the insert is the text `word` and nothing else.
     fn is(&self, word: &str) -> bool {
         !self.has_places() && self.plain() == word
     }

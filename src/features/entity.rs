@@ -1,4 +1,4 @@
-//! What an ID means: what it is called, what it looks like.
+//! The entity of an ID: its name and its look.
 
 use crate::analysis::Analysis;
 use crate::diagnostics::{Language, Span};

@@ -1,4 +1,4 @@
-//! What can be folded: sections under `0 # … #`, long comments, records of several lines.
+//! Folding: sections under `0 # … #`, long comments, records of several lines.
 
 use crate::analysis::Analysis;
 use crate::syntax::Item;
@@ -52,7 +52,7 @@ pub fn heading_tokens(analysis: &Analysis) -> Vec<usize> {
     out
 }
 
-/// All that can be folded, in order of the first line.
+/// All folds of a text, in order of the first line.
 pub fn folds(analysis: &Analysis) -> Vec<Fold> {
     let (document, source) = (&analysis.document, &analysis.source);
     let mut out = Vec::new();
@@ -88,7 +88,7 @@ pub fn folds(analysis: &Analysis) -> Vec<Fold> {
     out
 }
 
-/// The last line before one that has something on it.
+/// The last line before `before` that has text on it.
 fn last_line(analysis: &Analysis, before: usize) -> usize {
     let source = &analysis.source;
     let is_blank = |line: &usize| source.slice(source.line_span(*line)).trim().is_empty();

@@ -1,4 +1,4 @@
-//! What is written between the numbers of a scene so that they can be read: `21 11 sphere x:0 y:10 z:0 r:10`.
+//! Inlay hints between the numbers of a scene: `21 11 sphere x:0 y:10 z:0 r:10`.
 
 use crate::analysis::Analysis;
 use crate::diagnostics::{Language, Span, Value};
@@ -15,7 +15,7 @@ pub struct Hint {
     pub at: u32,
     pub text: String,
     pub kind: Kind,
-    /// More about it, to be shown when somebody points at it.
+    /// The explanation of the hint, to be shown when somebody points at it.
     pub doc: String,
 }
 

@@ -1,4 +1,4 @@
-//! What stands under the pointer, in words.
+//! The text about the token under the pointer.
 
 use std::fmt::Write as _;
 
@@ -182,7 +182,7 @@ fn about_entity(analysis: &Analysis, id: u32, language: Language) -> String {
     out
 }
 
-/// Where the object is when the file ends.
+/// The text about the place of an object when the file ends.
 fn bounds_text(all: &Aabb, language: Language) -> String {
     if all.is_empty() {
         return language.say("hover-bounds-empty", &[]);

@@ -1,4 +1,4 @@
-//! What an editor shows of a scene, as plain functions of an [`Analysis`] and a place in its text.
+//! Features of an editor, as plain functions of an [`Analysis`] and a place in its text.
 //!
 //! A place is a byte offset into the text, a stretch is a [`Span`]. Nothing here knows of a protocol; `lsp` puts
 //! the answers into its types. One file is one feature:

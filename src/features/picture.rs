@@ -20,7 +20,7 @@ use super::entity;
 pub enum Subject {
     /// The objects that the render record names, with the scene's own camera and lights.
     Scene,
-    /// One object, with the automatic camera and lights.
+    /// An object, with the automatic camera and lights.
     Object(u32),
 }
 

@@ -11,13 +11,13 @@ pub const MAX_SHOWN: usize = 1000;
 pub struct Problem {
     pub span: Span,
     pub severity: Severity,
-    /// None for the remark on how many are left out.
+    /// The code of the finding; `None` for the remark on how many are left out.
     pub code: Option<Code>,
     /// The message, its notes and its help, a line each.
     pub message: String,
-    /// Other places that matter, and why.
+    /// Related places, and why they matter.
     pub related: Vec<(Span, String)>,
-    /// Whether it is about something that is not needed.
+    /// Whether the problem is about something that is not needed.
     pub unnecessary: bool,
 }
 

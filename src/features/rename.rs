@@ -15,7 +15,7 @@ use super::uses::{id_at, occurrences, references_of};
 ///
 /// # Errors
 ///
-/// There is no ID, or it is that of the render record.
+/// No ID stands at the place, or the ID is the render record's.
 pub fn prepare(analysis: &Analysis, offset: u32) -> Result<Span, Complaint> {
     match id_at(analysis, offset) {
         None => Err(Complaint::new("lsp-no-id")),
@@ -28,7 +28,7 @@ pub fn prepare(analysis: &Analysis, offset: u32) -> Result<Span, Complaint> {
 ///
 /// # Errors
 ///
-/// There is no ID that can be changed, or the new one is none, reserved, or taken.
+/// No ID that can be changed stands at the place, or the new one is no ID, reserved, or taken.
 pub fn rename(analysis: &Analysis, offset: u32, new: &str) -> Result<Vec<Edit>, Complaint> {
     prepare(analysis, offset)?;
     let (id, _) = id_at(analysis, offset).ok_or_else(|| Complaint::new("lsp-no-id"))?;

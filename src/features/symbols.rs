@@ -19,7 +19,7 @@ pub struct Symbol {
     /// The type's title; empty for a section.
     pub detail: String,
     pub sort: Sort,
-    /// From the first record below it to its own.
+    /// The text from the first record below the entity to the entity's own.
     pub span: Span,
     /// The span of the ID, or of the heading.
     pub id_span: Span,
@@ -130,7 +130,7 @@ fn goes_on_with(analysis: &Analysis, record: &Record, operand: &Record, place: u
 struct Section {
     title: String,
     heading: Span,
-    /// To the last thing before the next heading.
+    /// The text to the last token before the next heading.
     span: Span,
 }
 

@@ -1,4 +1,4 @@
-//! What stands at an offset of the text.
+//! The token at an offset of the text.
 
 use crate::analysis::Analysis;
 use crate::diagnostics::Span;

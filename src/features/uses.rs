@@ -1,4 +1,4 @@
-//! Where an ID stands: definition, references, highlights.
+//! Uses of an ID: definition, references, highlights.
 
 use crate::analysis::Analysis;
 use crate::diagnostics::Span;
@@ -12,7 +12,7 @@ use super::token_at_offset::{self, place_at};
 pub struct Occurrence {
     pub span: Span,
     pub kind: Kind,
-    /// The item that it stands in; index into the document's.
+    /// The item of the use; index into the document's items.
     pub item: u32,
 }
 
@@ -20,9 +20,9 @@ pub struct Occurrence {
 pub enum Kind {
     /// The record that defines the entity.
     Definition,
-    /// A record that changes it, or declares it.
+    /// A record that changes the entity, or declares it.
     Change,
-    /// A parameter that refers to it.
+    /// A parameter that refers to the entity.
     Reference,
 }
 
@@ -99,7 +99,7 @@ pub fn occurrences(analysis: &Analysis, id: u32) -> Vec<Occurrence> {
     out
 }
 
-/// How many of these change the entity, and how many refer to it.
+/// The numbers of occurrences that change the entity, and of those that refer to it.
 pub fn counts(all: &[Occurrence]) -> (usize, usize) {
     let count = |kind| all.iter().filter(|o| o.kind == kind).count();
     (count(Kind::Change), count(Kind::Reference))

@@ -20,7 +20,7 @@ pub(super) struct Context<'a> {
 /// How far the ID and the type go, before the parameters.
 pub(super) const HEAD: usize = 2;
 
-/// One value.
+/// A value and its place in the layout.
 pub(super) struct Cell<'a> {
     pub text: Cow<'a, str>,
     /// Characters in front of the decimal point, and from it on.
@@ -104,7 +104,7 @@ fn kind(record: &Record, i: usize) -> ParamKind {
     }
 }
 
-/// Where two spaces stand in a record, and not one.
+/// The gaps of two spaces, and not one, in a record.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Gaps {
     /// A bit for each value that begins a vector, the ID being the lowest.
@@ -114,7 +114,7 @@ pub(super) struct Gaps {
 }
 
 impl Gaps {
-    /// If there is more than one vector, all are set off.
+    /// The gaps of a record: where a type has more than one vector, all vectors are set off.
     fn of(record: &Record) -> Gaps {
         let ty = record.ty();
         if ty.is_counted() {

@@ -13,7 +13,7 @@ pub(super) struct Element<'a> {
     /// The first and the last token.
     pub first: u32,
     pub last: u32,
-    /// To be printed as it is: it could not be read in full.
+    /// Whether the element is printed as it is, since it could not be read in full.
     pub frozen: bool,
 }
 
@@ -29,12 +29,12 @@ pub(super) enum Fragment<'a> {
 #[derive(Default)]
 pub(super) struct Chunk<'a> {
     pub elements: Vec<Element<'a>>,
-    /// There is a blank line before it.
+    /// Whether a blank line comes before the chunk.
     pub after_blank_line: bool,
 }
 
 impl<'a> Chunk<'a> {
-    /// From its first to its last character.
+    /// Bytes of the chunk, from its first to its last character.
     pub(super) fn span(&self, document: &Document) -> Range<usize> {
         match (self.elements.first(), self.elements.last()) {
             (Some(first), Some(last)) => document.span(first.first, last.last).range(),
@@ -77,7 +77,7 @@ pub(super) struct Chunks<'a> {
     /// The next token, and the one behind the part.
     at: usize,
     end: usize,
-    /// There are tokens that have to be seen where they stand.
+    /// Whether some tokens have to be seen where they stand.
     has_doubtful: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Which lines of a text are still there when it is printed anew.
+//! The lines of a text that are still there when it is printed anew.
 //!
 //! The usual algorithms take time in proportion to the square of the number of changed lines where many lines
 //! are equal, and in scenes they are: a hundred thousand lines took half a minute. So a long text is compared in blocks
@@ -117,7 +117,7 @@ fn blocks(
     out
 }
 
-/// For each line how many words are before it. A `0` before a comment may go, and no `0` is counted.
+/// The number of words before each line. A `0` before a comment may go, and no `0` is counted.
 fn words(lines: &[&str]) -> Vec<usize> {
     let mut sum = 0;
     let count = |line: &str| line.split_whitespace().filter(|word| *word != "0").count();

@@ -48,7 +48,7 @@ impl DocumentRange {
         self.tokens.start == 0
     }
 
-    /// How long it is in the text.
+    /// The length of the range in the text, in bytes.
     pub(super) fn length(&self, document: &Document) -> usize {
         let tokens = &document.tokens[self.tokens.clone()];
         match (tokens.first(), tokens.last()) {

@@ -16,7 +16,7 @@ use crate::syntax::{Item, is_directive};
 pub(super) struct Care {
     /// The first tokens of items whose lines stay as they are.
     pub items: HashSet<u32>,
-    /// A `0` that introduces a comment behind a record stays.
+    /// Whether a `0` that introduces a comment behind a record stays.
     pub zeros: bool,
 }
 
@@ -28,7 +28,7 @@ pub(super) struct Printer<'a> {
     run: Run<'a>,
     /// The lines of the chunk that is printed; the room is used again.
     lines: Vec<Line<'a>>,
-    /// A comment above speaks to the next line.
+    /// Whether a comment above speaks to the next line.
     spoken_to: bool,
 }
 
@@ -37,7 +37,7 @@ struct Line<'a> {
     item: Option<&'a Item>,
     first: u32,
     last: u32,
-    /// A `0` introduces the comment behind the record.
+    /// Whether a `0` introduces the comment behind the record.
     has_zero: bool,
 }
 
@@ -153,7 +153,7 @@ impl<'a> Printer<'a> {
             || (!self.care.items.is_empty() && chunk.items().any(is_kept))
     }
 
-    /// Whether one of its comments is for zpg.
+    /// Whether a comment of the chunk is for zpg.
     fn speaks(&self, chunk: &Chunk) -> bool {
         let Context { text, document, .. } = self.context;
         let speaks = |e: &Element| {

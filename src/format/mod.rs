@@ -105,7 +105,7 @@ fn attempt(
     None
 }
 
-/// How often it is tried to keep the lines that are read differently, each time with more around them.
+/// The most attempts to keep the lines that are read differently, each with more lines around them.
 const ROUNDS: u32 = 7;
 
 fn print(

@@ -1,4 +1,4 @@
-//! What can be chosen about the layout.
+//! Options of the layout.
 
 #![warn(missing_docs)]
 
@@ -18,9 +18,9 @@ pub struct Options {
 /// How numbers are spelled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Numbers {
-    /// In the shortest way that has the same value.
+    /// Numbers in the shortest spelling of the same value.
     Shortest,
-    /// As they are written.
+    /// Numbers stay as they are written.
     Keep,
 }
 

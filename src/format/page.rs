@@ -12,7 +12,7 @@ use super::width::display_width;
 /// The kind of the line that was printed last.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Last {
-    /// Nothing, or a blank line.
+    /// A blank line, or no line yet.
     Blank,
     Comment,
     Record,
@@ -23,10 +23,10 @@ pub(super) struct Page<'a> {
     line_break: &'static str,
     /// The lines, without the spaces between records and the comments behind them.
     text: String,
-    /// Where the line begins that is written now.
+    /// The start of the line that is written now.
     line: usize,
     comments: Vec<Comment>,
-    /// The next comment starts a new column.
+    /// Whether the next comment starts a new column.
     apart: bool,
     last: Last,
     /// Whether what is written now is asked for, and where in `text` all that is stands.
@@ -38,7 +38,7 @@ pub(super) struct Page<'a> {
 struct Comment {
     /// The comment's offset in the text.
     at: usize,
-    /// The width of what stands before it.
+    /// The width of the text before the comment.
     code: u32,
     /// How far to the right it may begin.
     most: u32,
@@ -53,7 +53,7 @@ impl Comment {
     }
 }
 
-/// Between a record and its comment.
+/// Number of spaces between a record and its comment.
 const GAP: u32 = 2;
 
 impl<'a> Page<'a> {
@@ -122,7 +122,7 @@ impl<'a> Page<'a> {
         self.apart = true;
     }
 
-    /// Where a line of a record is written, up to [`Page::end_line`].
+    /// The text that a line of a record is appended to, up to [`Page::end_line`].
     pub(super) fn line(&mut self) -> &mut String {
         &mut self.text
     }
@@ -224,8 +224,8 @@ struct Column {
     high: u32,
 }
 
-/// As many comments as possible have one column, as long as all of these stay within the width. (This is how
-/// clang-format does it.)
+/// Columns of comments: as many comments as possible share one, as long as all of these stay within the width. (This is
+/// how clang-format does it.)
 fn columns(pages: &[Page]) -> Vec<Column> {
     let mut columns: Vec<Column> = Vec::new();
     let mut apart = true;

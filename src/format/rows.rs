@@ -22,7 +22,7 @@ enum RowPart<'a> {
 
 struct Comments<'a> {
     all: Vec<&'a str>,
-    /// Whether they begin or end a line.
+    /// Whether the comments begin or end a line.
     first: bool,
     last: bool,
 }
@@ -45,7 +45,7 @@ struct Row {
     parts: Range<usize>,
     /// The first value on it, counted from the ID.
     value: usize,
-    /// The comments behind them are a part of its own.
+    /// Whether the comments behind the records are a part of its own.
     trail: bool,
 }
 

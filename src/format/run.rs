@@ -11,9 +11,9 @@ use crate::syntax::Record;
 /// A record with the comments on its line.
 pub(super) struct RecordLine<'a> {
     pub record: &'a Record,
-    /// From the first comment before the record to the last behind it, as tokens.
+    /// Indices of the tokens from the first comment before the record to the last behind it.
     pub tokens: (u32, u32),
-    /// A `0` before the comments behind the record stays.
+    /// Whether a `0` before the comments behind the record stays.
     pub keeps_zero: bool,
     /// Whether the line is among those asked for.
     pub wanted: bool,
@@ -31,7 +31,7 @@ impl<'a> RecordLine<'a> {
         comments(context, from, to, self.keeps_zero)
     }
 
-    /// Nothing but numbers up to its end.
+    /// Whether only numbers follow, up to the end of the record.
     fn is_plain(&self, context: &Context<'a>) -> bool {
         self.tokens.0 == self.record.first && !has_comments(context, self.record)
     }
@@ -200,7 +200,7 @@ fn write<'a>(
     }
 }
 
-/// How wide a record is on one line by itself, with the comments in it.
+/// The width of a record on one line by itself, with its comments.
 pub(super) fn natural_width(context: &Context, record: &Record) -> usize {
     let mut out = String::new();
     write(context, &mut out, record, cells(context, record), None);

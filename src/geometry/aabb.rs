@@ -27,7 +27,7 @@ impl Aabb {
         min: [f64::INFINITY; 3],
         max: [f64::NEG_INFINITY; 3],
     };
-    /// All of space.
+    /// The box of all space.
     pub const ALL: Aabb = Aabb {
         min: [f64::NEG_INFINITY; 3],
         max: [f64::INFINITY; 3],

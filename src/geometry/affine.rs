@@ -20,12 +20,12 @@ pub struct Slack<R = f64> {
 pub struct Affine<R = f64> {
     pub rows: [Vec3<R>; 3],
     pub offset: Vec3<R>,
-    /// Rows that take one coordinate as it is, or times a power of two: these round no product.
+    /// Whether each row takes one coordinate as it is, or times a power of two: such a row rounds no product.
     plain: [bool; 3],
     /// The greatest of the sums Σⱼ|mᵢⱼ|: how much longer, at most, the largest component of a
     /// vector becomes.
     spread: R,
-    /// Whether it does nothing but move.
+    /// Whether the map does nothing but move.
     moves: bool,
 }
 
@@ -99,8 +99,8 @@ impl<R: Real> Affine<R> {
         self.unit_normal_scaled(n)
     }
 
-    /// As [`Affine::unit_normal`] where products overflow or underflow: rows and components are
-    /// taken in units of their own.
+    /// [`Affine::unit_normal`] where products overflow or underflow: rows and components are taken in units of their
+    /// own.
     #[cold]
     fn unit_normal_scaled(&self, n: Vec3<R>) -> Vec3<R> {
         let size = |v: Vec3<R>| exponent(v.abs().max_component().to_f64());
@@ -181,7 +181,7 @@ impl<R: Real> Affine<R> {
         self.sizes(before) + self.offset.abs() * R::gamma(4)
     }
 
-    /// In another kind of number, rounded.
+    /// The map in another kind of number, rounded.
     pub fn cast<S: Real>(&self) -> Affine<S> {
         Affine::of(each(self.rows, Vec3::cast), self.offset.cast())
     }
@@ -320,7 +320,7 @@ mod tests {
         }
     }
 
-    /// On both sides of the least size that is turned as it is.
+    /// Normals of vectors on both sides of the least size that is turned as it is.
     #[test]
     fn normals_about_the_least_size() {
         let least = f64::ROUNDOFF.powi(4);

@@ -27,7 +27,7 @@ impl Boxes {
         steps + self.endless.len()
     }
 
-    /// As [`near`](Self::near), of those that end.
+    /// [`near`](Self::near) for the finite boxes alone. Returns the number of steps.
     pub fn near_finite(&self, around: &Aabb, out: &mut Vec<u32>) -> usize {
         let mut steps = 0;
         let step = |_| {

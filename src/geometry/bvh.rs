@@ -37,7 +37,7 @@ impl Bvh {
         Bvh::with_leaves(boxes, LEAF)
     }
 
-    /// As [`new`](Self::new), with so many boxes in one leaf at most, unless they all have the same centre.
+    /// [`new`](Self::new) with at most `leaf` boxes in one leaf, unless they all have the same centre.
     pub fn with_leaves(mut boxes: Vec<(u32, Aabb)>, leaf: usize) -> Bvh {
         // Asking for the number of threads may start them, so it is asked only where they are used.
         let threads = match SHARED.contains(&boxes.len()) {
@@ -67,7 +67,7 @@ impl Bvh {
         self.visit_below(around, |_| true, found)
     }
 
-    /// As [`visit`](Self::visit), below those nodes that are wanted.
+    /// [`visit`](Self::visit), but below those nodes alone that `wanted` accepts.
     pub fn visit_below(
         &self,
         around: &Aabb,
@@ -166,7 +166,7 @@ fn hull(boxes: &[(u32, Aabb)]) -> Aabb {
     boxes.iter().fold(Aabb::EMPTY, |b, x| grown(b, &x.1))
 }
 
-/// As [`Aabb::hull`], of boxes that are not empty: EMPTY grows, too.
+/// [`Aabb::hull`] of two boxes of which none is empty: EMPTY grows, too.
 #[inline]
 fn grown(b: Aabb, other: &Aabb) -> Aabb {
     let less = |a: f64, b: f64| if a < b { a } else { b };

@@ -124,7 +124,7 @@ mod tests {
         i32::from(*x > RBig::ZERO) - i32::from(*x < RBig::ZERO)
     }
 
-    /// By Laplace's expansion.
+    /// The determinant by Laplace's expansion.
     fn plain_determinant(m: &[Vec<RBig>]) -> RBig {
         if m.is_empty() {
             return RBig::ONE;

@@ -150,7 +150,7 @@ impl<R: Traced> Line<R> {
         self.origin + self.direction * t
     }
 
-    /// In another kind of number, rounded.
+    /// The line in another kind of number, rounded.
     pub fn cast<S: Traced>(&self) -> Line<S> {
         Line {
             slack: Slack {
@@ -184,7 +184,7 @@ impl<R: Traced> Line<R> {
         R::image(self, map)
     }
 
-    /// In quad-double, as it has come into this space.
+    /// The line in quad-double, as it has come into this space.
     pub fn closer(&self) -> Line<Qd> {
         R::closer(self)
     }

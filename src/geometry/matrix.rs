@@ -19,7 +19,7 @@ impl Matrix {
         [0.0, 0.0, 0.0, 1.0],
     ]);
 
-    /// From 16 numbers given row by row.
+    /// The matrix of 16 numbers given row by row.
     pub fn from_rows(v: &[f64; 16]) -> Matrix {
         let mut m = [[0.0; 4]; 4];
         for (i, x) in v.iter().enumerate() {
@@ -125,14 +125,14 @@ impl Matrix {
             + m[0][2] * (m[1][0] * m[2][1] + m[1][1] * m[2][0])
     }
 
-    /// Whether it does no more than move.
+    /// Whether the matrix does no more than move.
     pub fn is_translation(&self) -> bool {
         let [x, y, z, last] = &self.0;
         let unit = [x, y, z].into_iter().zip(&Matrix::IDENTITY.0);
         *last == Matrix::IDENTITY.0[3] && unit.into_iter().all(|(row, unit)| row[..3] == unit[..3])
     }
 
-    /// Whether it has no inverse, decided exactly.
+    /// Whether the matrix has no inverse, decided exactly.
     pub fn is_singular(&self) -> bool {
         match self.0[3] == [0.0, 0.0, 0.0, 1.0] {
             true => self.orientation() == 0,
@@ -155,7 +155,7 @@ impl Matrix {
             && self.determinant3().abs() >= 0.125
     }
 
-    /// By how much it scales if it does no more than turn, mirror, scale and move.
+    /// The scale factor of a matrix that does no more than turn, mirror, scale and move; `None` for others.
     pub fn uniform_scale(&self) -> Option<f64> {
         let dot = |i: usize, j: usize| (0..3).map(|k| self.0[k][i] * self.0[k][j]).sum::<f64>();
         let size = dot(0, 0);

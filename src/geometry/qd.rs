@@ -169,8 +169,8 @@ impl PartialEq for Qd {
 }
 
 impl PartialOrd for Qd {
-    /// By the sign of the difference, as a number that lies halfway between two doubles may have
-    /// either one for its first part.
+    /// Compares by the sign of the difference, as a number that lies halfway between two doubles may have either one
+    /// for its first part.
     fn partial_cmp(&self, other: &Qd) -> Option<Ordering> {
         let (a, b) = (self.0[0], other.0[0]);
         let apart = (a - b).abs() > (a.abs() + b.abs()) * f64::EPSILON;

@@ -13,11 +13,11 @@ use wide::f32x8;
 /// corners moved outwards as far as they may be off: see [`Beam`](super::wide_bvh::Beam).
 #[derive(Debug, Clone, Copy)]
 pub struct Shaft {
-    /// Of the upper corner, which is held against the lower sides of boxes, and of the lower corner.
+    /// The sides of the upper corner, which is held against the lower sides of boxes, and of the lower corner.
     sides: [Side; 2],
     /// The shaft's own parameter is this times that of the rays: a power of two.
     pace: f64,
-    /// The reciprocal.
+    /// The reciprocal of `pace`.
     unpace: f64,
 }
 
@@ -81,8 +81,8 @@ impl Shaft {
         f64::from(t) * self.unpace
     }
 
-    /// Which boxes of a node some ray may be in, for some parameter of the shaft in [from, to], and bounds from below on
-    /// where the first one comes into each.
+    /// The children of a node, a bit each, whose boxes some ray may be in for some parameter of the shaft in [from,
+    /// to], and bounds from below on where the first ray comes into each.
     #[inline]
     pub fn meets(&self, node: &Node, [from, to]: [f32; 2]) -> (u32, [f32; WIDTH]) {
         let (mut near, mut far) = (f32x8::splat(from), f32x8::splat(to));

@@ -40,8 +40,8 @@ pub struct Rounded {
 }
 
 impl Rounded {
-    /// With the rounding of the value itself. The error's own roundings, a few in each operation, are
-    /// far below the part by which it grows here.
+    /// A value whose error also has the rounding of the value itself. The error's own roundings, a few in each
+    /// operation, are far below the part by which it grows here.
     fn new(value: f64, error: f64) -> Rounded {
         const ROUNDOFF: f64 = f64::EPSILON / 2.0;
         const GROWN: f64 = 1.0 + 16.0 * f64::EPSILON;

@@ -19,7 +19,7 @@ pub const fn gamma(n: u32) -> f64 {
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Vec3<R = f64>(pub [R; 3]);
 
-/// As it would be derived, and inlined.
+/// The implementation that would be derived, inlined.
 impl<R: PartialEq> PartialEq for Vec3<R> {
     #[inline]
     fn eq(&self, other: &Vec3<R>) -> bool {
@@ -29,9 +29,9 @@ impl<R: PartialEq> PartialEq for Vec3<R> {
 }
 
 impl<R: Real> Vec3<R> {
-    /// (0, 0, 0).
+    /// The vector (0, 0, 0).
     pub const ZERO: Vec3<R> = Vec3([R::ZERO; 3]);
-    /// (1, 1, 1).
+    /// The vector (1, 1, 1).
     pub const ONE: Vec3<R> = Vec3([R::ONE; 3]);
 
     /// The vector with these components.
@@ -88,7 +88,7 @@ impl<R: Real> Vec3<R> {
         self.0[0].max(self.0[1]).max(self.0[2])
     }
 
-    /// The length.
+    /// The Euclidean length.
     #[inline]
     pub fn length(self) -> R {
         let scale = self.abs().max_component();
@@ -123,7 +123,7 @@ impl<R: Real> Vec3<R> {
         self.0.iter().any(|&x| x != R::ZERO)
     }
 
-    /// In another kind of number, each component rounded.
+    /// The vector in another kind of number, each component rounded.
     #[inline]
     pub fn cast<S: Real>(self) -> Vec3<S> {
         let part = |x: R| S::of_parts(x.parts());

@@ -34,7 +34,7 @@ const ITEM: u32 = 1 << 31;
 impl Child {
     /// The first node of a tree.
     pub const ROOT: Child = Child(0);
-    /// There is no child.
+    /// The mark of a place without a child.
     const NONE: Child = Child(u32::MAX);
 
     /// An item whose number is below 2³¹ − 1.
@@ -52,7 +52,7 @@ impl Child {
     }
 }
 
-/// Some children and their boxes: the lower sides of all along each axis, and the upper ones.
+/// Up to eight children and their boxes: the lower sides of all along each axis, and the upper ones.
 #[derive(Debug, Clone)]
 pub struct Node {
     pub(super) sides: [[f32x8; 3]; 2],
@@ -112,7 +112,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// For finite boxes.
+    /// The frame around finite boxes.
     pub fn around<'a>(boxes: impl Iterator<Item = &'a Aabb>) -> Frame {
         let all = boxes.fold(Aabb::EMPTY, |all, b| all.hull(b));
         if all.is_empty() {
@@ -134,12 +134,12 @@ impl Frame {
     }
 }
 
-/// Something of a binary tree that becomes a child.
+/// A node of a binary tree, or a part of a leaf, that becomes a child.
 #[derive(Clone, Copy)]
 enum BvhChild {
     /// An inner node.
     Inner(u32),
-    /// Some items of a leaf, whose box is that of all of them.
+    /// A range of the items of a leaf, with the box of all items of the leaf.
     Items { leaf: u32, start: u32, end: u32 },
 }
 
@@ -312,11 +312,11 @@ pub struct Beam {
     inverse: [f32; 3],
     /// For each axis, whether the line comes from above.
     falls: [bool; 3],
-    /// The numbers cannot be told in single precision: all boxes are met.
+    /// Whether the numbers cannot be told in single precision: then all boxes are met.
     lost: bool,
     /// The beam's own parameter of a point is this times that of the line: a power of two.
     pace: f64,
-    /// The reciprocal.
+    /// The reciprocal of `pace`.
     unpace: f64,
 }
 
@@ -326,8 +326,8 @@ pub(super) const PARAMETER_REL_ERROR: f32 = 8.0 * (f32::EPSILON / 2.0);
 
 /// Least component of a direction, in parts of the largest. A smaller one is taken for as much.
 pub(super) const MIN_DIRECTION_COMPONENT: f32 = f32::from_bits((127 - 100) << 23);
-/// Where that is so, the origin is as uncertain as this: the other components take a line far out of the tree before
-/// this much of the smallest is passed.
+/// Uncertainty of the origin where a component is that small: the other components take a line far out of the tree
+/// before this much of the smallest is passed.
 pub(super) const STILL: f32 = f32::from_bits((127 - 40) << 23);
 /// Largest distance of an origin, in units of the tree. Beyond it single precision tells nothing.
 pub(super) const MAX_ORIGIN_DISTANCE: f64 = (1u64 << 50) as f64;
@@ -344,7 +344,7 @@ impl Beam {
         unpace: 1.0,
     };
 
-    /// For the trees of a frame.
+    /// The beam of a line, for the trees of a frame.
     #[inline(always)]
     pub fn new(line: &Line, frame: &Frame) -> Beam {
         if frame.unit == 0.0 {

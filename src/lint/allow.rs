@@ -55,7 +55,7 @@ struct FindingsByCode {
 /// Findings of one code, in their order.
 #[derive(Default)]
 struct OfCode {
-    /// Where they begin.
+    /// The starts of the spans.
     starts: Vec<u32>,
     /// Indices of the findings among all.
     indices: Vec<u32>,
@@ -113,7 +113,7 @@ impl FindingsByCode {
     }
 }
 
-/// One such comment.
+/// A comment that allows findings.
 struct Directive {
     comment: Span,
     /// The comment with what belongs to nothing else once it is gone: its line, its `0`.
@@ -122,7 +122,7 @@ struct Directive {
     gap: &'static str,
     /// The entries between the brackets, and their span; `None` if the comment is no `allow(…)`.
     entries: Option<(Vec<String>, Span)>,
-    /// Where findings begin that it may allow.
+    /// The span in which findings begin that the comment may allow.
     covers: Option<Span>,
 }
 
@@ -243,9 +243,9 @@ struct Layout<'a, 'c> {
 /// A line of tokens.
 struct Line {
     span: Span,
-    /// With its line break.
+    /// The line with its line break.
     whole: Span,
-    /// The index of the first token behind it.
+    /// The index of the first token behind the line.
     end: usize,
 }
 

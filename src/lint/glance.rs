@@ -7,8 +7,8 @@ use std::ops::ControlFlow;
 
 /// The size of the picture, in pixels: a few milliseconds in all.
 pub(super) const SIZE: [u32; 2] = [72, 54];
-/// From one pixel that is looked at to the next, in rows: this has no factor in common with the number of pixels, so that
-/// all come up, and is near their golden section, so that the first ones are spread over the picture.
+/// Step from one pixel that is looked at to the next, in rows: it has no factor in common with the number of pixels, so
+/// that all come up, and is near their golden section, so that the first ones are spread over the picture.
 const STRIDE: u32 = 2401;
 /// Larger scenes take longer than a few milliseconds to be made ready.
 pub(super) const MAX_NODES: usize = 1000;

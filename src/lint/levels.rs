@@ -52,7 +52,7 @@ pub struct Selector(Vec<Code>);
 /// The names of many codes.
 pub const GROUPS: [&str; 4] = ["all", "notes", "style", "warnings"];
 
-/// Why a text selects nothing.
+/// The error of a text that selects no rule.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownCode(String);
 
@@ -78,7 +78,7 @@ impl UnknownCode {
     }
 }
 
-/// In English, for whoever knows of no other languages.
+/// Writes the error in English, for callers that know of no other language.
 impl fmt::Display for UnknownCode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.complaint().wording(Language::English))
@@ -126,12 +126,12 @@ impl Selector {
         self.0.len()
     }
 
-    /// Whether it selects this code alone.
+    /// Whether the selector selects this code alone.
     pub fn is(&self, code: Code) -> bool {
         self.0 == [code]
     }
 
-    /// Whether it selects nothing but errors of the language.
+    /// Whether the selector selects nothing but errors of the language.
     pub fn only_errors(&self) -> bool {
         self.0.iter().all(|c| c.is_never_allowed())
     }
@@ -150,7 +150,7 @@ impl Selector {
 /// of equal ones the one that turns reports off.
 #[derive(Debug, Clone, Default)]
 pub struct Choice {
-    /// If not empty, only these.
+    /// The only rules that run, unless the list is empty.
     pub select: Vec<Selector>,
     /// Selectors of codes that are reported even if the settings turn them off.
     pub extend: Vec<Selector>,

@@ -1,5 +1,4 @@
-//! What is known for certain of intersections and differences: that there is nothing in them, or that nothing is taken
-//! away.
+//! Intersections and differences with a proof that they are empty, or that nothing is taken away.
 //!
 //! An operation without unions is that everything of a list is to hold: some things, and the complements of others. It is
 //! empty if two of the first lie apart, if one of the first lies within one of the second, or is the same. Chains keep a
@@ -16,13 +15,14 @@ pub(super) struct Proven {
 }
 
 pub(super) enum Proof {
-    /// There is nothing in it, because of two nodes.
+    /// An operation with nothing in it, because of two nodes.
     Empty(NodeId, NodeId, Reason),
     /// A difference whose operands have nothing in common.
     Idle(Reason),
 }
 
-/// All such operations, in the order of the nodes. Those of an empty operand are left out: of that has been spoken.
+/// All such operations, in the order of the nodes. Operations with an empty operand are left out: the operand has a
+/// proof already.
 pub(super) fn proven(context: &Context) -> Vec<Proven> {
     let scene = context.scene;
     let bounds = context.bounds();

@@ -5,7 +5,7 @@ use crate::scene::{Node, NodeId, Scene, fold_up};
 /// The sorts of parts that an object is made of.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Parts {
-    /// The node of a surface that is part of it.
+    /// The node of a surface that is part of the object.
     pub surface: Option<NodeId>,
     /// Whether something solid is.
     pub solid: bool,

@@ -14,8 +14,8 @@ pub(super) const RAYS: usize = 6000;
 /// How many leaves a search aims at, those first that reach furthest out.
 const AIMS: usize = 24;
 
-/// Where rays go through a region, as shares of its sides: the middle first, where round things
-/// reach furthest, and close to the borders, where those with corners do.
+/// Places at which rays go through a region, as shares of its sides: the middle first, where round things reach
+/// furthest, and close to the borders, where those with corners do.
 const SHARES: [f64; 5] = [0.5, 0.25, 0.75, 0.004, 0.996];
 
 /// The geometry of single objects without looks, to be traced from any node: a boundary is then

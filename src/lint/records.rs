@@ -1,4 +1,4 @@
-//! What rules that follow IDs from record to record ask of a file.
+//! Queries that rules make of a file, following IDs from record to record.
 
 use rustc_hash::FxHashMap;
 

@@ -1,4 +1,4 @@
-//! What is found in scenes that tests make. Scenes that are written down stand in the folders of the rules.
+//! The findings in scenes that tests make. Scenes that are written down stand in the folders of the rules.
 
 use crate::diagnostics::{self, Code, Diagnostic, Language, SourceFile};
 use crate::{scene, syntax};

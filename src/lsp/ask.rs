@@ -1,4 +1,4 @@
-//! What a request may look at.
+//! The context of a request: the files and the client that it may look at.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -55,7 +55,7 @@ impl Ask {
         Convert::new(file, &self.client)
     }
 
-    /// Something cannot be done, in the client's language.
+    /// Refuses a request, with the reason in the client's language.
     pub(super) fn refuse(&self, why: &Complaint) -> Refusal {
         refusal(ErrorCode::RequestFailed, why.wording(self.client.language))
     }

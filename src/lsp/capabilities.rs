@@ -1,4 +1,4 @@
-//! What the server offers, and to whom.
+//! The capabilities of the server, by client.
 
 use gen_lsp_types::{
     CodeActionKind, CodeActionOptions, CodeLensOptions, CompletionOptions, DiagnosticOptions,

@@ -1,4 +1,4 @@
-//! What the client can and wants.
+//! The abilities and wishes of the client.
 
 use gen_lsp_types::Uri;
 use serde::Deserialize;
@@ -16,17 +16,17 @@ pub(super) struct Client {
     /// Whether the client asks for diagnostics itself, so that none are sent unasked.
     pub pulls: bool,
     pub snippets: bool,
-    /// Symbols of a file may be a tree.
+    /// Whether symbols of a file may be a tree.
     pub symbol_trees: bool,
     pub markdown: bool,
     /// Whether the client shows the text about a parameter. Eglot 1.17, of Emacs 30, fails at the last parameter of a
     /// signature if it has any text.
     pub shows_parameters: bool,
-    /// Code actions may get their edits later.
+    /// Whether code actions may get their edits later.
     pub resolves_edits: bool,
-    /// The server may ask for edits.
+    /// Whether the server may ask for edits.
     pub applies_edits: bool,
-    /// Edits may name the version that they are for.
+    /// Whether edits may name the version that they are for.
     pub versioned_edits: bool,
     /// Whether the client shows documents when asked to.
     pub shows_documents: bool,
@@ -42,11 +42,11 @@ pub(super) struct Client {
 #[serde(default, rename_all = "camelCase")]
 pub(super) struct Preferences {
     pub hints: Wanted,
-    /// Pictures in hovers.
+    /// Whether hovers have pictures.
     pub pictures: bool,
-    /// Buttons above records.
+    /// Whether there are buttons above records.
     pub lenses: bool,
-    /// Findings of all scenes in the folder, for clients that ask for them; not only of the open ones.
+    /// Whether clients that ask for findings get those of all scenes in the folder; otherwise only of the open ones.
     pub whole_folder: bool,
     /// Commands of the client's own that buttons may call: `zpg.preview`, `zpg.showReferences`.
     pub commands: Vec<String>,

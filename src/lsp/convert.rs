@@ -1,4 +1,4 @@
-//! What the features answer, in the protocol's types. Nothing else makes these.
+//! Results of the features, in the protocol's types. Nothing else makes these.
 
 use gen_lsp_types::{
     ActiveParameter, BaseSymbolInformation, CallHierarchyItem, Code, CodeLens, Color,
@@ -91,7 +91,7 @@ impl<'a> Convert<'a> {
         }
     }
 
-    /// All there is to say about the file.
+    /// All diagnostics of the file.
     pub(super) fn diagnostics(&self) -> Vec<Diagnostic> {
         if self.file.is_excluded() || self.file.is_missing {
             return Vec::new();

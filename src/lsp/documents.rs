@@ -46,9 +46,9 @@ pub(super) struct Snapshot {
     pub uri: Uri,
     /// The version that the client has open.
     pub version: Option<i32>,
-    /// No two snapshots of open files have the same.
+    /// A number of the snapshot that no other snapshot of an open file has.
     pub number: u64,
-    /// Whether it is neither open nor on disk.
+    /// Whether the file is neither open nor on disk.
     pub is_missing: bool,
     /// The settings of the file's `zpg.toml`, or the fault in them.
     pub config: Result<Arc<Config>, Complaint>,

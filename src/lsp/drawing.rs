@@ -38,7 +38,7 @@ impl Request for PreviewRequest {
 #[serde(rename_all = "camelCase")]
 pub(super) struct PreviewParams {
     pub text_document: TextDocumentIdentifier,
-    /// The object at this place is drawn, fitted into view; without one the scene is, as its camera sees it.
+    /// The place of the object to draw, fitted into view; without a place the scene is drawn, as its camera sees it.
     #[serde(default)]
     pub position: Option<Position>,
     /// The picture's size in pixels, from 16 to 1024.
@@ -46,7 +46,7 @@ pub(super) struct PreviewParams {
     pub width: u32,
     #[serde(default = "height")]
     pub height: u32,
-    /// Where a coarse picture is sent before the answer.
+    /// The token under which a coarse picture is sent before the answer.
     #[serde(default)]
     pub partial_result_token: Option<ProgressToken>,
 }

@@ -66,7 +66,7 @@ use crate::diagnostics::Language;
 /// How a session ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
-    /// As the client asked for.
+    /// An ending that the client asked for.
     Clean,
     /// The client was gone without a word, or said `exit` without `shutdown`.
     Early,

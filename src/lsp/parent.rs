@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 
-/// How often it is looked after.
+/// Time between two looks at the parent process.
 const STEP: Duration = Duration::from_secs(1);
 
 /// Ends this program soon after the process with this number has ended, if it does not end by itself. `stop` comes first.

@@ -30,7 +30,7 @@ use crate::translate::registry;
 /// Shows the page of a code or of a type of records.
 pub(super) const EXPLAIN: &str = "zpg.explain";
 
-/// All that are programs or pages. Each but [`EXPLAIN`] takes the URI of an open file first.
+/// All commands that are programs or pages. Each but [`EXPLAIN`] takes the URI of an open file first.
 pub(super) const COMMANDS: [&str; 6] = [
     "zpg.render",
     "zpg.convert",
@@ -119,8 +119,8 @@ pub(super) fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAn
     Ok(Some(made))
 }
 
-/// Why nothing can be done with a file, in one line: it is missing, or its scene has errors, which the client shows
-/// already.
+/// The reason, in one line, why nothing can be done with a file: it is missing, or its scene has errors, which the
+/// client shows already.
 pub(super) fn trouble(file: &Snapshot, language: Language) -> Option<Complaint> {
     if file.is_missing {
         return Some(Complaint::new("lsp-missing").with("path", file.name()));
@@ -168,7 +168,7 @@ fn explain(ask: &Ask, topic: &str) -> Result<serde_json::Value, Refusal> {
     Ok(json!({ "text": page.1, "uri": uri_of(&path) }))
 }
 
-/// Where the texts are that a client is shown.
+/// The folder of the texts that a client is shown.
 fn pages_folder() -> PathBuf {
     std::env::temp_dir().join(format!("zpg-{}", std::process::id()))
 }
@@ -204,7 +204,7 @@ fn write_page(name: &str, extension: &str, text: &str) -> Result<PathBuf, Compla
 struct Job<'a> {
     ask: &'a Ask,
     file: &'a Snapshot,
-    /// Where the program runs, so that it finds the scene's pictures, and where it writes.
+    /// The folder that the program runs in, so that it finds the scene's pictures, and that it writes to.
     folder: PathBuf,
     stem: String,
 }

@@ -1,4 +1,4 @@
-//! Why a request is not met.
+//! Refusals of requests, with their reasons.
 
 use lsp_server::{ErrorCode, ResponseError};
 

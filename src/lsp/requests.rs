@@ -133,7 +133,8 @@ impl Snapshot {
     }
 }
 
-/// Some clients ask for the whole file: of a long one, hints are a hundred megabytes as text, and more as values.
+/// Hints of the visible range. Some clients ask for the whole file: of a long one, hints are a hundred megabytes as
+/// text, and more as values.
 fn inlay_hints(ask: &Ask, id: &RequestId, p: InlayHintParams) -> Answer<String> {
     let file = ask.file(&p.text_document)?;
     let convert = ask.convert(file);
@@ -448,7 +449,7 @@ fn selection_ranges(ask: &Ask, p: SelectionRangeParams) -> Answer<Option<Vec<Sel
     Ok(Some(all.collect()))
 }
 
-/// All of a file.
+/// The span of the whole file.
 fn everything(file: &Snapshot) -> Span {
     Span::new(0, file.analysis().source.text.len() as u32)
 }

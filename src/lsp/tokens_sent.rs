@@ -28,7 +28,7 @@ impl TokensSent {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// From now on there may be something to keep.
+    /// Starts to keep what is sent of a file, which is now open.
     pub(super) fn open(&self, uri: &Uri) {
         self.sent().files.entry(uri.clone()).or_default();
     }
@@ -80,7 +80,7 @@ impl Sent {
     }
 }
 
-/// One edit: what is between the tokens that are the same at the start and those at the end.
+/// The edit between the tokens that are the same at the start and those that are the same at the end.
 fn edits(old: &[SemanticToken], new: &[SemanticToken]) -> Vec<SemanticTokensEdit> {
     let same = old.iter().zip(new).take_while(|(a, b)| a == b).count();
     if same == old.len() && same == new.len() {

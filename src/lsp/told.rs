@@ -1,4 +1,4 @@
-//! What the client has been told.
+//! The files that the client has been told about.
 
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
@@ -19,7 +19,7 @@ impl Told {
         all.entry(key(uri)).or_insert_with(|| uri.clone());
     }
 
-    /// The URIs of files that are not among these.
+    /// The URIs of the files that the client has been told about, but for those in `named`.
     pub(super) fn others(&self, named: &HashSet<PathBuf>) -> Vec<Uri> {
         let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let others = all.iter().filter(|(path, _)| !named.contains(*path));

@@ -47,7 +47,7 @@ impl WholeFile {
         }
     }
 
-    /// Whether it may have something to do, at a glance.
+    /// Whether the action may have something to do, at a glance.
     pub(super) fn is_of_use(self, analysis: &Analysis) -> bool {
         match self {
             WholeFile::FixAll => actions::has_safe_fixes(analysis),

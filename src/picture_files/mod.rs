@@ -25,7 +25,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// By the ending of a name.
+    /// The format by the ending of a name; `None` for unknown endings.
     pub fn of(path: &Path) -> Option<Format> {
         let ending = path.extension()?.to_string_lossy().to_lowercase();
         match ending.as_str() {

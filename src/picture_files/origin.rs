@@ -1,4 +1,4 @@
-//! What a picture file says of itself.
+//! Statements of a picture file about its origin.
 
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +18,7 @@ pub struct Origin {
     pub size: [u32; 2],
     /// The rows that are drawn: the first one and how many, from the top, apart from each other.
     pub rows: Vec<[u32; 2]>,
-    /// Whether this is what an interrupted run has left.
+    /// Whether an interrupted run has left the picture.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub unfinished: bool,
 }

@@ -55,7 +55,7 @@ pub fn is_part(path: &Path) -> bool {
     open(path).is_ok_and(|rows| !rows.origin.is_whole())
 }
 
-/// Why a file is not read.
+/// The reason why a file is not read.
 enum Fault {
     /// A picture without an origin.
     NoPart,
@@ -141,7 +141,7 @@ impl Rows {
     ///
     /// # Errors
     ///
-    /// The file ends too early, or it is damaged.
+    /// The file ends too early, or is damaged.
     fn row(&mut self) -> Result<Option<Row>, Fault> {
         if self.left == 0 {
             return Ok(None);

@@ -39,7 +39,7 @@ pub fn write(format: Format, out: &mut dyn Write, origin: &Origin, rows: Rows) -
     }
 }
 
-/// As `io::copy`, but for writers that are borrowed as they are.
+/// `io::copy` for writers that are borrowed as they are.
 fn copy(from: &mut impl Read, to: &mut dyn Write) -> io::Result<()> {
     let mut buffer = vec![0; 1 << 16];
     loop {

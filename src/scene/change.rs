@@ -1,4 +1,4 @@
-//! What changing records do: transformations, properties, textures, colours, bounding volumes.
+//! Changing records: transformations, properties, textures, colours, bounding volumes.
 
 use super::entity::{OpticsParts, State};
 use super::model::*;

@@ -22,7 +22,7 @@ pub(super) fn non_zero(
     None
 }
 
-/// E202 unless each of `n` lower bounds from `first` on is below its upper bound, `n` further on.
+/// Reports E202 unless each of `n` lower bounds from `first` on is below its upper bound, `n` further on.
 pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) -> Option<()> {
     let inverted: Vec<usize> = (first..first + n)
         .filter(|&i| p.number(i) > p.number(i + n))

@@ -1,4 +1,4 @@
-//! What defining records make.
+//! Defining records, and the nodes that they make.
 
 use super::entity::{OpticsParts, State, again, keep};
 use super::model::*;

@@ -1,4 +1,4 @@
-//! What an ID stands for while the file is read.
+//! The entity of an ID while the file is read.
 
 use super::model::*;
 use crate::syntax::table::Kind;

@@ -1,4 +1,4 @@
-//! What a scene is made of.
+//! The model of a scene: nodes, shapes, textures, lights, cameras.
 
 #![warn(missing_docs)]
 
@@ -152,7 +152,7 @@ pub struct Origin {
     pub span: Span,
 }
 
-/// One shape record. The origin of its node says where it is written.
+/// A shape record. The origin of its node says where it is written.
 #[derive(Debug, Clone)]
 pub struct Shape {
     /// The ID of the record.
@@ -176,7 +176,7 @@ impl Shape {
 /// The look of a surface before light falls on it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Texture {
-    /// One colour.
+    /// A single colour.
     Colour(Rgb),
     /// n cells along u, m along v.
     Checkerboard {
@@ -198,13 +198,13 @@ pub enum Texture {
     Image {
         /// The file name as it is written.
         file: String,
-        /// Its place in the text.
+        /// The place of the texture in the text.
         span: Span,
     },
 }
 
-/// By which part of a cell the borders between cells are moved down: faces that lie in one are in the cell
-/// above, whatever their points are rounded to. Some millions of roundings.
+/// Part of a cell by which the borders between cells are moved down: faces that lie in one are in the cell above,
+/// whatever their points are rounded to. Some millions of roundings.
 pub const CELL_NUDGE: f64 = 1e-9;
 
 impl Texture {
@@ -227,7 +227,7 @@ pub struct Optics {
 }
 
 impl Default for Optics {
-    /// Fully diffuse.
+    /// The optics of a fully diffuse surface.
     fn default() -> Optics {
         Optics {
             kd: [1.0; 3],
@@ -300,10 +300,10 @@ pub struct Camera {
 /// The cameras of a picture; indices into [`Scene::cameras`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum View {
-    /// There is no camera: the scene is framed automatically.
+    /// A scene without a camera, which is framed automatically.
     #[default]
     Automatic,
-    /// One camera.
+    /// A single camera.
     Mono(usize),
     /// Two cameras, whose pictures stand side by side.
     Stereo {
@@ -348,7 +348,7 @@ pub struct Promise {
     pub id: u32,
     /// The node that lies inside.
     pub node: NodeId,
-    /// The volume around it.
+    /// The volume around the node.
     pub volume: Volume,
     /// The record's place in the text.
     pub span: Span,
@@ -382,7 +382,7 @@ pub struct Entity {
     pub kind: Option<Kind>,
     /// See [`Entity::node`].
     node: NodeId,
-    /// The ID token of the record that defines it.
+    /// The ID token of the record that defines the entity.
     pub span: Span,
 }
 

@@ -1,4 +1,4 @@
-//! Who names whom, in one compressed table.
+//! The names of entities that each entity mentions, in one compressed table.
 
 use super::model::Scene;
 use crate::syntax::table::{Param, ParamKind};
@@ -7,7 +7,7 @@ use crate::syntax::{Document, Item, Record};
 /// For each ID, by its number in [`Scene::ids`], the numbers of those that its records name, whether these records define
 /// it or change it; in file order.
 pub struct Names {
-    /// Where the names of each ID begin; one more at the end.
+    /// Start of the names of each ID; one more entry at the end.
     starts: Vec<u32>,
     names: Vec<u32>,
 }

@@ -1,4 +1,4 @@
-//! Which record type may have been meant where there is no such type.
+//! Proposals of a record type where there is no type of that number.
 
 use super::entity::State;
 use super::references::finding_at;

@@ -1,4 +1,4 @@
-//! One record's parameters: their tokens, their values, and what the table says about each.
+//! Parameters of a record: their tokens, their values, and the table's facts about each.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::Token;
@@ -42,13 +42,13 @@ impl<'a> Params<'a> {
         self.document.id_token(&self.record).span()
     }
 
-    /// Where the type is written.
+    /// The text of the type.
     pub fn type_span(&self) -> Span {
         let mut tokens = (self.document).significant(self.record.first, self.record.last);
         tokens.nth(1).map_or(self.span(), |t| t.span())
     }
 
-    /// From the ID to the last parameter.
+    /// The text from the ID to the last parameter.
     pub fn span(&self) -> Span {
         self.document.span(self.record.first, self.record.last)
     }

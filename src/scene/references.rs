@@ -46,7 +46,7 @@ pub(super) struct References {
     comparisons: usize,
 }
 
-/// Where each ID is first defined, perhaps by a record that is broken, and as what, if that is known.
+/// The first definition of each ID, perhaps by a broken record, and its kind, if that is known.
 fn definitions(document: &Document) -> FxHashMap<u32, (Span, Option<Kind>)> {
     let mut definition = FxHashMap::default();
     for item in &document.items {
@@ -102,7 +102,8 @@ impl References {
         (index != u32::MAX).then_some(index as usize)
     }
 
-    /// At the end: each record that lost its ID accounts for one undefined ID; what is left is E101.
+    /// Settles the account at the end: each record that lost its ID accounts for one undefined ID; the other undefined
+    /// IDs are E101.
     pub(super) fn settle(resolver: &mut Resolver, diagnostics: &mut [Diagnostic]) {
         // In file order, by what they define; `None` where that is unknown.
         let mut lost: Vec<(Option<Kind>, VecDeque<Lost>)> = Vec::new();
@@ -259,7 +260,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// E107 or E101. `used` are the IDs that the record has; none if it is to change this one.
+    /// Reports E107 or E101. `used` are the IDs that the record has; none if it is to change this one.
     fn undefined(&mut self, id: u32, span: Span, kinds: &'static [Kind], late: bool, used: &[u32]) {
         let changes = used.is_empty();
         if let (false, Some((at, _))) = (late, self.later(id)) {
@@ -277,7 +278,7 @@ impl Resolver<'_> {
             .push(Dangling { id, kinds, finding });
     }
 
-    /// Where an ID is first defined in the file, and as what, if that is known.
+    /// The first definition of an ID in the file, and its kind, if that is known.
     fn later(&mut self, id: u32) -> Option<(Span, Option<Kind>)> {
         let document = self.document;
         let all = self

@@ -25,8 +25,8 @@ pub fn resolve(
     resolve_with(document, source, diagnostics, true)
 }
 
-/// As [`resolve`]. `compares`: whether an undefined ID is compared with all others to find the one that was meant, which
-/// takes most of the time where many are undefined.
+/// [`resolve`] with a choice about wrong IDs. `compares`: whether an undefined ID is compared with all others to find
+/// the one that was meant, which takes most of the time where many are undefined.
 pub fn resolve_with(
     document: &Document,
     source: &SourceFile,
@@ -149,7 +149,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// One more entity, and what its ID stands for from now on.
+    /// Adds an entity, and changes what its ID stands for from now on.
     fn push(&mut self, entity: Entity, state: State) {
         self.set_state(entity.id, state);
         self.references
@@ -197,7 +197,7 @@ impl<'a> Resolver<'a> {
         false
     }
 
-    /// E102: a second definition.
+    /// Reports E102 for a second definition of an ID, and says whether it is one.
     fn duplicate(&mut self, p: &Params) -> bool {
         let Some(state) = self.state(p.id) else {
             return false;
@@ -375,7 +375,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Where a camera will stand in [`Scene::cameras`]: cameras are stored in the order of definition.
+    /// Index that a camera will have in [`Scene::cameras`]: cameras are stored in the order of definition.
     fn camera_position(&self, id: u32) -> Option<usize> {
         let cameras = self.scene.entities.iter().filter(|e| {
             e.kind == Some(Kind::Camera) && matches!(self.state(e.id), Some(State::Camera(_)))

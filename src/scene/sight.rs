@@ -1,4 +1,4 @@
-//! What a projection matrix sees: one ray for every point of the picture.
+//! The rays of a projection matrix: one for every point of the picture.
 //!
 //! A point X = (x, y, z, 1) of the camera's space has the clip coordinates P·X; it is seen at
 //! (P₀·X / P₃·X, P₁·X / P₃·X), where Pᵢ are the rows, and its depth is P₂·X / P₃·X. All that is seen
@@ -24,20 +24,20 @@ type Linear<const N: usize> = [[f64; N]; 3];
 /// direction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sight {
-    /// Where rays start: homogeneous, with a fourth coordinate that is positive all over the picture.
+    /// The starts of rays: homogeneous, with a fourth coordinate that is positive all over the picture.
     start: Linear<4>,
-    /// Where they go, in any length.
+    /// The directions of the lines, in any length.
     direction: Linear<3>,
-    /// Where all the lines meet: homogeneous; the fourth coordinate is zero where they are parallel.
+    /// The place where all the lines meet: homogeneous; the fourth coordinate is zero where they are parallel.
     eye: [f64; 4],
 }
 
-/// Why a projection matrix takes no picture.
+/// The reason why a projection matrix takes no picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Blind {
     /// The matrix has no inverse.
     Singular,
-    /// Some part of the picture has no ray: nothing in front of the eye is seen there.
+    /// A lens with no ray for some part of the picture, where nothing in front of the eye is seen.
     InPart,
 }
 
@@ -100,8 +100,7 @@ impl Sight {
         })
     }
 
-    /// Where the ray at (x, y) starts, and its direction of any length. `None` where that is out of
-    /// range.
+    /// The start of the ray at (x, y), and its direction of any length; `None` where that is out of range.
     pub fn ray(&self, x: f64, y: f64) -> Option<(Vec3, Vec3)> {
         let [sx, sy, sz, sw] = at(&self.start, x, y);
         let (start, direction) = ([sx / sw, sy / sw, sz / sw], at(&self.direction, x, y));
@@ -115,7 +114,7 @@ impl Sight {
         self.direction
     }
 
-    /// Where all lines of sight meet; `None` where that is out of range, as of parallel ones.
+    /// The place where all lines of sight meet; `None` where that is out of range, as of parallel ones.
     pub fn eye(&self) -> Option<Vec3> {
         let [x, y, z, w] = self.eye;
         let eye = [x / w, y / w, z / w];

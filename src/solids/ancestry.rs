@@ -1,6 +1,6 @@
 //! The lowest common ancestor of two places in a tree, however deep the tree is.
 
-/// No place in a tree.
+/// The mark for no place in a tree.
 pub const NONE: u32 = u32::MAX;
 
 /// The heavy path that a place is on: from each parent to its largest child.

@@ -1,4 +1,4 @@
-//! Where the nodes of a scene can be: boxes that are never too small.
+//! Bounds of the nodes of a scene: boxes that are never too small.
 
 use super::shapes::facts::Facts;
 use crate::geometry::{Aabb, Matrix};
@@ -7,7 +7,7 @@ use crate::scene::{Node, Scene};
 /// The bounds of a node, in its own coordinates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NodeBounds {
-    /// Holds every point of the node's solids and surfaces.
+    /// The box that holds every point of the node's solids and surfaces.
     pub all: Aabb,
     /// The box of the bounded parts, where it is not the finite part of `all`: there may be millions of nodes, and few
     /// are bounded in part.
@@ -33,11 +33,11 @@ impl NodeBounds {
 /// chains of rotations from blowing its box up.
 #[derive(Clone, Copy)]
 enum Placed {
-    /// One shape, as it was defined.
+    /// A shape as it was defined.
     Still(u32),
-    /// One shape, and where it is: index into the matrices found so far.
+    /// A shape in another place: index into the matrices found so far.
     Moved(u32, u32),
-    /// Something else.
+    /// Any other placed object.
     Other,
 }
 

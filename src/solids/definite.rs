@@ -1,5 +1,5 @@
-//! What a quadratic form can be: xᵀQx with x = (x, y, z, 1), exactly, by eliminating one variable
-//! after the other.
+//! The signs that a quadratic form xᵀQx takes, with x = (x, y, z, 1): exactly, by eliminating one variable after the
+//! other.
 
 use dashu_int::IBig;
 

@@ -60,7 +60,7 @@ enum FieldOperation<'a> {
     Complement,
 }
 
-/// From the coordinates of the root back to those of a shape.
+/// Map from the coordinates of the root back to those of a shape.
 struct Placement {
     back: Matrix,
     /// An upper bound of how much longer that makes what is shortest.

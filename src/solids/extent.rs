@@ -12,7 +12,7 @@ use crate::scene::{Geometry, Scene, Vec3, Volume};
 /// written with six or seven digits.
 pub const WRITTEN: f64 = 1e-6;
 
-/// By how much a point is outside of a volume; below zero inside.
+/// Distance by which a point is outside of a volume; below zero inside.
 pub fn beyond(volume: &Volume, p: Vec3) -> f64 {
     match volume {
         Volume::Box { min, max } => (0..3)
@@ -31,7 +31,7 @@ pub fn size(volume: &Volume) -> f64 {
     }
 }
 
-/// By how much the point of a box that is furthest out is outside of a volume.
+/// Distance by which the point of a box that is furthest out is outside of a volume.
 pub fn farthest_out(volume: &Volume, b: &Aabb) -> f64 {
     match volume {
         Volume::Box { .. } => beyond(volume, b.min).max(beyond(volume, b.max)),

@@ -29,7 +29,7 @@ enum Task {
     Not,
     /// The second operand has its answer: ask the first, unless it is settled.
     First(NodeId, Vec3),
-    /// The first operand has its answer; the second's was this.
+    /// The step once the first operand has its answer, with the answer of the second.
     Join(NodeId, Option<bool>),
 }
 
@@ -121,7 +121,7 @@ impl<'a> Inside<'a> {
         Some(())
     }
 
-    /// Whether a point, in the shape's coordinates, is in it.
+    /// Whether a point, in the shape's coordinates, is in the shape; `None` once too much has been asked.
     pub fn shape(&mut self, geometry: &Geometry, p: Vec3) -> Option<bool> {
         self.left = self.left.checked_sub(geometry.pieces())?;
         Some(in_shape(geometry, p))

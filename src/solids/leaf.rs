@@ -14,9 +14,9 @@ pub struct Leaf {
     pub shape: Option<u32>,
     /// The ID by which the shape is written where it occurs: its own or that of a copy.
     pub id: u32,
-    /// From its own coordinates into those of the root.
+    /// The map from the shape's coordinates into those of the root.
     pub matrix: Matrix,
-    /// Where it is; infinite for what has no end.
+    /// The bounds in place; infinite for an endless shape.
     pub bounds: Aabb,
     /// The longest side of its bounds.
     pub size: f64,

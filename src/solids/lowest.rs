@@ -125,7 +125,7 @@ impl<S: FnMut(Vec3) -> [Slope; 2], A: FnMut(Vec3) -> bool> Search<'_, S, A> {
         Some(found)
     }
 
-    /// From a cell's middle down along both slopes: to where their tangent planes are as deep as they are high.
+    /// Descends from a cell's middle along both slopes, to where their tangent planes are as deep as they are high.
     fn descend(&mut self, cell: &Cell) -> Option<Option<Vec3>> {
         let trust = 4.0 * length(cell.half);
         let mut p = cell.centre;

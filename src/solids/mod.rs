@@ -1,5 +1,4 @@
-//! What is true of solids without a ray: what people call them, which points they hold, what lies
-//! within them.
+//! Facts about solids that need no ray: their names, the points that they hold, the solids within them.
 
 pub mod ancestry;
 pub mod bounds;

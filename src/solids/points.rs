@@ -1,4 +1,4 @@
-//! Which shapes hold a point.
+//! The shapes that hold a point.
 
 use rustc_hash::FxHashMap;
 
@@ -22,7 +22,7 @@ pub struct Points<'a> {
     tree: &'a Tree,
     inside: Inside<'a>,
     boxes: Boxes,
-    /// From the coordinates of the root into those of leaves that have been asked for.
+    /// The maps from the coordinates of the root into those of leaves that have been asked for.
     inverses: FxHashMap<u32, Option<Matrix>>,
     left: usize,
 }

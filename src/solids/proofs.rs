@@ -20,7 +20,7 @@ const PARTS: usize = 64;
 /// Parts of larger unions, for all proofs together: some hundredths of a second.
 const MORE: usize = 100_000;
 
-/// Something in the coordinates of the operation, or its complement.
+/// A node in the coordinates of the operation, or its complement.
 pub type Literal = (NodeId, bool);
 
 /// A few literals that are all to hold, the first ones where there are more than [`KEPT`].
@@ -54,7 +54,7 @@ impl std::ops::Deref for Literals {
     }
 }
 
-/// Why there is nothing.
+/// The reason why an operation is empty.
 pub enum Reason {
     /// The first ends before the second begins, along an axis.
     Apart {

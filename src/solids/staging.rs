@@ -1,4 +1,4 @@
-//! What a scene without a camera or without a light is seen and lit by.
+//! Cameras and lights for scenes without any.
 
 use super::bounds::{NodeBounds, node_bounds};
 use crate::geometry::Aabb;
@@ -13,8 +13,8 @@ const FRAMING_FACTOR: f64 = 1.05;
 /// Intensities of the automatic lights: together no more than white.
 const AMBIENT: f64 = 0.2;
 const LAMP: f64 = 0.8;
-/// Where the automatic lamp stands, seen from the middle of the scene: so many degrees to the left of the camera, so
-/// many above the horizontal, so many radii of the scene away.
+/// Place of the automatic lamp, seen from the middle of the scene: so many degrees to the left of the camera, so many
+/// above the horizontal, so many radii of the scene away.
 const LAMP_LEFT: f64 = 70.0;
 const LAMP_HEIGHT: f64 = 45.0;
 const LAMP_RADII: f64 = 10.0;
@@ -31,7 +31,7 @@ pub enum Viewpoint {
     Side(Side),
 }
 
-/// From where an automatic camera looks at the scene: x points to the right, y up, z to the front.
+/// The side that an automatic camera looks at the scene from: x points to the right, y up, z to the front.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     Front,
@@ -40,7 +40,7 @@ pub enum Side {
     Right,
     Top,
     Bottom,
-    /// From the right, the front and above alike.
+    /// The direction halfway between the right, the front and above.
     Iso,
 }
 
@@ -173,7 +173,7 @@ pub fn automatic_camera(scene: &Scene, bounds: &[NodeBounds], aspect: f64) -> Ca
     camera_around(centre, radius, AUTOMATIC, aspect)
 }
 
-/// Where the automatic lamp stands: to the left of the camera about the vertical axis through the middle of the scene.
+/// The place of the automatic lamp: to the left of the camera about the vertical axis through the middle of the scene.
 /// Of a camera that looks straight up the lamp stands as far below, so that what is seen is lit.
 fn lamp(centre: Vec3, radius: f64, camera: Option<&Camera>) -> Vec3 {
     let front = ([0.0, 0.0, 1.0], LAMP_HEIGHT);

@@ -1,4 +1,4 @@
-//! Where shapes reach furthest: points of their surface, known exactly.
+//! Points where shapes reach furthest, on their surface and known exactly.
 
 use std::cell::Cell;
 
@@ -51,8 +51,8 @@ pub fn extent(geometry: &Geometry, m: &Matrix, d: Vec3) -> Option<(f64, f64)> {
     Some((-along(d.map(|x| -x))?, along(d)?))
 }
 
-/// Where to look for what reaches beyond a volume: towards the sides of a box, and all around a sphere
-/// towards the sides, edges and corners of one.
+/// Directions in which a shape may reach beyond a volume: towards the sides of a box, and all around a sphere towards
+/// the sides, edges and corners of one.
 pub fn directions(volume: &Volume) -> Vec<Vec3> {
     let part = |k: usize| (k % 3) as f64 - 1.0;
     let all = (0..27).map(|k| [part(k), part(k / 3), part(k / 9)]);

@@ -14,7 +14,7 @@ use crate::solids::bounds::NodeBounds;
 /// parts beyond are known as a whole only.
 const MAX_REPEATED_NODES: u32 = 400_000;
 
-/// Inside, outside, or not known.
+/// An answer about a point: inside (`true`), outside (`false`), or not known.
 pub type Answer = Option<bool>;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,18 +33,18 @@ pub struct TreeNode {
     join: Join,
     parent: u32,
     pub children: [u32; 2],
-    /// One more than the last place below.
+    /// The end of the places below: one more than the last.
     end: u32,
     depth: u32,
     /// Whether its complement is what the parent is made of.
     pub negated: bool,
     /// Whether there is an odd number of complements on the way from the root.
     pub turned: bool,
-    /// Whether it is a difference or an intersection.
+    /// Whether the node is a difference or an intersection.
     pub cuts: bool,
     /// The topmost difference or intersection that this is part of, or [`NONE`].
     pub group: u32,
-    /// The value of the node at a point outside of all its shapes.
+    /// Whether a point outside of all its shapes is in the node.
     outside: bool,
     /// The depth of the lowest place above that comes to the same whatever this one comes to, as long as the
     /// point is outside of the shapes of all other operands on the way; −1 where there is none.
@@ -71,7 +71,7 @@ struct Task {
     parent: u32,
     operand: usize,
     copy: Option<(u32, u32)>,
-    /// Part of something that has been paid for.
+    /// Whether the task is part of another one that has been paid for.
     paid: bool,
 }
 
@@ -84,7 +84,7 @@ struct Costs {
 }
 
 impl Tree {
-    /// Everything that these nodes are made of.
+    /// The tree of all that these nodes are made of.
     pub fn new(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Tree {
         let mut costs = Costs {
             weights: weights(scene),

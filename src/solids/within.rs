@@ -117,14 +117,14 @@ fn rounding(m: &Matrix, p: &Vec3) -> f64 {
 
 /// A ball, or what it becomes when it is stretched.
 struct Ball {
-    /// From the ball of radius 1 at the origin.
+    /// The map from the ball of radius 1 at the origin to this one.
     unit: Matrix,
-    /// How far rounding may have moved it.
+    /// Distance by which rounding may have moved the ball.
     slack: f64,
 }
 
 impl Ball {
-    /// One that holds all of a shape and is hardly larger.
+    /// A ball that holds all of a shape and is hardly larger.
     fn around(geometry: &Geometry, m: &Matrix) -> Option<Ball> {
         let facts::Ball {
             centre,
@@ -142,7 +142,7 @@ impl Ball {
         Some(Ball { unit, slack })
     }
 
-    /// One that a shape holds, and that is hardly smaller.
+    /// A ball that a shape holds, and that is hardly smaller.
     fn within(geometry: &Geometry, m: &Matrix) -> Option<Ball> {
         let mut ball = Ball::around(geometry, m)?;
         let held = geometry.ball()?.held;
@@ -152,7 +152,7 @@ impl Ball {
         Some(ball)
     }
 
-    /// Whether it holds another one and this much room around it.
+    /// Whether the ball holds another one and this much room around it.
     fn holds(&self, inner: &Ball, room: f64) -> bool {
         let Some(back) = self.unit.inverse() else {
             return false;

@@ -33,7 +33,7 @@ pub struct Comparison {
     /// Off edges, with total reflection: not compared.
     pub total_reflection: usize,
     pub differing: Differing,
-    /// Where most of those are that differ off edges.
+    /// The place of most of the pixels that differ off edges.
     pub mostly: Option<Whereabouts>,
     pub difference: Difference,
     /// The mean of the FLIP map of both pictures in sRGB (Andersson et al., "FLIP: A Difference
@@ -52,9 +52,10 @@ pub struct Differing {
     pub off_silhouettes: usize,
     /// Share of all pixels.
     pub share_off_silhouettes: f64,
-    /// Where another object is seen a hair beside.
+    /// Number of pixels with another object a hair beside.
     pub on_silhouettes: usize,
-    /// Where one object has an edge: of a face, a shadow, a pattern, or of what is seen in it.
+    /// Number of pixels at an edge within one object: of a face, a shadow, a pattern, or of an object that is seen in
+    /// it.
     pub on_other_edges: usize,
 }
 

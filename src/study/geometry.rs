@@ -1,4 +1,4 @@
-//! Where two programs see the surfaces of a scene: position, normal and shape, pixel by pixel.
+//! Surfaces of a scene as two programs see them: position, normal and shape, pixel by pixel.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -24,10 +24,10 @@ pub struct VisiblePoint {
     pub point: Vec3,
     /// The shading normal, unit: out of a solid, also where another one was taken away from it.
     pub normal: Vec3,
-    /// Whether it bounds a solid. The normal of a surface without an inside points to either side.
+    /// Whether the point bounds a solid. The normal of a surface without an inside points to either side.
     pub is_of_solid: bool,
     pub distance: f64,
-    /// As in [`crate::trace::Crossing`].
+    /// The shape, by the number that [`crate::trace::Crossing`] has.
     pub shape: u32,
     pub object: u32,
 }
@@ -89,7 +89,7 @@ const HORIZON: f64 = 0.9;
 /// Surfaces are in one place when they are nearer to each other than this share of the largest coordinate:
 /// roundings of doubles on the way through some matrices.
 const IN_ONE_PLACE: f64 = 64.0 * f64::EPSILON;
-/// By so much of the largest coordinate single precision may mistake a place, after a few operations.
+/// Part of the largest coordinate by which single precision may mistake a place, after a few operations.
 const ROUNDED: f64 = 4.0 * f32::EPSILON as f64;
 
 /// The cosine of the angle by which the normals of neighbouring pixels differ where a surface is folded, 25.8°.
@@ -106,22 +106,23 @@ const FOLD_DISTANCE_PIXELS: usize = 2;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     pub pixels: usize,
-    /// Where a neighbour shows another shape, another face or a fold: not compared.
+    /// Number of pixels that are not compared, since a neighbour shows another shape, another face or a fold.
     pub silhouettes: usize,
-    /// Where parts without end are cut off in the translation: not compared.
+    /// Number of pixels that are not compared, since endless shapes are cut off there in the translation.
     pub cut_off: usize,
-    /// Where single precision, in which Mitsuba computes, does not tell what is seen from something
-    /// else that is nearly there: not compared.
+    /// Number of pixels that are not compared, since single precision, in which Mitsuba computes, does not tell the
+    /// surface from another one that is nearly there.
     pub undecided: usize,
-    /// Where the surfaces of two shapes are in one place, and Mitsuba shows the other one: not compared.
+    /// Number of pixels that are not compared, since the surfaces of two shapes are in one place, and Mitsuba shows the
+    /// other one.
     pub in_one_place: usize,
     /// The pairs of shapes that these pixels show, those of the most pixels first.
     pub shared: Vec<Shared>,
-    /// Another shape, or another place or normal than allowed.
+    /// Number of pixels with another shape, or another place or normal than allowed.
     pub wrong: usize,
     /// Share of all pixels.
     pub share_wrong: f64,
-    /// Where most of these are.
+    /// The place of most of these pixels.
     pub mostly: Option<Whereabouts>,
     pub exact: Differences,
     pub meshes: Differences,
@@ -141,11 +142,11 @@ pub struct Shared {
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Differences {
     pub pixels: usize,
-    /// Across our surface, in units of the scene.
+    /// Distance across our surface, in units of the scene.
     pub distance: f64,
     /// The same as a part of what is allowed.
     pub distance_by_allowed: f64,
-    /// Between the shading normals, in degrees.
+    /// Angle between the shading normals, in degrees.
     pub angle: f64,
 }
 
@@ -160,14 +161,14 @@ enum Pixel {
     Right {
         /// Whether Mitsuba has the shape itself, not a mesh of it.
         exact: bool,
-        /// Across our surface, in units of the scene.
+        /// Distance across our surface, in units of the scene.
         distance: f64,
         /// The distance that is allowed.
         allowed: f64,
-        /// Between the shading normals, in degrees.
+        /// Angle between the shading normals, in degrees.
         angle: f64,
     },
-    /// Nothing, for both.
+    /// A pixel where neither shows a surface.
     Empty,
 }
 
@@ -276,7 +277,7 @@ struct Sight<'a> {
     /// The shapes of objects that the translation has, and whether all of each are exact.
     exact: FxHashMap<(u32, u32), bool>,
     size: f64,
-    /// By how much single precision may mistake a place.
+    /// Distance by which single precision may mistake a place.
     rounded: f64,
     /// How near to each other surfaces are in one place.
     in_one_place: f64,
@@ -510,8 +511,8 @@ impl Comparison {
         self.cut_off + self.undecided + self.in_one_place <= right
     }
 
-    /// As a picture of 8-bit RGB, row by row: green up to what is allowed, red where it is wrong, blue
-    /// where single precision or nothing decides or something is cut off, grey for silhouettes.
+    /// The picture of the comparison in 8-bit RGB, row by row: green up to the error that is allowed, red where it is
+    /// wrong, blue where single precision or nothing decides or something is cut off, grey for silhouettes.
     pub fn picture(&self) -> Vec<u8> {
         let colour = |pixel: &Pixel| match *pixel {
             Pixel::Silhouette => SILHOUETTE,

@@ -1,4 +1,4 @@
-//! What the real Mitsuba sees of a translation through the middle of each pixel.
+//! The surfaces that the real Mitsuba sees of a translation, through the middle of each pixel.
 
 use std::fs;
 use std::path::Path;
@@ -29,7 +29,7 @@ pub const CHANNELS: usize = 7;
 ///
 /// # Errors
 ///
-/// There is no such Python, it has no Mitsuba, that fails or takes too long, or the folder cannot be written to.
+/// Python is missing or has no Mitsuba, Mitsuba fails or takes too long, or the folder cannot be written to.
 pub fn render(
     python: &Program,
     made: &Output,

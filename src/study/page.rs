@@ -1,5 +1,4 @@
-//! What pages of HTML have in common: a page is one file that needs nothing else, without scripts, for light, dark and
-//! print.
+//! HTML pages: each is one file that needs nothing else, without scripts, for light, dark and print.
 
 use std::fmt::Write as _;
 

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 
-/// Another program.
+/// Another program, by its path.
 #[derive(Debug, Clone)]
 pub struct Program {
     pub path: PathBuf,
@@ -28,10 +28,10 @@ impl Program {
     }
 }
 
-/// Why another program gives no answer.
+/// The reason why another program gives no answer.
 #[derive(Debug)]
 pub enum ProgramError {
-    /// There is no such program.
+    /// A program that does not exist.
     Missing,
     /// The program cannot be started.
     Start(io::Error),
@@ -145,7 +145,7 @@ pub(super) fn run<S: AsRef<OsStr>>(
 /// How often is looked whether a program has ended.
 const LOOK: Duration = Duration::from_millis(10);
 
-/// Waits for the end of a program, or ends it when its time is over.
+/// Waits for the end of a program, or ends the program when its time is over.
 fn wait(mut child: Child, limit: Option<Duration>) -> Result<Output, ProgramError> {
     let Some(limit) = limit else {
         return child.wait_with_output().map_err(ProgramError::Start);

@@ -23,7 +23,7 @@ const RING: usize = 16;
 /// The edge through the middle of a pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Edge {
-    /// Other objects, or nothing, are seen first beside it.
+    /// An edge beside which other objects, or none, are seen first.
     Silhouette,
     /// The same object is seen all around, and another colour on one side.
     Other,
@@ -137,7 +137,7 @@ struct Ring {
     last: [f32; 3],
     least: [f32; 3],
     most: [f32; 3],
-    /// How far it goes up and down in all.
+    /// Length of all ways up and down along the ring, per channel.
     way: [f32; 3],
 }
 
@@ -229,7 +229,7 @@ mod tests {
         assert_eq!(found.iter().flatten().count(), 2 * SIZE as usize - 1);
     }
 
-    /// Cells far smaller than the ring: each sample has any of two colours.
+    /// Few edges are found in cells far smaller than the ring, where each sample has any of two colours.
     #[test]
     fn noise_is_no_edge() {
         let noise = format!(

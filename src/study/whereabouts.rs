@@ -1,4 +1,4 @@
-//! Where in a picture most of the pixels are that differ.
+//! The place of most of the differing pixels in a picture.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -15,7 +15,7 @@ use crate::trace::{Tracer, Walkers};
 pub struct Whereabouts {
     /// The shape's ID, or `None` where nothing is seen.
     pub shape: Option<u32>,
-    /// How many of the pixels show it.
+    /// The number of pixels that show the shape.
     pub pixels: usize,
     /// The first and the last row of these, counted from 0 at the top.
     pub rows: [usize; 2],

@@ -34,7 +34,7 @@ pub struct Document {
     pub redefining: Vec<u32>,
 }
 
-/// Something that stands in the file in the place of a record.
+/// An item of the file: a record, or text in the place of one.
 #[derive(Debug, Clone, Copy)]
 pub enum Item {
     /// A lone `0`.
@@ -65,7 +65,7 @@ pub struct Record {
     pub last: u32,
     /// The number of parameters (trivia not counted).
     pub params: u32,
-    /// Where the value of its first parameter is in [`Document::values`].
+    /// Index of the value of the first parameter in [`Document::values`].
     pub value: u32,
 }
 
@@ -82,7 +82,7 @@ pub struct Broken {
     pub kind: Option<RecordKind>,
     /// The fault.
     pub fault: Fault,
-    /// Whether it is one slip of the pen away from a record.
+    /// Whether the text is one slip of the pen away from a record.
     pub is_slip: bool,
 }
 
@@ -93,7 +93,7 @@ pub enum Fault {
     Form,
     /// The number of its parameters: its type may be another one's.
     Arity,
-    /// There is no such type.
+    /// A type that does not exist.
     UnknownType,
     /// A lost ID: one undefined reference may mean it.
     LostId,
@@ -246,7 +246,7 @@ impl Document {
         self.items.get(item).is_some_and(holds).then_some(item)
     }
 
-    /// From the first character of the first token to the last of the last.
+    /// The text from the first character of token `first` to the last of token `last`.
     pub fn span(&self, first: u32, last: u32) -> Span {
         self.tokens[first as usize]
             .span()

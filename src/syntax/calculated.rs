@@ -1,5 +1,5 @@
-//! What a person has left to be calculated: `3*0.3`, `2^3`, `√2`, `½`; and numbers with another sign for their point, or
-//! none.
+//! Calculations that a person has left in the text: `3*0.3`, `2^3`, `√2`, `½`; and numbers with another sign for their
+//! point, or none.
 
 /// The number that arithmetic, or another sign in the place of a decimal point, stands for.
 pub fn calculated(text: &str) -> Option<String> {

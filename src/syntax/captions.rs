@@ -1,4 +1,4 @@
-//! What comments say about the entities of a scene: its title, and a line for each ID that has one.
+//! Captions of a scene, from its comments: a title, and a line for each ID that has one.
 
 use std::collections::HashMap;
 

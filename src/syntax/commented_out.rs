@@ -13,7 +13,7 @@ pub const SIGN: &str = "~~";
 /// The sign that stands for `~`.
 pub const TILDE: &str = "~'";
 
-/// Behind the text.
+/// The text behind the records.
 pub const END: &str = " #";
 
 /// Before the text, and before that of a line that goes on.
@@ -34,9 +34,9 @@ pub fn is_commented_out(comment: &str) -> bool {
 /// A line that is commented out.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CommentedOut {
-    /// Whether it goes on with what the line before it has begun.
+    /// Whether the line goes on with a record or comment that the line before it has begun.
     pub goes_on: bool,
-    /// Where the text stands in the line, in its coding.
+    /// The range of the text in the line, in its coding.
     pub text: Range<usize>,
 }
 

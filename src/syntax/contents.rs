@@ -1,4 +1,4 @@
-//! What kinds of things a document has, so that nobody looks for what is not there.
+//! The kinds of things that a document has, so that nobody looks for others.
 
 use super::ast::Item;
 use super::lexed::Lexed;
@@ -8,12 +8,12 @@ use super::table::{RECORD_TYPES, RecordKind, RecordType};
 pub struct Contents {
     /// How many records there are of each type, in the order of the table.
     counts: [u32; RECORD_TYPES.len()],
-    /// There is something that could not be read.
+    /// Whether some part could not be read.
     pub broken: bool,
     pub comments: bool,
-    /// There is a comment over several lines.
+    /// Whether a comment goes over several lines.
     pub long_comments: bool,
-    /// A comment is meant for zpg.
+    /// Whether a comment is meant for zpg.
     pub directives: bool,
     pub separators: bool,
 }

@@ -13,7 +13,7 @@ pub enum Group {
     Fixed,
     /// The n-th of the groups that are repeated as often as the count says.
     Repeated(usize),
-    /// There with all other optional ones, or not at all.
+    /// A group that is there with all other optional ones, or not at all.
     Optional,
 }
 

@@ -6,7 +6,8 @@ use crate::diagnostics::Span;
 /// The beginning of every such comment, behind its `#`.
 pub const PREFIX: &str = "zpg:";
 
-/// As ruff and flake8 begin them: such a comment is meant for zpg, which does not understand it.
+/// The beginning of such comments for ruff and flake8: a comment that has it is meant for zpg, which does not
+/// understand it.
 const FOREIGN: &str = "noqa";
 
 /// Whether a token is such a comment. It needs no `0` in front.
@@ -32,11 +33,11 @@ pub fn inside(comment: &str) -> &str {
 
 /// A comment that allows findings.
 pub struct Allow<'a> {
-    /// Where the list between the brackets is.
+    /// The span of the list between the brackets.
     pub list: Span,
     /// The entries, empty ones too.
     pub entries: Vec<&'a str>,
-    /// Whether it is about the next record wherever it stands: `allow-next(…)`.
+    /// Whether the comment is about the next record wherever it stands: `allow-next(…)`.
     pub is_about_next: bool,
 }
 

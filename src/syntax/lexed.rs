@@ -18,17 +18,21 @@ pub(super) struct Lexed {
     odd: Vec<u32>,
     /// The tokens that begin lines that are [commented out](super::commented_out), ascending.
     out: Vec<u32>,
-    /// There is a comment, a separator, a word, a comment over several lines, a comment that nobody closes, a token that
-    /// can never be right.
+    /// Whether the text has a comment.
     pub has_comment: bool,
+    /// Whether the text has a separator.
     pub has_separator: bool,
+    /// Whether the text has a word.
     pub has_word: bool,
+    /// Whether the text has a comment over several lines.
     pub has_long_comment: bool,
+    /// Whether the text has a comment that nobody closes.
     pub has_unclosed: bool,
+    /// Whether the text has a token that can never be right.
     pub has_bad: bool,
-    /// A comment is meant for zpg.
+    /// Whether a comment is meant for zpg.
     pub has_directive: bool,
-    /// No significant token has come since the last line break.
+    /// Whether no significant token has come since the last line break.
     at_line_start: bool,
 }
 
@@ -193,8 +197,8 @@ impl Lexed {
     }
 }
 
-/// Where a text may be cut in so many parts of about the same length: behind line breaks that are in no comment, if
-/// every `#` is one of a comment. The last one is the end of the text.
+/// Places at which a text may be cut in so many parts of about the same length: behind line breaks that are in no
+/// comment, if every `#` is one of a comment. The last one is the end of the text.
 fn lines_near(text: &str, parts: usize) -> Vec<usize> {
     let bytes = text.as_bytes();
     let mut ends: Vec<usize> = Vec::with_capacity(parts);

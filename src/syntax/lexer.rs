@@ -13,7 +13,7 @@ use crate::diagnostics::Span;
 pub enum TokenKind {
     /// `[+-]? digits`, of any length.
     Integer,
-    /// Any other number.
+    /// A number of any other kind.
     Real,
     /// `0,5`: read as a number, reported as E003.
     DecimalComma,
@@ -21,7 +21,7 @@ pub enum TokenKind {
     HugeNumber,
     /// A word that begins like a number, or spells an infinity or NaN.
     MalformedNumber,
-    /// Any other word with a letter or digit in it.
+    /// A word of any other kind, with a letter or digit in it.
     Word,
     /// A word of signs only.
     Invalid,
@@ -31,7 +31,7 @@ pub enum TokenKind {
     Comment,
     /// A comment that is taken to end with its line.
     UnterminatedComment,
-    /// One of the [`SEPARATORS`]: read as white space.
+    /// A separator, one of [`SEPARATORS`], read as white space.
     Separator,
     Newline,
     /// U+FEFF at the start of a line: a file began there once.
@@ -39,7 +39,7 @@ pub enum TokenKind {
 }
 
 impl TokenKind {
-    /// In the order of their numbers.
+    /// All kinds in the order of their numbers.
     const ALL: [TokenKind; 13] = [
         TokenKind::Integer,
         TokenKind::Real,
@@ -67,7 +67,7 @@ impl TokenKind {
         )
     }
 
-    /// Whether it is a number, or begins like one.
+    /// Whether the token is a number, or begins like one.
     pub fn is_numeric(self) -> bool {
         matches!(
             self,
@@ -246,7 +246,7 @@ enum Raw<'s> {
 #[derive(Debug, Clone, Copy, Default)]
 struct Unclosed<'s>(&'s [u32]);
 
-/// Runs to the closing `#`, or to the end of the line where there is none; says which.
+/// Skips a comment to the closing `#`, or to the end of the line where there is none; returns whether it is closed.
 fn comment<'s>(lex: &mut logos::Lexer<'s, Raw<'s>>) -> bool {
     let start = lex.span().start as u32;
     while lex.extras.0.first().is_some_and(|&o| o < start) {
@@ -290,17 +290,17 @@ pub struct Tokens<'s> {
     raw: logos::Lexer<'s, Raw<'s>>,
     /// The comma behind an integer.
     comma: Option<Token>,
-    /// Where the last separator ends.
+    /// The end of the last separator.
     separated: usize,
 }
 
 impl<'s> Tokens<'s> {
-    /// For `unclosed` see [`lex`].
+    /// The tokens of a text. For `unclosed` see [`lex`].
     pub fn new(text: &'s str, unclosed: &'s [u32]) -> Tokens<'s> {
         Tokens::starting_at(text, 0, unclosed)
     }
 
-    /// From a place on, where a token begins.
+    /// The tokens from a place on, where a token begins.
     pub(super) fn starting_at(text: &'s str, at: usize, unclosed: &'s [u32]) -> Tokens<'s> {
         Tokens {
             text,

@@ -99,7 +99,7 @@ struct Plan<'s> {
     defined: Vec<u32>,
     /// Up to here the records on the line follow one another.
     run_to: usize,
-    /// Where the optional group begins that may be a broken record.
+    /// The start of the optional group that may be a broken record.
     doubted: Option<usize>,
     /// How many more tokens may be looked at in search of the ends of gaps.
     budget: usize,
@@ -288,7 +288,7 @@ impl<'s> Plan<'s> {
         }
     }
 
-    /// Everything else. What was read just before is read once more with it.
+    /// Plans the gap, from `start` on, where no other way applies. The items just before are read once more with it.
     fn gap(&mut self, start: usize) -> Option<usize> {
         if start == self.columns.len() {
             return None;
@@ -324,8 +324,8 @@ impl<'s> Plan<'s> {
         Some(to)
     }
 
-    /// Where a gap ends that begins at a token: where the reading by arity agrees with the layout again, else
-    /// where lines are records again. Whether the reading by arity got there.
+    /// The end of a gap that begins at a token: the place where the reading by arity agrees with the layout again, else
+    /// where lines are records again; and whether the reading by arity got there.
     fn end_of_gap(&mut self, start: usize) -> (usize, bool) {
         let c = self.columns;
         let n = c.len();
@@ -438,7 +438,8 @@ impl<'s> Plan<'s> {
         sound
     }
 
-    /// If some items from the beginning of a line on agree with the layout: where the first of them end.
+    /// The end of the first of some items that agree with the layout from the beginning of a line on; `None` unless
+    /// enough of them agree.
     fn agreeing(&mut self, line: usize) -> Option<usize> {
         let c = self.columns;
         let mut at = line;

@@ -36,7 +36,7 @@ use crate::diagnostics::{Code, Diagnostic, SourceFile, Span, Value};
 /// A file that is no scene, and the finding that says what it is.
 #[derive(Debug)]
 pub struct NotAScene {
-    /// Without text where it is none.
+    /// The file, without a text if it is none.
     pub source: SourceFile,
     pub finding: Diagnostic,
 }
@@ -72,7 +72,7 @@ pub fn read(path: impl Into<String>, bytes: Vec<u8>) -> Result<SourceFile, Box<N
     Err(Box::new(NotAScene { source, finding }))
 }
 
-/// The same, and reads the records: what is in them says as well whether it is one.
+/// Recognises a text and reads the records: what is in them says as well whether it is a scene.
 pub fn parse(
     path: impl Into<String>,
     bytes: Vec<u8>,
@@ -241,7 +241,7 @@ impl Lines {
 enum Opening {
     Number,
     Other,
-    /// Nothing that counts.
+    /// The line is empty but for blanks and comments.
     Nothing,
 }
 

@@ -75,7 +75,7 @@ impl Columns<'_> {
 /// A record that can be read from some token on.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reading {
-    /// One past its last token.
+    /// The end of the record: one past its last token.
     pub end: usize,
     pub ty: &'static RecordType,
     pub count: u32,

@@ -26,7 +26,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// For people: "object", "colour"; there is but one render record.
+    /// The name for people: "object", "colour"; there is but one render record.
     pub fn name(self) -> &'static str {
         match self {
             Kind::Undefined => "undefined object",
@@ -123,7 +123,7 @@ pub enum ParamKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
     None,
-    /// Scene units.
+    /// A length in scene units.
     Length,
     Degrees,
     /// A share in [0, 1].
@@ -136,21 +136,21 @@ pub enum Constraint {
     Any,
     /// Greater than zero, else E201.
     Positive,
-    /// At least zero, else E208 (a profile's radius).
+    /// A number of at least zero, else E208 (a profile's radius).
     ProfileRadius,
-    /// Not zero, else E204 (a scale).
+    /// A number other than zero, else E204 (a scale).
     NonZeroScale,
     /// Strictly between the two, else E206.
     Between(f64, f64),
-    /// Between the two, ends included, else E206.
+    /// A number between the two, ends included, else E206.
     Within(f64, f64),
-    /// At least, else E206.
+    /// A number of at least this value, else E206.
     AtLeast(f64),
     /// 1, 2 or 3, else E205.
     Axis,
 }
 
-/// One parameter of a record type.
+/// A parameter of a record type.
 #[derive(Debug, Clone, Copy)]
 pub struct Param {
     /// Short name, as it stands in signatures: `x`, `radius`.
@@ -164,16 +164,16 @@ pub struct Param {
     pub doc: &'static str,
 }
 
-/// One type of record.
+/// A type of record.
 #[derive(Debug)]
 pub struct RecordType {
     /// The kind of the record, as the rest of the toolchain calls it.
     pub kind: RecordKind,
     /// The number that stands in the scene.
     pub code: i32,
-    /// One lower-case word or hyphenated words, unique: `surface-of-revolution`.
+    /// Keyword of lower-case words with hyphens, unique: `surface-of-revolution`.
     pub keyword: &'static str,
-    /// For people: "surface of revolution".
+    /// The title for people: "surface of revolution".
     pub title: &'static str,
     pub family: Family,
     pub effect: Effect,
@@ -599,7 +599,7 @@ macro_rules! record_types {
         pub enum RecordKind { $void, Shape(ShapeKind), $($other),* }
 
         impl RecordKind {
-            /// Where its entry is in the table.
+            /// Index of the entry in the table.
             pub(super) fn place(self) -> usize {
                 enum Place { $void, $($shape,)* $($other),* }
                 let place = match self {

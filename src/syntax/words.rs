@@ -1,4 +1,4 @@
-//! What people write in the place of a type's number: its English and its Czech names.
+//! Names of types, English and Czech, that people write in the place of the number.
 
 use std::sync::LazyLock;
 

@@ -1,4 +1,4 @@
-//! As many samples as a pixel needs.
+//! Adaptive sampling: as many samples as a pixel needs.
 //!
 //! Every pixel takes [`BATCH_SAMPLES`] samples. Where they and those of the eight neighbours agree within
 //! the tolerance, that is all; this is how thin things are found that a pixel's own samples have

@@ -1,4 +1,4 @@
-//! From pixels to rays.
+//! Rays of the camera, from pixels.
 
 #![warn(missing_docs)]
 

@@ -1,4 +1,4 @@
-//! What each pixel has cost, as a picture in false colours.
+//! The cost of each pixel, as a picture in false colours.
 
 use super::film::{Packing, write_rgb8};
 use std::io::{self, Write};

@@ -92,9 +92,9 @@ pub fn srgb8(linear: f32) -> u8 {
 /// How a PNG is packed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Packing {
-    /// For a file: about a tenth larger, and several times as quick.
+    /// Packing for a file: about a tenth larger, and several times as quick.
     Quick,
-    /// For what is sent, or is part of a page.
+    /// Packing for what is sent, or is part of a page.
     Small,
 }
 
@@ -135,7 +135,7 @@ pub fn encoder<W: Write>(
     encoder
 }
 
-/// From 1 to 100.
+/// Quality of JPEG files, from 1 to 100.
 const JPEG_QUALITY: u8 = 95;
 
 impl Film {
@@ -193,7 +193,7 @@ impl Film {
 }
 
 impl Film {
-    /// From the top.
+    /// The rows of the picture, from the top.
     pub fn rows(&self) -> impl Iterator<Item = &[[f32; 3]]> {
         self.pixels.chunks_exact(self.width.max(1) as usize)
     }

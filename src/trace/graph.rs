@@ -32,7 +32,7 @@ pub struct Part {
     pub placement: u32,
     /// Index into [`Graph::paints`]; 0 paints nothing.
     pub paint: u32,
-    /// The complement of a shape; never set for an object.
+    /// Whether the part is the complement of a shape; never set for an object.
     pub inverted: bool,
     /// ID of the entity whose record made the shape; 0 for an object.
     pub shape: u32,
@@ -69,7 +69,7 @@ pub struct Coat {
 pub struct Group {
     /// Indices into [`Graph::parts`] of those without bounds.
     pub loose: Vec<u32>,
-    /// The others; its items are indices into [`Graph::parts`].
+    /// The tree of the other parts; its items are indices into [`Graph::parts`].
     pub tree: Tree,
     /// The parts among them that hold something transparent, if no paint above says otherwise; `None` where there are
     /// none.
@@ -105,11 +105,11 @@ impl Holds {
 #[derive(Debug)]
 pub enum Operation {
     Union(Group),
-    /// The points in all of `first` and in none of `cuts`.
+    /// The points in all parts of `first` and in no part of `cuts`.
     Intersection {
         first: Range<u32>,
         cuts: Group,
-        /// Faces made by the cuts look like what is cut, not like what cuts: a difference.
+        /// Whether faces made by the cuts look like what is cut, not like what cuts: a difference.
         inherit: bool,
     },
 }
@@ -127,22 +127,22 @@ pub struct Object {
 #[derive(Debug, Default)]
 pub struct Graph {
     pub primitives: Vec<Primitive>,
-    /// Beside `primitives`: see [`Shape::extent`].
+    /// Extents of the shapes, beside `primitives`: see [`Shape::extent`].
     ///
     /// [`Shape::extent`]: super::shapes::Shape::extent
     pub extents: Vec<f64>,
-    /// Beside `primitives`: index into [`Scene::shapes`] of a record that says the same.
+    /// Indices into [`Scene::shapes`] of a record that says the same, beside `primitives`.
     ///
     /// [`Scene::shapes`]: crate::scene::Scene::shapes
     pub records: Vec<u32>,
     pub objects: Vec<Object>,
     pub parts: Vec<Part>,
     pub matrices: Vec<Matrix>,
-    /// Beside `matrices`.
+    /// Placements, beside `matrices`.
     pub placements: Vec<Placement>,
     pub paints: Vec<Coat>,
     pub textures: Vec<Texture>,
-    /// Beside `textures`: the pictures of image textures.
+    /// The pictures of image textures, beside `textures`.
     pub bitmaps: Vec<Option<Arc<Bitmap>>>,
     pub optics: Vec<Optics>,
     pub indices: Vec<Rgb>,

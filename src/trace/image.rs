@@ -66,7 +66,7 @@ impl Images {
         self.0.get(file)
     }
 
-    /// In the order of their names.
+    /// The pictures in the order of their names.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &Bitmap)> {
         self.0
             .iter()

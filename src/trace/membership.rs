@@ -1,4 +1,4 @@
-//! Which solids a point is in.
+//! The solids that a point is in.
 //!
 //! Every occurrence of a node is asked in its own space, operands before operations. Boxes around
 //! what lies below a node keep the walk away from occurrences that are elsewhere, and what a shared
@@ -28,7 +28,7 @@ pub struct Membership {
     /// IDs of the shapes and operations below the root, itself included, any occurrence of which
     /// holds the point, ascending.
     pub inside: BTreeSet<u32>,
-    /// Whether the root itself holds it.
+    /// Whether the root itself holds the point.
     pub in_root: bool,
 }
 

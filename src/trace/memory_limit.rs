@@ -22,7 +22,7 @@ impl Default for MemoryLimit {
 }
 
 impl MemoryLimit {
-    /// For so many bytes for each thread: what doubles cannot decide is asked in double-double, by a walker
+    /// The limit for so many bytes for each thread: what doubles cannot decide is asked in double-double, by a walker
     /// of its own.
     pub fn of(bytes: u64) -> MemoryLimit {
         MemoryLimit {
@@ -31,7 +31,7 @@ impl MemoryLimit {
         }
     }
 
-    /// Whether so many bytes may be used; that they may not is noted.
+    /// Whether so many bytes may be used; notes a refusal.
     pub fn has(&self, bytes: usize) -> bool {
         let has = bytes <= self.bytes;
         if !has {

@@ -5,9 +5,9 @@ use exif::{In, Reader, Tag};
 /// How rows and columns of a file lie in the upright picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Orientation {
-    /// The picture's rows are the file's columns.
+    /// Whether the picture's rows are the file's columns.
     is_turned: bool,
-    /// The file's columns go from right to left, and its rows from bottom to top.
+    /// Whether the file's columns go from right to left, and its rows from bottom to top.
     is_mirrored: [bool; 2],
 }
 

@@ -77,7 +77,7 @@ pub struct Settings {
     /// For each pixel of the whole picture, row by row, whether it is wanted; the others are black. All
     /// are where there is none.
     pub wanted: Option<Arc<[bool]>>,
-    /// Per pixel, at least 1.
+    /// Number of samples per pixel, at least 1.
     pub samples: u32,
     /// Instead: as many samples as bring the estimated error of a pixel, in linear RGB, below this
     /// number above 0; see [`super::adaptive`].
@@ -95,7 +95,7 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// What is drawn.
+    /// The part of the picture that is drawn, in pixels.
     fn part(&self) -> Crop {
         self.crop.unwrap_or(Crop {
             x: 0,
@@ -478,12 +478,12 @@ impl<'t> Drawing<'t> {
     }
 }
 
-/// What has come of some rows that were drawn together.
+/// The result of some rows that were drawn together.
 struct Band {
-    /// Of each row.
+    /// The samples of each row.
     samples: Vec<Samples>,
     counts: Counts,
-    /// Whether they were drawn to their end.
+    /// Whether the rows were drawn to their end.
     is_finished: bool,
 }
 

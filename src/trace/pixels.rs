@@ -49,8 +49,8 @@ pub trait Pixels {
         pixels.iter().map(sum).collect()
     }
 
-    /// As many samples as the tolerance of the settings asks for: their mean and their number. Kernels
-    /// that have no such thing take one.
+    /// Means of pixels over as many samples as the tolerance of the settings asks for, each with the number of samples.
+    /// Kernels without such sampling take one.
     fn adaptive(&mut self, pixels: &[[u32; 2]]) -> Vec<(Rgb, u32)> {
         let sums = self.sums(pixels, 0..1, 1);
         sums.into_iter().map(|sum| (sum, 1)).collect()
@@ -109,7 +109,7 @@ impl Tracer {
 
 struct Single<'d, 't, R: Precision> {
     pen: Pen<'d, 't, R>,
-    /// For questions that are not to be counted.
+    /// Walkers for questions that are not to be counted.
     walkers: Walkers<'t, R>,
     tolerance: f64,
     size: [u32; 2],

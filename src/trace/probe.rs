@@ -1,4 +1,4 @@
-//! What is on a ray, for those who ask about geometry.
+//! The crossings on a ray, for those who ask about geometry.
 
 #![warn(missing_docs)]
 
@@ -28,7 +28,7 @@ pub struct Crossing<R = f64> {
     pub object: u32,
 }
 
-/// Everything on a ray.
+/// All crossings on a ray, and the state at its start.
 #[derive(Debug, Clone)]
 pub struct Probe<R = f64> {
     /// Whether the ray starts in a solid: the state just behind its origin, whatever region is
@@ -39,7 +39,7 @@ pub struct Probe<R = f64> {
 }
 
 impl<R: Precision> Probe<R> {
-    /// In another kind of number, rounded.
+    /// The probe in another kind of number, rounded.
     pub fn cast<S: Precision>(&self) -> Probe<S> {
         let cast = |c: &Crossing<R>| Crossing {
             hit: c.hit.cast(),

@@ -19,8 +19,8 @@ pub struct Left<R = f64> {
     /// Bound on the distance of the starting point from the true surface. What lies closer to the
     /// starting point than this, along its own normal, cannot be told from it and is behind it.
     pub skin: R,
-    /// How it passes the surface that the face it starts on is a part of; `None` where other shapes have
-    /// no faces in that.
+    /// The way in which the ray passes the surface that its starting face is a part of; `None` where other shapes have
+    /// no faces in that surface.
     pub passage: Option<Passage>,
 }
 
@@ -31,7 +31,7 @@ pub struct Ray<R: Traced = f64> {
     pub line: Line<R>,
     /// The surface that the ray starts on, if it leaves one.
     pub left: Option<Left<R>>,
-    /// Whether it is known to start outside of every solid.
+    /// Whether the ray is known to start outside of every solid.
     pub is_outside: bool,
 }
 
@@ -46,7 +46,7 @@ impl<R: Traced> Ray<R> {
         }
     }
 
-    /// In another kind of number, rounded.
+    /// The ray in another kind of number, rounded.
     #[inline]
     pub fn cast<S: Traced>(&self) -> Ray<S> {
         Ray {

@@ -1,4 +1,4 @@
-//! Where in a pixel its samples lie.
+//! Places of the samples in a pixel.
 
 use crate::geometry::array::each;
 

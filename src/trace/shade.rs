@@ -13,7 +13,7 @@ use crate::geometry::number::Real;
 use crate::geometry::vec::Vec3;
 use crate::scene::{Optics, Rgb};
 
-/// When a path of light is given up.
+/// Limits beyond which a path of light is given up.
 #[derive(Debug, Clone, Copy)]
 pub struct Limits {
     /// Rays deeper than this contribute nothing; a camera ray has depth 0.
@@ -27,7 +27,7 @@ pub struct Limits {
 pub struct Features {
     pub shadows: bool,
     pub glass: bool,
-    /// Mirrors and total reflection.
+    /// Whether there are mirrors and total reflection.
     pub mirrors: bool,
     pub dispersion: bool,
 }
@@ -117,7 +117,7 @@ impl<'t, R: Precision> Shader<'t, R> {
         [boxes + shape, self.rays.total]
     }
 
-    /// What has been spent since then, on one sample or on a part of it.
+    /// The cost since the count `before`, of one sample or of a part of it.
     pub fn cost_since(&self, before: [u64; 2]) -> Cost {
         let [tests, total] = self.spent();
         Cost {

@@ -1,4 +1,4 @@
-//! What rendering has cost, counted.
+//! Counts of the work that rendering has taken.
 
 use serde::Serialize;
 use std::ops::AddAssign;
@@ -19,7 +19,7 @@ pub struct Rays {
 /// Intersection tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Intersections {
-    /// With boxes, of hierarchies and of what lies in a direction.
+    /// Tests with boxes, of hierarchies and of what lies in a direction.
     #[serde(rename = "box")]
     pub boxes: u64,
     pub shape: u64,
@@ -85,12 +85,12 @@ pub struct Counts {
     pub quick: u64,
 }
 
-/// What samples of one pixel have taken.
+/// The cost of the samples of one pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Cost {
     /// Intersection tests.
     pub tests: u32,
-    /// Whether they saw totally reflected light.
+    /// Whether the samples saw totally reflected light.
     pub total_reflection: bool,
     /// Samples that the quick kernel has not drawn alone.
     pub slow: u32,

@@ -8,21 +8,21 @@ use std::fmt::Debug;
 /// shading code is compiled with and without go by that; the others are asked for at run time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Without {
-    /// Every light is seen from everywhere.
+    /// Whether shadows are left out: every light is seen from everywhere.
     pub shadows: bool,
-    /// Whatever is in the way of a light blocks it.
+    /// Whether transparent shadows are left out: every object in the way of a light blocks it.
     pub transparent_shadows: bool,
-    /// Nothing is mirrored, nor totally reflected.
+    /// Whether mirrors and total reflection are left out.
     pub reflection: bool,
-    /// Nothing goes through a surface.
+    /// Whether light through surfaces is left out.
     pub refraction: bool,
-    /// All channels go the way of the first one.
+    /// Whether dispersion is left out: all channels go the way of the first one.
     pub dispersion: bool,
-    /// Patterns, pictures and colours along profiles are white.
+    /// Whether textures are left out: patterns, pictures and colours along profiles are white.
     pub textures: bool,
-    /// Light is reckoned with the geometric normal.
+    /// Whether smooth normals are left out: shading uses the geometric normal.
     pub smooth_normals: bool,
-    /// The quick kernel: see [`kernel`](super::kernel).
+    /// Whether the quick kernel is left out: see [`kernel`](super::kernel).
     pub kernel: bool,
 }
 

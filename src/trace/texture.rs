@@ -9,7 +9,7 @@ use crate::scene::{DEFAULT_COLOUR, Rgb, Texture};
 /// A point on the surface of a shape.
 pub struct SurfacePoint<'s> {
     pub shape: &'s dyn Shape,
-    /// In the shape's space.
+    /// The point in the shape's space.
     pub point: Vec3,
     /// See [`Root::face`](super::shapes::Root::face).
     pub face: u32,

@@ -1,5 +1,5 @@
-//! What a scene may consist of: every type of record of the language's table, and the effects that
-//! no record stands for alone. Every target has to say of each what becomes of it.
+//! Features of a scene: every type of record of the language's table, and the effects that no record stands for alone.
+//! Every target has to say of each what becomes of it.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use crate::solids::staging::is_dark;
 use crate::syntax::table::{RECORD_TYPES, RecordKind, RecordType};
 use crate::trace::plan::{self, Plan};
 
-/// One thing that a translation has to deal with.
+/// A feature of scenes that a translation has to deal with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Feature {
     /// A type of record.
@@ -84,7 +84,7 @@ impl Feature {
         records.chain(Effect::ALL.into_iter().map(Feature::Effect))
     }
 
-    /// As reports call it.
+    /// The name of the feature in reports.
     pub fn name(self) -> &'static str {
         match self {
             Feature::Record(kind) => RecordType::of(kind).title,

@@ -18,19 +18,19 @@ use crate::scene::Scene;
 pub enum Fidelity {
     /// The same in the other program.
     Exact,
-    /// With a bound on the error, in words or numbers.
+    /// A feature with a bound on the error, in words or numbers.
     Approximate(Complaint),
-    /// Not in the translation at all.
+    /// A feature that the translation does not have.
     Dropped,
 }
 
 impl Fidelity {
-    /// With a bound in words.
+    /// An approximate feature, with a bound in words.
     pub fn approximate(bound: &'static str) -> Fidelity {
         Fidelity::Approximate(Complaint::term(bound))
     }
 
-    /// As JSON names it.
+    /// The name of the fidelity in JSON.
     fn name(&self) -> &'static str {
         match self {
             Fidelity::Exact => "exact",
@@ -75,12 +75,12 @@ impl FeatureSupport {
     }
 }
 
-/// One line of the report.
+/// A line of the report.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReportLine {
     /// The name of the feature.
     pub feature: &'static str,
-    /// How well it came through.
+    /// How well the feature came through.
     pub fidelity: Fidelity,
     /// How the feature is expressed, where that is worth saying.
     pub note: Complaint,
@@ -196,7 +196,7 @@ impl Report {
         serde_json::json!({ "version": 1, "target": self.target, "features": features })
     }
 
-    /// For people, a line for each entry.
+    /// The report for people, a line for each entry.
     pub fn text(&self, language: Language) -> String {
         let mut out = String::new();
         for e in self.entries() {
@@ -218,7 +218,7 @@ impl Report {
     }
 }
 
-/// In English, for those who do not ask for a language.
+/// Writes the report in English, for those who do not ask for a language.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text(Language::English))

@@ -1,4 +1,4 @@
-//! What cameras with a projection matrix are, for programs that describe cameras in other ways.
+//! Cameras with a projection matrix, for programs that describe cameras in other ways.
 
 use crate::geometry::array::{add, cross, dot, length, sub};
 use crate::scene::sight::Sight;
@@ -26,10 +26,10 @@ pub(super) struct Pinhole {
     pub forward: Vec3,
     /// Vertical, in degrees.
     pub field_of_view: f64,
-    /// Where the middle of the picture is seen from the optical axis, to the right and upwards, by
-    /// its half width and height.
+    /// The middle of the picture as seen from the optical axis, to the right and upwards, in units of half the width
+    /// and height.
     pub shift: [f64; 2],
-    /// Nothing is seen before.
+    /// The least distance at which anything is seen, from the eye.
     pub near: f64,
     /// Width of a pixel by its height; `None` where it has no right angles.
     pub pixel: Option<f64>,

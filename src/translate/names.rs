@@ -1,5 +1,4 @@
-//! What the objects of a translation are called: they have the IDs of the scene, and what it says of them
-//! stands beside them.
+//! Names of the objects of a translation: the IDs of the scene, and its captions beside them.
 
 use std::collections::HashMap;
 

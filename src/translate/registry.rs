@@ -4,7 +4,7 @@ use super::target::Target;
 use super::{json, mesh, mitsuba, pov};
 use std::path::Path;
 
-/// In the order of `--help`.
+/// All targets in the order of `--help`.
 pub static TARGETS: [&dyn Target; 8] = [
     &pov::target::Pov,
     &mitsuba::target::Mitsuba,

@@ -1,4 +1,4 @@
-//! What a target of translations is.
+//! The trait of the targets of translations.
 //!
 //! A target is a folder beside this file with an implementation of [`Target`], and a line in
 //! [`registry`](super::registry). The command line has its name and its help from there.
@@ -20,7 +20,7 @@ use crate::trace::{Images, Settings, Tracer};
 
 /// A program, or a kind of file, that scenes are translated for.
 pub trait Target: fmt::Debug + Sync {
-    /// As `--to` names it; also what the files are called after, where they are named for the target.
+    /// The name that `--to` has; files that are named for the target are called after it.
     fn name(&self) -> &'static str;
 
     /// The extension of the main file's name, without the dot.
@@ -28,10 +28,10 @@ pub trait Target: fmt::Debug + Sync {
         self.name()
     }
 
-    /// In a line, for `--help`.
+    /// The line about the target in `--help`.
     fn help(&self) -> &'static str;
 
-    /// Whether it makes scenes such as people write.
+    /// Whether the target makes scenes such as people write.
     fn makes_scenes(&self) -> bool {
         false
     }
@@ -119,7 +119,7 @@ impl<'a> Prepared<'a> {
         Images::load(self.scene(), self.folder()).map_err(Error::from)
     }
 
-    /// Where the scene's pictures are.
+    /// The folder of the scene's pictures.
     pub fn folder(&self) -> &Path {
         self.analysis.source.folder().unwrap_or(Path::new("."))
     }
@@ -141,9 +141,9 @@ pub struct Options<'a> {
     pub confine: &'a dyn Fn(&Scene) -> Result<(), Complaint>,
     /// The language of comments.
     pub language: Language,
-    /// Where the scene is.
+    /// The path of the scene.
     pub file: &'a Path,
-    /// Where to write, if that was said.
+    /// The path to write to, if one was given.
     pub output: Option<&'a Path>,
 }
 
@@ -186,8 +186,8 @@ impl Options<'_> {
 /// A finished translation.
 #[derive(Debug)]
 pub struct Output {
-    /// Where to write what; standard output where there is no path.
+    /// The files to write; standard output where there is no path.
     pub files: Vec<(Option<PathBuf>, Vec<u8>)>,
-    /// What became of each feature of the scene.
+    /// The report on each feature of the scene.
     pub report: Report,
 }

@@ -53,11 +53,11 @@ pub struct Config {
     root: PathBuf,
 }
 
-/// Why settings cannot be used.
+/// An error in a file of settings, or in settings of the command line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ConfigError {
     pub path: PathBuf,
-    /// All that is wrong.
+    /// All mistakes of the file.
     mistakes: Vec<Mistake>,
 }
 
@@ -75,7 +75,7 @@ impl From<Complaint> for Mistake {
 }
 
 impl ConfigError {
-    /// The message about it.
+    /// The message about the error.
     pub fn complaint(self) -> Complaint {
         let here = whole(Path::new("."));
         let path = self.path.strip_prefix(here).unwrap_or(&self.path);
@@ -341,7 +341,7 @@ fn parse(text: &str, root: &Path) -> Result<Written, Vec<Mistake>> {
     })
 }
 
-/// One setting of the command line.
+/// Parses one setting of the command line.
 fn setting(text: &str, root: &Path) -> Result<Written, Complaint> {
     if !text.contains('=') {
         return Err(Complaint::new("config-neither").with("path", Path::new(text)));

@@ -13,9 +13,9 @@ use crate::syntax::quote;
 /// A pattern, ready to be held against paths.
 #[derive(Debug, Clone)]
 pub(super) struct Pattern {
-    /// As it stands in the settings.
+    /// The pattern as the settings spell it.
     pub written: String,
-    /// Whether it is of all files that do not fit.
+    /// Whether the pattern is of all files that do not fit.
     negated: bool,
     root: PathBuf,
     path: GlobMatcher,
@@ -40,11 +40,11 @@ impl Pattern {
         Pattern::build(written, false, written, root)
     }
 
-    /// The same; with a `!` before it, it is of all files that do not fit.
+    /// The same pattern; with a `!` before it, the pattern of all files that do not fit.
     ///
     /// # Errors
     ///
-    /// It is none.
+    /// The text is no pattern.
     pub(super) fn new_or_not(written: &str, root: &Path) -> Result<Pattern, Complaint> {
         match written.strip_prefix('!') {
             Some(rest) => Pattern::build(written, true, rest, root),

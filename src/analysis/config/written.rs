@@ -11,7 +11,7 @@ use crate::format::{Numbers, Options};
 use crate::lint::levels::{GROUPS, Level, Selector, UnknownCode};
 use crate::syntax::quote;
 
-/// Some settings; the rest is as it was.
+/// Settings that a file states; all others stay as they were.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Written {
     pub exclude: Option<Vec<Pattern>>,
@@ -47,7 +47,7 @@ impl Written {
     ///
     /// # Errors
     ///
-    /// All that is wrong with the text, and where, in its order.
+    /// All faults of the text and their places, in its order.
     pub(super) fn read(text: &str, root: &Path) -> Result<Written, Vec<Fault>> {
         let (table, errors) = DeTable::parse_recoverable(text);
         let faults = errors.iter().map(|e| {
@@ -73,8 +73,8 @@ impl Written {
     }
 }
 
-/// What is right where a word of no meaning, as `no` or `off`, is the value that stands at a place: a truth value of
-/// TOML, or a text in quotes.
+/// The complaint that proposes the right value, a truth value of TOML or a text in quotes, where a bare word as `no` or
+/// `off` stands at `at`.
 fn text_is_meant(text: &str, at: usize) -> Option<Complaint> {
     let start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
     let line = text[start..].lines().next()?;
@@ -310,7 +310,7 @@ fn changeable(codes: &Selector, level: Level, at: usize) -> Result<(), Fault> {
     }
 }
 
-/// There is no such setting in a table.
+/// The fault of a table that has a setting of an unknown name.
 fn unknown(table: &str, key: &Spanned<std::borrow::Cow<str>>, known: &[&'static str]) -> Fault {
     let name = key.get_ref().as_ref();
     let full = match table {
@@ -334,7 +334,7 @@ fn no_setting(key: &str, known: Complaint, near: Option<String>) -> Complaint {
     why.or_meant(near)
 }
 
-/// Lists of codes in ruff's settings. Here each code has a level.
+/// Names of lists of codes in ruff's settings, which zpg does not have: in zpg each code has a level.
 const OF_RUFF: [&str; 4] = ["ignore", "select", "extend-ignore", "extend-select"];
 
 /// The whole name of a setting that belongs into another table.

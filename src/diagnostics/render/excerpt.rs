@@ -34,7 +34,7 @@ struct Line {
     number: usize,
     /// The stretch of the file's text that is shown.
     window: Span,
-    /// Where that stretch starts in the stand-in, in characters.
+    /// The start of that stretch in the stand-in, in characters.
     start: usize,
 }
 
@@ -95,8 +95,8 @@ impl Excerpt {
         [self.lines.first(), self.lines.last()].map(|line| line.map_or(1, |l| l.number + 1))
     }
 
-    /// Where a span lies in the stand-in, in characters: at least one, and cut at the end of what is
-    /// shown of the line it starts on. `None` when its start is not shown.
+    /// The range of a span in the stand-in, in characters: at least one, and cut at the end of what is shown of the
+    /// line it starts on. `None` when its start is not shown.
     pub(super) fn place(&self, file: &SourceFile, span: Span) -> Option<std::ops::Range<usize>> {
         let from = file.floor(span.start);
         let number = file.line_index(from);

@@ -14,7 +14,7 @@ use super::{one_text, plain_path};
 use crate::diagnostics::source::{Locator, Position};
 use crate::diagnostics::{Diagnostic, Language, Severity, SourceFile, Span};
 
-/// One file's findings.
+/// The findings of a file.
 pub struct File(Vec<Issue>);
 
 #[derive(Serialize)]

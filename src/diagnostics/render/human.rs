@@ -104,7 +104,7 @@ const PLACES: usize = 6;
 /// Notes are no narrower than this, however narrow the terminal is.
 const LEAST_ROOM: usize = 20;
 
-/// From so many on, records that lack the same as the one before them become a count.
+/// Fewest records in a row with the same number of parameters too few or too many that become a count.
 const ROW: usize = 3;
 
 /// Records one after the other with the same number of parameters too few or too many.
@@ -116,7 +116,7 @@ struct Row<'d> {
 }
 
 impl<'d> Row<'d> {
-    /// Whether an error is the first of its row; the others are added to it.
+    /// Adds an error to its row. Returns whether the error is the first of its row, or has none.
     fn add(rows: &mut Vec<Row<'d>>, d: &'d Diagnostic, file: &SourceFile) -> bool {
         if !matches!(d.code, Code::E008 | Code::E009) {
             return true;
@@ -170,7 +170,7 @@ struct Printer<'a> {
     look: Look,
 }
 
-/// One place in a report.
+/// A place in a report.
 struct Mark<'a> {
     span: Span,
     message: &'a str,

@@ -12,7 +12,7 @@ use crate::diagnostics::{Applicability, Diagnostic, Fix, Language, Severity, Spa
 /// The version of the form; it grows when a reader would have to change.
 pub const VERSION: u32 = 1;
 
-/// One file's findings.
+/// The findings of a file.
 #[derive(Debug, Serialize)]
 pub struct File {
     path: String,

@@ -12,7 +12,7 @@ use super::{is_disruptive, one_text, plain_path, visible};
 use crate::diagnostics::source::Locator;
 use crate::diagnostics::{Diagnostic, Language, SourceFile};
 
-/// One file's findings.
+/// The findings of a file.
 pub struct File {
     path: String,
     findings: Vec<Finding>,

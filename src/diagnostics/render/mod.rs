@@ -17,7 +17,7 @@ use super::{Diagnostic, Language, Severity, Value, Wording};
 /// How many findings there are, by severity, over any number of files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
 pub struct Tally {
-    /// Files looked at, whether or not anything was found in them.
+    /// Number of files looked at, with or without findings.
     pub files: usize,
     pub errors: usize,
     pub warnings: usize,

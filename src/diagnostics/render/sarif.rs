@@ -12,13 +12,13 @@ use super::{one_text, plain_path};
 use crate::diagnostics::source::{Locator, SourceFile};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Language, Severity, Span};
 
-/// Programs read it, whoever runs them.
+/// The language of the log, which is the same for all users: programs read the log.
 const LANGUAGE: Language = Language::English;
 
 const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
 const VERSION: &str = "2.1.0";
 
-/// One file's findings.
+/// The findings of a file.
 #[derive(Debug)]
 pub struct File {
     artifact: Artifact,
@@ -217,7 +217,7 @@ impl File {
     }
 }
 
-/// Where in a file something stands.
+/// The places of findings in a file.
 struct Places<'a> {
     location: &'a ArtifactLocation,
     locator: Locator<'a>,

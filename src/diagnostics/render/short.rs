@@ -1,4 +1,4 @@
-//! One finding a line: `scene.zpg:4:3: E101 error: message`. For editors, `grep` and `sort`.
+//! Output with a finding a line: `scene.zpg:4:3: E101 error: message`. For editors, `grep` and `sort`.
 
 use std::io::{self, Write};
 

@@ -1,4 +1,4 @@
-//! One folder a rule.
+//! Rules, in a folder each.
 //!
 //! A folder has the name of the rule's code, with underscores, and holds
 //!
@@ -57,7 +57,7 @@ use super::Context;
 use crate::diagnostics::{Code, Diagnostic};
 use crate::syntax::table::{RecordKind, ShapeKind};
 
-/// One rule.
+/// A rule of the linter.
 pub(super) struct Rule {
     pub code: Code,
     /// Looks at a scene and adds its findings.

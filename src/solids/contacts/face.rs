@@ -10,7 +10,7 @@ use crate::solids::shapes::profile;
 /// A face of a shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum FaceId {
-    /// The whole of it.
+    /// The whole surface.
     All,
     /// A side of a box: at right angles to an axis, at its lower or upper end.
     Side { axis: usize, upper: bool },
@@ -92,7 +92,7 @@ pub struct Face {
     pub leaf: u32,
     pub part: FaceId,
     pub form: FaceShape,
-    /// Whether it is filed as what it is, not once more as a quadric.
+    /// Whether the face is filed as what it is, not once more as a quadric.
     pub own: bool,
 }
 
@@ -140,7 +140,7 @@ impl Faces<'_> {
         self.flat(part, centre, sides, outwards, Extent::Corners);
     }
 
-    /// All of the plane through a point along two directions.
+    /// Adds the whole plane through a point along two directions.
     pub fn endless(&mut self, part: FaceId, point: Vec3, along: (Vec3, Vec3), outwards: Vec3) {
         self.flat(part, point, along, outwards, Extent::Endless);
     }

@@ -1,5 +1,4 @@
-//! Which faces are in one place: the faces of two operands that the boundary of an operation's result has
-//! to choose between.
+//! Faces in one place: faces of two operands that the boundary of an operation's result has to choose between.
 
 pub mod directions;
 pub mod face;

@@ -1,4 +1,4 @@
-//! Which faces may lie in one another: faces filed by their planes, and there by their outlines.
+//! Search for faces that may lie in one another: faces filed by their planes, and there by their outlines.
 
 use super::face::{Face, FaceShape, QUADRIC};
 use super::sample::SLIVER;
@@ -38,7 +38,7 @@ struct Filed {
 }
 
 impl Filed {
-    /// By cell, then by number, as one integer; then by face.
+    /// The key to sort by: cell, then number, as one integer; then face.
     fn order(&self) -> (u128, u32) {
         let [x, y, z] = self.cell.map(|c| u64::from(c as u16 ^ 0x8000));
         let cell = x << 32 | y << 16 | z;
@@ -55,7 +55,7 @@ const CELLS: f64 = 1e4;
 /// A direction that no scene is built along, to tell places apart by one number.
 const ODD: Vec3 = [0.612_372, 0.288_675, 0.736_203];
 
-/// Another one, for sums of whole numbers.
+/// A direction like [`ODD`], for sums of whole numbers.
 const ODD_CELL: [i32; 3] = [612, 289, 736];
 
 /// Factor by which quadrics' numbers may differ more than others: numbers of one surface agree to within a
@@ -71,7 +71,7 @@ struct SortedFace {
     /// Whether a neighbour may be in another cell.
     on_border: bool,
     flat: bool,
-    /// See [`Face::own`].
+    /// Whether the face is one of the shape's own: see [`Face::own`].
     own: bool,
     /// Size of the shape, and of the numbers that the face is made of.
     size: f64,
@@ -97,12 +97,12 @@ impl SortedFace {
         }
     }
 
-    /// Whether it looks for others.
+    /// Whether the face looks for others.
     fn asks(&self) -> bool {
         self.side() >= -ODD_CELL.iter().sum::<i32>()
     }
 
-    /// Whether it is the one of two that finds the other.
+    /// Whether this face is the one of two that finds the other.
     fn precedes(&self, other: &SortedFace) -> bool {
         (other.side(), self.leaf) < (self.side(), other.leaf)
     }
@@ -116,12 +116,12 @@ struct Run {
     high: f64,
     start: usize,
     end: usize,
-    /// Over the entries from `start` on; made when it is first needed.
+    /// Index of the entries from `start` on, made when it is first needed.
     index: Option<Box<Boxes>>,
 }
 
-/// Where a face is filed: its cell and a number that differs little for faces that differ little,
-/// and how large the numbers are that it is made of.
+/// The key that a face is filed by: its cell, a number that differs little for faces that differ little, and the size
+/// of the numbers that the face is made of.
 fn key(form: &FaceShape, turned: bool) -> (Cell, f64, f64) {
     match form {
         FaceShape::Flat { normal, point, .. } => {

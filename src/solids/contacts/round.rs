@@ -1,4 +1,4 @@
-//! What tells the round faces of shapes from others, and points of them.
+//! Round faces: how they differ from flat ones, and points of them.
 
 use super::directions::{Sample, turn};
 use super::face::FaceId;

@@ -10,7 +10,7 @@ use crate::solids::leaf::Leaf;
 /// Overlaps narrower than this share of the smaller shape may be rounding: silence.
 pub(super) const SLIVER: f64 = 1e-6;
 
-/// Where two flat faces overlap: nothing where that is less than a sliver.
+/// Samples of the overlap of two flat faces: none where the overlap is less than a sliver.
 pub(super) fn flat(one: &Face, two: &Face, size: f64) -> Vec<Sample> {
     let FaceShape::Flat { normal, point, .. } = &one.form else {
         return Vec::new();

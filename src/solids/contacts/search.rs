@@ -32,7 +32,7 @@ const AROUND: f64 = 100.0;
 /// Thickness of a skin, as a share of what it is a skin of, at most: more than a hair.
 const SKIN_REL_THICKNESS: f64 = 0.01;
 
-/// One of two faces.
+/// A face of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactSide {
     /// The shape's own node.
@@ -51,7 +51,7 @@ pub struct ContactSide {
     pub size: f64,
     /// How much longer its lengths are there than in its record, on the average.
     pub stretch: f64,
-    /// Whether it cuts: what is in the shape is not in the result.
+    /// Whether the shape cuts: what is in the shape is not in the result.
     pub cuts: bool,
 }
 
@@ -59,7 +59,7 @@ pub struct ContactSide {
 pub struct FaceContact {
     /// The difference or intersection.
     pub operation: NodeId,
-    /// One from each operand, the second operand's first unless only the other one cuts.
+    /// The face of each operand, the second operand's first unless only the other one cuts.
     pub sides: [ContactSide; 2],
     /// A point of both, in the coordinates of the scene that is drawn, or of the largest object of
     /// which the operation is a part.

@@ -1,4 +1,4 @@
-//! What balls and ellipsoids share.
+//! Geometry of balls and ellipsoids.
 
 use crate::geometry::Matrix;
 use crate::scene::Vec3;

@@ -25,7 +25,7 @@ impl Cone {
         (x + z) * h - y * r
     }
 
-    /// From the apex upwards, in the height.
+    /// The half of the cone from the apex upwards, where `along` is a height above the apex.
     fn half(&self, p: Vec3, along: f64, up: f64) -> Taylor {
         let (height, radius) = (self.height.abs(), self.radius);
         let around = p[0].hypot(p[2]);

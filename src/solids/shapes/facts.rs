@@ -1,4 +1,4 @@
-//! What every shape says of itself.
+//! The facts that every shape states about itself.
 
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
@@ -9,7 +9,7 @@ use crate::solids::contacts::face::Faces;
 pub trait Facts {
     fn character(&self) -> Character;
 
-    /// Whether it is a solid that holds every point between two of its points.
+    /// Whether the shape is a solid that holds every point between two of its points.
     fn is_convex(&self) -> bool;
 
     /// A box around it, moved by an affine matrix, that is never too small.
@@ -33,15 +33,15 @@ pub trait Facts {
 /// The traits of a shape that do not depend on a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Character {
-    /// Whether it is a solid of revolution about the y axis.
+    /// Whether the shape is a solid of revolution about the y axis.
     pub is_round: bool,
-    /// Whether it is a flat surface, and the same all over.
+    /// Whether the shape is a flat surface, and the same all over.
     pub is_flat: bool,
-    /// Whether it is one quadric, whatever its numbers.
+    /// Whether the shape is one quadric, whatever its numbers.
     pub is_quadric: bool,
-    /// Whether it has shading normals of its own.
+    /// Whether the shape has shading normals of its own.
     pub is_smooth: bool,
-    /// Whether it has colours of its own.
+    /// Whether the shape has colours of its own.
     pub has_colours: bool,
     /// Whether parts of its surface can lie in each other, where there is then nothing.
     pub may_cover_itself: bool,
@@ -102,7 +102,7 @@ pub struct Taylor {
 }
 
 impl Taylor {
-    /// A function of the first order.
+    /// A function that is linear around the point, with the value `f` and the gradient `g`.
     pub fn flat(f: f64, g: Vec3) -> Taylor {
         Taylor { f, g, bend: 0.0 }
     }

@@ -9,7 +9,7 @@ use crate::solids::contacts::face::{FaceId, Faces};
 
 pub struct HalfSpace {
     pub abcd: [f64; 4],
-    /// Whether it has an inside.
+    /// Whether the half-space has an inside.
     pub solid: bool,
 }
 

@@ -235,7 +235,7 @@ mod tests {
         assert!(holds(&cone, [0.4, 0.5, 0.0]) && !holds(&cone, [0.6, 0.5, 0.0]));
     }
 
-    /// On every face, and on none that is gone over twice.
+    /// Points on every face are inside, and on none that is gone over twice.
     #[test]
     fn boundaries_belong_to_the_solid() {
         let ring = [[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 0.0]];

@@ -1,4 +1,4 @@
-//! What to set, and why: one to three sentences by a fixed rule.
+//! Advice on settings, with the reason: one to three sentences by a fixed rule.
 
 use super::configurations::{Axis, Kind};
 use super::number_format::{self, count, say};
@@ -39,7 +39,7 @@ pub fn advise(report: &mut Report, language: Language) {
     report.advice_parts = parts;
 }
 
-/// Nothing else counts where the independent tracer comes to other pixels.
+/// The advice where the independent tracer comes to other pixels, which comes before any other.
 fn wrong_reference(report: &Report, language: Language) -> Option<Advice> {
     let checked = report.wrong_reference()?;
     let places: Vec<String> = (checked.wrong_pixels.iter())
@@ -355,7 +355,7 @@ fn change(report: &Report, language: Language) -> Option<Advice> {
     Some(Advice { what, text })
 }
 
-/// That a setting saves time.
+/// The sentence that a setting saves time.
 fn saved(row: &Row, time: f64, language: Language) -> String {
     let percent = number_format::percent(language, 1.0 - time);
     let values = [

@@ -1,4 +1,4 @@
-//! Which axes a scene calls for.
+//! The axes that a scene calls for.
 
 use super::configurations::Axis;
 use super::runner::Runner;
@@ -7,7 +7,7 @@ use crate::study::plain::{self, solver};
 use crate::trace::plan::{Effect, Plan};
 use crate::trace::switches::Without;
 
-/// Why an axis is not run, as the name of a message; `None` where it is.
+/// The reason why an axis is not run, as the name of a message; `None` where it is.
 pub fn skipped(axis: Axis, runner: &Runner) -> Option<&'static str> {
     let plan = &runner.tracer().plan;
     match axis {
@@ -30,7 +30,7 @@ pub fn skipped(axis: Axis, runner: &Runner) -> Option<&'static str> {
     }
 }
 
-/// Why the plain kernel is not run, as the name of a message; `None` where it is.
+/// The reason why the plain kernel is not run, as the name of a message; `None` where it is.
 pub fn no_plain(runner: &Runner) -> Option<&'static str> {
     plain::fits(runner.tracer(), runner.scene()).err()
 }

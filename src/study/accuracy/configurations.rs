@@ -112,7 +112,7 @@ impl Kernel {
 pub enum Roots {
     /// The formula, from the ray's origin as it is.
     ClosedForm,
-    /// The same, once the origin is moved next to the shape.
+    /// The same formula, once the origin is moved next to the shape.
     Recentred,
     /// The tracer's own solver.
     Ours,
@@ -138,7 +138,7 @@ impl Roots {
     }
 }
 
-/// All that a picture depends on besides the scene.
+/// All settings that a picture depends on besides the scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     pub samples: u32,
@@ -169,13 +169,13 @@ impl Default for Settings {
     }
 }
 
-/// One setting on one axis.
+/// A setting on one axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Configuration {
     pub axis: Axis,
     pub label: String,
     pub settings: Settings,
-    /// May be dropped where the time does not do.
+    /// Whether the configuration may be dropped where the time does not do.
     pub inner: bool,
 }
 

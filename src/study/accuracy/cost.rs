@@ -1,4 +1,4 @@
-//! Where the time of a picture goes, in short: by what is seen first, and by effects that are taken out.
+//! Shares of a picture's time, in short: by the object seen first, and by effects that are taken out.
 
 use super::axes;
 use super::configurations::{Kernel, Settings};
@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// Shares of a picture's time.
 #[derive(Debug, Clone)]
 pub struct Cost {
-    /// By the object that the centre of a pixel sees, the dearest first; 0 is the background.
+    /// The share of each object that the centre of a pixel sees, the dearest first; 0 is the background.
     pub objects: Vec<(u32, f64)>,
     /// The time that goes when an effect alone is taken out, the dearest first.
     pub effects: Vec<(&'static str, f64)>,

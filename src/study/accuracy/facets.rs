@@ -17,7 +17,7 @@ const MAX_TRIANGLES: usize = 400_000;
 /// The tolerances that are tried, by the radius of the scene.
 const TOLERANCES: [f64; 4] = [0.03, 0.01, 0.003, 0.001];
 
-/// Why meshes cannot stand for the scene, as the name of a message.
+/// The reason why meshes cannot stand for the scene, as the name of a message; `None` where they can.
 pub fn unfit(runner: &Runner) -> Option<&'static str> {
     let plan = &runner.tracer().plan;
     let patterns = [

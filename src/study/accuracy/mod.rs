@@ -1,4 +1,4 @@
-//! What accuracy costs in time: what each step of accuracy of a picture costs, and what it brings.
+//! Cost of accuracy: the time that each step of accuracy of a picture takes, and the gain.
 //!
 //! [`configurations`] are the settings that are tried, on axes of four kinds that are never mixed; [`axes`] says which
 //! a scene calls for, [`facets`] makes the scenes of flat pieces. [`sample_tiles`] are what is measured of a picture,

@@ -13,9 +13,9 @@ use crate::trace::{self, Images};
 /// The time that a picture is going to take on one thread, in seconds.
 #[derive(Debug, Clone, Copy)]
 pub struct Pilot {
-    /// Until the first pixel, besides reading the scene.
+    /// Seconds until the first pixel, besides reading the scene.
     pub build: f64,
-    /// All pixels.
+    /// Number of pixels of the picture.
     pub pixels: f64,
 }
 

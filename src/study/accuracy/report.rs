@@ -1,4 +1,4 @@
-//! What is found, as it stands in `accuracy.json`.
+//! The results, as they stand in `accuracy.json`.
 
 use super::configurations::{Axis, Kind};
 use super::measure::Measured;
@@ -24,7 +24,7 @@ pub struct Report {
     pub skipped: Vec<Skipped>,
     pub effects: Vec<Effect>,
     pub objects: Vec<Object>,
-    /// Where errors are largest, with and without them.
+    /// Pictures of the places where errors are largest, with and without the errors.
     #[serde(skip)]
     pub pictures: Vec<Pictures>,
     /// Time and error over the picture.
@@ -86,7 +86,7 @@ pub struct Budget {
     pub pixels_share: f64,
     /// The side of a tile; `null` where the whole picture was measured.
     pub tile: Option<u32>,
-    /// The parts that were left out to keep it.
+    /// The parts that were left out to keep the budget.
     pub cut: Vec<Complaint>,
 }
 
@@ -127,7 +127,7 @@ pub struct Checked {
     pub largest: f64,
     /// Where: the first few wrong pixels.
     pub wrong_pixels: Vec<[u32; 2]>,
-    /// Why nothing was checked.
+    /// The reason why nothing was checked.
     pub not_checked: Option<Complaint>,
 }
 
@@ -153,11 +153,11 @@ pub struct Row {
     pub pareto: bool,
     /// The row whose computation this is, too.
     pub same_as: Option<String>,
-    /// The error is smaller than what the reference itself may be off.
+    /// Whether the error is smaller than what the reference itself may be off.
     pub below_reference: bool,
     #[serde(skip)]
     pub of: Option<(Kind, Axis)>,
-    /// As an option of `zpg render`.
+    /// The settings as an option of `zpg render`.
     #[serde(skip)]
     pub option: String,
 }

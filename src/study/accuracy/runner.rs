@@ -18,9 +18,9 @@ use std::time::Instant;
 /// A scene that is drawn, by tracers that are made when they are first needed.
 struct Variant {
     scene: Arc<Scene>,
-    /// By the plan of the picture.
+    /// The tracer by the plan of the picture.
     tracer: Tracer,
-    /// With what the picture does not show, too: single precision may.
+    /// The tracer of the whole scene, with the objects that the picture does not show: single precision may show them.
     whole: Option<Tracer>,
 }
 
@@ -260,7 +260,7 @@ impl<'i> Runner<'i> {
 /// A tracer made ready for some settings.
 struct Ready<'s> {
     tracer: &'s Tracer,
-    /// For the quick kernel, if that draws the picture.
+    /// The stage of the quick kernel, if that draws the picture.
     stage: Option<Stage<'s>>,
     scene: &'s Scene,
     camera: &'s Camera,

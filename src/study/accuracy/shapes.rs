@@ -215,7 +215,7 @@ fn tangent_lines(
     lines
 }
 
-/// One way from a line to its crossings: their t, and whether they are certain.
+/// A way from a line to its crossings: their t, and whether they are certain.
 type CrossingSolver<'w> = Box<dyn Fn(&Line, &mut Vec<(f64, f64)>) -> bool + 'w>;
 
 fn ways<'w>(

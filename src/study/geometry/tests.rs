@@ -21,8 +21,8 @@ fn compared(change: impl Fn(&Output, &mut [f32])) -> Comparison {
     compared_in(BALLS, change)
 }
 
-/// A scene as Mitsuba would have it if it made no mistake, and what is said of that once `change` was
-/// made to the channels of all pixels.
+/// The comparison with a picture that Mitsuba would draw without a mistake, once `change` was made to the channels
+/// of all pixels.
 fn compared_in(text: &str, change: impl Fn(&Output, &mut [f32])) -> Comparison {
     let scene = scene(text);
     let tracer = Tracer::new(&scene).unwrap();

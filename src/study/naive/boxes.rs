@@ -28,7 +28,7 @@ impl Bounds {
         )
     }
 
-    /// Wider by a billionth of its numbers.
+    /// The bounds, wider by a billionth of their numbers.
     fn padded(&self) -> Bounds {
         let pad = |i: usize| 1e-9 * self.0[i].abs().max(self.1[i].abs()).max(1e-300);
         Bounds(
@@ -37,7 +37,7 @@ impl Bounds {
         )
     }
 
-    /// Whether a half-line may meet it.
+    /// Whether a half-line may meet the bounds.
     fn meets(&self, origin: [f64; 3], direction: [f64; 3]) -> bool {
         let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
         for i in 0..3 {

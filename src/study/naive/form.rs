@@ -1,4 +1,4 @@
-//! Where lines cross shapes: coefficients from the origin as it is.
+//! Crossings of lines with shapes: coefficients from the origin as it is.
 
 use super::boxes::{Bounds, Boxes};
 use super::number::{Number, Ray, V, add, cross, dot, scale, sub, unit, vector};
@@ -306,7 +306,7 @@ pub fn torus<T: Number>(major: T, minor: T, ray: &Ray<T>, roots: &mut Few<T>) {
     quartic(each(coefficients, |x| x / lead), roots);
 }
 
-/// One piece of a cone or disc.
+/// Appends the crossings of a piece of a cone or disc.
 pub fn segment<T: Number>(piece: &[[T; 2]; 2], ray: &Ray<T>, face: u32, roots: &mut Roots<T>) {
     let (o, d) = (ray.origin, ray.direction);
     let [[x0, y0], [x1, y1]] = *piece;
@@ -487,8 +487,8 @@ pub fn uv(geometry: &Geometry, p: [f64; 3], face: u32) -> [f64; 2] {
     }
 }
 
-/// Between which points of a profile a point lies: the first of them, and the share of the way to the
-/// next one. On a disc: its own point.
+/// The two points of a profile that a point lies between: the first of them, and the share of the way to the next one.
+/// On a disc: its own point.
 fn along(profile: &[[f64; 2]], p: [f64; 3], face: u32) -> (usize, f64) {
     let i = face as usize;
     let pieces = profile.len().saturating_sub(1);

@@ -16,7 +16,7 @@ pub struct Lens<T> {
     forward: V<T>,
     right: V<T>,
     up: V<T>,
-    /// From clip coordinates to the scene.
+    /// The map from clip coordinates to the scene.
     back: Option<[[T; 4]; 4]>,
 }
 
@@ -86,7 +86,7 @@ impl<T: Number> Lens<T> {
     }
 }
 
-/// By Gauss and Jordan, with the largest pivot of each column.
+/// The inverse by Gauss and Jordan's elimination, with the largest pivot of each column; `None` where a pivot is zero.
 fn inverse<T: Number>(m: [[T; 4]; 4]) -> Option<[[T; 4]; 4]> {
     let (o, l) = (T::of(0.0), T::of(1.0));
     let mut left = m;
@@ -228,7 +228,7 @@ struct Branch<T> {
 /// A visible point.
 struct SurfacePoint<T> {
     point: V<T>,
-    /// Towards the side the ray came from, unit.
+    /// The unit normal towards the side that the ray came from.
     facing: V<T>,
     optics: Optics,
     colour: Rgb,

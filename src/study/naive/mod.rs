@@ -48,7 +48,7 @@ pub struct Sample {
 impl<'s, T: Number> Naive<'s, T> {
     /// # Errors
     ///
-    /// The scene is too much for it.
+    /// The scene draws nothing, has too many or too deeply nested parts, or a singular matrix.
     pub fn new(
         scene: &'s Scene,
         images: &'s Images,
@@ -84,7 +84,7 @@ impl<'s, T: Number> Naive<'s, T> {
     ///
     /// # Errors
     ///
-    /// The scene is too much for it.
+    /// The scene draws nothing, has too many or too deeply nested parts, or a singular matrix.
     pub fn film(&self) -> Result<Film, Unfit> {
         let [width, height] = self.size;
         let pixels: Vec<[u32; 2]> = (0..width * height)
@@ -114,7 +114,7 @@ impl<'s, T: Number> Naive<'s, T> {
     ///
     /// # Errors
     ///
-    /// The scene is too much for it.
+    /// The scene draws nothing, has too many or too deeply nested parts, or a singular matrix.
     pub fn along(&self, origin: [f64; 3], direction: [f64; 3]) -> Result<Rgb, Unfit> {
         let (scenery, mut solids) = self.ready()?;
         let ray = Ray {
@@ -133,7 +133,7 @@ impl<'s, T: Number> Naive<'s, T> {
     ///
     /// # Errors
     ///
-    /// The scene is too much for it.
+    /// The scene draws nothing, has too many or too deeply nested parts, or a singular matrix.
     pub fn pixels(&self, pixels: &[[u32; 2]]) -> Result<Vec<Sample>, Unfit> {
         let centres: Vec<[f64; 2]> = (pixels.iter())
             .map(|p| p.map(|x| f64::from(x) + 0.5))
@@ -145,7 +145,7 @@ impl<'s, T: Number> Naive<'s, T> {
     ///
     /// # Errors
     ///
-    /// The scene is too much for it.
+    /// The scene draws nothing, has too many or too deeply nested parts, or a singular matrix.
     pub fn samples(&self, places: &[[f64; 2]]) -> Result<Vec<Sample>, Unfit> {
         let chunk = places.len().div_ceil(rayon::current_num_threads()).max(1);
         let parts = parallel::map_each(places.chunks(chunk).collect(), |places: &[[f64; 2]]| {

@@ -4,7 +4,7 @@
 
 use super::number::Number;
 
-/// At most four roots.
+/// A list of at most four roots.
 #[derive(Debug, Clone, Copy)]
 pub struct Few<T> {
     list: [T; 4],
@@ -54,7 +54,7 @@ pub fn quadratic<T: Number>(a: T, b: T, c: T, roots: &mut Few<T>) {
     }
 }
 
-/// Some real root of x³ + ax² + bx + c, the first one that the formula gives.
+/// A real root of x³ + ax² + bx + c, the first one that the formula gives.
 fn cubic_root<T: Number>(a: T, b: T, c: T) -> T {
     let n = T::of;
     let p = (b - a * a / n(3.0)) / n(3.0);
@@ -105,8 +105,9 @@ fn value<T: Number>(polynomial: &[T], x: T) -> T {
     polynomial.iter().rev().fold(zero, |sum, &c| sum * x + c)
 }
 
-/// Where the signs of a polynomial change, ascending, the constant first and the leading one 1: between
-/// two roots of the derivative in a row, or an end, there is one root or none, which halving finds.
+/// Finds the roots at which the sign of a polynomial changes, ascending. The coefficients have the constant first, and
+/// the leading one is 1. Between two roots of the derivative in a row, or an end, there is one root or none, which
+/// halving finds.
 fn isolated<T: Number>(polynomial: [T; 5], roots: &mut Few<T>) {
     let zero = T::of(0.0);
     // Cauchy: no root is farther from zero.

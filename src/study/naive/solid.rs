@@ -25,11 +25,11 @@ enum Solid<T> {
     Both(Operation, u32, u32),
     Placed(u32, Box<[[T; 4]; 3]>),
     Painted(u32, u32),
-    /// All of space.
+    /// The solid of all space.
     Everything,
 }
 
-/// Why a scene is not traced.
+/// The reason why a scene is not traced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unfit {
     NothingDrawn,
@@ -60,7 +60,7 @@ pub struct Solids<'s, T> {
 impl<'s, T: Number> Solids<'s, T> {
     /// # Errors
     ///
-    /// The scene is too much for it.
+    /// The scene draws nothing, has too many or too deeply nested parts, or a singular matrix.
     pub fn new(scene: &'s Scene) -> Result<Solids<'s, T>, Unfit> {
         let render = scene.render.ok_or(Unfit::NothingDrawn)?;
         let mut build = Build {
@@ -259,7 +259,7 @@ struct Build<'s, T> {
 }
 
 impl<'s, T: Number> Build<'s, T> {
-    /// From the bottom up: what a node is made of is made before it, on a stack.
+    /// Makes the solid of a node from the bottom up, on a stack: operands come before their operation.
     fn make(&mut self, root: NodeId) -> Result<u32, Unfit> {
         let mut pending = vec![((root, false), false)];
         while let Some((place, ready)) = pending.pop() {

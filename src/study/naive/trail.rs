@@ -1,5 +1,5 @@
-//! What a ray comes past: shapes in their places, and what operations make of their crossings (Roth,
-//! "Ray Casting for Modeling Solids", 1982).
+//! The trail of a ray: shapes in their places, and the boundaries that operations make of their crossings (Roth, "Ray
+//! Casting for Modeling Solids", 1982).
 
 use super::number::{Number, Ray, V, dot};
 use crate::geometry::array::each;
@@ -64,7 +64,7 @@ pub struct Leaf {
     pub shape: u32,
     pub frame: u32,
     pub look: GivenProperties,
-    /// ID of the entity whose record made it.
+    /// ID of the entity whose record made the leaf.
     pub id: u32,
 }
 
@@ -136,7 +136,7 @@ impl<T: Number> Trail<T> {
         &self.leaves[leaf as usize].look
     }
 
-    /// Begins a ray: frame 0 is the scene, and leaf 0 what all of space is made of.
+    /// Begins a ray: frame 0 is the scene, and leaf 0 is the medium that fills all of space.
     pub fn begin(&mut self, ray: &Ray<T>) {
         self.frames.clear();
         self.leaves.clear();

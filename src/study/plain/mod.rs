@@ -107,7 +107,7 @@ impl<'a, T: Number> Plain<'a, T> {
     ///
     /// # Errors
     ///
-    /// A camera or a scene that it cannot draw; see [`fits`].
+    /// A camera or a scene that the plain kernel cannot draw; see [`fits`].
     pub fn pixels<A>(
         (scene, tracer, camera): (&'a Scene, &'a Tracer, &Camera),
         settings: &Settings,
@@ -234,7 +234,7 @@ impl<T: Number> Pixels for Plain<'_, T> {
     }
 }
 
-/// A ray as boxes see it, as far as its numbers have it.
+/// The beam of a ray for tests with boxes.
 fn beam<T: Number>(ray: &Ray<T>, frame: &Frame) -> Beam {
     let [origin, direction] = each([ray.origin, ray.direction], |v| Vec3(each(v, T::wide)));
     Beam::new(&Line::new(origin, direction), frame)
@@ -243,7 +243,7 @@ fn beam<T: Number>(ray: &Ray<T>, frame: &Frame) -> Beam {
 struct Best<T> {
     t: T,
     event: Option<Event<T>>,
-    /// The first one will do.
+    /// Whether the first crossing will do.
     any: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Other ways to the roots of tori and surfaces of revolution, in doubles.
+//! Alternative ways to the roots of tori and surfaces of revolution, in doubles.
 
 use crate::geometry::array::each;
 use crate::geometry::dd::Dd;
@@ -17,7 +17,7 @@ use crate::trace::switches::Solver;
 pub enum Method {
     /// The formula, from the line's origin as it is.
     ClosedForm,
-    /// The same, once the origin is moved to the point nearest to the shape's centre.
+    /// The same formula, once the origin is moved to the point nearest to the shape's centre.
     Recentred,
     /// The tracer's roots, polished by Newton's method in double-double.
     Polished,
@@ -31,7 +31,7 @@ enum SolvableShape {
 
 struct Other {
     method: Method,
-    /// Beside the primitives of the graph.
+    /// The shapes to be solved, beside the primitives of the graph.
     shapes: Vec<Option<(SolvableShape, Primitive)>>,
 }
 

@@ -1,7 +1,7 @@
 use super::*;
 use crate::testing;
 
-/// A text of lines in which something may go wrong where it is cut.
+/// A text of lines that are hard to cut into parts.
 fn long_text(random: &mut impl FnMut(u64) -> u64) -> String {
     let lines = [
         "1 21 0 10 0 10\n",

@@ -1,4 +1,4 @@
-//! Which `#` closes which.
+//! Pairs of `#` that open and close comments.
 //!
 //! Comments do not nest, so one forgotten `#` pairs with the next comment's opening one and turns
 //! every later comment inside out. Where the plain reading is in trouble, this finds the pairing
@@ -105,7 +105,7 @@ fn begins_colour(text: &str) -> bool {
     id.parse::<u32>().is_ok() && ty.is_some_and(|ty| ty.kind == RecordKind::Colour)
 }
 
-/// One line read from one state with its `#` in plain alternation.
+/// A line read from one state with its `#` in plain alternation.
 struct Reading {
     price: u32,
     end_state: usize,

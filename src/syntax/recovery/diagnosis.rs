@@ -1,4 +1,4 @@
-//! What a piece of a stretch is.
+//! The diagnosis of a piece of a stretch.
 
 use super::super::ast::{self, Broken, Item, Record};
 use super::super::signature::Reading;
@@ -7,7 +7,7 @@ use super::heads::{integral, spoiled};
 use super::slips::is_slip;
 use super::stretch::Stretch;
 
-/// One piece of a stretch: tokens `start..end`.
+/// A piece of a stretch: tokens `start..end`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RecordCandidate {
     pub start: usize,
@@ -20,7 +20,7 @@ pub(crate) struct RecordCandidate {
 pub(crate) enum Diagnosis {
     Void,
     Whole(Reading),
-    /// A record with the right number of parameters, some of them reported by themselves; tokens
+    /// A record with the right number of parameters, some of which have findings of their own; tokens
     /// that can be no parameter are passed over.
     Damaged {
         ty: &'static RecordType,
@@ -29,7 +29,7 @@ pub(crate) enum Diagnosis {
     Reals {
         ty: &'static RecordType,
     },
-    /// Not as many parameters as the type takes.
+    /// A record with more or fewer parameters than the type takes.
     WrongArity {
         ty: &'static RecordType,
         got: usize,
@@ -50,15 +50,15 @@ pub(crate) enum Diagnosis {
         got: usize,
         expected: usize,
     },
-    /// The number of points, which a counted type begins with, is missing or cannot be used.
+    /// A record of a counted type whose number of points, which comes first, is missing or cannot be used.
     BadPointCount {
         ty: &'static RecordType,
     },
-    /// There is no such type.
+    /// A record of a type that does not exist.
     UnknownType,
     /// The token in the type's place is no integer.
     BadType,
-    /// Nothing behind the ID.
+    /// An ID with no text behind it.
     MissingType,
     /// A complete record but for the ID in front.
     LostId {

@@ -1,4 +1,4 @@
-//! What is wrong with a piece that is no record, and what that costs.
+//! Faults of a piece that is no record, and their prices.
 
 use super::super::hex;
 use super::super::lexer::TokenKind;

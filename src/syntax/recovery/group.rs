@@ -32,7 +32,7 @@ struct GroupLine {
     id: u32,
     /// The significant tokens of the group.
     tokens: Range<usize>,
-    /// Whether it begins with a reference.
+    /// Whether the group begins with a reference.
     refers: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What the head of a record says, spelled right or not: its type, how many points it has, where it should end.
+//! The head of a record, spelled right or not: its type, its number of points, its expected end.
 
 use super::super::lexer::TokenKind;
 use super::super::table::RecordType;
@@ -57,7 +57,7 @@ pub(super) fn is_counted(stretch: &Stretch, i: usize) -> bool {
     type_at(stretch, i + 1).is_some_and(RecordType::is_counted)
 }
 
-/// Where a record should end whose parameters begin at `first`: `None` where nobody can tell.
+/// The end that a record should have whose parameters begin at `first`; `None` where nobody can tell.
 pub(super) fn end_of(stretch: &Stretch, first: usize, ty: &RecordType) -> Option<u64> {
     let n = match ty.is_counted() {
         true => point_count(stretch, first).ok()?,
@@ -66,14 +66,14 @@ pub(super) fn end_of(stretch: &Stretch, first: usize, ty: &RecordType) -> Option
     Some((first as u64).saturating_add(ty.arity(n)))
 }
 
-/// Where the record that begins at `i` with an ID should end, perhaps behind the end of the text.
+/// The end that the record that begins at `i` with an ID should have, perhaps behind the end of the text.
 pub(super) fn expected_end(stretch: &Stretch, i: usize) -> Option<usize> {
     let end = end_of(stretch, i + 2, type_at(stretch, i + 1)?)?;
     Some(usize::try_from(end).unwrap_or(usize::MAX))
 }
 
-/// Where the record that begins at `i` should end, by all ways to understand its head; never
-/// behind the end of the text.
+/// The ends that the record that begins at `i` may have, by all ways to understand its head; never behind the end of
+/// the text.
 pub(super) fn expected_ends(stretch: &Stretch, i: usize) -> Vec<usize> {
     let mut out = Vec::new();
     let mut add = |first: usize, ty: Option<&'static RecordType>| {

@@ -1,4 +1,4 @@
-//! What is known of the text around a piece that is no record.
+//! The text around a piece that is no record, as far as IDs are concerned.
 
 use super::stretch::Stretch;
 
@@ -18,7 +18,7 @@ pub(super) trait IdContext {
     fn misses_another(&self, id: i32) -> bool;
 }
 
-/// Nothing is known.
+/// A context in which no ID is known.
 pub(super) struct Unknown;
 
 impl IdContext for Unknown {

@@ -311,7 +311,7 @@ impl Search<'_, '_> {
         (first + 1..=last).take(HEADS).filter(is_head).count() as u32
     }
 
-    /// Where a broken stretch that begins at `i` may end.
+    /// Adds the ends that a broken stretch may have that begins at `i`.
     fn fault_ends(&self, i: usize, ends: &mut Vec<usize>) {
         let stretch = self.stretch;
         let line = stretch.line(i);

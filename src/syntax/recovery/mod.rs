@@ -1,4 +1,4 @@
-//! What to make of a stretch of text that cannot be read by arity alone, or whose reading looks odd.
+//! Recovery of a stretch of text that cannot be read by arity alone, or whose reading looks odd.
 //!
 //! ```text
 //!                  stretch        significant tokens of whole lines, and the record readable from each

@@ -6,7 +6,7 @@ use super::stretch::Stretch;
 
 /// How many lines around a stretch are looked at, to find an ID.
 const AROUND: usize = 8;
-/// Behind all IDs so many more are the next ones.
+/// Number of IDs behind all others that count as the next ones.
 const NEXT: i32 = 4;
 
 /// The ID that a line defines which begins with two tokens.
@@ -15,7 +15,7 @@ fn defined(head: [Option<i32>; 2]) -> Option<i32> {
     named(head).filter(|_| type_of(head).is_some_and(is_new))
 }
 
-/// The same; what a property belongs to may be defined before.
+/// The ID that a line names as a new one: the same, but for changes and render records.
 fn named(head: [Option<i32>; 2]) -> Option<i32> {
     let is_new =
         |ty: &RecordType| !matches!(ty.effect, Effect::Changes(_)) && ty.kind != RecordKind::Render;

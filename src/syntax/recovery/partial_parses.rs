@@ -1,5 +1,5 @@
-//! What is known at a place of a text when it has been cut into pieces up to there, in one of many ways: which IDs
-//! are defined, as what, and which is the highest.
+//! Partial parses: the state at a place of a text when it has been cut into pieces up to there, in one of many ways:
+//! the IDs that are defined, their kinds, and the highest.
 
 use rustc_hash::FxHashMap;
 
@@ -17,7 +17,7 @@ use super::surroundings::Surroundings;
 /// The last piece of the cheapest way to a place.
 #[derive(Debug, Clone, Copy, Default)]
 struct BackPointer {
-    /// Where the piece begins.
+    /// The start of the piece.
     from: u32,
     /// A place further back on the way, and how many pieces are before this one: with these, places on the way are
     /// found in a logarithmic number of jumps.

@@ -1,5 +1,5 @@
-//! What everything costs that recovery may take for a mistake: the way to read a text that costs least wins. The price of
-//! an error is [`FAULT`], and all other prices are in relation to it. In each part the dearest comes first.
+//! Prices of all that recovery may take for a mistake: the way to read a text that costs least wins. The price of an
+//! error is [`FAULT`], and all other prices are in relation to it. In each part the dearest comes first.
 
 // Errors: pieces that are no records, and lines that are swallowed.
 

@@ -383,7 +383,7 @@ impl Reporter<'_, '_> {
         }
     }
 
-    /// That a number is not the whole one that is wanted.
+    /// The diagnostic of a number that is no integer where one is needed.
     fn not_an_integer(&self, i: usize, what: &'static str) -> Diagnostic {
         let (text, span) = (self.text(i), self.stretch.token(i).span());
         let d = Diagnostic::new(Code::E010, span)

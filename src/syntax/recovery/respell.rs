@@ -17,7 +17,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 struct Split {
     commas: bool,
     glued: bool,
-    /// Commas between digits that were taken for separators are decimal commas.
+    /// Whether commas between digits that were taken for separators are decimal commas.
     joined: bool,
 }
 
@@ -118,7 +118,7 @@ fn parts(text: &str, token: &Token) -> Option<Vec<Token>> {
     out.iter().all(number).then_some(out)
 }
 
-/// Where the second number of a word begins, and the third, if it is nothing but numbers.
+/// The starts of the second number of a word, and of the third, if the word is nothing but numbers.
 fn cuts(word: &str) -> Option<Vec<usize>> {
     let mut at = 0;
     let mut out = Vec::new();
@@ -234,7 +234,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The numbers among these.
+    /// The numbers that a token is read as.
     fn numbers(&self, token: &Token, split: Split) -> Vec<Token> {
         let mut parts = self.read(token, split);
         parts.retain(|t| !t.kind().is_trivia());

@@ -5,7 +5,7 @@ use super::diagnosis::RecordCandidate;
 use super::report::Reporter;
 
 impl Reporter<'_, '_> {
-    /// How many whole points a record has that says another number of them.
+    /// The number of whole points of a record that says another number; `None` where its points are not whole.
     pub(super) fn points(
         &self,
         piece: &RecordCandidate,

@@ -14,7 +14,7 @@ use super::stretch::Stretch;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Slip {
     Yes,
-    /// If its ID is used elsewhere and no other line defines it.
+    /// A record if its ID is used elsewhere and no other line defines it.
     Maybe,
     No,
 }
@@ -107,8 +107,8 @@ pub(super) fn looks_like_a_head(stretch: &Stretch, line: usize) -> bool {
 /// How many numbers more or less are a slip of the pen.
 const SLIP_MAX: usize = 2;
 
-/// One past the last line of the table that the record at the head of a line claims to have; the
-/// line itself where it claims none, or most of it stands on the line.
+/// The end of the table that the record at the head of a line claims to have, one past its last line; the line itself
+/// where it claims none, or most of it stands on the line.
 pub(super) fn rows_expected(stretch: &Stretch, line: usize) -> usize {
     let (start, end) = (stretch.line_start(line), stretch.line_end(line));
     if stretch.sigs[start].int.is_none_or(|id| id <= 0) {

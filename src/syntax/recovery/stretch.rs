@@ -17,7 +17,7 @@ pub(crate) struct Sig {
     /// The value of the token, if it is an integer literal that fits.
     pub int: Option<i32>,
     pub kind: TokenKind,
-    /// The next token that is no line break is a comment.
+    /// Whether the next token that is no line break is a comment.
     pub before_comment: bool,
 }
 
@@ -141,7 +141,7 @@ impl<'s> Stretch<'s> {
         RecordType::by_code(self.sigs.get(i)?.int?.into())
     }
 
-    /// Where the rest of the text defines an ID first, and with a record of which type.
+    /// The first definition of an ID in the rest of the text, and the type of its record.
     pub(crate) fn defined_elsewhere(
         &self,
         around: &Surroundings,
@@ -164,12 +164,12 @@ impl<'s> Stretch<'s> {
         }
     }
 
-    /// The same of the lines before the stretch, the nearest first.
+    /// The heads of the lines before the stretch, the nearest first.
     pub(crate) fn heads_before(&self) -> impl Iterator<Item = [Option<i32>; 2]> {
         self.heads((0..self.from).rev())
     }
 
-    /// The same of the lines behind it.
+    /// The heads of the lines behind the stretch, in their order.
     pub(crate) fn heads_behind(&self) -> impl Iterator<Item = [Option<i32>; 2]> {
         self.heads(self.from + self.len()..self.columns.len())
     }
@@ -189,7 +189,7 @@ impl<'s> Stretch<'s> {
         self.columns.lexed.values[self.from + i]
     }
 
-    /// Where the value of a token is in the text's column.
+    /// Index of a token's value in the text's column.
     pub(crate) fn value_index(&self, i: usize) -> u32 {
         (self.from + i) as u32
     }
@@ -251,7 +251,7 @@ impl<'s> Stretch<'s> {
         2 * words >= tokens.len() && tokens.first().is_some_and(|sig| is_word(sig.kind))
     }
 
-    /// One past the last token of a line.
+    /// The end of a line: one past its last token.
     pub(crate) fn line_end(&self, line: usize) -> usize {
         self.line_starts[line + 1] as usize
     }

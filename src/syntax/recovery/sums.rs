@@ -7,17 +7,18 @@ use super::stretch::Stretch;
 use super::witness::Witnesses;
 
 pub(super) struct Sums {
-    /// How many lines before each one say that they are records of their own.
+    /// The number of lines before each line that are records of their own by their looks.
     pub own_before: Vec<u32>,
-    /// How many of those are complete, and no row of a table of equally long lines.
+    /// The number of such lines that are complete, and no row of a table of equally long lines.
     pub complete_before: Vec<u32>,
     /// How many lines before each one are surely records of their own: they are but for a slip, or they are complete and
     /// have an ID in order.
     pub sure_before: Vec<u32>,
     /// The last line of the table of numbers that begins behind each line; the line itself if none.
     pub table_end: Vec<u32>,
-    /// For each token: its line is whole records up to it, or from it on.
+    /// Whether the line of each token is whole records up to it.
     pub whole_until: Vec<bool>,
+    /// Whether the line of each token is whole records from it on.
     pub whole_from: Vec<bool>,
     /// For each token whether a piece may begin there.
     pub may_begin: Vec<bool>,
@@ -95,8 +96,8 @@ fn whole(stretch: &Stretch) -> (Vec<bool>, Vec<bool>) {
     (until, from)
 }
 
-/// Where pieces may begin. Nothing begins in the middle of a line that begins as a
-/// record does, unless the line is a row of whole records: a number too many is not the ID of another record.
+/// Whether a piece may begin at each token. Nothing begins in the middle of a line that begins as a record does, unless
+/// the line is a row of whole records: a number too many is not the ID of another record.
 fn may_begin(stretch: &Stretch, whole_from: &[bool]) -> Vec<bool> {
     let mut out = vec![true; stretch.len() + 1];
     for line in 0..stretch.line_count() {
@@ -142,7 +143,7 @@ fn is_row_of_records(stretch: &Stretch, start: usize, end: usize, whole_from: &[
     true
 }
 
-/// How often it was true before each place, and in all.
+/// The number of flags that are true before each place, and in all.
 fn sums(flags: impl Iterator<Item = bool>) -> Vec<u32> {
     let mut n = 0;
     std::iter::once(0)

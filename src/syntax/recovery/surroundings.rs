@@ -1,5 +1,5 @@
-//! What the rest of a text says to a stretch of it that has to be recovered: which IDs it defines and uses, and
-//! whether it is laid out in lines. It is gone through once, however many stretches there are.
+//! Surroundings of a stretch that has to be recovered: the IDs that the rest of the text defines and uses, and whether
+//! it is laid out in lines. It is gone through once, however many stretches there are.
 
 use super::super::ast::{Item, Record};
 use super::super::ids::IdTable;
@@ -18,7 +18,7 @@ pub(crate) struct Surroundings {
     /// How many lines it takes, and how many records.
     pub lines: usize,
     pub records: usize,
-    /// Comments behind a record on its line are introduced by `0` there.
+    /// Whether comments behind a record on its line are introduced by `0` there.
     pub voids_behind_records: bool,
     /// How many stretches have to be recovered.
     pub stretches: usize,

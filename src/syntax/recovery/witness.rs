@@ -1,4 +1,4 @@
-//! What the lines of a text say about its layout.
+//! Evidence of the text's layout, from its lines.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -15,15 +15,14 @@ use super::surroundings::Surroundings;
 
 /// The evidence of a text's lines about its layout.
 pub(crate) struct Witnesses<'a> {
-    /// For each line: it begins a record that ends at a line's end, or it is a VOID with a comment.
-    /// Holds one past the record's last token, 0 where the line is no witness.
+    /// One past the last token of the record that a line begins, if the record ends at a line's end or is a VOID with a
+    /// comment; 0 where the line is no witness.
     pub ends: Vec<u32>,
-    /// For each line: it would be a record of its own, but for a slip. Nothing is said of the lines of
-    /// a longer record.
+    /// Whether each line would be a record of its own, but for a slip. Lines of a longer record are `false`.
     pub slips: Vec<bool>,
     /// The IDs that are in order there.
     pub order: Order,
-    /// The text is laid out with records beginning and ending with lines.
+    /// Whether the text is laid out with records beginning and ending with lines.
     pub in_lines: bool,
     /// The evidence of the witness lines about each ID they define, and the rest of the text.
     heads: FxHashMap<i32, Head>,
@@ -32,12 +31,12 @@ pub(crate) struct Witnesses<'a> {
     /// The IDs that are used and defined nowhere, in order.
     missing: Vec<i32>,
     around: &'a Surroundings,
-    /// A line begins with a type that can be no ID, and other lines are no records either: they may have lost theirs as
-    /// well.
+    /// Whether a line begins with a type that can be no ID, and other lines are no records either: they may have lost
+    /// theirs as well.
     ids_lost: bool,
     /// How many lines are records but for a slip.
     slipped: usize,
-    /// Comments behind a record on its line are introduced by `0` here.
+    /// Whether comments behind a record on its line are introduced by `0` here.
     pub voids_behind_records: bool,
 }
 
@@ -239,7 +238,7 @@ impl<'a> Witnesses<'a> {
         self.ends[line] as usize == stretch.line_end(line)
     }
 
-    /// Whether it would be, and of a type whose number is hardly a parameter.
+    /// Whether a line is a complete record, of a type whose number is hardly a parameter.
     pub(crate) fn is_surely_a_record(&self, stretch: &Stretch, line: usize) -> bool {
         self.is_complete_line(stretch, line) && slips::looks_like_a_head(stretch, line)
     }
@@ -260,7 +259,7 @@ impl<'a> Witnesses<'a> {
     }
 }
 
-/// If a record begins with the number of an ID that is missing, then it is that record's ID.
+/// The IDs by the lines: where a record begins with the number of an ID that is missing, that is the record's ID.
 impl IdContext for Witnesses<'_> {
     fn is_missing(&self, id: i32) -> bool {
         let used =

@@ -1,4 +1,4 @@
-//! From the resolved scene to the [`Graph`] the tracer walks.
+//! Compilation of the resolved scene into the [`Graph`] that the tracer walks.
 //!
 //! Three passes, none of them recursive: count how often each reachable node is used; cut the
 //! scene into objects, each a flattened chain of one operation, where a node that is used more than
@@ -77,7 +77,7 @@ struct PlacedNode {
     owner: u32,
     /// The outermost entity above that is a copy of this node's entity; 0: none.
     copy: u32,
-    /// Something on the way down is used elsewhere too.
+    /// Whether some node on the way down is used elsewhere too.
     shared: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What is taken away from a union is taken away from those of its parts that it reaches.
+//! Distribution of differences: a solid taken away from a union is taken away from those of its parts that it reaches.
 //!
 //! A workpiece is often a long chain of unions and differences, nested in one another, most of which have nothing to do
 //! with each other. Here each tool goes to the parts that it reaches. The chain becomes one union of parts with few cuts
@@ -39,8 +39,8 @@ pub(super) struct Pieces {
     index: Option<Index>,
 }
 
-/// Where pieces are, by their numbers: in trees of doubling sizes, so that pieces can be added (Bentley and Saxe,
-/// "Decomposable searching problems I", J. Algorithms 1, 1980).
+/// Index of the pieces by place: trees of doubling sizes, so that pieces can be added (Bentley and Saxe, "Decomposable
+/// searching problems I", J. Algorithms 1, 1980).
 #[derive(Debug, Default)]
 struct Index {
     /// The largest first. Their items are the last 32 bits of numbers.
@@ -207,7 +207,7 @@ mod tests {
         }
     }
 
-    /// From x to x + 1.
+    /// The box from x to x + 1.
     fn at(x: f64) -> Aabb {
         Aabb::new([x, 0.0, 0.0], [x + 1.0, 1.0, 1.0])
     }

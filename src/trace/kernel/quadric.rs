@@ -344,9 +344,7 @@ mod tests {
                 };
                 let chain: &[u32] = if i % 2 == 0 { &[] } else { &[0] };
                 let local = Line::new(o, (to - o) * (1.0 + x[1].abs()));
-                let axis = Vec3(each([0, 1, 2], |k| {
-                    f64::from(u8::from(k == i / 7 % 3))
-                }));
+                let axis = Vec3(each([0, 1, 2], |k| f64::from(u8::from(k == i / 7 % 3))));
                 let local = match i % 7 {
                     0 => Line::new(o, axis * (1.0 + x[1].abs())),
                     _ => local,

@@ -27,7 +27,7 @@ pub(super) struct SampleOf {
     pub(super) of: u32,
 }
 
-/// What has come of a sample.
+/// The result of a sample.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sample {
     pub(super) light: Vec3,
@@ -193,7 +193,7 @@ impl<R: Precision> Pen<'_, '_, R> {
         estimates.map(pixel).collect()
     }
 
-    /// What pixels come to with as many samples as the tolerance asks for, and what these take: see
+    /// The values of pixels with as many samples as the tolerance asks for, and their costs: see
     /// [`adaptive`](Self::adaptive).
     pub(in crate::trace) fn estimates(
         &mut self,

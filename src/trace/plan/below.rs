@@ -1,4 +1,4 @@
-//! What is at and below the nodes of a scene, whatever stands above them.
+//! Summary of each node and the nodes below it, whatever stands above them.
 
 use super::unseen::LeftOut;
 use crate::scene::{Node, NodeId, Optics, Scene, fold_up};
@@ -6,11 +6,11 @@ use crate::scene::{Node, NodeId, Optics, Scene, fold_up};
 /// The properties of a node and of all below it. Of pairs the second is that of the node's complement.
 #[derive(Clone, Copy)]
 pub(super) struct Below {
-    /// Whether it holds a shape with an inside.
+    /// Whether the node holds a shape with an inside.
     pub solid: bool,
-    /// Something of it is to be seen.
+    /// Whether some part of the node is to be seen.
     pub shows: [bool; 2],
-    /// Something of it that is to be seen is diffuse, if no paint above says otherwise.
+    /// Whether some part that is to be seen is diffuse, if no paint above says otherwise.
     pub lit: [bool; 2],
 }
 

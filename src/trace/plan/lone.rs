@@ -8,7 +8,7 @@ use crate::scene::{Node, NodeId, Scene, Shape, View};
 use crate::trace::shapes::{Primitive, Roots};
 use rustc_hash::FxHashMap;
 
-/// Whether the scene is one convex shape and no camera is in it.
+/// Whether the scene is one convex shape without a camera inside.
 pub(super) fn lone_convex(scene: &Scene, root: NodeId, left_out: &LeftOut) -> bool {
     let Some((shape, matrix)) = lone(scene, root, left_out) else {
         return false;

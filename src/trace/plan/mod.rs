@@ -1,5 +1,5 @@
-//! Which effects a scene calls for, decided before the first ray from what is reachable from the
-//! render record, after overriding.
+//! The effects that a scene calls for, decided before the first ray from the nodes reachable from the render record,
+//! after overriding.
 //!
 //! The decision errs on one side only: an effect that is off is certainly not needed, and its code
 //! does not run.
@@ -50,7 +50,7 @@ pub enum Effect {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Because {
     pub id: u32,
-    /// Where the entity is defined.
+    /// The place of the entity's definition.
     pub span: Span,
     pub text: &'static str,
 }
@@ -75,7 +75,7 @@ pub struct Plan {
     pub unreached: Vec<u32>,
     /// Parts of what is drawn that ask for nothing, since no ray can see them.
     pub unseen: Vec<Unseen>,
-    /// The same, as operands that are left out.
+    /// The unseen parts, as operands that are left out.
     pub left_out: LeftOut,
     /// Reached shape records, by name.
     pub shapes: BTreeMap<&'static str, u32>,
@@ -83,7 +83,7 @@ pub struct Plan {
     pub operations: BTreeMap<&'static str, u32>,
     /// Most transparent solids that hold one point.
     pub medium_depth: u32,
-    /// The scene is one convex shape, seen from outside.
+    /// Whether the scene is one convex shape, seen from outside.
     pub lone_convex: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What plans say about effects.
+//! Notes of plans about effects.
 
 use super::Effect;
 
@@ -12,7 +12,7 @@ impl Effect {
         self.texts()[1]
     }
 
-    /// Why it is off where it is.
+    /// The reason why the effect is off where it is.
     pub fn absence(self) -> &'static str {
         self.texts()[2]
     }

@@ -1,4 +1,4 @@
-//! What of a scene can be seen at all: which aspects of which parts no paint above covers.
+//! Visible aspects of a scene: the aspects of each part that no paint above covers.
 //!
 //! One pass from the root to the leaves. A node is visited once with the set of all ways in which
 //! it occurs, so shared subtrees stay shared however often they are used.
@@ -18,7 +18,7 @@ type PathStates = u32;
 
 const TOOL: PathStates = 1 << 24;
 
-/// One way.
+/// The state of a way to a part.
 #[derive(Clone, Copy)]
 struct PathState {
     /// `Some(lit)` under a paint with optics: whether these have a diffuse part.
@@ -72,7 +72,7 @@ pub enum Showing {
     Removed,
     /// Other paints cover it everywhere.
     Covered,
-    /// Nothing that has the texture is diffuse.
+    /// No object with the texture is diffuse.
     Dark,
     Shown,
 }
@@ -146,7 +146,7 @@ impl VisibleAspects {
         self.ways[node as usize] |= ways;
     }
 
-    /// How much is to be seen of the texture that a node gives, which is a paint with one.
+    /// How much is to be seen of the texture of a node, which is a paint with a texture.
     pub fn showing(&self, scene: &Scene, node: NodeId) -> Showing {
         let Node::Paint { child, paint } = scene.nodes[node as usize] else {
             return Showing::Absent;

@@ -1,4 +1,4 @@
-//! Where in the graph a ray is: the objects entered on the way down from the root.
+//! The way of a ray in the graph: the objects entered on the way down from the root.
 
 use crate::geometry::line::{Line, Traced};
 use crate::geometry::wide_bvh::Beam;
@@ -26,7 +26,7 @@ pub struct Context<R: Traced = f64> {
     pub line: Line<R>,
     /// The same for the tree of the object.
     pub beam: Beam,
-    /// Where it was entered from; the root is its own parent.
+    /// The context that this one was entered from; the root is its own parent.
     pub parent: u32,
     /// The part of the parent's object that it is.
     pub part: u32,

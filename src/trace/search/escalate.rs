@@ -25,7 +25,7 @@ pub struct Walkers<'t, R: Precision = f64> {
     uncertain: u64,
 }
 
-/// Something to be known about a ray.
+/// A question about a ray.
 trait Question {
     type Answer<R: Precision>;
 
@@ -315,7 +315,7 @@ impl Question for StartsInside {
     }
 }
 
-/// Everything on the way.
+/// The question about all crossings on a ray.
 struct Meets {
     clipped: bool,
 }

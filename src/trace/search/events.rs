@@ -1,4 +1,4 @@
-//! What a ray meets: crossings of shapes, and the boundaries of what operations make of them.
+//! Events on a ray: crossings of shapes, and the boundaries that operations make of them.
 
 use super::context::Leaf;
 use crate::trace::precision::Precision;
@@ -22,7 +22,7 @@ pub struct Crossing<R = f64> {
 }
 
 impl<R> Crossing<R> {
-    /// With a part that is a shape.
+    /// A crossing of a part that is a shape, which is its own owner.
     pub fn at(leaf: Leaf, root: Root<R>, error: R) -> Crossing<R> {
         Crossing {
             place: RayPoint { leaf, root, error },
@@ -65,11 +65,11 @@ pub enum Kind {
 #[derive(Debug, Clone, Copy)]
 pub struct Event<R = f64> {
     pub kind: Kind,
-    /// Where the ray crosses the surface of which shape.
+    /// The crossing of the ray with the surface of a shape.
     pub place: RayPoint<R>,
     /// The owner whose properties the surface has.
     pub owner: Owner,
-    /// The state after it.
+    /// The state after the event.
     pub state: State,
 }
 
@@ -128,7 +128,7 @@ pub(in crate::trace) enum Task {
 pub(in crate::trace) struct Scratch<R = f64> {
     /// t, list, event: the events of all lists, to be sorted.
     pub order: Vec<(R, u32, u32)>,
-    /// Beside `order`: whether an event is in the place of the one before.
+    /// Whether an event is in the place of the one before, beside `order`.
     pub tied: Vec<bool>,
     pub(in crate::trace) before: Vec<State>,
     pub(in crate::trace) after: Vec<State>,

@@ -1,4 +1,4 @@
-//! From an event on a ray to everything shading needs to know about the place.
+//! Hits: from an event on a ray to all that shading needs to know about the place.
 
 use super::context::{Leaf, Painted};
 use super::events::{Kind, State};
@@ -19,7 +19,7 @@ use crate::trace::texture::SurfacePoint;
 /// A point of a visible surface, in the scene's space.
 #[derive(Debug, Clone, Copy)]
 pub struct Hit<R = f64> {
-    /// In units of the ray's direction.
+    /// Distance from the ray's origin, in units of the ray's direction.
     pub t: R,
     pub point: Vec3<R>,
     /// Unit geometric normal, outwards of the shape.
@@ -36,7 +36,7 @@ pub struct Hit<R = f64> {
     pub inside: [bool; 2],
     /// Whether the ray goes against the normal.
     pub entering: bool,
-    /// Whether this is a sheet that lies in a face of a solid: before that face, in the same place.
+    /// Whether the hit is on a sheet that lies in a face of a solid: before that face, in the same place.
     pub in_face: bool,
     /// Numbers of the surface and its shape; see [`Left`].
     pub surface: u64,
@@ -74,7 +74,7 @@ impl<R: Precision> Hit<R> {
         }
     }
 
-    /// In another kind of number; the skin grows by what rounding moves the point.
+    /// The hit in another kind of number; the skin grows by what rounding moves the point.
     pub fn cast<S: Precision>(&self) -> Hit<S> {
         let (point, normal): (Vec3<S>, Vec3<S>) = (self.point.cast(), self.normal.cast());
         let skin = S::of_parts(self.skin.parts());
@@ -136,7 +136,7 @@ fn terms<R: Precision>(line: &Line<R>, t: R) -> Vec3<R> {
 /// the line's own point is rounded by.
 #[inline]
 pub fn strayed<R: Precision>(point: Vec3<R>, line: &Line<R>, t: R) -> Option<Vec3<R>> {
-    /// In units of the last place.
+    /// Distance from the line above which a point has strayed, in units of the last place.
     const MAX_STRAY_ULPS: f64 = 4.0;
     // A t near the end of the numbers' range is rounded to a multiple of this.
     const SMALLEST_STEP: f64 = f64::from_bits(1);

@@ -1,4 +1,4 @@
-//! What a ray meets.
+//! Search along a ray for the surfaces that it meets.
 //!
 //! [`escalate`] takes a question about a ray and has a [`Walker`](walk::Walker) answer it, which goes down the graph along
 //! the ray. A doubtful answer is asked for again in double-double. For the first hit, [`hit`] asks [`nearest`] for the

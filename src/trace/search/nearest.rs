@@ -23,7 +23,7 @@ struct Best<R> {
 }
 
 impl<R: Precision> Best<R> {
-    /// Nothing yet, of what is in (from, to].
+    /// The state at the start, when no crossing in (from, to] is known.
     #[inline]
     fn new(ray: &Ray<R>, from: R, to: R) -> Best<R> {
         // Crossings that are nearer may not be told from the surface that the ray has left.
@@ -114,7 +114,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             }));
     }
 
-    /// The parts of a context's union among which is what is looked for.
+    /// The parts of a context's union that may hold the event looked for.
     fn searched(&self, context: u32) -> Option<&'g Group> {
         let here = &self.contexts[context as usize];
         let Operation::Union(whole) = &self.graph.objects[here.object as usize].operation else {

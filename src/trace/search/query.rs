@@ -1,4 +1,5 @@
-//! What is searched for, what waits in a search, where a ray starts, and what a search notes besides its answer.
+//! Queries: the aim of a search, the nodes that wait in it, the start of a ray, and the notes of a search besides its
+//! answer.
 
 use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::Child;
@@ -9,23 +10,23 @@ use crate::trace::shapes::support::Passage;
 /// The crossing that is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Search {
-    /// The first.
+    /// The first event.
     First,
-    /// Any.
+    /// Any event.
     Any,
-    /// Any with something opaque.
+    /// Any event with an opaque object.
     AnyOpaque,
-    /// Any with something transparent.
+    /// Any event with a transparent object.
     AnyClear,
 }
 
 impl Search {
-    /// Whether it matters what a thing is made of.
+    /// Whether the search depends on the material of an object.
     pub(in crate::trace) fn is_picky(self) -> bool {
         matches!(self, Search::AnyOpaque | Search::AnyClear)
     }
 
-    /// Whether something that holds this is looked at.
+    /// Whether the search looks at a node with these contents.
     pub(in crate::trace) fn wants(self, holds: Holds) -> bool {
         match self {
             Search::First | Search::Any => true,
@@ -35,7 +36,7 @@ impl Search {
     }
 }
 
-/// Something to be visited, and the least t at which it may be met.
+/// A node to be visited, and the least t at which it may be met.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::trace) struct PendingNode {
     pub(in crate::trace) near: f64,
@@ -51,13 +52,13 @@ pub struct Scale<R> {
     pub(in crate::trace) pace: R,
 }
 
-/// Where a ray starts.
+/// The start of a ray.
 #[derive(Debug, Clone, Copy)]
 pub struct Start<R> {
     pub(in crate::trace) t: R,
     /// Bound on the error of t.
     pub(in crate::trace) error: R,
-    /// If it is on a surface: the chain of maps that places it, and how far it may be misplaced.
+    /// The chain of maps that places the start, and how far it may be misplaced; `None` for a start on no surface.
     pub(in crate::trace) chain: Option<(u64, R)>,
     /// How the ray passes the surface that the face there is a part of.
     pub(in crate::trace) passage: Option<Passage>,
@@ -77,11 +78,11 @@ impl<R: Precision> Start<R> {
 /// The findings about the present question besides its answer.
 #[derive(Debug, Clone, Copy)]
 pub struct QueryStatus<R = f64> {
-    /// A decision was closer than its rounding errors.
+    /// Whether a decision was closer than its rounding errors.
     pub uncertain: bool,
-    /// Some surface could not be told from the one that the ray has left.
+    /// Whether some surface could not be told from the one that the ray has left.
     pub skin_met: bool,
-    /// Where the ray crosses the surface that it has left, if it does; in double-double only.
+    /// The crossing of the ray with the surface that it has left, if there is one; in double-double only.
     pub start: Option<Start<R>>,
     /// A flat face that the ray lies in.
     pub along: Option<Along>,

@@ -1,5 +1,5 @@
-//! Which of two places on a ray comes first, and what is behind its start: decisions that rounding
-//! errors may spoil, with the bounds that tell when.
+//! Order of two places on a ray, and of a place and the ray's start: decisions that rounding errors may spoil, with the
+//! bounds that tell when.
 
 use super::context::Leaf;
 use super::events::RayPoint;
@@ -121,8 +121,8 @@ impl<R: Precision> Walker<'_, R> {
         R::of(if placed { off } else { 0.0 })
     }
 
-    /// The order of two crossings. Equal are those of one surface, and those that cannot be told apart where that is
-    /// final.
+    /// The order of two crossings. Crossings of one surface are equal, and so are crossings that cannot be told apart
+    /// in the finest numbers.
     pub(in crate::trace) fn order(&mut self, a: &RayPoint<R>, b: &RayPoint<R>) -> Ordering {
         let (s, t) = (a.root.t, b.root.t);
         let rounded = s.partial_cmp(&t).unwrap_or(Ordering::Equal);

@@ -15,9 +15,9 @@ use crate::trace::ray::Ray;
 /// The boundary of the scene's union that a ray sees first.
 pub(super) struct FirstBoundary<R> {
     pub event: Event<R>,
-    /// The states before and behind it.
+    /// The states before and behind the boundary.
     pub states: [State; 2],
-    /// Whether it is a sheet, and behind it in the same place is a boundary.
+    /// Whether the boundary is a sheet with another boundary behind it in the same place.
     pub in_face: bool,
 }
 

@@ -26,7 +26,7 @@ impl<R: Precision> Walker<'_, R> {
         })
     }
 
-    /// Where a support in the space of a leaf's shape is.
+    /// The support of a leaf's face out of the space of the leaf's shape.
     fn placed_support(&self, leaf: Leaf, own: Support) -> Placed {
         let mut placed = Placed::new(own, self.chain(leaf));
         self.climb(leaf, |at, placement| {

@@ -37,12 +37,11 @@ pub struct Walker<'g, R: Precision = f64> {
     /// The roots that another solver has found.
     solved: Roots,
     pub(in crate::trace) status: QueryStatus<R>,
-    /// Where the ray starts on the surface that it has left, where that is known better than by
-    /// its origin.
+    /// The start of the ray on the surface that it has left, where that is known better than by its origin.
     pub(in crate::trace) start: Option<Start<R>>,
 }
 
-/// All of a line.
+/// The range of t of a whole line.
 const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// Mixes a number into a key (the finaliser of splitmix64; Steele, Lea and Flood, 2014).
@@ -355,8 +354,8 @@ impl<'g, R: Precision> Walker<'g, R> {
         Some(behind)
     }
 
-    /// Whether it is enough to know that a ray goes through a solid: it starts outside of that, and where the solid is
-    /// crossed does not matter.
+    /// Whether passing through a solid is enough to block a ray: the ray starts outside of the solid, and the place of
+    /// the crossing does not matter.
     fn is_blocked_by(&self, ray: &Ray<R>, leaf: Leaf) -> bool {
         let is_asked = R::DOUBT == Doubt::GoesOn && self.search == Search::Any;
         is_asked && ray.is_outside && !self.part(leaf.part).inverted

@@ -54,7 +54,7 @@ impl Random {
         }
     }
 
-    /// From zero to a few times what rounding moves numbers of this size by.
+    /// A number between zero and a few times the rounding of numbers of this size, with either sign.
     fn hair(&mut self, size: f64) -> f64 {
         match self.below(4) {
             0 => 0.0,
@@ -381,7 +381,7 @@ fn powers_of_two_change_no_digit(kind: Kind) {
     }
 }
 
-/// Any finite numbers: nothing but numbers comes out ([`meet`] looks).
+/// Extreme but finite coordinates give numbers alone ([`meet`] looks).
 #[test]
 fn extreme_numbers_give_numbers() {
     let mut r = Random(9);

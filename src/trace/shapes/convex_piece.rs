@@ -5,14 +5,14 @@
 pub struct ConvexPiece {
     /// See [`Form::Quadric`](super::outline::Form::Quadric).
     pub polynomial: [f64; 10],
-    /// From where to where along the y axis; infinite where there is no end.
+    /// The ends along the y axis; infinite where there is no end.
     pub heights: [f64; 2],
     /// The apex's height, of a part of a cone: a piece of a polynomial whose second degree has both signs.
     pub apex: Option<f64>,
 }
 
 impl ConvexPiece {
-    /// All of a quadric, if that is convex: its matrix of second degree has no negative eigenvalue.
+    /// The piece of a whole quadric, if that is convex: its matrix of second degree has no negative eigenvalue.
     pub fn all_of(&polynomial: &[f64; 10]) -> Option<ConvexPiece> {
         let [xx, yy, zz, xy, xz, yz, ..] = polynomial;
         let [xy, xz, yz] = [xy, xz, yz].map(|x| 0.5 * x);

@@ -16,7 +16,7 @@ pub struct Cuboid {
     max: Vec3,
     /// No coordinate of a point of the box is larger.
     reach: f64,
-    /// Whether it has no thickness along some axis, hence no inside.
+    /// Whether the cuboid has no thickness along some axis, hence no inside.
     flat: bool,
 }
 
@@ -46,7 +46,7 @@ impl Shape for Cuboid {
         Aabb::new(self.min, self.max).padded()
     }
 
-    /// To the right and up as each face is seen from outside; on top and bottom u follows x.
+    /// Texture coordinates to the right and up as each face is seen from outside; on top and bottom u follows x.
     fn uv(&self, point: Vec3, face: u32) -> [f64; 2] {
         let share = |i: usize| share(point[i], self.min[i], self.max[i]);
         let (x, y, z) = (share(0), share(1), share(2));
@@ -192,7 +192,7 @@ impl Cuboid {
         line.drift(reach) + parameter_error::<R>() * reach
     }
 
-    /// The normal of the face that the line lies in, if it does; of two, one between theirs.
+    /// The normal of the face that a line lies in; a normal between the two faces' where it lies in both.
     #[cold]
     fn along<R: Traced>(&self, line: &Line<R>, drift: R) -> Option<Vec3> {
         // Any weights will do that are not equal: between two faces at right angles lies no third.

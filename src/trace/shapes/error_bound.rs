@@ -1,4 +1,4 @@
-//! What the bounds on rounding errors of several shapes have in common.
+//! Bounds on rounding errors, for several shapes.
 
 use crate::geometry::number::Real;
 

@@ -131,9 +131,9 @@ pub(super) struct Passage<R> {
 /// How a line passes a facet, for either way through it.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Certainty {
-    /// Rounding may make it a passage.
+    /// Whether rounding may make it a passage.
     pub possible: bool,
-    /// Rounding cannot undo the passage.
+    /// Whether rounding cannot undo the passage.
     pub certain: bool,
 }
 
@@ -154,8 +154,8 @@ impl<R: Traced> Facet<R> {
         }
     }
 
-    /// Where the line passes the facet, its edges and corners included. None for a facet that is
-    /// seen edge-on, and where numbers overflow: every comparison with NaN fails.
+    /// The passage of the line through the facet, its edges and corners included. None for a facet that is seen
+    /// edge-on, and where numbers overflow: every comparison with NaN fails.
     #[inline]
     pub(super) fn passage(&self) -> Option<Passage<R>> {
         let e = self.edges;

@@ -33,7 +33,7 @@ pub struct GeodesicSphere {
     record: solids::geodesic_sphere::GeodesicSphere,
     /// 1 / √(1 + φ²) and φ / √(1 + φ²): the icosahedron's coordinates other than 0.
     coordinates: [Dd; 2],
-    /// √5 − 2; see [`GeodesicSphere::facets`].
+    /// The number √5 − 2: see [`GeodesicSphere::facets`].
     share: Dd,
     /// No point of a facet is nearer to the centre.
     inner: f64,
@@ -77,7 +77,7 @@ struct Stretch<R> {
 }
 
 impl<R: Traced> Stretch<R> {
-    /// Whether it reaches the side that a normal points to, and the other side.
+    /// Whether the stretch reaches the side that a normal points to, and the other side.
     #[inline]
     fn sides(&self, normal: Vec3<R>) -> [bool; 2] {
         let [a, b] = each(self.ends, |end| normal.dot(end));
@@ -119,7 +119,8 @@ static TABLES: [OnceLock<Vec<[Vec3; 3]>>; LEVELS as usize + 1] =
 /// The middles of facets, those of the first levels from a table.
 #[derive(Clone, Copy)]
 struct Middles<'t> {
-    /// In doubles, of the facets of all levels that are in the table, level by level. Empty for other numbers.
+    /// The middles in doubles, of the facets of all levels that are in the table, level by level. Empty for other
+    /// numbers.
     table: &'t [[Vec3; 3]],
 }
 
@@ -144,7 +145,7 @@ impl Middles<'_> {
         Middles { table }
     }
 
-    /// Those of a facet of a level, of which there are 20 · 4^level.
+    /// The middles of facet `face` of a level, which has 20 · 4^level facets.
     #[inline]
     fn of<R: Traced>(self, corners: [Vec3<R>; 3], face: u32, level: u32) -> [Vec3<R>; 3] {
         let before = 20 * ((1 << (2 * level)) - 1) / 3;
@@ -244,7 +245,7 @@ impl GeodesicSphere {
         self.facet(face, self.record.splits, Middles::new::<R>(self))
     }
 
-    /// Those of a facet that so many splits have made.
+    /// The corners of facet `face` after so many splits.
     fn facet<R: Traced>(&self, face: u32, splits: u32, known: Middles) -> [Vec3<R>; 3] {
         let vertices = self.icosahedron();
         let base = (face >> (2 * splits)) as usize % FACES.len();
@@ -317,11 +318,11 @@ impl GeodesicSphere {
 /// The facets that a line passes.
 #[derive(Default)]
 struct Met<R> {
-    /// Where the line goes in and where it goes out, and the numbers of the facets.
+    /// The places where the line goes in and where it goes out, and the numbers of the facets.
     passages: [Option<(R, u32)>; 2],
-    /// Whether it may pass some facet.
+    /// Whether the line may pass some facet.
     possible: bool,
-    /// Whether it goes in for certain, and out.
+    /// Whether the line goes in for certain, and out.
     certain: [bool; 2],
 }
 
@@ -524,7 +525,8 @@ impl<R: Traced> Intersect<R> for GeodesicSphere {
         roots.uncertain |= roots.list.is_empty();
     }
 
-    /// Of a line that goes through the ball within all facets, which it enters at one place and leaves at another.
+    /// The two crossings of a line that goes through the ball within all facets, which it enters at one place and
+    /// leaves at another.
     fn first_crossings(&self, line: &Line<R>, near: R, roots: &mut Roots<R>) {
         let radius = R::of(self.record.radius);
         if let Sight::Near(view) = View::of(line, radius)

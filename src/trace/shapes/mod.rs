@@ -43,11 +43,12 @@ use support::Support;
 /// both sides of one segment may be the outer one in different places.
 pub const FLIPPED: u32 = 1 << 31;
 
-/// By how many unit roundoffs the bound on what maps have moved a line may exceed the size of its numbers before a
-/// finer number is asked. The bound of one turn reaches 30; what lines are really moved by is a tenth of theirs.
+/// Number of unit roundoffs by which the bound on a line's displacement through maps may exceed the size of its numbers
+/// before a finer number is asked. The bound of one turn reaches 30; what lines are really moved by is a tenth of
+/// theirs.
 const BLURRED: f64 = 32.0;
 
-/// One crossing of a line with a shape.
+/// A crossing of a line with a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root<R = f64> {
     /// Finite.
@@ -62,10 +63,10 @@ pub struct Root<R = f64> {
 pub struct Roots<R = f64> {
     /// Whether the line comes from inside, at t = −∞.
     pub inside: bool,
-    /// A decision was closer than the rounding errors behind it: how many crossings there are, or
-    /// their order, may be wrong.
+    /// Whether a decision was closer than the rounding errors behind it: the number of the crossings, or their order,
+    /// may be wrong.
     pub uncertain: bool,
-    /// Uncertain for the reason alone that a crossing may be farther from the surface than 4 ε.
+    /// Whether the crossings are uncertain for the reason alone that one may be farther from the surface than 4 ε.
     pub coarse: bool,
     /// The normal of a flat face that the line lies in. Such a line does not cross the solid; but
     /// where another solid's face lies against this one, the line may be within the two together.
@@ -92,7 +93,7 @@ impl<R: Traced> Roots<R> {
         }
     }
 
-    /// In another kind of number, rounded.
+    /// The roots in another kind of number, rounded.
     pub fn cast<S: Traced>(&self) -> Roots<S> {
         let mut roots = Roots::default();
         roots.copy_from(self);
@@ -175,7 +176,7 @@ pub trait Shape {
         Pass::Perhaps
     }
 
-    /// What holds the shape, within its bounds.
+    /// The outline that holds the shape, within its bounds.
     fn outline(&self) -> Outline {
         Outline::BOUNDS
     }
@@ -294,12 +295,12 @@ impl Primitive {
         }
     }
 
-    /// Where it meets lines of one kind of number.
+    /// The intersection with lines of one kind of number.
     pub fn intersect<R: Traced>(&self) -> &dyn Intersect<R> {
         each!(self)
     }
 
-    /// Whether it has an inside.
+    /// Whether the shape has an inside.
     pub fn is_solid(&self) -> bool {
         match self {
             Primitive::Plane(_) | Primitive::Rectangle(_) | Primitive::Triangle(_) => false,

@@ -1,4 +1,4 @@
-//! What holds a shape, for tests of several lines at once.
+//! Outlines that hold shapes, for tests of several lines at once.
 
 use crate::geometry::vec::Vec3;
 
@@ -7,7 +7,7 @@ use crate::geometry::vec::Vec3;
 pub enum Form {
     /// Negative everywhere.
     Constant,
-    /// Of second degree: the coefficients of x², y², z², xy, xz, yz, x, y, z and 1.
+    /// A form of second degree: the coefficients of x², y², z², xy, xz, yz, x, y, z and 1.
     Quadric([f64; 10]),
     /// (|p|² + R² − r²)² − 4R²(x² + z²), with R and r.
     Torus([f64; 2]),
@@ -17,7 +17,7 @@ pub enum Form {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
     pub form: Form,
-    /// Whether all these points are in the solid.
+    /// Whether all points of the outline are in the solid.
     pub is_exact: bool,
 }
 
@@ -28,7 +28,7 @@ impl Outline {
         is_exact: false,
     };
 
-    /// That of a solid which is all that it holds.
+    /// The outline of a solid that fills it.
     pub fn exact(form: Form) -> Outline {
         Outline {
             form,
@@ -36,7 +36,7 @@ impl Outline {
         }
     }
 
-    /// That of a shape which may hold less.
+    /// The outline of a shape that may be smaller.
     pub fn around(form: Form) -> Outline {
         Outline {
             form,

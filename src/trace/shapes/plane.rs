@@ -170,8 +170,8 @@ impl Plane {
         self.meet_extreme(line)
     }
 
-    /// As [`Plane::meet`], with the normal, the direction and the origin in units of their own,
-    /// where products of the numbers given would overflow or underflow.
+    /// [`Plane::meet`] with the normal, the direction and the origin in units of their own, where products of the
+    /// numbers given would overflow or underflow.
     #[cold]
     fn meet_extreme<R: Traced>(&self, line: &Line<R>) -> Meeting<R> {
         let largest = |v: Vec3<R>| exponent(v.abs().max_component().to_f64());
@@ -211,7 +211,7 @@ fn tilt<R: Traced>(size: R, n: Vec3<R>, slack: R) -> R {
     (R::gamma(4) + parameter_error()) * size + spread * slack
 }
 
-/// As [`tilt`], for the value of the plane's equation at the origin, with one rounding more.
+/// Error bound of the plane's equation at the origin: [`tilt`] with one rounding more.
 fn offset<R: Traced>(size: R, n: Vec3<R>, slack: R) -> R {
     tilt(size, n, slack) + R::gamma(1) * size
 }
@@ -263,7 +263,7 @@ impl<R: Traced> Intersect<R> for Plane {
         }
     }
 
-    /// By the greatest component of the normal, whose length is up to √3 of it.
+    /// The speed across the plane by the greatest component of the normal, whose length is up to √3 of it.
     fn speed(&self, line: &Line<R>, _: Root<R>) -> Option<R> {
         let across = self.normal.cast::<R>().dot(line.direction).abs();
         Some(across / (R::of(1.75 * self.normal.abs().max_component())))

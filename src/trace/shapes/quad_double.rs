@@ -44,7 +44,7 @@ pub(super) fn decide_closer<R: Traced>(
     }
 }
 
-/// A number that is greater by little more than its rounding error.
+/// A number greater than `t` by little more than the rounding error of `t`.
 fn after<R: Traced>(t: R) -> R {
     let step = t.abs() * R::ROUNDOFF;
     // Double-double has a place for the least double beside every number.

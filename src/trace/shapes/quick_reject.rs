@@ -22,20 +22,20 @@ pub enum Pass {
     Beside,
     /// The shape itself has to answer.
     Perhaps,
-    /// In the stretch, ahead of its origin, it surely is inside of the solid, and later surely outside.
+    /// The line surely is inside of the solid in the stretch, ahead of its origin, and later surely outside.
     Through,
 }
 
 /// A line in a ball around a shape: its points are `point` + t·`direction`.
 #[derive(Debug, Clone, Copy)]
 pub struct Approach {
-    /// From the centre; the nearest to it.
+    /// The point of the line that is nearest to the centre, from the centre.
     pub point: Vec3,
     /// A unit vector.
     pub direction: Vec3,
-    /// From where to where the line is in the ball and in the stretch that is asked for.
+    /// The range of t in which the line is in the ball and in the stretch that is asked for.
     pub stretch: [f64; 2],
-    /// Where its origin is.
+    /// The parameter of the line's origin.
     pub origin: f64,
     /// Whether the line leaves the ball in the stretch that is asked for.
     leaves: bool,

@@ -258,7 +258,7 @@ fn unbounded_quadrics_are_not_crossed_where_they_are_missed() {
     }
 }
 
-/// From where a line has come out of a shape on.
+/// A line does not meet a shape again from where it has come out of it on.
 #[test]
 fn what_is_not_met_again_is_left_for_good() {
     let mut random = Random(12);

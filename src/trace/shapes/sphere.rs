@@ -184,7 +184,7 @@ struct Ball<R> {
     drift: R,
 }
 
-/// Where a line is in a ball.
+/// The stretch of a line in a ball.
 struct Chord<R> {
     /// Whether no square behind it can have left the numbers.
     fits: bool,

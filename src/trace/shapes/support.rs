@@ -11,7 +11,7 @@ use crate::geometry::vec::Vec3;
 /// A surface without borders.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Support {
-    /// Where the coordinate along an axis is so much.
+    /// The plane where the coordinate along an axis is `at`.
     Level { axis: u8, at: f64 },
     /// ax + by + cz + d = 0 with the first of a, b, c that is not 0 above 0.
     Plane([f64; 4]),
@@ -27,11 +27,11 @@ pub enum Support {
 /// The support of a face in a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placed {
-    /// In the space of its shape.
+    /// The support in the space of its shape.
     pub own: Support,
     /// A number for the chain of maps out of that space.
     pub chain: u64,
-    /// As far up in the scene as the maps are simple.
+    /// The support as far up in the scene as the maps are simple.
     pub carried: Support,
     /// How far the numbers that carried it may be rounded, as such maps are where records were
     /// combined into one.
@@ -41,7 +41,7 @@ pub struct Placed {
 }
 
 impl Placed {
-    /// In the space of its shape, which a chain of maps leads out of.
+    /// A place in the space of its shape, which a chain of maps leads out of.
     pub fn new(own: Support, chain: u64) -> Placed {
         Placed {
             own,
@@ -52,7 +52,8 @@ impl Placed {
         }
     }
 
-    /// Carries it up by the next map, if that is simple and all before it were. `chain` numbers the maps from there on.
+    /// Carries the support up by the next map, if that map and all before it are simple. `chain` numbers the maps from
+    /// there on.
     pub fn carry(&mut self, map: &Matrix, chain: impl FnOnce() -> u64) {
         if self.above != 0 {
             return;
@@ -100,8 +101,8 @@ impl Support {
         }
     }
 
-    /// Where a map takes it, and by how much more that may be off; `None` if the map is not as simple as
-    /// that.
+    /// The support that a map takes this one to, and by how much more that may be off; `None` if the map is not as
+    /// simple as that.
     pub fn moved(self, map: &Matrix, off: f64) -> Option<(Support, f64)> {
         let rows = &map.0;
         let rounded = |size: f64| f64::EPSILON * size;
@@ -143,7 +144,7 @@ impl Support {
         })
     }
 
-    /// Whether it is in the place of another one, which may be off by so much.
+    /// Whether the support is in the place of another one, which may be off by so much.
     pub fn is(&self, other: &Support, off: f64) -> bool {
         let near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= off);
         match (self, other) {
@@ -176,8 +177,8 @@ impl Support {
         }
     }
 
-    /// The normal at a point on it, of any length but zero: outwards of what is bent. `None` for what
-    /// is flat, which no line crosses twice.
+    /// The normal at a point on a curved support, outwards and of any length but zero; `None` for a flat one, which no
+    /// line crosses twice.
     pub fn outwards<R: Real>(&self, point: Vec3<R>) -> Option<Vec3<R>> {
         let about = |axis: [f64; 2]| {
             let out = point - Vec3::new(axis[0], 0.0, axis[1]).cast();
@@ -232,12 +233,12 @@ impl Placed {
 }
 
 impl Passage {
-    /// Whether it is one crossing with another one that is near.
+    /// Whether the passage is one crossing with another one that is near.
     pub fn is(&self, other: &Passage) -> bool {
         self.outwards == other.outwards && self.placed.is(&other.placed)
     }
 
-    /// The same, or the way back.
+    /// The same passage, or the way back.
     pub fn turned(self, back: bool) -> Passage {
         Passage {
             outwards: self.outwards.map(|outwards| outwards != back),

@@ -43,7 +43,7 @@ pub struct Torus {
     size: i32,
 }
 
-/// On which side of the two circles a point is.
+/// The side of the two circles that a point is on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum TorusRegion {
     Outside,
@@ -489,7 +489,7 @@ impl<R: Traced> Scaled<R> {
         (value, R::of(2.0) * (h * outwards + y * d[1]))
     }
 
-    /// On which side the point at t is; `None` where rounding may have decided it.
+    /// The side that the point at t is on; `None` where rounding may have decided it.
     ///
     /// Each component of the point is off by at most ε = u|p| + the error of the line, hence ρ by
     /// √2 ε + 3uρ and h = ρ ∓ R by u|h| more; then h² + (y − r)(y + r) by 2|h|Δh + 2|y|ε and by
@@ -539,7 +539,7 @@ impl<R: Traced> Scaled<R> {
         R::of(64.0) * a.sqrt() * size.square() * (R::gamma(20) * size + self.error)
     }
 
-    /// The one crossing in a bracket between two sides.
+    /// The only crossing in a bracket between two sides.
     fn root(&self, quartic: &Quartic<R>, bracket: (R, R), enters: bool, lemon: bool) -> R {
         let (low, high) = bracket;
         // One end, the one inside if the line grazes the torus, is where the quartic turns: a

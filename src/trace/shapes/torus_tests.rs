@@ -121,7 +121,7 @@ fn thin_and_small<R: Traced>() {
     }
 }
 
-/// From far away as from near: the origin is moved along the line without loss.
+/// Lines from far away meet the torus as lines from near: the origin is moved along the line without loss.
 #[test]
 fn distance_costs_nothing() {
     from_afar::<f64>();

@@ -1,4 +1,4 @@
-//! Which value of the model each number of a record is.
+//! The value of the model that each number of a record is.
 
 use super::locate::Path;
 use super::model::{Node, Scene, Texture, Volume};

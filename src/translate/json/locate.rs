@@ -1,4 +1,4 @@
-//! Where the values of a JSON text stand.
+//! Places of the values of a JSON text.
 //!
 //! The text has been read before: it is JSON. Nothing here goes deeper into itself however deep the text is.
 
@@ -36,7 +36,7 @@ impl Path {
         self
     }
 
-    /// As far as both go the same way.
+    /// The common beginning of both paths.
     #[must_use]
     pub fn common(mut self, other: &Path) -> Path {
         let same = self.0.iter().zip(&other.0).take_while(|(a, b)| a == b);
@@ -67,7 +67,7 @@ const BYTES: usize = 1 << 26;
 pub(super) struct Places {
     /// The spans of the values of the whole, by name.
     top: FxHashMap<String, Span>,
-    /// The items of the lists among it.
+    /// The items of the lists among these values, by name.
     items: FxHashMap<String, Vec<Span>>,
     left: AtomicUsize,
 }
@@ -143,7 +143,7 @@ fn is_blank(c: char) -> bool {
     matches!(c, ' ' | '\t' | '\n' | '\r' | '\u{feff}')
 }
 
-/// One step into a value. Of a name that is there twice the last counts.
+/// The span of the value that a step leads to. Of a name that is there twice the last counts.
 fn inside(text: &str, value: Span, step: &PathSegment) -> Option<Span> {
     let mut entries = Entries::new(text, value);
     let mut found = None;

@@ -43,7 +43,7 @@ pub struct Item {
     pub node: Node,
 }
 
-/// Told apart by hand: with `flatten` a field that is not known would pass.
+/// Reads an item by hand: with `flatten` an unknown field would pass.
 impl TryFrom<serde_json::Map<String, serde_json::Value>> for Item {
     type Error = serde_json::Error;
 
@@ -206,7 +206,7 @@ impl Node {
         }
     }
 
-    /// The shape that it is; `None` for all that is made of other nodes.
+    /// The shape of the node; `None` for a node made of others.
     pub fn geometry(&self) -> Option<Geometry> {
         Some(match self {
             Node::SurfaceOfRevolution { profile, colours } => Geometry::Revolution {

@@ -13,7 +13,7 @@ use crate::translate::{Feature, FeatureSupport};
 #[derive(Default)]
 pub(super) struct Left(Vec<String>);
 
-/// Makes every path to a picture lead to the same one from the new place. What goes to standard output keeps them.
+/// Makes every path to a picture lead to the same file from the new place. A scene on standard output keeps its paths.
 pub(super) fn follow(model: &mut Scene, scene: &Prepared, options: &Options) -> Left {
     let mut left = Left::default();
     let Some(new) = options.output else {

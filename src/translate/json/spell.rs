@@ -36,7 +36,7 @@ pub enum ModelElement {
 }
 
 impl ModelElement {
-    /// The way to it.
+    /// The way to the element.
     pub fn path(self) -> Path {
         let list = |name: &'static str, i: u32| Path::default().name(name).item(i as usize);
         match self {
@@ -72,11 +72,11 @@ pub enum Matter {
 /// The records of a scene.
 #[derive(Debug)]
 pub struct Records {
-    /// One record or heading a line.
+    /// The text, a record or heading a line.
     pub text: String,
     /// The element that each line stands for.
     pub places: Vec<ModelElement>,
-    /// And what of it.
+    /// The part of the element that each line spells.
     pub matters: Vec<Matter>,
     /// The IDs that the model does not have, and what they were made up for.
     pub made_up: HashMap<u32, ModelElement>,
@@ -158,7 +158,7 @@ impl<'a> Speller<'a> {
         }
     }
 
-    /// An ID that nothing has.
+    /// An ID that no entity has.
     fn fresh(&mut self) -> u32 {
         while self.next_id > ID_MAX || !self.ids.insert(self.next_id) {
             self.next_id = if self.next_id >= ID_MAX {

@@ -1,4 +1,4 @@
-//! There and back.
+//! Round trips from text to JSON and back.
 
 use super::*;
 use crate::diagnostics::{Diagnostic, Language, SourceFile};

@@ -1,4 +1,4 @@
-//! What is wrong with a text that should be a scene in JSON, in the words of the format.
+//! Errors of a text that should be a scene in JSON, in the words of the format.
 
 use std::fmt;
 
@@ -11,7 +11,7 @@ use super::model::Item;
 use super::spell::ModelElement;
 use crate::diagnostics::{Complaint, Span};
 
-/// Why a text is no scene in JSON, and where.
+/// The reason why a text is no scene in JSON, and the place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Unreadable {
     /// Names and indices, as in `cameras[0].fovy`; `None` for the text as a whole.
@@ -22,7 +22,7 @@ pub struct Unreadable {
 }
 
 impl Unreadable {
-    /// Something refers to what is not there, or cannot be what it is.
+    /// The error of an element that refers to one that is not there, or has a value that it cannot have.
     pub fn content(text: &str, at: ModelElement, why: Complaint) -> Unreadable {
         Unreadable {
             at: Some(at.to_string()),

@@ -1,9 +1,9 @@
-//! What becomes of each feature in JSON, and in records made of the resolved scene.
+//! Support of each feature by JSON, and by records made of the resolved scene.
 
 use crate::syntax::table::RecordKind;
 use crate::translate::{Feature, FeatureSupport};
 
-/// Everything is there; what a record did on the way is not.
+/// The support of a feature: JSON has all of the result, but not a record's steps on the way there.
 pub fn verdict(feature: Feature) -> FeatureSupport {
     match feature {
         Feature::Record(

@@ -1,5 +1,4 @@
-//! From the graph of operations to closed meshes: objects after those they are made of, without
-//! recursion.
+//! Assembly of closed meshes from the graph of operations: objects after those they are made of, without recursion.
 //!
 //! A thing is a union of pieces, each with one inside, so that a difference is taken of every piece
 //! for itself and its cut faces look like the piece they are in. Pieces are joined at the very end.
@@ -75,10 +74,10 @@ pub(super) struct Assembly<'a> {
     things: Vec<Option<Thing>>,
 }
 
-/// One operand of an operation, in the coordinates of the result.
+/// An operand of an operation, in the coordinates of the result.
 pub(super) struct Operand {
     pub pieces: Vec<MeshPart>,
-    /// Everything but the pieces is meant.
+    /// Whether the operand is all space but the pieces.
     pub outside: bool,
 }
 

@@ -18,7 +18,7 @@ pub struct Medium {
     pub optics: u32,
     /// Index into [`crate::trace::graph::Graph::indices`].
     pub index: u32,
-    /// Whether it lets light through.
+    /// Whether the medium lets light through.
     pub clear: bool,
 }
 

@@ -25,12 +25,12 @@ pub struct Budget {
     work: f64,
 }
 
-/// There would be too many triangles.
+/// The error of a mesh with too many triangles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TooMany {
-    /// At least so many to be made, and so many may be.
+    /// A mesh that needs at least `needed` triangles, of which `most` may be made.
     Made { needed: f64, most: u64 },
-    /// In solids that overlap and are to be joined: how many, and one of them.
+    /// Solids that overlap and are to be joined: their number, and one of them.
     Joined { solids: usize, shape: u32 },
 }
 
@@ -38,7 +38,7 @@ pub enum TooMany {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Crowd {
     pub solids: usize,
-    /// A label of one of them.
+    /// A label of one of the solids.
     pub label: u32,
 }
 
@@ -52,7 +52,7 @@ impl Crowd {
 }
 
 impl TooMany {
-    /// In words: what to do about it, too.
+    /// The message in words, with what to do about it.
     pub fn complaint(&self) -> Complaint {
         match self {
             TooMany::Made { needed, most } if !needed.is_finite() => {
@@ -75,7 +75,7 @@ impl Default for Budget {
 }
 
 impl Budget {
-    /// For so much memory, in bytes.
+    /// The budget of so much memory, in bytes.
     pub fn of(memory: Option<u64>) -> Budget {
         Budget {
             most: memory.map_or(MOST_TRIANGLES, |m| (m / BYTES).min(MOST_TRIANGLES)),

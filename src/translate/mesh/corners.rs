@@ -18,7 +18,7 @@ const ASIDE: f64 = 1e-3;
 pub struct Corner {
     /// Unit, outwards.
     pub normal: Vec3,
-    /// Without a seam within the triangle; 0 where they are not asked for.
+    /// Texture coordinates without a seam within the triangle; 0 where they are not asked for.
     pub uv: [f64; 2],
 }
 

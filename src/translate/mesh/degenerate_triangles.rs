@@ -17,7 +17,7 @@ const MAX_ROUNDS: usize = 16;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Precision {
     Single,
-    /// Or digits that make no difference.
+    /// Doubles, or digits that make no difference.
     Double,
 }
 
@@ -102,7 +102,7 @@ struct Net<'a> {
     around: HashMap<u32, Vec<usize>>,
     precision: Precision,
     most: f64,
-    /// Where points were that have been moved.
+    /// The earlier places of points that have been moved.
     before: HashMap<u32, Vec3>,
 }
 
@@ -303,7 +303,7 @@ mod tests {
         is_needle(corners, Precision::Single)
     }
 
-    /// Whether it has no area: in fractions.
+    /// Whether the triangle has no area: in fractions.
     fn is_flat(corners: [Vec3; 3]) -> bool {
         let exact = |x: f64| RBig::try_from(f64::from(x as f32)).unwrap();
         let [a, b, c] = corners.map(|p| p.map(exact));

@@ -22,14 +22,14 @@ const NOTHING_BOUNDED: f64 = 5.0;
 /// Distance up to which what encloses a scene, or bounds it, is looked for, in sizes of the scene.
 const MAX_ENCLOSURE_SIZES: f64 = 100.0;
 
-/// Where the mesh is made, and how finely.
+/// The region that the mesh is made in, and the fineness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
     /// Holds what has an end, with room around.
     pub region: Aabb,
     /// The box that meshes are cut off at: the region, or more.
     pub cut: Aabb,
-    /// The region is the render record's box.
+    /// Whether the region is the render record's box.
     pub boxed: bool,
     pub tolerance: f64,
     /// The radius of the sphere around what is seen.
@@ -42,7 +42,7 @@ impl Extent {
         self.radius / 64.0
     }
 
-    /// Where parts without end are cut off, in words.
+    /// The message that says where endless shapes are cut off.
     pub fn cut_off(&self) -> Complaint {
         if self.boxed {
             return Complaint::term("cut to the render box");
@@ -97,7 +97,7 @@ fn grown(b: &Aabb, by: f64) -> Aabb {
     Aabb::new(end(b.min), end(b.max))
 }
 
-/// Whether all that has no end is flat, and of few triangles: textures in space make small ones.
+/// Whether all endless shapes are flat, and of few triangles: textures in space make small ones.
 fn is_flat(scene: &Scene) -> bool {
     let is_solid = |t: &Texture| matches!(t, Texture::Solid { .. });
     let mut textures = scene.paints.iter().filter_map(|p| p.texture.as_ref());

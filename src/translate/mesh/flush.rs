@@ -18,16 +18,17 @@ const ROUNDED: f64 = 1e-14;
 /// narrow triangles are rounded by more.
 const PLANE_EPS: f64 = 1e-13;
 
-/// As near are a triangle and what is left of it when its sides were cut, even where that is narrow.
+/// Relative distance up to which a triangle is as near as the rest of it after its sides were cut, even where the rest
+/// is narrow.
 const CUT: f64 = 1e-9;
 
 /// Two meshes whose faces in one plane are in one plane of the numbers.
 pub(super) struct Aligned {
     pub a: Mesh,
     pub b: Mesh,
-    /// There are such faces.
+    /// Whether there are faces in one plane.
     pub shared: bool,
-    /// From where they are now to where they were, if they were turned.
+    /// The map from the present coordinates back to the earlier ones, if the meshes were turned.
     pub back: Option<Matrix>,
 }
 
@@ -105,7 +106,7 @@ pub(super) struct Plane {
     /// How far from the origin it is along the normal, by the size of the operands.
     offset: f64,
     area: f64,
-    /// One number, much the same for planes that are.
+    /// A number that is much the same for planes that are.
     key: f64,
 }
 
@@ -147,7 +148,7 @@ impl Plane {
         }
     }
 
-    /// Whether one of these, in the order of their keys, is the same.
+    /// Whether a plane of a list, in the order of keys, is the same as this one.
     fn is_among(&self, planes: &[Plane]) -> bool {
         let key = self.key;
         let from = planes.partition_point(|p| p.key < key - 2.0 * PLANE_EPS);

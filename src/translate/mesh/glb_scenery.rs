@@ -80,13 +80,13 @@ fn in_order(scene: &Scene) -> impl Iterator<Item = &Camera> {
 
 /// The counterpart of a camera in the format, and its place: right, up, forward, position.
 enum Counterpart {
-    /// With the vertical angle in radians; and width by height, where the camera says that itself.
+    /// A perspective camera, with the vertical angle in radians, and width by height where the camera says that itself.
     Perspective {
         angle: f64,
         aspect: Option<f64>,
         near: f64,
     },
-    /// With half the width and height.
+    /// A parallel camera, with half the width and height.
     Parallel { half: [f64; 2] },
 }
 

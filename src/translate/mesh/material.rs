@@ -32,7 +32,7 @@ pub struct Object {
     pub id: u32,
     /// The vertices of the object; no others have them.
     pub vertices: Range<u32>,
-    /// By the number of the material: indices of triangles of the mesh.
+    /// Indices of triangles of the mesh, by the number of their material.
     pub triangles: BTreeMap<usize, Vec<u32>>,
 }
 
@@ -58,7 +58,7 @@ pub struct Vertex {
     pub normal: Vec3,
     /// Linear.
     pub colour: Rgb,
-    /// As the picture's.
+    /// Texture coordinates, as in the picture.
     pub uv: [f64; 2],
 }
 
@@ -72,13 +72,13 @@ pub struct Coloured<'m> {
     /// Every triangle's colour, linear.
     pub faces: Vec<Rgb>,
     pub materials: Vec<Material>,
-    /// In the order of their IDs.
+    /// The objects in the order of their IDs.
     pub objects: Vec<Object>,
     pub pictures: Pictures,
 }
 
 impl<'m> Coloured<'m> {
-    /// With `pictured`, textures are pictures where that is possible, else colours.
+    /// The surfaces in colours; with `pictured`, textures are pictures where that is possible.
     pub fn new(model: &'m Model, graph: &Graph, pictured: bool) -> Coloured<'m> {
         let mesh = &model.mesh;
         let mut pictures = Pictures::default();

@@ -1,4 +1,4 @@
-//! What a mesh is asked to be.
+//! Options of a mesh.
 
 use crate::scene::Vec3;
 
@@ -8,9 +8,9 @@ pub struct Options {
     /// How far a triangle may be from the surface it stands for, in scene units; by default
     /// [`DEFAULT_TOLERANCE`] of the scene's size.
     pub tolerance: Option<f64>,
-    /// Where the scene is seen from, if that matters: parts without end reach that far, too.
+    /// The place that the scene is seen from, if that matters: endless shapes reach that far, too.
     pub eye: Option<Vec3>,
-    /// Textures are pictures, so that triangles need not be small for their sake.
+    /// Whether textures are pictures, so that triangles need not be small for their sake.
     pub pictured: bool,
     /// Files have no colours, so that triangles need not be small for the sake of textures either.
     pub plain: bool,

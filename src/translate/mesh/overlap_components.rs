@@ -63,7 +63,7 @@ impl OverlapComponents {
 /// How many boxes without a component there are below each node of a tree.
 struct Left {
     nodes: Vec<u32>,
-    /// The root is its own.
+    /// The parent of each node; the root is its own.
     parents: Vec<u32>,
     /// For each box the node that it is in.
     leaves: Vec<u32>,

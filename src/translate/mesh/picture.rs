@@ -13,7 +13,7 @@ use crate::trace::graph::Graph;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
     pub png: Vec<u8>,
-    /// Texels are squares of one colour: nothing is interpolated.
+    /// Whether texels are squares of one colour: nothing is interpolated.
     pub cells: bool,
     /// Factors that surface coordinates are multiplied by.
     pub scale: [f64; 2],

@@ -1,4 +1,4 @@
-//! What the numbers of a file take away from the places of points.
+//! Loss of accuracy of points by the numbers of a file.
 
 use super::triangle_mesh::Mesh;
 use crate::scene::Vec3;
@@ -9,7 +9,7 @@ const PART: f64 = 0.01;
 /// The places of a mesh's points as a file has them.
 pub(super) struct Places<T> {
     pub all: Vec<[T; 3]>,
-    /// How far one of them is from where it should be at most.
+    /// Largest distance of a point from where it should be.
     pub off: f64,
 }
 
@@ -30,7 +30,7 @@ impl<T> Places<T> {
     }
 }
 
-/// In single precision.
+/// The places of points in single precision.
 pub(super) fn single(mesh: &Mesh) -> Places<f32> {
     Places::of(mesh, |p| {
         let place = p.map(|x| x as f32);
@@ -38,7 +38,7 @@ pub(super) fn single(mesh: &Mesh) -> Places<f32> {
     })
 }
 
-/// In decimal digits: those of single precision where these are enough, else as few as are.
+/// The places of points in decimal digits: as many as single precision has where these are enough, else as few as are.
 pub(super) fn decimal(mesh: &Mesh, tolerance: f64) -> Places<String> {
     let within = within(tolerance);
     Places::of(mesh, |p| {

@@ -73,8 +73,7 @@ impl Parts {
     }
 }
 
-/// Where a shape is, to six digits: the same where matrices differ by roundings, and for balls that are
-/// turned.
+/// The place of a shape to six digits: the same where matrices differ by roundings, and for balls that are turned.
 fn round_place(geometry: &Geometry, matrix: &Matrix) -> [i64; 12] {
     let mut matrix = *matrix;
     if let Geometry::Sphere { centre, .. } = geometry

@@ -1,4 +1,4 @@
-//! What triangles show: whose surface they are, and the properties it has.
+//! Labels of triangles: the object that their surface belongs to, and its properties.
 
 use crate::geometry::Matrix;
 use crate::geometry::array::{dot, length};
@@ -26,7 +26,7 @@ pub struct Texturing {
 pub struct SurfaceLabel {
     /// Index into [`Graph::primitives`]; `None` where the region ends.
     pub primitive: Option<u32>,
-    /// From the shape's coordinates to those at hand.
+    /// The map from the shape's coordinates to those at hand.
     pub matrix: Box<Matrix>,
     pub texture: Option<Box<Texturing>>,
     /// Index into [`Graph::optics`], if it was given one; so with the index.
@@ -36,7 +36,7 @@ pub struct SurfaceLabel {
     pub shape: u32,
     /// The outermost entity that was given properties; 0 where there is none.
     pub owner: u32,
-    /// A face made by a tool: it does not show the tool's own colours.
+    /// Whether a tool made the face: it does not show the tool's own colours.
     pub cut: bool,
 }
 
@@ -76,7 +76,7 @@ impl SurfaceLabel {
         }
     }
 
-    /// Seen from the object that a part places, with what is painted over it.
+    /// The label seen from the object that a part places, with what is painted over the surface.
     pub fn placed(mut self, m: &Matrix, over: &Coat, graph: &Graph, owner: u32) -> SurfaceLabel {
         *self.matrix = m.after(&self.matrix);
         self.texture = texturing(over, graph).or_else(|| {

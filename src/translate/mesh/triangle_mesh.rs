@@ -13,7 +13,7 @@ pub struct Mesh {
     pub points: Vec<Vec3>,
     /// Indices into `points`.
     pub triangles: Vec<[u32; 3]>,
-    /// Beside `triangles`.
+    /// Labels of the triangles, beside `triangles`.
     pub labels: Vec<u32>,
 }
 

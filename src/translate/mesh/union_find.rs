@@ -1,4 +1,4 @@
-//! Which things hang together.
+//! Groups of connected things.
 
 /// Disjoint sets of the numbers from 0.
 pub(super) struct UnionFind {

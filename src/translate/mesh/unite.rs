@@ -49,7 +49,7 @@ impl Union {
         Ok(out)
     }
 
-    /// Everything of it that may touch a box, as one mesh.
+    /// The part of the union that may touch a box, as one mesh.
     pub(super) fn near(&self, region: &Aabb) -> Mesh {
         let mut out = Mesh::default();
         for (bounds, mesh) in &self.meshes {
@@ -139,7 +139,7 @@ fn trial(group: &[Member]) -> Vec<f64> {
 /// A mesh to be joined with others.
 #[derive(Clone)]
 struct Member {
-    /// The least number of the meshes in it.
+    /// The least number of the meshes in the member.
     first: u32,
     bounds: Aabb,
     mesh: Mesh,
@@ -150,7 +150,7 @@ impl Member {
         self.mesh.triangles.len()
     }
 
-    /// Both, and whether they could be joined where they overlap. Of faces in one place those of the
+    /// Both members as one, and whether they could be joined where they overlap. Of faces in one place those of the
     /// first are kept.
     fn with(self, other: Member) -> (Member, bool) {
         let (a, b) = match self.first < other.first {

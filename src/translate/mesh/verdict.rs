@@ -1,4 +1,4 @@
-//! What a mesh makes of each feature.
+//! Support of each feature by meshes.
 
 use super::glb_scenery::LIGHTS;
 use super::shape;
@@ -14,7 +14,7 @@ pub fn within(tolerance: f64) -> Complaint {
 /// How far triangles are from what they stand for at most.
 #[derive(Clone, Copy)]
 pub(super) struct Bounds {
-    /// As they are made.
+    /// The distance of the triangles as they are made.
     pub tolerance: f64,
     /// The error that the numbers of the file add.
     pub off: f64,
@@ -40,7 +40,7 @@ impl Bounds {
     }
 }
 
-/// Why something is dropped that is no place.
+/// The reason why colours, materials and the like are dropped.
 const TRIANGLES_ONLY: &str = "an STL file has triangles only";
 
 pub(super) fn verdict(target: &str, feature: Feature, bounds: Bounds) -> FeatureSupport {

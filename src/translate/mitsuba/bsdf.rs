@@ -14,7 +14,7 @@ use crate::translate::number;
 /// How a mesh knows its colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) enum Colours {
-    /// One colour, the skin's.
+    /// A single colour, the skin's.
     Plain,
     OfFaces,
     OfPoints,
@@ -213,7 +213,7 @@ impl Reflectance {
         }
     }
 
-    /// As the diffuse reflectance, dimmed per channel where that can be.
+    /// The XML of a reflectance as the diffuse one, dimmed per channel by `k` where that can be.
     fn xml(&self, k: Rgb) -> String {
         let by = |c: Rgb| [0, 1, 2].map(|i| (c[i] * k[i]).min(1.0));
         match self {

@@ -25,7 +25,7 @@ impl Exact {
     }
 }
 
-/// Where something without end is seen, and how far it has to reach from there.
+/// The place that an endless shape is seen from, and how far the shape has to reach from there.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RequiredExtent {
     pub centre: Vec3,

@@ -1,4 +1,4 @@
-//! Where the scene is put for Mitsuba, which computes in single precision.
+//! Placement of the scene for Mitsuba, which computes in single precision.
 
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Camera, Vec3};
@@ -19,7 +19,7 @@ pub struct SceneFrame {
 }
 
 impl SceneFrame {
-    /// As the scene says, unless it is too far away, too large or too small for that.
+    /// The frame of a region: the scene's own, unless the region is too far away, too large or too small.
     pub fn of(region: &Aabb) -> SceneFrame {
         let (centre, radius) = (region.centre(), region.radius());
         let power = radius.log2().floor();

@@ -34,10 +34,10 @@ pub(super) struct Collector {
 /// A finished file.
 pub(super) struct File {
     pub info: ShapeInfo,
-    /// One that all its triangles have the material of.
+    /// A skin with the material of all its triangles.
     pub skin: u32,
     pub colours: Colours,
-    /// As in [`MeshPart`].
+    /// The medium around the surface, as in [`MeshPart`].
     pub around: Option<u32>,
     pub bytes: Vec<u8>,
 }

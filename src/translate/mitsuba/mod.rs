@@ -56,7 +56,7 @@ enum Kind {
 /// Translates a scene that was compiled with its pictures.
 ///
 /// # Errors
-/// Something in it has no translation, or too many triangles.
+/// A part of the scene has no translation, or too many triangles.
 pub fn write(
     scene: &Scene,
     bounds: &[NodeBounds],
@@ -235,7 +235,7 @@ pub fn write(
     })
 }
 
-/// Across and down: so many rays show how near a camera is to what it sees.
+/// Numbers of rays across and down that show how near a camera is to what it sees.
 const RAYS: [u32; 2] = [64, 48];
 
 /// How far the nearest thing that a camera sees is from where its rays start, as far as a grid of rays

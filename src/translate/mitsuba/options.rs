@@ -1,4 +1,4 @@
-//! What a translation is asked to be.
+//! Options of a translation.
 
 use crate::solids::staging::Viewpoint;
 use crate::syntax::Captions;
@@ -21,11 +21,11 @@ pub struct Options {
     pub size: (u32, u32),
     /// The camera that takes the picture.
     pub viewpoint: Viewpoint,
-    /// How often a ray may be mirrored or refracted.
+    /// The most times that a ray is mirrored or refracted.
     pub depth: u32,
-    /// As in [`mesh::Options`](crate::translate::mesh::Options).
+    /// The tolerance, as in [`mesh::Options`](crate::translate::mesh::Options).
     pub tolerance: Option<f64>,
-    /// As there.
+    /// The memory, as in [`mesh::Options`](crate::translate::mesh::Options).
     pub memory: Option<u64>,
     pub integrator: Integrator,
     /// The beginning of the names of meshes.

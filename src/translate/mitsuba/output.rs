@@ -4,29 +4,29 @@ use super::frame::SceneFrame;
 use crate::translate::Report;
 use crate::translate::mesh;
 
-/// One shape of the translation.
+/// A shape of the translation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ShapeInfo {
     /// The entity whose record made the surface.
     pub shape: u32,
     /// The entity whose properties apply.
     pub object: u32,
-    /// Not a mesh.
+    /// Whether the shape is exact: no mesh.
     pub exact: bool,
 }
 
 /// A finished translation.
 #[derive(Debug)]
 pub struct Output {
-    /// One, or one for each eye: what the file's name ends with before `.xml`, and the text.
+    /// The documents, one or one for each eye: the end of the file's name before `.xml`, and the text.
     pub documents: Vec<(&'static str, String)>,
     /// Files beside the documents: name and bytes.
     pub meshes: Vec<(String, Vec<u8>)>,
-    /// In the order of Mitsuba's shape index.
+    /// The shapes in the order of Mitsuba's shape index.
     pub shapes: Vec<ShapeInfo>,
     /// How far the meshes may be from the shapes, and where parts without end are cut off.
     pub extent: mesh::Extent,
-    /// Where the scene was put.
+    /// The frame that the scene was put in.
     pub frame: SceneFrame,
     /// How far parts without end go on about the middle of the region.
     pub reach: f64,

@@ -32,7 +32,7 @@ pub(super) fn reach(region: &Aabb, cameras: &[Camera]) -> f64 {
 
 /// Distance to a camera that hides nothing, as a share of the scene's size.
 const NEAR_PLANE_SIZES: f64 = 1e-7;
-/// The same, as a share of the distance to the nearest that is drawn.
+/// Distance to a camera that hides nothing, as a share of the distance to the nearest object that is drawn.
 const NEAR_PLANE_SHARE: f64 = 1e-3;
 
 /// The integrator and the camera; `all` holds everything that is drawn, of which `nearest` is how near
@@ -87,8 +87,8 @@ pub(super) fn view(
     ))
 }
 
-/// Where rays start, along the camera's axis: halfway to what comes nearest to it, because of what is
-/// far from where a ray starts single precision tells less. 0 if it may be anywhere.
+/// Distance along the camera's axis at which rays start: halfway to what comes nearest to it, because of what is far
+/// from where a ray starts single precision tells less. 0 if it may be anywhere.
 fn before(all: &Aabb, camera: &Camera, basis: &Basis) -> f64 {
     let depth = |i: usize| {
         let ends = [all.min[i], all.max[i]].map(|x| basis.forward[i] * (x - camera.position[i]));
@@ -165,7 +165,7 @@ fn place(pinhole: &Pinhole) -> Matrix {
     out
 }
 
-/// Whether the pixels of a camera are squares or its rays parallel: Mitsuba has no others.
+/// Whether Mitsuba has the camera exactly: its pixels are squares, or its rays parallel.
 pub fn is_exact(camera: &Camera, (width, height): (u32, u32)) -> bool {
     camera.projection.is_none()
         || !matches!(Lens::of(camera, width, height), Some(Lens::Pinhole(p)) if !p.is_exact())
@@ -191,7 +191,7 @@ pub fn square_size(cameras: &[Camera], (width, height): (u32, u32)) -> Option<(u
 /// The surroundings of the scene.
 struct Environment {
     light: [f64; 3],
-    /// The background is black: it is not seen.
+    /// Whether the environment is not seen: the background is black.
     hidden: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What Mitsuba makes of each feature.
+//! Support of each feature by Mitsuba.
 
 use super::written::Written;
 use crate::diagnostics::{Complaint, Value};
@@ -100,7 +100,7 @@ fn made(own: &'static str, counts: Counts) -> Complaint {
     }
 }
 
-/// On what textures were laid: `checkerboard, on 2 exact shapes and 1 mesh`.
+/// The note on where textures were laid: `checkerboard, on 2 exact shapes and 1 mesh`.
 fn laid(name: &'static str, counts: Counts) -> Complaint {
     match counts {
         [0, _] => Complaint::term(name),

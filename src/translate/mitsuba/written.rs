@@ -1,4 +1,4 @@
-//! What shapes were written as: as Mitsuba's own, or as meshes.
+//! Shapes as they were written: as Mitsuba's own, or as meshes.
 
 use std::collections::{BTreeSet, HashMap};
 

@@ -1,4 +1,4 @@
-//! What an image file cannot hold: light above white.
+//! Light above white, which an image file cannot hold.
 
 use std::borrow::Cow;
 
@@ -38,7 +38,7 @@ pub fn light_scale(document: &Document, depth: u32) -> f64 {
     }
 }
 
-/// Across and down: so many rays show whether a picture is brighter than white.
+/// Numbers of rays across and down that show whether a picture is brighter than white.
 const PIXELS: (u32, u32) = (80, 60);
 
 /// States how bright the picture is. `dimmed` is the [light scale](super::Translation::light_scale) with which surely

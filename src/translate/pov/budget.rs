@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use crate::diagnostics::Complaint;
 use crate::translate::fidelity::{Fidelity, Report};
 
-/// What is looked at so often at most.
+/// The kind of work that a limit applies to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Limit {
     /// Nodes of an object of which the faces are looked for.

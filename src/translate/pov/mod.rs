@@ -57,7 +57,7 @@ pub struct Options {
 pub enum Stereo {
     /// A file for each eye.
     TwoFiles,
-    /// One file for both, with a switch.
+    /// A single file for both eyes, with a switch.
     OneFile,
 }
 
@@ -85,13 +85,13 @@ impl Options {
 /// A finished translation.
 #[derive(Debug)]
 pub struct Translation {
-    /// One, or those of the left and the right eye.
+    /// The file, or those of the left and the right eye.
     pub files: Vec<File>,
     /// How often each file has to be rendered: with 3, `Declare=Channel=0`, 1 and 2 give a picture
     /// each of which red, green and blue count.
     pub passes: u32,
-    /// With `Declare=Light_Scale=` this power of two, every value of the pictures is multiplied by it, and none is
-    /// brighter than white. Without, none is multiplied.
+    /// Power of two that multiplies every value of the pictures with `Declare=Light_Scale=` this number, so that none
+    /// is brighter than white. Without the option no value is multiplied.
     pub light_scale: f64,
     pub report: Report,
 }
@@ -102,7 +102,7 @@ const MAX_TRACE_LEVEL: u32 = 256;
 /// Translates a scene with these bounds of its nodes.
 ///
 /// # Errors
-/// Something in it has no translation.
+/// A part of the scene has no translation.
 pub fn write(
     scene: &Scene,
     bounds: &[NodeBounds],

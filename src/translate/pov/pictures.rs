@@ -9,12 +9,12 @@ use crate::scene::image_file::JPEG;
 use crate::trace::Images;
 use crate::translate::plain::plain;
 
-/// Where POV-Ray finds the pictures of a scene.
+/// The way in which POV-Ray finds the pictures of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Pictures {
-    /// In the scene's folder, as they are. POV-Ray decodes them, and opens no path that is not ASCII.
+    /// Pictures in the scene's folder, as they are. POV-Ray decodes them, and opens no path that is not ASCII.
     InPlace(PathBuf),
-    /// Beside the translation: by the name that the scene has for each, the name of a PNG of its texels.
+    /// Pictures beside the translation: by the name that the scene has for each, the name of a PNG of its texels.
     Beside(BTreeMap<String, String>),
 }
 

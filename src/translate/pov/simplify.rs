@@ -48,9 +48,9 @@ pub(super) fn simplified<'a>(tree: Tree<'a>) -> Tree<'a> {
 #[derive(Default)]
 struct Simplified<'a> {
     objects: Vec<Declaration<'a>>,
-    /// For each object that was declared its number among these; none for those with nothing in them.
+    /// The number among these of each object that was declared; `None` for empty objects.
     numbers: Vec<Option<usize>>,
-    /// The numbers of objects by what is said of them.
+    /// The numbers of objects by the hash of their contents.
     known: HashMap<u64, Vec<usize>>,
     /// How many objects of each entity there are.
     times: HashMap<u32, u32>,

@@ -1,4 +1,4 @@
-//! What the passes share: a translation as values, before it is text.
+//! The tree of a translation that the passes share, before it is text.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -12,7 +12,7 @@ pub struct Document<'a> {
     pub title: Option<&'a str>,
     /// Width and height of the picture in pixels.
     pub size: (u32, u32),
-    /// `max_trace_level`.
+    /// The value of POV-Ray's `max_trace_level`.
     pub levels: u32,
     /// Power of two that dims all light enough for an image file.
     pub light_scale: f64,
@@ -20,7 +20,7 @@ pub struct Document<'a> {
     pub background: Rgb,
     pub ambient: Rgb,
     pub lights: Vec<Light>,
-    /// The lights lie in a group with the scene: one of them is on a surface.
+    /// Whether the lights lie in a group with the scene: one of them is on a surface.
     pub lights_in_group: bool,
     pub tree: Tree<'a>,
     /// The scene's name in a comment.
@@ -31,12 +31,12 @@ pub struct Document<'a> {
     pub cut_open: bool,
 }
 
-/// From the scene's coordinates to those that POV-Ray works in.
+/// The map from the scene's coordinates to those that POV-Ray works in.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
     /// Comes to lie in the origin; the origin itself for most scenes.
     pub centre: Vec3,
-    /// A power of two.
+    /// Factor from the scene's lengths to POV-Ray's, a power of two.
     pub unit: f64,
 }
 
@@ -56,7 +56,7 @@ pub(super) struct Lens {
     pub direction: Vec3,
     pub right: Vec3,
     pub up: Vec3,
-    /// By what parallel rays are moved, so that none runs exactly along a face or a seam.
+    /// The vector by which parallel rays are moved, so that none runs exactly along a face or a seam.
     pub shift: Vec3,
 }
 
@@ -73,16 +73,16 @@ pub struct Light {
 pub struct Image {
     /// The kind and path of the file in POV-Ray's language.
     pub file: String,
-    /// The scene's name of it.
+    /// The scene's name of the image.
     pub caption: String,
 }
 
-/// All that is declared, and what of it is drawn.
+/// The objects that are declared, and those of them that are drawn.
 #[derive(Default)]
 pub struct Tree<'a> {
     pub images: Vec<Image>,
     pub textures: Vec<Texture<'a>>,
-    /// Each stands behind those it is made of.
+    /// The declared objects, each behind those that it is made of.
     pub objects: Vec<Declaration<'a>>,
     /// The number of the object that is drawn; none where there is nothing.
     pub root: Option<usize>,
@@ -92,12 +92,12 @@ pub struct Tree<'a> {
 /// The declarations that the objects make use of.
 #[derive(Default)]
 pub struct Uses {
-    /// Something has faces that nobody sees.
+    /// Whether some object has faces that nobody sees.
     pub unseen: bool,
     pub everywhere: bool,
-    /// Something has another index than 1.
+    /// Whether some object has another index than 1.
     pub refraction: bool,
-    /// Some index differs by channel.
+    /// Whether some index differs by channel.
     pub dispersion: bool,
     /// The numbers of splits of geodesic spheres.
     pub splits: BTreeSet<u32>,
@@ -111,7 +111,7 @@ pub struct Texture<'a> {
     pub name: String,
     pub pattern: Pattern<'a>,
     pub optics: Optics,
-    /// Light comes from the other side.
+    /// Whether light comes from the other side.
     pub is_behind: bool,
 }
 
@@ -141,7 +141,7 @@ pub struct Declaration<'a> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Object<'a> {
     pub body: Body<'a>,
-    /// In the order they apply: the innermost first.
+    /// The modifiers in the order they apply: the innermost first.
     pub modifiers: Vec<Modifier<'a>>,
     pub comment: Option<String>,
 }
@@ -153,7 +153,7 @@ pub enum Body<'a> {
     Mesh(Vec<Geometry>),
     /// The declared object with this number.
     Declared(usize),
-    /// All of space.
+    /// All space.
     Everything,
     Operation(Operation, Vec<Object<'a>>),
 }
@@ -169,7 +169,7 @@ pub enum Operation {
     CutawayDifference,
 }
 
-/// Something said about an object.
+/// A property of an object.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Modifier<'a> {
     Matrix(Matrix),
@@ -184,7 +184,7 @@ pub enum Modifier<'a> {
     /// The refractive index within.
     Index(Rgb),
     Inverse,
-    /// Only what lies inside of an object is there.
+    /// A clip: only the part inside of an object is there.
     Clip(Box<Object<'a>>),
     /// A volume that certainly holds the object.
     Bound(Volume),
@@ -204,7 +204,7 @@ impl<'a> Object<'a> {
         Object::new(Body::Operation(Operation::Union, Vec::new()))
     }
 
-    /// One object of several; of a single one itself.
+    /// Makes one object of several; a single one stays as it is.
     pub fn of(operation: Operation, mut operands: Vec<Object<'a>>) -> Object<'a> {
         match (operands.len(), operands.pop()) {
             (1, Some(only)) => only,
@@ -215,7 +215,7 @@ impl<'a> Object<'a> {
         }
     }
 
-    /// The same, unless there is none at all.
+    /// Makes one object of several; `None` if there are no operands.
     pub fn unless_empty(operation: Operation, operands: Vec<Object<'a>>) -> Option<Object<'a>> {
         (!operands.is_empty()).then(|| Object::of(operation, operands))
     }

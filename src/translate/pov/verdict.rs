@@ -1,4 +1,4 @@
-//! What POV-Ray makes of each feature.
+//! Support of each feature by POV-Ray.
 
 use super::pictures::Pictures;
 use crate::syntax::table::{RecordKind, ShapeKind};

@@ -102,7 +102,7 @@ pub(super) fn usual(
     }
 }
 
-/// Whether all that ends of what is drawn fits into the picture as it is: it is small, or far away.
+/// Whether all finite parts of what is drawn fit into the picture as they are: small, or far away.
 fn fits(context: &Context, camera: &Camera) -> bool {
     let Some(render) = context.scene.render else {
         return false;

@@ -161,7 +161,7 @@ fn is_flat(context: &Context, node: NodeId) -> bool {
     all.is_finite() && least <= FLAT_REL_EXTENT * all.reach()
 }
 
-/// Where a face is written, what it is, and the parameter that it is named by.
+/// The place of a face in its record, its name, and the parameter that the face is named by.
 fn place(p: &Params, geometry: &Geometry, part: FaceId) -> (Span, &'static str, &'static str) {
     let written = geometry.written(part);
     let span = match written.params {
@@ -216,7 +216,7 @@ impl Parents {
     }
 }
 
-/// Where a face is written in a record.
+/// The place of a face in a record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Written {
     /// The first parameter and how many; `None` for the whole record.
@@ -244,7 +244,7 @@ impl Written {
 }
 
 impl Geometry {
-    /// Where a face is written, and what it is called.
+    /// The place of a face in the record, and its name.
     fn written(&self, part: FaceId) -> Written {
         match AnyShape::of(self) {
             AnyShape::Cone(_) => match part {

@@ -37,8 +37,8 @@ pub(super) fn in_line<const N: usize>(points: &[[f64; N]]) -> Option<InLine> {
     })
 }
 
-/// Whether the determinants of three points' differences are no larger than what rounds them: half an
-/// ulp for each number, each difference and each product.
+/// Whether the determinants of three points' differences are no larger than their rounding: half an ulp for each
+/// number, each difference and each product.
 fn nearly_in_line<const N: usize>(points: [&[f64; N]; 3], size: &[f64; N]) -> bool {
     let [p, a, b] = points.map(|p| -> [f64; N] { std::array::from_fn(|i| p[i] / size[i]) });
     let way = |to: &[f64; N], i: usize| to[i] - p[i];

@@ -70,7 +70,8 @@ fn turned(p: &Params) -> Fix {
     }
 }
 
-/// One of two equal bounds has lost its minus: the lower one if both are above 0, else the upper one has one too many.
+/// The fix for two equal bounds of which one has lost its minus: the lower one if both are above 0, else the upper one
+/// has one too many.
 fn lost_minus(p: &Params, why: &Degenerate, half: usize) -> Option<Fix> {
     let &[low] = why.equal.as_slice() else {
         return None;
@@ -100,12 +101,12 @@ struct Degenerate {
     case: &'static str,
     /// The first of the parameters that make it so, and their number.
     params: (usize, usize),
-    /// Parameters that are equal to the one half a record further on, where that is why.
+    /// Parameters that equal the one half a record further on, where this makes the shape degenerate.
     equal: Vec<usize>,
 }
 
 impl Geometry {
-    /// How it fails to have an inside, or of a surface an area.
+    /// The way in which a solid fails to have an inside, or a surface an area; `None` for a shape that has it.
     fn degenerate(&self) -> Option<Degenerate> {
         match AnyShape::of(self) {
             AnyShape::Cone(s) => (s.height == 0.0 && !s.double).then(|| Degenerate {

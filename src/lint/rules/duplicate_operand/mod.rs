@@ -89,7 +89,8 @@ fn same(context: &Context, operation: NodeId, unused: &[&Entity]) -> Option<Diag
 /// The place of the second operand in its record.
 const SECOND: usize = 1;
 
-/// Of each node what it is a copy of without changes, or itself. Copies stand behind their originals.
+/// The original of each node: the node that it is a copy of without changes, or itself. Copies stand behind their
+/// originals.
 fn originals(scene: &Scene) -> Vec<NodeId> {
     let mut originals: Vec<NodeId> = Vec::with_capacity(scene.nodes.len());
     for (i, node) in scene.nodes.iter().enumerate() {

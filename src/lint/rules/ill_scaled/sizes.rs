@@ -50,7 +50,7 @@ impl<'a> Sizes<'a> {
         (self.take)(Length { size, what, axis });
     }
 
-    /// One that lies along an axis, not stretched yet.
+    /// Adds a size along an axis, not stretched yet.
     pub(super) fn along(&mut self, axis: usize, size: f64, what: &'static str) {
         (self.take)(Length {
             size: size * self.stretch[axis],
@@ -59,12 +59,12 @@ impl<'a> Sizes<'a> {
         });
     }
 
-    /// One along each axis.
+    /// Adds a size along each axis.
     pub(super) fn axes(&mut self, sizes: [f64; 3], what: [&'static str; 3]) {
         (0..3).for_each(|i| self.along(i, sizes[i], what[i]));
     }
 
-    /// One along each axis, which is a part of its name.
+    /// Adds a size along each axis, which is a part of its name.
     pub(super) fn named(&mut self, sizes: [f64; 3], what: [&'static str; 3]) {
         (0..3).for_each(|i| self.add(sizes[i] * self.stretch[i], what[i]));
     }
@@ -153,7 +153,7 @@ impl Geometry {
         }
     }
 
-    /// Some point of it, where its record names one.
+    /// A point of the geometry, where its record names one.
     pub(super) fn place(&self) -> Option<Vec3> {
         match AnyShape::of(self) {
             AnyShape::Cone(_) => Some([0.0; 3]),

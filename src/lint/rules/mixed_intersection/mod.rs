@@ -58,7 +58,7 @@ fn is_complement(scene: &Scene, node: NodeId) -> bool {
     unpainted.any(|(_, n)| matches!(n, Node::Complement(_)))
 }
 
-/// Where all of an object has an aspect from, if it is the same everywhere.
+/// The origin of an aspect of all of an object, if it is the same everywhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Source {
     Default,

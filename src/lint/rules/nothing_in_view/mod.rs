@@ -182,7 +182,7 @@ fn turned_to_point(camera: &Camera, p: &Params, sees: impl Fn(Vec3) -> bool) -> 
     Some(fix("fix-point", values, numbers, p))
 }
 
-/// Whether something moves the camera away from what its record says.
+/// Whether a transformation moves the camera from the place and direction of its record.
 fn is_moved(camera: &Camera, p: &Params) -> bool {
     p.numbers(0) != camera.position || p.numbers(3) != camera.direction
 }

@@ -1,4 +1,4 @@
-//! What light notices of the parts of a union.
+//! Differences between the parts of a union that light notices.
 
 use crate::scene::{DEFAULT_INDEX, Node, NodeId, Optics, Rgb, Scene, Texture};
 use crate::solids::shapes::facts::Facts;

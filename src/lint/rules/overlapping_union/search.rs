@@ -44,7 +44,7 @@ pub(super) struct Overlap {
     pub(super) parts: [u32; 2],
     /// A point of both, in the coordinates of the scene: with as many digits as it takes to be in both.
     pub(super) witness: [String; 3],
-    /// Whether they are opaque, and cut open at the point.
+    /// Whether the parts are opaque, and cut open at the point.
     pub(super) open: bool,
 }
 
@@ -166,7 +166,7 @@ impl<'a> Search<'a> {
         optics(one) != optics(two) || a != b
     }
 
-    /// The union of two parts, if nothing has been said of it.
+    /// The union of two parts, unless a finding names it already.
     fn union(&self, parts: [&UnionOperand; 2]) -> Option<NodeId> {
         let place = self.unions.ancestry.join(parts[0].union, parts[1].union)?;
         let union = self.unions.places[place as usize];
@@ -240,7 +240,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Whether the first of two parts lies within the second, and the second is more than that. Then the first owns all of
+    /// Whether the first of two parts lies within the second, and the second is larger. Then the first owns all of
     /// itself, and the second what is around it. The other order would leave nothing of the first.
     fn is_nested(
         &mut self,
@@ -356,7 +356,8 @@ impl<'a> Search<'a> {
         )
     }
 
-    /// Where something without end is at home: around its own origin, by several times its size.
+    /// The box in which to look for a part: its bounds, or for an endless shape a box around its own origin, several
+    /// times its size.
     fn anchor(&self, part: &UnionOperand) -> Aabb {
         const TIMES: f64 = 4.0;
         let bounded = self.bounds[part.node as usize].bounded();
@@ -422,7 +423,7 @@ impl<'a> Search<'a> {
         self.holds([(parts[0], true), (parts[1], true)], p, depth, left)
     }
 
-    /// The same of the first part alone, outside of the second.
+    /// Whether the first part alone holds the point, outside of the second.
     fn sticks_out(
         &mut self,
         parts: [(&UnionOperand, &Matrix); 2],
@@ -467,8 +468,7 @@ impl<'a> Search<'a> {
 }
 
 impl Geometry {
-    /// Where something without end is at home, and of what size its features are there. Nobody asks shapes
-    /// that end.
+    /// The place where an endless shape is at home, and the size of its features there. Nobody asks shapes that end.
     fn home(&self) -> (Vec3, f64) {
         match AnyShape::of(self) {
             AnyShape::HalfSpace(s) => {

@@ -1,4 +1,4 @@
-//! What W307 says, and what not.
+//! Scenes with and without the finding W307.
 
 use crate::lint::testing::{self};
 

@@ -18,7 +18,7 @@ const MAX_REPEATED_NODES: usize = 200_000;
 pub(super) struct UnionOperand {
     pub(super) node: NodeId,
     pub(super) named: Named,
-    /// From its own coordinates into those of the root.
+    /// The map from the operand's coordinates into those of the root.
     pub(super) matrix: Matrix,
     pub(super) bounds: Aabb,
     pub(super) medium: u32,
@@ -26,7 +26,7 @@ pub(super) struct UnionOperand {
     pub(super) union: u32,
     /// The outermost object that the operand is part of, where an intersection or a difference may cut something off.
     pub(super) cut: Option<NodeId>,
-    /// Whether that is done by differences alone: their cut faces look like what they cut through.
+    /// Whether only differences cut something off: their cut faces look like what they cut through.
     pub(super) opened: bool,
 }
 
@@ -47,13 +47,13 @@ pub(super) struct Unions {
     pub(super) places: Vec<NodeId>,
     /// The place that each place is an operand of.
     pub(super) ancestry: Ancestry,
-    /// In the order of their operands.
+    /// The operands in their order.
     pub(super) parts: Vec<UnionOperand>,
     pub(super) media: Vec<Medium>,
 }
 
 impl Unions {
-    /// Everything that is a part of a union and whose properties show.
+    /// The operands of all unions, as far as their properties show.
     ///
     /// Operands that cannot be seen are left out: nothing in the picture depends on them.
     pub(super) fn new(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Unions {

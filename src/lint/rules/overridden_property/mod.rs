@@ -18,7 +18,7 @@ const KINDS: [RecordKind; 5] = [
     RecordKind::RefractiveIndex,
 ];
 
-/// So many objects are proposed at most.
+/// The most objects that are proposed.
 const PROPOSALS: usize = 2;
 
 /// Findings that get proposals: each looks through the whole scene for them.

@@ -32,7 +32,7 @@ struct Task {
     matrix: Matrix,
     optics: Option<Optics>,
     source: Option<Option<Span>>,
-    /// Whether its inside may be what is around it.
+    /// Whether the inside of the node may be what is around it.
     complement: bool,
 }
 
@@ -96,7 +96,7 @@ impl Apart {
     }
 }
 
-/// All shapes in their places, tools of differences left out; `None` if there are too many.
+/// All shapes in their places, without the tools of differences; `None` if there are too many.
 fn leaves(scene: &Scene, sources: &[Option<Span>], roots: &[NodeId]) -> Option<Vec<Leaf>> {
     let mut out = Vec::new();
     let start = |&node: &NodeId| Task {

@@ -1,8 +1,8 @@
-//! Where a profile crosses itself.
+//! Crossings of a profile with itself.
 
 type Point = [f64; 2];
 
-/// Where a surface runs through itself.
+/// A place where a surface runs through itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Crossing {
     /// A tube, around the axis of its ring.
@@ -19,8 +19,8 @@ pub(super) enum Crossing {
 /// pieces all overlap in height there are as many pairs as the square of their number.
 const COMPARISONS: usize = 32;
 
-/// Some crossing of two pieces in their inner points, if there is one for certain. A profile that
-/// merely touches itself has none.
+/// A crossing of two pieces in their inner points, if there is one for certain. A profile that merely touches itself
+/// has none.
 pub(super) fn first_crossing(profile: &[Point]) -> Option<Crossing> {
     let (&first, &last) = (profile.first()?, profile.last()?);
     let mut pieces: Vec<(usize, Point, Point)> = (0..profile.len() - 1)
@@ -57,7 +57,7 @@ pub(super) fn first_crossing(profile: &[Point]) -> Option<Crossing> {
     None
 }
 
-/// Where two pieces cross in their inner points, if that is certain.
+/// The crossing of two pieces in their inner points, if that is certain.
 fn crossing_point((a, b): (Point, Point), (c, d): (Point, Point)) -> Option<Point> {
     let (sc, sd) = (side(a, b, c)?, side(a, b, d)?);
     let (sa, sb) = (side(c, d, a)?, side(c, d, b)?);
@@ -68,10 +68,9 @@ fn crossing_point((a, b): (Point, Point), (c, d): (Point, Point)) -> Option<Poin
     Some([0, 1].map(|i| a[i] + (b[i] - a[i]) * share))
 }
 
-/// On which side of the line a → b a point is: positive on the left; `None` where rounding does not
-/// let that be told. The bound is that of Shewchuk's adaptive predicate, (3 + 16u)u with u = ε/2,
-/// on the sum of the two products' sizes ("Adaptive precision floating-point arithmetic and fast
-/// robust geometric predicates", 1997, section 4.3).
+/// The side of the line a → b that a point is on: positive on the left; `None` where rounding does not let that be
+/// told. The bound is that of Shewchuk's adaptive predicate, (3 + 16u)u with u = ε/2, on the sum of the two products'
+/// sizes ("Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997, section 4.3).
 fn side(a: Point, b: Point, p: Point) -> Option<f64> {
     const U: f64 = f64::EPSILON / 2.0;
     const BOUND: f64 = (3.0 + 16.0 * U) * U;

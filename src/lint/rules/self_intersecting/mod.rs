@@ -69,7 +69,7 @@ fn profile(p: &Params, shape: &Shape, (a, b): (usize, usize), at: [f64; 2]) -> D
 }
 
 impl Geometry {
-    /// Where its surface runs through itself.
+    /// The place where the surface runs through itself, if it does.
     fn crossing(&self) -> Option<Crossing> {
         match AnyShape::of(self) {
             AnyShape::Torus(s) => (s.major < s.minor).then_some(Crossing::Tube),

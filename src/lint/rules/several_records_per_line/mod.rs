@@ -13,11 +13,11 @@ use crate::syntax::lexer::TokenKind;
 struct Line<'a> {
     /// The first of its records.
     first: Option<&'a Item>,
-    /// The one before the others, if it began on an earlier line.
+    /// The record before the others on the line, if it began on an earlier line.
     torn: Option<&'a Item>,
     /// The records that begin behind another one.
     more: Vec<&'a Item>,
-    /// Something on it cannot be read.
+    /// Whether some record on the line cannot be read.
     broken: bool,
 }
 

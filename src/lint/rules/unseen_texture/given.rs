@@ -1,4 +1,4 @@
-//! Which record a paint has its texture from.
+//! The record that gives a paint its texture.
 
 use rustc_hash::FxHashMap;
 

@@ -54,7 +54,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.extend((given.iter().zip(found)).filter_map(|(given, found)| found.said(given)));
 }
 
-/// Why a texture is not to be seen.
+/// A reason why a texture is not to be seen.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Why {
     Covered,
@@ -79,12 +79,12 @@ impl Why {
 /// The facts about the use of a texture.
 #[derive(Default)]
 struct TextureSightings {
-    /// Something is painted with it, whether it is drawn or not.
+    /// Whether an object is painted with the texture, drawn or not.
     is_used: bool,
     is_seen: bool,
     /// Each reason once.
     reasons: Vec<Why>,
-    /// The paint that covers it.
+    /// The paint that covers the texture.
     cover: Option<Span>,
 }
 
@@ -117,13 +117,14 @@ impl TextureSightings {
     }
 }
 
-/// In larger scenes nothing is looked for that is hidden or out of view: that takes too long for an editor.
+/// Number of nodes above which hidden parts and parts out of view are not looked for: that takes too long for an
+/// editor.
 const MAX_NODES: usize = 5000;
 
 /// A scene with more and more left out.
 struct Views<'a> {
     scene: &'a Scene,
-    /// All that is drawn.
+    /// The aspects that can be seen of all that is drawn.
     all: VisibleAspects,
     /// The aspects that a ray of a camera may meet.
     met: Option<VisibleAspects>,

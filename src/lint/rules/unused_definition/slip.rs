@@ -1,5 +1,5 @@
-//! What may have been meant by something that nothing needs: a refractive index for another object, by a slip of its ID;
-//! a place of a lamp.
+//! Guesses at the purpose of a definition that nothing needs: a refractive index for another object, by a slip of its
+//! ID; a place of a lamp.
 
 use rustc_hash::FxHashSet;
 

@@ -1,4 +1,4 @@
-//! What contains what is drawn, where the render record names an earlier step of the scene.
+//! The nodes that contain what is drawn, where the render record names an earlier step of the scene.
 
 use rustc_hash::FxHashSet;
 

@@ -1,4 +1,4 @@
-//! Where the names of points stand in a diagram: beside their points, and not on each other.
+//! Layout of the names of points in a diagram: beside their points, and not on each other.
 
 /// A part of the picture: left, top, right and bottom.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -9,9 +9,9 @@ pub(super) struct LabelBox(pub [f64; 4]);
 pub(super) struct Label {
     /// The number of its point.
     pub point: usize,
-    /// How wide it is.
+    /// Width of the label.
     pub width: f64,
-    /// Whether it stands somewhere, however crowded the place is.
+    /// Whether the label is placed, however crowded the place is.
     pub needed: bool,
 }
 
@@ -20,13 +20,13 @@ pub(super) struct Label {
 pub(super) struct Surroundings {
     /// Names stay inside of this.
     pub within: LabelBox,
-    /// Where the points' marks are.
+    /// The places of the points' marks.
     pub points: Vec<[f64; 2]>,
     /// Lines that better stay legible, and how much worse it is to cover one than to be one mark farther away.
     pub lines: Vec<([[f64; 2]; 2], f64)>,
 }
 
-/// Where a name stands.
+/// A name in its place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Placed {
     pub frame: LabelBox,
@@ -46,7 +46,7 @@ const HIGHER: [f64; 6] = [0.0, 8.0, 15.0, 23.0, 32.0, 42.0];
 /// Points that are nearer to each other are one: whoever sees the one sees the other.
 const ONE: f64 = 3.0;
 
-/// Where a name may stand beside its point, and how much worse than right beside it that is.
+/// The places of a name beside its point, each with the amount by which it is worse than right beside the point.
 fn places([x, y]: [f64; 2], width: f64) -> Vec<(f64, LabelBox)> {
     let (w, h) = (width / 2.0, HEIGHT / 2.0);
     let around = |cx: f64, cy: f64| LabelBox([cx - w, cy - h, cx + w, cy + h]);

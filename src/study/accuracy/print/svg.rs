@@ -106,7 +106,7 @@ pub fn file(report: &Report, language: Language) -> String {
     }
 }
 
-/// Where things lie in a panel.
+/// The map from values to places in a panel.
 struct Scale {
     /// The left end of the gutter.
     left: f64,

@@ -1,4 +1,4 @@
-//! From a scene to a report: pilot, references, errors, times.
+//! The run from a scene to a report: pilot, references, errors, times.
 
 mod errors;
 mod objects;
@@ -91,13 +91,13 @@ struct ConfigurationState {
     sample: Sample,
 }
 
-/// One of the steps from a scene to a report.
+/// A step from a scene to a report.
 type StudyStep<R> = fn(&mut R) -> Result<(), Error>;
 
 /// Pixels that see something else, and the median and the largest distance in units of the last place.
 type Distances = (usize, f64, f64);
 
-/// Everything that is known while it runs.
+/// The state of a run.
 struct Run<'i> {
     options: &'i Options,
     images: &'i Images,
@@ -246,7 +246,7 @@ impl Run<'_> {
         self.tiles[..tiles].iter().map(|t| t.count()).sum()
     }
 
-    /// As many tiles as take so many seconds at so many a pixel, and no fewer than hold so many pixels.
+    /// Number of tiles that take `seconds` at `cost` seconds a pixel, and hold at least `least` pixels.
     fn tiles_for(&self, seconds: f64, cost: f64, least: f64) -> usize {
         let pixels = (seconds / cost.max(1e-12)).max(least);
         let tile = f64::from(TILE * TILE);

@@ -1,4 +1,4 @@
-//! What each object costs, and where it is wrong.
+//! The cost of each object, and the places where it is wrong.
 
 use super::{FEWEST_PIXELS, OBJECTS, PICTURES, Run};
 use crate::diagnostics::Error;

@@ -3,13 +3,13 @@
 /// CPU time and wall time of what has been done so far.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pace {
-    /// On one thread.
+    /// The pace on one thread.
     one: [f64; 2],
-    /// On all threads together.
+    /// The pace on all threads together.
     all: [f64; 2],
 }
 
-/// For so many seconds the machine is taken to be idle, before anything is measured.
+/// Seconds for which the machine is taken to be idle, before anything is measured.
 const PRIOR: f64 = 0.05;
 
 impl Pace {

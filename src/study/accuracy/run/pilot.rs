@@ -1,4 +1,4 @@
-//! Which configurations there are, and what each costs, by a few tiles of each.
+//! The configurations, and the cost of each by a few of its tiles.
 
 use super::{ConfigurationState, LEAST_PIXELS, Run, TimedItem, rays};
 use crate::diagnostics::{Complaint, Error};

@@ -1,4 +1,4 @@
-//! What the errors are measured against: each kind of error has a reference beyond every configuration on its axes.
+//! References of the errors: each kind of error has one beyond every configuration on its axes.
 
 use super::{
     EDGES, ERRORS, FEWEST_PIXELS, LEAST_PIXELS, LIGHT, NUMBERS, OBJECTS, PICTURES, Run, TIMES,

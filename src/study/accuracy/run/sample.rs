@@ -1,4 +1,4 @@
-//! Which tiles a setting is timed on, and what the times of a few say of the whole.
+//! The tiles that a setting is timed on, and an estimate of the whole from the times of a few.
 
 use crate::study::accuracy::runner::Timed;
 use crate::study::accuracy::sample_tiles::Tile;

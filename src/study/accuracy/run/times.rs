@@ -131,7 +131,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// As many tiles as the default is timed on in a run of so many CPU seconds.
+    /// Number of tiles that the default is timed on in a run of so many CPU seconds.
     fn default_tiles(&self, seconds: f64) -> usize {
         let cost = self.entry_cost(&TimedItem::Default(0));
         self.tiles_for(seconds, cost, least_pixels(cost, seconds))

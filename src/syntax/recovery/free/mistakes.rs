@@ -216,7 +216,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// A record with some parameters more or less than it takes, or with spoiled ones.
+    /// Offers a record with some parameters more or less than its type takes, or with spoiled ones.
     fn wrong_arity(&mut self, at: usize, id: u32, ty: &'static RecordType) {
         let stretch = self.stretch;
         let Some(head) = self.head(Id::Is(id), ty, at + 2) else {
@@ -285,7 +285,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// A record whose type would be one with a minus sign.
+    /// Offers a record whose type number would be right with a minus sign.
     fn lost_sign(&mut self, at: usize, id: u32) {
         let code = self.stretch.sigs.get(at + 1).and_then(|s| s.int);
         let Some(ty) = code.and_then(|code| RecordType::by_code(-i64::from(code))) else {

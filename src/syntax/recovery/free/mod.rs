@@ -1,4 +1,4 @@
-//! What to make of a text whose line breaks say nothing of where records begin.
+//! Recovery of a text whose line breaks say nothing of where records begin.
 //!
 //! As in [`layout`](super::layout), all ways to cut it into records and faults compete, and the cheapest one wins.
 //! What speaks for a way are IDs and parameters: [`PartialParses`] knows at each place which IDs are defined on the cheapest
@@ -20,7 +20,7 @@ use super::surroundings::Surroundings;
 const MAX_NUMBERS_OFF: usize = 2;
 /// Most parameters of a record without a count.
 const MAX_PARAMS: usize = 18;
-/// How many places ahead are looked at for that.
+/// Number of places ahead that are looked at for that.
 const AHEAD: usize = 20;
 /// How many parameters are looked at to judge whether a record is plausible.
 const PARAMS_MAX: usize = 64;
@@ -112,7 +112,7 @@ fn types_by_arity() -> Vec<Vec<&'static RecordType>> {
 /// A way to a place: its price, and its last piece.
 #[derive(Debug, Clone, Copy)]
 struct Offer {
-    /// The place and the state before it.
+    /// The place and the state before the piece.
     from: usize,
     price: u64,
     id: Id,
@@ -127,7 +127,7 @@ struct Head {
     ty: &'static RecordType,
     /// Number of repeated parameters.
     count: u64,
-    /// Where the parameters begin.
+    /// The first of the parameters.
     first: usize,
 }
 
@@ -143,7 +143,7 @@ struct Search<'a, 's> {
 }
 
 impl Search<'_, '_> {
-    /// There is a piece, which costs so much.
+    /// Offers the piece from `start` to `end` as the next one, at a price.
     fn offer(
         &mut self,
         (start, end): (usize, usize),
@@ -195,7 +195,7 @@ impl Search<'_, '_> {
         })
     }
 
-    /// Where such a record ends, without its optional group and with it.
+    /// The ends of a record with this head, without its optional group and with it.
     fn ends(&self, head: &Head) -> [Option<usize>; 2] {
         let base = (head.first as u64).saturating_add(head.ty.arity(head.count));
         let base = usize::try_from(base)

@@ -7,7 +7,7 @@ use crate::solids::named;
 use crate::solids::shapes::facts::Facts;
 use std::sync::Arc;
 
-/// Where a part is written.
+/// The slot in which a part is written.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Slot {
     /// The only part there is.
@@ -27,16 +27,16 @@ pub(super) struct Member {
     pub shape: Option<u32>,
     /// The matrix that moves the part.
     moved: Option<Arc<Matrix>>,
-    /// Where it is, in those of the scene.
+    /// The bounds in the coordinates of the scene.
     pub bounds: Aabb,
     /// Whether anything of it may let light through, after all that overrides its properties.
     pub clear: bool,
-    /// Whether it is one shape without inside.
+    /// Whether the member is one shape without inside.
     pub sheet: bool,
 }
 
 impl Member {
-    /// From the coordinates of what is below its transformations into those of the scene.
+    /// The map from the coordinates below the member's transformations into those of the scene.
     pub(super) fn matrix(&self) -> &Matrix {
         self.moved.as_deref().unwrap_or(&Matrix::IDENTITY)
     }
@@ -54,7 +54,7 @@ impl Member {
     }
 }
 
-/// On the way down to a part.
+/// The way down to a part.
 #[derive(Clone)]
 struct PathToPart {
     node: NodeId,
@@ -64,11 +64,11 @@ struct PathToPart {
     moved: Option<Arc<Matrix>>,
     /// Whether what lies above says that light gets through.
     clear: Option<bool>,
-    /// Something on the way is used elsewhere too.
+    /// Whether some node on the way is used elsewhere too.
     shared: bool,
 }
 
-/// All of them, in the order of the operands.
+/// All members of the union at the root, in the order of the operands.
 pub(super) fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Member> {
     let uses = scene.uses(root);
     let clear = clear(scene, root);

@@ -19,7 +19,7 @@ use members::{Member, Slot, members};
 use rustc_hash::FxHashMap;
 pub use starts::Starts;
 
-/// Why nothing of a part can be seen.
+/// The reason why nothing of a part can be seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Why {
     /// Outside of the box of the render record.
@@ -33,7 +33,7 @@ pub enum Why {
 pub struct Unseen {
     /// The ID by which it is written.
     pub id: u32,
-    /// Where that is defined.
+    /// The place of the definition.
     pub span: Span,
     pub why: Why,
 }
@@ -42,7 +42,7 @@ pub struct Unseen {
 #[derive(Debug, Clone, Default)]
 pub struct LeftOut {
     operands: FxHashMap<NodeId, [bool; 2]>,
-    /// Everything is.
+    /// Whether the root is left out, and with it all of the scene.
     root: bool,
 }
 
@@ -79,7 +79,7 @@ impl LeftOut {
 /// The operands that no ray can see, and what is left to draw.
 #[derive(Debug, Default)]
 pub struct UnseenParts {
-    /// In the order of the operands.
+    /// The unseen operands in their order.
     pub unseen: Vec<Unseen>,
     pub left_out: LeftOut,
     /// Whether something that is left may reach out of the region that is drawn.
@@ -87,7 +87,7 @@ pub struct UnseenParts {
 }
 
 impl UnseenParts {
-    /// Everything, whether it is seen or not.
+    /// All parts of the scene, seen or not.
     pub fn all(scene: &Scene, root: NodeId) -> UnseenParts {
         let clip = scene.render.and_then(|r| r.clip);
         UnseenParts {

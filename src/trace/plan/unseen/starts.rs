@@ -1,4 +1,4 @@
-//! Where the rays of cameras start.
+//! Starts of the rays of cameras.
 
 use super::is_apart;
 use crate::geometry::array::{add, cross, dot, sub, unit};
@@ -9,7 +9,7 @@ use crate::solids::bounds::NodeBounds;
 use crate::solids::staging::{Basis, automatic_camera};
 use crate::solids::within::{CLEARANCE_REL, PlacedShape, far};
 
-/// Where rays may start.
+/// A set of places at which rays may start.
 enum Start {
     Point(Vec3),
     /// Somewhere in this box, which may reach to infinity.
@@ -19,8 +19,8 @@ enum Start {
     Anywhere,
 }
 
-/// Where the rays of all cameras may start: of each that is written, since any may be chosen, or of the
-/// automatic one in a picture of any shape.
+/// The starts of the rays of all cameras: of each that is written, since any may be chosen, or of the automatic one in
+/// a picture of any shape.
 pub struct Starts(Vec<Start>);
 
 impl Starts {

@@ -1,5 +1,5 @@
-//! What a camera cannot see wherever it looks in its picture, since it lies behind the camera or beside what the
-//! picture shows; and what a point is inside of.
+//! Parts that a camera cannot see wherever it looks in its picture, since they lie behind the camera or beside the
+//! picture; and the parts that a point is inside of.
 //!
 //! Both ask the parts of the outermost union, by boxes that are never too small: a part that is beside by its box is
 //! beside. Something that is not convex may be beside without being known to be.
@@ -34,7 +34,7 @@ const UPRIGHT: f64 = -1e-15;
 /// them.
 const BOXES: usize = 1 << 14;
 
-/// Where something lies that a camera does not see.
+/// The side on which a part lies that a camera does not see.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OutOfView {
     Behind,
@@ -42,7 +42,7 @@ pub enum OutOfView {
     Right,
     Above,
     Below,
-    /// On several of these, or across their borders.
+    /// A part that lies on several of these sides, or across their borders.
     Beside,
 }
 
@@ -55,8 +55,8 @@ const SIDES: [OutOfView; 5] = [
     OutOfView::Below,
 ];
 
-/// All that a camera can see in a picture of the usual size: every ray starts between four places and goes between
-/// four directions.
+/// The field of a camera in a picture of the usual size: every ray starts between four places and goes between four
+/// directions.
 struct Field {
     starts: [Vec3; 4],
     directions: [Vec3; 4],
@@ -142,8 +142,8 @@ pub enum Parts {
     Bounded,
 }
 
-/// Where all these parts of what is drawn lie, if a camera sees nothing of them in a picture of the usual size. `None`
-/// where it may see something, or where there is nothing.
+/// The side of the field on which all these parts of what is drawn lie, if a camera sees nothing of them in a picture
+/// of the usual size. `None` where it may see something, or where there is nothing.
 pub fn out_of_view(
     scene: &Scene,
     bounds: &[NodeBounds],
@@ -179,9 +179,9 @@ pub fn out_of_view(
     Some(side.map_or(OutOfView::Beside, |i| SIDES[i]))
 }
 
-/// With what is left out of pictures also the parts of the outermost union that lie beside what any camera of the scene
-/// sees in a picture of the usual size: mirrors and glass may show them all the same. `None` where there are none, where
-/// all are, or where no camera is written.
+/// The parts left out of pictures together with the parts of the outermost union that lie beside the view of every
+/// camera of the scene, in a picture of the usual size: mirrors and glass may show them all the same. `None` where
+/// there are none, where all are, or where no camera is written.
 pub fn beside_all_views(
     scene: &Scene,
     bounds: &[NodeBounds],
@@ -235,7 +235,7 @@ fn all_below(
     true
 }
 
-/// Where a point is with regard to something that lets no light through.
+/// An opaque solid that holds a point.
 #[derive(Debug, Clone, Copy)]
 pub struct Held {
     pub solid: Named,

@@ -1,4 +1,4 @@
-//! What is told of first hits, beside spans and double-double.
+//! Tests of first hits against spans and double-double.
 
 use super::*;
 use crate::geometry::dd::Dd;

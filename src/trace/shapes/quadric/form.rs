@@ -85,7 +85,7 @@ impl QuadricForm {
         .completed()
     }
 
-    /// Its coefficients: see [`Form::Quadric`](crate::trace::shapes::outline::Form::Quadric).
+    /// The coefficients of the polynomial: see [`Form::Quadric`](crate::trace::shapes::outline::Form::Quadric).
     pub fn polynomial(&self) -> [f64; 10] {
         let per = each(self.unit, |unit| 1.0 / unit);
         let [xx, yy, zz] = each([0, 1, 2], |i| self.square[i] * per[i] * per[i]);
@@ -97,7 +97,7 @@ impl QuadricForm {
         [xx, yy, zz, xy, xz, yz, x, y, z, self.constant]
     }
 
-    /// xᵀQx with x = (x, y, z, 1), divided by a power of two so that sums cannot overflow.
+    /// The form xᵀQx with x = (x, y, z, 1), divided by a power of two so that sums cannot overflow.
     pub fn symmetric_part(q: &[f64; 16]) -> QuadricForm {
         let largest = q.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let scale = power_of_two(largest);
@@ -167,7 +167,7 @@ impl QuadricForm {
         centre.dot(centre) > AWAY * size
     }
 
-    /// With what follows from the coefficients.
+    /// The form with the values that follow from its coefficients.
     fn completed(mut self) -> QuadricForm {
         let sum = |list: &[f64; 3]| list.iter().map(|x| x.abs()).sum::<f64>();
         self.weight = 2.0 * sum(&self.square) + 2.0 * sum(&self.mixed) + sum(&self.linear);

@@ -1,4 +1,4 @@
-//! Where a line meets a polynomial of second degree.
+//! Crossings of a line with a polynomial of second degree.
 
 use super::form::{OPERATIONS, PAIRS, QuadricForm, power_of_two, reciprocal};
 use super::refine::Sum;
@@ -53,8 +53,8 @@ impl<R: Traced> Quotient<R> {
         }
     }
 
-    /// With its error: that of x over y, and y's relative one, both by the least that y may be; where that is zero
-    /// there is no bound.
+    /// The quotient with its error: the error of x over y, and y's relative one, both by the least that y may be; where
+    /// that is zero there is no bound.
     pub(super) fn bounded(self) -> Bounded<R> {
         let Quotient { value, error, y } = self;
         let least = y.value.abs() - y.error;
@@ -67,14 +67,14 @@ impl<R: Traced> Quotient<R> {
     }
 }
 
-/// Where F along a line is negative: a τ² + b τ + c < 0 for the line's own parameter τ.
+/// The range in which F along a line is negative: a τ² + b τ + c < 0 for the line's own parameter τ.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Inside<R> {
     Nowhere,
     Everywhere,
-    /// Between the roots.
+    /// The points between the roots.
     Between(Quotient<R>, Quotient<R>),
-    /// Below the first and above the second.
+    /// The points below the first root and above the second.
     Around(Quotient<R>, Quotient<R>),
     Below(Quotient<R>),
     Above(Quotient<R>),

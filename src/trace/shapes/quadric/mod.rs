@@ -101,7 +101,7 @@ impl Quadric {
     }
 }
 
-/// From the sizes of terms for coordinates up to 1, that of all together for coordinates up to `reach`.
+/// Size of all terms together for coordinates up to `reach`, from the sizes of the terms for coordinates up to 1.
 fn size([second, first, constant]: [f64; 3], reach: f64) -> f64 {
     (second * reach + first) * reach + constant
 }

@@ -38,7 +38,7 @@ impl<R: Traced> Sum<R> {
         }
     }
 
-    /// Adds k·x·y; returns the size of that.
+    /// Adds k·x·y; returns the size of the product.
     #[inline(always)]
     pub(super) fn add(&mut self, k: R, x: R, y: R) -> R {
         let half = k * x;

@@ -41,7 +41,7 @@ pub struct Revolution {
     points: Vec<[f64; 2]>,
     /// The parts of the profile that are surface.
     pieces: Vec<Subsegment>,
-    /// One a profile point, or none.
+    /// A colour for each profile point, or none.
     colours: Vec<Rgb>,
     ring: bool,
     /// A power of two that brings the largest coordinate into [1, 2).
@@ -165,7 +165,7 @@ impl Revolution {
 }
 
 impl Shape for Revolution {
-    /// Of a segment: the closed profile has two points on the axis besides.
+    /// The convex piece of a segment: its closed profile has two points on the axis besides.
     fn convex_piece(&self) -> Option<ConvexPiece> {
         match self.points[..] {
             [_, a, b, _] if !self.ring => {
@@ -251,8 +251,8 @@ impl<R: Traced> Intersect<R> for Revolution {
         decide_closer(line, roots, |line, roots| self.decide(line, roots));
     }
 
-    /// By the segment's normal (h, −w) in the half-plane of the point; on the axis only what is
-    /// along it counts.
+    /// The speed across the surface by the segment's normal (h, −w) in the half-plane of the point; on the axis only
+    /// the component along it counts.
     fn speed(&self, line: &Line<R>, root: Root<R>) -> Option<R> {
         let segment = self.segment(root.face);
         let (p, q) = (self.points[segment], self.points[segment + 1]);
@@ -354,7 +354,7 @@ fn order<R: Traced>(a: R, b: R) -> std::cmp::Ordering {
 
 /// The crossings with what two solids have in common, from those with either. Where both are in one
 /// place, as far as doubles can tell, it is the first one's surface: a seam belongs to one segment.
-/// What they have in common may have no thickness: then it is none. For lines that do not climb.
+/// A common part without thickness has no crossings. For lines that do not climb.
 fn common<R: Traced>(a: &[Close<R>], b: &[Close<R>]) -> Vec<Root<R>> {
     let mut found = Vec::new();
     let (mut i, mut j) = (0, 0);

@@ -1,4 +1,4 @@
-//! What is left of a profile where it goes back over itself.
+//! The profile without the stretches where it goes back over itself.
 //!
 //! By the even-odd rule two segments that lie in each other are a layer without thickness, which is
 //! no surface. No line can be told from one that passes between the two, in whatever precision, so
@@ -56,7 +56,7 @@ fn height(points: &[[f64; 2]], segment: u32, point: u32) -> f64 {
     points[point as usize][axis]
 }
 
-/// By how much that coordinate changes from one point to another.
+/// Change of that coordinate from one point to another.
 fn along(points: &[[f64; 2]], from: u32, to: u32) -> f64 {
     height(points, from, to) - height(points, from, from)
 }
@@ -197,7 +197,7 @@ fn thin_out(points: &[[f64; 2]], line: &[u32], all: &mut Vec<Subsegment>) {
 mod tests {
     use super::*;
 
-    /// From where to where, and of which segment.
+    /// The ends of each stretch that is left, and the number of its segment.
     fn left(points: &[[f64; 2]]) -> Vec<([f64; 2], [f64; 2], u32)> {
         let at = |i: u32| points[i as usize];
         let all = pieces(points);

@@ -51,7 +51,7 @@ pub(super) struct Path<R> {
     error: R,
 }
 
-/// Where a line is close to its closest approach to a shape's centre, in scaled coordinates: see [`Path`].
+/// The point of a line close to its closest approach to a shape's centre, in scaled coordinates: see [`Path`].
 pub(super) struct ClosestApproach<R> {
     start: R,
     unit: R,
@@ -85,7 +85,8 @@ pub(super) fn normaliser(x: f64) -> f64 {
 }
 
 impl<R: Traced> ClosestApproach<R> {
-    /// As a shape with the centre (0, `centre`, 0) sees a line, in coordinates scaled by the power of two `scale`.
+    /// The approach of a line to a shape with the centre (0, `centre`, 0), in coordinates scaled by the power of two
+    /// `scale`.
     #[inline(always)]
     pub(super) fn new(line: &Line<R>, scale: f64, centre: f64) -> ClosestApproach<R> {
         let origin = line.origin * R::of(scale);

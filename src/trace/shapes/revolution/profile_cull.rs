@@ -27,7 +27,7 @@ struct Block {
     height: [f64x4; 2],
 }
 
-/// From the scaled coordinates of a profile to those of blocks.
+/// Map from the scaled coordinates of a profile to those of blocks.
 struct Units {
     scale: f64,
     centre: f64,
@@ -79,7 +79,7 @@ impl Passing {
 }
 
 impl Beside {
-    /// For a profile whose points are `scale` times as large, and the tree over its pieces.
+    /// The table for a profile whose points are `scale` times as large, and the tree over its pieces.
     pub(super) fn new(
         points: &[[f64; 2]],
         pieces: &[Subsegment],

@@ -147,7 +147,7 @@ fn random_profiles_agree_with_the_definition() {
     }
 }
 
-/// Everything at once: lines through points, along segments and surfaces, level and upright.
+/// Lines through points, along segments and surfaces, level and upright.
 #[test]
 fn lines_through_seams_agree_with_the_definition() {
     let mut r = Random(2);
@@ -197,7 +197,7 @@ fn rings_discs_and_doubled_layers() {
     assert!(ts(&doubled, [-3.0, 0.6, 0.1], [1.0, 0.01, 0.0]).is_empty());
 }
 
-/// By double-double: how often the line crosses.
+/// Number of crossings of the line, by double-double.
 fn final_count(profile: &[[f64; 2]], origin: [f64; 3], direction: [f64; 3]) -> usize {
     let line = Line::new(origin.into(), direction.into());
     roots::<Dd>(&Revolution::new(profile, &[]), &line)

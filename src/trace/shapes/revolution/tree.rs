@@ -11,7 +11,7 @@ pub(super) struct Run {
     /// The pieces `first .. end`.
     pub first: u32,
     pub end: u32,
-    /// Where to go on if none of them matters: the first run that begins at `end` or later.
+    /// The run to go on with if none of the pieces matters: the first run that begins at `end` or later.
     pub next: u32,
     /// Lowest and highest distance from the axis.
     pub radius: [f64; 2],
@@ -23,7 +23,7 @@ impl Run {
         (self.end - self.first) as usize <= LEAF
     }
 
-    /// All of its pieces, a bit each from the lowest. For leaves.
+    /// The mask of all pieces of a leaf, a bit each from the lowest.
     pub(super) fn all(&self) -> u32 {
         u32::MAX >> (u32::BITS - (self.end - self.first))
     }

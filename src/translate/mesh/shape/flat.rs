@@ -1,4 +1,4 @@
-//! What has flat faces.
+//! Shapes with flat faces.
 
 use super::super::triangle_mesh::Mesh;
 use crate::geometry::Aabb;
@@ -99,7 +99,7 @@ pub fn normal_to(a: Vec3, b: Vec3) -> Vec3 {
     unit(cross(unit(a), unit(b)))
 }
 
-/// Some unit vector at right angles to one.
+/// A unit vector at right angles to `a`.
 pub fn any_normal_to(a: Vec3) -> Vec3 {
     let least = (0..3).fold(0, |m, i| if a[i].abs() < a[m].abs() { i } else { m });
     let mut other = [0.0; 3];

@@ -26,7 +26,7 @@ pub struct Solid {
     pub meshes: Vec<Mesh>,
     /// Whether the space outside of the meshes is meant.
     pub outside: bool,
-    /// The meshes are all of it: the region cut nothing off.
+    /// Whether the meshes are all of the shape: the region cut nothing off.
     pub bounded: bool,
 }
 
@@ -47,7 +47,7 @@ impl Solid {
         }
     }
 
-    /// All of space, or nothing at all.
+    /// The solid of all space; with `outside`, the empty one.
     fn everything(outside: bool) -> Solid {
         Solid {
             outside: !outside,

@@ -83,7 +83,7 @@ impl Slices {
     }
 }
 
-/// Where an edge meets another: shares of the first at which it has to be split, and the places.
+/// The meetings of an edge with another: shares of the first at which it has to be split, and the places.
 fn meet(e: &[Point; 2], f: &[Point; 2]) -> Vec<(f64, Point)> {
     let [p, q] = *e;
     let d = [q[0] - p[0], q[1] - p[1]];
@@ -114,7 +114,7 @@ fn meet(e: &[Point; 2], f: &[Point; 2]) -> Vec<(f64, Point)> {
     out
 }
 
-/// On which side of an edge a point is: zero on it.
+/// The side of an edge that a point is on: zero on it.
 fn side_of([p, q]: &[Point; 2], x: Point) -> f64 {
     (q[0] - p[0]) * (x[1] - p[1]) - (q[1] - p[1]) * (x[0] - p[0])
 }
@@ -123,7 +123,7 @@ fn bits(e: &[Point; 2]) -> [u64; 4] {
     [e[0][0], e[0][1], e[1][0], e[1][1]].map(f64::to_bits)
 }
 
-/// Where two edges cross: at an end of one of them where it is that but for rounding.
+/// The crossing of two edges: at an end of one of them where it is that but for rounding.
 fn crossing([p, q]: &[Point; 2], [r, s]: &[Point; 2]) -> Option<Point> {
     let d = [q[0] - p[0], q[1] - p[1]];
     let e = [s[0] - r[0], s[1] - r[1]];

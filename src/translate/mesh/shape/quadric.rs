@@ -44,7 +44,7 @@ struct Canonical {
     form: CanonicalQuadric,
     /// Whether the space outside of the form is meant.
     outside: bool,
-    /// From the coordinates of the form to those of the quadric.
+    /// The map from the coordinates of the form to those of the quadric.
     out: Matrix,
 }
 

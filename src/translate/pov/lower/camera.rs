@@ -159,8 +159,8 @@ fn projecting(sight: &Sight, camera: &Camera, basis: &Basis) -> Option<Lens> {
     finite.then_some(lens)
 }
 
-/// By how much parallel rays are moved. They could all run exactly along faces and seams, where POV-Ray does not know
-/// what to do.
+/// The vector by which parallel rays are moved. They could all run exactly along faces and seams, where POV-Ray does
+/// not know what to do.
 fn shift(lens: &Lens) -> Vec3 {
     // By the size of the picture: a millionth of a pixel, and a million times what is rounded.
     const CAMERA_SHIFT: f64 = 1e-9;

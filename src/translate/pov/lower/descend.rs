@@ -12,14 +12,14 @@ use crate::translate::pov::tree::Modifier;
 /// The node at the end of the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum End {
-    /// There is nothing to draw or to cut with.
+    /// The empty set: no solid to draw or to cut with.
     Nothing,
-    /// All of space.
+    /// All space.
     Everything,
     Shape(u32, State),
     /// A node that others use too.
     Shared(Key),
-    /// Both operands count.
+    /// A union of which both operands count.
     Union(NodeId, NodeId, State),
     Intersection(NodeId, NodeId, State),
     Difference(NodeId, NodeId, State),
@@ -33,10 +33,10 @@ pub(crate) enum End {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Stop {
     AtShared,
-    /// As `AtShared`, and small unions that light goes through, or that touch what it goes through, are not
+    /// The stops of `AtShared`; and small unions that light goes through, or that touch what it goes through, are not
     /// given their look as a whole: each part has to be seen among those of the union around it.
     AmongParts,
-    /// As `AtShared`, but not at the start: it is what is being declared.
+    /// The stops of `AtShared` but for the start: that node is being declared.
     BelowStart,
     Never,
 }
@@ -251,7 +251,7 @@ impl<'a> Model<'a> {
         open && !gives && !self.materials[node as usize].optics.uniform
     }
 
-    /// One solid has one inside: the first operand's.
+    /// Decides on one medium for the inside of a whole solid: the first operand's.
     fn one_medium(
         &mut self,
         node: NodeId,

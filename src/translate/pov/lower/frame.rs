@@ -1,5 +1,4 @@
-//! Where the scene is put: POV-Ray's tolerances are absolute, so it is moved about the origin and
-//! scaled.
+//! Placement of the scene: POV-Ray's tolerances are absolute, so the scene is moved about the origin and scaled.
 
 use super::camera::Eye;
 use super::sight_range::SightRange;
@@ -83,8 +82,8 @@ pub(super) fn frame(
     Frame { centre, unit }
 }
 
-/// How far apart faces are put in the scene's coordinates that are one: less than can be seen, more than POV-Ray's
-/// tolerances.
+/// Distance in the scene's coordinates that faces in one place are put apart by: less than can be seen, more than
+/// POV-Ray's tolerances.
 pub(super) fn hair(frame: &Frame) -> f64 {
     FACE_OFFSET / frame.unit
 }

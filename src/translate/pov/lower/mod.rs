@@ -1,4 +1,4 @@
-//! From the scene to the objects that POV-Ray is to draw.
+//! Lowering of the scene to the objects that POV-Ray is to draw.
 
 mod camera;
 mod descend;
@@ -52,10 +52,10 @@ pub(super) fn rewritten<'a>(
     Some(known)
 }
 
-/// All that is to be printed, and the cameras that take the pictures.
+/// The objects that are to be printed, and the cameras that take the pictures.
 ///
 /// # Errors
-/// Something in the scene has no translation.
+/// A part of the scene has no translation.
 pub(super) fn lower<'a>(
     scene: &'a Scene,
     facts: Facts<'a>,

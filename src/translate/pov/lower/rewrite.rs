@@ -77,7 +77,7 @@ impl Rewrite {
         }
     }
 
-    /// The scene, in which everything is named after what stands for it.
+    /// The finished scene, in which every reference to a node leads to the node in its place.
     pub(super) fn finish(self) -> Scene {
         let Rewrite { mut scene, new } = self;
         let now = |node: &mut NodeId| *node = new.get(node).copied().unwrap_or(*node);

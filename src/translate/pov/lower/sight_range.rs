@@ -15,10 +15,10 @@ const SURFACES: usize = 8;
 /// Distances in the scene's units.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SightRange {
-    /// From the eye; a tenth of what is seen is nearer.
+    /// Distance from the eye to the nearer surfaces: a tenth of what is seen is nearer.
     pub near: f64,
-    /// From a surface that light goes through to the next one; for a hundredth of the picture it is
-    /// less, infinite where that is not so.
+    /// Distance from a surface that light goes through to the next one; for a hundredth of the picture it is less,
+    /// infinite where that is not so.
     pub gap: f64,
     /// The farthest that anything seen is from the eye, or that throws a shadow on it from there.
     pub far: f64,
@@ -85,9 +85,9 @@ struct Sight<'a> {
     scene: &'a Scene,
     tracer: &'a Tracer,
     walkers: Walkers<'a>,
-    /// For each ray that meets something.
+    /// Distances along each ray that meets a surface.
     firsts: Vec<f64>,
-    /// For each ray.
+    /// Distances between surfaces, for each ray.
     gaps: Vec<f64>,
     far: f64,
 }

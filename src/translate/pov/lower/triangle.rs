@@ -54,7 +54,7 @@ fn parts(normals: &[Vec3; 3]) -> usize {
     }
 }
 
-/// Within rounding, also that of normals that were written with ten digits.
+/// Whether normals are equally long within rounding, also that of normals that were written with ten digits.
 pub(super) fn are_equally_long(normals: &[Vec3; 3]) -> bool {
     let lengths = normals.map(length);
     lengths

@@ -1,4 +1,5 @@
-//! Which nodes have faces in one place: found once for each two, and read by all that is done about it.
+//! Contacts of nodes that have faces in one place: found once for each two nodes, and read by all that is done about
+//! them.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -28,7 +29,7 @@ const SURFACE_REL_EPS: f64 = 1e-12;
 #[derive(Clone, Copy)]
 pub(crate) struct Face {
     surface: Surface,
-    /// The solid lies inside of the shape that has the face; it is no hole.
+    /// Whether the solid lies inside of the shape that has the face; it is no hole.
     pub is_outer: bool,
     /// Whether the face is a surface, and not that of a solid.
     pub is_sheet: bool,
@@ -61,9 +62,9 @@ fn are_beside([a, p, q]: Parallelogram, [b, r, s]: Parallelogram, normal: Vec3, 
 /// How two faces in one place lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Orientation {
-    /// Both solids are on one side of it.
+    /// A face with both solids on one side.
     Alike,
-    /// One ends where the other begins.
+    /// A face at which one solid ends and the other begins.
     Opposed,
 }
 
@@ -73,7 +74,7 @@ pub(crate) struct Contact {
     pub faces: [Face; 2],
 }
 
-/// What was found so far of a node and something else.
+/// The results so far for a node and another key.
 type Found<K, T> = RefCell<HashMap<(NodeId, K), Rc<[T]>>>;
 
 /// All faces and contacts that were asked for so far.

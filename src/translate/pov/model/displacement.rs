@@ -7,7 +7,7 @@ use super::stretch::stretched;
 use crate::geometry::Matrix;
 use crate::scene::Geometry;
 
-/// How shapes are changed where nobody sees it.
+/// A change of a shape where nobody sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Change {
     /// The surface lies this far outside of where it is; inside where the number is negative.
@@ -88,7 +88,7 @@ impl Changes {
         Some(self.number(offset))
     }
 
-    /// By how much a solid is larger all around.
+    /// Distance by which a solid is larger all around.
     pub(crate) fn larger_by(&self, number: u32) -> f64 {
         let changes = self.changes.get(number).iter();
         changes.fold(0.0, |most, change| match change {

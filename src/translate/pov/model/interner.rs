@@ -1,5 +1,5 @@
-//! Which solids are the same, or certainly within each other. Faces of two solids in one place are
-//! speckled in POV-Ray: what an operation leaves nothing of, or what is there already, is not written.
+//! Solids that are the same, or certainly within each other. Faces of two solids in one place are speckled in POV-Ray:
+//! what an operation leaves nothing of, or what is there already, is not written.
 
 use std::collections::{HashMap, HashSet};
 
@@ -30,7 +30,7 @@ enum Core {
 /// The solids of a scene.
 #[derive(Debug)]
 pub(crate) struct Interner {
-    /// For each node.
+    /// The occurrences of each node.
     places: Vec<Occurrence>,
     cores: Numbered<Core>,
     matrices: Numbered<[u64; 16], Matrix>,

@@ -11,7 +11,7 @@ const MAX_REL_STEP: f64 = 0.5;
 /// The move of a flat end across an axis.
 pub(super) struct EndMove {
     pub axis: usize,
-    /// The end looks up the axis, and otherwise down.
+    /// Whether the end looks up the axis; otherwise it looks down.
     pub upper: bool,
     /// Outwards, where there is room.
     pub by: f64,
@@ -130,7 +130,7 @@ impl Geometry {
 mod tests {
     use super::*;
 
-    /// With its ends at `at` across an axis moved out as far as they go.
+    /// The geometry with its ends at `at` across an axis moved out as far as they go.
     fn made_longer(geometry: &Geometry, axis: usize, upper: bool, at: f64) -> Option<Geometry> {
         let by = f64::INFINITY;
         geometry.with_end_moved(&EndMove { axis, upper, by }, |x| *x == at)

@@ -1,4 +1,4 @@
-//! What nodes look like and are made of, with what was decided above them.
+//! Looks and materials of nodes, with the decisions from above them.
 
 use super::Model;
 use super::state::{Appearance, Medium, State};

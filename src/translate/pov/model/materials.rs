@@ -1,5 +1,5 @@
-//! What has to be known of every node before anything can be written: what it contains, whose
-//! properties it shows, and how often it is used. Computed bottom-up in one pass over the arena.
+//! Facts about every node that are needed before anything can be written: what it contains, whose properties it shows,
+//! and how often it is used. Computed bottom-up in one pass over the arena.
 
 use std::borrow::Cow;
 
@@ -13,7 +13,7 @@ use crate::solids::shapes::facts::Facts as _;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Owned<T> {
     pub first: T,
-    /// Every point of the node has it.
+    /// Whether every point of the node has the property.
     pub uniform: bool,
 }
 
@@ -43,18 +43,18 @@ impl<T: Copy + PartialEq> Owned<T> {
 pub(crate) struct Material {
     pub has_solid: bool,
     pub has_surface: bool,
-    /// Something in it has been given a texture, or optics.
+    /// Whether some part of the node has been given a texture, or optics.
     pub has_texture: bool,
     pub has_optics: bool,
     /// The texture of all of its faces, if they are alike.
     pub face_texture: Option<TextureUse>,
     pub face_optics: Option<u32>,
-    /// Some of it lets light through.
+    /// Whether some part of the node lets light through.
     pub transparent: bool,
     pub texture: Owned<TextureUse>,
     pub optics: Owned<u32>,
     pub index: Owned<u32>,
-    /// How many nodes under the root use it.
+    /// Number of nodes under the root that use the node.
     pub uses: u32,
 }
 
@@ -81,7 +81,7 @@ const BARE: Material = Material {
     uses: 0,
 };
 
-/// What is known of a scene and its nodes.
+/// Facts about a scene and its nodes.
 pub(crate) struct Facts<'a> {
     pub bounds: Cow<'a, [NodeBounds]>,
     pub tables: Tables,

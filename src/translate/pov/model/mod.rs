@@ -1,5 +1,5 @@
-//! What is known of the scene before and while its objects are made: a [`Model`]. Nothing in here knows how objects are
-//! made, or what is done about faces in one place.
+//! The [`Model`] of the scene before and while its objects are made. Nothing in here knows how objects are made, or
+//! what is done about faces in one place.
 
 pub(super) mod contacts;
 pub(super) mod displacement;
@@ -53,17 +53,18 @@ pub(super) struct Model<'a> {
     /// The entity each node belongs to, 0 where none does.
     pub ids: Vec<u32>,
     pub textures: Textures,
-    /// How shapes are changed where nobody sees it.
+    /// The changes of shapes where nobody sees them.
     pub changes: Changes,
     contacts: Contacts,
     pub budget: &'a Budget,
-    /// What is declared.
+    /// The keys of what is declared.
     keys: Numbered<Key>,
-    /// How far apart faces are put that are one, in the coordinates of the operation at hand.
+    /// Distance that faces in one place are put apart by, in the coordinates of the operation at hand.
     pub hair: f64,
     /// The same in the coordinates that each node is placed in.
     hairs: Vec<f64>,
-    /// The render box cuts through the scene, or a camera is in it: what lies inside of opaque objects can be seen.
+    /// Whether the render box cuts through the scene, or a camera is in it: what lies inside of opaque objects can be
+    /// seen.
     pub cut_open: bool,
     /// The number of an index as large as that of any solid.
     pub densest: u32,

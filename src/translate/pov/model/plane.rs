@@ -27,7 +27,8 @@ impl Plane {
         (plane.n.iter().all(|x| x.is_finite()) && plane.d.is_finite()).then_some(plane)
     }
 
-    /// In the coordinates that a matrix leads away from; and by how much lengths across it become longer there.
+    /// The plane in the coordinates that a matrix leads away from; and the factor by which lengths across it become
+    /// longer there.
     pub(crate) fn moved_back(&self, m: &Matrix) -> Option<(Plane, f64)> {
         let n = std::array::from_fn(|j| (0..3).map(|i| self.n[i] * m.0[i][j]).sum());
         let d = self.d + (0..3).map(|i| self.n[i] * m.0[i][3]).sum::<f64>();

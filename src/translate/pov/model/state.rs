@@ -1,4 +1,4 @@
-//! What is decided about a node on the way down to it.
+//! Decisions about a node on the way down to it.
 
 use super::tables::TextureUse;
 use crate::scene::NodeId;
@@ -30,7 +30,7 @@ pub(crate) enum Medium {
     Above,
 }
 
-/// All that the way from the root down to a node decides about it.
+/// All decisions about a node on the way from the root down to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct State {
     pub layer: Layer,
@@ -41,7 +41,7 @@ pub(crate) struct State {
 }
 
 impl State {
-    /// Nothing is decided.
+    /// The state of the root, without any decision.
     pub(crate) const ROOT: State = State {
         layer: Layer::All,
         look: Appearance::Own {

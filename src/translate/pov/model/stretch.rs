@@ -1,4 +1,4 @@
-//! By how much matrices change lengths.
+//! Factors by which matrices change lengths.
 
 use crate::geometry::Matrix;
 use crate::scene::{Node, NodeId, Scene};

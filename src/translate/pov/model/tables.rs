@@ -49,7 +49,7 @@ pub(crate) struct Tables {
     optics: Numbered<Vec<u64>, Optics>,
     indices: Numbered<Vec<u64>, Rgb>,
     frames: Numbered<[u64; 16], Matrix>,
-    /// For each paint of the scene.
+    /// Aspects of each paint of the scene.
     paints: Vec<PaintAspects>,
     /// For each texture and each optics, the entity that was given it first.
     texture_owners: Vec<u32>,

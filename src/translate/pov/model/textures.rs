@@ -12,7 +12,7 @@ struct Key {
     texture: TextureUse,
     optics: u32,
     shape: Option<u32>,
-    /// Light comes from the other side.
+    /// Whether light comes from the other side.
     behind: bool,
 }
 

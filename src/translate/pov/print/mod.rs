@@ -166,7 +166,7 @@ fn place(frame: &Frame) -> &'static str {
     }
 }
 
-/// One camera, or two behind a switch.
+/// Writes a camera, or two behind a switch.
 fn cameras(out: &mut dyn Write, lenses: &[Lens], frame: &Frame) -> Result {
     for (i, lens) in lenses.iter().enumerate() {
         if lenses.len() > 1 {

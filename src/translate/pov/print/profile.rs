@@ -15,7 +15,7 @@ const PER_LINE: usize = 6;
 
 /// The closed profile of a lathe.
 pub(super) struct Profile {
-    /// From the axis to the axis, or a ring; no point twice in a row. Counter-clockwise, which tells POV-Ray
+    /// Points from the axis to the axis, or of a ring; no point twice in a row. Counter-clockwise, which tells POV-Ray
     /// the outer side of the lathe from the inner one.
     points: Vec<[f64; 2]>,
     /// For each point of the scene's profile its index in `points`.

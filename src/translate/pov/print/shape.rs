@@ -25,7 +25,7 @@ impl Primitive {
         }
     }
 
-    /// All of it on one line.
+    /// The primitive on one line.
     pub(super) fn line(&self) -> String {
         format!("{} {{ {} }}", self.keyword, self.lines.join(" "))
     }

@@ -5,7 +5,7 @@ use std::fmt::{self, Write};
 use crate::geometry::Matrix;
 use crate::translate::number;
 
-/// `<1, 2, 3>`.
+/// A vector as POV-Ray writes it: `<1, 2, 3>`.
 pub(crate) fn vector(v: &[f64]) -> String {
     let parts: Vec<String> = v.iter().map(|x| number(*x)).collect();
     format!("<{}>", parts.join(", "))

@@ -52,8 +52,8 @@ pub(super) fn tube(major: f64, minor: f64) -> String {
     format!("select(y, 1, 0) + atan2(y, {across})/(2*pi)")
 }
 
-/// On the sides ρ/r is |y|/h, on the discs it is less. What is added lets
-/// the sides win where both are the same but for rounding, and takes the outermost millionth from a disc.
+/// The expression of a texture coordinate of a double cone: on the sides ρ/r is |y|/h, on the discs it is less. What is
+/// added lets the sides win where both are the same but for rounding, and takes the outermost millionth from a disc.
 pub(super) fn double_cone(height: f64, radius: f64) -> String {
     let (h, r) = (number(height), number(radius));
     format!("select({RHO}/{r} - abs(y)/{h} + 1e-6, {RHO}/{r}, 0.5 + 0.5*y/{h})")
@@ -100,7 +100,7 @@ pub(super) fn from_centre(c: Vec3) -> [String; 3] {
     [minus("x", c[0]), minus("y", c[1]), minus("z", c[2])]
 }
 
-/// From 0 at `min` to 1 at `max`.
+/// The expression that goes from 0 at `min` to 1 at `max` along an axis.
 pub(super) fn along(axis: &str, min: f64, max: f64) -> String {
     let length = max - min;
     if length > 0.0 {

@@ -30,12 +30,12 @@ pub(crate) struct Members {
     pub boxes: Vec<Aabb>,
     pub seen_into: bool,
     pub transparent: bool,
-    /// A later medium begins where it ends: POV-Ray has to know its index, even if that is 1.
+    /// Whether a later medium begins where it ends: POV-Ray has to know its index, even if that is 1.
     pub bounds_media: bool,
 }
 
 impl Members {
-    /// The operation that joins them.
+    /// The operation that joins the members.
     pub(crate) fn kind(&self) -> Operation {
         match self.seen_into && self.nodes.len() > 1 && meet_each_other(&self.boxes) {
             true => Operation::Merge,
@@ -47,7 +47,7 @@ impl Members {
 /// The look of the faces between two groups.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum InterfaceLook {
-    /// Nothing: they are one medium, with another one between them in the order.
+    /// No face: the groups are one medium, with another one between them in the order.
     Nothing,
     /// The look with this number, from inside at the skin.
     Look(usize),
@@ -60,7 +60,7 @@ enum InterfaceLook {
 pub(crate) struct Meeting {
     pub earlier: usize,
     later: usize,
-    /// The later one ends a hair within the earlier one.
+    /// Whether the later one ends a hair within the earlier one.
     pub apart: bool,
     seen: InterfaceLook,
 }
@@ -71,9 +71,9 @@ pub(crate) struct Meetings {
     extensions: SolidExtensions,
     /// Ordered by the later of the two.
     all: Vec<Meeting>,
-    /// By the earlier one those whose faces have two sides.
+    /// The meetings whose faces have two sides, by the earlier group.
     sided: HashMap<usize, Vec<Meeting>>,
-    /// By two groups, the earlier one first, those of their solids that lie against each other.
+    /// The pairs of solids that lie against each other, by their two groups, the earlier one first.
     contacts: BTreeMap<(usize, usize), Vec<(NodeId, NodeId)>>,
     /// For each group the opaque ones before it that it touches.
     walls: HashMap<usize, Vec<usize>>,
@@ -82,7 +82,7 @@ pub(crate) struct Meetings {
 }
 
 impl Meetings {
-    /// The groups within which one ends, so that it is a hair behind their faces.
+    /// The groups within which the group `later` ends, so that its faces are a hair behind theirs.
     fn around(&self, later: usize) -> impl Iterator<Item = usize> {
         let apart = self.of_later(later).iter().filter(|m| m.apart);
         apart.map(|m| m.earlier)
@@ -97,7 +97,8 @@ impl Meetings {
 }
 
 impl InterfaceLook {
-    /// One side of a face, as it is seen, inside of what is `around` and outside of what came `before`.
+    /// The modifiers of one side of a face, as it is seen, inside of what is `around` and outside of what came
+    /// `before`.
     fn kept<'a>(self, around: &[Object<'a>], before: &[Object<'a>]) -> Vec<Modifier<'a>> {
         let mut modifiers = match self {
             InterfaceLook::Look(look) => vec![Modifier::Texture(look), Modifier::UnseenWithin],

@@ -1,5 +1,5 @@
-//! What is done about faces in one place: each remedy is a file. POV-Ray takes now one of such faces for the nearer one,
-//! now the other, so one of them is put where nobody sees it, or a part of a hair away.
+//! Remedies for faces in one place, a file each. POV-Ray takes now one of such faces for the nearer one, now the other,
+//! so one of them is put where nobody sees it, or a part of a hair away.
 
 pub(super) mod backward_normals;
 pub(super) mod coplanar;

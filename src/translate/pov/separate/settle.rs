@@ -22,7 +22,7 @@ pub(crate) type Kind = (Option<(u32, u32)>, bool);
 pub(crate) struct SolidExtensions {
     /// The numbers of their changes.
     by: HashMap<NodeId, u32>,
-    /// Each with those that it is made longer into.
+    /// The pairs of a solid and another one that it is made longer into.
     into: HashSet<(NodeId, NodeId)>,
     /// Solids that have faces in one place, the earlier of the two first.
     pub contacts: Vec<(NodeId, NodeId)>,

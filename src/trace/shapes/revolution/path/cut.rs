@@ -1,4 +1,4 @@
-//! Where a line crosses one segment of a profile, once the rings at its ends say that it does.
+//! Crossing of a line with one segment of a profile, once the rings at its ends say that there is one.
 
 use super::{Path, Ring, normaliser};
 use crate::geometry::line::Traced;
@@ -11,7 +11,7 @@ pub(crate) struct Cut<R> {
     pub tau: R,
     /// Bound on the error of τ.
     pub error: R,
-    /// The line goes against the segment's normal: towards the axis, down for flat segments.
+    /// Whether the line goes against the segment's normal: towards the axis, down for flat segments.
     pub against: bool,
 }
 
