@@ -11,7 +11,7 @@ use super::{Bars, SIZE};
 
 const RUNS: usize = 3;
 /// Certified doubles take at most this many times as long as plain ones.
-const CERTAINTY: f64 = 1.25;
+const CERTAINTY: f64 = 1.15;
 
 /// All pixels on this thread: processor seconds.
 fn drawn(pixels: &mut dyn Pixels) -> f64 {

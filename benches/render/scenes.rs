@@ -192,7 +192,7 @@ fn holes(seed: u64) -> Scene {
     w.lamps(&TWO, 0.5);
     let scene = w.done("a box minus 500 spheres", true, root, 16.0);
     Scene {
-        bar: Some(30.0),
+        bar: Some(40.0),
         ..scene
     }
 }
@@ -402,7 +402,7 @@ fn machined(seed: u64) -> Scene {
     w.lamps(&TWO, 0.5);
     let scene = w.done("a machined part of 2 000 operations", true, part, 13.0);
     Scene {
-        bar: Some(20.0),
+        bar: Some(40.0),
         ..scene
     }
 }

@@ -245,6 +245,14 @@ pub fn try_file(path: &Path) -> Result<(), Complaint> {
     }
 }
 
+/// The same for a file whose folder is made if it is not there yet.
+pub fn try_file_in_new_folder(path: &Path) -> Result<(), Complaint> {
+    match folder_of(path).exists() {
+        true => try_file(path),
+        false => try_folder(folder_of(path)),
+    }
+}
+
 /// Makes sure, before long work begins, that files can be written into a folder, which need not be there yet; nothing is
 /// left of the attempt.
 pub fn try_folder(folder: &Path) -> Result<(), Complaint> {

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use super::atomic_file::{self, try_file};
+use super::atomic_file::{self, try_file_in_new_folder, unwritable};
 use super::difference::{Change, changes, diff};
 use super::endings;
 use super::habits;
@@ -238,7 +238,7 @@ fn once(args: &Args, look: LookChoice) -> Status {
     let mut tried = named.map(|path| {
         refuse_overwrite_of_scenes(&files.files, path)?;
         endings::fits(path, args.endings())?;
-        try_file(path)
+        try_file_in_new_folder(path)
     });
     if let Err(complaint) = tried.try_for_each(|tried| tried) {
         complain(look, &complaint);
@@ -333,7 +333,12 @@ impl Checker<'_> {
         let Some(path) = named.filter(|path| !is_stdout(path)) else {
             return terminal::print(look, status, write);
         };
-        match atomic_file::write(path, write) {
+        // As ruff does.
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let written = std::fs::create_dir_all(folder)
+            .map_err(|e| unwritable(path, &e))
+            .and_then(|()| atomic_file::write(path, write));
+        match written {
             Ok(()) => status,
             Err(complaint) => {
                 complain(look, &complaint);
