@@ -225,6 +225,75 @@ fn pictures_are_those_of_the_arbiter() {
     assert!(quick > all / 3, "{quick} of {all}");
 }
 
+/// Solids of second degree and boxes in one heap, up to five deep: each is glass of its own, glass of one kind, or opaque. Light
+/// also comes to be within something opaque, whose near face is hidden in glass.
+#[test]
+fn heaps_are_those_of_the_arbiter() {
+    let mut number = numbers();
+    let shapes = [
+        "10 0.9 0.5 0.7",
+        "16 1.2 0.6",
+        "1 2 0.5 -0.7 0.4 0.7",
+        "15 2 0 0 0 0 1.5 0 0 0 0 3 0 0 0 0 -1",
+        "12 -0.6 -0.5 -0.4 0.6 0.5 0.4",
+        "11 0 0 0 0.7",
+    ];
+    let (mut asked, mut all) = (0, 0);
+    for seed in 0..8 {
+        let mut text = String::new();
+        let mut union = 0;
+        for i in 0..14 {
+            let id = 200 + 4 * i;
+            let mut real = |by: f64| (number() * by * 100.0).round() / 100.0;
+            match (i + seed) % 7 {
+                6 => writeln!(
+                    text,
+                    "{} 15 1 0 0 0 0 0 0 0 0 0 1 0 0 0 0 -0.25\n{} 12 -1 -0.7 -1 1 0.7 1\n{id} -102 {} {}",
+                    id + 1,
+                    id + 2,
+                    id + 1,
+                    id + 2
+                ),
+                kind => writeln!(text, "{id} {}", shapes[kind]),
+            }
+            .unwrap();
+            let index = [1.5, 1.2 + 0.02 * i as f64][i % 2];
+            match i % 3 {
+                0 => {}
+                _ => writeln!(
+                    text,
+                    "{id} -201 0.1 0.1 0.8\n{id} -203 {index} {index} {index}"
+                )
+                .unwrap(),
+            }
+            let [x, y, z, turn] = [real(0.9), real(0.9), real(0.9), real(180.0)];
+            writeln!(text, "{id} -2 {turn} {}\n{id} -1 {x} {y} {z}", 1 + i % 3).unwrap();
+            union = match i {
+                0 => id,
+                _ => {
+                    writeln!(text, "{} -101 {union} {id}", id + 3).unwrap();
+                    id + 3
+                }
+            };
+        }
+        text += &format!(
+            "101 -401 0.2\n102 -402 0.5\n102 -1 5 9 8\n104 -501 0 0 6 0 0 -1 0 1 0 45\n1 9999 {union} 0\n"
+        );
+        let settings = Settings {
+            width: 48,
+            height: 36,
+            cutoff: 0.0,
+            ..Settings::default()
+        };
+        let [ours, theirs] = pictures(&text, &settings);
+        assert_eq!(ours.film, theirs.film, "{seed}: {text}");
+        asked += 48 * 36 - ours.counts.quick;
+        all += 48 * 36;
+    }
+    // Some of it is asked of the arbiter, and most is not.
+    assert!(asked > 0 && asked < all / 2, "{asked} of {all}");
+}
+
 /// What would be expanded to 2⁴⁰ operands is left to the arbiter.
 #[test]
 fn copies_of_copies_are_not_expanded() {
