@@ -48,6 +48,8 @@ def embree(mesh):
 def main():
     path = sys.argv[1]
     mi.set_variant("scalar_rgb")
+    # Warnings would go to standard output.
+    mi.set_log_level(mi.LogLevel.Error)
     scene = {
         "type": "scene",
         "integrator": {"type": "depth"},
