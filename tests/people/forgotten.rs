@@ -340,3 +340,14 @@ fn types_that_are_missing_before_what_could_be_one() {
     let moved = with("3 11 0 2 0 1\n3 -2 0.9 1 0.9");
     assert_eq!(only(&moved).code, Code::E009);
 }
+
+/// What cannot change a colour comes too late for nothing.
+#[test]
+fn what_changes_nothing_is_not_late() {
+    let text = scene(
+        "7 11 2 0 0 1\n11 -701 0.3 0.4 0.5\n7 -299 11 0\n11 -1 0.7 1 0.7",
+        7,
+    );
+    assert_eq!(only(&text).code, Code::E103);
+    assert!(read(&text).findings().iter().all(|d| d.code != Code::W309));
+}

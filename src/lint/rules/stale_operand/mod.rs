@@ -10,7 +10,7 @@
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::syntax::Record;
-use crate::syntax::table::{Effect, Family, RecordKind, RecordType};
+use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if context.has_broken() || !context.document.contents.any(changes) {
@@ -96,7 +96,8 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
             continue;
         };
         let own = &mut entries[number];
-        if changes(record.ty()) && own.taker.is_some() {
+        let of = context.scene.entities[number].kind;
+        if changes_kind(record.ty(), of) && own.taker.is_some() {
             match own.change {
                 None => own.change = Some(record),
                 Some(_) => own.more += 1,
@@ -116,6 +117,16 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
         .collect();
     late.sort_by_key(|l| l.change.first);
     late
+}
+
+/// Whether records of a type change something of a kind; a promise does not.
+fn changes_kind(ty: &RecordType, of: Option<Kind>) -> bool {
+    let is_right = of.is_none_or(|of| match ty.effect {
+        Effect::Defines(_) => false,
+        Effect::Changes(kinds) => kinds.contains(&of),
+        Effect::DefinesOrChanges(own, kinds) => own == of || kinds.contains(&of),
+    });
+    changes(ty) && is_right
 }
 
 /// Whether records of a type change something; a promise does not.
