@@ -351,3 +351,24 @@ fn what_changes_nothing_is_not_late() {
     assert_eq!(only(&text).code, Code::E103);
     assert!(read(&text).findings().iter().all(|d| d.code != Code::W309));
 }
+
+/// The property that has an index only, rather than the one above that has all.
+#[test]
+fn the_other_half_of_a_material() {
+    for (above, below) in [
+        ("20 -201 0.2 0.2 0.6", "21 -203 1.5 1.5 1.5"),
+        (
+            "20 -201 0.2 0.2 0.6\n20 -203 1.2 1.2 1.2",
+            "21 -203 1.5 1.5 1.5",
+        ),
+    ] {
+        let with = |record: &str| {
+            let balls = "7 11 2 0 0 1\n8 11 -2 0 0 1";
+            let uses = "7 -299 0 20\n8 -299 0 21\n30 -101 7 8";
+            scene(&format!("{balls}\n{above}\n{record}\n{below}\n{uses}"), 30)
+        };
+        let text = with("-201 0.1 0.1 0.8");
+        assert_eq!(only(&text).fixes.len(), 1);
+        assert_eq!(fixed(&text), (with("21 -201 0.1 0.1 0.8"), 1));
+    }
+}

@@ -79,9 +79,23 @@ impl LineContext<'_> {
         };
         let own = &self.tokens[1..];
         let is_one = finding.code == Code::E005 && !own.is_empty() && self.fit(ty, own);
-        let id = self.id_before(kinds).filter(|_| is_one)?;
+        let before = self.id_before(kinds).filter(|_| is_one)?;
+        let id = self.other_half(before, ty).unwrap_or(before);
         let text = format!("{id} {}", head.text(self.text));
         self.write(Habit::Id, &[(*head, text)])
+    }
+
+    /// The only property of a record's kind that has no record of that type yet, where the one before has one: a second
+    /// one would have no effect.
+    fn other_half(&self, before: u32, ty: &RecordType) -> Option<u32> {
+        let Effect::DefinesOrChanges(own, _) = ty.effect else {
+            return None;
+        };
+        let has_one = |id: u32| records(self.analysis).any(|r| r.id == id && r.kind == ty.kind);
+        let mut others = (self.analysis.scene.entities.iter())
+            .filter(|e| e.kind == Some(own) && has_one(before) && !has_one(e.id));
+        let other = others.next()?;
+        others.next().is_none().then_some(other.id)
     }
 
     /// The ID without its minus, if something has that.
