@@ -341,6 +341,32 @@ fn types_that_are_missing_before_what_could_be_one() {
     assert_eq!(only(&moved).code, Code::E009);
 }
 
+/// A ball of ID 7 and one that has lost its ID; `colour` is that of the second.
+fn two_balls(record: &str, colour: u32, uses: &str) -> String {
+    format!(
+        "7 11 2 0 0 1\n{colour} -701 0.3 0.4 0.5\n{record}\n{uses}\n20 -101 7 8\n{REST}1 9999 20 0\n"
+    )
+}
+
+/// Without its ID a ball at the left is a change of what has the number of its type for its ID.
+#[test]
+fn balls_whose_ids_are_lost_before_a_type_that_is_an_id() {
+    for colour in [11, 13] {
+        for x in [-1, -2, -3, -4] {
+            for uses in [format!("8 -299 {colour} 0"), String::new()] {
+                let record = format!("11 {x} 0.7 1 0.7");
+                let text = two_balls(&record, colour, &uses);
+                let finding = only(&text);
+                assert_eq!((finding.code, finding.case), (Code::E005, "lost"), "{text}");
+                let titles: Vec<&str> = finding.fixes.iter().map(|f| f.title).collect();
+                assert_eq!(titles, ["put-lost-id-in-front"], "{text}");
+                let meant = two_balls(&format!("8 {record}"), colour, &uses);
+                assert_eq!(fixed(&text), (meant, 1));
+            }
+        }
+    }
+}
+
 /// What cannot change a colour comes too late for nothing.
 #[test]
 fn what_changes_nothing_is_not_late() {

@@ -1,5 +1,5 @@
-//! Slips that show on other lines only: a record whose type takes up the numbers of the next lines, and a copy of
-//! something that is no object but is used as one.
+//! Slips that show on other lines: a record whose type takes up the numbers of the next lines, a shape whose ID is lost,
+//! and a copy of something that is no object but is used as one.
 
 use rustc_hash::FxHashSet;
 
@@ -27,6 +27,7 @@ const MAX_SUSPECTS: usize = 4;
 /// The lines that may be to blame for errors on others.
 pub(super) fn suspects(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
     let mut all: Vec<Suspect> = taking(analysis).take(MAX_SUSPECTS).collect();
+    all.extend(without_ids(analysis, findings));
     all.extend(exchanged(analysis, findings).into_iter().take(MAX_SUSPECTS));
     all.extend(copies(analysis, findings).into_iter().take(MAX_SUSPECTS));
     all
@@ -52,6 +53,48 @@ fn taking(analysis: &Analysis) -> impl Iterator<Item = Suspect> {
                 least: 1,
             })
         })
+}
+
+/// Shapes whose ID is lost, so that they read as changes of what has the number of their type for its ID: one other ID is
+/// used and defined nowhere, or as something else.
+fn without_ids(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
+    let is_wrong = |d: &&Diagnostic| matches!(d.code, Code::E101 | Code::E103);
+    let heads = findings.iter().filter(is_wrong).filter_map(|d| {
+        let place = LineContext::both(analysis, d.span.start)
+            .into_iter()
+            .next()?;
+        let is_head = d.span.start == place.line().start && super::named(d) == place.id();
+        let ty = place.shape_without_id()?;
+        (is_head && place.changes_nothing()).then_some((place, ty))
+    });
+    let suspect = |(place, ty): (LineContext, _)| {
+        let own = place.id();
+        let of = |code: Code| {
+            let of_others = findings
+                .iter()
+                .filter(move |d| d.code == code && super::named(d) != own);
+            of_others.filter_map(|d| Some((super::named(d)?, d.span)))
+        };
+        let mut others = of(Code::E101).peekable();
+        let (id, used) = match others.peek() {
+            Some(&first) => others.all(|o| o.0 == first.0).then_some(first)?,
+            None => {
+                let mut misused = of(Code::E103);
+                let first = misused.next()?;
+                misused.all(|o| o.0 == first.0).then_some(first)?
+            }
+        };
+        let (mut finding, candidate) = place.without_id(ty, id)?;
+        finding = finding.label(used, "lost-id-used-here");
+        finding.notes.push("lost-id-may-be-this");
+        Some(Suspect {
+            finding,
+            candidates: vec![candidate],
+            misread: place.line(),
+            least: 2,
+        })
+    };
+    heads.take(MAX_SUSPECTS).filter_map(suspect).collect()
 }
 
 /// Lines with ID and type in each other's place, where the ID is used and defined nowhere, or as something else.

@@ -31,7 +31,9 @@ pub(super) fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
         if !is_named(id) {
             continue;
         }
-        let told = match has_undefined || is_defined(id) {
+        // The record would change what it cannot, and its ID is the one that is used and defined nowhere.
+        let is_accounted = d.values.iter().any(|v| v.0 == "lost") && place.changes_nothing();
+        let told = match has_undefined || is_accounted || is_defined(id) {
             true => None,
             false => place.one_off(),
         };

@@ -4,7 +4,7 @@
 use rustc_hash::FxHashSet;
 
 use super::inline::NAMED_TITLE;
-use super::{Candidate, Habit, LineContext};
+use super::{Candidate, Habit, LineContext, header};
 use crate::analysis::colours;
 use crate::analysis::repair::whole::{records, references};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
@@ -13,7 +13,7 @@ use crate::syntax::Item;
 use crate::syntax::LEAST_HEAD;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
-use crate::syntax::table::{Effect, RecordKind, RecordType};
+use crate::syntax::table::{Effect, Family, RecordKind, RecordType};
 use crate::syntax::words;
 
 /// So many IDs are tried for a record that has none.
@@ -116,6 +116,51 @@ impl LineContext<'_> {
             .with("text", quote(&code.to_string()))
             .with("number", quote(&number.to_string()));
         Some((finding, self.beginning(Habit::Exchanged, edits)))
+    }
+
+    /// The shape that the record is, if its ID is lost.
+    pub(crate) fn shape_without_id(&self) -> Option<&'static RecordType> {
+        let ty = RecordType::by_code(self.int(0)?)?;
+        let is_shape = ty.family == Family::Shape && self.fit(ty, &self.tokens[1..]);
+        is_shape.then_some(ty)
+    }
+
+    /// A shape whose ID is lost, and what puts that ID in front.
+    pub(crate) fn without_id(
+        &self,
+        ty: &'static RecordType,
+        id: u32,
+    ) -> Option<(Diagnostic, Candidate)> {
+        let head = self.tokens.first()?;
+        let finding = Diagnostic::new(Code::E005, head.span())
+            .case("lost")
+            .with("type", Value::Term(ty.title))
+            .with("number", ty.code.to_string())
+            .with("header", header(ty))
+            .with("lost", id.to_string());
+        let start = Span::new(head.start, head.start);
+        let fix = Fix::replace(
+            "put-lost-id-in-front",
+            Applicability::Unsafe,
+            start,
+            format!("{id} "),
+        );
+        let candidate = Candidate {
+            habit: Habit::Id,
+            fix,
+            ty: None,
+        };
+        Some((finding, candidate))
+    }
+
+    /// Whether the record is a change, but not one of what has its ID.
+    pub(crate) fn changes_nothing(&self) -> bool {
+        let Some(Effect::Changes(kinds)) = self.ty().map(|ty| ty.effect) else {
+            return false;
+        };
+        let mut entities = self.analysis.scene.entities.iter();
+        let own = entities.find(|e| Some(e.id) == self.id());
+        own.is_none_or(|e| e.kind.is_some_and(|kind| !kinds.contains(&kind)))
     }
 
     /// ID and type without a space between them: `4111 0 1 0 1.2`. The IDs that are used and defined nowhere come first,
