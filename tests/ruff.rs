@@ -260,10 +260,6 @@ fn other_words_of_ruff_have_an_answer() {
             "`-o x.png` makes a still picture",
         ),
         (
-            &["check", "b.zpg", "--output-file", "c/b.txt"],
-            "there is no folder c",
-        ),
-        (
             &["check", "a.zpg", "--stdin-filename", "b.zpg"],
             "`--stdin-filename` names standard input, so a.zpg is not read",
         ),
