@@ -11,7 +11,7 @@ use crate::syntax::words::plain;
 use crate::translate::registry::of_file;
 
 /// A word of ruff or of a renderer, and the message that says what there is instead.
-const HABITS: [(&str, &str); 85] = [
+const HABITS: [(&str, &str); 87] = [
     ("--add-ignore", "habit-add-allow"),
     ("--max-depth", "habit-depth"),
     ("--max-bounces", "habit-depth"),
@@ -97,6 +97,8 @@ const HABITS: [(&str, &str); 85] = [
     ("version", "habit-version"),
     ("generate-shell-completion", "habit-completions"),
     ("--warnings-as-errors", "habit-deny"),
+    ("--clock", "habit-clock"),
+    ("-l", "habit-line-length"),
 ];
 
 /// Czech words for commands and options, without accents, and what zpg calls them.
@@ -205,7 +207,8 @@ pub(super) fn czech(word: &str) -> Option<Complaint> {
 pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
     let word = word.split('=').next().unwrap_or(word);
     match (word, command) {
-        // A formatter has the width of a line.
+        // A formatter has the width of a line, and nothing else has one.
+        ("-l", of) if of != "fmt" => return None,
         ("--width", "fmt") => return Some("habit-line-length"),
         ("-j" | "--jobs", "render") => return Some("habit-threads"),
         ("-o" | "--out" | "--output", "fmt") => return Some("habit-fmt-output"),
@@ -256,37 +259,98 @@ const OUTPUTS: [&str; 13] = [
 /// The size of a picture that the arguments of this run give in the way of others, `-W160 -H120` or `--width 160`, as
 /// zpg has it; otherwise a usual one.
 pub(super) fn size() -> String {
+    let width = number(&["-W", "+W", "--width", "Width"]);
+    let height = number(&["-H", "+H", "--height", "Height"]);
+    let (width, height) = width.zip(height).unwrap_or((640, 480));
+    format!("{width}x{height}")
+}
+
+/// The length of a line that the arguments of this run give in the way of others; otherwise that of zpg.
+pub(super) fn line_length() -> String {
+    let length = number(&["--line-length", "--width", "-l"]);
+    length.unwrap_or(100).to_string()
+}
+
+/// The number of threads that the arguments of this run give in the way of others; otherwise a usual one.
+pub(super) fn threads() -> String {
+    let threads = number(&["--jobs", "-j", "+WT", "Work_Threads"]);
+    threads.unwrap_or(4).to_string()
+}
+
+/// The first number, 1 or more, that the arguments of this run give to an option of one of these names.
+fn number(names: &[&str]) -> Option<u32> {
     let written: Vec<String> = std::env::args_os()
         .map(|argument| argument.to_string_lossy().into_owned())
         .collect();
-    let side = |names: [&str; 3]| {
-        let behind = |at: usize, name: &str| {
-            let rest = written[at].strip_prefix(name)?;
-            let value = match rest {
-                "" => written.get(at + 1)?,
-                _ => rest.strip_prefix('=').unwrap_or(rest),
-            };
-            value.parse().ok().filter(|pixels: &u32| *pixels > 0)
+    let behind = |at: usize, name: &str| {
+        let rest = written[at].strip_prefix(name)?;
+        let value = match rest {
+            "" => written.get(at + 1)?,
+            _ => rest.strip_prefix('=').unwrap_or(rest),
         };
-        (0..written.len()).find_map(|at| names.iter().find_map(|name| behind(at, name)))
+        value.parse().ok().filter(|number: &u32| *number > 0)
     };
-    let sides = side(["-W", "+W", "--width"]).zip(side(["-H", "+H", "--height"]));
-    let (width, height) = sides.unwrap_or((640, 480));
-    format!("{width}x{height}")
+    (0..written.len()).find_map(|at| names.iter().find_map(|name| behind(at, name)))
 }
 
 /// The endings of pictures that zpg draws.
 const PICTURES: [&str; 7] = ["png", "apng", "jpg", "jpeg", "webp", "exr", "pfm"];
 
+/// What there is instead of a line of POV-Ray's settings: `Width=640`.
+fn of_povray_settings(word: &str) -> Option<Complaint> {
+    let (name, value) = word.split_once('=')?;
+    let name = name.to_ascii_lowercase();
+    let message = match name.as_str() {
+        "width" | "height" => "habit-size",
+        "antialias" | "antialias_depth" | "antialias_threshold" | "quality" => "habit-samples",
+        "work_threads" => "habit-threads",
+        "initial_frame" | "final_frame" => "habit-frames",
+        "clock" | "initial_clock" | "final_clock" => "habit-clock",
+        "declare" => "habit-declare",
+        "output_alpha" | "pause_when_done" | "display" => "habit-none",
+        "output_file_name" => {
+            return Some(Complaint::new("habit-output").with("path", Path::new(value)));
+        }
+        _ => return None,
+    };
+    Some(with_numbers(message))
+}
+
+/// A message with the numbers that the arguments of this run give.
+pub(super) fn with_numbers(message: &'static str) -> Complaint {
+    Complaint::new(message)
+        .with("size", size())
+        .with("threads", threads())
+        .with("length", line_length())
+}
+
 /// What there is instead of an option of POV-Ray: `+W640`, `+Opicture.png`.
 fn of_povray(word: &str) -> Option<Complaint> {
     let rest = word.strip_prefix('+')?;
+    let of = |names: &[&str]| {
+        let mut values = names.iter().filter_map(|name| rest.strip_prefix(name));
+        values.any(|value| value.is_empty() || value.parse().is_ok_and(f64::is_finite))
+    };
+    // `+GA` and `+GFfile`: where messages go.
+    let stream = rest.strip_prefix('G');
+    let is_stream = stream.is_some_and(|to| to.starts_with(['A', 'D', 'F', 'R', 'S', 'W']));
+    let message = [
+        ("habit-threads", of(&["WT"])),
+        ("habit-frames", of(&["KFF", "KFI"])),
+        ("habit-clock", of(&["KI", "KF", "KC", "K"])),
+        ("habit-samples", of(&["R", "AM", "J"])),
+        ("habit-none", of(&["P", "D", "V", "UA"]) || is_stream),
+    ];
+    let message = message.into_iter().find(|(_, is_it)| *is_it);
+    if let Some((message, _)) = message {
+        return Some(with_numbers(message));
+    }
     let letter = rest.chars().next()?;
     let value = &rest[letter.len_utf8()..];
     let is_whole = !value.is_empty() && value.bytes().all(|c| c.is_ascii_digit());
     let is_number = value.is_empty() || value.parse().is_ok_and(f64::is_finite);
     match letter {
-        'W' | 'H' if is_whole => Some(Complaint::new("habit-size").with("size", size())),
+        'W' | 'H' if is_whole => Some(with_numbers("habit-size")),
         'A' | 'Q' if is_number => Some(Complaint::new("habit-samples")),
         'F' if value.len() <= 2 => Some(Complaint::new("habit-picture-format")),
         'O' if !value.is_empty() => {
@@ -303,7 +367,7 @@ fn of_povray(word: &str) -> Option<Complaint> {
 /// POV-Ray.
 pub(super) fn output(word: &Path) -> Option<Complaint> {
     let text = word.to_string_lossy();
-    if let Some(complaint) = of_povray(&text) {
+    if let Some(complaint) = of_povray(&text).or_else(|| of_povray_settings(&text)) {
         return Some(complaint);
     }
     let ending = word.extension()?;

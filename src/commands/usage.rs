@@ -189,11 +189,7 @@ fn complaint(error: &clap::Error, command: &Command) -> Option<Complaint> {
     let command = command_of(usage.as_deref());
     let instead = foreign.as_deref().and_then(|word| {
         let habit = habits::message(word, command);
-        let habit = habit.map(|message| {
-            Complaint::new(message)
-                .with("text", opposite(word))
-                .with("size", habits::size())
-        });
+        let habit = habit.map(|message| habits::with_numbers(message).with("text", opposite(word)));
         let template = || habits::template(word, command);
         habit
             .or_else(|| habits::czech(word))

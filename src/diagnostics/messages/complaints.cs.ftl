@@ -378,10 +378,12 @@ habit-cache = zpg si nic neukládá do mezipaměti
 habit-called = v zpg je to `{ $text }`
 habit-check = zpg má místo toho `zpg check`
 habit-check-json = u `zpg check` je to `--format json`
+habit-clock = taková volba není; číslo scény, které se mění snímek od snímku, udává `--set`, například `--frames 0-29 --set 9.fovy=30..60`
 habit-completions = zpg má místo toho `zpg completions`
 habit-config = `zpg check --show-settings` vypíše všechna nastavení a `--config` jedno změní
 habit-convert = zpg má místo toho `zpg convert`
 habit-crosscheck = zpg má místo toho `zpg crosscheck`
+habit-declare = nic takového v zpg není: čísla scény stojí v jejím souboru
 habit-default = tak je to i bez této volby: stačí `{ $text }` vynechat
 habit-deny = zpg má místo toho `--deny warnings`
 habit-dry-run = zpg má místo toho `--diff`
@@ -395,6 +397,7 @@ habit-fixable = taková volba není; `--fix` opraví vše, co je jisté, a `--se
 habit-fmt-output = taková volba není; `zpg fmt` zapisuje přímo do souborů a `zpg fmt - < scene.zpg` na standardní výstup
 habit-format = u `zpg convert` je to `--to` nebo přípona v `-o`, u `zpg check` je to `--output-format`
 habit-depth = zpg má místo toho `--depth`, například `--depth 5`
+habit-frames = zpg má místo toho `--frames`, například `--frames 0-29 --set 9.fovy=30..60`
 habit-from = zpg má místo toho `--from { $text }`
 habit-gamma = taková volba není; obrázky se zapisují v sRGB a zesvětlí je `--exposure`
 habit-gitignore = taková volba není; při procházení složek platí .gitignore vždy
@@ -402,11 +405,12 @@ habit-ignore = zpg má místo toho `--ignore`
 habit-ignore-allow = taková volba není; komentáře, které povolují nálezy, platí vždy
 habit-in-place = taková volba není; `zpg fmt` zapisuje přímo do souborů a `--diff` jen ukáže, co by změnil
 habit-json = zpg má místo toho `--json`
-habit-line-length = zpg má místo toho `--config format.width=100`
+habit-line-length = zpg má místo toho `--config format.width={ $length }`
 habit-linter = všechny kódy vypíše `zpg explain`
 habit-new = zpg má místo toho `zpg new`
 habit-no-fix = taková volba není; bez `--fix` `zpg check` nic nezapíše
 habit-no-option = tak je to i bez jakékoli volby
+habit-none = nic takového v zpg není
 habit-output = soubor, do kterého se zapíše, udává `-o { $path }`
 habit-output-format-explain = taková volba není; mimo terminál píše `zpg explain` v Markdownu
 habit-output-format-fmt = taková volba není; co by se změnilo, ukáže `--diff`, a soubory vypíše `--check`
@@ -430,7 +434,7 @@ habit-size = zpg má místo toho `--size`, například `--size { $size }`
 habit-target-version = taková volba není; jazyk scén má jedinou verzi
 habit-to = zpg má místo toho `--to`, například `--to pov`
 habit-translation = scénu převede `zpg convert { $scene } -o { $path }`
-habit-threads = zpg má místo toho `--threads`, například `--threads 4`
+habit-threads = zpg má místo toho `--threads`, například `--threads { $threads }`
 habit-verbose-render = taková volba není; co obrázek stál a kde, vypíše `--cost`, a které jevy potřebuje, `zpg plan`
 habit-verbose = taková volba není; zpg vypíše vše, co našlo
 habit-version = zpg má místo toho `zpg --version`

@@ -373,10 +373,12 @@ habit-cache = zpg keeps no cache
 habit-called = zpg calls it `{ $text }`
 habit-check = zpg calls it `zpg check`
 habit-check-json = `zpg check` calls it `--format json`
+habit-clock = there is none; a number of the scene that varies from frame to frame is named by `--set`, for example `--frames 0-29 --set 9.fovy=30..60`
 habit-completions = zpg calls it `zpg completions`
 habit-config = `zpg check --show-settings` shows all settings, and `--config` changes one
 habit-convert = zpg calls it `zpg convert`
 habit-crosscheck = zpg calls it `zpg crosscheck`
+habit-declare = zpg has none: the numbers of a scene stand in its file
 habit-default = that is the default: leave out `{ $text }`
 habit-deny = zpg calls it `--deny warnings`
 habit-dry-run = zpg calls it `--diff`
@@ -390,6 +392,7 @@ habit-fixable = there is none; `--fix` mends all that is certain, and `--select`
 habit-fmt-output = there is none; `zpg fmt` writes into the files, and `zpg fmt - < scene.zpg` to standard output
 habit-format = `zpg convert` calls it `--to`, or takes the ending of `-o`; `zpg check` calls it `--output-format`
 habit-depth = zpg calls it `--depth`, for example `--depth 5`
+habit-frames = zpg calls it `--frames`, for example `--frames 0-29 --set 9.fovy=30..60`
 habit-from = zpg calls it `--from { $text }`
 habit-gamma = there is none; pictures are written in sRGB, and `--exposure` makes them brighter
 habit-gitignore = there is none; zpg always honours .gitignore in folders
@@ -397,11 +400,12 @@ habit-ignore = zpg calls it `--ignore`
 habit-ignore-allow = there is none; the comments that allow findings always count
 habit-in-place = there is none; `zpg fmt` writes into the files, and `--diff` only shows what it would change
 habit-json = zpg calls it `--json`
-habit-line-length = zpg calls it `--config format.width=100`
+habit-line-length = zpg calls it `--config format.width={ $length }`
 habit-linter = `zpg explain` lists all codes
 habit-new = zpg calls it `zpg new`
 habit-no-fix = there is none; `zpg check` writes nothing without `--fix`
 habit-no-option = that is the default, without any option
+habit-none = zpg has none
 habit-output = the file to write is named by `-o { $path }`
 habit-output-format-explain = there is none; `zpg explain` writes Markdown where its output is no terminal
 habit-output-format-fmt = there is none; `--diff` shows what would change, and `--check` names the files
@@ -425,7 +429,7 @@ habit-size = zpg calls it `--size`, for example `--size { $size }`
 habit-target-version = there is none; the scene language has one version
 habit-to = zpg calls it `--to`, for example `--to pov`
 habit-translation = `zpg convert { $scene } -o { $path }` translates the scene
-habit-threads = zpg calls it `--threads`, for example `--threads 4`
+habit-threads = zpg calls it `--threads`, for example `--threads { $threads }`
 habit-verbose-render = there is none; `--cost` prints what the picture has cost and where, and `zpg plan` which effects it needs
 habit-verbose = there is none; zpg says all that it found
 habit-version = zpg calls it `zpg --version`
