@@ -6,9 +6,9 @@ use crate::diagnostics::Span;
 /// The beginning of every such comment, behind its `#`.
 pub const PREFIX: &str = "zpg:";
 
-/// The beginning of such comments for ruff and flake8: a comment that has it is meant for zpg, which does not
+/// The beginnings of such comments for ruff, flake8 and black: a comment that has one is meant for zpg, which does not
 /// understand it.
-const FOREIGN: &str = "noqa";
+const FOREIGN: [&str; 4] = ["noqa", "fmt: off", "fmt: on", "fmt: skip"];
 
 /// Whether a token is such a comment. It needs no `0` in front.
 pub fn is_directive(token: &Token, text: &str) -> bool {
@@ -17,7 +17,10 @@ pub fn is_directive(token: &Token, text: &str) -> bool {
     }
     let inside = token.text(text).trim_start_matches('#').trim_start();
     let is_end = |rest: &str| rest.is_empty() || rest.starts_with([':', '#']);
-    without_word(inside, PREFIX).is_some() || without_word(inside, FOREIGN).is_some_and(is_end)
+    without_word(inside, PREFIX).is_some()
+        || FOREIGN
+            .iter()
+            .any(|word| without_word(inside, word).is_some_and(is_end))
 }
 
 /// The text after a word, in any case, at the start of a text.

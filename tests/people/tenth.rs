@@ -266,6 +266,21 @@ fn smaller_things() {
     let scene = format!("2 9 1 # noqa: W307 #\n{REST}");
     let codes: Vec<Code> = read(&scene).findings().iter().map(|d| d.code).collect();
     assert_eq!(codes, [Code::S504]);
+    // Those for black, too; other comments that begin alike are nobody's.
+    for (comment, expected) in [
+        ("# fmt: off #", &[Code::S504][..]),
+        ("# fmt: on #", &[Code::S504]),
+        ("# fmt: skip #", &[Code::S504]),
+        ("# fmt: offset #", &[]),
+    ] {
+        let codes: Vec<Code> = read(&format!("2 9 1 {comment}\n{REST}"))
+            .findings()
+            .iter()
+            .map(|d| d.code)
+            .filter(|code| *code == Code::S504)
+            .collect();
+        assert_eq!(codes, expected, "{comment}");
+    }
     let dir = folder(&[("scene.zpg", format!("2 9 1\n{REST}"))]);
     let run = |arguments: &[&str]| zpg(dir.path(), arguments);
     for word in ["veverka", "E999"] {
