@@ -285,6 +285,24 @@ fn settings_with_a_point_before_their_name_are_told_of() {
     assert_eq!(said(&["check"]), "");
 }
 
+/// Settings for zpg in the file of Python's tools; those of other tools are none of zpg's business.
+#[test]
+fn settings_in_pyproject_are_told_of() {
+    let dir = folder(&[
+        ("pyproject.toml", "[tool.zpg.lint]\nW301 = \"off\"\n"),
+        ("a.zpg", GOOD),
+    ]);
+    let said = || text(&zpg(dir.path(), &["check"]).stderr);
+    let note = "note: pyproject.toml does not count: the name of settings is zpg.toml\n";
+    assert_eq!(said(), note);
+    fs::write(dir.path().join("pyproject.toml"), "[tool.zpgx]\n").unwrap();
+    assert_eq!(said(), "");
+    fs::write(dir.path().join("pyproject.toml"), "[tool.zpg]\n").unwrap();
+    assert_eq!(said(), note);
+    fs::write(dir.path().join("zpg.toml"), "").unwrap();
+    assert_eq!(said(), "");
+}
+
 #[test]
 fn settings_of_a_file_that_is_named() {
     let dir = folder(&[

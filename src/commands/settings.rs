@@ -109,7 +109,7 @@ impl Chosen {
     }
 }
 
-/// Says of settings beside scenes that their name has a point before it, and so do not count.
+/// Says of settings beside scenes that their name has a point before it, or is that of Python's, and so do not count.
 fn note_misnamed(files: &Files, look: LookChoice) {
     let folders: BTreeSet<&Path> = files
         .files
@@ -117,13 +117,26 @@ fn note_misnamed(files: &Files, look: LookChoice) {
         .filter_map(|file| file.parent())
         .collect();
     for folder in folders {
-        let hidden = folder.join(".zpg.toml");
         let named = folder.join("zpg.toml");
-        if hidden.is_file() && !named.exists() {
-            let misnamed = Complaint::new("misnamed-settings").with("path", hidden.as_path());
-            terminal::note(look, &misnamed.with("right", named.as_path()));
+        let hidden = folder.join(".zpg.toml");
+        let python = folder.join("pyproject.toml");
+        let found = [(hidden.is_file(), hidden), (has_table(&python), python)];
+        for (is_there, path) in found {
+            if is_there && !named.exists() {
+                let misnamed = Complaint::new("misnamed-settings").with("path", path.as_path());
+                terminal::note(look, &misnamed.with("right", named.as_path()));
+            }
         }
     }
+}
+
+/// Whether a file has a table for zpg, as pyproject.toml has one for ruff: `[tool.zpg.lint]`.
+fn has_table(path: &Path) -> bool {
+    let text = std::fs::read_to_string(path).unwrap_or_default();
+    let mut tables = text
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix("[tool.zpg"));
+    tables.any(|rest| rest.starts_with([']', '.']))
 }
 
 /// A scene from standard input that the settings exclude goes on as it is, where it is printed at all.
