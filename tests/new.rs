@@ -68,6 +68,7 @@ fn nothing_is_written_over() {
         ("a.zpg", "a.zpg is there already"),
         ("b.json", "choose a name that ends in .zpg"),
         ("glass", "write glass.zpg"),
+        ("x.txt", "write x.zpg"),
         ("no/such/folder.zpg", "there is no folder no/such"),
     ] {
         let run = zpg(dir.path(), &["new", file]);

@@ -183,7 +183,7 @@ help-check-ignore = Tyto kódy nehlásí
 help-check-deny = Hlásí tyto kódy jako chyby
     .value = KÓD
 help-check-statistics = Místo nálezů vypíše, kolik jich je od každého kódu (jako text nebo JSON)
-help-check-stdin_filename = Jméno souboru, za který se má standardní vstup považovat: ve zprávách, při hledání zpg.toml a obrázků; bez PATH se čte standardní vstup
+help-check-stdin_filename = Jméno souboru, za který se má standardní vstup považovat: ve zprávách, při hledání zpg.toml a obrázků; bez CESTY se čte standardní vstup
     .value = JMÉNO
 help-check-watch = Po každé změně souboru zkontroluje znovu
 
@@ -216,7 +216,7 @@ help-fmt-diff = Nic nezapíše, jen ukáže, co by se změnilo
 help-fmt-force = Zformátuje i soubory, jejichž jména mají příponu jiných programů (.csv, .md, .obj …)
 help-fmt-range = Změní jen záznamy, které zasahují do těchto řádků (počítáno od 1); jen pro jeden soubor
     .value = OD-DO
-help-fmt-stdin_filename = Jméno souboru, za který se má standardní vstup považovat: ve zprávách a při hledání zpg.toml; bez PATH se čte standardní vstup
+help-fmt-stdin_filename = Jméno souboru, za který se má standardní vstup považovat: ve zprávách a při hledání zpg.toml; bez CESTY se čte standardní vstup
     .value = JMÉNO
 
 ## zpg convert

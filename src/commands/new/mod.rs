@@ -105,7 +105,10 @@ fn may_write(args: &Args) -> Result<(), Complaint> {
     if !ending.eq_ignore_ascii_case("zpg") {
         // What follows a dot may be part of the name, unless it is known to be no scene.
         endings::fits(path, &["zpg"])?;
-        let mut right = path.as_os_str().to_owned();
+        let mut right = match ending.eq_ignore_ascii_case("txt") {
+            true => path.with_extension("").into_os_string(),
+            false => path.as_os_str().to_owned(),
+        };
         right.push(".zpg");
         return Err(Complaint::new("scene-name")
             .with("path", path)

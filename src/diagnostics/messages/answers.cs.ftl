@@ -149,7 +149,7 @@ farm-summary =
     Dílčích úloh: { $tasks }. Každá potrvá asi { $each } (procesorů: { $cores }), všechny dohromady { $all } výpočtu. { $tiles ->
         [one] Dílčí úlohou je obrázek.
        *[other] Dílčí úlohou je jeden z pásů obrázku (počet: { $tiles }).
-    } Čtení a příprava scény trvá z každé úlohy { $build }.{ $chunk ->
+    } Čtení a příprava scény zabere v každé úloze { $build }.{ $chunk ->
         [one] { "" }
        *[other] { " " }Najednou se kreslí úloh: { $chunk }.
     }

@@ -60,7 +60,7 @@ accuracy-numbers-plain = Výpočet, který nehlídá vlastní zaokrouhlování, 
 accuracy-saves-nothing = trvá stejně dlouho
 accuracy-saves = ušetří { $percent } %
 accuracy-costs = trvá o { $percent } % déle
-accuracy-time-unsure = trvá neznámo jak dlouho
+accuracy-time-unsure = kolik času stojí, nelze říci
 
 accuracy-skip-unasked = nebylo požadováno
 accuracy-skip-light = nic nezrcadlí a nic nepropouští světlo: žádné světlo se nezanedbá
