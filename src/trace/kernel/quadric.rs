@@ -170,7 +170,11 @@ impl Quadrics {
         let square = d.dot(d);
         let shift = -o.dot(d) / square;
         let q = o + d * shift;
-        let beside = is_greater(q.dot(q), self.ball);
+        let start = splat(probe.reach) + splat(probe.pace) * shift.abs();
+        let error = splat(REL_ROUNDED)
+            * (self.sizes[0] * start + self.sizes[1] + self.middle.abs().max_component());
+        let is_known = is_at_most(error, splat(LINE_REL_ERROR) * self.reach);
+        let beside = is_known & is_greater(q.dot(q), self.ball);
         if beside.to_bitmask() == ALL {
             return Chords::NONE;
         }
@@ -216,10 +220,6 @@ impl Quadrics {
         let told = a.abs() * margin;
         let curve = splat(LEAST_CURVE) * second * square;
         let slack = splat(POLYNOMIAL_MARGIN) * reach / pace;
-        let start = splat(probe.reach) + splat(probe.pace) * shift.abs();
-        let error = splat(REL_ROUNDED)
-            * (self.sizes[0] * start + self.sizes[1] + self.middle.abs().max_component());
-        let is_known = is_at_most(error, splat(LINE_REL_ERROR) * self.reach);
         let is_curved = is_greater(a.abs(), curve);
         // Written so that NaN is neither missed nor sure.
         let crosses = is_curved & is_greater(discriminant, told);
@@ -311,6 +311,22 @@ mod tests {
             turned([0.1, -0.5], [0.7, 0.4]),
         ];
         geometries.iter().map(Primitive::new).collect()
+    }
+
+    /// A line from so far that rounding counts beside the size of the solid is neither missed nor sure.
+    #[test]
+    fn lines_from_too_far_are_not_known() {
+        let shape = Primitive::new(&Geometry::Ellipsoid {
+            semi_axes: [0.9, 0.5, 0.2],
+        });
+        let piece = shape.shape().convex_piece().expect("it is one");
+        let way = WayIn::new(&Graph::default(), &[]);
+        let quadric = Quadric::new(&piece, &shape.shape().bounds(), way).expect("usual numbers");
+        for (distance, told) in [(1e3, true), (1e12, false)] {
+            let line = Line::new(Vec3::new(5.0, 0.0, distance), Vec3::new(0.0, 0.0, -1.0));
+            let found = Quadrics::new(&[&quadric]).chords(&Probe::new(&line), 0.0, f64::INFINITY);
+            assert_eq!([found.maybe & 1 == 0, found.sure & 1 == 0], [told, true]);
+        }
     }
 
     /// What is said of a line is what the shape itself finds, and of nearly all lines something is said. Lines are aimed
