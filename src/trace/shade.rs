@@ -268,7 +268,9 @@ impl<'t, R: Precision> Shader<'t, R> {
                 through = std::mem::replace(&mut todo, Vec3::ZERO);
             } else {
                 let all = todo;
-                for other in (c..3).filter(|&o| ratio(o) == ratio(c)) {
+                // Straight on is one way, whatever the index.
+                let bend = |c: usize| Some(ratio(c)).filter(|(before, behind)| before != behind);
+                for other in (c..3).filter(|&o| bend(o) == bend(c)) {
                     through[other] = std::mem::take(&mut todo[other]);
                 }
                 self.parted += u64::from(through != all);

@@ -78,8 +78,10 @@ impl Way {
     pub fn through(kt: [f64; 3], around: Rgb, own: Rgb, may_part: bool) -> ([Way; 3], u32) {
         let (mut ways, mut count, mut todo) = ([Way::NONE; 3], 0, kt);
         while let Some(first) = (0..3).find(|&c| todo[c] != 0.0) {
-            let is_along =
-                |c: usize| !may_part || [around[c], own[c]] == [around[first], own[first]];
+            // Straight on is one way, whatever the index.
+            let bend =
+                |c: usize| Some([around[c], own[c]]).filter(|[before, behind]| before != behind);
+            let is_along = |c: usize| !may_part || bend(c) == bend(first);
             let way = &mut ways[count];
             for c in (first..3).filter(|&c| is_along(c)) {
                 way.kt[c] = std::mem::take(&mut todo[c]);
