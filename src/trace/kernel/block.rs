@@ -25,8 +25,9 @@ pub struct Block {
     pub extent: f64,
     /// Of all of them, if it is in a tree.
     pub bounds: Aabb,
-    /// Tells which rays miss it, if it is one shape without lanes, or a placed one.
-    pub cull: Option<Box<Cull>>,
+    /// Tests of four rays at once, one for each leaf: of shapes without lanes, quadrics, and a shape that is placed and
+    /// alone in the block. Of other blocks there are none.
+    pub culls: Box<[Cull]>,
 }
 
 #[derive(Debug, Clone)]
@@ -96,7 +97,7 @@ fn block(leaves: &[Leaf], numbers: &[u32]) -> Block {
         leaves: own,
         extent: all.iter().fold(0.0, |most, leaf| leaf.extent.max(most)),
         bounds: Aabb::ALL,
-        cull: None,
+        culls: Box::default(),
     }
 }
 

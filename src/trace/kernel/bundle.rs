@@ -187,14 +187,22 @@ impl Along {
             let misses = is_greater(near, far * splat(1.0 + REL_ROOM)).to_bitmask();
             let mut met = live & !misses & !dark;
             let block = &stage.blocks[candidate.block as usize];
-            if let (Some(cull), true) = (&block.cull, met != 0) {
+            let mut beside = met;
+            for (cull, &leaf) in block.culls.iter().zip(&block.leaves) {
+                // The others are of no use to anybody.
+                if beside | (met & shadow & !dark) == 0 {
+                    break;
+                }
                 let passing = cull.passing(origin, direction, before, to);
-                met &= !passing.beside;
-                let leaf = &stage.leaves[block.leaves[0] as usize];
+                beside &= passing.beside;
+                let leaf = &stage.leaves[leaf as usize];
                 let through = met & shadow & passing.through;
                 if through != 0 && leaf.is_lone && !leaf.is_clear {
                     dark |= through & lanes_where(|lane| left[lane] != leaf.twin);
                 }
+            }
+            if !block.culls.is_empty() {
+                met &= !beside;
             }
             while met != 0 {
                 let lane = met.trailing_zeros() as usize % LANES;

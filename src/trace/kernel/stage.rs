@@ -64,13 +64,8 @@ impl Stage<'_> {
         } = leaves;
         let mut blocks = Vec::new();
         let all = Forest::new(&leaves, &loose, boxes, &mut blocks);
-        for block in &mut blocks {
-            let leaf = &leaves[block.leaves[0] as usize];
-            let is_apart = matches!(block.shapes, Shapes::Single | Shapes::Quadrics(_))
-                || block.placement != 0;
-            if !is_apart || block.leaves[1] != NONE {
-                continue;
-            }
+        let cull = |&number: &u32| {
+            let leaf = &leaves[number as usize];
             let (bounds, outline) = match leaf.kind {
                 Kind::Csg => (operands[leaf.primitive as usize].bounds, Outline::BOUNDS),
                 _ => {
@@ -78,8 +73,18 @@ impl Stage<'_> {
                     (shape.bounds(), shape.outline())
                 }
             };
-            let chain = &chains[leaf.chain as usize];
-            block.cull = Cull::new(graph, chain, &bounds, outline).map(Box::new);
+            Cull::new(graph, &chains[leaf.chain as usize], &bounds, outline)
+        };
+        for block in &mut blocks {
+            let is_apart = match block.shapes {
+                Shapes::Single | Shapes::Quadrics(_) => true,
+                _ => block.placement != 0 && block.leaves[1] == NONE,
+            };
+            if is_apart {
+                let own = block.leaves.iter().filter(|&&leaf| leaf != NONE);
+                let culls: Option<Box<[Cull]>> = own.map(cull).collect();
+                block.culls = culls.unwrap_or_default();
+            }
         }
         let csgs = operands
             .into_iter()
