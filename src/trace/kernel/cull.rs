@@ -197,10 +197,9 @@ fn numbers(lanes: Lanes, sum: Lanes) -> Lanes {
 mod tests {
     use super::*;
     use crate::geometry::Matrix;
-    use crate::geometry::affine::{Affine, Placement};
     use crate::geometry::line::Line;
     use crate::scene::Geometry;
-    use crate::testing::random;
+    use crate::trace::kernel::tests::{numbers, placed_by};
     use crate::trace::shapes::{Primitive, Roots};
 
     fn shapes() -> Vec<Primitive> {
@@ -256,8 +255,7 @@ mod tests {
     /// through one with an exact outline.
     #[test]
     fn rays_that_are_told_apart_are_told_right() {
-        let mut next = random();
-        let mut number = move || next(2_000_001) as f64 / 1e6 - 1.0;
+        let mut number = numbers();
         for shape in shapes() {
             let [mut beside, mut through, mut missed, mut met] = [0; 4];
             for i in 0..20_000 {
@@ -267,15 +265,7 @@ mod tests {
                     .after(&Matrix::rotation(360.0 * y[0], i % 3))
                     .after(&Matrix::rotation(360.0 * y[1], (i + 1) % 3))
                     .after(&Matrix::scaling(1.0, 1.5 + y[2], 1.0));
-                let back = out.inverse().expect("it can be undone");
-                let placement = Placement {
-                    out: Affine::new(&out),
-                    back: Affine::new(&back),
-                };
-                let graph = Graph {
-                    placements: vec![placement],
-                    ..Graph::default()
-                };
+                let graph = placed_by(&out);
                 let chain: &[u32] = if i % 2 == 0 { &[] } else { &[0] };
                 let (bounds, outline) = (shape.shape().bounds(), shape.shape().outline());
                 let cull = Cull::new(&graph, chain, &bounds, outline).expect("usual numbers");

@@ -3,18 +3,31 @@
 use super::lanes::{Lanes, V3, mask};
 use super::resolved::Resolved;
 use super::{cuboid, plane, rectangle, sphere};
+use crate::geometry::Matrix;
+use crate::geometry::affine::{Affine, Placement};
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::testing::{random, scene};
+use crate::trace::graph::Graph;
 use crate::trace::shapes::{Primitive, Roots};
 use crate::trace::{Picture, Settings, Tracer, selected_camera};
 use std::fmt::Write;
 
 /// Numbers from −1 to 1.
-fn numbers() -> impl FnMut() -> f64 {
+pub fn numbers() -> impl FnMut() -> f64 {
     let mut next = random();
     move || next(2_000_001) as f64 / 1e6 - 1.0
+}
+
+/// A graph whose one placement is that of a matrix.
+pub fn placed_by(out: &Matrix) -> Graph {
+    let back = out.inverse().expect("it can be undone");
+    let [out, back] = [out, &back].map(Affine::new);
+    Graph {
+        placements: vec![Placement { out, back }],
+        ..Graph::default()
+    }
 }
 
 /// Four times the same.
