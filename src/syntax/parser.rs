@@ -438,8 +438,7 @@ impl<'s> Plan<'s> {
         sound
     }
 
-    /// The end of the first of some items that agree with the layout from the beginning of a line on; `None` unless
-    /// enough of them agree.
+    /// The end of the first of some items that agree with the layout from a line's beginning on, if enough of them do.
     fn agreeing(&mut self, line: usize) -> Option<usize> {
         let c = self.columns;
         let mut at = line;

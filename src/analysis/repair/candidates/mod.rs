@@ -8,6 +8,7 @@ mod comments;
 mod heads;
 mod inline;
 mod lost_spaces;
+mod lost_types;
 mod notation;
 mod numbers;
 mod own_id;
