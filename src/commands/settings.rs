@@ -118,14 +118,15 @@ fn note_misnamed(files: &Files, look: LookChoice) {
         .collect();
     for folder in folders {
         let named = folder.join("zpg.toml");
+        if named.exists() {
+            continue;
+        }
         let hidden = folder.join(".zpg.toml");
         let python = folder.join("pyproject.toml");
         let found = [(hidden.is_file(), hidden), (has_table(&python), python)];
-        for (is_there, path) in found {
-            if is_there && !named.exists() {
-                let misnamed = Complaint::new("misnamed-settings").with("path", path.as_path());
-                terminal::note(look, &misnamed.with("right", named.as_path()));
-            }
+        for (_, path) in found.into_iter().filter(|(is_there, _)| *is_there) {
+            let misnamed = Complaint::new("misnamed-settings").with("path", path.as_path());
+            terminal::note(look, &misnamed.with("right", named.as_path()));
         }
     }
 }

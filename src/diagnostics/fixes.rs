@@ -68,11 +68,8 @@ pub fn edits<'a>(text: &str, fixes: impl Iterator<Item = &'a Fix>) -> (Vec<Edit>
 /// Where a part of the text begins that is taken out: where nothing but white space is behind it on its line, that before
 /// it goes, too.
 fn without_space_before(text: &str, span: Span) -> u32 {
-    let rest = &text[span.end as usize..];
-    let is_tail = rest
-        .trim_start_matches([' ', '\t'])
-        .starts_with(['\r', '\n'])
-        || rest.trim().is_empty();
+    let rest = text[span.end as usize..].trim_start_matches([' ', '\t']);
+    let is_tail = rest.is_empty() || rest.starts_with(['\r', '\n']);
     let before = &text[..span.start as usize];
     let kept = before.trim_end_matches([' ', '\t']);
     // A line of its own has nothing before it but its indentation.
