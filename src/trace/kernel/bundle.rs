@@ -2,6 +2,7 @@
 
 use super::cull::in_box;
 use super::lanes::{LANES, Lanes, V3, gathered, is_greater, lanes_where};
+use super::leaf::Kind;
 use super::query::{SKINS, Start};
 use super::stage::Stage;
 use crate::geometry::aabb::Aabb;
@@ -44,6 +45,8 @@ pub struct Rays {
     pub before: Lanes,
     /// See [`Start::left`](super::query::Start::left).
     pub left: [u32; LANES],
+    /// Those that do not go against the normal of the surface that they start on, as bits.
+    pub outwards: u32,
     /// Those that are asked only whether anything opaque is on their way, as bits.
     pub shadow: u32,
 }
@@ -59,6 +62,7 @@ impl Rays {
             direction,
             before: skin / direction.abs().max_component(),
             left: each(starts, |start| start.left),
+            outwards: lanes_where(|lane| !starts[lane].goes_in),
             shadow: lanes_where(|lane| is_shadow && starts[lane].within.is_empty()),
         }
     }
@@ -178,6 +182,7 @@ impl Along {
             direction,
             before,
             left,
+            outwards,
             shadow,
         } = rays;
         let inverse = V3(each(direction.0, |d| splat(1.0) / d));
@@ -189,16 +194,20 @@ impl Along {
             let block = &stage.blocks[candidate.block as usize];
             let mut beside = met;
             for (cull, &leaf) in block.culls.iter().zip(&block.leaves) {
-                // The others are of no use to anybody.
-                if beside | (met & shadow & !dark) == 0 {
-                    break;
+                let leaf = &stage.leaves[leaf as usize];
+                let starts_here = lanes_where(|lane| left[lane] == leaf.twin);
+                // What is convex is not met again by a ray that leaves it.
+                let leaves_it = match leaf.kind == Kind::Quadric || leaf.is_convex {
+                    true => starts_here & outwards,
+                    false => 0,
+                };
+                if (beside | (met & shadow & !dark)) & !leaves_it == 0 {
+                    continue;
                 }
                 let passing = cull.passing(origin, direction, before, to);
-                beside &= passing.beside;
-                let leaf = &stage.leaves[leaf as usize];
-                let through = met & shadow & passing.through;
-                if through != 0 && leaf.is_lone && !leaf.is_clear {
-                    dark |= through & lanes_where(|lane| left[lane] != leaf.twin);
+                beside &= passing.beside | leaves_it;
+                if leaf.is_lone && !leaf.is_clear {
+                    dark |= met & shadow & passing.through & !starts_here;
                 }
             }
             if !block.culls.is_empty() {
