@@ -24,7 +24,7 @@ macro_rules! texts {
     };
 }
 
-pub(super) const TOPICS: [Topic; 12] = [
+pub(super) const TOPICS: [Topic; 14] = [
     Topic {
         titles: ["glass", "sklo"],
         words: &["transparent", "transparency", "pruhledny", "pruhlednost"],
@@ -100,10 +100,23 @@ pub(super) const TOPICS: [Topic; 12] = [
         words: &["srgb", "brightness", "jas", "exposure", "expozice"],
         texts: texts!("gamma"),
     },
+    Topic {
+        titles: ["units", "jednotky"],
+        words: &[
+            "unit", "jednotka", "size", "sizes", "velikost", "rozmery", "degree", "degrees",
+            "stupen", "stupne",
+        ],
+        texts: texts!("units"),
+    },
+    Topic {
+        titles: ["order", "pořadí"],
+        words: &["id", "ids", "identifier", "identifikator"],
+        texts: texts!("order"),
+    },
 ];
 
 /// Words that lead to types, without accents and in lower case, as those of [`words`]. They are nobody's guess in a scene.
-const WORDS: [(&str, &[i32]); 30] = [
+const WORDS: [(&str, &[i32]); 37] = [
     ("indexofrefraction", &[-203]),
     ("kostka", &[12]),
     ("toroid", &[14]),
@@ -134,6 +147,13 @@ const WORDS: [(&str, &[i32]); 30] = [
     ("fog", &[-201, 5]),
     ("mlha", &[-201, 5]),
     ("haze", &[-201, 5]),
+    ("kd", &[-201]),
+    ("ks", &[-201]),
+    ("kt", &[-201]),
+    ("imagemap", &[-301]),
+    ("interior", &[-203]),
+    ("mesh", &[6, 7, 8]),
+    ("sor", &[1]),
 ];
 
 /// The types that a word leads to here, the likeliest first.
@@ -203,6 +223,8 @@ mod tests {
             None,
             None,
             None,
+            None,
+            None,
         ]) {
             let mut scenes = Vec::new();
             for language in [Language::English, Language::Czech] {
@@ -224,6 +246,30 @@ mod tests {
                 scenes.push(scene.lines().map(numbers).collect::<Vec<_>>());
             }
             assert_eq!(scenes[0], scenes[1]);
+        }
+    }
+
+    /// Words that newcomers ask for lead somewhere.
+    #[test]
+    fn questions_of_newcomers_have_pages() {
+        for (word, title) in [
+            ("size", "units"),
+            ("stupně", "units"),
+            ("rozměry", "units"),
+            ("ID", "order"),
+            ("pořadí", "order"),
+        ] {
+            let topic = Topic::of(word).expect(word);
+            assert_eq!(topic.title(Language::English), title, "{word}");
+        }
+        for (word, code) in [
+            ("kt", -201),
+            ("image_map", -301),
+            ("interior", -203),
+            ("mesh", 6),
+            ("sor", 1),
+        ] {
+            assert_eq!(types(word)[0].code, code, "{word}");
         }
     }
 
