@@ -1,4 +1,4 @@
 N607 = otočení o `{ $angle }` stupně vypadá jako úhel v radiánech: `{ $angle }` rad = { $degrees }°
     .label = úhel se píše ve stupních
-    .note = { $type } se tak skoro neotočí
+    .note = takto se { $type } téměř neotočí
     .fix = napsat `{ $degrees }`
