@@ -39,7 +39,8 @@ pub use options::{Numbers, Options};
 use crate::diagnostics::source::line_break;
 use crate::diagnostics::{Edit, Span};
 use crate::parallel;
-use crate::syntax::{Document, Item, parse};
+use crate::syntax::table::RecordType;
+use crate::syntax::{Document, Item, last_row, parse};
 use cell::Context;
 use chunk::{Chunk, Chunks};
 use document_range::DocumentRange;
@@ -74,10 +75,11 @@ fn attempt(
     let broken = document.items.iter().any(|i| matches!(i, Item::Broken(_)));
     let mut care = Care {
         zeros: broken,
-        // Another layout would hide what is suspicious about them.
+        // Another layout would hide what is suspicious about them, or make it suspicious.
         items: (document.doubted.iter())
             .chain(&document.redefining)
             .copied()
+            .chain(ending_with_record(document))
             .collect(),
     };
     for round in 0..ROUNDS {
@@ -103,6 +105,17 @@ fn attempt(
         }
     }
     None
+}
+
+/// The first tokens of records whose last row would be a record on a line of its own.
+fn ending_with_record(document: &Document) -> impl Iterator<Item = u32> {
+    let has_rows = |ty: &RecordType| ty.vectors.len() > 2 && !ty.is_counted();
+    let has_any = document.contents.any(has_rows);
+    let items = if has_any { &document.items[..] } else { &[] };
+    let records = items.iter().filter_map(Item::record);
+    let ending = records
+        .filter(move |r| has_rows(r.ty()) && last_row::is_record(r.ty(), document.values(r)));
+    ending.map(|r| r.first)
 }
 
 /// The most attempts to keep the lines that are read differently, each with more lines around them.

@@ -81,6 +81,12 @@ impl<'a> Context<'a> {
             _ => None,
         }
     }
+
+    /// Whether the last numbers of the record that starts where the span does may be another one's.
+    fn is_doubted(&self, span: Span) -> bool {
+        let item = self.document.item_at(span.start);
+        item.is_some_and(|i| self.document.is_doubted(self.document.items[i].ends().0))
+    }
 }
 
 /// Whether an ID stands for each node at the end of the file, or for something made of it: not for the steps between

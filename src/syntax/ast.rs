@@ -239,7 +239,7 @@ impl Document {
     }
 
     /// The index of the item to which a place in the text belongs.
-    pub(super) fn item_at(&self, at: u32) -> Option<usize> {
+    pub fn item_at(&self, at: u32) -> Option<usize> {
         let token = self.tokens.partition_point(|t| t.end() <= at) as u32;
         let item = self.items.partition_point(|item| item.ends().1 < token);
         let holds = |item: &Item| item.ends().0 <= token;

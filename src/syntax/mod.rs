@@ -33,6 +33,7 @@ pub mod hex;
 pub mod hidden;
 pub mod ids;
 pub mod in_records;
+pub mod last_row;
 mod lexed;
 pub mod lexer;
 pub mod parser;

@@ -321,3 +321,71 @@ fn a_word_before_a_vector_in_brackets_goes_with_these() {
     }
     assert!(first(scene, Code::E012).contains("\n13 -701 0.25 0.45 0.75\n"));
 }
+
+/// A camera, a lamp, and what is drawn.
+const REST: &str = "9 -501 0 0 6 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 ID 0\n";
+
+fn drawn(text: &str, id: u32) -> String {
+    format!("{text}{}", REST.replace("ID", &id.to_string()))
+}
+
+/// Four balls, of which any may be joined.
+const BALLS: &str = "2 9 1\n3 11 0 1 0 1\n4 11 0 2 0 1\n5 11 1 2 0 1\n";
+
+#[test]
+fn a_quadric_that_takes_a_record_for_its_last_row_keeps_its_numbers() {
+    for (text, is_row) in [
+        ("2 15 1 0 0 0\n0 1 0 0\n0 0 1 0\n2 -2 30 1\n", true),
+        ("2 15\n1 0 0 0\n0 1 0 0\n0 0 1 0\n3 14 2 1\n", true),
+        ("2 15 1 0 0 0  0 1 0 0  0 0 0 -4\n2 -2 90 1\n", true),
+        (
+            "2 15 0 0 0 0 2 0 0.5\n2 -2 30 1\n2 -1 2.6 0.8 -0.5\n",
+            false,
+        ),
+    ] {
+        let text = drawn(text, 2);
+        let all = repair::proposals(&read(&text));
+        let with = |code| all.iter().find(move |d| d.code == code).unwrap();
+        assert!(with(Code::W304).fixes.is_empty(), "{text}");
+        let said = [
+            (
+                Language::English,
+                "takes 16 numbers, here are 12: a row of 4 is missing",
+            ),
+            (
+                Language::Czech,
+                "má mít 16 čísel, je jich zde 12: chybí řádek 4 čísel",
+            ),
+        ];
+        for (language, said) in said {
+            let words = with(Code::W314).wording(language).message;
+            assert_eq!(words.contains(said), is_row, "{words}");
+        }
+        assert_eq!(fixed(&text, true), text);
+        let analysis = read(&text);
+        let formatted = format(&text, &analysis.document, &Options::default());
+        let (quadric, _) = text.split_once("9 -501").unwrap();
+        assert!(formatted.starts_with(quadric), "{formatted}");
+    }
+    // A row that begins as a record does makes the matrix symmetric here, and a matrix of plain numbers has a safe fix.
+    let whole = drawn("2 15\n1 0 0 2\n0 1 0 -2\n0 0 1 30\n2 -2 30 1\n", 2);
+    assert!(read(&whole).findings().iter().all(|d| d.code != Code::W314));
+    let plain = drawn("2 15\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0.5 -1\n", 2);
+    assert!(fixed(&plain, false).contains("0 0 1 0.25\n0 0 0.25 -1\n"));
+}
+
+#[test]
+fn a_lamp_for_the_last_vertex_is_doubted() {
+    let text = drawn("2 6\n0 0 0\n1 0 0\n50 -402 1\n", 2);
+    let text = text.replace("50 -402 1\n50 -1 3 5 5\n", "");
+    assert!(read(&text).findings().iter().any(|d| d.code == Code::W314));
+    // A vertex may look like a ball.
+    let vertex = drawn("2 6\n0 0 0\n1 0 0\n3 9 1\n", 2);
+    assert!(
+        read(&vertex)
+            .findings()
+            .iter()
+            .all(|d| d.code != Code::W314)
+    );
+}
+

@@ -421,6 +421,22 @@ W314 = { $type } si bere poslední čísla z řádku, který by sám byl záznam
     .begin = záznam začíná zde
     .note = řádek by sám byl záznam { $line }
     .help = chybí-li nad ním číslo, doplňte ho: { $header }
+W314-row = { $type } má mít { $wanted ->
+    [one] { $wanted } číslo
+    [few] { $wanted } čísla
+   *[other] { $wanted } čísel
+}, { $got ->
+    [one] je zde jen { $got }
+    [few] jsou zde { $got }
+   *[other] je jich zde { $got }
+}: chybí řádek { $off ->
+    [one] { $off } čísla
+   *[other] { $off } čísel
+} a místo něj se čte další řádek
+    .label = { W314.label }
+    .begin = { W314.begin }
+    .note = { W314.note }
+    .help = je-li ten řádek záznam, doplňte řádek čísel nad něj: { $header }
 
 N601 = soubor není platné UTF-8; čte se jako Windows-1250
     .label = první bajt, který není UTF-8

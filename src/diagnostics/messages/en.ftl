@@ -417,6 +417,17 @@ W314 = this { $type } takes its last numbers from a line that would be a record 
     .begin = the record begins here
     .note = by itself the line would read { $line }
     .help = if a number is missing above, add it: { $header }
+W314-row = this { $type } takes { $wanted ->
+    [one] { $wanted } number
+   *[other] { $wanted } numbers
+}, here { $got ->
+    [one] is { $got }
+   *[other] are { $got }
+}: a row of { $off } is missing, and the next line is read as its last row
+    .label = { W314.label }
+    .begin = { W314.begin }
+    .note = { W314.note }
+    .help = if that line is a record, add the row above it: { $header }
 
 N601 = the file is not valid UTF-8; it is read as Windows-1250
     .label = the first byte that is not UTF-8

@@ -15,7 +15,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 /// The most numbers that one record may claim to have.
 const NUMBERS_MAX: usize = 100_000_000;
 
-fn header(ty: &RecordType) -> String {
+pub(super) fn header(ty: &RecordType) -> String {
     match ty.signature() {
         s if s.is_empty() => format!("`ID {}`", ty.code),
         s => format!("`ID {} {s}`", ty.code),
@@ -88,7 +88,8 @@ pub(crate) fn pieces(
                 let is_taken = witnesses.is_complete_line(stretch, last)
                     && witnesses.takes_over(stretch, piece.start, r.end);
                 let head = stretch.line_start(last);
-                if is_taken || stretch.begins_again(piece.start, head) {
+                let is_again = stretch.begins_again(piece.start, head);
+                if is_taken || is_again || reporter.ends_with_record(witnesses, piece, r.ty) {
                     out.push(reporter.line_break(piece, r.ty));
                 }
             }
@@ -102,7 +103,7 @@ pub(super) struct Reporter<'a, 's> {
 }
 
 impl Reporter<'_, '_> {
-    fn span(&self, start: usize, end: usize) -> Span {
+    pub(super) fn span(&self, start: usize, end: usize) -> Span {
         let last = self.stretch.token(end.max(start + 1) - 1);
         self.stretch.token(start).span().to(last.span())
     }
@@ -116,20 +117,6 @@ impl Reporter<'_, '_> {
         let between = self.stretch.token(i).end()..self.stretch.token(i + 1).start;
         let text = &self.stretch.text()[between.start as usize..between.end as usize];
         text.trim().is_empty()
-    }
-
-    fn line_break(&self, piece: &RecordCandidate, ty: &RecordType) -> Diagnostic {
-        let last = self.stretch.line(piece.end - 1);
-        let head = self.stretch.line_start(last);
-        let line_end = self.stretch.line_end(last);
-        Diagnostic::new(Code::W314, self.span(head, piece.end))
-            .with("type", Value::Term(ty.title))
-            .with(
-                "line",
-                quote(&self.stretch.text()[self.span(head, line_end).range()]),
-            )
-            .with("header", header(ty))
-            .label(self.span(piece.start, head), "begin")
     }
 
     fn broken(&self, piece: &RecordCandidate, out: &mut Vec<Diagnostic>) {

@@ -1,10 +1,56 @@
-//! A broken record line by line: which line has too few numbers or too many.
+//! A record line by line: which line has too few numbers or too many, or would be a record of its own.
 
+use super::super::last_row;
+use super::super::quote::quote;
 use super::super::table::RecordType;
 use super::diagnosis::RecordCandidate;
-use super::report::Reporter;
+use super::report::{Reporter, header};
+use super::witness::Witnesses;
+use crate::diagnostics::{Code, Diagnostic, Value};
 
 impl Reporter<'_, '_> {
+    /// Whether the last line of a record is its last row and rather a record of its own.
+    pub(super) fn ends_with_record(
+        &self,
+        witnesses: &Witnesses,
+        piece: &RecordCandidate,
+        ty: &RecordType,
+    ) -> bool {
+        let stretch = self.stretch;
+        let (last, text) = (stretch.line(piece.end - 1), stretch.text());
+        let row = stretch.line_start(last)..stretch.line_end(last);
+        let is_row = row.end == piece.end && ty.vectors.last() == Some(&row.len());
+        if stretch.line(piece.start) == last || !is_row || ty.is_counted() {
+            return false;
+        }
+        let params = (piece.start + 2..piece.end).map(|i| stretch.token(i).number(text));
+        let params: Option<Vec<f64>> = params.collect();
+        witnesses.is_complete_line(stretch, last)
+            && params.is_some_and(|params| last_row::is_record(ty, &params))
+    }
+
+    /// The warning of a record that takes its last numbers from a line which would be one by itself.
+    pub(super) fn line_break(&self, piece: &RecordCandidate, ty: &RecordType) -> Diagnostic {
+        let stretch = self.stretch;
+        let last = stretch.line(piece.end - 1);
+        let (head, line_end) = (stretch.line_start(last), stretch.line_end(last));
+        let taken = piece.end - head;
+        let is_row = !ty.is_counted() && line_end == piece.end && ty.vectors.last() == Some(&taken);
+        let count = |n: usize| Value::Count(n as u64);
+        Diagnostic::new(Code::W314, self.span(head, piece.end))
+            .case(if is_row { "row" } else { "" })
+            .with("type", Value::Term(ty.title))
+            .with("wanted", count(piece.end - piece.start - 2))
+            .with("got", count(head.saturating_sub(piece.start + 2)))
+            .with("off", count(taken))
+            .with(
+                "line",
+                quote(&stretch.text()[self.span(head, line_end).range()]),
+            )
+            .with("header", header(ty))
+            .label(self.span(piece.start, head), "begin")
+    }
+
     /// The number of whole points of a record that says another number; `None` where its points are not whole.
     pub(super) fn points(
         &self,
