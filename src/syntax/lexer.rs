@@ -194,7 +194,7 @@ impl fmt::Debug for Token {
 /// normalised loses some of them. The automaton below has the same ones.
 #[rustfmt::skip]
 pub const SEPARATORS: &[char] = &[
-    ',', ';', '<', '>', '(', ')', '{', '}',
+    ',', ';', '<', '>', '(', ')', '[', ']', '{', '}',
     // Angle brackets of the handout, of mathematics, of technical and of East Asian texts.
     '\u{27E8}', '\u{27E9}', '\u{2329}', '\u{232A}', '\u{3008}', '\u{3009}',
     // Double angle brackets.
@@ -203,10 +203,10 @@ pub const SEPARATORS: &[char] = &[
     '\u{2039}', '\u{203A}', '\u{AB}', '\u{BB}',
     // Ornaments.
     '\u{276C}', '\u{276D}', '\u{276E}', '\u{276F}', '\u{2770}', '\u{2771}',
-    // Full-width and small signs: less and greater, parentheses, braces.
+    // Full-width and small signs: less and greater, parentheses, square brackets, braces.
     '\u{FF1C}', '\u{FF1E}', '\u{FE64}', '\u{FE65}',
     '\u{FF08}', '\u{FF09}', '\u{FE59}', '\u{FE5A}',
-    '\u{FF5B}', '\u{FF5D}', '\u{FE5B}', '\u{FE5C}',
+    '\u{FF3B}', '\u{FF3D}', '\u{FF5B}', '\u{FF5D}', '\u{FE5B}', '\u{FE5C}',
     // Commas: full-width, small, ideographic.
     '\u{FF0C}', '\u{FE50}', '\u{3001}',
     // Semicolons: full-width, small, and the Greek question mark.
@@ -229,12 +229,12 @@ enum Raw<'s> {
     DecimalComma,
     #[regex(r#""[^"\r\n]*""#, priority = 20)]
     Quoted,
-    #[regex(r"[,;<>(){}\u{27E8}\u{27E9}\u{2329}\u{232A}\u{3008}\u{3009}\u{2039}\u{203A}\u{AB}\u{BB}\u{27EA}\u{27EB}\u{300A}\u{300B}\u{276C}\u{276D}\u{276E}\u{276F}\u{2770}\u{2771}\u{FF1C}\u{FF1E}\u{FE64}\u{FE65}\u{FF08}\u{FF09}\u{FE59}\u{FE5A}\u{FF5B}\u{FF5D}\u{FE5B}\u{FE5C}\u{FF0C}\u{FE50}\u{3001}\u{FF1B}\u{FE54}\u{37E}]")]
+    #[regex(r"[,;<>()\[\]{}\u{27E8}\u{27E9}\u{2329}\u{232A}\u{3008}\u{3009}\u{2039}\u{203A}\u{AB}\u{BB}\u{27EA}\u{27EB}\u{300A}\u{300B}\u{276C}\u{276D}\u{276E}\u{276F}\u{2770}\u{2771}\u{FF1C}\u{FF1E}\u{FE64}\u{FE65}\u{FF08}\u{FF09}\u{FE59}\u{FE5A}\u{FF3B}\u{FF3D}\u{FF5B}\u{FF5D}\u{FE5B}\u{FE5C}\u{FF0C}\u{FE50}\u{3001}\u{FF1B}\u{FE54}\u{37E}]")]
     Separator,
     /// A comment, whose end is found by hand: where it is depends on the comments before.
     #[token("#", comment)]
     Comment(bool),
-    #[regex(r##"[^\p{White_Space}#,;<>(){}\u{27E8}\u{27E9}\u{2329}\u{232A}\u{3008}\u{3009}\u{2039}\u{203A}\u{AB}\u{BB}\u{27EA}\u{27EB}\u{300A}\u{300B}\u{276C}\u{276D}\u{276E}\u{276F}\u{2770}\u{2771}\u{FF1C}\u{FF1E}\u{FE64}\u{FE65}\u{FF08}\u{FF09}\u{FE59}\u{FE5A}\u{FF5B}\u{FF5D}\u{FE5B}\u{FE5C}\u{FF0C}\u{FE50}\u{3001}\u{FF1B}\u{FE54}\u{37E}"]+"##, priority = 1)]
+    #[regex(r##"[^\p{White_Space}#,;<>()\[\]{}\u{27E8}\u{27E9}\u{2329}\u{232A}\u{3008}\u{3009}\u{2039}\u{203A}\u{AB}\u{BB}\u{27EA}\u{27EB}\u{300A}\u{300B}\u{276C}\u{276D}\u{276E}\u{276F}\u{2770}\u{2771}\u{FF1C}\u{FF1E}\u{FE64}\u{FE65}\u{FF08}\u{FF09}\u{FE59}\u{FE5A}\u{FF3B}\u{FF3D}\u{FF5B}\u{FF5D}\u{FE5B}\u{FE5C}\u{FF0C}\u{FE50}\u{3001}\u{FF1B}\u{FE54}\u{37E}"]+"##, priority = 1)]
     #[token("\"", priority = 1)]
     Word,
     // Only there to carry the lifetime of the extras.

@@ -316,12 +316,13 @@ fn equations_of_planes() {
     }
 }
 
-/// Decimal commas in square brackets: one finding.
+/// Decimal commas in square brackets: one error.
 #[test]
 fn commas_in_square_brackets() {
     let text = scene("11 11 [0,9; 2; -0,3] 0,5", 11);
-    only(&text);
-    assert_eq!(fixed(&text), (scene("11 11 0.9 2 -0.3 0.5", 11), 1));
+    let all = repair::proposals(&read(&text));
+    assert_eq!(all.iter().filter(|d| d.is_error()).count(), 1);
+    assert_eq!(fixed(&text), (scene("11 11 0.9 2 -0.3 0.5", 11), 2));
 }
 
 /// The first number of a shape is no type where the ID has no other shape.

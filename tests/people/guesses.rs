@@ -389,3 +389,16 @@ fn a_lamp_for_the_last_vertex_is_doubted() {
     );
 }
 
+#[test]
+fn square_brackets_separate_as_round_ones_do() {
+    for brackets in ["[]", "()", "［］"] {
+        let [open, close] = Vec::from_iter(brackets.chars())[..] else {
+            panic!("{brackets}");
+        };
+        let text = drawn("2 9 1\n", 2);
+        let written = text.replace("3 5 5", &format!("{open}3,5,5{close}"));
+        let all = repair::proposals(&read(&written));
+        assert_eq!(Vec::from_iter(all.iter().map(|d| d.code)), [Code::S501]);
+        assert_eq!(fixed(&written, false), text);
+    }
+}

@@ -195,10 +195,10 @@ static const TSStateId ts_primary_state_ids[STATE_COUNT] = {
 };
 
 static const TSCharacterRange sym_separator_character_set_1[] = {
-  {'(', ')'}, {',', ','}, {';', '<'}, {'>', '>'}, {'{', '{'}, {'}', '}'}, {0xab, 0xab}, {0xbb, 0xbb},
+  {'(', ')'}, {',', ','}, {';', '<'}, {'>', '>'}, {'[', '['}, {']', ']'}, {'{', '{'}, {'}', '}'}, {0xab, 0xab}, {0xbb, 0xbb},
   {0x37e, 0x37e}, {0x2039, 0x203a}, {0x2329, 0x232a}, {0x276c, 0x2771}, {0x27e8, 0x27eb}, {0x3001, 0x3001},
   {0x3008, 0x300b}, {0xfe50, 0xfe50}, {0xfe54, 0xfe54}, {0xfe59, 0xfe5c}, {0xfe64, 0xfe65}, {0xff08, 0xff09},
-  {0xff0c, 0xff0c}, {0xff1b, 0xff1c}, {0xff1e, 0xff1e}, {0xff5b, 0xff5b}, {0xff5d, 0xff5d},
+  {0xff0c, 0xff0c}, {0xff1b, 0xff1c}, {0xff1e, 0xff1e}, {0xff3b, 0xff3b}, {0xff3d, 0xff3d}, {0xff5b, 0xff5b}, {0xff5d, 0xff5d},
 };
 
 static bool ts_lex(TSLexer *lexer, TSStateId state) {
@@ -210,7 +210,7 @@ static bool ts_lex(TSLexer *lexer, TSStateId state) {
       if (('\t' <= lookahead && lookahead <= '\r') ||
           lookahead == ' ' ||
           lookahead == 0xfeff) SKIP(0);
-      if (set_contains(sym_separator_character_set_1, 25, lookahead)) ADVANCE(2);
+      if (set_contains(sym_separator_character_set_1, 29, lookahead)) ADVANCE(2);
       END_STATE();
     case 1:
       ACCEPT_TOKEN(ts_builtin_sym_end);

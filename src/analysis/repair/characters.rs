@@ -13,8 +13,6 @@ const UNITS: [&str; 12] = [
 
 /// The number that was meant by a word that is none. A per cent sign divides by 100, a degree sign goes.
 pub(super) fn number(text: &str) -> Option<String> {
-    // Square brackets belong to no number; other ones are no words.
-    let text = text.trim_start_matches('[').trim_end_matches(']');
     // On a Czech keyboard `=` stands where others have the minus.
     if let Some(number) = text.strip_prefix('=')
         && number.starts_with(|c: char| c.is_ascii_digit() || c == '.')
@@ -178,8 +176,6 @@ mod tests {
             ("1O", "10"),
             ("-4O2", "-402"),
             ("l1", "11"),
-            ("[1", "1"),
-            ("-0.5]", "-0.5"),
             ("O.5", "0.5"),
             ("60%", "0.6"),
             ("5%", "0.05"),

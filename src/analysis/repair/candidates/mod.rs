@@ -1,7 +1,6 @@
 //! What may have been meant by a line that something is wrong with.
 
 mod apart;
-mod brackets;
 mod cameras;
 mod clauses;
 mod comments;
@@ -197,14 +196,13 @@ impl<'a> LineContext<'a> {
             .get(item)
             .filter(|item| item.ends().0 == begin);
         let on_line = || all.iter().filter(|t| !t.kind().is_trivia()).copied();
-        let mut tokens: Vec<Token> = match item.map(|item| item.ends().1) {
+        let tokens: Vec<Token> = match item.map(|item| item.ends().1) {
             Some(end) if goes_on && end as usize >= last => {
                 document.significant(begin, end).copied().collect()
             }
             _ => on_line().collect(),
         };
         let text = &source.text;
-        brackets::strip(&mut tokens, text);
         let end = line.start + text[line.range()].trim_end().len() as u32;
         Some(LineContext {
             analysis,
@@ -497,13 +495,10 @@ impl<'a> LineContext<'a> {
                 .is_none_or(u8::is_ascii_whitespace)
         };
         let separators = self.all.iter().filter(|t| t.kind() == TokenKind::Separator);
-        let separators = separators.map(|t| t.span());
-        let left = separators
-            .chain(brackets::all(self.all, self.text))
-            .filter(|s| {
-                let is_in = |e: &Edit| e.span.start <= s.start && s.end <= e.span.end;
-                !edits.iter().any(is_in)
-            });
+        let left = separators.map(|t| t.span()).filter(|s| {
+            let is_in = |e: &Edit| e.span.start <= s.start && s.end <= e.span.end;
+            !edits.iter().any(is_in)
+        });
         let left: Vec<Edit> = left
             .map(|span| {
                 let apart = span.start == 0
