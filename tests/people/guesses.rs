@@ -390,6 +390,74 @@ fn a_lamp_for_the_last_vertex_is_doubted() {
 }
 
 #[test]
+fn three_parts_of_light_above_one_are_an_index() {
+    let ball = |lines: &str| drawn(&format!("2 9 1\n{lines}"), 2);
+    for (written, meant) in [
+        (
+            "2 -201 0.1 0.1 0.8\n2 -201 1.5 1.5 1.5\n",
+            "2 -201 0.1 0.1 0.8\n2 -203 1.5 1.5 1.5\n",
+        ),
+        (
+            "2 -201 0.1 0.1 0.8\n2 -201 1.33 1.33 1.33\n",
+            "2 -201 0.1 0.1 0.8\n2 -203 1.33 1.33 1.33\n",
+        ),
+        // The two types have changed places.
+        (
+            "4 -203 0.1 0.1 0.8\n4 -201 1.5 1.5 1.5\n2 -299 0 4\n",
+            "4 -201 0.1 0.1 0.8\n4 -203 1.5 1.5 1.5\n2 -299 0 4\n",
+        ),
+        // The index behind the parts of light.
+        (
+            "2 -201 0.1 0.1 0.8 1.5\n",
+            "2 -201 0.1 0.1 0.8\n2 -203 1.5 1.5 1.5\n",
+        ),
+        (
+            "4 -201 0.1 0.1 0.8 1.51 1.52 1.53\n2 -299 0 4\n",
+            "4 -201 0.1 0.1 0.8\n4 -203 1.51 1.52 1.53\n2 -299 0 4\n",
+        ),
+        ("2 -201 10 85 0\n", "2 -201 0.1 0.85 0\n"),
+    ] {
+        assert_eq!(fixed(&ball(written), true), ball(meant));
+    }
+    // It has an index, or is seen through by nobody.
+    for text in [
+        "2 -201 0.1 0.1 0.8 1.5\n2 -203 1.5 1.5 1.5\n",
+        "2 -201 1.5 1.5 1.5\n",
+    ] {
+        assert_eq!(fixed(&ball(text), true), ball(text));
+    }
+    let text = ball("4 -203 0.1 0.1 0.8\n4 -201 1.5 1.5 1.5\n2 -299 0 4\n");
+    let all = repair::proposals(&read(&text));
+    let first = all.iter().find(|d| d.code == Code::E206).unwrap();
+    let fixes = |language| first.wording(language).fixes[0].clone();
+    assert_eq!(
+        [fixes(Language::English), fixes(Language::Czech)],
+        [
+            "exchange the types of both records: write `-203` (refractive index) here",
+            "vyměnit typy obou záznamů: napsat zde `-203` (index lomu)",
+        ]
+    );
+}
+
+#[test]
+fn a_colour_by_its_id_takes_no_glass_away() {
+    let glass = "2 -201 0 0 1\n2 -203 1.5 1.5 1.5\n";
+    for line in ["2 -701 20\n", "2 -299 20\n"] {
+        for (before, behind) in [(glass, ""), ("", glass)] {
+            let text = |line: &str| {
+                drawn(
+                    &format!("2 9 1\n20 -701 1 0 0.5\n{before}{line}{behind}"),
+                    2,
+                )
+            };
+            assert_eq!(fixed(&text(line), true), text("2 -701 1 0 0.5\n"));
+        }
+        let plain = |line: &str| drawn(&format!("2 9 1\n20 -701 1 0 0.5\n{line}"), 2);
+        assert_eq!(fixed(&plain(line), true), plain("2 -299 20 0\n"));
+    }
+}
+
+#[test]
 fn square_brackets_separate_as_round_ones_do() {
     for brackets in ["[]", "()", "［］"] {
         let [open, close] = Vec::from_iter(brackets.chars())[..] else {

@@ -109,6 +109,7 @@ fix-write = napsat { $number }
 fix-space = chybí-li mezera, napsat { $number }
 fix-czech-key = na české klávesnici je { $key } na klávese { $digit }: napsat { $number }
 fix-type = napsat `{ $number }` ({ $type })
+fix-types = vyměnit typy obou záznamů: napsat zde `{ $number }` ({ $type })
 fix-lost-type = za ID napsat typ `{ $number }` ({ $type })
 fix-comment = dát to do komentáře
 fix-doubled = vynechat čísla, která jsou tu dvakrát

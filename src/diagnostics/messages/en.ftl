@@ -101,6 +101,7 @@ fix-write = write { $number }
 fix-space = if a space is missing, write { $number }
 fix-czech-key = on a Czech keyboard { $key } is the key of { $digit }: write { $number }
 fix-type = write `{ $number }` ({ $type })
+fix-types = exchange the types of both records: write `{ $number }` ({ $type }) here
 fix-lost-type = put the type `{ $number }` ({ $type }) after the ID
 fix-comment = turn this into a comment
 fix-doubled = drop the numbers that stand there twice

@@ -5,6 +5,7 @@ mod cameras;
 mod clauses;
 mod comments;
 mod heads;
+mod indices;
 mod inline;
 mod lost_spaces;
 mod lost_types;
@@ -342,6 +343,8 @@ impl<'a> LineContext<'a> {
             self.surplus(finding, &mut out);
             out.extend(self.angles());
             out.extend(self.per_cent(finding));
+            out.extend(self.index(finding));
+            out.extend(self.index_behind(finding));
             out.extend(self.operands(&[undefined, taken].concat()));
             match self.assignment() {
                 Some(assignment) => out.push(assignment),

@@ -118,7 +118,7 @@ impl LineContext<'_> {
     pub(super) fn per_cent(&self, finding: &Diagnostic) -> Option<Candidate> {
         let ty = self.ty().filter(|ty| self.fits(ty))?;
         let is_parts = matches!(ty.kind, RecordKind::Optics | RecordKind::OpticsRgb);
-        if finding.code != Code::E206 || !is_parts {
+        if finding.code != Code::E206 || !is_parts || self.is_index() {
             return None;
         }
         let pointed: Vec<(Token, String)> = (self.params().iter())

@@ -310,7 +310,7 @@ impl LineContext<'_> {
                     out.push(new("fix-write", format!("{id} {one}")));
                 }
             }
-            (RecordKind::Assignment, &[one], _) => {
+            (RecordKind::Assignment, &[one], _) if self.colour_of_glass().is_none() => {
                 out.push(new("fix-write", format!("0 {one}")));
                 out.push(new("fix-write", format!("{one} 0")));
             }
@@ -326,6 +326,9 @@ impl LineContext<'_> {
         let written = property.text(self.text);
         // A part of a colour is no ID.
         let id = property.integer(self.text).filter(|&id| id > 1)?;
+        if let Some(colour) = self.colour_of_glass() {
+            return Some(colour);
+        }
         let places = match (ty.kind, self.kind_of(id)?) {
             (RecordKind::Colour, Kind::Colour | Kind::Texture)
             | (

@@ -1,4 +1,4 @@
-//! W334: a property that a later record of the same kind overrides before anything uses it.
+//! W334: a property that a later record of the same kind, or an assignment, overrides before anything uses it.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -13,6 +13,13 @@ use crate::syntax::table::{Effect, Kind, RecordKind};
 const KINDS: [RecordKind; 5] = [
     RecordKind::Assignment,
     RecordKind::Colour,
+    RecordKind::Optics,
+    RecordKind::OpticsRgb,
+    RecordKind::RefractiveIndex,
+];
+
+/// What an assignment gives as well, as 0 does.
+const ASSIGNED: [RecordKind; 3] = [
     RecordKind::Optics,
     RecordKind::OpticsRgb,
     RecordKind::RefractiveIndex,
@@ -43,8 +50,13 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let kind = KINDS.iter().position(|kind| *kind == record.kind);
         // Of what stands above its definition another finding speaks.
         if let Some(kind) = kind.filter(|_| defined.contains(&record.id)) {
-            let last = &mut unused.entry(record.id).or_default()[kind];
-            pairs.extend(last.replace(record).map(|first| (first, record)));
+            let last = unused.entry(record.id).or_default();
+            let first = last[kind].replace(record);
+            pairs.extend(first.map(|first| (first, record)));
+            if record.kind == RecordKind::Assignment {
+                let of_optics = (KINDS.iter().zip(last)).filter(|l| ASSIGNED.contains(l.0));
+                pairs.extend(of_optics.filter_map(|l| Some((l.1.take()?, record))));
+            }
         }
     }
     let titles = match pairs.is_empty() {
@@ -58,6 +70,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .with("change", Value::Term(first.ty().title))
             .with("type", Value::Term(title))
             .with("id", first.id.to_string())
+            .case(match first.kind == second.kind {
+                true => "",
+                false => "assigned",
+            })
             .label(span(second), "second");
         if i < MAX_PROPOSED {
             d.fixes = neighbours(context, second);

@@ -1,0 +1,149 @@
+//! Refractive indices among the parts of light: their type is that of the line above, or they stand behind them.
+
+use super::{Candidate, Habit, LineContext};
+use crate::analysis::repair::whole::records;
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::syntax::ast::Record;
+use crate::syntax::lexer::Token;
+use crate::syntax::quote;
+use crate::syntax::table::{Kind, RecordKind, RecordType};
+
+/// An index has a number for each channel.
+const CHANNELS: usize = 3;
+
+/// What an assignment takes back.
+const OPTICS: [RecordKind; 3] = [
+    RecordKind::Optics,
+    RecordKind::OpticsRgb,
+    RecordKind::RefractiveIndex,
+];
+
+/// Below this are the indices of what is transparent; that of diamond is 2.42.
+const INDEX_MAX: f64 = 3.0;
+
+impl LineContext<'_> {
+    /// Whether all of some numbers are as indices of what is transparent are.
+    fn are_indices(&self, numbers: &[Token]) -> bool {
+        let is_index = |t: &Token| {
+            t.number(self.text)
+                .is_some_and(|x| (1.0..INDEX_MAX).contains(&x))
+        };
+        numbers.iter().all(is_index)
+    }
+
+    /// The first record of a kind with the ID of this one, other than this.
+    fn of_same(&self, kind: RecordKind) -> Option<&Record> {
+        let id = self.id();
+        let is_other = |r: &&Record| {
+            let head = self.analysis.document.id_token(r).span();
+            Some(r.id) == id && r.kind == kind && !head.touches(self.tokens[0].span())
+        };
+        records(self.analysis).find(is_other)
+    }
+
+    /// Whether three parts of light are rather an index.
+    pub(super) fn is_index(&self) -> bool {
+        let is_optics = self.ty().is_some_and(|ty| ty.kind == RecordKind::Optics);
+        is_optics && self.params().len() == CHANNELS && self.are_indices(self.params())
+    }
+
+    /// The type of a refractive index for an optical property whose numbers are one. An index of the same ID has the
+    /// parts of light then, and the two types change places.
+    pub(super) fn index(&self, finding: &Diagnostic) -> Option<Candidate> {
+        if finding.code != Code::E206 || !self.is_index() {
+            return None;
+        }
+        let [optics, index] = [RecordKind::Optics, RecordKind::RefractiveIndex].map(RecordType::of);
+        let mut candidate = self.write_type(Habit::Type, index);
+        let Some(other) = self.of_same(RecordKind::RefractiveIndex) else {
+            let is_seen_through = OPTICS.iter().any(|&kind| self.of_same(kind).is_some());
+            // Of an object that nobody sees through it may be something else.
+            if !is_seen_through {
+                candidate.fix.applicability = Applicability::Choice;
+            }
+            return Some(candidate);
+        };
+        let document = &self.analysis.document;
+        let values = document.values(other);
+        let are_parts = values.iter().all(|x| (0.0..=1.0).contains(x));
+        let ty = document.significant(other.first, other.last).nth(1)?;
+        candidate.fix.title = "fix-types";
+        candidate.fix.edits.push(Edit {
+            span: ty.span(),
+            text: optics.code.to_string(),
+        });
+        candidate.fix.edits.sort_by_key(|e| e.span.start);
+        are_parts.then_some(candidate)
+    }
+
+    /// The numbers of a colour in the place of its ID, where an assignment of that would take back the optics of the
+    /// object: `2 -701 20`, `2 -299 20`.
+    pub(super) fn colour_of_glass(&self) -> Option<Candidate> {
+        let ty = self.ty()?;
+        let [property] = self.params() else {
+            return None;
+        };
+        let has_optics = OPTICS.iter().any(|&kind| self.of_same(kind).is_some());
+        let is_one = matches!(ty.kind, RecordKind::Colour | RecordKind::Assignment);
+        let named = property.integer(self.text).filter(|&id| id > 1)?;
+        if !is_one || !has_optics || self.kind_of(named) != Some(Kind::Colour) {
+            return None;
+        }
+        let document = &self.analysis.document;
+        let is_colour = |r: &&Record| i64::from(r.id) == named && r.kind == RecordKind::Colour;
+        let given = records(self.analysis).filter(is_colour).last()?;
+        let numbers: Vec<&str> = document.params(given).map(|t| t.text(self.text)).collect();
+        let colour = RecordType::of(RecordKind::Colour);
+        let text = format!("{} {}", colour.code, numbers.join(" "));
+        let span = self.tokens[1].span().to(property.span());
+        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
+        Some(Candidate {
+            habit: Habit::Sibling,
+            fix: fix.with("number", quote(&text)),
+            ty: None,
+        })
+    }
+
+    /// An index behind parts of light, once or for each channel: it gets a record of its own, if the ID has none.
+    pub(super) fn index_behind(&self, finding: &Diagnostic) -> Option<Candidate> {
+        let ty = self.ty().filter(|_| finding.code == Code::E009)?;
+        if !matches!(ty.kind, RecordKind::Optics | RecordKind::OpticsRgb) {
+            return None;
+        }
+        let (own, rest) = self.params().split_at_checked(ty.params.len())?;
+        let (last, first) = (own.last()?, rest.first()?);
+        let is_one = matches!(rest.len(), 1 | CHANNELS) && self.are_indices(rest);
+        let is_part = |t: &Token| {
+            t.number(self.text)
+                .is_some_and(|x| (0.0..=1.0).contains(&x))
+        };
+        if !is_one
+            || !own.iter().all(is_part)
+            || self.of_same(RecordKind::RefractiveIndex).is_some()
+        {
+            return None;
+        }
+        let index = RecordType::of(RecordKind::RefractiveIndex);
+        let numbers = match rest {
+            [one] => [one.text(self.text); CHANNELS].join(" "),
+            all => self.spaced(all)?,
+        };
+        let between = Span::new(last.end(), first.start);
+        let start = if self.is_gap(between) {
+            between.start
+        } else {
+            first.start
+        };
+        let span = Span::new(start, rest[rest.len() - 1].end());
+        let id = self.id()?;
+        let text = format!("\n{id} {} {numbers}", index.code);
+        let fix = Fix::replace("fix-apart", Applicability::Unsafe, span, text);
+        Some(Candidate {
+            habit: Habit::Apart,
+            fix: fix
+                .with("type", Value::Term(index.title))
+                .with("text", quote(&numbers)),
+            ty: None,
+        })
+    }
+}
