@@ -458,6 +458,16 @@ fn a_colour_by_its_id_takes_no_glass_away() {
 }
 
 #[test]
+fn a_hole_is_defined_behind_what_it_is_made_in() {
+    let parts = "2 12 -1 -1 -1 1 1 1\n3 9 1.2\n";
+    for written in ["4 -103 3\n", "4 -103 2\n"] {
+        let text = drawn(&format!("{parts}{written}"), 4);
+        let meant = drawn(&format!("{parts}4 -103 2 3\n"), 4);
+        assert_eq!(first(&text, Code::E008), meant);
+    }
+}
+
+#[test]
 fn square_brackets_separate_as_round_ones_do() {
     for brackets in ["[]", "()", "［］"] {
         let [open, close] = Vec::from_iter(brackets.chars())[..] else {

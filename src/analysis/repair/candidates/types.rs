@@ -305,9 +305,18 @@ impl LineContext<'_> {
                 };
                 // The last ones first.
                 others.reverse();
+                let begin = |id: u32| {
+                    let mut entities = self.analysis.scene.entities.iter();
+                    entities.find(|e| e.id == id).map(|e| e.span.start)
+                };
+                let own = one.parse().ok().and_then(begin);
                 for id in others.into_iter().take(MAX_CANDIDATES / 2) {
-                    out.push(new("fix-write", format!("{one} {id}")));
-                    out.push(new("fix-write", format!("{id} {one}")));
+                    let mut orders = [format!("{one} {id}"), format!("{id} {one}")];
+                    // A hole is defined behind what it is made in.
+                    if ty.kind == RecordKind::Difference && begin(id) < own {
+                        orders.reverse();
+                    }
+                    out.extend(orders.map(|text| new("fix-write", text)));
                 }
             }
             (RecordKind::Assignment, &[one], _) if self.colour_of_glass().is_none() => {
