@@ -440,6 +440,20 @@ fn three_parts_of_light_above_one_are_an_index() {
 }
 
 #[test]
+fn the_name_of_a_shape_whose_colour_can_be_read_begins_its_record() {
+    for (written, meant) in [
+        ("sphere { <0, 1, 0>, 1 }", "2 11  0 1 0  1"),
+        ("sphere 0 1 0 1", "2 11 0 1 0 1"),
+    ] {
+        for before in ["", "3 9 2\n"] {
+            let text = |line: &str| drawn(&format!("{before}{line}\n2 -701 0.9 0.2 0.1\n"), 2);
+            assert_eq!(codes(&text(written)), [Code::E005]);
+            assert_eq!(fixed(&text(written), true), text(meant));
+        }
+    }
+}
+
+#[test]
 fn a_colour_by_its_id_takes_no_glass_away() {
     let glass = "2 -201 0 0 1\n2 -203 1.5 1.5 1.5\n";
     for line in ["2 -701 20\n", "2 -299 20\n"] {

@@ -1,7 +1,7 @@
 //! The beginning of a record: the name of a type before its ID, ID and type in each other's place, a type with a space in
 //! it, and its name behind it.
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::inline::NAMED_TITLE;
 use super::{Candidate, Habit, LineContext, header};
@@ -9,15 +9,18 @@ use crate::analysis::colours;
 use crate::analysis::repair::whole::{records, references};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::scene::Entity;
-use crate::syntax::Item;
 use crate::syntax::LEAST_HEAD;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
-use crate::syntax::table::{Effect, Family, RecordKind, RecordType};
+use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
 use crate::syntax::words;
+use crate::syntax::{Item, Record};
 
 /// So many IDs are tried for a record that has none.
 const MAX_IDS: usize = 3;
+
+/// So many IDs of properties that are used as objects are looked at.
+const MAX_MISUSED: usize = 8;
 
 /// The render record always has this ID.
 const RENDER: u32 = 1;
@@ -303,9 +306,34 @@ impl LineContext<'_> {
             .collect();
         all.sort_unstable();
         all.dedup();
-        let known: FxHashSet<u32> = entities.iter().map(|e| e.id).collect();
+        let mut known: FxHashSet<u32> = entities.iter().map(|e| e.id).collect();
+        // Of an object that could not be read a property may be left.
+        let misused = self.misused();
+        let of_object = entities.iter().filter(|e| misused.contains(&e.id));
+        for entity in of_object.filter(|e| self.is_property_below(e)) {
+            known.remove(&entity.id);
+        }
         all.retain(|id| !known.contains(id));
         all
+    }
+
+    /// The IDs of properties that are used as objects, the first ones.
+    fn misused(&self) -> Vec<u32> {
+        let kinds: FxHashMap<u32, Kind> = (self.analysis.scene.entities.iter())
+            .filter_map(|e| Some((e.id, e.kind?)))
+            .collect();
+        let asks = |r: &&Record| matches!(r.ty().family, Family::Operation | Family::Render);
+        let named = records(self.analysis).filter(asks);
+        let named = named.flat_map(|r| references(self.analysis, r));
+        let is_property =
+            |kind: Option<&Kind>| matches!(kind, Some(Kind::Optics | Kind::Texture | Kind::Colour));
+        let mut misused: Vec<u32> = named
+            .filter_map(|n| u32::try_from(n.1).ok())
+            .filter(|id| is_property(kinds.get(id)))
+            .take(MAX_MISUSED)
+            .collect();
+        misused.dedup();
+        misused
     }
 
     /// The numbers of a record, of which those of a colour may be its name.
