@@ -454,6 +454,47 @@ fn the_name_of_a_shape_whose_colour_can_be_read_begins_its_record() {
 }
 
 #[test]
+fn operations_on_themselves_get_an_id_each() {
+    for (written, meant, id, last) in [
+        (
+            "6 -101 2 3\n6 -101 6 4\n6 -101 6 5\n",
+            "6 -101 2 3\n51 -101 6 4\n52 -101 51 5\n",
+            6,
+            52,
+        ),
+        (
+            "6 -101 2 3\n6 -101 6 4\n6 -701 1 0 0\n",
+            "6 -101 2 3\n51 -101 6 4\n51 -701 1 0 0\n",
+            6,
+            51,
+        ),
+        (
+            "2 -103 2 3\n2 -103 2 4\n7 -101 2 5\n",
+            "51 -103 2 3\n52 -103 51 4\n7 -101 52 5\n",
+            7,
+            7,
+        ),
+    ] {
+        let text = drawn(&format!("{BALLS}{written}"), id);
+        let meant = drawn(&format!("{BALLS}{meant}"), last);
+        assert_eq!(codes(&text), [Code::E102]);
+        assert_eq!(first(&text, Code::E102), meant);
+        assert_eq!(fixed(&text, true), meant);
+    }
+    let text = drawn(&format!("{BALLS}6 -101 2 3\n6 -101 6 4\n6 -101 6 5\n"), 6);
+    let all = repair::proposals(&read(&text));
+    let twice = all.iter().find(|d| d.code == Code::E102).unwrap();
+    let fixes = |language| twice.wording(language).fixes[0].clone();
+    assert_eq!(
+        [fixes(Language::English), fixes(Language::Czech)],
+        [
+            "give each of these 2 operations an ID of its own (51, 52), which the next one uses in place of 6",
+            "dát každé z těchto 2 operací vlastní ID (51, 52), které místo 6 použije ta další",
+        ]
+    );
+}
+
+#[test]
 fn a_colour_by_its_id_takes_no_glass_away() {
     let glass = "2 -201 0 0 1\n2 -203 1.5 1.5 1.5\n";
     for line in ["2 -701 20\n", "2 -299 20\n"] {

@@ -441,7 +441,7 @@ impl Engine<'_> {
             let on_line = clean && line.touches(d.span) && (!has_safe_fix(d) || is_included);
             let own = index == at;
             index += 1;
-            own || !(d.is_error() && (alone || on_line))
+            own || !(d.is_error() && (alone || on_line || best.candidate.renames(d)))
         });
         if alone && finding.is_error() && others.is_empty() {
             self.keep_what_stays(&judged[0].1.scene);

@@ -156,6 +156,11 @@ fix-turns = napsat pro každou osu jedno otočení, nejdřív kolem x
 fix-up = napsat vektor „nahoru“ { $number }
 fix-view-and-up = prohodit oba vektory: směr pohledu { $number }, nahoru { $up }
 fix-free-id = dát záznamu ID { $number }
+fix-chain = { $count ->
+    [one] dát této operaci vlastní ID { $number } a odtud psát místo { $text } to
+    [few] dát každé z těchto { $count } operací vlastní ID ({ $number }), které místo { $text } použije ta další
+   *[other] dát každé z těchto { $count } operací vlastní ID ({ $number }), které místo { $text } použije ta další
+}
 fix-named-id = dát záznamu volné ID: napsat { $number }
 fix-own-id = dát záznamu ID { $number } a napsat ho i v přiřazení ({ $text })
 defined-here = { $id } je definováno zde

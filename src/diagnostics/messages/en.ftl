@@ -148,6 +148,10 @@ fix-turns = write one rotation for each axis, about x first
 fix-up = write the up vector { $number }
 fix-view-and-up = swap the two vectors: look along { $number }, with { $up } up
 fix-free-id = give it the ID { $number }
+fix-chain = { $count ->
+    [one] give this operation an ID of its own, { $number }, and write that in place of { $text } from here on
+   *[other] give each of these { $count } operations an ID of its own ({ $number }), which the next one uses in place of { $text }
+}
 fix-named-id = give it a free ID: write { $number }
 fix-own-id = give it the ID { $number }, and write that in { $count ->
     [one] the assignment to { $text }

@@ -33,6 +33,8 @@ pub(super) const PARTS_TITLE: &str = "fix-parts";
 /// The titles of fixes that give a record another ID, alone and where it is assigned.
 pub(super) const FREE_TITLE: &str = "fix-free-id";
 pub(super) const OWN_TITLE: &str = "fix-own-id";
+/// The title of fixes that give each of several operations on one object an ID.
+pub(super) const CHAIN_TITLE: &str = "fix-chain";
 /// The title of fixes that give an ID to a record that has none.
 pub(super) const NAMED_TITLE: &str = "fix-named-id";
 
@@ -43,7 +45,14 @@ pub(super) const BLOCK_TITLE: &str = "fix-block";
 /// The IDs that a fix gives to records.
 pub(crate) fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
     let is = move |titles: &[&str]| titles.contains(&fix.title);
-    let is_one = is(&[TITLE, PARTS_TITLE, FREE_TITLE, OWN_TITLE, NAMED_TITLE]);
+    let is_one = is(&[
+        TITLE,
+        PARTS_TITLE,
+        FREE_TITLE,
+        OWN_TITLE,
+        NAMED_TITLE,
+        CHAIN_TITLE,
+    ]);
     let ids = fix.edits.iter().filter(move |_| is_one);
     let ids = ids.filter_map(|edit| edit.text.trim_end().parse().ok());
     let is_block = is(&[CLAUSES_TITLE, BLOCK_TITLE]);

@@ -143,6 +143,13 @@ impl Candidate {
         let is_here = |e: &Edit| self.fix.edits.contains(e);
         self.fix.title == numbers::COMMA_TITLE && fix.edits.iter().all(is_here)
     }
+
+    /// Whether this gives a record that a finding calls a second definition an ID of its own.
+    pub(super) fn renames(&self, finding: &Diagnostic) -> bool {
+        let is_head = |e: &Edit| e.span == finding.span;
+        let is_twice = finding.code == Code::E102 && self.fix.title == inline::CHAIN_TITLE;
+        is_twice && self.fix.edits.iter().any(is_head)
+    }
 }
 
 /// Most candidates for one finding.

@@ -1,6 +1,6 @@
 //! An ID of its own for a record that has another one's.
 
-use super::inline::{FREE_TITLE, OWN_TITLE};
+use super::inline::{CHAIN_TITLE, FREE_TITLE, OWN_TITLE};
 use super::references::AGAIN_TITLE;
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::whole::{records, references};
@@ -8,7 +8,10 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value
 use crate::syntax::Item;
 use crate::syntax::ast::Record;
 use crate::syntax::lexer::Token;
-use crate::syntax::table::{Effect, Kind, ParamKind, RecordKind, RecordType};
+use crate::syntax::table::{Effect, Family, Kind, ParamKind, RecordKind, RecordType};
+
+/// So many new IDs are named.
+const MAX_SHOWN_IDS: usize = 4;
 
 impl LineContext<'_> {
     /// What this record defines and what its ID is, where these are properties of different kinds.
@@ -36,10 +39,13 @@ impl LineContext<'_> {
         if finding.span != head || !(is_twice || property.is_some()) || out.iter().any(is_again) {
             return;
         }
+        if is_twice && let Some(chain) = self.chain(id, new) {
+            out.push(chain);
+            return;
+        }
         let mut edits = vec![edit(head, new)];
         if is_twice {
             edits.extend(self.changes(id).map(|place| edit(place, new)));
-            edits.extend(self.later_uses(id).map(|place| edit(place, new)));
         }
         let mut objects: Vec<String> = Vec::new();
         if let Some(kinds) = property {
@@ -142,19 +148,65 @@ impl LineContext<'_> {
         own.map(|r| document.id_token(r).span())
     }
 
-    /// The places that name what this record makes of the object that had its ID before, as in `3 -103 3 4`: from then
-    /// on the ID means the new one.
-    fn later_uses(&self, id: u32) -> impl Iterator<Item = Span> {
-        let named = |t: &&Token| t.integer(self.text) == Some(id.into());
-        let is_of_itself = self.is_operation() && self.params().iter().any(|t| named(&t));
-        let end = self.tokens.last().map_or(self.line.end, |t| t.end());
+    /// Operations on the object that had their ID before, as in `3 -101 3 4` and `3 -101 3 5`: each gets an ID of its own,
+    /// and what stands behind it means that one.
+    fn chain(&self, id: u32, free: u32) -> Option<Candidate> {
+        let is_id = |t: &Token| t.integer(self.text) == Some(id.into());
+        if !self.is_operation() || !self.params().iter().any(is_id) {
+            return None;
+        }
         let document = &self.analysis.document;
-        let behind = records(self.analysis)
-            .filter(move |r| is_of_itself && document.id_token(r).start >= end);
-        let named = behind.flat_map(|r| references(self.analysis, r));
-        named
-            .filter(move |(_, named)| *named == i64::from(id))
-            .map(|(t, _)| t.span())
+        let begin = self.tokens[0].start;
+        let behind = records(self.analysis).filter(|r| document.id_token(r).start >= begin);
+        let mut edits = Vec::new();
+        let mut links: Vec<String> = Vec::new();
+        // The render record means the last one, wherever it stands.
+        let mut late = Vec::new();
+        let mut meant = id;
+        for record in behind {
+            let named: Vec<Token> = (references(self.analysis, record))
+                .filter(|(_, named)| *named == i64::from(id))
+                .map(|(t, _)| t)
+                .collect();
+            if record.kind == RecordKind::Render {
+                late.extend(named);
+                continue;
+            }
+            let is_operation = record.ty().family == Family::Operation;
+            let is_link = record.id == id && is_operation && !named.is_empty();
+            let of_before = named.iter().filter(|_| meant != id);
+            edits.extend(of_before.map(|t| edit(t.span(), meant)));
+            if is_link {
+                meant = free.checked_add(u32::try_from(links.len()).ok()?)?;
+                links.push(meant.to_string());
+            }
+            if record.id == id && (is_link || !matches!(record.ty().effect, Effect::Defines(_))) {
+                edits.push(edit(document.id_token(record).span(), meant));
+            }
+        }
+        edits.extend(late.iter().map(|t| edit(t.span(), meant)));
+        edits.sort_by_key(|e| e.span.start);
+        let shown = match &links[..] {
+            [first, second, .., last] if links.len() > MAX_SHOWN_IDS => {
+                vec![first.as_str(), second, "…", last]
+            }
+            all => all.iter().map(String::as_str).collect(),
+        };
+        let fix = Fix {
+            title: CHAIN_TITLE,
+            values: vec![
+                ("number", shown.join(", ").into()),
+                ("text", id.to_string().into()),
+                ("count", Value::Count(links.len() as u64)),
+            ],
+            applicability: Applicability::Unsafe,
+            edits,
+        };
+        Some(Candidate {
+            habit: Habit::Id,
+            fix,
+            ty: None,
+        })
     }
 
     /// The objects that an ID is assigned to, and the places there for a property of the first kind, which are empty or
