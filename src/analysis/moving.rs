@@ -1,4 +1,5 @@
-//! Records that stand above what they need (E107): a definition moves up, or the record moves down.
+//! Records that stand above what they need (E107), or above their object (E102): a definition moves up, or the record moves
+//! down.
 //!
 //! What moves is a block: a record, the records right behind it that change it, and the comment above it, on lines that
 //! nothing else has a part in.
@@ -7,7 +8,7 @@ use std::ops::Range;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, SourceFile, Span};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, SourceFile, Span, Value};
 use crate::scene::names;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Effect, Family, RecordKind};
@@ -51,6 +52,20 @@ fn early_changes(mover: &Mover, findings: &mut [Diagnostic]) {
             d.fixes = vec![mover.fix("fix", Applicability::Unsafe, from, to.end)];
         }
     }
+}
+
+/// What moves the records of an ID that stand above its definition behind that, and where they stand.
+type Behind = Option<(Fix, Vec<Span>)>;
+
+/// Moves what stands above the definition of its object behind that, for each finding about such a definition. Nothing
+/// between may name the object.
+pub(super) fn behind(
+    source: &SourceFile,
+    document: &Document,
+    findings: &[&Diagnostic],
+) -> Vec<Behind> {
+    let mut mover = Mover::new(source, document, &[]);
+    findings.iter().map(|d| mover.behind(d)).collect()
 }
 
 struct Mover<'a> {
@@ -143,6 +158,55 @@ impl<'a> Mover<'a> {
         let is_free = (own.items.end..block.items.end).all(|i| !self.mentions(i, id));
         let lines = self.with_comment(&own, &(0..0));
         is_free.then(|| self.fix("fix-down", Applicability::Unsafe, lines, block.lines.end))
+    }
+
+    /// The records with the ID of a definition that stand above that, on the lines behind it, in their order.
+    fn behind(&mut self, finding: &Diagnostic) -> Behind {
+        let defined = self.item(finding.span.start)?;
+        let id = self.record(defined)?.id;
+        let first = self.records.get(&id)?.0;
+        self.left = self.left.checked_sub(defined.checked_sub(first)?)?;
+        let to = self.own_lines(defined..defined + 1)?.end;
+        let (mut edits, mut text, mut spans) = (Vec::new(), String::new(), Vec::new());
+        for i in first..defined {
+            let own = self.record(i).filter(|r| r.id == id);
+            let Some(record) = own else {
+                match self.mentions(i, id) {
+                    true => return None,
+                    false => continue,
+                }
+            };
+            if matches!(record.ty().effect, Effect::Defines(_)) {
+                return None;
+            }
+            let lines = self.own_lines(i..i + 1)?;
+            spans.push(self.span(&lines));
+            let [gone, put] = self
+                .fix("fix", Applicability::Unsafe, lines, to)
+                .edits
+                .try_into()
+                .ok()?;
+            edits.push(gone);
+            text += &put.text;
+        }
+        let at = self.source.line_span(to - 1).end;
+        edits.push(Edit {
+            span: Span::new(at, at),
+            text,
+        });
+        let fix = Fix {
+            title: "fix",
+            values: vec![("count", Value::Count(spans.len() as u64))],
+            applicability: Applicability::Unsafe,
+            edits,
+        };
+        (!spans.is_empty()).then_some((fix, spans))
+    }
+
+    /// Where lines are in the text.
+    fn span(&self, lines: &Range<usize>) -> Span {
+        let [first, last] = [lines.start, lines.end - 1].map(|line| self.source.line_span(line));
+        first.to(last)
     }
 
     /// Whether the definitions of some IDs have a record above an item.

@@ -7,11 +7,13 @@
 
 mod candidates;
 mod characters;
+mod early;
 mod elsewhere;
 mod heads;
 mod in_comments;
 mod judge;
 mod missing;
+mod retell;
 mod slashes;
 mod whole;
 
@@ -124,30 +126,36 @@ impl Engine<'_> {
     /// What is wrong with many lines at once.
     fn whole(&mut self) {
         for find in whole::ALL {
-            let Some(matter) = find(self.analysis, &self.findings) else {
-                continue;
-            };
-            let Some(scene) = self.attempt(matter.finding.fixes.first(), &[]) else {
-                return;
-            };
-            let before = judge::errors(self.analysis);
-            let after = judge::errors(&scene);
-            let all = after == 0;
-            if after >= before {
-                continue;
+            if let Some(matter) = find(self.analysis, &self.findings) {
+                self.settle(matter);
             }
-            let is_part = |d: &Diagnostic| {
-                let touched = matter.spans.iter().any(|s| s.touches(d.span));
-                d.is_error() && (all || touched && !has_safe_fix(d))
-            };
-            self.findings.retain(|d| !is_part(d));
-            if all {
-                self.keep_what_stays(&scene);
-            }
-            self.findings.push(matter.finding);
-            crate::diagnostics::sort(&mut self.findings);
+        }
+        for matter in early::properties(self.analysis, &self.findings) {
+            self.settle(matter);
         }
         whole::cycles(self.analysis, &mut self.findings);
+    }
+
+    /// Says what is wrong with many lines in place of what is said of each, if its fix leaves fewer errors.
+    fn settle(&mut self, matter: whole::Matter) {
+        let Some(scene) = self.attempt(matter.finding.fixes.first(), &[]) else {
+            return;
+        };
+        let after = judge::errors(&scene);
+        if after >= judge::errors(self.analysis) {
+            return;
+        }
+        let all = after == 0;
+        let is_part = |d: &Diagnostic| {
+            let touched = matter.spans.iter().any(|s| s.touches(d.span));
+            d.is_error() && (all || touched && !has_safe_fix(d))
+        };
+        self.findings.retain(|d| !is_part(d));
+        if all {
+            self.keep_what_stays(&scene);
+        }
+        self.findings.push(matter.finding);
+        crate::diagnostics::sort(&mut self.findings);
     }
 
     /// Drops what is said of the text as it was misread: what is no error, and is not said of the scene that a fix
@@ -214,7 +222,8 @@ impl Engine<'_> {
             let settled = has_safe_fix(finding)
                 || whole::is_of_many(finding)
                 || in_comments::is_told(finding)
-                || missing::is_told(finding);
+                || missing::is_told(finding)
+                || early::is_told(finding);
             if is_tried(finding)
                 && !done
                 && !settled
@@ -489,7 +498,7 @@ impl Engine<'_> {
         });
         let best: Vec<&Candidate> = best.take(PROPOSALS).collect();
         let finding = &mut self.findings[at];
-        retell(finding, &best, place);
+        retell::retell(finding, &best, place);
         if is_open || places > 1 {
             finding.notes.push("choose");
         }
@@ -502,46 +511,6 @@ impl Engine<'_> {
             (finding.fixes.iter_mut()).for_each(|f| f.applicability = Applicability::Choice);
         }
         true
-    }
-}
-
-/// Gives a finding its fixes, and words that go with the first of them: those of what that one puts right, where the
-/// finding speaks of something else.
-fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &LineContext) {
-    let new = best.iter().map(|c| c.fix.clone()).collect();
-    let own = std::mem::replace(&mut finding.fixes, new);
-    let Some(first) = best.first() else { return };
-    let matter = match first.habit.is_said_by(finding) {
-        true => None,
-        false => place.matter(first),
-    };
-    if let Some(matter) = matter {
-        let mut fixes = std::mem::take(&mut finding.fixes);
-        // What the finding itself proposed is said in words of its own.
-        fixes.retain(|f| !own.iter().any(|o| o.title == f.title && o.edits == f.edits));
-        *finding = Diagnostic { fixes, ..matter };
-    } else if finding.code == Code::E007 {
-        finding.values.retain(|v| v.0 == "text");
-        finding.case = "";
-        if let Some(ty) = first.ty {
-            finding.case = "proposal";
-            finding.values.push(("number", ty.code.to_string().into()));
-            finding.values.push(("type", Value::Term(ty.title)));
-        }
-        for fix in finding.fixes.iter_mut().filter(|f| f.title == "fix") {
-            fix.title = "fix-type";
-        }
-    }
-    if first.habit == Habit::Comment && finding.code == Code::E009 {
-        finding.notes.push("comment-ends");
-    }
-    if let Some(fix) = finding.fixes.iter().find(|f| f.title == "fix") {
-        // The finding may speak of what is written, too.
-        let written = fix.values.iter().find(|v| v.0 == "number").cloned();
-        finding
-            .values
-            .retain(|v| v.0 != "number" || written.is_none());
-        finding.values.extend(written);
     }
 }
 

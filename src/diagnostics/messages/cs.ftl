@@ -495,6 +495,11 @@ E102-property = { E102 }
     .label = { E102.label }
     .first = { E102.first }, jako vlastnost, která zatím není ničemu přiřazena
     .help = má-li to být vlastnost tohoto záznamu, přesuňte ji za něj
+    .fix = { $count ->
+        [one] přesunout ten záznam pod tuto definici
+        [few] přesunout ty { $count } záznamy pod tuto definici
+       *[other] přesunout těch { $count } záznamů pod tuto definici
+    }
 E102-scenes = v souboru jsou zřejmě dvě scény: { $count ->
     [one] { $count } ID je definováno
     [few] { $count } ID jsou definována

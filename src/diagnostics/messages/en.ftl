@@ -485,6 +485,10 @@ E102-property = { E102 }
     .label = { E102.label }
     .first = { E102.first }, as a property that nothing has yet
     .help = if this { $type } is to have that property, move the property after it
+    .fix = { $count ->
+        [one] move that record below this definition
+       *[other] move those { $count } records below this definition
+    }
 E102-scenes = this file seems to hold two scenes: { $count } IDs are defined twice
     .label = the second scene begins here
     .help = give the records of one scene other IDs, and keep one render record

@@ -1,0 +1,44 @@
+//! The words of a finding that go with its first proposal.
+
+use super::candidates::{Candidate, Habit, LineContext};
+use crate::diagnostics::{Code, Diagnostic, Value};
+
+/// Gives a finding its fixes, and words that go with the first of them: those of what that one puts right, where the
+/// finding speaks of something else.
+pub(super) fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &LineContext) {
+    let new = best.iter().map(|c| c.fix.clone()).collect();
+    let own = std::mem::replace(&mut finding.fixes, new);
+    let Some(first) = best.first() else { return };
+    let matter = match first.habit.is_said_by(finding) {
+        true => None,
+        false => place.matter(first),
+    };
+    if let Some(matter) = matter {
+        let mut fixes = std::mem::take(&mut finding.fixes);
+        // What the finding itself proposed is said in words of its own.
+        fixes.retain(|f| !own.iter().any(|o| o.title == f.title && o.edits == f.edits));
+        *finding = Diagnostic { fixes, ..matter };
+    } else if finding.code == Code::E007 {
+        finding.values.retain(|v| v.0 == "text");
+        finding.case = "";
+        if let Some(ty) = first.ty {
+            finding.case = "proposal";
+            finding.values.push(("number", ty.code.to_string().into()));
+            finding.values.push(("type", Value::Term(ty.title)));
+        }
+        for fix in finding.fixes.iter_mut().filter(|f| f.title == "fix") {
+            fix.title = "fix-type";
+        }
+    }
+    if first.habit == Habit::Comment && finding.code == Code::E009 {
+        finding.notes.push("comment-ends");
+    }
+    if let Some(fix) = finding.fixes.iter().find(|f| f.title == "fix") {
+        // The finding may speak of what is written, too.
+        let written = fix.values.iter().find(|v| v.0 == "number").cloned();
+        finding
+            .values
+            .retain(|v| v.0 != "number" || written.is_none());
+        finding.values.extend(written);
+    }
+}
