@@ -574,3 +574,14 @@ fn square_brackets_separate_as_round_ones_do() {
         assert_eq!(fixed(&written, false), text);
     }
 }
+
+#[test]
+fn one_of_three_parts_of_light_is_missing() {
+    let text = "2 11 0 1 0 1\n2 -201 0.1 0.85\n50 -402 0.9\n1 9999 2 0\n";
+    let all = proposals(text, Code::E008);
+    let made: Vec<String> = all.iter().map(|(_, made)| made.clone()).collect();
+    let with = |parts| text.replace("0.1 0.85", parts);
+    assert_eq!(made, [with("0.1 0 0.85"), with("0.1 0.85 0")]);
+    assert_eq!(fixed(text, true), text);
+    assert!(proposals(&with("0.9 0.85"), Code::E008).is_empty());
+}

@@ -250,6 +250,20 @@ impl LineContext<'_> {
             let x = t.number(self.text);
             x.is_some_and(|x| (0.0..=1.0).contains(&x))
         };
+        // Nobody can tell which one is meant.
+        let choose = |texts: [String; 2], out: &mut Vec<Candidate>| {
+            out.extend(texts.map(|text| {
+                let mut candidate = new("fix-write", text);
+                candidate.fix.applicability = Applicability::Choice;
+                candidate
+            }));
+        };
+        let sum = || {
+            self.params()
+                .iter()
+                .filter_map(|t| t.number(self.text))
+                .sum::<f64>()
+        };
         let is_byte = |t: &Token| {
             let x = t.number(self.text);
             x.is_some_and(|x| (0.0..=255.0).contains(&x))
@@ -278,14 +292,8 @@ impl LineContext<'_> {
             (RecordKind::Scaling | RecordKind::RefractiveIndex, &[s], _) => {
                 out.push(new("fix-write", format!("{s} {s} {s}")));
             }
-            // Nobody can tell how much the third is.
             (RecordKind::Scaling, &[a, b], _) => {
-                let all = [format!("{a} {b} 1"), format!("{a} {b} {b}")];
-                out.extend(all.map(|text| {
-                    let mut candidate = new("fix-write", text);
-                    candidate.fix.applicability = Applicability::Choice;
-                    candidate
-                }));
+                choose([format!("{a} {b} 1"), format!("{a} {b} {b}")], out);
             }
             // A grey, but not six digits as other programs write a colour. It may be a byte or in per cent: another
             // finding says so of the three.
@@ -295,6 +303,11 @@ impl LineContext<'_> {
                 out.push(new("fix-write", format!("{s} {s} {s}")));
             }
             (RecordKind::Optics, &[s], _) => out.extend(self.one_part(ty, s)),
+            (RecordKind::Optics, &[a, b], _)
+                if self.params().iter().all(is_part) && sum() <= 1.0 =>
+            {
+                choose([format!("{a} {b} 0"), format!("{a} 0 {b}")], out);
+            }
             (RecordKind::Render, &[one], _) => out.push(new("fix-write", format!("{one} 0"))),
             (RecordKind::Union | RecordKind::Intersection | RecordKind::Difference, &[one], _) => {
                 let others = self.entities(&[Kind::Object]).map(|e| e.id);
