@@ -101,6 +101,15 @@ const BEHIND: &[(&str, &str)] = &[
         "0 # first #\n\n0 # second: 1 2 #\n2 -701 1 0 0\n",
     ),
     ("// 2 * 3 = 6\n", "0 # 2 * 3 = 6 #\n"),
+    // Records that are switched off; what stands in zpg's own signs there, too.
+    (
+        "/* off:\n2 -701 1 0 0\n*/\n",
+        "0 # off: #\n0 # ~ 2 -701 1 0 0 #\n",
+    ),
+    (
+        "2 -701 1 0 0 /* red,\n  or green:\n 2 -701 0 1 0 # green #\n*/ 2 -2 30 2\n",
+        "2 -701 1 0 0 # red, #\n0 # or green: #\n0 # ~ 2 -701 0 1 0 ~~ green ~~ #\n 2 -2 30 2\n",
+    ),
     // Bytes, hexadecimal digits and CSS are one colour of sRGB.
     ("2 -701 26 77 179\n", "2 -701 0.0103 0.074 0.45\n"),
     ("2 -701 #1a4db3\n", "2 -701 0.0103 0.074 0.45\n"),
@@ -271,6 +280,17 @@ const JOINED: &[(&str, &str)] = &[
     (
         "4 11 0 1.6 0 0.6\n-101 6 2 4",
         "4 11 0 1.6 0 0.6\n6 -101 2 4",
+    ),
+    // A rectangle by two corners in space: the two other axes are those of the rectangle, turned and moved.
+    ("4 5 -5 0 -4 5 0 6", "4 5 -5 -4 5 6\n4 -2 90 1"),
+    (
+        "4 5 5 -1 6 -5 -1 -4",
+        "4 5 -5 -4 5 6\n4 -2 90 1\n4 -1 0 -1 0",
+    ),
+    ("4 5 -5 0 -3 5 4 -3", "4 5 -5 0 5 4\n4 -1 0 0 -3"),
+    (
+        "4 5 -2 0 -4 -2 3 1",
+        "4 5 -4 0 1 3\n4 -2 -90 2\n4 -1 -2 0 0",
     ),
     // An assignment without its type.
     (
@@ -1277,4 +1297,24 @@ fn comments_behind_two_signs() {
 fn an_up_vector_of_zeros() {
     let text = format!("2 9 1\n{}", REST.replace("0 1 0 45", "0 0 0 45"));
     assert_eq!(fixed(&text), text.replace("0 0 0 45", "0 1 0 45"));
+}
+
+/// A rectangle by two corners in space fills what these say: its bounds are theirs.
+#[test]
+fn the_corners_of_a_rectangle_stay() {
+    for (numbers, corners) in [
+        ("-5 0 -4 5 0 6", [[-5.0, 0.0, -4.0], [5.0, 0.0, 6.0]]),
+        ("-5 2 -4 5 2 6", [[-5.0, 2.0, -4.0], [5.0, 2.0, 6.0]]),
+        ("-5 0 -3 5 4 -3", [[-5.0, 0.0, -3.0], [5.0, 4.0, -3.0]]),
+        ("-2 0 -4 -2 3 1", [[-2.0, 0.0, -4.0], [-2.0, 3.0, 1.0]]),
+    ] {
+        let text = fixed(&format!("2 5 {numbers}\n{REST}"));
+        let analysis = read(&text);
+        let root = analysis.scene.render.unwrap().root;
+        let bounds = analysis.bounds()[root as usize].all;
+        for (got, meant) in [(bounds.min, corners[0]), (bounds.max, corners[1])] {
+            let is_near = |i: usize| (got[i] - meant[i]).abs() < 1e-6;
+            assert!((0..3).all(is_near), "{numbers}: {got:?}\n{text}");
+        }
+    }
 }

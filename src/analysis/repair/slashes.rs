@@ -3,6 +3,7 @@
 use super::whole::Matter;
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::syntax::commented_out::{self, SIGN, TILDE};
 use crate::syntax::lexer::TokenKind;
 use crate::syntax::quote;
 
@@ -17,6 +18,13 @@ pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<M
         .document
         .tokens
         .split(|t| t.kind() == TokenKind::Newline);
+    let blocks = blocks(analysis);
+    // The last block that begins before a place.
+    let within = |at: u32| {
+        let next = blocks.partition_point(|b| b.edit.span.start <= at);
+        let block = next.checked_sub(1).map(|i| &blocks[i]);
+        block.is_some_and(|b| at < b.edit.span.end)
+    };
     let mut edits: Vec<Edit> = Vec::new();
     for line in lines {
         let begins = |sign: &str| line.iter().position(|t| t.text(text).starts_with(sign));
@@ -24,6 +32,9 @@ pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<M
             continue;
         };
         let span = line[at].span().to(last.span());
+        if within(span.start) {
+            continue;
+        }
         let written = text[span.range()].trim();
         let words = match written.strip_prefix("/*").map(|w| w.strip_suffix("*/")) {
             Some(Some(words)) => words,
@@ -46,17 +57,92 @@ pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<M
         let text = format!("{void}{comment}");
         edits.push(Edit { span, text });
     }
-    let first = edits.first()?;
-    let is_of_words = first.text.contains(char::is_alphabetic);
-    if edits.len() < 2 && is_of_words {
+    let is_of_words = edits.len() == 1 && edits[0].text.contains(char::is_alphabetic);
+    if blocks.is_empty() && is_of_words {
         return None;
     }
+    let count = edits.len() + blocks.iter().map(|b| b.lines).sum::<usize>();
+    edits.extend(blocks.into_iter().map(|b| b.edit));
+    edits.sort_by_key(|e| e.span.start);
+    let first = edits.first()?;
     let sign = Span::new(first.span.start, first.span.start + 2);
     let spans = edits.iter().map(|e| e.span).collect();
     let finding = Diagnostic::new(Code::E001, sign)
         .case("slashes")
         .with("text", quote(analysis.source.slice(sign)))
-        .with("count", Value::Count(edits.len() as u64))
+        .with("count", Value::Count(count as u64))
         .fix(Fix::guess("fix", edits));
     Some(Matter { finding, spans })
+}
+
+/// A comment from `/*` to `*/` over several lines.
+struct Block {
+    /// A comment for each line in its place.
+    edit: Edit,
+    /// The number of lines that it has words or records on.
+    lines: usize,
+}
+
+/// All such comments. What may be a record is written as an editor comments it out.
+fn blocks(analysis: &Analysis) -> Vec<Block> {
+    let text = analysis.source.text.as_str();
+    let mut blocks = Vec::new();
+    let mut end = 0;
+    for token in &analysis.document.tokens {
+        let start = token.start as usize;
+        if start < end || token.kind().is_comment() || !token.text(text).starts_with(BEGIN) {
+            continue;
+        }
+        // Where one has no end, no later one has.
+        let Some(length) = text[start + BEGIN.len()..].find(END) else {
+            break;
+        };
+        let inside = &text[start + BEGIN.len()..][..length];
+        end = start + BEGIN.len() + length + END.len();
+        // A comment that goes on behind it is not cut.
+        if !inside.contains('\n') || inside.matches('#').count() % 2 == 1 {
+            continue;
+        }
+        let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);
+        let is_alone = text[line_start..start].trim().is_empty();
+        let mut lines: Vec<String> = Vec::new();
+        for (i, line) in inside.lines().enumerate() {
+            let line = line.trim();
+            if !line.is_empty() {
+                lines.push(commented(line, i == 0 && !is_alone));
+            }
+        }
+        let rest = text[end..].lines().next().unwrap_or("");
+        let count = lines.len();
+        let mut text = lines.join("\n");
+        if !rest.trim().is_empty() && count > 0 {
+            text.push('\n');
+        }
+        let span = Span::new(start as u32, end as u32);
+        blocks.push(Block {
+            edit: Edit { span, text },
+            lines: count,
+        });
+    }
+    blocks
+}
+
+const BEGIN: &str = "/*";
+const END: &str = "*/";
+
+/// A line as a comment; behind a record it stands without a `0`.
+fn commented(line: &str, is_behind: bool) -> String {
+    let is_record = line.starts_with(|c: char| c.is_ascii_digit());
+    if is_record && !is_behind {
+        let coded = line.replace('~', TILDE).replace('#', SIGN);
+        return format!(
+            "{}{coded}{}",
+            commented_out::begin(false),
+            commented_out::END
+        );
+    }
+    let words = line.replace('#', " ");
+    let words: Vec<&str> = words.split_whitespace().collect();
+    let void = if is_behind { "" } else { "0 " };
+    format!("{void}# {} #", words.join(" "))
 }

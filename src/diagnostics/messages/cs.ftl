@@ -130,6 +130,7 @@ fix-apart = napsat { $text } jako samostatný záznam ({ $type })
 fix-apart-both = napsat { $text } jako dva samostatné záznamy: posunutí a barvu
 fix-sign-apart = napsat `{ $number }` a { $text } jako samostatný záznam ({ $type })
 fix-sign-apart-both = napsat `{ $number }` a { $text } jako dva samostatné záznamy: posunutí a barvu
+fix-flat = napsat obdélník v rovině z = 0 a co jej dostane na místo: { $records }
 fix-origin = vynechat polohu { $text }: tento tvar je v počátku
 fix-inline = { $count ->
     [one] napsat barvu { $text } jako samostatný záznam

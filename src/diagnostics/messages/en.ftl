@@ -122,6 +122,7 @@ fix-apart = write { $text } as a record of its own ({ $type })
 fix-apart-both = write { $text } as two records of their own: a translation and a colour
 fix-sign-apart = write `{ $number }`, and { $text } as a record of its own ({ $type })
 fix-sign-apart-both = write `{ $number }`, and { $text } as two records of their own: a translation and a colour
+fix-flat = write the rectangle in the plane z = 0, and what brings it to its place: { $records }
 fix-origin = leave out the position { $text }: this shape is at the origin
 fix-inline = { $count ->
     [one] write the colour { $text } as a record of its own

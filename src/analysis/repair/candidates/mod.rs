@@ -4,6 +4,7 @@ mod apart;
 mod cameras;
 mod clauses;
 mod comments;
+mod flat;
 mod heads;
 mod indices;
 mod inline;
@@ -357,6 +358,7 @@ impl<'a> LineContext<'a> {
                 Some(assignment) => out.push(assignment),
                 None => self.siblings(&mut out),
             }
+            self.flat(finding, &mut out);
             self.by_sizes(finding, &mut out);
             out.extend(self.lost_line_end(finding));
             let behind = self.records_behind();
