@@ -11,6 +11,7 @@ use self::forms::{File, files};
 use crate::support::picture_file::SIZE;
 use crate::support::{mitsuba, program};
 use zpg::internals::analysis::Analysis;
+use zpg::internals::diagnostics::Code;
 use zpg::internals::solids::staging::Viewpoint;
 use zpg::internals::trace::{Images, Settings, Tracer, selected_camera};
 use zpg::internals::translate::mitsuba::{Integrator, Options, write};
@@ -449,4 +450,27 @@ fn wavefront_files_name_what_is_there() {
     }
     assert_eq!(libraries.len(), names.len(), "{libraries:?}");
     assert!(libraries.contains("plain.v2.mtl"));
+}
+
+/// The look of a picture is told though image textures are in it: beside this scene's file lies the texture.
+#[test]
+fn bright_and_dark_pictures_with_image_textures() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/gallery/orrery.zpg");
+    for (light, place, code) in [
+        ("100", "3 5 5", Some(Code::N606)),
+        // Behind the ball.
+        ("1", "0 0 -9", Some(Code::W330)),
+        ("1", "3 5 5", None),
+    ] {
+        let text = format!(
+            "2 11 0 0 0 1\n2 -301 planet.jpg\n9 -501 0 0 6 0 0 -1 0 1 0 40\n50 -402 {light}\n50 -1 {place}\n1 9999 2 0\n"
+        );
+        let analysis = Analysis::new(path, text.into_bytes());
+        let codes = analysis.findings().iter().map(|d| d.code);
+        assert_eq!(
+            codes.collect::<Vec<_>>(),
+            Vec::from_iter(code),
+            "{light} {place}"
+        );
+    }
 }

@@ -349,6 +349,7 @@ impl Analysis {
     /// The context that rules look at.
     fn context(&self) -> lint::Context<'_> {
         lint::Context::new(&self.source.text, &self.document, &self.scene, &self.bounds)
+            .within(self.source.folder())
     }
 
     fn find(&self, read: Vec<Diagnostic>, settings: &Settings) -> Vec<Diagnostic> {

@@ -13,6 +13,7 @@ mod records;
 mod rules;
 pub mod spelling;
 
+use std::path::Path;
 use std::sync::OnceLock;
 
 use operations::Proven;
@@ -30,6 +31,8 @@ pub struct Context<'a> {
     pub text: &'a str,
     pub document: &'a Document,
     pub scene: &'a Scene,
+    /// The folder that the scene lies in, if it is a file.
+    folder: Option<&'a Path>,
     bounds: &'a OnceLock<Vec<NodeBounds>>,
     names: OnceLock<Option<Names>>,
     proven: OnceLock<Vec<Proven>>,
@@ -47,10 +50,17 @@ impl<'a> Context<'a> {
             text,
             document,
             scene,
+            folder: None,
             bounds,
             names: OnceLock::new(),
             proven: OnceLock::new(),
         }
+    }
+
+    /// The context of a scene that lies in a folder.
+    #[must_use]
+    pub fn within(self, folder: Option<&'a Path>) -> Context<'a> {
+        Context { folder, ..self }
     }
 
     /// The bounds of each node, for the rules about geometry.
@@ -209,6 +219,11 @@ pub fn undrawn(context: &Context) -> usize {
         .iter()
         .filter(|d| rules::unused_definition::is_of_object(d));
     objects.count()
+}
+
+/// Whether a rule is about the picture as a whole.
+pub fn is_of_pictures(code: Code) -> bool {
+    rules::OF_PICTURES.contains(&code)
 }
 
 /// Whether the fixes of a rule take records out.

@@ -24,8 +24,21 @@ impl Images {
     /// The first picture that cannot be used is the finding: it lies elsewhere, it cannot be decoded, or it is larger
     /// than [`MAX_SIDE`] or, with those before, [`MAX_BYTES`].
     pub fn load(scene: &Scene, folder: &Path) -> Result<Images, Box<Diagnostic>> {
+        Images::load_within(scene, folder, MAX_BYTES)
+    }
+
+    /// [`Images::load`] with another limit than [`MAX_BYTES`].
+    ///
+    /// # Errors
+    ///
+    /// As there.
+    pub fn load_within(
+        scene: &Scene,
+        folder: &Path,
+        max_bytes: u64,
+    ) -> Result<Images, Box<Diagnostic>> {
         let mut images = Images::default();
-        let mut left = MAX_BYTES;
+        let mut left = max_bytes;
         for (file, span) in used(scene) {
             if images.0.contains_key(file) {
                 continue;

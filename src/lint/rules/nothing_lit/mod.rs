@@ -4,11 +4,12 @@
 
 use crate::diagnostics::{Code, Diagnostic};
 use crate::lint::Context;
-use crate::lint::glance::{MAX_NODES, SIZE, glance};
+use crate::lint::glance::{MAX_NODES, SIZE, glance, without_images};
 use crate::lint::records::chosen_cameras;
 use crate::lint::rules::{camera_in_solid, lamp_in_solid};
 use crate::scene::{AmbientLight, Camera, Scene};
 use crate::syntax::table::Kind;
+use crate::trace::Images;
 use std::ops::ControlFlow;
 
 /// Most mirrors and panes on a path of light: a surface lit by more is as good as black.
@@ -25,6 +26,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         .find(|e| e.kind == Some(Kind::PointLight) && is_lamp(e.id))
         .map(|e| e.span);
     let Some(lamp) = lamp else { return };
+    let plain = without_images(scene);
+    let scene = plain.as_ref();
     for (camera, p) in chosen_cameras(context) {
         if is_lit(scene, camera) != Some(false) {
             continue;
@@ -64,7 +67,7 @@ fn is_shut_in(context: &Context) -> bool {
 /// taken or takes too long.
 fn is_lit(scene: &Scene, camera: &Camera) -> Option<bool> {
     let mut lit = None;
-    glance(scene, camera, DEPTH, |pixels, x, y| {
+    glance(scene, &Images::default(), camera, DEPTH, |pixels, x, y| {
         if pixels.seen(x, y).is_some() {
             lit = Some(pixels.sum(x, y, 0..1, 1) != [0.0; 3]);
         }

@@ -9,6 +9,7 @@ use crate::scene::{Entity, Geometry, Optics, Paint, Render, Rgb, Scene, Shape, T
 use crate::solids::staging::{Viewpoint, staged};
 use crate::syntax::quote;
 use crate::syntax::table::Kind;
+use crate::trace::Images;
 use crate::trace::film::{MAX_BRIGHT_PERCENT, is_above_white};
 use std::ops::ControlFlow;
 
@@ -27,10 +28,13 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     let aspect = f64::from(SIZE[0]) / f64::from(SIZE[1]);
     let scene = staged(context.scene, Viewpoint::Scene, aspect);
+    let Some(images) = images(context) else {
+        return;
+    };
     let most = scene.chosen_cameras().filter_map(|camera| {
         let (mut looked, mut bright) = (0_u32, 0_usize);
         // Where the whole picture takes too long, some pixels of it must do.
-        let _ = glance(&scene, camera, DEPTH, |pixels, x, y| {
+        let _ = glance(&scene, &images, camera, DEPTH, |pixels, x, y| {
             looked += 1;
             bright += usize::from(is_above_white(pixels.sum(x, y, 0..1, 1)));
             ControlFlow::Continue(())
@@ -51,6 +55,17 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         diagnostic.fixes.extend(of_per_cent(context, light));
     }
     out.push(diagnostic);
+}
+
+/// The bytes of pictures on surfaces that are read, once they are decoded.
+const MAX_IMAGE_BYTES: u64 = 16 << 20;
+
+/// The pictures of the scene; `None` where they cannot be read, or are larger than [`MAX_IMAGE_BYTES`].
+fn images(context: &Context) -> Option<Images> {
+    if Images::files(context.scene).is_empty() {
+        return Some(Images::default());
+    }
+    Images::load_within(context.scene, context.folder?, MAX_IMAGE_BYTES).ok()
 }
 
 /// The intensity of a light as a part, where it seems to be in per cent.
