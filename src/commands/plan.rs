@@ -71,9 +71,9 @@ impl UnseenPart {
     fn new(part: &Unseen, source: &SourceFile, language: Language) -> UnseenPart {
         let why = match part.why {
             Why::Outside => Complaint::new("unseen-outside"),
-            Why::Inside(kind, id) => Complaint::new("unseen-inside")
-                .with("type", Value::Term(kind))
-                .with("id", id.to_string()),
+            Why::Inside(solid) => Complaint::new("unseen-inside")
+                .with("type", Value::Term(solid.title))
+                .with("id", solid.id.to_string()),
         };
         UnseenPart {
             id: part.id,

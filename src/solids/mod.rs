@@ -37,7 +37,7 @@ pub fn distance(p: Vec3, q: Vec3) -> f64 {
 }
 
 /// The name of a node for people, and its place in the file.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Named {
     /// The name of its kind, a term.
     pub title: &'static str,

@@ -1,12 +1,15 @@
 //! W325: a camera inside of something that lets no light through.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
-use crate::scene::Vec3;
+
+use crate::lint::spelling::decimal;
 use crate::scene::record::Params;
+use crate::scene::{Camera, Scene, Vec3};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, ShapeKind};
+use crate::trace::plan::unseen::sides::Sides;
 use crate::trace::plan::unseen::view::held;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -18,11 +21,11 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         .collect();
     let places: Vec<Vec3> = cameras.iter().map(|(c, _)| c.position).collect();
     let holders = held(scene, context.bounds(), render.root, &places);
-    for ((camera, p), held) in cameras.iter().zip(holders) {
+    for ((camera, camera_record), held) in cameras.iter().zip(holders) {
         let Some(held) = held.filter(|h| !h.on_surface) else {
             continue;
         };
-        let finding = Diagnostic::new(Code::W325, p.span_of(0, 3))
+        let finding = Diagnostic::new(Code::W325, camera_record.span_of(0, 3))
             .with("id", camera.id.to_string())
             .with("solid", Value::Term(held.solid.title))
             .with("solid-id", held.solid.id.to_string())
@@ -31,24 +34,121 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .params(held.solid.span)
             .filter(|p| p.ty.kind == RecordKind::Shape(ShapeKind::HalfSpace));
         out.push(match half_space {
-            Some(p) => finding.case("half-space").fix(turned(&p)),
+            Some(p) => {
+                let sides = Sides::new(scene, context.bounds(), render.root, held.solid);
+                match sides {
+                    Some(sides) => beside(scene, finding, (camera, camera_record), (&p, &sides)),
+                    None => finding.case("half-space"),
+                }
+            }
             None => finding,
         });
     }
 }
 
-/// The half-space on the other side of its boundary.
-fn turned(half_space: &Params) -> Fix {
-    let text = |i: usize| match half_space.text_of(i) {
-        text if half_space.number(i) == 0.0 => text.to_owned(),
+/// The finding with what may be meant instead of a half-space that holds the camera: what does not let the camera out, or
+/// buries what is drawn, is not proposed.
+fn beside(
+    scene: &Scene,
+    finding: Diagnostic,
+    (camera, camera_record): (&Camera, &Params),
+    (half_space, sides): (&Params, &Sides),
+) -> Diagnostic {
+    let now: [f64; 4] = half_space.numbers(0);
+    // How many lamps are in it then; `None` where it is no better.
+    let lamps = |then: [f64; 4]| {
+        let is_worse = sides.holds(then, camera.position) || sides.would_bury(now, then);
+        let lamps = scene.point_lights.iter();
+        let lamps =
+            lamps.filter(|l| sides.holds(then, l.position) && !sides.holds(now, l.position));
+        (!is_worse).then(|| lamps.count())
+    };
+    let [a, b, c, d] = now;
+    let is_turned = lamps([-a, -b, -c, -d]);
+    let is_moved = lamps([a, b, c, -d]);
+    let mut fixes = Vec::new();
+    fixes.extend(is_turned.map(|_| turned(half_space)));
+    let is_first = is_moved.is_some_and(|lamps| is_turned.is_none_or(|other| lamps < other));
+    if is_moved.is_some() {
+        fixes.insert(if is_first { 0 } else { fixes.len() }, moved(half_space));
+    }
+    let (case, fixes) = match laid_down(camera, camera_record, (now, sides)) {
+        Some(fix) => ("z-up", vec![fix]),
+        None if is_first => ("half-space-d", fixes),
+        None if fixes.is_empty() => ("half-space-kept", fixes),
+        None => ("half-space", fixes),
+    };
+    let plane = (0..3).find(|&i| (0..3).all(|j| (i == j) != (now[j] == 0.0)));
+    let (case, axis) = match plane.filter(|_| sides.is_untouched) {
+        Some(axis) => (case, axis),
+        None if case == "half-space-d" => ("half-space-sign", 0),
+        None => (case, 0),
+    };
+    let at = |d: f64| Value::Decimal(decimal(-d / now[axis]));
+    let finding = (finding.case(case))
+        .with("axis", ["x", "y", "z"][axis])
+        .with("d", Value::Decimal(decimal(d)))
+        .with("at", at(d))
+        .with("other-d", Value::Decimal(decimal(-d)))
+        .with("other-at", at(-d));
+    fixes.into_iter().fold(finding, Diagnostic::fix)
+}
+
+/// The camera with the y axis up, in the place of one with the z axis up, where it is in a floor across the y axis.
+fn laid_down(camera: &Camera, p: &Params, (floor, sides): ([f64; 4], &Sides)) -> Option<Fix> {
+    let written: [Vec3; 3] = [p.numbers(0), p.numbers(3), p.numbers(6)];
+    let is_written = p.ty.kind == RecordKind::Camera
+        && written == [camera.position, camera.direction, camera.up];
+    let is_floor = sides.is_untouched && floor[0] == 0.0 && floor[2] == 0.0 && floor[1] > 0.0;
+    let [x, y, up] = camera.up;
+    let [px, py, pz] = camera.position;
+    let is_out = !sides.holds(floor, [px, pz, -py]);
+    if !is_written || !is_floor || [x, y] != [0.0; 2] || up <= 0.0 || !is_out {
+        return None;
+    }
+    let texts = (0..3).flat_map(|vector| {
+        let at = 3 * vector;
+        [
+            p.text_of(at).to_owned(),
+            p.text_of(at + 2).to_owned(),
+            opposite(p, at + 1),
+        ]
+    });
+    let edits = texts.enumerate().map(|(i, text)| Edit {
+        span: p.span_of(i, 1),
+        text,
+    });
+    Some(Fix::guess("fix", edits.collect()))
+}
+
+/// The text of a number with the other sign.
+fn opposite(p: &Params, i: usize) -> String {
+    match p.text_of(i) {
+        text if p.number(i) == 0.0 => text.to_owned(),
         text => match text.strip_prefix('-') {
             Some(rest) => rest.to_owned(),
             None => format!("-{}", text.trim_start_matches('+')),
         },
-    };
+    }
+}
+
+/// The half-space on the other side of its boundary.
+fn turned(half_space: &Params) -> Fix {
+    written(half_space, "fix-turn", |i| opposite(half_space, i))
+}
+
+/// The half-space with the other sign of d.
+fn moved(half_space: &Params) -> Fix {
+    written(half_space, "fix-move", |i| match i {
+        3 => opposite(half_space, i),
+        _ => half_space.text_of(i).to_owned(),
+    })
+}
+
+fn written(half_space: &Params, title: &'static str, text: impl Fn(usize) -> String) -> Fix {
     let all: Vec<String> = (0..half_space.len()).map(text).collect();
     let all = all.join(" ");
     let span = half_space.span_of(0, half_space.len());
-    let fix = Fix::replace("fix-turn", Applicability::Choice, span, all.clone());
+    let fix = Fix::replace(title, Applicability::Choice, span, all.clone());
     fix.with("number", quote(&all))
 }

@@ -6,6 +6,7 @@
 
 mod hidden;
 mod members;
+pub mod sides;
 mod starts;
 pub mod view;
 
@@ -13,7 +14,7 @@ use crate::diagnostics::Span;
 use crate::geometry::Aabb;
 use crate::scene::{NodeId, Scene};
 use crate::solids::bounds::{NodeBounds, node_bounds};
-use crate::solids::named;
+use crate::solids::{Named, named};
 use hidden::Hidden;
 use members::{Member, Slot, members};
 use rustc_hash::FxHashMap;
@@ -24,13 +25,15 @@ pub use starts::Starts;
 pub enum Why {
     /// Outside of the box of the render record.
     Outside,
-    /// Inside of this shape, which is opaque: the name of its kind, and its ID.
-    Inside(&'static str, u32),
+    /// Inside of this shape, which is opaque.
+    Inside(Named),
 }
 
 /// A part of which nothing can be seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Unseen {
+    /// The operand as it is written.
+    pub node: NodeId,
     /// The ID by which it is written.
     pub id: u32,
     /// The place of the definition.
@@ -130,8 +133,7 @@ pub fn find(scene: &Scene, root: NodeId) -> UnseenParts {
         .filter(|&i| why[i as usize].is_none())
         .collect();
     for (i, holder) in Hidden::find(scene, &all, &left, &starts, whole) {
-        let name = named(scene, all[holder as usize].node);
-        why[i as usize] = name.map(|n| Why::Inside(n.title, n.id));
+        why[i as usize] = named(scene, all[holder as usize].node).map(Why::Inside);
     }
     let mut found = UnseenParts::default();
     let spans: FxHashMap<u32, Span> = match why.iter().any(Option::is_some) {
@@ -142,7 +144,12 @@ pub fn find(scene: &Scene, root: NodeId) -> UnseenParts {
         if let Some(why) = *why {
             let id = member.id(scene);
             let span = spans.get(&id).copied().unwrap_or_default();
-            found.unseen.push(Unseen { id, span, why });
+            found.unseen.push(Unseen {
+                node: member.node,
+                id,
+                span,
+                why,
+            });
             found.left_out.add(member.slot);
         }
     }

@@ -1,0 +1,56 @@
+//! What a half-space of the outermost union holds of the other parts, and would hold with other numbers.
+
+use super::members::members;
+use crate::geometry::{Aabb, Matrix};
+use crate::scene::{Geometry, NodeId, Scene, Vec3};
+use crate::solids::bounds::NodeBounds;
+use crate::solids::within::{CLEARANCE_REL, far};
+use crate::solids::{Named, named};
+
+/// A half-space in its place, and the boxes of all that has an end.
+pub struct Sides {
+    /// From the coordinates of the scene into those of the half-space.
+    back: Matrix,
+    /// Whether the two are the same.
+    pub is_untouched: bool,
+    boxes: Vec<Aabb>,
+}
+
+impl Sides {
+    /// `None` where no half-space of this name is a part of the outermost union.
+    pub fn new(
+        scene: &Scene,
+        bounds: &[NodeBounds],
+        root: NodeId,
+        half_space: Named,
+    ) -> Option<Sides> {
+        let parts = members(scene, bounds, root);
+        let is_one = |geometry: &Geometry| matches!(geometry, Geometry::HalfSpace(_));
+        let own = (parts.iter())
+            .filter(|m| m.geometry(scene).is_some_and(is_one))
+            .find(|m| named(scene, m.node) == Some(half_space))?;
+        Some(Sides {
+            back: own.matrix().inverse()?,
+            is_untouched: *own.matrix() == Matrix::IDENTITY,
+            boxes: (parts.iter().map(|m| m.bounds))
+                .filter(|b| b.is_bounded() && !b.is_empty())
+                .collect(),
+        })
+    }
+
+    /// Whether a half-space with these numbers holds a point, or has it on its boundary.
+    pub fn holds(&self, [a, b, c, d]: [f64; 4], point: Vec3) -> bool {
+        let local = self.back.point(point);
+        let [x, y, z] = local;
+        let value = a * x + b * y + c * z + d;
+        value <= CLEARANCE_REL * far(&[a, b, c]) * far(&local).max(1.0)
+    }
+
+    /// Whether all of some part that is not wholly within the half-space of the first numbers lies within that of the
+    /// second.
+    pub fn would_bury(&self, now: [f64; 4], then: [f64; 4]) -> bool {
+        let all_of =
+            |numbers, b: &Aabb| (b.corners().iter()).all(|&corner| self.holds(numbers, corner));
+        (self.boxes.iter()).any(|b| all_of(then, b) && !all_of(now, b))
+    }
+}
