@@ -1,4 +1,7 @@
-//! W333: a union or an intersection of an object with itself, or a union with a copy of it that stays where it was.
+//! W333: a union or an intersection of an object with itself, or a union with a copy of it that stays
+//! where it was, or with a shape that equals it.
+
+mod equal;
 
 use std::cell::LazyCell;
 
@@ -27,19 +30,21 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             continue;
         }
         if live[i] && !is_part[i] && matches!(node, Node::Union(..)) {
-            twice(scene, i as NodeId, (&originals, &mut is_part), out);
+            twice(context, i as NodeId, (&originals, &mut is_part), out);
         }
     }
 }
 
 /// Finds the copies among the operands of a union, and of the unions within it, that equal another operand.
 fn twice(
-    scene: &Scene,
+    context: &Context,
     union: NodeId,
     (originals, is_part): (&[NodeId], &mut [bool]),
     out: &mut Vec<Diagnostic>,
 ) {
+    let scene = context.scene;
     let mut seen: FxHashMap<NodeId, NodeId> = FxHashMap::default();
+    let mut shapes: FxHashMap<equal::Key, NodeId> = FxHashMap::default();
     let mut todo = vec![union];
     while let Some(node) = todo.pop() {
         if let Node::Union(a, b) = scene.nodes[node as usize] {
@@ -52,6 +57,13 @@ fn twice(
         let first = *seen.entry(original).or_insert(node);
         if first != node {
             out.extend(finding(scene, union, first, node));
+            continue;
+        }
+        if let Some(key) = equal::Key::new(scene, node) {
+            let first = *shapes.entry(key).or_insert(node);
+            if first != node && equal::are(scene, first, node) {
+                out.extend(equal::finding(context, union, first, node));
+            }
         }
     }
 }
