@@ -8,7 +8,7 @@ use rustc_hash::FxHashSet;
 use super::Analysis;
 use super::allowing::TRIED_BYTES;
 use super::repair;
-use super::worse::{harms, has_new_errors, weight};
+use super::worse::{harms, has_new_errors, weight, weight_after};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, SourceFile, fixes};
 use crate::lint;
 use crate::syntax::{preserved, recognise};
@@ -228,8 +228,8 @@ fn step(
         if count > best.as_ref().map_or(0, |b| b.count) {
             let text = fixes::edited(&analysis.source.text, &edits);
             let fixed = again(analysis.source.with_text(text));
-            let now = weight(&fixed);
             let before = best.as_ref().map_or(analysis, |b| &b.analysis);
+            let now = weight_after(before, &fixed);
             let harms = stretch.len() > 1 && harms(before, &fixed);
             if now < lightest
                 && !harms

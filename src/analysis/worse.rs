@@ -7,6 +7,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use super::Analysis;
 use crate::diagnostics::render::Tally;
 use crate::diagnostics::{Code, Diagnostic, Severity};
+use crate::lint;
 use crate::scene::names::references;
 use crate::syntax::Item;
 
@@ -14,11 +15,27 @@ use crate::syntax::Item;
 /// malformed tokens, which hide what else is wrong with their records; how many warnings, notes and
 /// remarks on style; and of as many the codes that come first, which hide those that follow.
 pub(super) fn weight(analysis: &Analysis) -> Vec<usize> {
-    let counts = counts(analysis.findings().iter());
+    weight_of(analysis.findings())
+}
+
+/// The weight of a scene after a fix. Where there was no picture before, what is only said of pictures does not count: it
+/// was there before.
+pub(super) fn weight_after(before: &Analysis, after: &Analysis) -> Vec<usize> {
+    let is_first = before.scene.render.is_none() && after.scene.render.is_some();
+    if !is_first {
+        return weight(after);
+    }
+    let counted = |d: &&Diagnostic| !lint::is_of_pictures(d.code);
+    let all: Vec<Diagnostic> = after.findings().iter().filter(counted).cloned().collect();
+    weight_of(&all)
+}
+
+fn weight_of(findings: &[Diagnostic]) -> Vec<usize> {
+    let counts = counts(findings.iter());
     let count = |code: &Code| counts.get(code).copied().unwrap_or(0);
     let malformed = [Code::E001, Code::E002, Code::E003, Code::E004, Code::E010];
     let mut tally = Tally::default();
-    tally.add(analysis.findings());
+    tally.add(findings);
     let mut weight = vec![tally.errors, malformed.iter().map(count).sum()];
     weight.extend([tally.warnings, tally.notes, tally.style]);
     weight.extend(Code::ALL.iter().map(count));

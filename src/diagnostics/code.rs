@@ -162,6 +162,9 @@ codes! {
     W332 "idle-difference" of rule "idle_difference";
     W333 "duplicate-operand" of rule "duplicate_operand";
     W334 "overridden-property" of rule "overridden_property";
+    W335 "buried-shape" of rule "buried_shape";
+    W336 "repeated-transformation" of rule "repeated_transformation";
+    W337 "unseen-glass" of rule "unseen_glass";
     N601 "not-utf8";
     N602 "no-camera" of rule "no_camera";
     N603 "no-light" of rule "no_light";

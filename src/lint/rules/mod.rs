@@ -16,6 +16,7 @@ mod asymmetric_quadric;
 mod bare_comment;
 
 mod bound_too_small;
+mod buried_shape;
 mod camera_in_solid;
 mod coincident_faces;
 pub(super) mod colour_out_of_range;
@@ -40,6 +41,7 @@ mod overlapping_union;
 mod overridden_property;
 mod pointless_index;
 mod pointless_transformation;
+mod repeated_transformation;
 mod rotation_in_radians;
 mod scene_box_cuts;
 mod self_intersecting;
@@ -49,6 +51,7 @@ mod smaller_than_a_pixel;
 mod stale_operand;
 mod surface_operand;
 mod too_bright;
+mod unseen_glass;
 mod unseen_texture;
 pub(super) mod unused_definition;
 mod up_along_view;
@@ -89,6 +92,8 @@ const LAMPS: &[RecordKind] = &[R::PointLight];
 const TRANSFORMATIONS: &[RecordKind] =
     &[R::Translation, R::Rotation, R::Scaling, R::RotationMatrix];
 const TEXTURES: &[RecordKind] = &[R::ImageTexture, R::SolidTexture, R::Checkerboard];
+const TEXTURES_AND_COLOURS: &[RecordKind] =
+    &[R::ImageTexture, R::SolidTexture, R::Checkerboard, R::Colour];
 const COLOURS: &[RecordKind] = &[R::Colour, R::Shape(S::ColouredSurfaceOfRevolution)];
 const SURFACES: &[RecordKind] = &[
     R::Shape(S::Plane),
@@ -259,7 +264,7 @@ pub(super) const RULES: &[Rule] = &[
     Rule {
         code: Code::W331,
         check: unseen_texture::check,
-        asks_for: &[TEXTURES, RENDER],
+        asks_for: &[TEXTURES_AND_COLOURS, RENDER],
     },
     Rule {
         code: Code::W332,
@@ -312,6 +317,21 @@ pub(super) const RULES: &[Rule] = &[
         asks_for: &[],
     },
     Rule {
+        code: Code::W335,
+        check: buried_shape::check,
+        asks_for: &[RENDER, UNIONS],
+    },
+    Rule {
+        code: Code::W336,
+        check: repeated_transformation::check,
+        asks_for: &[TRANSFORMATIONS],
+    },
+    Rule {
+        code: Code::W337,
+        check: unseen_glass::check,
+        asks_for: &[RENDER, OPTICS],
+    },
+    Rule {
         code: Code::S505,
         check: leading_zero::check,
         asks_for: &[],
@@ -332,12 +352,14 @@ pub(super) const OF_PICTURES: &[Code] = &[
     Code::W331,
     Code::W333,
     Code::W334,
+    Code::W335,
+    Code::W337,
     Code::N606,
 ];
 
 /// Rules whose fixes take records out. Where there is an error such a record may be what is to be mended: no fix is
 /// offered then.
-pub(super) const TAKING_OUT: &[Code] = &[Code::W327];
+pub(super) const TAKING_OUT: &[Code] = &[Code::W327, Code::W336];
 
 #[cfg(test)]
 mod tests {

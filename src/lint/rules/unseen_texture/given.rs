@@ -7,14 +7,15 @@ use crate::scene::record::Params;
 use crate::scene::{Node, NodeId, Texture};
 use crate::syntax::table::RecordKind;
 
-/// A record that makes a texture.
+/// A record that makes a texture or a colour.
 pub(super) struct Given<'a> {
     pub params: Params<'a>,
+    pub is_colour: bool,
     /// Index of the record that replaces the texture under the same ID.
     pub replaced: Option<usize>,
 }
 
-/// A node that paints, and what it has its texture from, where that is no colour.
+/// A node that paints, and what it has its texture or colour from.
 pub(super) struct Painting {
     pub node: NodeId,
     /// Index into all that is given.
@@ -23,7 +24,7 @@ pub(super) struct Painting {
     pub next: Option<usize>,
 }
 
-/// All textures, and all that paints, in file order.
+/// All textures and colours, and all that paints, in file order.
 pub(super) fn textures<'a>(context: &Context<'a>) -> (Vec<Given<'a>>, Vec<Painting>) {
     let scene = context.scene;
     let mut given: Vec<Given> = Vec::new();
@@ -37,13 +38,13 @@ pub(super) fn textures<'a>(context: &Context<'a>) -> (Vec<Given<'a>>, Vec<Painti
         let p = context.record_params(record);
         let of = |i: usize| u32::try_from(p.integer(i)).ok();
         let texture = match record.kind {
-            RecordKind::ImageTexture | RecordKind::SolidTexture | RecordKind::Checkerboard => {
-                Some(given.len())
-            }
+            RecordKind::ImageTexture
+            | RecordKind::SolidTexture
+            | RecordKind::Checkerboard
+            | RecordKind::Colour => Some(given.len()),
             RecordKind::Assignment | RecordKind::Copy => {
                 of(0).and_then(|id| current.get(&id)).copied()
             }
-            RecordKind::Colour => None,
             _ => current.get(&p.id).copied(),
         };
         let before = match texture {
@@ -53,11 +54,13 @@ pub(super) fn textures<'a>(context: &Context<'a>) -> (Vec<Given<'a>>, Vec<Painti
         let id = p.id;
         let start = p.span().start;
         if texture == Some(given.len()) {
-            if let Some(before) = before {
+            let is_colour = record.kind == RecordKind::Colour;
+            if let Some(before) = before.filter(|_| !is_colour) {
                 given[before].replaced = texture;
             }
             given.push(Given {
                 params: p,
+                is_colour,
                 replaced: None,
             });
         }
@@ -67,10 +70,11 @@ pub(super) fn textures<'a>(context: &Context<'a>) -> (Vec<Given<'a>>, Vec<Painti
         else {
             continue;
         };
-        let has_texture = !matches!(
-            scene.paints[paint as usize].texture,
-            None | Some(Texture::Colour(_))
-        );
+        let is_given = |at: &usize| match &scene.paints[paint as usize].texture {
+            None => false,
+            Some(Texture::Colour(_)) => given[*at].is_colour,
+            Some(_) => !given[*at].is_colour,
+        };
         if let Some(before) = last.insert(id, paintings.len())
             && let Node::Paint { child: same, .. } = scene.nodes[paintings[before].node as usize]
             && same == child
@@ -79,7 +83,7 @@ pub(super) fn textures<'a>(context: &Context<'a>) -> (Vec<Given<'a>>, Vec<Painti
         }
         paintings.push(Painting {
             node,
-            texture: texture.filter(|_| has_texture),
+            texture: texture.filter(is_given),
             next: None,
         });
     }

@@ -4,54 +4,137 @@
 //! and must be a part that a ray of a camera may meet.
 
 mod given;
+mod instead;
+
+use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::Context;
-use crate::scene::{Node, NodeId, Scene};
-use crate::trace::plan::unseen::LeftOut;
+use crate::scene::{Node, NodeId, Scene, fold_up};
+use crate::solids::Named;
 use crate::trace::plan::unseen::view::{USUAL, beside_all_views};
+use crate::trace::plan::unseen::{LeftOut, Unseen, Why as UnseenReason};
 use crate::trace::plan::visible_aspects::{Showing, VisibleAspects};
 use crate::trace::plan::{Effect, Plan};
 use given::{Given, Painting, textures};
+use instead::Instead;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    let (given, paintings) = textures(context);
-    let Some(views) = (!given.is_empty()).then(|| Views::new(context)).flatten() else {
+    let Some(sightings) = Sightings::new(context) else {
         return;
     };
-    let mut found: Vec<TextureSightings> =
-        given.iter().map(|_| TextureSightings::default()).collect();
-    let is_drawn = |p: &Painting| views.showing(p) != Showing::Absent;
-    // Whether each painting is drawn, or one that goes on from it.
-    let mut drawn = vec![false; paintings.len()];
-    for (i, painting) in paintings.iter().enumerate().rev() {
-        let next = painting.next.filter(|&next| drawn[next]);
-        drawn[i] = is_drawn(painting) || next.is_some();
-        let Some(texture) = painting.texture else {
-            continue;
+    let Sightings { given, found, .. } = &sightings;
+    let colours = sightings.colours(context);
+    for (i, (given, found)) in given.iter().zip(found).enumerate() {
+        let said = found.said(given);
+        let is_told = |d: &Diagnostic| {
+            !given.is_colour || d.case == Why::Removed.case() && colours.differs(i)
         };
-        let found = &mut found[texture];
-        found.is_used = true;
-        match next.filter(|_| !is_drawn(painting)) {
-            Some(next) if paintings[next].texture != painting.texture => {
-                let origin = context.scene.origins[paintings[next].node as usize];
-                found.add(Why::Covered, Some(origin.span));
+        out.extend(said.filter(is_told).map(|d| match given.is_colour {
+            true => d.case("colour"),
+            false => d,
+        }));
+    }
+}
+
+/// The nodes that give textures of which W331 says that they are hidden.
+pub(super) fn hidden(context: &Context) -> Vec<NodeId> {
+    let Some(sightings) = Sightings::new(context) else {
+        return Vec::new();
+    };
+    let is_hidden = |texture: usize| {
+        let (given, found) = (&sightings.given[texture], &sightings.found[texture]);
+        !given.is_colour && !found.is_seen && found.reasons == [Why::Hidden]
+    };
+    let paintings = sightings.paintings.iter();
+    let hidden = paintings.filter(|p| p.texture.is_some_and(is_hidden));
+    hidden.map(|p| p.node).collect()
+}
+
+/// All textures and colours, and what is found out about each.
+struct Sightings<'a> {
+    given: Vec<Given<'a>>,
+    paintings: Vec<Painting>,
+    found: Vec<TextureSightings>,
+    views: Views<'a>,
+}
+
+impl<'a> Sightings<'a> {
+    /// `None` where there is nothing to be found out.
+    fn new(context: &Context<'a>) -> Option<Sightings<'a>> {
+        let has_textures = context.document.contents.has(super::TEXTURES);
+        if !has_textures && !context.document.contents.has(super::DIFFERENCES) {
+            return None;
+        }
+        let (given, paintings) = textures(context);
+        let views = (!given.is_empty()).then(|| Views::new(context, has_textures));
+        let mut sightings = Sightings {
+            found: given.iter().map(|_| TextureSightings::default()).collect(),
+            given,
+            paintings,
+            views: views??,
+        };
+        sightings.look(context);
+        Some(sightings)
+    }
+
+    fn look(&mut self, context: &Context) {
+        let Sightings {
+            given,
+            paintings,
+            found,
+            views,
+        } = self;
+        let is_drawn = |p: &Painting| views.showing(p) != Showing::Absent;
+        // Whether each painting is drawn, or one that goes on from it.
+        let mut drawn = vec![false; paintings.len()];
+        for (i, painting) in paintings.iter().enumerate().rev() {
+            let next = painting.next.filter(|&next| drawn[next]);
+            drawn[i] = is_drawn(painting) || next.is_some();
+            let Some(texture) = painting.texture else {
+                continue;
+            };
+            let found = &mut found[texture];
+            found.is_used = true;
+            match next.filter(|_| !is_drawn(painting)) {
+                Some(next) if paintings[next].texture != painting.texture => {
+                    let origin = context.scene.origins[paintings[next].node as usize];
+                    found.add(Why::Covered, Some(origin.span));
+                }
+                Some(_) => {}
+                None => views.judge(painting, found),
             }
-            Some(_) => {}
-            None => views.judge(painting, found),
+        }
+        for i in (0..given.len()).rev() {
+            // A property that is replaced before anything has it.
+            if !found[i].is_used
+                && let Some(next) = given[i].replaced
+                && found[next].is_used
+            {
+                found[i].is_used = true;
+                found[i].add(Why::Covered, Some(given[next].params.span()));
+            }
+        }
+        // The colours of checkerboards and the like.
+        let named = (context.records()).filter(|r| super::TEXTURES.contains(&r.kind));
+        let named: FxHashSet<u32> = named.flat_map(|r| context.references(r)).collect();
+        for (given, found) in given.iter().zip(found) {
+            found.is_seen |= given.is_colour && named.contains(&given.params.id);
         }
     }
-    for i in (0..given.len()).rev() {
-        // A property that is replaced before anything has it.
-        if !found[i].is_used
-            && let Some(next) = given[i].replaced
-            && found[next].is_used
-        {
-            found[i].is_used = true;
-            found[i].add(Why::Covered, Some(given[next].params.span()));
-        }
+
+    /// What would be seen in the place of the colours that are cut away.
+    fn colours(&self, context: &Context) -> Instead {
+        let is_removed =
+            |found: &TextureSightings| !found.is_seen && found.reasons == [Why::Removed];
+        let (given, found) = (&self.given, &self.found);
+        let is_asked = |i: usize| given[i].is_colour && is_removed(&found[i]);
+        let paintings = (self.paintings.iter())
+            .filter_map(|p| Some((p.node, p.texture.filter(|&i| is_asked(i))?)));
+        Instead::new(context.scene, paintings, |node| {
+            self.views.all.reaches(node)
+        })
     }
-    out.extend((given.iter().zip(found)).filter_map(|(given, found)| found.said(given)));
 }
 
 /// A reason why a texture is not to be seen.
@@ -86,6 +169,8 @@ struct TextureSightings {
     reasons: Vec<Why>,
     /// The paint that covers the texture.
     cover: Option<Span>,
+    /// The solid that hides the texture, if one does.
+    solid: Option<Named>,
 }
 
 impl TextureSightings {
@@ -96,7 +181,7 @@ impl TextureSightings {
         self.cover = self.cover.or(cover);
     }
 
-    fn said(self, given: &Given) -> Option<Diagnostic> {
+    fn said(&self, given: &Given) -> Option<Diagnostic> {
         if self.is_seen {
             return None;
         }
@@ -110,8 +195,12 @@ impl TextureSightings {
             .with("type", Value::Term(given.params.ty.title))
             .with("width", USUAL[0].to_string())
             .with("height", USUAL[1].to_string());
-        Some(match self.cover {
-            Some(cover) if case == Why::Covered.case() => d.label(cover, "cover"),
+        Some(match (self.cover, self.solid) {
+            (Some(cover), _) if case == Why::Covered.case() => d.label(cover, "cover"),
+            (_, Some(solid)) if case == Why::Hidden.case() => (d.case("inside"))
+                .with("solid", Value::Term(solid.title))
+                .with("solid-id", solid.id.to_string())
+                .label(solid.span, "solid"),
             _ => d,
         })
     }
@@ -132,10 +221,12 @@ struct Views<'a> {
     viewed: Option<VisibleAspects>,
     /// For each node that is drawn a paint above it that gives a texture.
     covers: Vec<Option<NodeId>>,
+    /// For each node the unseen part that it belongs to, or that belongs to it.
+    unseen: Vec<Option<UnseenReason>>,
 }
 
 impl<'a> Views<'a> {
-    fn new(context: &Context<'a>) -> Option<Views<'a>> {
+    fn new(context: &Context<'a>, has_textures: bool) -> Option<Views<'a>> {
         let scene = context.scene;
         let root = scene.render?.root;
         let all = VisibleAspects::new(scene, root, &LeftOut::default());
@@ -145,14 +236,16 @@ impl<'a> Views<'a> {
             all,
             met: None,
             viewed: None,
+            unseen: Vec::new(),
         };
-        if scene.nodes.len() > MAX_NODES {
+        if !has_textures || scene.nodes.len() > MAX_NODES {
             return Some(views);
         }
         let plan = Plan::of_picture(scene)?;
         let reach = |left_out: &LeftOut| VisibleAspects::new(scene, root, left_out);
         // Where nothing at all is to be seen, it is no texture's fault.
         let met = reach(&plan.left_out);
+        views.unseen = unseen_parts(scene, &plan.unseen);
         views.met = (!plan.left_out.all() && met.shows(root)).then_some(met);
         if !plan.on(Effect::Reflection) && !plan.on(Effect::Refraction) {
             let beside = beside_all_views(scene, context.bounds(), root, &plan.left_out);
@@ -181,7 +274,13 @@ impl<'a> Views<'a> {
                 found.add(Why::Covered, span);
             }
             Showing::Dark => found.add(Why::Dark, None),
-            Showing::Shown if is_lost(&self.met) => found.add(Why::Hidden, None),
+            Showing::Shown if is_lost(&self.met) => {
+                found.add(Why::Hidden, None);
+                let why = self.unseen.get(painting.node as usize).copied().flatten();
+                if let Some(UnseenReason::Inside(solid)) = why {
+                    found.solid = found.solid.or(Some(solid));
+                }
+            }
             Showing::Shown if is_lost(&self.viewed) => found.add(Why::Beside, None),
             Showing::Shown => found.is_seen = true,
         }
@@ -208,4 +307,24 @@ fn covers(scene: &Scene, root: NodeId, reach: &VisibleAspects) -> Vec<Option<Nod
         }
     }
     covers
+}
+
+/// For each node why the part is unseen that it belongs to, or that belongs to it.
+fn unseen_parts(scene: &Scene, unseen: &[Unseen]) -> Vec<Option<UnseenReason>> {
+    let mut parts = vec![None; scene.nodes.len()];
+    for part in unseen {
+        parts[part.node as usize] = Some(part.why);
+    }
+    // Children stand before their parents.
+    for (i, node) in scene.nodes.iter().enumerate().rev() {
+        let above = parts[i];
+        for child in node.children() {
+            let below = &mut parts[child as usize];
+            *below = below.or(above);
+        }
+    }
+    fold_up(&scene.nodes, |id, node, done: &[Option<UnseenReason>]| {
+        let mut below = node.children().map(|n| done[n as usize]);
+        parts[id as usize].or_else(|| below.find_map(|why| why))
+    })
 }

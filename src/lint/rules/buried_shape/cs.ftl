@@ -1,0 +1,20 @@
+W335 = { $object } { $object-id } není nikdy vidět: celý objekt leží uvnitř neprůhledného tělesa: { $solid } { $solid-id }
+    .label = toto je celé skryté
+    .solid = tímto tělesem, které nepropouští světlo
+    .help = nemá být místo sjednocení rozdíl? Díra je `-103 { $solid-id } { $object-id }`
+W335-several = { $count ->
+    [one] { $count } objekt není
+    [few] { $count } objekty nejsou
+   *[other] { $count } objektů není
+} nikdy vidět: vše leží uvnitř neprůhledného tělesa: { $solid } { $solid-id }
+    .label = první z nich
+    .solid = { W335.solid }
+    .help = { W335.help }
+W335-half-space = { W335 }
+    .label = { W335.label }
+    .solid = { W335.solid }
+    .help = vnitřek poloprostoru je ax + by + cz + d ≤ 0: prohlédněte jeho normálu a znaménko d
+W335-half-space-several = { W335-several }
+    .label = { W335-several.label }
+    .solid = { W335.solid }
+    .help = { W335-half-space.help }

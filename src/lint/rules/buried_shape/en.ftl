@@ -1,0 +1,19 @@
+W335 = the { $object } { $object-id } is never seen: all of it lies inside of the opaque { $solid } { $solid-id }
+    .label = all of this is hidden
+    .solid = by this, which lets no light through
+    .help = is a union written where a difference is meant? The hole is `-103 { $solid-id } { $object-id }`
+W335-several = { $count ->
+    [one] one object is
+   *[other] { $count } objects are
+} never seen: all of this lies inside of the opaque { $solid } { $solid-id }
+    .label = the first of them
+    .solid = { W335.solid }
+    .help = is a union written where a difference is meant? The hole is `-103 { $solid-id } { $object-id }`
+W335-half-space = { W335 }
+    .label = { W335.label }
+    .solid = { W335.solid }
+    .help = the inside of a half-space is ax + by + cz + d ≤ 0: look at its normal and at the sign of d
+W335-half-space-several = { W335-several }
+    .label = { W335-several.label }
+    .solid = { W335.solid }
+    .help = { W335-half-space.help }
