@@ -1,4 +1,5 @@
-//! Pictures that are not there (E210): the one beside the scene that has nearly the name.
+//! Pictures that are not there (E210): the one beside the scene that has nearly the name. Paths with `\` (E209): the same
+//! with `/`.
 
 use std::path::{Path, PathBuf};
 
@@ -11,8 +12,15 @@ const PICTURES: usize = 16;
 /// Most entries of a folder that are looked at.
 const ENTRIES: usize = 1000;
 
-/// Gives the findings about pictures that are not there their fixes.
+/// Gives the findings about pictures that are not there, and about paths of Windows, their fixes.
 pub(super) fn propose(source: &SourceFile, findings: &mut [Diagnostic]) {
+    let is_windows = |d: &&mut Diagnostic| d.code == Code::E209 && d.case == image_file::BACKSLASH;
+    for d in findings.iter_mut().filter(is_windows) {
+        let text = image_file::with_slashes(source.slice(d.span));
+        let fix = Fix::replace("fix-write", Applicability::Unsafe, d.span, text.clone());
+        d.fixes
+            .push(fix.with("number", quote(text.trim_matches('"'))));
+    }
     let is_one = |d: &&mut Diagnostic| d.code == Code::E210 && d.case.is_empty();
     let Some(folder) = source.folder() else {
         return;

@@ -60,7 +60,7 @@ pub(super) const TOPICS: [Topic; 14] = [
     },
     Topic {
         titles: ["pyramid", "jehlan"],
-        words: &[],
+        words: &["pyramida"],
         texts: texts!("pyramid"),
     },
     Topic {
@@ -116,7 +116,7 @@ pub(super) const TOPICS: [Topic; 14] = [
 ];
 
 /// Words that lead to types, without accents and in lower case, as those of [`words`]. They are nobody's guess in a scene.
-const WORDS: [(&str, &[i32]); 37] = [
+const WORDS: [(&str, &[i32]); 43] = [
     ("indexofrefraction", &[-203]),
     ("kostka", &[12]),
     ("toroid", &[14]),
@@ -129,6 +129,7 @@ const WORDS: [(&str, &[i32]); 37] = [
     ("pohled", &[-501, -502]),
     ("pyramid", &[-102, 4, 12, 16]),
     ("jehlan", &[-102, 4, 12, 16]),
+    ("pyramida", &[-102, 4, 12, 16]),
     ("hemisphere", &[-102, 4, 9, 11]),
     ("polokoule", &[-102, 4, 9, 11]),
     ("halfsphere", &[-102, 4, 9, 11]),
@@ -154,6 +155,11 @@ const WORDS: [(&str, &[i32]); 37] = [
     ("interior", &[-203]),
     ("mesh", &[6, 7, 8]),
     ("sor", &[1]),
+    ("podlaha", &[4]),
+    ("ground", &[4]),
+    ("obloha", &[9999]),
+    ("odecist", &[-103]),
+    ("kopirovat", &[-105]),
 ];
 
 /// The types that a word leads to here, the likeliest first.

@@ -8,6 +8,20 @@ use crate::diagnostics::{Code, Complaint, Diagnostic, Span};
 /// How a JPEG picture begins.
 pub(crate) const JPEG: [u8; 3] = [0xff, 0xd8, 0xff];
 
+/// The case of E209 for a path that is right with `/` in the place of `\`.
+pub(crate) const BACKSLASH: &str = "backslash";
+
+/// A path as a scene has it on every system.
+pub(crate) fn with_slashes(file: &str) -> String {
+    file.replace('\\', "/")
+}
+
+/// Whether a path stays in the folder that it starts from.
+fn is_inside(path: &Path) -> bool {
+    let mut parts = path.components();
+    parts.all(|c| matches!(c, Component::Normal(_) | Component::CurDir))
+}
+
 /// Checks a file name; `folder` is where the scene lies, if it is a file. `true` if it can be used.
 pub(crate) fn check(
     file: &str,
@@ -16,11 +30,11 @@ pub(crate) fn check(
     out: &mut Vec<Diagnostic>,
 ) -> bool {
     let path = Path::new(file);
-    let inside = path
-        .components()
-        .all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
-    if !inside || file.is_empty() || file.contains('\\') || file.contains('\0') {
-        out.push(Diagnostic::new(Code::E209, span));
+    if !is_inside(path) || file.is_empty() || file.contains('\\') || file.contains('\0') {
+        let is_windows = file.contains('\\') && !file.contains(':');
+        let is_slash_missing = is_windows && is_inside(Path::new(&with_slashes(file)));
+        let case = if is_slash_missing { BACKSLASH } else { "" };
+        out.push(Diagnostic::new(Code::E209, span).case(case));
         return false;
     }
     let Some(folder) = folder else { return true };

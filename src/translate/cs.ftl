@@ -45,7 +45,7 @@ limit-looks-of-skin = kde část končí ve více než { $most } jiných, které
 limit-modifications = operandy změněné více než { $most }krát se zapisují beze změny
 limit-triangle-pieces = kde se délky normál velmi liší, bylo by potřeba více než { $most } dílů trojúhelníku
 limit-mirrors = z více než { $most } rovin se další za zrcadla nepovažují
-fidelity-light-above-white = jasnějších než bílá je { $percent } % obrázku; soubor s obrázkem je ořízne
+fidelity-light-above-white = jasnější než bílá je { $percent } % obrázku; soubor s obrázkem je ořízne
 fidelity-light-scale = s volbou Declare=Light_Scale={ $scale } se nic neořízne, ale všechno má jen { $times }násobek jasu
 fidelity-no-light-above-white = v malém obrázku není nic jasnější než bílá
 fidelity-overlooked = stíny a odražené světlo, které začínají blíž než { $length }, se mohou ztratit

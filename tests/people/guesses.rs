@@ -585,3 +585,34 @@ fn one_of_three_parts_of_light_is_missing() {
     assert_eq!(fixed(text, true), text);
     assert!(proposals(&with("0.9 0.85"), Code::E008).is_empty());
 }
+
+#[test]
+fn a_translation_of_another_object_is_a_copy() {
+    let text = "2 11 -2 1 0 1\n3 -1 2  4 0 0\n4 -101 2 3\n50 -402 0.9\n1 9999 4 0\n";
+    let meant = text.replace("3 -1 2  4 0 0", "3 -105 2\n3 -1 4 0 0");
+    assert_eq!(first(text, Code::E009), meant);
+    assert_eq!(fixed(text, true), meant);
+    let copied = text.replace("3 -1 2", "3 -105 2");
+    assert_eq!(first(&copied, Code::E009), meant);
+    // An object that is there is moved.
+    let moved = text.replace("3 -1", "3 11 0 1 0 1\n3 -1");
+    assert!(!fixed(&moved, true).contains("-105"));
+}
+
+#[test]
+fn operands_that_are_too_many_are_those_of_the_operation() {
+    let shapes = "2 4 0 1 0 0\n3 11 0 1 0 1\n4 11 2 1 0 1\n5 11 -2 1 0 1\n7 11 0 1 2 1\n";
+    for operands in ["3 4 5 7 2", "4 3 5 7 2"] {
+        let text = format!("{shapes}23 -101 {operands}\n1 9999 23 0\n");
+        let all = repair::proposals(&read(&text));
+        let finding = all
+            .iter()
+            .find(|d| d.code == Code::E009)
+            .expect("a finding");
+        let said = finding.wording(Language::English).message;
+        assert!(
+            said.contains("a union takes 2 numbers, here are 5"),
+            "{said}"
+        );
+    }
+}

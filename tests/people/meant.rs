@@ -469,6 +469,23 @@ fn the_only_object_that_nothing_is_made_of_is_drawn() {
 }
 
 #[test]
+fn folders_of_pictures_are_separated_as_in_every_scene() {
+    let line = |name: &str| format!("4 12 -3 -1 -3 3 0 3\n12 -301 {name}");
+    for (written, meant) in [
+        ("wood\\oak.jpg", Some("wood/oak.jpg")),
+        ("\"my wood\\oak.jpg\"", Some("\"my wood/oak.jpg\"")),
+        ("..\\oak.jpg", None),
+        ("C:\\oak.jpg", None),
+    ] {
+        let text = with(3, &line(written));
+        let all = repair::proposals(&read(&text));
+        let finding = all.iter().find(|d| d.code == Code::E209).expect(written);
+        let (fixed, _) = fixes::apply(&text, finding.fixes.first().into_iter());
+        assert_eq!(fixed, with(3, &line(meant.unwrap_or(written))));
+    }
+}
+
+#[test]
 fn a_picture_beside_the_scene() {
     let dir = tempfile::tempdir().unwrap();
     fs::create_dir(dir.path().join("wood")).unwrap();

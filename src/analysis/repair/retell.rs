@@ -9,7 +9,8 @@ pub(super) fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &Line
     let new = best.iter().map(|c| c.fix.clone()).collect();
     let own = std::mem::replace(&mut finding.fixes, new);
     let Some(first) = best.first() else { return };
-    let matter = match first.habit.is_said_by(finding) {
+    let is_said = first.habit.is_said_by(finding) && !is_other(finding, first, place);
+    let matter = match is_said {
         true => None,
         false => place.matter(first),
     };
@@ -41,4 +42,15 @@ pub(super) fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &Line
             .retain(|v| v.0 != "number" || written.is_none());
         finding.values.extend(written);
     }
+}
+
+/// Whether a finding counts the numbers of another type than the line has, and the proposal keeps that of the line.
+fn is_other(finding: &Diagnostic, first: &Candidate, place: &LineContext) -> bool {
+    let is_count = matches!(finding.code, Code::E008 | Code::E009);
+    let is_kept = first.ty.is_none() && matches!(first.habit, Habit::Doubled | Habit::Sibling);
+    let said = finding.values.iter().find(|v| v.0 == "type");
+    let own = place.ty().map(|ty| ty.title);
+    let is_own =
+        said.is_none_or(|(_, said)| matches!(said, Value::Term(said) if Some(*said) == own));
+    is_count && is_kept && !is_own
 }

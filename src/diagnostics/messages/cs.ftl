@@ -127,6 +127,7 @@ comment-ends = komentář končí druhým znakem `#`; co stojí za ním, se čte
 fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam
 fix-lamp-place = napsat intenzitu 1 a polohu jako samostatný záznam
 fix-apart = napsat { $text } jako samostatný záznam ({ $type })
+fix-copy = napsat to jako kopii objektu { $text } a její posunutí
 fix-apart-both = napsat { $text } jako dva samostatné záznamy: posunutí a barvu
 fix-sign-apart = napsat `{ $number }` a { $text } jako samostatný záznam ({ $type })
 fix-sign-apart-both = napsat `{ $number }` a { $text } jako dva samostatné záznamy: posunutí a barvu
@@ -629,7 +630,9 @@ E208 = { $type }: { $parameter } nesmí být záporná
 
 E209 = obrázek musí ležet ve složce scény
     .label = tato cesta vede jinam
-    .help = zkopírujte obrázek ke scéně a uveďte ho bez složky
+    .help = zkopírujte obrázek ke scéně nebo do složky vedle ní a uveďte cestu k němu od scény
+E209-backslash = cesta se ve scéně píše s `/`
+    .label = zde je `\`
 E209-link = { E209 }
     .label = toto je odkaz, který vede jinam
 

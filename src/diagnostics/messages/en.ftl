@@ -119,6 +119,7 @@ comment-ends = a comment ends at its second `#`; whatever comes after it is read
 fix-lamp = write the intensity 1, and the colour as a record of its own
 fix-lamp-place = write the intensity 1, and the position as a record of its own
 fix-apart = write { $text } as a record of its own ({ $type })
+fix-copy = write it as a copy of { $text } and its translation
 fix-apart-both = write { $text } as two records of their own: a translation and a colour
 fix-sign-apart = write `{ $number }`, and { $text } as a record of its own ({ $type })
 fix-sign-apart-both = write `{ $number }`, and { $text } as two records of their own: a translation and a colour
@@ -614,7 +615,9 @@ E208 = { $parameter } of the { $type } cannot be negative
 
 E209 = the image must lie in the scene's own folder
     .label = this path leaves it
-    .help = copy the image beside the scene and name it without a folder
+    .help = copy the image beside the scene, or into a folder there, and name it as seen from the scene
+E209-backslash = a path in a scene is written with `/`
+    .label = this has `\`
 E209-link = { E209 }
     .label = this is a link that leaves it
 

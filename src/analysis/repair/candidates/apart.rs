@@ -192,6 +192,50 @@ impl LineContext<'_> {
         })
     }
 
+    /// A translation of an object as another one, `3 -1 2  4 0 0`, or a copy with its place: the copy, and what moves it.
+    pub(super) fn moved_copy(&self, finding: &Diagnostic) -> Option<Candidate> {
+        let ty = self.ty().filter(|_| finding.code == Code::E009)?;
+        let [copy, translation] = [RecordKind::Copy, RecordKind::Translation].map(RecordType::of);
+        let title = match ty.kind {
+            RecordKind::Copy => "fix-apart",
+            RecordKind::Translation => "fix-copy",
+            _ => return None,
+        };
+        let (original, place) = self.params().split_first().filter(|p| p.1.len() == OWN)?;
+        let id = self.id()?;
+        let is_new = ty.kind == RecordKind::Copy || self.kind_of(id.into()).is_none();
+        let is_object = self.kind_of(original.integer(self.text)?) == Some(Kind::Object);
+        if !is_new || !is_object || !place.iter().all(|t| t.kind().is_number()) {
+            return None;
+        }
+        let edits = vec![
+            Edit {
+                span: self.tokens[1].span(),
+                text: copy.code.to_string(),
+            },
+            self.begun(id, translation, original, &place[0]),
+        ];
+        let text = if ty.kind == RecordKind::Copy {
+            place
+        } else {
+            &self.params()[..1]
+        };
+        let fix = Fix {
+            title,
+            values: vec![
+                ("type", Value::Term(translation.title)),
+                ("text", quote(&self.spaced(text)?).into()),
+            ],
+            applicability: Applicability::Unsafe,
+            edits,
+        };
+        Some(Candidate {
+            habit: Habit::Apart,
+            fix,
+            ty: None,
+        })
+    }
+
     /// How many of the parameters here are those of the record, and these as numbers.
     fn own_numbers(&self, ty: &RecordType) -> Option<(usize, String)> {
         let colour = (ty.kind == RecordKind::Colour).then(|| self.named_colour(self.params()));

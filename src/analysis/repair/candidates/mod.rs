@@ -239,7 +239,7 @@ impl<'a> LineContext<'a> {
         u32::try_from(self.int(0)?).ok().filter(|&id| id > 0)
     }
 
-    fn ty(&self) -> Option<&'static RecordType> {
+    pub(in crate::analysis::repair) fn ty(&self) -> Option<&'static RecordType> {
         self.named.or_else(|| RecordType::by_code(self.int(1)?))
     }
 
@@ -361,6 +361,7 @@ impl<'a> LineContext<'a> {
             self.flat(finding, &mut out);
             self.by_sizes(finding, &mut out);
             out.extend(self.lost_line_end(finding));
+            out.extend(self.moved_copy(finding));
             let behind = self.records_behind();
             // A record is no comment.
             if behind.is_some() {

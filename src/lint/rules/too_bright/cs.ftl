@@ -1,3 +1,3 @@
-N606 = { $percent } % obrázku je jasnějších než bílá
+N606 = { $percent } % obrázku je jasnější než bílá
     .light = { $light } { $id } má největší intenzitu
     .help = ztmaví ho slabší světla nebo `zpg render --exposure`

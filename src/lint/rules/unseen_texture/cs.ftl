@@ -8,9 +8,9 @@ W331-covered = { $type } není nikde vidět: překrývá ji jiná textura nebo b
 W331-removed = { $type } není nikde vidět: co ji má, se jen odečítá od něčeho jiného
     .label = tato textura se odřízne
     .help = přiřaďte ji objektu, od kterého se odečítá (mají ji pak i plochy řezu), nebo ji odstraňte
-W331-colour = { $type } není nikde vidět: co ji má, se jen odečítá od něčeho jiného
-    .label = tato barva se odřízne
-    .help = řez má barvu toho, od čeho se odečítá; pro jinou barvu vezměte průnik (-102) s doplňkem (-104) odečítaného
+W331-colour = { $type } není nikde vidět: objekt s touto barvou se jen odečítá od jiného
+    .label = tato barva není vidět
+    .help = řez má barvu toho, od čeho se odečítá: nemají být operandy rozdílu naopak? Řez jiné barvy je průnik (-102) s doplňkem (-104) odečítaného
 W331-dark = { $type } není nikde vidět: nic, co ji má, nemá difuzní odraz (kd = 0)
     .label = textura je barva difuzního odrazu
     .help = dejte tomu, co ji má, optickou vlastnost s kd > 0, nebo texturu odstraňte

@@ -10,7 +10,7 @@ W331-removed = no picture shows this { $type }: what has it is only taken away f
     .help = give it to the object that is cut, whose cut faces have it too, or remove it
 W331-colour = no picture shows this { $type }: what has it is only taken away from something else
     .label = this colour is cut away
-    .help = the cut has the colour of what is cut; for another one intersect (-102) that with the complement (-104) of what cuts
+    .help = the cut has the colour of what is cut: are the operands of the difference in each other's place? A cut of another colour is an intersection (-102) with the complement (-104) of what cuts
 W331-dark = no picture shows this { $type }: nothing that has it reflects diffusely (kd = 0)
     .label = a texture is the colour of the diffuse part
     .help = give what has it an optical property with kd > 0, or remove the texture
