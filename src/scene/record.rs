@@ -158,19 +158,28 @@ impl<'a> Params<'a> {
         Some(fix.with("number", crate::syntax::quote(&number)))
     }
 
-    /// The radius of a sphere before its centre, where a zero stands in its place.
+    /// The radius of a sphere before its centre, where a number that is no radius stands in its place: a guess where that
+    /// is zero or a wider gap sets the first number apart, else a choice.
     fn radius_first(&self, i: usize) -> Option<Fix> {
         let is_one = self.ty.kind == RecordKind::Shape(ShapeKind::Sphere)
             && i + 1 == self.len()
-            && self.number(i) == 0.0
             && self.number(0) > 0.0;
         let order = [1, 2, 3, 0].map(|from| self.text_of(from.min(i)));
         let edits = order.iter().enumerate().map(|(at, text)| Edit {
             span: self.span_of(at, 1),
             text: (*text).to_owned(),
         });
-        let fix = Fix::guess("fix", edits.collect());
+        let mut fix = Fix::guess("fix", edits.collect());
+        if self.number(i) != 0.0 && !self.is_widest_gap(0) {
+            fix.applicability = Applicability::Choice;
+        }
         is_one.then(|| fix.with("number", crate::syntax::quote(&order.join(" "))))
+    }
+
+    /// Whether the gap behind a parameter is wider than that behind any other.
+    fn is_widest_gap(&self, at: usize) -> bool {
+        let gap = |i: usize| self.span_of(i + 1, 1).start - self.span_of(i, 1).end;
+        (0..self.len() - 1).all(|i| i == at || gap(i) < gap(at))
     }
 
     fn violation(&self, i: usize, p: &Param) -> Option<Diagnostic> {
@@ -210,8 +219,12 @@ impl<'a> Params<'a> {
                 }
                 _ => d,
             };
-            let others = [self.angle_of_view(i), self.radius_first(i)];
-            let d = others.into_iter().flatten().fold(d, Diagnostic::fix);
+            let mut d = self.angle_of_view(i).into_iter().fold(d, Diagnostic::fix);
+            if let Some(fix) = self.radius_first(i) {
+                // A gap before the last number says that this is the radius.
+                let is_last = i > 0 && self.is_widest_gap(i - 1);
+                d.fixes.insert(if is_last { d.fixes.len() } else { 0 }, fix);
+            }
             d.with("parameter", Value::Term(p.doc))
                 .with("type", Value::Term(self.ty.title))
                 .with("name", p.name)

@@ -1,7 +1,7 @@
 //! Records that somebody forgot to write, and other slips of newcomers: what is said, and what is guessed.
 
 use zpg::internals::analysis::{Analysis, fixing, repair};
-use zpg::internals::diagnostics::{Code, Diagnostic, Language, Severity};
+use zpg::internals::diagnostics::{Code, Diagnostic, Language, Severity, fixes};
 
 use super::{read, said};
 use crate::support::program;
@@ -230,10 +230,32 @@ fn planes_of_povray() {
     }
     for (plane, record) in [
         ("3 plane { <0,1,0>, -1 }", "3 4 0 1 0 1"),
+        ("3 plane <0,1,0>, -1", "3 4 0 1 0 1"),
         ("3 plane { <0,1,0>, -1 } # floor #", "3 4 0 1 0 1 # floor #"),
     ] {
         let lines = |line: &str| scene(&format!("2 11 0 1 0 1\n{line}\n20 -103 2 3"), 20);
         assert_eq!(fixed(&lines(plane)).0, lines(record), "{plane}");
+    }
+    // Without brackets either sign may be meant.
+    let text = scene("2 11 0 0 0 3\n3 plane 0 1 0 -1\n20 -103 2 3", 20);
+    assert_eq!(fixed(&text).0, text);
+    let error = findings(&text).remove(0);
+    let made = error
+        .fixes
+        .iter()
+        .map(|fix| fixes::apply(&text, std::iter::once(fix)).0);
+    let lines: Vec<String> = made
+        .map(|text| text.lines().nth(1).unwrap().into())
+        .collect();
+    for record in ["3 4 0 1 0 -1", "3 4 0 1 0 1"] {
+        assert!(lines.iter().any(|line| line == record), "{lines:?}");
+    }
+    for (language, why) in [
+        (Language::English, "whose d has the other sign"),
+        (Language::Czech, "jejíž d má opačné znaménko"),
+    ] {
+        let told: Vec<String> = error.wording(language).fixes;
+        assert!(told.iter().any(|t| t.contains(why)), "{told:?}");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 use zpg::internals::analysis::{Analysis, fixing, repair};
-use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, fixes};
+use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, Fix, fixes};
 
 use super::{read, said};
 use crate::support::program::{folder, text, zpg, zpg_with};
@@ -193,6 +193,87 @@ fn spheres_and_ids() {
     );
     let shown = fixes::apply(&text, error.fixes.iter().take(1)).0;
     assert_eq!(shown, text.replace("2 11", "2 10"));
+}
+
+/// The texts that the proposals for the only error make, and whether `--unsafe-fixes` takes none.
+fn choices(text: &str) -> (Vec<String>, bool) {
+    let error = error(text);
+    let each = error.fixes.iter();
+    let made = each
+        .map(|fix| fixes::apply(text, std::iter::once(fix)).0)
+        .collect();
+    let is_choice = |fix: &Fix| fix.applicability == Applicability::Choice;
+    (made, error.fixes.iter().all(is_choice))
+}
+
+/// A radius before a centre whose last number is negative: a wider gap says so, else either may be meant.
+#[test]
+fn radii_before_negative_coordinates() {
+    let sphere = |numbers: &str| format!("2 11 {numbers}\n{REST}");
+    for (written, meant, is_open) in [
+        (
+            "1.2  -2 1.2 -1",
+            &["-2  1.2 -1 1.2", "1.2  -2 1.2 1"][..],
+            false,
+        ),
+        ("1.2 -2 1.2 -1", &["-2 1.2 -1 1.2", "1.2 -2 1.2 1"], true),
+        ("1 0 0  -2", &["1 0 0  2", "0 0 -2  1"], true),
+        // No radius is negative.
+        ("-1 0 0 -2", &["-1 0 0 2"], true),
+    ] {
+        let (made, is_choice) = choices(&sphere(written));
+        let meant: Vec<String> = meant.iter().map(|numbers| sphere(numbers)).collect();
+        assert_eq!((made, is_choice), (meant, is_open), "{written}");
+    }
+    is_meant(&sphere("1.2  -2 1.2 -1"), &sphere("-2  1.2 -1 1.2"));
+}
+
+/// A comment of C before a record and within one.
+#[test]
+fn comments_of_c_before_something_else() {
+    for (written, meant) in [
+        ("/* ball */ 2 11 0 0 0 1", "# ball # 2 11 0 0 0 1"),
+        ("/*ball*/2 11 0 0 0 1", "# ball #2 11 0 0 0 1"),
+        ("2 11 /* right */ 2 0 0 1", "2 11 # right # 2 0 0 1"),
+        (
+            "/* a */ 2 11 /* b */ 2 0 0 1 /* c */",
+            "# a # 2 11 # b # 2 0 0 1 # c #",
+        ),
+        (
+            "2 11 /* right */ 2 0 0 1 // a ball",
+            "2 11 # right # 2 0 0 1 # a ball #",
+        ),
+    ] {
+        is_meant(&format!("{written}\n{REST}"), &format!("{meant}\n{REST}"));
+    }
+}
+
+/// A checkerboard that has but its colours: a field of each in a unit.
+#[test]
+fn checkerboards_without_their_counts() {
+    let scene = |board: &str| {
+        let colours = "5 -701 1 1 1\n6 -701 0 0 0\n";
+        format!("{colours}2 11 0 0 0 1\n2 -399 {board}\n{REST}")
+    };
+    is_meant(&scene("5 6"), &scene("1 1 5 6"));
+    // A count and a colour.
+    assert_ne!(fixed(&scene("4 5")), scene("1 1 4 5"));
+}
+
+/// A product for three numbers: POV-Ray's own arithmetic, or the number three times.
+#[test]
+fn products_for_three_numbers() {
+    let scene = |line: &str| format!("2 11 0 0 0 1\n2 {line}\n{REST}");
+    for (written, meant) in [
+        ("-203 1.5*3", &["-203 1.5 1.5 1.5", "-203 4.5 4.5 4.5"][..]),
+        ("-3 3*0.5", &["-3 0.5 0.5 0.5", "-3 1.5 1.5 1.5"]),
+        ("-1 0.1*3", &["-1 0.1 0.1 0.1"]),
+    ] {
+        let meant: Vec<String> = meant.iter().map(|line| scene(line)).collect();
+        assert_eq!(choices(&scene(written)), (meant, true), "{written}");
+        assert_eq!(fixed(&scene(written)), scene(written));
+    }
+    is_meant(&scene("-203 0.75*2 1.5 1.5"), &scene("-203 1.5 1.5 1.5"));
 }
 
 /// Where a name is that of a translation, the command that writes one is told.

@@ -4,10 +4,11 @@ use super::whole::Matter;
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::commented_out::{self, SIGN, TILDE};
-use crate::syntax::lexer::TokenKind;
+use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
 
-/// All such comments of a text, as its own ones. What is wrong with a single one of words, its own line says.
+/// All such comments of a text, as its own ones. What is wrong with a single one of words at the end of its line, that line
+/// says.
 pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let is_unread = |d: &Diagnostic| matches!(d.code, Code::E001 | Code::E012);
     if !findings.iter().any(is_unread) {
@@ -26,39 +27,58 @@ pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<M
         block.is_some_and(|b| at < b.edit.span.end)
     };
     let mut edits: Vec<Edit> = Vec::new();
+    // Whether one ends before something else on its line.
+    let mut is_before = false;
     for line in lines {
-        let begins = |sign: &str| line.iter().position(|t| t.text(text).starts_with(sign));
-        let (Some(at), Some(last)) = (begins("//").or_else(|| begins("/*")), line.last()) else {
-            continue;
-        };
-        let span = line[at].span().to(last.span());
-        if within(span.start) {
-            continue;
+        let Some(last) = line.last() else { continue };
+        let mut end = 0;
+        for (at, token) in line.iter().enumerate() {
+            let rest = &text[token.start as usize..last.end() as usize];
+            let is_block = rest.starts_with(BEGIN);
+            let is_begin = is_block || rest.starts_with("//");
+            if !is_begin || token.start < end || token.kind().is_comment() || within(token.start) {
+                continue;
+            }
+            let words = match is_block {
+                false => rest.trim_start_matches('/'),
+                true => match rest[BEGIN.len()..].find(END) {
+                    Some(length) => &rest[BEGIN.len()..][..length],
+                    // It ends on another line.
+                    None => break,
+                },
+            };
+            let length = match is_block {
+                true => BEGIN.len() + words.len() + END.len(),
+                false => rest.len(),
+            };
+            // A comment that goes on behind it is not cut.
+            if length < rest.len() && words.matches('#').count() % 2 == 1 {
+                break;
+            }
+            let span = Span::new(token.start, token.start + length as u32);
+            end = span.end;
+            let is_trivia = |some: &[Token]| some.iter().all(|t| t.kind().is_trivia());
+            let behind = line.partition_point(|t| t.start < end);
+            let is_last = is_trivia(&line[behind..]);
+            is_before |= !is_last;
+            let words = words.replace('#', " ");
+            let words: Vec<&str> = words.split_whitespace().collect();
+            let comment = match words.is_empty() {
+                true => String::new(),
+                false => format!("# {} #", words.join(" ")),
+            };
+            let is_alone = is_last && is_trivia(&line[..at]);
+            let void = if is_alone && !words.is_empty() {
+                "0 "
+            } else {
+                ""
+            };
+            let text = format!("{void}{comment}");
+            edits.push(Edit { span, text });
         }
-        let written = text[span.range()].trim();
-        let words = match written.strip_prefix("/*").map(|w| w.strip_suffix("*/")) {
-            Some(Some(words)) => words,
-            // It ends on another line.
-            Some(None) => continue,
-            None => written.trim_start_matches('/'),
-        };
-        let words = words.replace('#', " ");
-        let words: Vec<&str> = words.split_whitespace().collect();
-        let comment = match words.is_empty() {
-            true => String::new(),
-            false => format!("# {} #", words.join(" ")),
-        };
-        let is_alone = line[..at].iter().all(|t| t.kind().is_trivia());
-        let void = if is_alone && !words.is_empty() {
-            "0 "
-        } else {
-            ""
-        };
-        let text = format!("{void}{comment}");
-        edits.push(Edit { span, text });
     }
     let is_of_words = edits.len() == 1 && edits[0].text.contains(char::is_alphabetic);
-    if blocks.is_empty() && is_of_words {
+    if blocks.is_empty() && is_of_words && !is_before {
         return None;
     }
     let count = edits.len() + blocks.iter().map(|b| b.lines).sum::<usize>();

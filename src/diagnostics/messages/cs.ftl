@@ -139,6 +139,7 @@ fix-inline = { $count ->
 }
 fix-equation = má-li to být { $type } dvou objektů, napsat { $number }
 fix-block = napsat to jako záznamy
+fix-block-plane = pokud jde o `plane` z POV-Ray, jejíž d má opačné znaménko, napsat to jako záznamy
 fix-clauses = napsat záznam pro tvar a po jednom pro každou jeho vlastnost
 fix-clauses-some = napsat záznam pro tvar a po jednom pro každou vlastnost, pro kterou záznam existuje; ostatní se vynechají
 fix-colour-id = { $count ->

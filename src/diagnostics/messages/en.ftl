@@ -131,6 +131,7 @@ fix-inline = { $count ->
 }
 fix-equation = if this is meant as the { $type } of two objects, write { $number }
 fix-block = write it as records
+fix-block-plane = where POV-Ray's `plane` is meant, whose d has the other sign, write it as records
 fix-clauses = write a record for the shape and one for each of its properties
 fix-clauses-some = write a record for the shape and one for each of its properties that records have; the others are left out
 fix-colour-id = { $count ->

@@ -2,7 +2,7 @@
 //! camera, a plane, a cylinder or a light.
 
 use super::cameras::ANGLE;
-use super::inline::{BLOCK_TITLE, CLAUSES_TITLE};
+use super::inline::{BLOCK_TITLE, CLAUSES_TITLE, PLANE_TITLE};
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Edit, Fix, Span};
 use crate::geometry::array::{length, sub};
@@ -71,14 +71,22 @@ impl LineContext<'_> {
             None => format!("{id} {}", shape.code),
         };
         let edit = |span: Span, text: String| Edit { span, text };
+        // Without brackets the numbers may be those of the record; the sign of d makes the difference.
+        let is_bare = |s: &str| !s.trim_start().starts_with(['{', '<']);
+        let is_offset = |t: &Token| t.number(self.text).is_some_and(|d| d != 0.0);
+        let is_bare_plane = word.text(self.text).eq_ignore_ascii_case("plane")
+            && own.len() > OWN
+            && own.last().is_some_and(is_offset)
+            && is_bare(&self.text[word.end() as usize..]);
         let fix = Fix {
             title: match (leaves_out, is_block) {
                 (true, _) => "fix-clauses-some",
+                (false, true) if is_bare_plane => PLANE_TITLE,
                 (false, true) => BLOCK_TITLE,
                 (false, false) => CLAUSES_TITLE,
             },
             values: Vec::new(),
-            applicability: match is_known && !leaves_out {
+            applicability: match is_known && !leaves_out && !is_bare_plane {
                 true => Applicability::Unsafe,
                 false => Applicability::Choice,
             },
@@ -91,11 +99,14 @@ impl LineContext<'_> {
         })
     }
 
-    /// Whether a candidate is for a block in braces whose numbers are not those of a record: `plane { <0,1,0>, -1 }`.
-    pub(super) fn is_in_braces(&self, candidate: &Candidate) -> bool {
+    /// Whether a candidate is for a block in the notation of POV-Ray, whose numbers are not those of a record:
+    /// `plane { <0,1,0>, -1 }`, `plane <0,1,0>, -1`.
+    pub(super) fn is_in_brackets(&self, candidate: &Candidate) -> bool {
         let word = candidate.fix.edits[0].span;
         candidate.fix.title == BLOCK_TITLE
-            && self.text[word.end as usize..].trim_start().starts_with('{')
+            && self.text[word.end as usize..]
+                .trim_start()
+                .starts_with(['{', '<'])
     }
 
     /// Properties of POV-Ray behind an ID: `9 pigment { color rgb <1,0,0> }`, `8 interior { ior 1.5 }`.

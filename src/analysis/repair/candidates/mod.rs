@@ -325,11 +325,15 @@ impl<'a> LineContext<'a> {
             out.extend(self.own_name());
             out.extend(self.labelled());
             out.extend(self.equation());
+            self.product(&mut out);
             out.extend(self.named_values());
             out.extend(self.axis_equation());
             self.keyword(&[undefined, taken].concat(), &mut out);
             let clauses = self.clauses(&[undefined, taken].concat());
-            let is_block = clauses.as_ref().is_some_and(|c| self.is_in_braces(c));
+            let is_block = clauses.as_ref().is_some_and(|c| self.is_in_brackets(c));
+            let is_either = clauses
+                .as_ref()
+                .is_some_and(|c| c.fix.title == inline::PLANE_TITLE);
             if let Some(clauses) = clauses {
                 // Its numbers mean something else than those of a record.
                 out.retain(|c| c.habit != Habit::Unnamed);
@@ -339,6 +343,10 @@ impl<'a> LineContext<'a> {
             self.spaced_name(&mut out);
             if !is_block {
                 self.words(&mut out);
+            }
+            if is_either {
+                let fixes = out.iter_mut().map(|c| &mut c.fix);
+                fixes.for_each(|f| f.applicability = Applicability::Choice);
             }
             self.profile(&mut out);
             self.axis(&mut out);

@@ -4,11 +4,14 @@ use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Edit, Fix, Value};
 use crate::lint::spelling::decimal;
 use crate::syntax::lexer::{Token, TokenKind};
-use crate::syntax::quote;
 use crate::syntax::table::{Family, Kind, RecordKind, RecordType, ShapeKind};
+use crate::syntax::{calculated, quote};
 
 /// What stands between a name and its number.
 const EQUALS: [char; 2] = ['=', ':'];
+
+/// The factor of a number that is meant for all three of a record.
+const TIMES: &str = "3";
 
 /// A number that may have its name before it.
 struct Named<'t> {
@@ -107,6 +110,38 @@ impl LineContext<'_> {
             .map(|v| (v.whole, v.number.to_owned()))
             .collect();
         self.write(Habit::Characters, &new)
+    }
+
+    /// A product for the three numbers of a record, `1.5*3`: one number three times, or what it comes to where one number
+    /// may stand for three.
+    pub(super) fn product(&self, out: &mut Vec<Candidate>) {
+        let (Some(ty), [product]) = (self.ty(), self.params()) else {
+            return;
+        };
+        let written = product.text(self.text);
+        let number = |text: &str| text.parse().is_ok_and(f64::is_finite);
+        let (Some((a, b)), Some(value)) = (written.split_once('*'), calculated(written)) else {
+            return;
+        };
+        let times = match (a, b) {
+            (one, TIMES) | (TIMES, one) if number(one) => one,
+            _ => return,
+        };
+        if ty.is_counted() || ty.params.len() != 3 {
+            return;
+        }
+        let is_alike = matches!(
+            ty.kind,
+            RecordKind::Scaling | RecordKind::RefractiveIndex | RecordKind::Colour
+        );
+        let value = is_alike.then_some(value.as_str());
+        for one in [Some(times), value].into_iter().flatten() {
+            let all = [one; 3].join(" ");
+            if let Some(mut candidate) = self.write(Habit::Characters, &[(*product, all)]) {
+                candidate.fix.applicability = Applicability::Choice;
+                out.push(candidate);
+            }
+        }
     }
 
     /// A plane across an axis as its equation: `2 4 y = 0`.

@@ -303,6 +303,12 @@ impl LineContext<'_> {
                 out.push(new("fix-write", format!("{s} {s} {s}")));
             }
             (RecordKind::Optics, &[s], _) => out.extend(self.one_part(ty, s)),
+            // The colours alone: one field of each in a unit.
+            (RecordKind::Checkerboard, &[a, b], _)
+                if self.params().iter().all(|t| self.is_texture(t)) =>
+            {
+                out.push(new("fix-write", format!("1 1 {a} {b}")));
+            }
             (RecordKind::Optics, &[a, b], _)
                 if self.params().iter().all(is_part) && sum() <= 1.0 =>
             {
@@ -397,6 +403,13 @@ impl LineContext<'_> {
             }
         });
         candidates.collect()
+    }
+
+    /// Whether a number is the ID of a colour or of another texture.
+    fn is_texture(&self, t: &Token) -> bool {
+        let id = t.integer(self.text);
+        let kind = id.and_then(|id| self.kind_of(id));
+        matches!(kind, Some(Kind::Colour | Kind::Texture))
     }
 
     /// The objects that are defined above and that nothing refers to, where an operation has an operand too few.
