@@ -1,5 +1,6 @@
 //! Numbers in what findings say.
 
+use crate::scene::record::Params;
 use crate::trace::bitmap::linear;
 use crate::trace::film::srgb8;
 
@@ -22,6 +23,17 @@ pub fn linear_part(wanted: u8) -> String {
 /// A difference of decimal numbers, without the rounding of its last digits.
 pub fn decimal(x: f64) -> String {
     spelled(format!("{x:.11e}").parse().unwrap_or(x))
+}
+
+/// The text of a parameter with the other sign.
+pub fn opposite(p: &Params, i: usize) -> String {
+    match p.text_of(i) {
+        text if p.number(i) == 0.0 => text.to_owned(),
+        text => match text.strip_prefix('-') {
+            Some(rest) => rest.to_owned(),
+            None => format!("-{}", text.trim_start_matches('+')),
+        },
+    }
 }
 
 /// A number for people: four significant digits.

@@ -4,7 +4,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
 
-use crate::lint::spelling::decimal;
+use crate::lint::spelling::{decimal, opposite};
 use crate::scene::record::Params;
 use crate::scene::{Camera, Scene, Vec3};
 use crate::syntax::quote;
@@ -119,17 +119,6 @@ fn laid_down(camera: &Camera, p: &Params, (floor, sides): ([f64; 4], &Sides)) ->
         text,
     });
     Some(Fix::guess("fix", edits.collect()))
-}
-
-/// The text of a number with the other sign.
-fn opposite(p: &Params, i: usize) -> String {
-    match p.text_of(i) {
-        text if p.number(i) == 0.0 => text.to_owned(),
-        text => match text.strip_prefix('-') {
-            Some(rest) => rest.to_owned(),
-            None => format!("-{}", text.trim_start_matches('+')),
-        },
-    }
 }
 
 /// The half-space on the other side of its boundary.

@@ -2,12 +2,19 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
-use crate::scene::{Entity, Vec3};
-use crate::syntax::table::Kind;
-use crate::trace::plan::unseen::view::{Held, held};
+use crate::lint::spelling::opposite;
+use crate::scene::record::Params;
+use crate::scene::{Entity, PointLight, Vec3};
+use crate::syntax::Record;
+use crate::syntax::quote;
+use crate::syntax::table::{Family, Kind, RecordKind, ShapeKind};
+use crate::trace::plan::unseen::view::{Held, held as held_at};
+
+/// Lamps whose place is tried with other signs: each asks all parts of the scene again.
+const MAX_TURNED: usize = 16;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -17,7 +24,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let places: Vec<Vec3> = (lamps.iter().map(|l| l.position))
         .chain(cameras.iter().map(|(c, _)| c.position))
         .collect();
-    let holders = held(scene, context.bounds(), render.root, &places);
+    let holders = held_at(scene, context.bounds(), render.root, &places);
     let (holders, eyes) = holders.split_at(lamps.len());
     if holders.iter().all(Option::is_none) {
         return;
@@ -26,6 +33,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let places: FxHashMap<u32, Span> = (scene.entities.iter().filter(is_lamp))
         .map(|e| (e.id, e.span))
         .collect();
+    let mut turns_left = MAX_TURNED;
+    let mut moves: Option<FxHashMap<u32, Option<&Record>>> = None;
     for (lamp, held) in lamps.iter().zip(holders) {
         let Some(held) = held else { continue };
         // It lights what a camera sees that is inside of the same thing.
@@ -43,9 +52,66 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .with("solid", Value::Term(held.solid.title))
             .with("solid-id", held.solid.id.to_string())
             .label(held.solid.span, "solid");
-        out.push(match lamp.position == [0.0; 3] {
-            true => finding.note("lamp-at-origin"),
-            false => finding,
-        });
+        if lamp.position == [0.0; 3] {
+            out.push(finding.note("lamp-at-origin"));
+            continue;
+        }
+        let moved = moves.get_or_insert_with(|| only_moves(context));
+        let moved = moved.get(&lamp.id).copied().flatten();
+        let mirrored = moved
+            .map(|record| context.record_params(record))
+            .filter(|_| !held.on_surface && turns_left > 0)
+            .and_then(|p| {
+                turns_left -= 1;
+                mirrored(context, lamp, held, &p)
+            });
+        out.push(mirrored.into_iter().fold(finding, Diagnostic::fix));
     }
+}
+
+/// The only transformation of each ID that has one alone, where it is a translation.
+fn only_moves<'c>(context: &'c Context) -> FxHashMap<u32, Option<&'c Record>> {
+    let mut all = FxHashMap::default();
+    let moves = |r: &&Record| r.ty().family == Family::Transformation;
+    for record in context.records().filter(moves) {
+        let is_first = !all.contains_key(&record.id);
+        let only = Some(record).filter(|r| is_first && r.kind == RecordKind::Translation);
+        all.insert(record.id, only);
+    }
+    all
+}
+
+/// The place of a lamp with the other sign of a coordinate, where one sign alone frees it of a half-space or a box.
+fn mirrored(context: &Context, lamp: &PointLight, held: &Held, place: &Params) -> Option<Fix> {
+    let scene = context.scene;
+    let root = scene.render?.root;
+    let has_faces = context.params(held.solid.span).is_some_and(|p| {
+        let shapes = [ShapeKind::HalfSpace, ShapeKind::Box].map(RecordKind::Shape);
+        shapes.contains(&p.ty.kind)
+    });
+    let written: Vec3 = place.numbers(0);
+    if !has_faces || written != lamp.position {
+        return None;
+    }
+    let places = [0, 1, 2].map(|i| {
+        let mut turned = written;
+        turned[i] = -turned[i];
+        turned
+    });
+    let held = held_at(scene, context.bounds(), root, &places);
+    let mut free = (0..3).filter(|&i| held[i].is_none() && written[i] != 0.0);
+    let (axis, None) = (free.next()?, free.next()) else {
+        return None;
+    };
+    let number = opposite(place, axis);
+    let all: Vec<&str> = (0..place.len())
+        .map(|i| match i == axis {
+            true => number.as_str(),
+            false => place.text_of(i),
+        })
+        .collect();
+    let all = quote(&all.join(" "));
+    let span = place.span_of(axis, 1);
+    let fix = Fix::replace("fix", Applicability::Unsafe, span, number.clone());
+    Some(fix.with("number", all).with("axis", ["x", "y", "z"][axis]))
 }

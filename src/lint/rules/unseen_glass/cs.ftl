@@ -10,3 +10,17 @@ W337-several = { $count ->
     .label = první z nich: žádné světlo se tu neodráží ani neztrácí
     .help = { W337.help }
     .fix = přidat všem index lomu skla
+W337-unlike = { $object } { $object-id } propouští světlo a neláme je, { $other } { $other-id } ho láme
+    .label = k tomu není žádný index lomu
+    .other = tento objekt index lomu má
+    .help = bez záznamu -203 je index lomu 1
+    .fix = přidat stejný index lomu: `{ $line }`
+W337-unlike-several = { $count ->
+    [one] { $count } objekt propouští světlo a neláme
+    [few] { $count } objekty propouštějí světlo a nelámou
+   *[other] { $count } objektů propouští světlo a neláme
+} je; { $other } { $other-id } ho láme
+    .label = první z nich: k tomu není žádný index lomu
+    .other = { W337-unlike.other }
+    .help = { W337-unlike.help }
+    .fix = přidat všem stejný index lomu

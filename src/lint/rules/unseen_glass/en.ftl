@@ -9,3 +9,16 @@ W337-several = nothing of { $count ->
     .label = the first of them: no light is reflected here, and none is lost
     .help = { W337.help }
     .fix = give all of them the refractive index of glass
+W337-unlike = the { $object } { $object-id } lets light through without bending it, unlike the { $other } { $other-id }
+    .label = no refractive index goes with this
+    .other = this has one
+    .help = without a record -203 the refractive index is 1
+    .fix = give it the same refractive index: `{ $line }`
+W337-unlike-several = { $count ->
+    [one] one object lets
+   *[other] { $count } objects let
+} light through without bending it, unlike the { $other } { $other-id }
+    .label = the first of them: no refractive index goes with this
+    .other = { W337-unlike.other }
+    .help = { W337-unlike.help }
+    .fix = give all of them the same refractive index

@@ -1,7 +1,10 @@
-//! W337: an object that lets all light through, and has no refractive index: a picture shows nothing of it.
+//! W337: an object that lets all light through, and has no refractive index: a picture shows nothing of it; and glass
+//! without an index beside other that has one.
 //!
 //! In a union the first part owns a point, so what is clear may cut a hole into what comes behind it. Such a part has an
 //! effect.
+
+mod unlike;
 
 use rustc_hash::FxHashSet;
 
@@ -9,10 +12,10 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::geometry::{Aabb, Matrix};
 use crate::lint::Context;
 use crate::lint::parts::{Parts, parts};
-use crate::scene::{DEFAULT_INDEX, Node, NodeId, Optics, Paint, Scene, fold_up};
-use crate::solids::named;
+use crate::scene::{DEFAULT_INDEX, Node, NodeId, Optics, Origin, Paint, Rgb, Scene, fold_up};
 use crate::solids::shapes::facts::Facts;
 use crate::solids::within::CLEARANCE_REL;
+use crate::solids::{Named, named};
 use crate::syntax::Record;
 use crate::syntax::table::RecordKind;
 
@@ -23,11 +26,12 @@ const PAIRS: usize = 1_000_000;
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let Some(render) = scene.render else { return };
-    if !scene
-        .paints
-        .iter()
-        .any(|p| p.optics.is_some_and(|o| is_clear(&o)))
-    {
+    let has = |test: Test| {
+        let mut optics = scene.paints.iter().filter_map(|p| p.optics);
+        optics.any(|o| test(&o))
+    };
+    let is_unlike = has(is_glass) && scene.paints.iter().any(|p| bent(p).is_some());
+    if !has(is_clear) && !is_unlike {
         return;
     }
     // Somebody who writes the index of a vacuum means it.
@@ -39,20 +43,28 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     let kinds = parts(scene);
-    let Some(all) = members(context, render.root) else {
-        return;
-    };
+    if has(is_clear) {
+        out.extend(invisible(context, render.root, &kinds));
+    }
+    if is_unlike {
+        out.extend(unlike::others(context, render.root, &kinds));
+    }
+}
+
+/// What is clear and has no index, but for what cuts holes.
+fn invisible(context: &Context, root: NodeId, kinds: &[Parts]) -> Option<Diagnostic> {
+    let scene = context.scene;
+    let all = members(context, root, is_clear)?;
     let mut left = PAIRS;
     let mut told = FxHashSet::default();
     let mut unseen = Vec::new();
-    for (i, part) in all.iter().enumerate().filter(|(_, part)| part.is_clear) {
+    for (i, part) in all.iter().enumerate().filter(|(_, part)| part.is_plain()) {
         match left.checked_sub(all.len() - i) {
             Some(rest) => left = rest,
             None => break,
         }
-        let cuts = |other: &Member| !other.is_clear && !is_apart(&part.bounds, &other.bounds);
-        let Parts { surface, solid } = kinds[part.node as usize];
-        if !solid || surface.is_some() || all[i + 1..].iter().any(cuts) {
+        let cuts = |other: &Member| !other.is_plain() && !is_apart(&part.bounds, &other.bounds);
+        if !part.is_solid(kinds) || all[i + 1..].iter().any(cuts) {
             continue;
         }
         if let (Some(object), Some(paint)) = (named(scene, part.node), part.paint)
@@ -61,11 +73,20 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             unseen.push((object, scene.origins[paint as usize]));
         }
     }
-    let Some(&(object, record)) = unseen.first() else {
-        return;
-    };
-    let line = |id: u32| format!("{id} -203 1.5 1.5 1.5");
-    let edits = unseen.iter().flat_map(|(_, record)| {
+    let cases = ["", "several"];
+    finding(context, &unseen, cases, "1.5 1.5 1.5")
+}
+
+/// One finding for objects without an index and the records of their optics, and the guess that gives them one.
+fn finding(
+    context: &Context,
+    objects: &[(Named, Origin)],
+    [one, several]: [&'static str; 2],
+    index: &str,
+) -> Option<Diagnostic> {
+    let &(object, record) = objects.first()?;
+    let line = |id: u32| format!("{id} -203 {index}");
+    let edits = objects.iter().flat_map(|(_, record)| {
         let lines = [line(record.id)];
         let fix = context.add_behind(record.span, "fix", Applicability::Unsafe, &lines);
         fix.edits
@@ -73,36 +94,53 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut edits: Vec<_> = edits.collect();
     edits.sort_by_key(|e| e.span.start);
     let d = Diagnostic::new(Code::W337, record.span)
-        .case(if unseen.len() == 1 { "" } else { "several" })
-        .with("count", Value::Count(unseen.len() as u64))
+        .case(if objects.len() == 1 { one } else { several })
+        .with("count", Value::Count(objects.len() as u64))
         .with("object", Value::Term(object.title))
         .with("object-id", object.id.to_string())
         .with("line", line(record.id));
-    out.push(d.fix(Fix::guess("fix", edits)));
+    Some(d.fix(Fix::guess("fix", edits)))
 }
+
+/// A condition on optics.
+type Test = fn(&Optics) -> bool;
 
 /// A part of the outermost union.
 struct Member {
     node: NodeId,
     bounds: Aabb,
-    /// Whether all of it lets all light through, and nothing gives it an index.
-    is_clear: bool,
-    /// The paint that says so.
+    /// Whether the optics of all of it meet the condition.
+    meets: bool,
+    /// An index that something gives it.
+    index: Option<Rgb>,
+    /// The paint that meets the condition.
     paint: Option<NodeId>,
+}
+
+impl Member {
+    /// Whether it meets the condition and has no index.
+    fn is_plain(&self) -> bool {
+        self.meets && self.index.is_none()
+    }
+
+    fn is_solid(&self, kinds: &[Parts]) -> bool {
+        let Parts { surface, solid } = kinds[self.node as usize];
+        solid && surface.is_none()
+    }
 }
 
 /// Properties that paints above a node give to it.
 #[derive(Clone, Copy, Default)]
 struct Above {
-    /// Whether a paint has optics, and whether these are clear.
+    /// Whether a paint has optics, and whether these meet the condition.
     optics: Option<(bool, NodeId)>,
-    has_index: bool,
+    index: Option<Rgb>,
 }
 
 /// All parts, in the order of the operands; `None` if there are too many.
-fn members(context: &Context, root: NodeId) -> Option<Vec<Member>> {
+fn members(context: &Context, root: NodeId, test: Test) -> Option<Vec<Member>> {
     let scene = context.scene;
-    let clear = clear(scene);
+    let owns = owns(scene, test);
     let mut out = Vec::new();
     let mut todo = vec![(root, root, Matrix::IDENTITY, Above::default())];
     let mut left = NODES;
@@ -119,15 +157,15 @@ fn members(context: &Context, root: NodeId) -> Option<Vec<Member>> {
             Node::Copy { child, .. } => todo.push((operand, child, matrix, above)),
             Node::Paint { child, paint } => {
                 let paint = &scene.paints[paint as usize];
-                let own = paint.optics.map(|o| (is_clear(&o), node));
+                let own = paint.optics.map(|o| (test(&o), node));
                 above.optics = above.optics.or(own);
-                above.has_index |= bends(paint);
+                above.index = above.index.or(bent(paint));
                 todo.push((operand, child, matrix, above));
             }
             _ => {
-                let own = clear[node as usize];
-                let (is_clear, paint) = match above.optics {
-                    Some((is_clear, paint)) => (is_clear, Some(paint)),
+                let own = owns[node as usize];
+                let (meets, paint) = match above.optics {
+                    Some((meets, paint)) => (meets, Some(paint)),
                     None => (own.paint.is_some(), own.paint),
                 };
                 out.push(Member {
@@ -136,7 +174,8 @@ fn members(context: &Context, root: NodeId) -> Option<Vec<Member>> {
                         Node::Shape(s) => scene.shapes[s as usize].geometry.bounds(&matrix),
                         _ => context.bounds()[node as usize].all.transformed(&matrix),
                     },
-                    is_clear: is_clear && !above.has_index && !own.has_index,
+                    meets,
+                    index: above.index.or(own.index),
                     paint,
                 });
             }
@@ -145,9 +184,14 @@ fn members(context: &Context, root: NodeId) -> Option<Vec<Member>> {
     Some(out)
 }
 
-/// Whether a paint gives another index than that of the space outside. What an assignment gives has an index, too.
-fn bends(paint: &Paint) -> bool {
-    paint.index.is_some_and(|index| index != DEFAULT_INDEX)
+/// The index of a paint, if it is another than that of the space outside. What an assignment gives has an index, too.
+fn bent(paint: &Paint) -> Option<Rgb> {
+    paint.index.filter(|&index| index != DEFAULT_INDEX)
+}
+
+/// Whether half of all light or more goes through, and no part is scattered.
+fn is_glass(o: &Optics) -> bool {
+    o.kd == [0.0; 3] && o.kt.iter().all(|&x| x >= 0.5)
 }
 
 fn is_clear(o: &Optics) -> bool {
@@ -157,20 +201,20 @@ fn is_clear(o: &Optics) -> bool {
 /// Properties of a node by itself.
 #[derive(Clone, Copy, Default)]
 struct Own {
-    /// A paint with clear optics, where all parts have such.
+    /// A paint whose optics meet the condition, where all parts have such.
     paint: Option<NodeId>,
-    /// Whether anything of it has an index.
-    has_index: bool,
+    /// An index that anything of it has.
+    index: Option<Rgb>,
 }
 
-fn clear(scene: &Scene) -> Vec<Own> {
+fn owns(scene: &Scene, test: Test) -> Vec<Own> {
     fold_up(&scene.nodes, |id, node, done: &[Own]| {
         let of = |n: NodeId| done[n as usize];
         match node {
             Node::Shape(_) => Own::default(),
             Node::Union(a, b) | Node::Intersection(a, b) => Own {
                 paint: of(a).paint.and(of(b).paint).and(of(a).paint),
-                has_index: of(a).has_index || of(b).has_index,
+                index: of(a).index.or(of(b).index),
             },
             // Of a tool nothing is seen.
             Node::Difference(a, _) => of(a),
@@ -179,10 +223,10 @@ fn clear(scene: &Scene) -> Vec<Own> {
             }
             Node::Paint { child, paint } => {
                 let paint = &scene.paints[paint as usize];
-                let own = |o: Optics| is_clear(&o).then_some(id);
+                let own = |o: Optics| test(&o).then_some(id);
                 Own {
                     paint: paint.optics.map_or(of(child).paint, own),
-                    has_index: bends(paint) || of(child).has_index,
+                    index: bent(paint).or(of(child).index),
                 }
             }
         }
