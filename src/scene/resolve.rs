@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::background;
 use super::checks;
 use super::entity::{State, Values};
 use super::model::*;
@@ -295,7 +296,9 @@ impl<'a> Resolver<'a> {
                 .any(Diagnostic::is_error);
             self.out.push(match self.only_root().filter(|_| is_sound) {
                 Some(id) => {
-                    let record = format!("1 {} {id} 0", RecordType::of(RecordKind::Render).code);
+                    let of = background::meant(self.document, self.text, &self.scene.entities);
+                    let of = of.map_or(0, |b| b.id);
+                    let record = format!("1 {} {id} {of}", RecordType::of(RecordKind::Render).code);
                     let fix = Fix::replace("fix", Applicability::Unsafe, at, format!("\n{record}"));
                     finding.fix(fix.with("text", syntax::quote(&record)))
                 }

@@ -207,6 +207,36 @@ fn a_material_may_be_that_of_the_only_object_without_one() {
     }
 }
 
+/// The only colour that nothing has is the background where the render record lacks it, or a comment says so.
+#[test]
+fn a_colour_that_nothing_has_may_be_the_background() {
+    let ball = "2 11 0 0 0 1\n2 -701 1 0 0\n";
+    let view = "9 -501 0 0 6 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n";
+    let plain = "5 -701 0.5 0.7 0.9\n";
+    let two = "5 -701 0.5 0.7 0.9 # Obloha #\n6 -701 0 0 1\n";
+    let neither = "5 -701 0.5 0.7 0.9\n6 -701 0 0 1\n";
+    let used = "5 -701 0.5 0.7 0.9\n2 -299 5 0\n";
+    for (colours, background) in [(plain, 5), (two, 5), (neither, 0), (used, 0), ("", 0)] {
+        let of = |record: &str| format!("{ball}{colours}{view}{record}");
+        let meant = of(&format!("1 9999 2 {background}\n"));
+        assert_eq!(first(&of("1 9999 2\n"), Code::E008), meant);
+        assert_eq!(first(&of(""), Code::E106).trim_end(), meant.trim_end());
+    }
+    // Where the render record has none, it is meant only if a comment says so.
+    for (colour, is_taken) in [(plain, false), ("5 -701 0.5 0.7 0.9 # the sky #\n", true)] {
+        let text = format!("{ball}{colour}{view}1 9999 2 0\n");
+        let meant = text.replace("9999 2 0", "9999 2 5");
+        assert_eq!(first(&text, Code::W310), meant);
+        assert_eq!(fixed(&text, true), if is_taken { meant } else { text });
+    }
+    // The object without a colour comes first.
+    let bare = format!("2 11 0 0 0 1\n{plain}{view}1 9999 2 0\n");
+    let both = proposals(&bare, Code::W310);
+    assert_eq!(both.len(), 2);
+    assert!(both[0].1.contains("\n2 -299 5 0\n"), "{}", both[0].1);
+    assert!(both[1].1.ends_with("1 9999 2 5\n"), "{}", both[1].1);
+}
+
 #[test]
 fn what_changes_a_second_definition_goes_with_it() {
     let camera = "9 -501 0 3 12 0 -0.2 -1 0 1 0 45\n";

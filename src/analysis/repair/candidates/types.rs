@@ -7,6 +7,7 @@ use super::{Candidate, Habit, LineContext, MAX_CANDIDATES, header};
 use crate::analysis::materials;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::lint::spelling::decimal;
+use crate::scene::background;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Family, Kind, RecordKind, RecordType, ShapeKind};
 use crate::syntax::words;
@@ -314,7 +315,12 @@ impl LineContext<'_> {
             {
                 choose([format!("{a} {b} 0"), format!("{a} 0 {b}")], out);
             }
-            (RecordKind::Render, &[one], _) => out.push(new("fix-write", format!("{one} 0"))),
+            (RecordKind::Render, &[one], _) => {
+                let (document, scene) = (&self.analysis.document, &self.analysis.scene);
+                let of = background::meant(document, self.text, &scene.entities);
+                let of = of.map_or(0, |b| b.id);
+                out.push(new("fix-write", format!("{one} {of}")));
+            }
             (RecordKind::Union | RecordKind::Intersection | RecordKind::Difference, &[one], _) => {
                 let others = self.entities(&[Kind::Object]).map(|e| e.id);
                 let others = others.filter(|id| id.to_string() != one);

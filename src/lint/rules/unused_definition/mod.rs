@@ -1,6 +1,7 @@
 //! W310: something that is defined and not needed for the picture.
 
 mod assign;
+mod background;
 mod part;
 mod slip;
 mod whole;
@@ -50,6 +51,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     let holders = LazyCell::new(|| whole::holders(context, names));
     let (mut properties, mut objects, mut wholes) = (Vec::new(), Vec::new(), Vec::new());
+    let mut backgrounds = Vec::new();
     // A placeholder and its later definition share an ID. The finding points at the later one.
     for entity in context.scene.entities.iter().rev() {
         let Some(number) = context.scene.ids.get(entity.id) else {
@@ -65,7 +67,10 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 wholes.push((at, entity));
             }
             objects.extend((finding.case == "object").then_some((at, entity)));
-            properties.extend(finding.case.is_empty().then_some((at, entity)));
+            if finding.case.is_empty() {
+                properties.push((at, entity));
+                backgrounds.extend((entity.kind == Some(Kind::Colour)).then_some((at, entity.id)));
+            }
             out.push(finding);
         }
     }
@@ -86,6 +91,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             fixes.extend(assign::to_the_only_one(context, property));
         }
     }
+    background::add(context, &backgrounds, out);
     if let [(at, object)] = objects[..]
         && let Some(fix) = part::in_its_place(context, object)
     {
