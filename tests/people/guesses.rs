@@ -237,6 +237,90 @@ fn a_colour_that_nothing_has_may_be_the_background() {
     assert!(both[1].1.ends_with("1 9999 2 5\n"), "{}", both[1].1);
 }
 
+/// A mirror, a ball of glass, and an index with the mirror's ID.
+#[test]
+fn an_index_on_a_mirror_is_that_of_the_glass() {
+    let scene = |glass: &str, index: &str| {
+        let mirror = "2 11 -1 1 0 0.9\n2 -201 0.1 0.9 0\n5 11 3 1 0 0.9\n";
+        let rest = "4 -101 2 3\n6 -101 4 5\n9 -501 0 2 8 0 -0.2 -1 0 1 0 40\n50 -402 0.9\n";
+        format!("{mirror}{glass}{index} -203 1.5 1.5 1.5\n{rest}50 -1 4 6 5\n1 9999 6 0\n")
+    };
+    let glass = "3 11 1 1 0 0.9\n3 -201 0.05 0.1 0.85\n";
+    assert_eq!(first(&scene(glass, "2"), Code::W318), scene(glass, "3"));
+    // Of two the one right above.
+    let both = format!("5 -201 0.05 0.1 0.85\n{glass}");
+    assert_eq!(first(&scene(&both, "2"), Code::W318), scene(&both, "3"));
+    // What has an index, and what is opaque, was not meant; and of two that stand further above nobody can tell.
+    let indexed = format!("{glass}3 -203 1.3 1.3 1.3\n");
+    let apart = format!("{both}2 -701 1 0 0\n");
+    for other in [&indexed, "3 11 1 1 0 0.9\n3 -201 0.5 0.5 0\n", &apart] {
+        assert_eq!(proposals(&scene(other, "2"), Code::W318).len(), 0);
+    }
+}
+
+/// The floor's normal is upside down: the camera is in it, and so is the glass.
+#[test]
+fn a_solid_around_the_camera_is_not_split() {
+    let text = "2 4 0 -1 0 0\n3 11 0 1 0 1\n3 -201 0.05 0.1 0.85\n3 -203 1.5 1.5 1.5\n\
+                4 -101 2 3\n9 -501 0 2 8 0 -0.2 -1 0 1 0 40\n50 -402 0.9\n50 -1 4 6 5\n\
+                1 9999 4 0\n";
+    let all = repair::proposals(&read(text));
+    assert!(all.iter().all(|d| d.code != Code::W307), "{all:?}");
+    assert!(all.iter().any(|d| d.code == Code::W325), "{all:?}");
+    assert_eq!(fixed(text, true), text);
+    // With the floor below, a ball that reaches into it is told.
+    let below = text
+        .replace("0 -1 0 0", "0 1 0 0")
+        .replace("0 1 0 1", "0 0.5 0 1");
+    let all = repair::proposals(&read(&below));
+    assert!(all.iter().any(|d| d.code == Code::W307), "{all:?}");
+}
+
+#[test]
+fn a_second_move_of_a_lamp_is_that_of_the_next_one() {
+    let scene = |lamps: &str| {
+        let rest = "2 11 0 0 -3 1\n9 -501 0 2 8 0 -0.2 -1 0 1 0 40\n";
+        format!("{rest}{lamps}\n1 9999 2 0\n")
+    };
+    let one = "50 -402 0.9\n50 -1 4 6 5\n51 -402 0.4\n";
+    let slip = scene(&format!("{one}50 -1 -4 6 5"));
+    let meant = scene(&format!("{one}51 -1 -4 6 5"));
+    assert_eq!(first(&slip, Code::W336), meant);
+    assert_eq!(fixed(&slip, true), meant);
+    let coloured = scene(&format!("{one}51 -701 1 1 0.5\n50 -1 -4 6 5"));
+    assert_eq!(
+        first(&coloured, Code::W336),
+        coloured.replace("50 -1 -4", "51 -1 -4")
+    );
+    for right in [
+        &meant,
+        // The other one is moved below, or 50 has no place yet.
+        &scene(&format!("{one}50 -1 -4 6 5\n51 -1 1 1 1")),
+        &scene("50 -402 0.9\n51 -402 0.4\n50 -1 -4 6 5"),
+        // Both moves are written before the next lamp.
+        &scene("50 -402 0.9\n50 -1 4 6 5\n50 -1 0 1 0\n51 -402 0.4"),
+    ] {
+        let all = repair::proposals(&read(right));
+        assert!(all.iter().all(|d| d.code != Code::W336), "{right}\n{all:?}");
+    }
+    let finding = repair::proposals(&read(&slip))
+        .into_iter()
+        .find(|d| d.code == Code::W336);
+    let finding = finding.expect("a finding");
+    for (language, message) in [
+        (
+            Language::English,
+            "the point light 50 is moved a second time, and 51 right above is not moved",
+        ),
+        (
+            Language::Czech,
+            "bodové světlo 50 se posouvá podruhé a 51 hned nad tím vůbec",
+        ),
+    ] {
+        assert_eq!(finding.wording(language).message, message);
+    }
+}
+
 #[test]
 fn what_changes_a_second_definition_goes_with_it() {
     let camera = "9 -501 0 3 12 0 -0.2 -1 0 1 0 45\n";

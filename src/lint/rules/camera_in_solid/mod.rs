@@ -1,6 +1,8 @@
 //! W325: a camera inside of something that lets no light through.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
+use rustc_hash::FxHashSet;
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
 
@@ -10,21 +12,36 @@ use crate::scene::{Camera, Scene, Vec3};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, ShapeKind};
 use crate::trace::plan::unseen::sides::Sides;
-use crate::trace::plan::unseen::view::held;
+use crate::trace::plan::unseen::view::{Held, held};
 
-pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+/// The chosen cameras that are inside of something opaque, with that.
+fn within<'c>(context: &'c Context) -> Vec<((&'c Camera, Params<'c>), Held)> {
     let scene = context.scene;
-    let Some(render) = scene.render else { return };
+    let Some(render) = scene.render else {
+        return Vec::new();
+    };
     // The rays of a projection matrix start elsewhere.
     let cameras: Vec<_> = (chosen_cameras(context).into_iter())
         .filter(|(camera, _)| camera.projection.is_none())
         .collect();
     let places: Vec<Vec3> = cameras.iter().map(|(c, _)| c.position).collect();
     let holders = held(scene, context.bounds(), render.root, &places);
-    for ((camera, camera_record), held) in cameras.iter().zip(holders) {
-        let Some(held) = held.filter(|h| !h.on_surface) else {
-            continue;
-        };
+    let inside = |held: Option<Held>| held.filter(|h| !h.on_surface);
+    let both = cameras.into_iter().zip(holders);
+    both.filter_map(|(camera, held)| Some((camera, inside(held)?)))
+        .collect()
+}
+
+/// The solids that a camera is inside of.
+pub(super) fn solids(context: &Context) -> FxHashSet<Span> {
+    let all = within(context).into_iter();
+    all.map(|(_, held)| held.solid.span).collect()
+}
+
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let scene = context.scene;
+    let Some(render) = scene.render else { return };
+    for ((camera, camera_record), held) in &within(context) {
         let finding = Diagnostic::new(Code::W325, camera_record.span_of(0, 3))
             .with("id", camera.id.to_string())
             .with("solid", Value::Term(held.solid.title))

@@ -1,6 +1,6 @@
 //! W326: a point light inside of something that lets no light through, or on its surface.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::lint::Context;
@@ -16,9 +16,12 @@ use crate::trace::plan::unseen::view::{Held, held as held_at};
 /// Lamps whose place is tried with other signs: each asks all parts of the scene again.
 const MAX_TURNED: usize = 16;
 
-pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+/// The lamps that W326 speaks of, with what they are in.
+fn within<'c>(context: &Context<'c>) -> Vec<(&'c PointLight, Held)> {
     let scene = context.scene;
-    let Some(render) = scene.render else { return };
+    let Some(render) = scene.render else {
+        return Vec::new();
+    };
     let lamps = &scene.point_lights;
     let cameras = chosen_cameras(context);
     let places: Vec<Vec3> = (lamps.iter().map(|l| l.position))
@@ -26,23 +29,35 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         .collect();
     let holders = held_at(scene, context.bounds(), render.root, &places);
     let (holders, eyes) = holders.split_at(lamps.len());
-    if holders.iter().all(Option::is_none) {
+    // It lights what a camera sees that is inside of the same thing.
+    let is_alone = |held: &Held| {
+        let together =
+            |eye: &Held| !held.on_surface && !eye.on_surface && eye.solid.span == held.solid.span;
+        !eyes.iter().flatten().any(together)
+    };
+    let held = lamps.iter().zip(holders.iter().copied());
+    held.filter_map(|(lamp, held)| Some((lamp, held.filter(is_alone)?)))
+        .collect()
+}
+
+/// The solids that a lamp is inside of.
+pub(super) fn solids(context: &Context) -> FxHashSet<Span> {
+    let inside = within(context).into_iter().filter(|(_, h)| !h.on_surface);
+    inside.map(|(_, held)| held.solid.span).collect()
+}
+
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let all = within(context);
+    if all.is_empty() {
         return;
     }
     let is_lamp = |e: &&Entity| e.kind == Some(Kind::PointLight);
-    let places: FxHashMap<u32, Span> = (scene.entities.iter().filter(is_lamp))
+    let places: FxHashMap<u32, Span> = (context.scene.entities.iter().filter(is_lamp))
         .map(|e| (e.id, e.span))
         .collect();
     let mut turns_left = MAX_TURNED;
     let mut moves: Option<FxHashMap<u32, Option<&Record>>> = None;
-    for (lamp, held) in lamps.iter().zip(holders) {
-        let Some(held) = held else { continue };
-        // It lights what a camera sees that is inside of the same thing.
-        let together =
-            |eye: &Held| !held.on_surface && !eye.on_surface && eye.solid.span == held.solid.span;
-        if eyes.iter().flatten().any(together) {
-            continue;
-        }
+    for (lamp, held) in all {
         let Some(span) = places.get(&lamp.id) else {
             continue;
         };
@@ -63,7 +78,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .filter(|_| !held.on_surface && turns_left > 0)
             .and_then(|p| {
                 turns_left -= 1;
-                mirrored(context, lamp, held, &p)
+                mirrored(context, lamp, &held, &p)
             });
         out.push(mirrored.into_iter().fold(finding, Diagnostic::fix));
     }

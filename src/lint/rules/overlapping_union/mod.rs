@@ -11,7 +11,10 @@ mod search;
 mod split;
 mod unions;
 
-use crate::diagnostics::{Code, Diagnostic, Value};
+use rustc_hash::FxHashSet;
+
+use super::{camera_in_solid, lamp_in_solid};
+use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::properties::Properties;
 use crate::lint::roots;
 use crate::lint::{Context, live_nodes};
@@ -36,13 +39,24 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let roots = roots(scene, &live_nodes(scene));
     let unions = Unions::new(scene, bounds, &roots);
     let mut search = Search::new(scene, &unions, bounds);
-    let found = search.all();
+    let mut found = search.all();
     if found.is_empty() {
         return;
     }
+    // A solid that holds a camera or a lamp is hardly where it should be. W325 and W326 speak of it.
+    let is_one_of = |found: &Overlap, solids: &FxHashSet<Span>| {
+        let parts = found.parts.map(|i| unions.parts[i as usize].named.span);
+        parts.iter().any(|span| solids.contains(span))
+    };
+    let around_cameras = camera_in_solid::solids(context);
+    found.retain(|f| !is_one_of(f, &around_cameras));
+    let around_lamps = lamp_in_solid::solids(context);
     // One after the other: each fix has IDs of its own.
     let mut splitter = Splitter::new(context, bounds);
-    let pieces = found.iter().map(|f| splitter.pieces(f.union));
+    let pieces = found.iter().map(|f| match is_one_of(f, &around_lamps) {
+        true => None,
+        false => splitter.pieces(f.union),
+    });
     let pieces: Vec<Option<Pieces>> = pieces.collect();
     let properties = Properties::new(context);
     let said = parallel::map(found.len(), |i| {

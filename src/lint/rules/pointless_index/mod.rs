@@ -2,6 +2,7 @@
 //! less than 1.
 
 mod apart;
+mod instead;
 
 use rustc_hash::FxHashMap;
 
@@ -111,6 +112,7 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
     };
     silent.retain(|s| apart.is_without_effect(s.0));
     let titles = context.titles();
+    let is_one = silent.len() == 1;
     for (span, object) in silent {
         let Some(p) = context.params(span) else {
             continue;
@@ -120,11 +122,14 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
             continue;
         }
         let title = titles.get(&object).copied().unwrap_or("object");
-        out.push(
-            Diagnostic::new(Code::W318, p.span_of(0, 3))
-                .with("object", Value::Term(title))
-                .with("object-id", object.to_string()),
-        );
+        let d = Diagnostic::new(Code::W318, p.span_of(0, 3))
+            .with("object", Value::Term(title))
+            .with("object-id", object.to_string());
+        let fix = (is_one.then(|| instead::of_glass(context, &p))).flatten();
+        out.push(match fix {
+            Some(fix) => d.fix(fix),
+            None => d,
+        });
     }
 }
 

@@ -3,3 +3,7 @@ W336 = { $type } pro { $id } tu stojí podruhé
     .first = poprvé
     .help = jeden z obou záznamů odstraňte; platí-li oba, řekne to komentář mezi nimi
     .fix = odstranit druhý záznam
+W336-lamp = { $type } { $id } se posouvá podruhé a { $other } hned nad tím vůbec
+    .label = znovu posune { $id }
+    .first = toto světlo zůstane v počátku
+    .help = posuňte { $other }; má-li se posunout { $id }, uveďte jediné posunutí se součtem

@@ -3,3 +3,7 @@ W336 = the same { $type } of { $id } stands here again
     .first = the first one
     .help = remove one of the two; where both are meant, a comment between them says so
     .fix = remove the second
+W336-lamp = the { $type } { $id } is moved a second time, and { $other } right above is not moved
+    .label = it moves { $id } again
+    .first = this one stays at the origin
+    .help = move { $other } instead; where { $id } is meant, give it one move with the sum

@@ -1,8 +1,12 @@
-//! W336: a transformation that stands there twice, one right behind the other.
+//! W336: a transformation that stands there twice, one right behind the other, or that moves a lamp again in the place of
+//! the one right above.
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Value};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
-use crate::syntax::{Item, Record};
+use crate::syntax::table::RecordKind;
+use crate::syntax::{Item, Record, quote};
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for pair in context.document.items.windows(2) {
@@ -24,6 +28,48 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             },
         );
     }
+    other_lamps(context, out);
+}
+
+/// Says of a lamp that nothing moves, and of the move right behind it that moves another lamp again.
+fn other_lamps(context: &Context, out: &mut Vec<Diagnostic>) {
+    let lamps = context
+        .records()
+        .filter(|r| r.kind == RecordKind::PointLight);
+    let lamps: FxHashMap<u32, &Record> = lamps.map(|r| (r.id, r)).collect();
+    if lamps.len() < 2 {
+        return;
+    }
+    let is_move = |r: &&Record| super::TRANSFORMATIONS.contains(&r.kind);
+    let changed: FxHashSet<u32> = context.records().filter(is_move).map(|r| r.id).collect();
+    // The lamps that have a place above.
+    let mut placed: FxHashSet<u32> = FxHashSet::default();
+    let mut above: Option<&Record> = None;
+    for record in context.records() {
+        let is_place = record.kind == RecordKind::Translation && lamps.contains_key(&record.id);
+        if is_place
+            && !placed.insert(record.id)
+            && let Some(other) = above.and_then(|r| lamps.get(&r.id))
+            && !changed.contains(&other.id)
+        {
+            out.push(other_lamp(context, record, other));
+        }
+        above = Some(record);
+    }
+}
+
+/// The finding about a move of a lamp in the place of another.
+fn other_lamp(context: &Context, place: &Record, other: &Record) -> Diagnostic {
+    let p = context.record_params(place);
+    let id = other.id.to_string();
+    let fix = Fix::replace("fix-write", Applicability::Unsafe, p.id_span(), id.clone());
+    Diagnostic::new(Code::W336, p.span())
+        .case("lamp")
+        .with("type", Value::Term(other.ty().title))
+        .with("id", p.id.to_string())
+        .with("other", id.clone())
+        .label(context.record_params(other).span(), "first")
+        .fix(fix.with("number", quote(&id)))
 }
 
 /// Whether two records are the same word for word, and nothing between says that they are two.
