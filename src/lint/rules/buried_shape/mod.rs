@@ -8,8 +8,7 @@ use crate::lint::Context;
 use crate::scene::NodeId;
 use crate::solids::{Named, named};
 use crate::syntax::table::{RecordKind, ShapeKind};
-use crate::trace::plan::Plan;
-use crate::trace::plan::unseen::{Unseen, Why};
+use crate::trace::plan::unseen::{Unseen, Why, find_but_for_points};
 
 /// Number of nodes above which hidden parts are not looked for: that takes too long for an editor.
 const MAX_NODES: usize = 5000;
@@ -19,9 +18,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if scene.nodes.len() > MAX_NODES {
         return;
     }
-    let Some(plan) = Plan::of_picture(scene) else {
-        return;
-    };
+    let Some(render) = scene.render else { return };
+    let hidden = find_but_for_points(scene, render.root).unseen;
     let inside = |part: &Unseen| match part.why {
         Why::Inside(solid) => {
             let named = named(scene, part.node)?;
@@ -32,7 +30,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
         Why::Outside => None,
     };
-    let parts: Vec<(Named, Named, NodeId)> = plan.unseen.iter().filter_map(inside).collect();
+    let parts: Vec<(Named, Named, NodeId)> = hidden.iter().filter_map(inside).collect();
     if parts.is_empty() {
         return;
     }

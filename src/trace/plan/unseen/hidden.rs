@@ -18,7 +18,7 @@ use super::starts::Starts;
 use crate::geometry::Aabb;
 use crate::geometry::boxes::Boxes;
 use crate::parallel;
-use crate::scene::Scene;
+use crate::scene::{Geometry, Scene};
 use crate::solids::shapes::facts::Facts;
 use crate::solids::within::{CLEARANCE_REL, PlacedShape};
 use rustc_hash::FxHashMap;
@@ -44,16 +44,19 @@ pub(super) struct Hidden<'a, F: Fn(&Member) -> bool> {
     /// The part that each part lies strictly inside, for those that do.
     holders: FxHashMap<u32, u32>,
     steps: usize,
+    /// The share by which balls are taken to be smaller.
+    less: f64,
 }
 
 impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
-    /// The parts among `left` that are hidden, ascending, each with a part that it lies in.
+    /// The parts among `left` that are hidden, ascending, each with a part that it lies in. Balls are taken to be smaller
+    /// by a share, so that what they touch in a point alone does not count.
     pub(super) fn find(
         scene: &'a Scene,
-        all: &'a [Member],
-        left: &[u32],
+        (all, left): (&'a [Member], &[u32]),
         starts: &'a Starts,
         whole: F,
+        less: f64,
     ) -> Vec<(u32, u32)> {
         let mut hidden = Hidden {
             scene,
@@ -62,6 +65,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
             whole,
             holders: FxHashMap::default(),
             steps: MAX_STEPS,
+            less,
         };
         hidden.hold(left);
         if hidden.holders.is_empty() {
@@ -74,6 +78,14 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
         out
     }
 
+    /// The share by which balls are smaller beside a part. A plane touches a ball in a point; another ball may be the same.
+    fn less_beside(&self, i: u32) -> f64 {
+        match self.all[i as usize].geometry(self.scene) {
+            Some(Geometry::HalfSpace { .. } | Geometry::Box { .. }) => self.less,
+            _ => 0.0,
+        }
+    }
+
     fn standing(&self, i: u32) -> Option<PlacedShape<'a>> {
         let member = &self.all[i as usize];
         PlacedShape::new(member.geometry(self.scene)?, *member.matrix())
@@ -81,7 +93,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
 
     /// Finds what lies strictly inside of what.
     fn hold(&mut self, left: &[u32]) {
-        let (scene, all) = (self.scene, self.all);
+        let (scene, all, less) = (self.scene, self.all, self.less);
         let opaque = |&i: &u32| {
             let member = &all[i as usize];
             let geometry = member.geometry(scene);
@@ -100,16 +112,16 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
         let boxes = Boxes::new(numbered.map(|(k, h)| (k, all[h.1 as usize].bounds)));
         // The shapes whose boxes hold that of a part, and the steps to them.
         let around = |i: u32| {
-            let member = &all[i as usize];
+            let bounds = all[i as usize].bounds_less(scene, less);
             let mut near = Vec::new();
-            if !member.bounds.is_finite() || member.bounds.is_empty() {
+            if !bounds.is_finite() || bounds.is_empty() {
                 return (near, 0);
             }
-            let centre = member.bounds.centre();
+            let centre = bounds.centre();
             let steps = boxes.near(&Aabb::new(centre, centre), &mut near) + near.len();
             near.retain(|&k| {
                 let holder = holders[k as usize].1;
-                holder != i && all[holder as usize].bounds.holds(&member.bounds)
+                holder != i && all[holder as usize].bounds.holds(&bounds)
             });
             // The largest first.
             near.sort_unstable();
@@ -124,9 +136,12 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
                     None => return,
                 }
                 let member = &all[i as usize];
-                let shape = member.geometry(scene).map(|g| (g, member.matrix()));
                 for k in near {
                     let holder = holders[k as usize].1;
+                    let less = self.less_beside(holder);
+                    let bounds = member.bounds_less(scene, less);
+                    let matrix = member.matrix_less(scene, less);
+                    let shape = member.geometry(scene).map(|g| (g, &matrix));
                     let known = &mut standing[k as usize];
                     if known.is_none() {
                         *known = Some(self.standing(holder).filter(|s| self.is_dark(holder, s)));
@@ -138,7 +153,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
                         Some(rest) => proofs = rest,
                         None => return,
                     }
-                    if standing.holds(&member.bounds, shape) {
+                    if standing.holds(&bounds, shape) {
                         self.holders.insert(i, holder);
                         break;
                     }
@@ -209,11 +224,12 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
             return None;
         }
         let mut out = Vec::new();
+        let less = self.less_beside(i);
         for other in near {
             let thing = &self.all[other as usize];
             if other == i
                 || self.holders.get(&other) == Some(&i)
-                || !thing.bounds.touches(&member.bounds)
+                || !thing.bounds_less(self.scene, less).touches(&member.bounds)
             {
                 continue;
             }

@@ -1,7 +1,7 @@
 //! The parts of the outermost union, where they are.
 
 use crate::geometry::{Aabb, Matrix};
-use crate::scene::{Geometry, Node, NodeId, Scene, fold_up};
+use crate::scene::{Geometry, Node, NodeId, Scene, Vec3, fold_up};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::named;
 use crate::solids::shapes::facts::Facts;
@@ -39,6 +39,39 @@ impl Member {
     /// The map from the coordinates below the member's transformations into those of the scene.
     pub(super) fn matrix(&self) -> &Matrix {
         self.moved.as_deref().unwrap_or(&Matrix::IDENTITY)
+    }
+
+    /// The bounds, with a ball or an ellipsoid smaller by a share about its centre.
+    pub(super) fn bounds_less(&self, scene: &Scene, share: f64) -> Aabb {
+        match self.is_ball(scene, share) {
+            true => {
+                let (centre, factor) = (self.bounds.centre(), 1.0 - share);
+                let less = |p: Vec3| [0, 1, 2].map(|i| centre[i] + factor * (p[i] - centre[i]));
+                Aabb::new(less(self.bounds.min), less(self.bounds.max))
+            }
+            false => self.bounds,
+        }
+    }
+
+    /// The same of the matrix.
+    pub(super) fn matrix_less(&self, scene: &Scene, share: f64) -> Matrix {
+        match self.is_ball(scene, share) {
+            true => {
+                let ([x, y, z], factor) = (self.bounds.centre(), 1.0 - share);
+                let less = Matrix::scaling(factor, factor, factor);
+                let about = less.after(&Matrix::translation(-x, -y, -z));
+                Matrix::translation(x, y, z)
+                    .after(&about)
+                    .after(self.matrix())
+            }
+            false => *self.matrix(),
+        }
+    }
+
+    fn is_ball(&self, scene: &Scene, share: f64) -> bool {
+        let has_size = self.bounds.is_finite() && !self.bounds.is_empty();
+        let is_ball = |g: &Geometry| g.ball().is_some();
+        share > 0.0 && has_size && self.geometry(scene).is_some_and(is_ball)
     }
 
     pub(super) fn geometry<'s>(&self, scene: &'s Scene) -> Option<&'s Geometry> {

@@ -101,8 +101,21 @@ impl UnseenParts {
     }
 }
 
+/// The share by which balls are smaller that touch something in a point: far more than what is rounded.
+const TOUCHING_SHARE: f64 = 1e-6;
+
 /// Looks for what can be seen.
 pub fn find(scene: &Scene, root: NodeId) -> UnseenParts {
+    find_with(scene, root, 0.0)
+}
+
+/// The same where a ball that touches something in a point is taken to be apart from it: what nobody sees, and not what
+/// may be left out of a picture.
+pub fn find_but_for_points(scene: &Scene, root: NodeId) -> UnseenParts {
+    find_with(scene, root, TOUCHING_SHARE)
+}
+
+fn find_with(scene: &Scene, root: NodeId, less: f64) -> UnseenParts {
     let bounds = node_bounds(scene);
     let all = members(scene, &bounds, root);
     let starts = Starts::new(scene, &bounds);
@@ -132,7 +145,7 @@ pub fn find(scene: &Scene, root: NodeId) -> UnseenParts {
     let left: Vec<u32> = (0..all.len() as u32)
         .filter(|&i| why[i as usize].is_none())
         .collect();
-    for (i, holder) in Hidden::find(scene, &all, &left, &starts, whole) {
+    for (i, holder) in Hidden::find(scene, (&all, &left), &starts, whole, less) {
         why[i as usize] = named(scene, all[holder as usize].node).map(Why::Inside);
     }
     let mut found = UnseenParts::default();
