@@ -1230,7 +1230,7 @@ fn copied_lines_with_the_same_id() {
 #[test]
 fn guesses_that_are_left() {
     let rest = REST.replace("9999 2", "9999 4");
-    let text = format!("2 9 1\n3 11 3 0.5 0 -0.5\n4 -101 2 3\n{rest}");
+    let text = format!("2 9 1\n3 11 -3 0.5 0 -0.5\n4 -101 2 3\n{rest}");
     let mended = fixing::to_fixed_point(read(&text), true, Analysis::of);
     let mut findings = mended.findings;
     fixing::explain_what_is_left(&mended.analysis, &mut findings);
