@@ -3,11 +3,12 @@
 use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Value};
 use crate::geometry::Matrix;
 use crate::lint::Context;
+use crate::lint::rules::TRANSFORMATIONS;
 use crate::scene::{Geometry, Node, NodeId, Scene};
 use crate::solids::shapes::facts::Facts;
 use crate::solids::{Named, named};
-use crate::syntax::quote;
 use crate::syntax::table::ShapeKind;
+use crate::syntax::{Record, quote};
 
 /// The difference of two matrices that rounding makes, as a share of their size.
 const MATRIX_REL_EPS: f64 = 1e-12;
@@ -88,15 +89,11 @@ pub(super) fn finding(
 
 /// The second ID in the transformations of the first shape that stand right behind the second one.
 fn moved(context: &Context, one: Named, two: Named) -> Option<Fix> {
-    let records = context.document.items.iter();
-    let start = |i: u32| context.document.tokens[i as usize].start;
-    let behind = records.skip_while(|item| start(item.ends().0) <= two.span.start);
-    let changes = behind.map_while(|item| match item {
-        crate::syntax::Item::Record(r) if r.id == one.id || r.id == two.id => Some(r),
-        _ => None,
-    });
-    let slips =
-        changes.filter(|r| r.id == one.id && super::super::TRANSFORMATIONS.contains(&r.kind));
+    let own = context.document.item_at(two.span.start)?;
+    let behind = context.document.items[own + 1..].iter();
+    let of_either = |r: &&Record| r.id == one.id || r.id == two.id;
+    let changes = behind.map_while(|item| item.record().filter(of_either));
+    let slips = changes.filter(|r| r.id == one.id && TRANSFORMATIONS.contains(&r.kind));
     let text = two.id.to_string();
     let edits: Vec<Edit> = slips
         .map(|r| Edit {

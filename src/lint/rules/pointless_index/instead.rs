@@ -6,8 +6,8 @@ use crate::diagnostics::{Applicability, Fix};
 use crate::lint::Context;
 use crate::scene::record::Params;
 use crate::scene::{Entity, Node, Paint, fold_up};
-use crate::syntax::quote;
 use crate::syntax::table::{Kind, RecordKind};
+use crate::syntax::{Record, quote};
 
 /// The index with the ID of the object that lets light through and has no index: the one whose record stands right
 /// above, or the only one.
@@ -29,11 +29,11 @@ pub(super) fn of_glass(context: &Context, index: &Params) -> Option<Fix> {
             _ => (has_index, false),
         }
     });
+    let above = context.records();
+    let above = above.take_while(|r| context.document.span(r.first, r.last).start < start);
+    let above: Vec<&Record> = above.collect();
     // What is used above the index would not change.
-    let above = context
-        .records()
-        .take_while(|r| context.document.span(r.first, r.last).start < start);
-    let taken: FxHashSet<u32> = above.flat_map(|r| context.references(r)).collect();
+    let taken: FxHashSet<u32> = (above.iter().flat_map(|r| context.references(r))).collect();
     let is_meant = |e: &&Entity| {
         let is_other = e.kind == Some(Kind::Object) && e.id != index.id && e.span.start < start;
         let is_glass = |node: u32| known[node as usize] == (false, true);
@@ -44,12 +44,9 @@ pub(super) fn of_glass(context: &Context, index: &Params) -> Option<Fix> {
     let id = match second {
         None => first,
         Some(second) => {
-            let above = (context.records())
-                .take_while(|r| context.document.span(r.first, r.last).start < start)
-                .last()?;
-            let is_above = above.kind == RecordKind::Optics;
+            let last = above.last().filter(|r| r.kind == RecordKind::Optics)?;
             let mut all = [first, second].into_iter().chain(meant);
-            all.find(|id| is_above && *id == above.id)?
+            all.find(|id| *id == last.id)?
         }
     };
     let text = id.to_string();

@@ -3,7 +3,7 @@
 use rustc_hash::FxHashSet;
 
 use super::{Member, PAIRS, Test, finding, is_clear, is_glass, members};
-use crate::diagnostics::Diagnostic;
+use crate::diagnostics::{Diagnostic, Value};
 use crate::lint::Context;
 use crate::lint::parts::Parts;
 use crate::lint::spelling::spelled;
@@ -44,8 +44,6 @@ pub(super) fn others(context: &Context, root: NodeId, kinds: &[Parts]) -> Option
     let index = first.index?.map(spelled).join(" ");
     let d = finding(context, &forgotten, ["unlike", "unlike-several"], &index)?;
     let d = d.label(other.span, "other");
-    Some(
-        d.with("other", crate::diagnostics::Value::Term(other.title))
-            .with("other-id", other.id.to_string()),
-    )
+    let d = d.with("other", Value::Term(other.title));
+    Some(d.with("other-id", other.id.to_string()))
 }

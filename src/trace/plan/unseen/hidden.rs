@@ -138,10 +138,6 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
                 let member = &all[i as usize];
                 for k in near {
                     let holder = holders[k as usize].1;
-                    let less = self.less_beside(holder);
-                    let bounds = member.bounds_less(scene, less);
-                    let matrix = member.matrix_less(scene, less);
-                    let shape = member.geometry(scene).map(|g| (g, &matrix));
                     let known = &mut standing[k as usize];
                     if known.is_none() {
                         *known = Some(self.standing(holder).filter(|s| self.is_dark(holder, s)));
@@ -153,6 +149,10 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
                         Some(rest) => proofs = rest,
                         None => return,
                     }
+                    let less = self.less_beside(holder);
+                    let bounds = member.bounds_less(scene, less);
+                    let matrix = member.matrix_less(scene, less);
+                    let shape = member.geometry(scene).map(|g| (g, &matrix));
                     if standing.holds(&bounds, shape) {
                         self.holders.insert(i, holder);
                         break;
