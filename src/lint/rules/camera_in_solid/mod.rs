@@ -5,7 +5,6 @@ use rustc_hash::FxHashSet;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
-
 use crate::lint::spelling::{decimal, opposite};
 use crate::scene::record::Params;
 use crate::scene::{Camera, Scene, Vec3};
