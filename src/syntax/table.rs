@@ -229,6 +229,11 @@ impl RecordType {
         RECORD_TYPES.iter().find(|t| t.keyword == keyword)
     }
 
+    /// Whether the record gives optics: parts of light or a refractive index.
+    pub fn gives_optics(&self) -> bool {
+        matches!(self.effect, Effect::DefinesOrChanges(Kind::Optics, _))
+    }
+
     /// Whether the record's length depends on a count.
     pub fn is_counted(&self) -> bool {
         !self.repeats.is_empty()

@@ -27,6 +27,15 @@ fn first(text: &str, code: Code) -> String {
     all.first().unwrap_or_else(|| panic!("{text}")).1.clone()
 }
 
+/// What the first proposal for the first finding with a code says, in English and in Czech.
+#[track_caller]
+fn first_said(text: &str, code: Code) -> [String; 2] {
+    let all = repair::proposals(&read(text));
+    let finding = all.iter().find(|d| d.code == code);
+    let finding = finding.unwrap_or_else(|| panic!("{text}\n{all:?}"));
+    [Language::English, Language::Czech].map(|l| finding.wording(l).fixes[0].clone())
+}
+
 fn codes(text: &str) -> Vec<Code> {
     let all = repair::proposals(&read(text)).into_iter();
     all.filter(Diagnostic::is_error).map(|d| d.code).collect()
@@ -541,11 +550,8 @@ fn three_parts_of_light_above_one_are_an_index() {
         assert_eq!(fixed(&ball(text), true), ball(text));
     }
     let text = ball("4 -203 0.1 0.1 0.8\n4 -201 1.5 1.5 1.5\n2 -299 0 4\n");
-    let all = repair::proposals(&read(&text));
-    let first = all.iter().find(|d| d.code == Code::E206).unwrap();
-    let fixes = |language| first.wording(language).fixes[0].clone();
     assert_eq!(
-        [fixes(Language::English), fixes(Language::Czech)],
+        first_said(&text, Code::E206),
         [
             "exchange the types of both records: write `-203` (refractive index) here",
             "vyměnit typy obou záznamů: napsat zde `-203` (index lomu)",
@@ -596,11 +602,8 @@ fn operations_on_themselves_get_an_id_each() {
         assert_eq!(fixed(&text, true), meant);
     }
     let text = drawn(&format!("{BALLS}6 -101 2 3\n6 -101 6 4\n6 -101 6 5\n"), 6);
-    let all = repair::proposals(&read(&text));
-    let twice = all.iter().find(|d| d.code == Code::E102).unwrap();
-    let fixes = |language| twice.wording(language).fixes[0].clone();
     assert_eq!(
-        [fixes(Language::English), fixes(Language::Czech)],
+        first_said(&text, Code::E102),
         [
             "give each of these 2 operations an ID of its own (51, 52), which the next one uses in place of 6",
             "dát každé z těchto 2 operací vlastní ID (51, 52), které místo 6 použije ta další",

@@ -113,11 +113,7 @@ impl LineContext<'_> {
         };
         let fix = Fix::replace("fix-origin", Applicability::Unsafe, span, "");
         let text = quote(&self.spaced(place)?);
-        Some(Candidate {
-            habit,
-            fix: fix.with("text", text),
-            ty: None,
-        })
+        Some(Candidate::new(habit, fix.with("text", text)))
     }
 
     /// Whole records behind the first one of a line, of which colours may have names: each goes to a line of its own.
@@ -154,11 +150,7 @@ impl LineContext<'_> {
             applicability: Applicability::Unsafe,
             edits,
         };
-        Some(Candidate {
-            habit: Habit::Apart,
-            fix,
-            ty: None,
-        })
+        Some(Candidate::new(Habit::Apart, fix))
     }
 
     /// The line of a record and the next one of the same ID, without the end of a line between them.
@@ -183,13 +175,11 @@ impl LineContext<'_> {
             last.span(),
             format!("{number}\n{id}"),
         );
-        Some(Candidate {
-            habit: Habit::Apart,
-            fix: fix
-                .with("type", Value::Term(next.title))
+        Some(Candidate::new(
+            Habit::Apart,
+            fix.with("type", Value::Term(next.title))
                 .with("text", quote(&text)),
-            ty: None,
-        })
+        ))
     }
 
     /// A translation of an object as another one, `3 -1 2  4 0 0`, or a copy with its place: the copy, and what moves it.
@@ -229,11 +219,7 @@ impl LineContext<'_> {
             applicability: Applicability::Unsafe,
             edits,
         };
-        Some(Candidate {
-            habit: Habit::Apart,
-            fix,
-            ty: None,
-        })
+        Some(Candidate::new(Habit::Apart, fix))
     }
 
     /// How many of the parameters here are those of the record, and these as numbers.
@@ -352,11 +338,7 @@ impl LineContext<'_> {
             applicability: Applicability::Unsafe,
             edits,
         };
-        Some(Candidate {
-            habit,
-            fix,
-            ty: None,
-        })
+        Some(Candidate::new(habit, fix))
     }
 
     /// Whether there is nothing in a shape: one of sizes alone has one of zero, or a box ends where it begins.

@@ -60,22 +60,23 @@ impl LineContext<'_> {
             return;
         };
         let way = sub([dx, dy, dz], [x, y, z]);
-        let candidate = |title, habit, way: String, up: [&str; 3]| Candidate {
-            habit,
-            fix: Fix {
-                title,
-                values: vec![
-                    ("text", quote(&text).into()),
-                    ("number", quote(&up.join(" ")).into()),
-                    ("way", quote(&way).into()),
-                ],
-                applicability: Applicability::Unsafe,
-                edits: vec![Edit {
-                    span: tokens[0].span().to(tokens[2].span()),
-                    text: format!("{way} {}", up.join(" ")),
-                }],
-            },
-            ty: None,
+        let candidate = |title, habit, way: String, up: [&str; 3]| {
+            Candidate::new(
+                habit,
+                Fix {
+                    title,
+                    values: vec![
+                        ("text", quote(&text).into()),
+                        ("number", quote(&up.join(" ")).into()),
+                        ("way", quote(&way).into()),
+                    ],
+                    applicability: Applicability::Unsafe,
+                    edits: vec![Edit {
+                        span: tokens[0].span().to(tokens[2].span()),
+                        text: format!("{way} {}", up.join(" ")),
+                    }],
+                },
+            )
         };
         let to_point = candidate(
             "fix-look-at",
@@ -106,12 +107,11 @@ impl LineContext<'_> {
         let (last, angle) = (params.len() - 1, numbers[params.len() - 1]);
         if !is_angle(angle) {
             let at = Span::new(params[last].end(), params[last].end());
-            out.push(Candidate {
-                habit: Habit::Up,
-                fix: Fix::replace("fix-angle", Applicability::Unsafe, at, format!(" {ANGLE}"))
+            out.push(Candidate::new(
+                Habit::Up,
+                Fix::replace("fix-angle", Applicability::Unsafe, at, format!(" {ANGLE}"))
                     .with("number", quote(&ANGLE.to_string())),
-                ty: None,
-            });
+            ));
             return;
         }
         let mut found: Vec<(Vec<f64>, Candidate)> = Vec::new();
@@ -132,13 +132,11 @@ impl LineContext<'_> {
                     before,
                     format!("{number} "),
                 );
-                let candidate = Candidate {
-                    habit: Habit::Lost,
-                    fix: fix
-                        .with("name", ty.params[at].name)
+                let candidate = Candidate::new(
+                    Habit::Lost,
+                    fix.with("name", ty.params[at].name)
                         .with("number", quote(&number.to_string())),
-                    ty: None,
-                };
+                );
                 found.push((row, candidate));
             }
         }
@@ -195,11 +193,7 @@ impl LineContext<'_> {
                 })
                 .collect(),
         };
-        Candidate {
-            habit,
-            fix,
-            ty: None,
-        }
+        Candidate::new(habit, fix)
     }
 }
 

@@ -92,11 +92,7 @@ impl LineContext<'_> {
             },
             edits: vec![edit(word.span(), code), edit(span, text)],
         };
-        ((is_block || !rest.is_empty()) && !is_gone).then_some(Candidate {
-            habit: Habit::Keyword,
-            fix,
-            ty: None,
-        })
+        ((is_block || !rest.is_empty()) && !is_gone).then_some(Candidate::new(Habit::Keyword, fix))
     }
 
     /// Whether a candidate is for a block in the notation of POV-Ray, whose numbers are not those of a record:
@@ -143,11 +139,7 @@ impl LineContext<'_> {
         };
         let fix = Fix::replace(title, Applicability::Unsafe, span, text.clone());
         let fix = fix.with("number", quote(&text));
-        (!is_gone).then_some(Candidate {
-            habit: Habit::Keyword,
-            fix,
-            ty: None,
-        })
+        (!is_gone).then_some(Candidate::new(Habit::Keyword, fix))
     }
 
     /// What POV-Ray writes in another way than as the numbers of a record: the type that it is, the records with their

@@ -90,11 +90,7 @@ impl LineContext<'_> {
                 Span::new(begin, self.line.end),
                 comment,
             );
-            out.push(Candidate {
-                habit: Habit::Comment,
-                fix,
-                ty: None,
-            });
+            out.push(Candidate::new(Habit::Comment, fix));
         }
     }
 

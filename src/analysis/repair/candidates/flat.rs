@@ -34,11 +34,10 @@ impl LineContext<'_> {
             .collect();
         let span = params[0].span().to(params[params.len() - 1].span());
         let fix = Fix::replace("fix-flat", Applicability::Unsafe, span, text);
-        out.push(Candidate {
-            habit: Habit::Sibling,
-            fix: fix.with("records", shown.join(", ")),
-            ty: None,
-        });
+        out.push(Candidate::new(
+            Habit::Sibling,
+            fix.with("records", shown.join(", ")),
+        ));
     }
 
     /// The numbers of the rectangle, and what turns and moves it, without IDs. `None` where its corners differ on all axes,

@@ -148,11 +148,7 @@ impl LineContext<'_> {
             start,
             format!("{id} "),
         );
-        let candidate = Candidate {
-            habit: Habit::Id,
-            fix,
-            ty: None,
-        };
+        let candidate = Candidate::new(Habit::Id, fix);
         Some((finding, candidate))
     }
 
@@ -272,12 +268,7 @@ impl LineContext<'_> {
             false => self.numbers_of(ty, rest)?,
         };
         let span = first.span().to(last.span());
-        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
-        Some(Candidate {
-            habit: Habit::Characters,
-            fix: fix.with("number", quote(&text)),
-            ty: None,
-        })
+        Some(Candidate::writing(Habit::Characters, span, text))
     }
 
     /// That a record has one number too few or too many.
@@ -430,11 +421,7 @@ impl LineContext<'_> {
             applicability: Applicability::Unsafe,
             edits,
         };
-        Candidate {
-            habit,
-            fix,
-            ty: None,
-        }
+        Candidate::new(habit, fix)
     }
 }
 

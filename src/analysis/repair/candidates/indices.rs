@@ -11,13 +11,6 @@ use crate::syntax::table::{Kind, RecordKind, RecordType};
 /// An index has a number for each channel.
 const CHANNELS: usize = 3;
 
-/// What an assignment takes back.
-const OPTICS: [RecordKind; 3] = [
-    RecordKind::Optics,
-    RecordKind::OpticsRgb,
-    RecordKind::RefractiveIndex,
-];
-
 /// Below this are the indices of what is transparent; that of diamond is 2.42.
 const INDEX_MAX: f64 = 3.0;
 
@@ -31,14 +24,20 @@ impl LineContext<'_> {
         numbers.iter().all(is_index)
     }
 
-    /// The first record of a kind with the ID of this one, other than this.
-    fn of_same(&self, kind: RecordKind) -> Option<&Record> {
+    /// The other records with the ID of this one that give optics, which an assignment takes back.
+    fn optics(&self) -> impl Iterator<Item = &Record> {
         let id = self.id();
-        let is_other = |r: &&Record| {
+        let is_other = move |r: &&Record| {
             let head = self.analysis.document.id_token(r).span();
-            Some(r.id) == id && r.kind == kind && !head.touches(self.tokens[0].span())
+            Some(r.id) == id && r.ty().gives_optics() && !head.touches(self.tokens[0].span())
         };
-        records(self.analysis).find(is_other)
+        records(self.analysis).filter(is_other)
+    }
+
+    /// The first of them that is a refractive index.
+    fn own_index(&self) -> Option<&Record> {
+        self.optics()
+            .find(|r| r.kind == RecordKind::RefractiveIndex)
     }
 
     /// Whether three parts of light are rather an index.
@@ -55,10 +54,9 @@ impl LineContext<'_> {
         }
         let [optics, index] = [RecordKind::Optics, RecordKind::RefractiveIndex].map(RecordType::of);
         let mut candidate = self.write_type(Habit::Type, index);
-        let Some(other) = self.of_same(RecordKind::RefractiveIndex) else {
-            let is_seen_through = OPTICS.iter().any(|&kind| self.of_same(kind).is_some());
+        let Some(other) = self.own_index() else {
             // Of an object that nobody sees through it may be something else.
-            if !is_seen_through {
+            if self.optics().next().is_none() {
                 candidate.fix.applicability = Applicability::Choice;
             }
             return Some(candidate);
@@ -83,10 +81,10 @@ impl LineContext<'_> {
         let [property] = self.params() else {
             return None;
         };
-        let has_optics = OPTICS.iter().any(|&kind| self.of_same(kind).is_some());
+        let has_optics = || self.optics().next().is_some();
         let is_one = matches!(ty.kind, RecordKind::Colour | RecordKind::Assignment);
         let named = property.integer(self.text).filter(|&id| id > 1)?;
-        if !is_one || !has_optics || self.kind_of(named) != Some(Kind::Colour) {
+        if !is_one || !has_optics() || self.kind_of(named) != Some(Kind::Colour) {
             return None;
         }
         let document = &self.analysis.document;
@@ -96,12 +94,7 @@ impl LineContext<'_> {
         let colour = RecordType::of(RecordKind::Colour);
         let text = format!("{} {}", colour.code, numbers.join(" "));
         let span = self.tokens[1].span().to(property.span());
-        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
-        Some(Candidate {
-            habit: Habit::Sibling,
-            fix: fix.with("number", quote(&text)),
-            ty: None,
-        })
+        Some(Candidate::writing(Habit::Sibling, span, text))
     }
 
     /// An index behind parts of light, once or for each channel: it gets a record of its own, if the ID has none.
@@ -117,10 +110,7 @@ impl LineContext<'_> {
             t.number(self.text)
                 .is_some_and(|x| (0.0..=1.0).contains(&x))
         };
-        if !is_one
-            || !own.iter().all(is_part)
-            || self.of_same(RecordKind::RefractiveIndex).is_some()
-        {
+        if !is_one || !own.iter().all(is_part) || self.own_index().is_some() {
             return None;
         }
         let index = RecordType::of(RecordKind::RefractiveIndex);
@@ -138,12 +128,10 @@ impl LineContext<'_> {
         let id = self.id()?;
         let text = format!("\n{id} {} {numbers}", index.code);
         let fix = Fix::replace("fix-apart", Applicability::Unsafe, span, text);
-        Some(Candidate {
-            habit: Habit::Apart,
-            fix: fix
-                .with("type", Value::Term(index.title))
+        Some(Candidate::new(
+            Habit::Apart,
+            fix.with("type", Value::Term(index.title))
                 .with("text", quote(&numbers)),
-            ty: None,
-        })
+        ))
     }
 }

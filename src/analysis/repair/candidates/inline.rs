@@ -176,11 +176,7 @@ impl LineContext<'_> {
             applicability: Applicability::Unsafe,
             edits,
         };
-        Some(Candidate {
-            habit: Habit::Apart,
-            fix,
-            ty: None,
-        })
+        Some(Candidate::new(Habit::Apart, fix))
     }
 
     /// The ID of a record that defines a colour and does nothing else: one whose comment names the colour, or one with its
@@ -261,10 +257,6 @@ impl LineContext<'_> {
             ],
         };
         self.is_gap(Span::new(behind, last.start))
-            .then_some(Candidate {
-                habit: Habit::Doubled,
-                fix,
-                ty: None,
-            })
+            .then_some(Candidate::new(Habit::Doubled, fix))
     }
 }

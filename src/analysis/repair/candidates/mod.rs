@@ -139,6 +139,22 @@ pub(super) struct Candidate {
 }
 
 impl Candidate {
+    /// A fix that writes no type.
+    pub(super) fn new(habit: Habit, fix: Fix) -> Candidate {
+        Candidate {
+            habit,
+            fix,
+            ty: None,
+        }
+    }
+
+    /// A text in the place of another, which the finding says.
+    pub(super) fn writing(habit: Habit, span: Span, text: String) -> Candidate {
+        let shown = quote(&text);
+        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text);
+        Candidate::new(habit, fix.with("number", shown))
+    }
+
     /// Whether this, too, writes all decimal commas of a fix as points.
     pub(super) fn includes(&self, fix: &Fix) -> bool {
         let is_here = |e: &Edit| self.fix.edits.contains(e);
@@ -585,10 +601,6 @@ impl<'a> LineContext<'a> {
             applicability: Applicability::Unsafe,
             edits,
         };
-        Some(Candidate {
-            habit,
-            fix,
-            ty: None,
-        })
+        Some(Candidate::new(habit, fix))
     }
 }

@@ -42,11 +42,10 @@ impl LineContext<'_> {
         let text = format!("{id} {} {a} {b}", ty.code);
         let fix = Fix::replace("fix-equation", Applicability::Unsafe, span, text.clone());
         let fix = fix.with("number", quote(&text));
-        Some(Candidate {
-            habit: Habit::Characters,
-            fix: fix.with("type", Value::Term(ty.title)),
-            ty: None,
-        })
+        Some(Candidate::new(
+            Habit::Characters,
+            fix.with("type", Value::Term(ty.title)),
+        ))
     }
 
     /// An operation whose type stands between its operands: `52 51 -101 34`.
@@ -69,9 +68,9 @@ impl LineContext<'_> {
             span: t.span(),
             text: text.to_owned(),
         };
-        Some(Candidate {
-            habit: Habit::Infix,
-            fix: Fix {
+        Some(Candidate::new(
+            Habit::Infix,
+            Fix {
                 title: "fix-equation",
                 values: vec![
                     ("number", quote(&text).into()),
@@ -80,8 +79,7 @@ impl LineContext<'_> {
                 applicability: Applicability::Unsafe,
                 edits: vec![edit(a, sign.text(self.text)), edit(sign, first)],
             },
-            ty: None,
-        })
+        ))
     }
 
     /// The parameters without their names, in the order of the record where all have the names of its parameters.

@@ -71,16 +71,15 @@ impl LineContext<'_> {
             false => "fix-labelled",
         };
         edits.sort_by_key(|e| e.span.start);
-        Some(Candidate {
-            habit: Habit::Characters,
-            fix: Fix {
+        Some(Candidate::new(
+            Habit::Characters,
+            Fix {
                 title,
                 values: vec![("text", written.into())],
                 applicability: Applicability::Unsafe,
                 edits,
             },
-            ty: None,
-        })
+        ))
     }
 
     /// A rotation with an angle for each axis, as other programs have it: one about each axis whose angle is not 0, about
@@ -107,11 +106,10 @@ impl LineContext<'_> {
         let text = turns.join(&format!("\n{} {} ", self.id()?, ty.code));
         let span = Span::new(first.start, last.end());
         let fix = Fix::replace(title, Applicability::Unsafe, span, text.clone());
-        Some(Candidate {
-            habit: Habit::Doubled,
-            fix: fix.with("number", quote(&text)),
-            ty: None,
-        })
+        Some(Candidate::new(
+            Habit::Doubled,
+            fix.with("number", quote(&text)),
+        ))
     }
 
     /// Parts of light in per cent, or without their decimal point.
@@ -162,12 +160,7 @@ impl LineContext<'_> {
         };
         let text = format!("{angle} {axis}");
         let span = params[0].span().to(params[3].span());
-        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
-        Some(Candidate {
-            habit: Habit::Doubled,
-            fix: fix.with("number", quote(&text)),
-            ty: None,
-        })
+        Some(Candidate::writing(Habit::Doubled, span, text))
     }
 
     /// How many points follow the number of points of a profile, if these are whole ones.
@@ -423,12 +416,7 @@ impl LineContext<'_> {
         };
         let span = first.span().to(last.span());
         let name = format!("\"{}\"", self.text[span.range()].replace('"', ""));
-        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, name.clone());
-        out.push(Candidate {
-            habit: Habit::Characters,
-            fix: fix.with("number", quote(&name)),
-            ty: None,
-        });
+        out.push(Candidate::writing(Habit::Characters, span, name));
     }
 
     /// Numbers that stand there twice, one group behind the other.
@@ -454,11 +442,10 @@ impl LineContext<'_> {
             let turned = i == wanted && more == wanted && sorted(&params[..i]) == sorted(dropped);
             if again || turned {
                 let span = Span::new(params[i - 1].end(), dropped[more - 1].end());
-                out.push(Candidate {
-                    habit: Habit::Doubled,
-                    fix: Fix::replace("fix-doubled", Applicability::Unsafe, span, ""),
-                    ty: None,
-                });
+                out.push(Candidate::new(
+                    Habit::Doubled,
+                    Fix::replace("fix-doubled", Applicability::Unsafe, span, ""),
+                ));
             }
         }
     }

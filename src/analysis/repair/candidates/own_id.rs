@@ -69,11 +69,7 @@ impl LineContext<'_> {
             applicability: Applicability::Unsafe,
             edits,
         };
-        out.push(Candidate {
-            habit: Habit::Id,
-            fix,
-            ty: None,
-        });
+        out.push(Candidate::new(Habit::Id, fix));
     }
 
     /// The ID of the record before, for one that changes something and has lost its own.
@@ -202,11 +198,7 @@ impl LineContext<'_> {
             applicability: Applicability::Unsafe,
             edits,
         };
-        Some(Candidate {
-            habit: Habit::Id,
-            fix,
-            ty: None,
-        })
+        Some(Candidate::new(Habit::Id, fix))
     }
 
     /// The objects that an ID is assigned to, and the places there for a property of the first kind, which are empty or

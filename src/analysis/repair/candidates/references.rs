@@ -392,11 +392,7 @@ impl LineContext<'_> {
             Span::new(start, end),
             "",
         );
-        is_alone.then_some(Candidate {
-            habit: Habit::Id,
-            fix,
-            ty: None,
-        })
+        is_alone.then_some(Candidate::new(Habit::Id, fix))
     }
 
     /// A light from everywhere that is moved as a lamp is: it may be one.

@@ -48,10 +48,6 @@ impl LineContext<'_> {
         let span = first.span().to(last.span());
         let shown = format!("{} {new}", self.tokens[0].text(self.text));
         let fix = Fix::replace("fix-write", applicability, span, new);
-        Candidate {
-            habit: Habit::Sibling,
-            fix: fix.with("number", quote(&shown)),
-            ty: None,
-        }
+        Candidate::new(Habit::Sibling, fix.with("number", quote(&shown)))
     }
 }

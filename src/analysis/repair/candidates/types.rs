@@ -141,12 +141,9 @@ impl LineContext<'_> {
         let numbers = materials::numbers(RecordKind::Optics, &self.text[word.range()])?;
         let ty = RecordType::of(RecordKind::Optics);
         let text = format!("{} {numbers}", ty.code);
-        let fix = Fix::replace("fix-write", Applicability::Unsafe, word, text.clone());
-        params.is_empty().then(|| Candidate {
-            habit: Habit::Word,
-            fix: fix.with("number", quote(&text)),
-            ty: None,
-        })
+        params
+            .is_empty()
+            .then(|| Candidate::writing(Habit::Word, word, text))
     }
 
     /// A cylinder about the y axis of a radius and a height, or of a height and a radius; or from one centre of an end
@@ -190,11 +187,7 @@ impl LineContext<'_> {
                     edit(first.span().to(last.span()), profile),
                 ],
             };
-            Candidate {
-                habit: Habit::Word,
-                fix,
-                ty: None,
-            }
+            Candidate::new(Habit::Word, fix)
         }));
     }
 
@@ -239,12 +232,11 @@ impl LineContext<'_> {
         let new = |title, text: String| {
             let params = self.params();
             let span = params[0].span().to(params[params.len() - 1].span());
-            Candidate {
-                habit: Habit::Sibling,
-                fix: Fix::replace(title, Applicability::Unsafe, span, text.clone())
+            Candidate::new(
+                Habit::Sibling,
+                Fix::replace(title, Applicability::Unsafe, span, text.clone())
                     .with("number", quote(&text)),
-                ty: None,
-            }
+            )
         };
         let texts: Vec<&str> = (self.params().iter()).map(|t| t.text(self.text)).collect();
         let is_part = |t: &Token| {
@@ -377,12 +369,7 @@ impl LineContext<'_> {
         };
         let text = format!("{} {places}", RecordType::of(RecordKind::Assignment).code);
         let span = self.tokens[1].span().to(property.span());
-        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text.clone());
-        Some(Candidate {
-            habit: Habit::Sibling,
-            fix: fix.with("number", quote(&text)),
-            ty: None,
-        })
+        Some(Candidate::writing(Habit::Sibling, span, text))
     }
 
     /// One part of light, or its per cent, in the place of three: it may be any of them, and the rest is diffuse.
@@ -402,11 +389,10 @@ impl LineContext<'_> {
         let candidates = ty.params.iter().zip(rows).map(|(param, row)| {
             let fix = Fix::replace("fix-part", Applicability::Choice, span, row.clone());
             let fix = fix.with("text", quote(written)).with("number", quote(&row));
-            Candidate {
-                habit: Habit::Sibling,
-                fix: fix.with("parameter", Value::Term(param.doc)),
-                ty: None,
-            }
+            Candidate::new(
+                Habit::Sibling,
+                fix.with("parameter", Value::Term(param.doc)),
+            )
         });
         candidates.collect()
     }

@@ -18,13 +18,6 @@ const KINDS: [RecordKind; 5] = [
     RecordKind::RefractiveIndex,
 ];
 
-/// What an assignment gives as well, as 0 does.
-const ASSIGNED: [RecordKind; 3] = [
-    RecordKind::Optics,
-    RecordKind::OpticsRgb,
-    RecordKind::RefractiveIndex,
-];
-
 /// The most objects that are proposed.
 const PROPOSALS: usize = 2;
 
@@ -54,8 +47,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             let first = last[kind].replace(record);
             pairs.extend(first.map(|first| (first, record)));
             if record.kind == RecordKind::Assignment {
-                let of_optics = (KINDS.iter().zip(last)).filter(|l| ASSIGNED.contains(l.0));
-                pairs.extend(of_optics.filter_map(|l| Some((l.1.take()?, record))));
+                // It gives the optics as well, as 0 does.
+                let gives = |last: &Option<&Record>| last.is_some_and(|r| r.ty().gives_optics());
+                let of_optics = last.iter_mut().filter(|last| gives(last));
+                pairs.extend(of_optics.filter_map(|last| Some((last.take()?, record))));
             }
         }
     }

@@ -6,7 +6,7 @@ use rustc_hash::FxHashSet;
 use crate::diagnostics::{Applicability, Edit, Fix, Span, Value};
 use crate::lint::Context;
 use crate::scene::{Entity, Node};
-use crate::syntax::table::{Effect, Kind, RecordKind, RecordType};
+use crate::syntax::table::{Kind, RecordKind, RecordType};
 use crate::syntax::{Record, quote};
 
 /// The index with the ID of a transparent object that has none, if one digit or the order of two makes the difference;
@@ -43,10 +43,9 @@ pub(super) fn of_a_transparent_one(context: &Context, property: &Entity) -> Vec<
 
 /// Whether a property is a refractive index and nothing else.
 pub(super) fn is_mere_index(context: &Context, property: &Entity) -> bool {
-    let gives = |effect| matches!(effect, Effect::DefinesOrChanges(Kind::Optics, _));
     let mut own = context
         .records()
-        .filter(|r| r.id == property.id && gives(r.ty().effect));
+        .filter(|r| r.id == property.id && r.ty().gives_optics());
     own.all(|r| r.kind == RecordKind::RefractiveIndex) && property.kind == Some(Kind::Optics)
 }
 
