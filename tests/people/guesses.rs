@@ -733,3 +733,13 @@ fn operands_that_are_too_many_are_those_of_the_operation() {
         );
     }
 }
+
+#[test]
+fn file_names_with_brackets_stand_in_quotes() {
+    for name in ["wood[1].png", "wood(1).png", "my wood.png"] {
+        let text = format!("2 11 0 1 0 1\n2 -301 {name}\n50 -402 0.9\n1 9999 2 0\n");
+        assert_eq!(codes(&text), [Code::E012]);
+        let meant = text.replace(name, &format!("\"{name}\""));
+        assert_eq!(fixed(&text, true), meant);
+    }
+}

@@ -375,9 +375,9 @@ E012-parameter = slovo { $text } stojí na místě čísla
 E012-angle = rotaci chybí úhel: { $text } je její osa
     .label = před osou má být úhel
     .help = záznam se píše { $header }; osa je 1 pro x, 2 pro y, 3 pro z
-E012-file-name = jméno souboru { $text } obsahuje mezery
+E012-file-name = jméno souboru { $text } je víc než jedno slovo
     .label = zde má být jedno slovo
-    .help = jméno souboru s mezerami patří do uvozovek
+    .help = jméno souboru s mezerami, čárkami nebo závorkami patří do uvozovek
     .fix = { fix-write }
 
 E013 = { $text } bodů je více, než lze zpracovat

@@ -371,9 +371,9 @@ E012-parameter = the word { $text } stands in the place of a number
 E012-angle = the rotation lacks its angle: { $text } is its axis
     .label = the angle goes before the axis
     .help = the record is written { $header }; the axis is 1 for x, 2 for y, 3 for z
-E012-file-name = the file name { $text } has spaces in it
+E012-file-name = the file name { $text } is more than one word
     .label = this should be one word
-    .help = a file name with spaces stands in double quotes
+    .help = a file name with spaces, commas or brackets stands in double quotes
     .fix = { fix-write }
 
 E013 = { $text } points are more than can be handled
