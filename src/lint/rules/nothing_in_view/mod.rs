@@ -14,6 +14,8 @@ use crate::trace::plan::unseen::view::{OutOfView, Parts, USUAL, out_of_view};
 
 /// The cosine of the angle between two directions that are meant as one.
 const AIMED: f64 = 0.9;
+/// The length up to which people write directions: most have the length 1, or a 1 and a part of it.
+const LONGEST_WRITTEN: f64 = 1.5;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -98,14 +100,21 @@ fn turned(
     };
     let swapped = Vec::from_iter(swapped(context, root, camera, p, of));
     let sees = |way: Vec3| sees(context, root, camera, way, of);
-    let mut fixes = Vec::from_iter(with_sign(camera, p, side, sees));
+    let signs = signs(camera.direction, side, sees);
+    let mut fixes = Vec::from_iter(signs.map(|signs| with_signs(signs, p)));
     fixes.extend(turned_to_point(camera, p, sees));
     let way = sub(ended.centre(), camera.position);
     // A direction that is a place within what is drawn is that place, unless the other sign aims at the middle.
     let aim = unit(camera.direction)
         .zip(unit(way))
         .map(|(a, b)| -dot(a, b));
-    if ended.contains(camera.direction) && aim.is_some_and(|aim| aim < AIMED) {
+    let is_place = ended.contains(camera.direction) && aim.is_some_and(|aim| aim < AIMED);
+    // Of a direction as people write one a minus is rather lost.
+    let is_lost = signs.is_some_and(|signs| is_one_lost(camera.direction, signs));
+    if match is_lost {
+        true => length(camera.direction) > LONGEST_WRITTEN,
+        false => is_place,
+    } {
         fixes.reverse();
     }
     if !ended.is_empty() && sees(way) {
@@ -143,28 +152,44 @@ fn swapped(context: &Context, root: NodeId, camera: &Camera, p: &Params, of: Par
     )
 }
 
-/// The fix that gives the longest part of the direction the other sign, or all parts for what is behind the camera, if
-/// the camera sees something then.
-fn with_sign(
-    camera: &Camera,
-    p: &Params,
-    side: OutOfView,
-    sees: impl Fn(Vec3) -> bool,
-) -> Option<Fix> {
-    let way = camera.direction;
-    let longest = (0..3).max_by(|&i, &j| way[i].abs().total_cmp(&way[j].abs()))?;
-    let turned = |part: usize, one: bool| part == longest || !one && way[part] != 0.0;
-    let parts = |one: bool| [0, 1, 2].map(|i| if turned(i, one) { -way[i] } else { way[i] });
-    let may_be = |one: bool| (one || side == OutOfView::Behind) && sees(parts(one));
-    let one = [true, false].into_iter().find(|&one| may_be(one))?;
-    let text = |i: usize| match (turned(i, one), p.text_of(3 + i).strip_prefix('-')) {
+/// The parts of a direction whose signs are changed.
+type Signs = [bool; 3];
+
+/// The parts of the direction that get the other sign, if the camera sees something then: the longest one, all for what is
+/// behind the camera, or another one that may have lost its minus.
+fn signs(way: Vec3, side: OutOfView, sees: impl Fn(Vec3) -> bool) -> Option<Signs> {
+    let longest = longest(way)?;
+    let only = |part: usize| [0, 1, 2].map(|i| i == part);
+    let all = way.map(|x| x != 0.0);
+    let lost = (0..3).filter(|&i| way[i] > 0.0).map(only);
+    let all = std::iter::once(all).filter(|_| side == OutOfView::Behind);
+    let mut may_be = std::iter::once(only(longest)).chain(all).chain(lost);
+    may_be.find(|signs| sees([0, 1, 2].map(|i| if signs[i] { -way[i] } else { way[i] })))
+}
+
+fn longest(way: Vec3) -> Option<usize> {
+    (0..3).max_by(|&i, &j| way[i].abs().total_cmp(&way[j].abs()))
+}
+
+/// Whether one part that has no minus gets one, and it is not the longest.
+fn is_one_lost(way: Vec3, signs: Signs) -> bool {
+    let mut parts = (0..3).filter(|&i| signs[i]);
+    let (Some(part), None) = (parts.next(), parts.next()) else {
+        return false;
+    };
+    way[part] > 0.0 && Some(part) != longest(way)
+}
+
+/// The fix that gives parts of the direction the other sign.
+fn with_signs(signs: Signs, p: &Params) -> Fix {
+    let text = |i: usize| match (signs[i], p.text_of(3 + i).strip_prefix('-')) {
         (true, Some(rest)) => rest.to_owned(),
         (true, None) => format!("-{}", p.text_of(3 + i).trim_start_matches('+')),
         (false, _) => p.text_of(3 + i).to_owned(),
     };
     let numbers = [0, 1, 2].map(text);
     let values = vec![("number", quote(&numbers.join(" ")).into())];
-    Some(fix("fix-sign", values, numbers, p))
+    fix("fix-sign", values, numbers, p)
 }
 
 /// The fix that turns the camera to the point that the direction is meant as, if it sees something then.
