@@ -2,6 +2,7 @@
 //! record that was meant.
 
 mod agreement;
+mod blocks;
 mod commas;
 mod forgotten;
 mod guesses;

@@ -8,7 +8,9 @@ use super::entity::{State, Values};
 use super::model::*;
 use super::record::Params;
 use super::references::{Lost, References};
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Severity, SourceFile, Span, Value};
+use crate::diagnostics::{
+    Applicability, Code, Diagnostic, Edit, Fix, Severity, SourceFile, Span, Value,
+};
 use crate::syntax::ast::{Broken, Fault};
 use crate::syntax::ids::IdTable;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
@@ -101,7 +103,7 @@ pub(super) struct Resolver<'a> {
 impl<'a> Resolver<'a> {
     fn record(&mut self, record: &Record) {
         let p = Params::new(self.document, self.text, record);
-        if !self.reserved_id(&p) {
+        if !self.reserved_id(record, &p) {
             return;
         }
         let exists = self.exists(p.id);
@@ -175,7 +177,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// E105: ID 1 is for the render record and the render record for ID 1.
-    fn reserved_id(&mut self, p: &Params) -> bool {
+    fn reserved_id(&mut self, record: &Record, p: &Params) -> bool {
         let is_render = p.ty.kind == RecordKind::Render;
         if (p.id == 1) == is_render {
             return true;
@@ -185,7 +187,11 @@ impl<'a> Resolver<'a> {
             let d = Diagnostic::new(Code::E105, p.id_span());
             let is_render = |ty: &RecordType| ty.kind == RecordKind::Render;
             match self.document.contents.count(is_render) {
-                0 | 1 => d.fix(Fix::replace("fix", Applicability::Safe, p.id_span(), "1")),
+                // What is drawn is known at the end of the file.
+                0 | 1 => {
+                    self.late.push(*record);
+                    return false;
+                }
                 // With the ID of the other one it would be defined again.
                 _ => d.case("again"),
             }
@@ -334,9 +340,38 @@ impl<'a> Resolver<'a> {
         roots.next().filter(|root| roots.all(|id| id == *root))
     }
 
+    /// E105 for the only render record, with the ID 1 as its fix: in the place of what is drawn, if that has it. Whether
+    /// what it refers to is to be looked at.
+    fn other_render_id(&mut self, p: &Params) -> bool {
+        let id = p.id.to_string();
+        let d = Diagnostic::new(Code::E105, p.id_span());
+        let is_object = matches!(self.state(p.id), Some(State::Object(_)));
+        if p.integer(0) != 1 || !is_object {
+            let fix = Fix::replace("fix", Applicability::Safe, p.id_span(), "1");
+            self.out.push(d.fix(fix));
+            return true;
+        }
+        let number = syntax::quote(&format!("1 {} {id}", p.ty.code));
+        let edit = |span: Span, text: &str| Edit {
+            span,
+            text: text.to_owned(),
+        };
+        let edits = vec![edit(p.id_span(), "1"), edit(p.span_of(0, 1), &id)];
+        let fix = Fix::guess("fix-write", edits).with("number", number);
+        let fix = Fix {
+            applicability: Applicability::Safe,
+            ..fix
+        };
+        self.out.push(d.case("swapped").with("id", id).fix(fix));
+        false
+    }
+
     /// Checks and keeps a record whose references name the end of the file.
     fn late_record(&mut self, record: &Record) {
         let p = Params::new(self.document, self.text, record);
+        if p.ty.kind == RecordKind::Render && p.id != 1 && !self.other_render_id(&p) {
+            return;
+        }
         let targets: Vec<Option<u32>> = (0..record.ty().params.len())
             .map(|i| self.reference(&p, i, true).flatten())
             .collect();

@@ -1,8 +1,12 @@
-//! Properties above the object that they are for.
+//! Properties above the object that they are for, or with the ID of the next object in place of that of the one above.
 
-use super::whole::Matter;
+use rustc_hash::FxHashMap;
+
+use super::whole::{Matter, records};
 use crate::analysis::{Analysis, moving};
-use crate::diagnostics::{Code, Diagnostic, Span};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
+use crate::syntax::table::{Effect, Kind, RecordKind};
+use crate::syntax::{Record, quote};
 
 /// Most objects whose properties are moved in one file.
 const MAX_OBJECTS: usize = 8;
@@ -18,7 +22,8 @@ pub(super) fn is_told(d: &Diagnostic) -> bool {
 }
 
 /// The objects whose properties stand above them, each with the fix that moves all of these behind it. Where an ID is
-/// used and defined nowhere, or is used as something else, the object may rather have another one.
+/// used and defined nowhere, or is used as something else, the object may rather have another one. A property of the
+/// object above with the ID of the next one is written with its own.
 pub(super) fn properties(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Matter> {
     let early: Vec<&Diagnostic> = (findings.iter().filter(|d| is_early(d)))
         .take(MAX_OBJECTS)
@@ -36,13 +41,109 @@ pub(super) fn properties(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Ma
     if findings.iter().any(may_be_other) {
         return Vec::new();
     }
-    let matters = early.into_iter().zip(moved).filter_map(|(d, moved)| {
-        let (fix, mut spans) = moved?;
+    let blocks = Blocks::new(analysis);
+    let slips: Vec<Option<Slip>> = early.iter().map(|d| blocks.slip(d)).collect();
+    // Who writes properties first does so more than once.
+    let is_habit = early.len() > 1 && slips.iter().flatten().all(|slip| !slip.has_own);
+    let matters = early.into_iter().zip(moved).zip(slips);
+    let matters = matters.filter_map(|((d, moved), slip)| {
+        let (mut fix, mut spans) = moved?;
         spans.push(d.span);
-        Some(Matter {
-            finding: d.clone().fix(fix),
-            spans,
-        })
+        let finding = d.clone();
+        let finding = match slip.filter(|_| !is_habit) {
+            None => finding.fix(fix),
+            Some(mut slip) => {
+                fix.applicability = Applicability::Choice;
+                if !slip.has_own {
+                    slip.fix.applicability = Applicability::Choice;
+                }
+                finding.fix(slip.fix).fix(fix)
+            }
+        };
+        Some(Matter { finding, spans })
     });
     matters.collect()
+}
+
+/// A property that is rather one of the object above.
+struct Slip {
+    /// The fix that writes the ID of that object.
+    fix: Fix,
+    /// Whether the object that it has the ID of gets such a property below.
+    has_own: bool,
+}
+
+/// The records of a scene in order, and those that give an ID something.
+struct Blocks<'a> {
+    analysis: &'a Analysis,
+    records: Vec<&'a Record>,
+    /// What each ID is given, and by which record last.
+    given: FxHashMap<(u32, Given), u32>,
+}
+
+/// What a record gives an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Given {
+    Optics,
+    Texture,
+    Index,
+}
+
+fn given(record: &Record) -> Option<Given> {
+    match (record.kind, record.ty().effect) {
+        (RecordKind::RefractiveIndex, _) => Some(Given::Index),
+        (_, Effect::DefinesOrChanges(Kind::Optics, _)) => Some(Given::Optics),
+        (_, Effect::DefinesOrChanges(Kind::Texture | Kind::Colour, _)) => Some(Given::Texture),
+        _ => None,
+    }
+}
+
+impl<'a> Blocks<'a> {
+    fn new(analysis: &'a Analysis) -> Self {
+        let records: Vec<&Record> = records(analysis).collect();
+        let mut all = FxHashMap::default();
+        for record in &records {
+            if let Some(given) = given(record) {
+                all.insert((record.id, given), record.first);
+            }
+            // An assignment gives both.
+            if record.kind == RecordKind::Assignment {
+                all.insert((record.id, Given::Optics), record.first);
+                all.insert((record.id, Given::Texture), record.first);
+            }
+        }
+        Blocks {
+            analysis,
+            records,
+            given: all,
+        }
+    }
+
+    /// The slip that a property may be which stands above the definition of its object: alone, right under another
+    /// object, which is not given such a one.
+    fn slip(&self, finding: &Diagnostic) -> Option<Slip> {
+        let document = &self.analysis.document;
+        let start = finding.labels.first()?.span.start;
+        let first = (self.records).partition_point(|r| document.id_token(r).start < start);
+        let property = *self.records.get(first)?;
+        let above = *self.records.get(first.checked_sub(1)?)?;
+        let next = *self.records.get(first + 1)?;
+        let kind = given(property)?;
+        let mut entities = self.analysis.scene.entities.iter();
+        let is_object = entities.any(|e| e.id == above.id && e.kind == Some(Kind::Object));
+        let is_alone = next.id != property.id || matches!(next.ty().effect, Effect::Defines(_));
+        if !is_object || !is_alone || self.given.contains_key(&(above.id, kind)) {
+            return None;
+        }
+        let span = document.id_token(property).span();
+        let text = above.id.to_string();
+        let number = quote(&text);
+        let fix = Fix::guess("fix-write", vec![Edit { span, text }]).with("number", number);
+        let defined = document
+            .tokens
+            .partition_point(|t| t.start < finding.span.start) as u32;
+        let last = self.given.get(&(property.id, kind));
+        let has_own = last.is_some_and(|&last| last > defined);
+        Some(Slip { fix, has_own })
+    }
 }

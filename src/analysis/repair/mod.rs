@@ -7,6 +7,7 @@
 
 mod candidates;
 mod characters;
+mod definitions;
 mod early;
 mod elsewhere;
 mod heads;
@@ -130,6 +131,9 @@ impl Engine<'_> {
                 self.settle(matter);
             }
         }
+        for matter in definitions::slips(self.analysis, &self.findings) {
+            self.settle(matter);
+        }
         for matter in early::properties(self.analysis, &self.findings) {
             self.settle(matter);
         }
@@ -223,7 +227,8 @@ impl Engine<'_> {
                 || whole::is_of_many(finding)
                 || in_comments::is_told(finding)
                 || missing::is_told(finding)
-                || early::is_told(finding);
+                || early::is_told(finding)
+                || definitions::is_told(finding);
             if is_tried(finding)
                 && !done
                 && !settled

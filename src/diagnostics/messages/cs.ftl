@@ -107,6 +107,8 @@ folded-cut = { $count ->
 
 fix-write = napsat { $number }
 fix-space = chybí-li mezera, napsat { $number }
+fix-defined = napsat { $number } v definici výše
+fix-both-ways = je-li to totéž číslo v obou směrech, napsat { $number }
 fix-czech-key = na české klávesnici je { $key } na klávese { $digit }: napsat { $number }
 fix-type = napsat `{ $number }` ({ $type })
 fix-types = vyměnit typy obou záznamů: napsat zde `{ $number }` ({ $type })
@@ -530,6 +532,8 @@ E104 = { $id } je použito ve své vlastní definici
 E105 = renderovací záznam musí mít ID 1
     .label = toto ID
     .fix = napsat `1`
+E105-swapped = ID renderovacího záznamu a to, co se vykresluje, jsou prohozené
+    .label = renderovací záznam má ID 1 a vykresluje se { $id }
 E105-again = renderovací záznam musí mít ID 1, ale je jich tu víc
     .label = toto ID
     .help = ponechte jeden z nich

@@ -99,6 +99,8 @@ folded-cut = { $count ->
 
 fix-write = write { $number }
 fix-space = if a space is missing, write { $number }
+fix-defined = write { $number } in the definition above
+fix-both-ways = if it is the same number both ways, write { $number }
 fix-czech-key = on a Czech keyboard { $key } is the key of { $digit }: write { $number }
 fix-type = write `{ $number }` ({ $type })
 fix-types = exchange the types of both records: write `{ $number }` ({ $type }) here
@@ -515,6 +517,8 @@ E104 = { $id } is used in its own definition
 E105 = the render record must have the ID 1
     .label = this ID
     .fix = write `1`
+E105-swapped = the ID of the render record and what is drawn stand in each other's place
+    .label = the render record has the ID 1, and { $id } is what is drawn
 E105-again = the render record must have the ID 1, and there is more than one
     .label = this ID
     .help = keep one of them

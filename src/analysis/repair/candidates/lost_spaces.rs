@@ -1,11 +1,11 @@
 //! A token that is several numbers, since the spaces between them are lost: `-12.5 1 0` is `-1 2.5 1 0`.
 
 use super::{Candidate, Habit, LineContext};
-use crate::diagnostics::{Code, Diagnostic};
+use crate::diagnostics::{Applicability, Code, Diagnostic};
 use crate::syntax::allows;
 use crate::syntax::lexer::Token;
 use crate::syntax::quote;
-use crate::syntax::table::{Family, Param, ParamKind, RecordType};
+use crate::syntax::table::{Family, Param, ParamKind, RecordKind, RecordType};
 
 /// No more numbers than these are taken from one token.
 const MAX_PARTS: usize = 3;
@@ -59,8 +59,19 @@ impl LineContext<'_> {
         }
     }
 
+    /// A number that is two, or stands for two, in a record with too few.
+    pub(super) fn one_too_few(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
+        if finding.code != Code::E008 {
+            return;
+        }
+        if out.iter().all(|c| c.habit == Habit::Lost) && self.is_only_one(finding) {
+            out.extend(self.two_digits());
+        }
+        self.both_ways(out);
+    }
+
     /// Whether no other finding says the same of a record of this type. What many records lack is no space.
-    pub(super) fn is_only_one(&self, finding: &Diagnostic) -> bool {
+    fn is_only_one(&self, finding: &Diagnostic) -> bool {
         let ty = |d: &Diagnostic| d.values.iter().find(|v| v.0 == "type").cloned();
         let is_same = |d: &&Diagnostic| d.code == finding.code && ty(d) == ty(finding);
         self.analysis
@@ -73,7 +84,7 @@ impl LineContext<'_> {
 
     /// A whole number that is two digits, parts of one vector, if it is the only one of a record with which that has as many
     /// numbers as it takes and all of them may stand where they are then. Tens are rather what they say.
-    pub(super) fn two_digits(&self) -> Option<Candidate> {
+    fn two_digits(&self) -> Option<Candidate> {
         let ty = self.ty()?;
         let rest: Vec<&str> = self.params().iter().map(|t| t.text(self.text)).collect();
         let colour = ty.first_colour(0).unwrap_or(usize::MAX);
@@ -96,6 +107,28 @@ impl LineContext<'_> {
         let mut candidate = self.write(Habit::Split, &[only])?;
         candidate.fix.title = "fix-space";
         Some(candidate)
+    }
+
+    /// The number of fields of a checkerboard, where it has one number and both colours: the same both ways, before any two
+    /// numbers that it may be. Which is meant, nobody can tell.
+    fn both_ways(&self, out: &mut Vec<Candidate>) {
+        let ty = (self.ty()).filter(|ty| ty.kind == RecordKind::Checkerboard);
+        let (Some(ty), [fields, ..]) = (ty, self.params()) else {
+            return;
+        };
+        let rest: Vec<&str> = self.params().iter().map(|t| t.text(self.text)).collect();
+        let params = [&rest[..1], &rest].concat();
+        if !self.is_record(ty, &params) {
+            return;
+        }
+        let text = format!("{0} {0}", rest[0]);
+        let both = self.write(Habit::Split, &[(*fields, text)]);
+        let both = both.map(|mut both| {
+            both.fix.title = "fix-both-ways";
+            both
+        });
+        out.splice(0..0, both);
+        (out.iter_mut()).for_each(|c| c.fix.applicability = Applicability::Choice);
     }
 
     fn glued_apart(&self, token: &Token, parts: &[&str]) -> Option<Candidate> {

@@ -410,10 +410,7 @@ impl<'a> LineContext<'a> {
                 self.lost_type(&mut out);
             }
             self.lost_shape_type(&mut out);
-            let is_short = finding.code == Code::E008 && out.iter().all(|c| c.habit == Habit::Lost);
-            if is_short && self.is_only_one(finding) {
-                out.extend(self.two_digits());
-            }
+            self.one_too_few(finding, &mut out);
         } else if finding.code == Code::W319 {
             self.swapped(&mut out);
         }

@@ -10,8 +10,8 @@ use crate::syntax::table::{Kind, RecordKind};
 use crate::syntax::{Record, quote};
 
 /// The index with the ID of the object that lets light through and has no index: the one whose record stands right
-/// above, or the only one.
-pub(super) fn of_glass(context: &Context, index: &Params) -> Option<Fix> {
+/// above, or the only one. None of those `without` it: their optics may be meant for another object themselves.
+pub(super) fn of_glass(context: &Context, index: &Params, without: &FxHashSet<u32>) -> Option<Fix> {
     let scene = context.scene;
     let start = index.id_span().start;
     let own = |paint: u32| -> &Paint { &scene.paints[paint as usize] };
@@ -49,6 +49,9 @@ pub(super) fn of_glass(context: &Context, index: &Params) -> Option<Fix> {
             all.find(|id| *id == last.id)?
         }
     };
+    if without.contains(&id) {
+        return None;
+    }
     let text = id.to_string();
     let fix = Fix::replace(
         "fix-write",

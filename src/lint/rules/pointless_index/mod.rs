@@ -113,6 +113,7 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
     silent.retain(|s| apart.is_without_effect(s.0));
     let titles = context.titles();
     let is_one = silent.len() == 1;
+    let twice = super::overridden_property::with_two_optics(context);
     for (span, object) in silent {
         let Some(p) = context.params(span) else {
             continue;
@@ -125,7 +126,7 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
         let d = Diagnostic::new(Code::W318, p.span_of(0, 3))
             .with("object", Value::Term(title))
             .with("object-id", object.to_string());
-        let fix = (is_one.then(|| instead::of_glass(context, &p))).flatten();
+        let fix = (is_one.then(|| instead::of_glass(context, &p, &twice))).flatten();
         out.push(match fix {
             Some(fix) => d.fix(fix),
             None => d,

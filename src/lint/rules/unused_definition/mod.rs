@@ -10,7 +10,7 @@ use std::cell::LazyCell;
 
 use rustc_hash::FxHashMap;
 
-use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::scene::Entity;
 use crate::scene::names::Names;
@@ -57,7 +57,8 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let Some(number) = context.scene.ids.get(entity.id) else {
             continue;
         };
-        let known = std::mem::replace(&mut all[number as usize], DECIDED);
+        let known = all[number as usize];
+        all[number as usize] |= DECIDED;
         if known & (SOUND | USED | HELD | DECIDED) == SOUND
             && let Some(mut finding) = finding(context, entity)
         {
@@ -88,7 +89,17 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         fixes.extend(slip::of_a_transparent_one(context, property));
         // Nothing is seen of an index where no light goes through.
         if !slip::is_mere_index(context, property) {
-            fixes.extend(assign::to_the_only_one(context, property));
+            let is_drawn = |id: u32| {
+                let number = context.scene.ids.get(id);
+                number.is_some_and(|number| all[number as usize] & USED != 0)
+            };
+            let above = slip::of_the_object_above(context, property, is_drawn);
+            let is_slip = |fix: &Fix| fix.applicability == Applicability::Unsafe;
+            let fix = match above {
+                Some(fix) if is_slip(&fix) => Some(fix),
+                above => assign::to_the_only_one(context, property).or(above),
+            };
+            fixes.extend(fix);
         }
     }
     background::add(context, &backgrounds, out);

@@ -6,7 +6,7 @@ use rustc_hash::FxHashSet;
 use crate::diagnostics::{Applicability, Edit, Fix, Span, Value};
 use crate::lint::Context;
 use crate::scene::{Entity, Node};
-use crate::syntax::table::{Kind, RecordKind, RecordType};
+use crate::syntax::table::{Effect, Kind, RecordKind, RecordType};
 use crate::syntax::{Record, quote};
 
 /// The index with the ID of a transparent object that has none, if one digit or the order of two makes the difference;
@@ -39,6 +39,46 @@ pub(super) fn of_a_transparent_one(context: &Context, property: &Entity) -> Vec<
         fix.with("number", number)
     };
     meant.into_iter().map(fix).collect()
+}
+
+/// The property with the ID of the object whose record stands right above, if that is drawn and given no such property: to be
+/// chosen, unless one digit or the order of two makes the difference.
+pub(super) fn of_the_object_above(
+    context: &Context,
+    property: &Entity,
+    is_drawn: impl Fn(u32) -> bool,
+) -> Option<Fix> {
+    let kind = property.kind?;
+    let document = context.document;
+    let start = |r: &Record| document.id_token(r).start;
+    let gives = |r: &Record| match r.ty().effect {
+        Effect::DefinesOrChanges(Kind::Texture | Kind::Colour, _) => kind != Kind::Optics,
+        Effect::DefinesOrChanges(Kind::Optics, _) => kind == Kind::Optics,
+        _ => r.kind == RecordKind::Assignment,
+    };
+    let (mut above, mut given) = (None, FxHashSet::default());
+    for record in context.records() {
+        if start(record) < property.span.start {
+            above = Some(record.id);
+        }
+        given.extend(gives(record).then_some(record.id));
+    }
+    let id = above.filter(|&id| !given.contains(&id) && is_drawn(id))?;
+    let mut entities = context.scene.entities.iter();
+    entities.find(|e| e.id == id && e.kind == Some(Kind::Object))?;
+    let (written, text) = (property.id.to_string(), id.to_string());
+    let is_alike = strsim::osa_distance(&written, &text) == 1 && written.len() == text.len();
+    let head = Span::new(
+        property.span.start,
+        property.span.start + written.len() as u32,
+    );
+    let number = quote(&text);
+    let mut fix = Fix::guess("fix-write", vec![Edit { span: head, text }]);
+    // One digit of one differs from any other.
+    if !is_alike || written.len() == 1 {
+        fix.applicability = Applicability::Choice;
+    }
+    Some(fix.with("number", number))
 }
 
 /// Whether a property is a refractive index and nothing else.
