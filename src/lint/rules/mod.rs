@@ -74,7 +74,7 @@ use ShapeKind as S;
 
 const CUTS: &[RecordKind] = &[R::Intersection, R::Difference];
 const UNIONS: &[RecordKind] = &[R::Union];
-const JOINS: &[RecordKind] = &[R::Union, R::Intersection];
+const JOINS_AND_CHECKERBOARDS: &[RecordKind] = &[R::Union, R::Intersection, R::Checkerboard];
 const DIFFERENCES: &[RecordKind] = &[R::Difference];
 const ROTATIONS: &[RecordKind] = &[R::Rotation];
 const INTERSECTIONS: &[RecordKind] = &[R::Intersection];
@@ -309,7 +309,7 @@ pub(super) const RULES: &[Rule] = &[
     Rule {
         code: Code::W333,
         check: duplicate_operand::check,
-        asks_for: &[JOINS],
+        asks_for: &[JOINS_AND_CHECKERBOARDS],
     },
     Rule {
         code: Code::W334,

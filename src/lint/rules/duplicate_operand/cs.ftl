@@ -10,3 +10,6 @@ W333-equal = sjednocení { $id } obsahuje dva stejné objekty na jednom místě:
 W333-same = { $type } { $id } má za oba operandy { $one-id }: je to totéž jako samotný { $one-id }
     .label = tentýž objekt podruhé
     .help = napište sem jiný objekt, nebo místo { $id } použijte { $one-id }
+W333-checkerboard = šachovnice má za obě barvy { $one-id }: všechna její pole jsou stejná
+    .label = tatáž barva podruhé
+    .help = napište sem jinou barvu, nebo místo šachovnice použijte jen tuto barvu

@@ -10,3 +10,6 @@ W333-equal = the union { $id } has two equal objects in one place: the { $one } 
 W333-same = the { $type } { $id } is of { $one-id } and { $one-id }: it is the same as { $one-id } alone
     .label = the same object again
     .help = name another object here, or use { $one-id } instead of { $id }
+W333-checkerboard = the checkerboard is of { $one-id } and { $one-id }: all its fields have one colour
+    .label = the same colour again
+    .help = name another colour here, or give the object this colour alone

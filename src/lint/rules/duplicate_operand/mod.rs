@@ -1,6 +1,7 @@
 //! W333: a union or an intersection of an object with itself, or a union with a copy of it that stays
-//! where it was, or with a shape that equals it.
+//! where it was, or with a shape that equals it; a checkerboard of one colour.
 
+mod checkerboard;
 mod equal;
 
 use std::cell::LazyCell;
@@ -14,7 +15,10 @@ use crate::solids::named_core;
 use crate::syntax::quote;
 use crate::syntax::table::Kind;
 
+pub(super) use checkerboard::of_one_colour;
+
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    out.extend(checkerboard::check(context));
     let scene = context.scene;
     let live = live_nodes(scene);
     let originals = originals(scene);

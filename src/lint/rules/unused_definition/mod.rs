@@ -10,7 +10,7 @@ use std::cell::LazyCell;
 
 use rustc_hash::FxHashMap;
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Label, Value};
 use crate::lint::Context;
 use crate::scene::Entity;
 use crate::scene::names::Names;
@@ -103,6 +103,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
     }
     background::add(context, &backgrounds, out);
+    name_checkerboard(context, &backgrounds, out);
     if let [(at, object)] = objects[..]
         && let Some(fix) = part::in_its_place(context, object)
     {
@@ -112,6 +113,19 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     if let [(at, object)] = wholes[..] {
         out[at].fixes.extend(whole::drawn(context, object));
+    }
+}
+
+/// Names the checkerboard of one colour that may mean the only unused one, in place of all guesses.
+fn name_checkerboard(context: &Context, colours: &[(usize, u32)], out: &mut [Diagnostic]) {
+    let [(at, _)] = colours[..] else { return };
+    let mut boards = super::duplicate_operand::of_one_colour(context);
+    if let Some(board) = boards.find(|board| board.span().start > out[at].span.start) {
+        out[at].fixes.clear();
+        out[at].labels.push(Label {
+            span: board.span(),
+            phrase: "board",
+        });
     }
 }
 
