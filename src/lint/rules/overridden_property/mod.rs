@@ -1,4 +1,4 @@
-//! W334: a property that a later record of the same kind, or an assignment, overrides before anything uses it.
+//! W334: a property that a later record of the same kind, an assignment, or a texture overrides before anything uses it.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -37,9 +37,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .with("change", Value::Term(first.ty().title))
             .with("type", Value::Term(title))
             .with("id", first.id.to_string())
-            .case(match first.kind == second.kind {
-                true => "",
-                false => "assigned",
+            .case(match second.kind {
+                kind if kind == first.kind => "",
+                RecordKind::Assignment => "assigned",
+                _ => "textured",
             })
             .label(span(second), "second");
         if i < MAX_PROPOSED {
@@ -47,6 +48,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
         out.push(d);
     }
+}
+
+fn is_colour(record: &Record) -> bool {
+    record.kind == RecordKind::Colour
 }
 
 /// The objects whose optics are given twice: a record about one of them may be meant for another.
@@ -74,6 +79,12 @@ fn pairs<'a>(context: &Context<'a>) -> Vec<(&'a Record, &'a Record)> {
             unused.remove(&id);
         }
         let kind = KINDS.iter().position(|kind| *kind == record.kind);
+        if super::TEXTURES.contains(&record.kind)
+            && let Some(last) = unused.get_mut(&record.id)
+        {
+            let mut colours = (last.iter_mut()).filter(|r| r.is_some_and(is_colour));
+            pairs.extend(colours.find_map(|last| Some((last.take()?, record))));
+        }
         // Of what stands above its definition another finding speaks.
         if let Some(kind) = kind.filter(|_| defined.contains(&record.id)) {
             let last = unused.entry(record.id).or_default();
