@@ -5,6 +5,7 @@ mod agreement;
 mod commas;
 mod forgotten;
 mod guesses;
+mod left_out;
 mod meant;
 mod messages;
 mod mug;
