@@ -495,6 +495,7 @@ lsp-not-an-id = { $text } není ID: ID je celé číslo od 2 do { $max }
 lsp-id-taken = { $id } je již použito na řádku { $line }
 explain-in-a-scene = Ve scéně
 explain-also = Viz též: { $list }
+explain-help = Více řekne `{ $text }`.
 lsp-no-uri = { $text } není URI
 lsp-no-command = zpg nemá příkaz { $text }
 lsp-no-target = zpg zde scénu do { $text } nepřevádí

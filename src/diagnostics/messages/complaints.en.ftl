@@ -492,6 +492,7 @@ lsp-not-an-id = { $text } is not an ID: an ID is a whole number from 2 to { $max
 lsp-id-taken = { $id } is taken: it stands in line { $line }
 explain-in-a-scene = In a scene
 explain-also = See also: { $list }
+explain-help = `{ $text }` says more.
 lsp-no-uri = { $text } is no URI
 lsp-no-command = zpg has no command { $text }
 lsp-no-target = zpg does not convert a scene to { $text } here
