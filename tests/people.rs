@@ -8,6 +8,7 @@ mod guesses;
 mod left_out;
 mod meant;
 mod messages;
+mod mistaken;
 mod mug;
 mod newcomers;
 mod order;
