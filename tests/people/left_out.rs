@@ -168,3 +168,28 @@ fn a_picture_that_is_not_there() {
     let made = std::fs::read_to_string(dir.path().join("a.zpg")).expect("a scene");
     assert_eq!(made, text.replace("3 11 0 1 0 1 #", "8 11 0 1 0 1 #"));
 }
+
+/// What another operand holds is no guess for an operand.
+#[test]
+fn parts_of_another_operand() {
+    let lines = "2 11 0 1 0 1\n3 11 2 1 0 1\n5 -101 2 3\n6 -101 5 4\n";
+    let finding = repair::proposals(&read(&scene(lines, "6 0"))).remove(0);
+    assert_eq!(finding.code, Code::E101);
+    let guesses = written(&finding);
+    assert!(
+        !guesses.iter().any(|g| ["2", "3"].contains(g)),
+        "{guesses:?}"
+    );
+}
+
+/// The render record without its ID, whose second number is the number of a type, too.
+#[test]
+fn a_render_record_without_its_id() {
+    let text = scene("24 11 0 1 0 1\n16 -701 1 0 0\n", "24 16");
+    let slip = text.replace("1 9999", "9999");
+    let finding = repair::proposals(&read(&slip)).remove(0);
+    assert_eq!((finding.code, finding.case), (Code::E005, "lost"));
+    assert_eq!(finding.fixes.len(), 1);
+    let mended = fixing::to_fixed_point(read(&slip), true, Analysis::of);
+    assert_eq!(mended.analysis.source.text, text);
+}

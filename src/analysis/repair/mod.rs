@@ -278,7 +278,9 @@ impl Engine<'_> {
 
     /// Puts the fixes of a finding into order. Whether there is one that mends the line.
     fn mend(&mut self, at: usize, place: &LineContext) -> bool {
-        (self.findings[at].fixes).retain(|fix| !place.is_behind_use(fix));
+        let finding = self.findings[at].clone();
+        let is_pointless = |fix: &Fix| place.is_behind_use(fix) || place.is_held(&finding, fix);
+        (self.findings[at].fixes).retain(|fix| !is_pointless(fix));
         let finding = self.findings[at].clone();
         let undefined = undefined(&self.findings);
         let fixes = self.findings.iter().flat_map(|d| &d.fixes);

@@ -74,6 +74,7 @@ no-topic-list = žádný nález ani typ záznamu se nejmenuje { $text } (všechn
 ## Sledování
 
 stdin-not-watched = standardní vstup nelze sledovat
+watch-no-width = `-w` sleduje změny scény a { $text } k němu nepatří: velikost se zadává třeba `--size 64x48`
 cannot-watch = změny nelze sledovat
 watching = Sleduji změny; konec Ctrl-C
 

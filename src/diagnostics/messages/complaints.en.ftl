@@ -74,6 +74,7 @@ no-topic-list = there is no finding or record type { $text } (`zpg explain` list
 ## Watching
 
 stdin-not-watched = standard input cannot be watched
+watch-no-width = `-w` watches the scene, and takes no { $text }: a size is given as in `--size 64x48`
 cannot-watch = cannot watch for changes: { $reason }
 watching = Watching for changes; Ctrl-C ends it
 

@@ -127,6 +127,7 @@ refused = `--unsafe-fixes` tu žádný odhad nepoužije: nálezů by po něm neb
 comment-ends = komentář končí druhým znakem `#`; co stojí za ním, se čte jako čísla
 fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam
 fix-lamp-place = napsat intenzitu 1 a polohu jako samostatný záznam
+fix-angle-last = zorný úhel patří na konec: napsat { $number }
 fix-apart = napsat { $text } jako samostatný záznam ({ $type })
 fix-copy = napsat to jako kopii objektu { $text } a její posunutí
 fix-apart-both = napsat { $text } jako dva samostatné záznamy: posunutí a barvu

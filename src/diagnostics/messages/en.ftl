@@ -119,6 +119,7 @@ refused = `--unsafe-fixes` takes no guess here: there would be no fewer findings
 comment-ends = a comment ends at its second `#`; whatever comes after it is read as numbers
 fix-lamp = write the intensity 1, and the colour as a record of its own
 fix-lamp-place = write the intensity 1, and the position as a record of its own
+fix-angle-last = the field of view comes last: write { $number }
 fix-apart = write { $text } as a record of its own ({ $type })
 fix-copy = write it as a copy of { $text } and its translation
 fix-apart-both = write { $text } as two records of their own: a translation and a colour

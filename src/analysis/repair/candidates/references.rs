@@ -1,6 +1,6 @@
 //! Other IDs: those that a record refers to, and its own.
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::{Candidate, Habit, LineContext, MAX_CANDIDATES};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
@@ -95,12 +95,14 @@ impl LineContext<'_> {
             (false, true) => 4,
             (false, false) => 2,
         };
+        let held = self.held(finding, &all);
         for by in &[1, -1, 2, -2][..most] {
             let shifted: Option<Vec<(Token, String)>> = (all.iter())
                 .filter(|(t, _)| id(t) != 0)
                 .map(|(t, _)| {
                     let new = id(t).checked_add(*by).filter(|&id| id > 0)?;
-                    Some((*t, new.to_string()))
+                    let is_held = held.iter().any(|&id| i64::from(id) == new);
+                    (!is_held).then(|| (*t, new.to_string()))
                 })
                 .collect();
             out.extend(shifted.and_then(|new| self.write(Habit::Shifted, &new)));
@@ -121,6 +123,7 @@ impl LineContext<'_> {
             let mut others: Vec<(bool, bool, usize, u64, u32)> = (self.entities(kinds))
                 .filter(|e| i64::from(e.id) != written && Some(e.id) != self.id())
                 .filter(|e| !is_of_two || !used.contains(&i64::from(e.id)))
+                .filter(|e| !held.contains(&e.id))
                 .map(|e| {
                     let new = e.id.to_string();
                     (
@@ -139,6 +142,42 @@ impl LineContext<'_> {
                     .filter_map(|o| self.write(Habit::Reference, &[(*t, o.4.to_string())])),
             );
         }
+    }
+
+    /// Whether a fix makes an operand of what another one has as its part.
+    pub(in crate::analysis::repair) fn is_held(&self, finding: &Diagnostic, fix: &Fix) -> bool {
+        let [edit] = fix.edits.as_slice() else {
+            return false;
+        };
+        let new = edit.text.parse();
+        edit.span == finding.span
+            && new.is_ok_and(|id| self.held(finding, &self.referring()).contains(&id))
+    }
+
+    /// What the other operands of an operation are made of: no other part of it is meant.
+    fn held(&self, finding: &Diagnostic, all: &[(Token, &'static [Kind])]) -> FxHashSet<u32> {
+        let mut held = FxHashSet::default();
+        if !self.is_operation() {
+            return held;
+        }
+        let others = all.iter().filter(|(t, _)| finding.span != t.span());
+        let mut todo: Vec<u32> = others
+            .filter_map(|(t, _)| u32::try_from(t.integer(self.text)?).ok())
+            .collect();
+        let document = &self.analysis.document;
+        let mut parts: FxHashMap<u32, Vec<u32>> = FxHashMap::default();
+        for record in document.items.iter().filter_map(Item::record) {
+            let is_made = record.ty().family == Family::Operation;
+            if is_made && document.id_token(record).start < self.line.start {
+                let references = names::references(document, record);
+                parts.entry(record.id).or_default().extend(references);
+            }
+        }
+        while let Some(id) = todo.pop() {
+            let new = parts.get(&id).into_iter().flatten();
+            todo.extend(new.filter(|&&part| held.insert(part)));
+        }
+        held
     }
 
     /// Whether a guess names a colour, texture or optics that other records name, and that by a digit in the place of
