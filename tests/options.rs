@@ -770,3 +770,15 @@ fn what_is_meant_is_proposed() {
         text(&zpg(dir.path(), &["render", "a.zpg", "--view", "elsewhere"]).stderr).to_owned();
     assert!(!said.contains("did you mean"), "{said}");
 }
+
+/// A width behind `-w`, as other programs have it, is none, and nothing is watched.
+#[test]
+fn a_width_behind_watch() {
+    let dir = folder(&[("a.zpg", GOOD)]);
+    for size in ["64", "64x48"] {
+        refused(dir.path(), &["render", "a.zpg", "-w", size], "--size 64x48");
+        let run = zpg(dir.path(), &["--lang", "cs", "render", "a.zpg", "-w", size]);
+        assert_eq!(run.status.code(), Some(2));
+        assert!(text(&run.stderr).contains("velikost"));
+    }
+}

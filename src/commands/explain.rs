@@ -167,7 +167,11 @@ fn page(topic: &str, language: Language) -> Option<String> {
         };
         return Some(format!("# {heading}\n\n{text}\n{also}"));
     }
-    let (ty, others) = types.split_first()?;
+    let Some((ty, others)) = types.split_first() else {
+        let help = topics::help(&topic)?;
+        let help = language.say("explain-help", &[("text", help.into())]);
+        return Some(format!("# {word}\n\n{help}\n"));
+    };
     let page = type_page(ty, language);
     // The page begins with the word that was looked for.
     let page = page.replacen("# ", &format!("# {word}: "), 1);
@@ -307,6 +311,41 @@ mod tests {
                 );
             }
         }
+    }
+
+    /// Each term of the glossary leads somewhere, in both languages; so do the meanings of parameters.
+    #[test]
+    fn terms_of_the_glossary_have_pages() {
+        let rows = include_str!("../../docs/glossary.cs.md").lines();
+        let mut count = 0;
+        for row in rows.filter(|row| row.starts_with("| ")) {
+            let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+            if cells[1] == "anglicky" {
+                continue;
+            }
+            for term in cells[1..3].iter().flat_map(|cell| cell.split(", ")) {
+                let is_found = page(term, Language::Czech).is_some();
+                assert!(is_found || group(term).is_some(), "{term}");
+                count += 1;
+            }
+        }
+        assert!(count > 200);
+        for (word, code) in [
+            ("zorný úhel", "-501"),
+            ("směr pohledu", "-501"),
+            ("vektor nahoru", "-501"),
+            ("otočit", "-2"),
+            ("posunout", "-1"),
+            ("the tube's radius", "14"),
+            ("intensity", "-402"),
+        ] {
+            let page = page(word, Language::Czech).expect(word);
+            let heading = page.lines().next().unwrap_or_default();
+            let is_also = page.contains(&format!("zpg explain {code}`"));
+            assert!(heading.ends_with(&format!("({code})")) || is_also, "{page}");
+        }
+        let ray = page("paprsek", Language::Czech).expect("a page");
+        assert!(ray.contains("`zpg probe --help`"), "{ray}");
     }
 
     /// What people want to make has a page of its own, which begins with the word and shows a scene that does it.

@@ -27,6 +27,7 @@ use super::{LookChoice, Status, complain, load_valid, refuse, usage, watch};
 use crate::analysis::config::Configs;
 use crate::diagnostics::Complaint;
 use crate::parallel;
+use crate::syntax::quote;
 use options::PictureArgs;
 use output::places;
 use tile::Tile;
@@ -131,6 +132,11 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         complain(look, &complaint);
         return Status::Failure;
     }
+    if let Some(width) = width_behind_watch(args) {
+        let complaint = Complaint::new("watch-no-width").with("text", quote(&width));
+        complain(look, &complaint);
+        return Status::Failure;
+    }
     let stop = stop_on_interrupt(look);
     // What was drawn last is no reason to draw again.
     let drawn = RefCell::new(Vec::new());
@@ -151,6 +157,17 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         true => watch::run(&args.paths, look, &stop, is_drawn, all),
         false => all(),
     }
+}
+
+/// A number among the scenes to be watched that names no file: other programs have `-w` for a width.
+fn width_behind_watch(args: &Args) -> Option<String> {
+    let is_number = |path: &&PathBuf| {
+        let text = path.to_str().unwrap_or_default();
+        !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit() || c == b'x')
+    };
+    let mut paths = args.paths.iter().filter(|path| !path.exists());
+    let width = paths.find(is_number).filter(|_| args.watch)?;
+    Some(width.display().to_string())
 }
 
 /// What there is to draw. What stands in the way is said, and then there is nothing.

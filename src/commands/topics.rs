@@ -1,7 +1,7 @@
 //! What people want to make, which is no type of record: a page each of `zpg explain`, with a scene that does it.
 
 use crate::diagnostics::Language;
-use crate::syntax::table::RecordType;
+use crate::syntax::table::{RECORD_TYPES, RecordType};
 use crate::syntax::words::{self, plain};
 
 /// A page.
@@ -50,7 +50,7 @@ pub(super) const TOPICS: [Topic; 14] = [
     },
     Topic {
         titles: ["shadow", "stín"],
-        words: &["shadows", "stiny"],
+        words: &["shadows", "stiny", "transparentshadow", "pruhlednystin"],
         texts: texts!("shadow"),
     },
     Topic {
@@ -110,13 +110,28 @@ pub(super) const TOPICS: [Topic; 14] = [
     },
     Topic {
         titles: ["order", "pořadí"],
-        words: &["id", "ids", "identifier", "identifikator"],
+        words: &[
+            "id",
+            "ids",
+            "identifier",
+            "identifikator",
+            "record",
+            "zaznam",
+            "type",
+            "typ",
+            "parameter",
+            "parametr",
+            "object",
+            "objekt",
+            "scenefile",
+            "souborsescenou",
+        ],
         texts: texts!("order"),
     },
 ];
 
 /// Words that lead to types, without accents and in lower case, as those of [`words`]. They are nobody's guess in a scene.
-const WORDS: [(&str, &[i32]); 43] = [
+const WORDS: [(&str, &[i32]); 58] = [
     ("indexofrefraction", &[-203]),
     ("kostka", &[12]),
     ("toroid", &[14]),
@@ -160,7 +175,124 @@ const WORDS: [(&str, &[i32]); 43] = [
     ("obloha", &[9999]),
     ("odecist", &[-103]),
     ("kopirovat", &[-105]),
+    ("otocit", &[-2, -4]),
+    ("posunout", &[-1]),
+    ("zornyuhel", &[-501]),
+    ("fieldofview", &[-501]),
+    ("smerpohledu", &[-501]),
+    ("viewdirection", &[-501]),
+    ("vektornahoru", &[-501]),
+    ("upvector", &[-501]),
+    ("nahoru", &[-501]),
+    ("operand", &[-101, -102, -103]),
+    ("operation", &[-101, -102, -103]),
+    ("solid", &[11, 12, 4]),
+    ("teleso", &[11, 12, 4]),
+    ("surface", &[3, 5, 6]),
+    ("plocha", &[3, 5, 6]),
 ];
+
+/// Words of the command line, without accents and in lower case, and the command whose help speaks of them.
+const COMMANDS: [(&str, &[&str]); 9] = [
+    (
+        "check",
+        &[
+            "error",
+            "chyba",
+            "warning",
+            "varovani",
+            "finding",
+            "nalez",
+            "fix",
+            "oprava",
+            "rule",
+            "pravidlo",
+            "code",
+            "kod",
+            "allow",
+            "povolit",
+            "check",
+            "zkontrolovat",
+            "note",
+        ],
+    ),
+    ("fmt", &["format", "zformatovat"]),
+    ("convert", &["convert", "prevest", "prevod"]),
+    (
+        "render",
+        &[
+            "picture",
+            "obrazek",
+            "pixel",
+            "sample",
+            "vzorek",
+            "antialiasing",
+            "vyhlazovanihran",
+            "raytracer",
+            "sledovacpaprsku",
+            "thread",
+            "vlakno",
+            "memory",
+            "pamet",
+        ],
+    ),
+    ("frames", &["frame", "snimek"]),
+    ("probe", &["ray", "paprsek", "crossing", "prusecik"]),
+    (
+        "accuracy",
+        &[
+            "accuracy",
+            "presnost",
+            "rounding",
+            "zaokrouhlovani",
+            "tolerance",
+        ],
+    ),
+    (
+        "farm",
+        &[
+            "job",
+            "uloha",
+            "task",
+            "dilciuloha",
+            "band",
+            "pas",
+            "part",
+            "castobrazku",
+            "node",
+            "uzel",
+            "engine",
+            "planovac",
+        ],
+    ),
+    (
+        "",
+        &[
+            "commandline",
+            "prikazovaradka",
+            "option",
+            "volba",
+            "file",
+            "soubor",
+            "folder",
+            "slozka",
+            "default",
+            "vychozi",
+            "exitstatus",
+            "navratovykod",
+        ],
+    ),
+];
+
+/// What to type for help with a word of the command line.
+pub(super) fn help(word: &str) -> Option<String> {
+    let word = plain(word);
+    let (command, _) = COMMANDS
+        .iter()
+        .find(|(_, words)| words.contains(&word.as_str()))?;
+    let words = ["zpg", command, "--help"].into_iter();
+    Some(Vec::from_iter(words.filter(|w| !w.is_empty())).join(" "))
+}
 
 /// The types that a word leads to here, the likeliest first.
 pub(super) fn types(word: &str) -> Vec<&'static RecordType> {
@@ -169,11 +301,24 @@ pub(super) fn types(word: &str) -> Vec<&'static RecordType> {
         return named;
     }
     let word = plain(word);
-    let codes = WORDS.iter().find(|(name, _)| *name == word).map(|n| n.1);
-    let types = codes.unwrap_or_default().iter();
-    types
-        .filter_map(|&code| RecordType::by_code(code.into()))
-        .collect()
+    if let Some((_, codes)) = WORDS.iter().find(|(name, _)| *name == word) {
+        let types = codes.iter();
+        return types
+            .filter_map(|&code| RecordType::by_code(code.into()))
+            .collect();
+    }
+    // The meaning of a parameter.
+    let is_its = |doc: &str| {
+        let doc = plain(doc);
+        doc == word || doc.strip_prefix("the") == Some(&word)
+    };
+    let has = |ty: &&RecordType| {
+        let params = ty.params.iter().chain(ty.optional);
+        params
+            .flat_map(|p| [p.doc.to_owned(), Language::Czech.name(p.doc)])
+            .any(|doc| is_its(&doc))
+    };
+    RECORD_TYPES.iter().filter(has).collect()
 }
 
 /// All names that are no titles, without accents.

@@ -69,3 +69,30 @@ pub fn near(x: f64, size: f64) -> String {
         text.into()
     }
 }
+
+/// Three parts divided by their sum, in as many digits as show each to a thousandth of the whole. Their decimals are 1
+/// at most.
+pub fn shares(k: &[f64], sum: f64) -> Vec<String> {
+    const MAX_SHARE_ERROR: f64 = 5e-4;
+    const FINEST: i32 = 9;
+    let parts = |digits: i32| {
+        let one = 10f64.powi(digits);
+        let rounded = k.iter().map(move |x| (x / sum * one).round());
+        (one, rounded.collect::<Vec<_>>())
+    };
+    let is_right = |(one, parts): &(f64, Vec<f64>)| {
+        let off = |(part, x): (&f64, &f64)| (part / one - x / sum).abs();
+        let near = parts.iter().zip(k).all(|each| off(each) < MAX_SHARE_ERROR);
+        near && parts.iter().sum::<f64>() <= *one
+    };
+    let (one, mut parts) = (1..FINEST)
+        .map(parts)
+        .find(is_right)
+        .unwrap_or_else(|| parts(FINEST));
+    // What is rounded up in all three is taken off the largest.
+    let excess = (parts.iter().sum::<f64>() - one).max(0.0);
+    if let Some(largest) = parts.iter_mut().max_by(|a, b| a.total_cmp(b)) {
+        *largest -= excess;
+    }
+    parts.iter().map(|part| spelled(part / one)).collect()
+}

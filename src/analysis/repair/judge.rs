@@ -22,6 +22,14 @@ pub(super) fn errors(analysis: &Analysis) -> usize {
     analysis.errors.len()
 }
 
+/// The code of a picture that cannot be read, which no text mends.
+pub(super) const NO_PICTURE: Code = Code::E210;
+
+/// Whether no error of the text is left.
+pub(super) fn is_right(analysis: &Analysis) -> bool {
+    (analysis.errors.iter()).all(|&(code, _)| code == NO_PICTURE)
+}
+
 /// Most shapes, copies counted, of a scene on which the rules run: with copies of copies they take a tenth of a second,
 /// and many texts are tried.
 const MAX_SHAPES_FOR_RULES: u64 = 20_000;

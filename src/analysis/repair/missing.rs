@@ -4,9 +4,9 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::named;
 use crate::analysis::Analysis;
-use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Span};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::scene::{Entity, names};
-use crate::syntax::table::{Effect, Family, Kind, RecordKind};
+use crate::syntax::table::{Effect, Family, Kind, ParamKind, RecordKind, RecordType};
 use crate::syntax::{Item, Record};
 
 /// So many IDs are looked at.
@@ -141,13 +141,9 @@ impl<'a> Ids<'a> {
         let is_of_use = |span: &&Span| !heads.contains(*span);
         let wrong = spans.iter().filter(is_of_use).count();
         // What is asked for is an object.
-        let asks = |r: &Record| matches!(r.ty().family, Family::Operation | Family::Render);
-        let mut users = spans
-            .iter()
-            .filter(is_of_use)
-            .filter_map(|&s| self.record_at(s));
-        if users.any(|r| !asks(r)) {
-            return None;
+        let asks = |at: Span| self.kinds_at(at) == Some(&[Kind::Object]);
+        if spans.iter().filter(is_of_use).any(|&at| !asks(at)) {
+            return self.missing_colour(id, spans);
         }
         // The object of an assignment may stand in the place of a property.
         let assigned: FxHashSet<u32> = (own.iter())
@@ -169,11 +165,18 @@ impl<'a> Ids<'a> {
             Effect::Defines(_) => false,
         });
         let is_lamp = uses == 0 && lights;
+        let at = spans[0];
+        let finding = Diagnostic::new(Code::E101, at).with("id", id.to_string());
+        if wrong > 0
+            && let Some(first) = own.first()
+            && let Some(fixes) = self.operations(id, first, spans)
+        {
+            let finding = finding.case("missing-operation").note("choose");
+            return Some(fixes.into_iter().fold(finding, Diagnostic::fix));
+        }
         if self.is_left_over(id, is_lamp) {
             return None;
         }
-        let at = spans[0];
-        let finding = Diagnostic::new(Code::E101, at).with("id", id.to_string());
         let several = own.len() + uses > 1;
         if is_lamp && (several || self.is_in_order(id, own.first()?)) {
             return Some(finding.case(match self.has_lamp() {
@@ -181,11 +184,14 @@ impl<'a> Ids<'a> {
                 false => "missing-lamp",
             }));
         }
+        if is_lamp && own.len() == 1 && self.is_beside_lamp(own[0]) {
+            return Some(finding.case("missing-lamp"));
+        }
         if several && !own.is_empty() {
             return Some(finding.case("missing-shape"));
         }
         let user = self.record_at(at)?;
-        if uses != 1 || !own.is_empty() || !asks(user) {
+        if uses != 1 || !own.is_empty() || !asks(at) {
             return None;
         }
         let start = document.tokens[user.first as usize].start;
@@ -206,6 +212,86 @@ impl<'a> Ids<'a> {
             [_, _, ..] => Some(finding.case("missing")),
             _ => None,
         }
+    }
+
+    /// The kinds of which one is asked for at a reference.
+    fn kinds_at(&self, at: Span) -> Option<&'static [Kind]> {
+        let record = self.record_at(at)?;
+        let mut tokens = self
+            .analysis
+            .document
+            .significant(record.first, record.last);
+        let place = tokens.position(|t| t.span() == at)?.checked_sub(2)?;
+        match record.ty().params.get(place)?.kind {
+            ParamKind::Reference { kinds, .. } => Some(kinds),
+            _ => None,
+        }
+    }
+
+    /// Operations of the only two objects above a record that nothing uses, to be put above it; none where the record that
+    /// names the ID may name these two by a shift.
+    fn operations(&self, id: u32, first: &Record, spans: &[Span]) -> Option<Vec<Fix>> {
+        let start = self.analysis.document.tokens[first.first as usize].start;
+        let left: Vec<&Entity> = self.unused(Kind::Object, start).take(3).collect();
+        let &[a, b] = left.as_slice() else {
+            return None;
+        };
+        let mut users = spans.iter().filter_map(|&at| self.record_at(at));
+        if users.any(|user| self.is_shifted(user, [a.id, b.id])) {
+            return None;
+        }
+        let kinds = [
+            RecordKind::Union,
+            RecordKind::Intersection,
+            RecordKind::Difference,
+        ];
+        let fixes = kinds.map(|kind| {
+            let ty = RecordType::of(kind);
+            let text = format!("{id} {} {} {}", ty.code, a.id, b.id);
+            let span = Span::new(start, start);
+            let fix = Fix::replace(
+                "fix-operation",
+                Applicability::Choice,
+                span,
+                format!("{text}\n"),
+            );
+            let fix = fix.with("text", text).with("type", Value::Term(ty.title));
+            fix.with("first", a.id.to_string())
+                .with("last", b.id.to_string())
+        });
+        Some(fixes.into())
+    }
+
+    /// Whether a record is a move behind those of a lamp with the ID before, or in front of a lamp with the next ID.
+    fn is_beside_lamp(&self, record: &Record) -> bool {
+        let behind = self.records.partition_point(|r| r.first <= record.first);
+        let before = behind.checked_sub(2).map(|i| self.records[i].id);
+        let is_lamp = |id: Option<u32>| {
+            let mut entities = self.analysis.scene.entities.iter();
+            id.is_some_and(|id| entities.any(|e| e.id == id && e.kind == Some(Kind::PointLight)))
+        };
+        let next = self.records.get(behind).map(|r| r.id);
+        let is_next = |id: Option<u32>, by: i64| {
+            id.is_some_and(|id| i64::from(id) == i64::from(record.id) + by) && is_lamp(id)
+        };
+        record.kind == RecordKind::Translation && (is_next(before, -1) || is_next(next, 1))
+    }
+
+    /// That a colour of a checkerboard is missing, where there is no other one that it may be.
+    fn missing_colour(&self, id: u32, spans: &[Span]) -> Option<Diagnostic> {
+        let &[at] = spans else { return None };
+        let user = self.record_at(at)?;
+        let document = &self.analysis.document;
+        let start = document.tokens[user.first as usize].start;
+        let own: Vec<u32> = names::references(document, user).collect();
+        let is_other =
+            |e: &Entity| matches!(e.kind, None | Some(Kind::Colour)) && !own.contains(&e.id);
+        let is_one = user.kind == RecordKind::Checkerboard
+            && self.uses(id) == 1
+            && self.records.iter().all(|r| r.id != id)
+            && !(self.analysis.scene.entities.iter()).any(|e| is_other(e) && e.span.start < start);
+        let finding = Diagnostic::new(Code::E101, at).with("id", id.to_string());
+        is_one.then(|| finding.case("missing-colour"))
     }
 
     /// Whether a record names two things with IDs that are all off by one or two.

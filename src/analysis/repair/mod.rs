@@ -284,6 +284,9 @@ impl Engine<'_> {
     /// Puts the fixes of a finding into order. Whether there is one that mends the line.
     fn mend(&mut self, at: usize, place: &LineContext) -> bool {
         let finding = self.findings[at].clone();
+        let is_pointless = |fix: &Fix| place.is_behind_use(fix) || place.is_held(&finding, fix);
+        (self.findings[at].fixes).retain(|fix| !is_pointless(fix));
+        let finding = self.findings[at].clone();
         let undefined = undefined(&self.findings);
         let fixes = self.findings.iter().flat_map(|d| &d.fixes);
         let taken: Vec<u32> = fixes.flat_map(candidates::new_ids).collect();
@@ -444,18 +447,19 @@ impl Engine<'_> {
             return false;
         }
         let clean = !has_error_at(&best.scene, best.line);
-        let alone = clean && others.is_empty() && judge::errors(&best.scene) == 0;
+        let alone = clean && others.is_empty() && judge::is_right(&best.scene);
         let alone = alone
             || clean
                 && (self.attempt(Some(&best.candidate.fix), &[]))
-                    .is_some_and(|scene| judge::errors(&scene) == 0);
+                    .is_some_and(|scene| judge::is_right(&scene));
         let mut index = 0;
         self.findings.retain(|d| {
             let is_included = d.fixes.iter().any(|f| best.candidate.includes(f));
             let on_line = clean && line.touches(d.span) && (!has_safe_fix(d) || is_included);
             let own = index == at;
             index += 1;
-            own || !(d.is_error() && (alone || on_line || best.candidate.renames(d)))
+            own || d.code == judge::NO_PICTURE
+                || !(d.is_error() && (alone || on_line || best.candidate.renames(d)))
         });
         if alone && finding.is_error() && others.is_empty() {
             self.keep_what_stays(&judged[0].1.scene);
@@ -470,7 +474,8 @@ impl Engine<'_> {
                 judged[0].1.candidate.habit,
                 Habit::Shifted | Habit::Reference | Habit::Id
             )
-            && named(&finding).is_some_and(|id| is_lost(self.analysis, id))
+            && (named(&finding).is_some_and(|id| is_lost(self.analysis, id))
+                || place.is_of_others(&finding, &judged[0].1.candidate))
             && !defines(&judged[0].1.scene, named(&finding));
         // What an object is given instead of itself may be any of what is as good.
         let of_itself = place.assigns_itself(&finding)

@@ -74,6 +74,7 @@ no-topic-list = žádný nález ani typ záznamu se nejmenuje { $text } (všechn
 ## Sledování
 
 stdin-not-watched = standardní vstup nelze sledovat
+watch-no-width = `-w` sleduje změny scény a { $text } k němu nepatří: velikost se zadává třeba `--size 64x48`
 cannot-watch = změny nelze sledovat
 watching = Sleduji změny; konec Ctrl-C
 
@@ -495,6 +496,7 @@ lsp-not-an-id = { $text } není ID: ID je celé číslo od 2 do { $max }
 lsp-id-taken = { $id } je již použito na řádku { $line }
 explain-in-a-scene = Ve scéně
 explain-also = Viz též: { $list }
+explain-help = Více řekne `{ $text }`.
 lsp-no-uri = { $text } není URI
 lsp-no-command = zpg nemá příkaz { $text }
 lsp-no-target = zpg zde scénu do { $text } nepřevádí

@@ -74,6 +74,7 @@ no-topic-list = there is no finding or record type { $text } (`zpg explain` list
 ## Watching
 
 stdin-not-watched = standard input cannot be watched
+watch-no-width = `-w` watches the scene, and takes no { $text }: a size is given as in `--size 64x48`
 cannot-watch = cannot watch for changes: { $reason }
 watching = Watching for changes; Ctrl-C ends it
 
@@ -492,6 +493,7 @@ lsp-not-an-id = { $text } is not an ID: an ID is a whole number from 2 to { $max
 lsp-id-taken = { $id } is taken: it stands in line { $line }
 explain-in-a-scene = In a scene
 explain-also = See also: { $list }
+explain-help = `{ $text }` says more.
 lsp-no-uri = { $text } is no URI
 lsp-no-command = zpg has no command { $text }
 lsp-no-target = zpg does not convert a scene to { $text } here

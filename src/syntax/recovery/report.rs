@@ -191,6 +191,9 @@ impl Reporter<'_, '_> {
                 self.bad_count(ty, start, end, out);
                 self.commas(start + 3, end, out);
             }
+            Diagnosis::UnknownType if self.is_render(start, end) => {
+                out.push(self.lost_id(start, RecordType::of(RecordKind::Render)));
+            }
             Diagnosis::UnknownType => {
                 out.push(self.unknown_type(start + 1));
                 self.commas(start + 2, end, out);
@@ -200,21 +203,7 @@ impl Reporter<'_, '_> {
                 self.commas(start + 2, end, out);
             }
             Diagnosis::MissingType => out.push(self.missing_type(start)),
-            Diagnosis::LostId { ty } => {
-                let span = self.stretch.token(start).span();
-                let d = Diagnostic::new(Code::E005, span)
-                    .case("lost")
-                    .with("type", Value::Term(ty.title))
-                    .with("number", ty.code.to_string())
-                    .with("header", header(ty));
-                // There is but one ID that it can have.
-                let head = format!("1 {}", ty.code);
-                let fix = Fix::replace("fix-write", Applicability::Unsafe, span, head.clone());
-                out.push(match ty.kind == RecordKind::Render {
-                    true => d.fix(fix.with("number", quote(&head))),
-                    false => d,
-                });
-            }
+            Diagnosis::LostId { ty } => out.push(self.lost_id(start, ty)),
             Diagnosis::Swapped => {
                 let span = self.span(start, start + 2);
                 let head = format!("1 {}", RecordType::of(RecordKind::Render).code);
@@ -242,6 +231,30 @@ impl Reporter<'_, '_> {
                     self.bad_tokens(ty, start + 2, end, out);
                 }
             }
+        }
+    }
+
+    /// Whether the type of a render record stands in the place of its ID.
+    fn is_render(&self, start: usize, end: usize) -> bool {
+        let render = RecordType::of(RecordKind::Render);
+        let is_long_enough = (end - start) as u64 == 1 + render.arity(0);
+        is_long_enough && self.text(start) == render.code.to_string()
+    }
+
+    /// That a record begins with its type.
+    fn lost_id(&self, start: usize, ty: &RecordType) -> Diagnostic {
+        let span = self.stretch.token(start).span();
+        let d = Diagnostic::new(Code::E005, span)
+            .case("lost")
+            .with("type", Value::Term(ty.title))
+            .with("number", ty.code.to_string())
+            .with("header", header(ty));
+        // There is but one ID that it can have.
+        let head = format!("1 {}", ty.code);
+        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, head.clone());
+        match ty.kind == RecordKind::Render {
+            true => d.fix(fix.with("number", quote(&head))),
+            false => d,
         }
     }
 

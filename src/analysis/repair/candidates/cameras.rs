@@ -169,7 +169,10 @@ impl LineContext<'_> {
             }
             let texts = behind.map(|t| t.text(self.text).to_owned());
             let new: Vec<(Token, String)> = params[at..].iter().copied().zip(texts).collect();
-            out.extend(self.write(Habit::Up, &new));
+            out.extend(self.write(Habit::Up, &new).map(|mut candidate| {
+                candidate.fix.title = "fix-angle-last";
+                candidate
+            }));
         }
     }
 

@@ -3,6 +3,7 @@
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::whole::records;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::lint::spelling::decimal;
 use crate::syntax::ast::Record;
 use crate::syntax::lexer::Token;
 use crate::syntax::quote;
@@ -72,6 +73,23 @@ impl LineContext<'_> {
         });
         candidate.fix.edits.sort_by_key(|e| e.span.start);
         are_parts.then_some(candidate)
+    }
+
+    /// An index in the place of the transmitted part, where the ID has none: it may be meant as a record of its own.
+    pub(super) fn index_for_part(&self, kt: f64) -> Option<Candidate> {
+        let (last, id) = (self.params().last()?, self.id()?);
+        if self.own_index().is_some() {
+            return None;
+        }
+        let index = RecordType::of(RecordKind::RefractiveIndex);
+        let numbers = [last.text(self.text); CHANNELS].join(" ");
+        let text = format!("{}\n{id} {} {numbers}", decimal(kt), index.code);
+        let fix = Fix::replace("fix-apart", Applicability::Choice, last.span(), text);
+        Some(Candidate::new(
+            Habit::Proposed,
+            fix.with("type", Value::Term(index.title))
+                .with("text", quote(&numbers)),
+        ))
     }
 
     /// The numbers of a colour in the place of its ID, where an assignment of that would take back the optics of the

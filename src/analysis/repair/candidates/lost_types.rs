@@ -64,6 +64,10 @@ impl LineContext<'_> {
         let (Some(head), Some(id)) = (self.tokens.first(), self.id()) else {
             return;
         };
+        // It is rather the type of a render record that has lost its ID.
+        if i64::from(id) == i64::from(RecordType::of(RecordKind::Render).code) {
+            return;
+        }
         let behind = &self.tokens[1..];
         let is_defined = self.is_defined_elsewhere(id);
         if (self.ty()).is_some_and(|ty| is_defined || !matches!(ty.effect, Effect::Changes(_))) {

@@ -13,6 +13,7 @@ mod lost_types;
 mod notation;
 mod numbers;
 mod own_id;
+mod parts;
 mod references;
 mod sizes;
 mod types;
@@ -384,6 +385,7 @@ impl<'a> LineContext<'a> {
             }
             self.flat(finding, &mut out);
             self.by_sizes(finding, &mut out);
+            self.by_centre(finding, &mut out);
             out.extend(self.lost_line_end(finding));
             out.extend(self.moved_copy(finding));
             let behind = self.records_behind();

@@ -8,7 +8,6 @@ use crate::syntax::allows;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
-use crate::syntax::with_point;
 
 /// Words before the point that a camera of other programs looks at.
 const LOOK_AT: [&str; 4] = ["look_at", "lookat", "target", "at"];
@@ -110,33 +109,6 @@ impl LineContext<'_> {
             Habit::Doubled,
             fix.with("number", quote(&text)),
         ))
-    }
-
-    /// Parts of light in per cent, or without their decimal point.
-    pub(super) fn per_cent(&self, finding: &Diagnostic) -> Option<Candidate> {
-        let ty = self.ty().filter(|ty| self.fits(ty))?;
-        let is_parts = matches!(ty.kind, RecordKind::Optics | RecordKind::OpticsRgb);
-        if finding.code != Code::E206 || !is_parts || self.is_index() {
-            return None;
-        }
-        let pointed: Vec<(Token, String)> = (self.params().iter())
-            .filter_map(|t| Some((*t, with_point(t.text(self.text))?)))
-            .collect();
-        if !pointed.is_empty() {
-            return self.write(Habit::Proposed, &pointed);
-        }
-        let mut new = Vec::new();
-        for &t in self.params() {
-            let x = t.number(self.text)?;
-            let is_one = x == 0.0 || (1.0..=100.0).contains(&x);
-            let text = if x == 0.0 {
-                t.text(self.text).to_owned()
-            } else {
-                decimal(x / 100.0)
-            };
-            new.push((t, is_one.then_some(text)?));
-        }
-        self.write(Habit::Proposed, &new)
     }
 
     /// A rotation about an axis that is given as a vector, behind the angle or before it.
@@ -469,7 +441,14 @@ impl LineContext<'_> {
         };
         let pairs: Vec<&[Token]> = params.windows(2).filter(|two| is_pair(two)).collect();
         let is_apart = pairs.windows(2).all(|p| p[0][1].start < p[1][0].start);
+        // Commas without spaces between all numbers, twice as many as there should be: every other one is decimal.
+        let is_tight = |two: &[Token]| two[0].end() + 1 == two[1].start;
+        let every_other = params.chunks_exact(2).filter(|two| is_pair(two));
+        let is_list = params.len() == 2 * more
+            && pairs.len() + 1 == params.len()
+            && pairs.iter().all(|two| is_tight(two));
         let choices: Vec<Vec<&[Token]>> = match pairs.len() {
+            _ if is_list => vec![every_other.collect()],
             n if n == more && is_apart => vec![pairs],
             2..=MAX_PLACES if more == 1 => pairs.into_iter().map(|pair| vec![pair]).collect(),
             _ => return,

@@ -1,6 +1,6 @@
 //! Other IDs: those that a record refers to, and its own.
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::{Candidate, Habit, LineContext, MAX_CANDIDATES};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
@@ -95,12 +95,14 @@ impl LineContext<'_> {
             (false, true) => 4,
             (false, false) => 2,
         };
+        let held = self.held(finding, &all);
         for by in &[1, -1, 2, -2][..most] {
             let shifted: Option<Vec<(Token, String)>> = (all.iter())
                 .filter(|(t, _)| id(t) != 0)
                 .map(|(t, _)| {
                     let new = id(t).checked_add(*by).filter(|&id| id > 0)?;
-                    Some((*t, new.to_string()))
+                    let is_held = held.iter().any(|&id| i64::from(id) == new);
+                    (!is_held).then(|| (*t, new.to_string()))
                 })
                 .collect();
             out.extend(shifted.and_then(|new| self.write(Habit::Shifted, &new)));
@@ -114,11 +116,14 @@ impl LineContext<'_> {
             let written = id(t);
             let text = written.to_string();
             let used: Vec<i64> = all.iter().map(|(t, _)| id(t)).collect();
-            let is_operation = self.ty().is_some_and(|ty| ty.family == Family::Operation);
+            // No operation has one thing as both its operands, and no checkerboard one colour.
+            let is_of_two = (self.ty()).is_some_and(|ty| {
+                ty.family == Family::Operation || ty.kind == RecordKind::Checkerboard
+            });
             let mut others: Vec<(bool, bool, usize, u64, u32)> = (self.entities(kinds))
                 .filter(|e| i64::from(e.id) != written && Some(e.id) != self.id())
-                // No operation has one thing as both its operands.
-                .filter(|e| !is_operation || !used.contains(&i64::from(e.id)))
+                .filter(|e| !is_of_two || !used.contains(&i64::from(e.id)))
+                .filter(|e| !held.contains(&e.id))
                 .map(|e| {
                     let new = e.id.to_string();
                     (
@@ -137,6 +142,71 @@ impl LineContext<'_> {
                     .filter_map(|o| self.write(Habit::Reference, &[(*t, o.4.to_string())])),
             );
         }
+    }
+
+    /// Whether a fix makes an operand of what another one has as its part.
+    pub(in crate::analysis::repair) fn is_held(&self, finding: &Diagnostic, fix: &Fix) -> bool {
+        let [edit] = fix.edits.as_slice() else {
+            return false;
+        };
+        let new = edit.text.parse();
+        edit.span == finding.span
+            && new.is_ok_and(|id| self.held(finding, &self.referring()).contains(&id))
+    }
+
+    /// What the other operands of an operation are made of: no other part of it is meant.
+    fn held(&self, finding: &Diagnostic, all: &[(Token, &'static [Kind])]) -> FxHashSet<u32> {
+        let mut held = FxHashSet::default();
+        if !self.is_operation() {
+            return held;
+        }
+        let others = all.iter().filter(|(t, _)| finding.span != t.span());
+        let mut todo: Vec<u32> = others
+            .filter_map(|(t, _)| u32::try_from(t.integer(self.text)?).ok())
+            .collect();
+        let document = &self.analysis.document;
+        let mut parts: FxHashMap<u32, Vec<u32>> = FxHashMap::default();
+        for record in document.items.iter().filter_map(Item::record) {
+            let is_made = record.ty().family == Family::Operation;
+            if is_made && document.id_token(record).start < self.line.start {
+                let references = names::references(document, record);
+                parts.entry(record.id).or_default().extend(references);
+            }
+        }
+        while let Some(id) = todo.pop() {
+            let new = parts.get(&id).into_iter().flatten();
+            todo.extend(new.filter(|&&part| held.insert(part)));
+        }
+        held
+    }
+
+    /// Whether a guess names a colour, texture or optics that other records name, and that by a digit in the place of
+    /// another: what is named here is rather missing.
+    pub(in crate::analysis::repair) fn is_of_others(
+        &self,
+        finding: &Diagnostic,
+        guess: &Candidate,
+    ) -> bool {
+        let [edit] = guess.fix.edits.as_slice() else {
+            return false;
+        };
+        let is_property = |kind: &Kind| *kind != Kind::Object;
+        let named = self.referring().into_iter().find(|(t, kinds)| {
+            t.span() == finding.span && edit.span == t.span() && kinds.iter().all(is_property)
+        });
+        let Some((named, _)) = named.filter(|_| guess.habit == Habit::Reference) else {
+            return false;
+        };
+        let digits = |text: &str| {
+            let mut digits = text.as_bytes().to_vec();
+            digits.sort_unstable();
+            digits
+        };
+        let written = named.text(self.text);
+        let is_other_digit =
+            written.len() == edit.text.len() && digits(written) != digits(&edit.text);
+        let new = edit.text.parse();
+        is_other_digit && new.is_ok_and(|id| self.named_ids().contains(&id))
     }
 
     /// Whether a reference of an assignment is the ID of the object that it is for.
@@ -162,6 +232,32 @@ impl LineContext<'_> {
         let document = &self.analysis.document;
         let records = document.items.iter().filter_map(Item::record);
         records
+            .flat_map(|r| names::references(document, r))
+            .collect()
+    }
+
+    /// Whether a fix makes this a record of an object that an operation above has as its operand, where no change has an
+    /// effect.
+    pub(in crate::analysis::repair) fn is_behind_use(&self, fix: &Fix) -> bool {
+        let [edit] = fix.edits.as_slice() else {
+            return false;
+        };
+        let changes = self
+            .ty()
+            .is_some_and(|ty| !matches!(ty.effect, Effect::Defines(_)));
+        let new = edit.text.parse();
+        changes
+            && edit.span == self.tokens[0].span()
+            && new.is_ok_and(|id| self.used_above().contains(&id))
+    }
+
+    /// The IDs that operations above refer to.
+    fn used_above(&self) -> FxHashSet<u32> {
+        let document = &self.analysis.document;
+        let records = document.items.iter().filter_map(Item::record);
+        let above = records.take_while(|r| document.id_token(r).start < self.line.start);
+        let operations = above.filter(|r| r.ty().family == Family::Operation);
+        operations
             .flat_map(|r| names::references(document, r))
             .collect()
     }
@@ -326,8 +422,11 @@ impl LineContext<'_> {
             .id_before(kinds)
             .filter(|&id| self.id_behind() == Some(id));
         let before = self.id_before(kinds);
+        let used = self.used_above();
         let mut others: Vec<(bool, usize, bool, u32, u32)> = (self.entities(kinds))
             .filter(|e| e.id != id)
+            // Behind its use a change of a shape has no effect.
+            .filter(|e| !used.contains(&e.id))
             .map(|e| {
                 let new = e.id.to_string();
                 let distance = strsim::osa_distance(&text, &new);

@@ -2,8 +2,15 @@
 
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
+use crate::lint::spelling::decimal;
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType, ShapeKind};
+use crate::syntax::words::plain;
+
+/// Beginnings of words for a box, without accents.
+const BOX: [&str; 6] = ["box", "cube", "cuboid", "krychl", "kvadr", "kost"];
+/// The same for a ball.
+const BALL: [&str; 4] = ["ball", "sphere", "koul", "kulic"];
 
 impl LineContext<'_> {
     /// A cone of a height and two radii, of which one is zero or the profile has both; a box of three edges, about the
@@ -40,6 +47,54 @@ impl LineContext<'_> {
             }
             _ => {}
         }
+    }
+
+    /// A box by its centre and its edge, a sphere at the origin by its radius and its centre: four numbers, which may be
+    /// those of a sphere, too. A comment may say which it is.
+    pub(super) fn by_centre(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
+        let written: Option<Vec<f64>> = (self.params().iter())
+            .map(|t| t.number(self.text))
+            .collect();
+        let (Some(&[a, b, c, d]), Some(ty)) = (written.as_deref(), self.ty()) else {
+            return;
+        };
+        let sphere = RecordType::of(RecordKind::Shape(ShapeKind::Sphere));
+        let is_sphere = |c: &Candidate| c.ty.is_some_and(|ty| ty.kind == sphere.kind);
+        match (ty.kind, finding.code) {
+            (RecordKind::Shape(ShapeKind::Box), Code::E008) if d > 0.0 => {
+                let corner = |by: f64| [a, b, c].map(|x| decimal(x + by)).join(" ");
+                let new = format!("{} {} {}", ty.code, corner(-d / 2.0), corner(d / 2.0));
+                let applicability = match (self.is_called(&BOX), self.is_called(&BALL)) {
+                    (true, false) => {
+                        out.retain(|c| !is_sphere(c));
+                        Applicability::Unsafe
+                    }
+                    (false, true) => return,
+                    _ => Applicability::Choice,
+                };
+                let spheres = out.iter_mut().filter(|c| is_sphere(c));
+                spheres.for_each(|c| c.fix.applicability = Applicability::Choice);
+                out.push(self.anew(&new, applicability));
+            }
+            (RecordKind::Shape(ShapeKind::SphereAtOrigin), Code::E009) if a > 0.0 => {
+                let [r, x, y, z] = [0, 1, 2, 3].map(|i| self.params()[i].text(self.text));
+                let new = format!("{} {x} {y} {z} {r}", sphere.code);
+                let spheres = out.iter_mut().filter(|c| is_sphere(c));
+                spheres.for_each(|c| c.fix.applicability = Applicability::Choice);
+                out.push(self.anew(&new, Applicability::Choice));
+            }
+            _ => {}
+        }
+    }
+
+    /// Whether a comment on the line has a word that begins so, accents left out.
+    pub(super) fn is_called(&self, beginnings: &[&str]) -> bool {
+        let comments = self.all.iter().filter(|t| t.kind().is_comment());
+        let words = comments.flat_map(|t| t.text(self.text).split(|c: char| !c.is_alphabetic()));
+        words.map(plain).any(|word| {
+            let mut beginnings = beginnings.iter();
+            beginnings.any(|begin| word.starts_with(begin))
+        })
     }
 
     /// All of a record behind its ID in another way.

@@ -43,21 +43,25 @@ const SIBLINGS: &[(i32, &[i32])] = &[
     (-602, &[-601]),
 ];
 
+/// Beginnings of words for a cylinder, without accents.
+const CYLINDERS: [&str; 3] = ["cylind", "valec", "valc"];
 /// A cylinder from one centre of an end to the other has so many numbers.
 const CYLINDER: usize = 7;
 /// A cone from one circle to another has so many numbers.
 const CONE: usize = 8;
 
 impl LineContext<'_> {
-    /// The numbers of a cylinder behind the type of a surface of revolution or of a cone: a radius and a height, or as
-    /// POV-Ray has it.
+    /// The numbers of a cylinder behind the type of a surface of revolution, of a cone or of a parabolic cylinder: a radius
+    /// and a height, or as POV-Ray has it.
     pub(super) fn profile(&self, out: &mut Vec<Candidate>) {
         let Some(kind) = self.ty().filter(|ty| !self.fits(ty)).map(|ty| ty.kind) else {
             return;
         };
         let is_cone = kind == RecordKind::Shape(ShapeKind::Cone);
         let is_profile = kind == RecordKind::Shape(ShapeKind::SurfaceOfRevolution);
+        let is_parabolic = kind == RecordKind::Shape(ShapeKind::ParabolicCylinder);
         let is_cylinder = match self.params() {
+            all if is_parabolic => matches!(all.len(), 2 | CYLINDER),
             [a, _] => is_profile && a.integer(self.text).is_none(),
             all if is_cone => matches!(all.len(), CYLINDER | CONE),
             all => is_profile && all.len() == CYLINDER,
@@ -67,8 +71,16 @@ impl LineContext<'_> {
         };
         let start = out.len();
         self.cylinder(ty.span(), self.params(), out);
+        if is_parabolic {
+            // The radius first.
+            out.truncate(start + 1);
+            if !self.is_called(&CYLINDERS) || self.is_called(&["parabol"]) {
+                let new = out[start..].iter_mut();
+                new.for_each(|c| c.fix.applicability = Applicability::Choice);
+            }
+        }
         for candidate in &mut out[start..] {
-            candidate.habit = if is_cone {
+            candidate.habit = if is_cone || is_parabolic {
                 Habit::Sibling
             } else {
                 Habit::Count

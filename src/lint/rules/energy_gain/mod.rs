@@ -2,7 +2,7 @@
 
 use crate::diagnostics::{Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
-use crate::lint::spelling::spelled;
+use crate::lint::spelling::shares;
 use crate::syntax::table::RecordKind;
 use crate::syntax::with_point;
 use crate::syntax::{Item, Record};
@@ -106,33 +106,6 @@ fn is_within(texts: &[String]) -> bool {
         let sums = values.chunks(3).map(|k| k.iter().sum::<f64>());
         values.iter().all(is_part) && sums.into_iter().all(|sum| sum <= 1.0 + ROUNDING)
     })
-}
-
-/// Three parts divided by their sum, in as many digits as show each to a thousandth of the whole. Their decimals are 1
-/// at most.
-fn shares(k: &[f64], sum: f64) -> Vec<String> {
-    const MAX_SHARE_ERROR: f64 = 5e-4;
-    const FINEST: i32 = 9;
-    let parts = |digits: i32| {
-        let one = 10f64.powi(digits);
-        let rounded = k.iter().map(move |x| (x / sum * one).round());
-        (one, rounded.collect::<Vec<_>>())
-    };
-    let is_right = |(one, parts): &(f64, Vec<f64>)| {
-        let off = |(part, x): (&f64, &f64)| (part / one - x / sum).abs();
-        let near = parts.iter().zip(k).all(|each| off(each) < MAX_SHARE_ERROR);
-        near && parts.iter().sum::<f64>() <= *one
-    };
-    let (one, mut parts) = (1..FINEST)
-        .map(parts)
-        .find(is_right)
-        .unwrap_or_else(|| parts(FINEST));
-    // What is rounded up in all three is taken off the largest.
-    let excess = (parts.iter().sum::<f64>() - one).max(0.0);
-    if let Some(largest) = parts.iter_mut().max_by(|a, b| a.total_cmp(b)) {
-        *largest -= excess;
-    }
-    parts.iter().map(|part| spelled(part / one)).collect()
 }
 
 /// A sum of decimals without the rounding of its last digits, in as many as show that it is above 1.

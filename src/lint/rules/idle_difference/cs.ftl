@@ -1,9 +1,9 @@
-W332 = rozdíl { $id } nic neodečte: { $two } { $two-id } se nedotýká objektu { $one-id } ({ $one })
-    .label = tohle nic neodečte
+W332 = rozdíl { $id } nic neubírá: { $two } { $two-id } se nedotýká objektu { $one-id } ({ $one })
+    .label = tento rozdíl nic neubírá
     .one = { $one }
     .two = { $two }
     .note = přesuňte jeden objekt k druhému, nebo rozdíl vynechte
-W332-gap = rozdíl { $id } nic neodečte: { $two } { $two-id } a { $one } { $one-id } jsou od sebe aspoň { $gap }
+W332-gap = rozdíl { $id } nic neubírá: { $two } { $two-id } a { $one } { $one-id } jsou od sebe aspoň { $gap }
     .label = { W332.label }
     .one = { W332.one }
     .two = { W332.two }

@@ -10,6 +10,18 @@ W337-several = { $count ->
     .label = první z nich: žádné světlo se tu neodráží ani neztrácí
     .help = { W337.help }
     .fix = přidat všem index lomu skla
+W337-called = { $object } { $object-id }: podle komentáře sklo, voda nebo diamant, ale světlo neláme
+    .label = k tomu není žádný index lomu
+    .help = bez záznamu -203 je index lomu 1
+    .fix = přidat index lomu: `{ $line }`
+W337-called-several = podle komentářů { $count ->
+    [one] { $count } objekt je sklo, voda nebo diamant, ale světlo neláme
+    [few] { $count } objekty jsou sklo, voda nebo diamant, ale světlo nelámou
+   *[other] { $count } objektů je sklo, voda nebo diamant, ale světlo neláme
+}
+    .label = první z nich: k tomu není žádný index lomu
+    .help = { W337-called.help }
+    .fix = přidat všem index lomu, třeba `{ $line }`
 W337-unlike = { $object } { $object-id } propouští světlo a neláme je, { $other } { $other-id } ho láme
     .label = k tomu není žádný index lomu
     .other = tento objekt index lomu má

@@ -9,6 +9,17 @@ W337-several = nothing of { $count ->
     .label = the first of them: no light is reflected here, and none is lost
     .help = { W337.help }
     .fix = give all of them the refractive index of glass
+W337-called = by its comment the { $object } { $object-id } is glass, water or diamond, but it does not bend light
+    .label = no refractive index goes with this
+    .help = without a record -203 the refractive index is 1
+    .fix = give it a refractive index: `{ $line }`
+W337-called-several = by their comments { $count ->
+    [one] one object is
+   *[other] { $count } objects are
+} glass, water or diamond, but they do not bend light
+    .label = the first of them: no refractive index goes with this
+    .help = { W337-called.help }
+    .fix = give all of them a refractive index, as in `{ $line }`
 W337-unlike = the { $object } { $object-id } lets light through without bending it, unlike the { $other } { $other-id }
     .label = no refractive index goes with this
     .other = this has one

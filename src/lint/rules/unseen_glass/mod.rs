@@ -1,9 +1,10 @@
 //! W337: an object that lets all light through, and has no refractive index: a picture shows nothing of it; and glass
-//! without an index beside other that has one.
+//! without an index beside other that has one, or that a comment calls glass.
 //!
 //! In a union the first part owns a point, so what is clear may cut a hole into what comes behind it. Such a part has an
 //! effect.
 
+mod called;
 mod unlike;
 
 use rustc_hash::FxHashSet;
@@ -31,7 +32,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         optics.any(|o| test(&o))
     };
     let is_unlike = has(is_glass) && scene.paints.iter().any(|p| bent(p).is_some());
-    if !has(is_clear) && !is_unlike {
+    if !has(is_glass) {
         return;
     }
     // Somebody who writes the index of a vacuum means it.
@@ -49,6 +50,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if is_unlike {
         out.extend(unlike::others(context, render.root, &kinds));
     }
+    out.extend(called::called(context, render.root, &kinds));
 }
 
 /// What is clear and has no index, but for what cuts holes.

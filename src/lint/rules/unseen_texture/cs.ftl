@@ -11,6 +11,10 @@ W331-removed = { $type } není nikde vidět: co ji má, se jen odečítá od ně
 W331-colour = { $type } není nikde vidět: objekt s touto barvou se jen odečítá od jiného
     .label = tato barva není vidět
     .help = řez má barvu toho, od čeho se odečítá: nemají být operandy rozdílu naopak? Řez jiné barvy je průnik (-102) s doplňkem (-104) odečítaného
+W331-union = rozdíl { $id } odečítá { $tool }, ale barvy odečítaného nejsou nikde vidět: nemá to být sjednocení?
+    .label = vidět je jen to, od čeho se odečítá
+    .help = mají-li to být díry, dejte barvu tomu, od čeho se odečítá: řez má jeho barvu
+    .fix = pro sjednocení napsat { $number }
 W331-dark = { $type } není nikde vidět: nic, co ji má, nemá difuzní odraz (kd = 0)
     .label = textura je barva difuzního odrazu
     .help = dejte tomu, co ji má, optickou vlastnost s kd > 0, nebo texturu odstraňte

@@ -11,6 +11,10 @@ W331-removed = no picture shows this { $type }: what has it is only taken away f
 W331-colour = no picture shows this { $type }: what has it is only taken away from something else
     .label = this colour is cut away
     .help = the cut has the colour of what is cut: are the operands of the difference in each other's place? A cut of another colour is an intersection (-102) with the complement (-104) of what cuts
+W331-union = the difference { $id } takes away { $tool }, whose colours no picture shows: was a union meant?
+    .label = only what is cut is to be seen
+    .help = for holes, give the colours to what is cut: a cut has that colour
+    .fix = for a union, write { $number }
 W331-dark = no picture shows this { $type }: nothing that has it reflects diffusely (kd = 0)
     .label = a texture is the colour of the diffuse part
     .help = give what has it an optical property with kd > 0, or remove the texture

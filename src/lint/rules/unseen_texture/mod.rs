@@ -5,6 +5,7 @@
 
 mod given;
 mod instead;
+mod unions;
 
 use rustc_hash::FxHashSet;
 
@@ -18,6 +19,7 @@ use crate::trace::plan::visible_aspects::{Showing, VisibleAspects};
 use crate::trace::plan::{Effect, Plan};
 use given::{Given, Painting, textures};
 use instead::Instead;
+use unions::unions;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(sightings) = Sightings::new(context) else {
@@ -25,8 +27,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     };
     let Sightings { given, found, .. } = &sightings;
     let colours = sightings.colours(context);
+    let (in_unions, findings) = sightings.unions(context, &colours);
+    out.extend(findings);
     for (i, (given, found)) in given.iter().zip(found).enumerate() {
-        let said = found.said(given);
+        let said = found.said(given).filter(|_| !in_unions.contains(&i));
         let is_told = |d: &Diagnostic| {
             !given.is_colour || d.case == Why::Removed.case() && colours.differs(i)
         };
@@ -123,17 +127,26 @@ impl<'a> Sightings<'a> {
         }
     }
 
-    /// What would be seen in the place of the colours that are cut away.
-    fn colours(&self, context: &Context) -> Instead {
+    /// The nodes that give colours which are only cut away, each with the number of its record.
+    fn removed(&self) -> impl Iterator<Item = (NodeId, usize)> {
         let is_removed =
             |found: &TextureSightings| !found.is_seen && found.reasons == [Why::Removed];
-        let (given, found) = (&self.given, &self.found);
-        let is_asked = |i: usize| given[i].is_colour && is_removed(&found[i]);
-        let paintings = (self.paintings.iter())
-            .filter_map(|p| Some((p.node, p.texture.filter(|&i| is_asked(i))?)));
-        Instead::new(context.scene, paintings, |node| {
-            self.views.all.reaches(node)
-        })
+        let is_asked = move |i: usize| self.given[i].is_colour && is_removed(&self.found[i]);
+        (self.paintings.iter())
+            .filter_map(move |p| Some((p.node, p.texture.filter(|&i| is_asked(i))?)))
+    }
+
+    /// What would be seen in the place of the colours that are cut away.
+    fn colours(&self, context: &Context) -> Instead {
+        let is_drawn = |node| self.views.all.reaches(node);
+        Instead::new(context.scene, self.removed(), is_drawn)
+    }
+
+    /// Those that a union would show, and what is said of the differences that take them away.
+    fn unions(&self, context: &Context, colours: &Instead) -> (FxHashSet<usize>, Vec<Diagnostic>) {
+        let differing = self.removed().filter(|&(_, i)| colours.differs(i));
+        let differing: Vec<(usize, NodeId)> = differing.map(|(node, i)| (i, node)).collect();
+        unions(context, &differing, |node| self.views.all.reaches(node))
     }
 }
 

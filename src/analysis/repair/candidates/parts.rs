@@ -1,0 +1,99 @@
+//! Parts of light of which one is above 1.
+
+use super::{Candidate, Habit, LineContext};
+use crate::diagnostics::{Code, Diagnostic};
+use crate::lint::spelling::{decimal, shares};
+use crate::syntax::lexer::Token;
+use crate::syntax::table::RecordKind;
+use crate::syntax::with_point;
+
+/// The reading of parts of light of which one is above 1.
+enum Parts {
+    /// All are so many times too large.
+    Divided(f64),
+    /// The transmitted part is an index; the part itself is what the others leave.
+    Index(f64),
+    /// A number has its decimal point a place too far to the right.
+    Point(usize),
+}
+
+/// The whole in per cent.
+const PER_CENT: f64 = 100.0;
+/// Parts in per cent have one that is as large as this, or add up to nearly 100.
+const PER_CENT_MIN: f64 = 10.0;
+/// So far from 100 is the sum of per cent that are rounded.
+const PER_CENT_OFF_MAX: f64 = 2.0;
+/// The indices of what people call glass and the like.
+const INDICES: std::ops::RangeInclusive<f64> = 1.2..=2.5;
+/// Parts with a decimal point put right add up to so much at least.
+const PARTS_SUM_MIN: f64 = 0.9;
+
+/// What was meant by parts of light that are no shares; none where nothing fits.
+fn parts(written: &[f64]) -> Option<Parts> {
+    let is_whole = |x: &f64| x.fract() == 0.0;
+    let sum: f64 = written.iter().sum();
+    let is_large = written.iter().any(|&x| x >= PER_CENT_MIN);
+    let all_whole = written.iter().all(is_whole);
+    if written.iter().any(|x| !(0.0..=PER_CENT).contains(x)) {
+        return None;
+    }
+    let in_per_cent = |x: &f64| *x == 0.0 || *x >= 1.0;
+    if is_large || all_whole && (sum - PER_CENT).abs() <= PER_CENT_OFF_MAX {
+        return written
+            .iter()
+            .all(in_per_cent)
+            .then_some(Parts::Divided(PER_CENT));
+    }
+    let &[kd, ks, kt] = written else {
+        return None;
+    };
+    if all_whole {
+        return Some(Parts::Divided(sum));
+    }
+    let left = 1.0 - kd - ks;
+    if INDICES.contains(&kt) && left > 0.0 {
+        return Some(Parts::Index(left));
+    }
+    let mut large = written.iter().enumerate().filter(|(_, x)| **x > 1.0);
+    let (Some((at, x)), None) = (large.next(), large.next()) else {
+        return None;
+    };
+    let sum = sum - x + x / 10.0;
+    (PARTS_SUM_MIN..=1.0)
+        .contains(&sum)
+        .then_some(Parts::Point(at))
+}
+
+impl LineContext<'_> {
+    /// Parts of light in per cent, without their decimal point, or by a sum other than 1; an index among them.
+    pub(super) fn per_cent(&self, finding: &Diagnostic) -> Option<Candidate> {
+        let ty = self.ty().filter(|ty| self.fits(ty))?;
+        let is_parts = matches!(ty.kind, RecordKind::Optics | RecordKind::OpticsRgb);
+        if finding.code != Code::E206 || !is_parts || self.is_index() {
+            return None;
+        }
+        let pointed: Vec<(Token, String)> = (self.params().iter())
+            .filter_map(|t| Some((*t, with_point(t.text(self.text))?)))
+            .collect();
+        if !pointed.is_empty() {
+            return self.write(Habit::Proposed, &pointed);
+        }
+        let written = self.params().iter().map(|t| t.number(self.text));
+        let written: Vec<f64> = written.collect::<Option<_>>()?;
+        match parts(&written)? {
+            Parts::Divided(by) => {
+                let new: Vec<String> = match by {
+                    PER_CENT => written.iter().map(|x| decimal(x / by)).collect(),
+                    _ => shares(&written, by),
+                };
+                let tokens = self.params().iter().copied();
+                self.write(Habit::Proposed, &Vec::from_iter(tokens.zip(new)))
+            }
+            Parts::Index(kt) => self.index_for_part(kt),
+            Parts::Point(at) => {
+                let new = decimal(written[at] / 10.0);
+                self.write(Habit::Proposed, &[(self.params()[at], new)])
+            }
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! Glass without an index that a comment calls glass, water or diamond, in a scene without any index.
+
+use rustc_hash::FxHashSet;
+
+use super::{Test, finding, is_clear, is_glass, members};
+use crate::diagnostics::Diagnostic;
+use crate::lint::Context;
+use crate::lint::parts::Parts;
+use crate::scene::{NodeId, Origin};
+use crate::solids::{Named, named};
+use crate::syntax::captions::Captions;
+use crate::syntax::lexer::TokenKind;
+use crate::syntax::table::RecordKind;
+use crate::syntax::words::plain;
+
+/// A substance by the beginnings of its names, without accents, and its index.
+struct Substance {
+    names: &'static [&'static str],
+    index: &'static str,
+}
+
+const SUBSTANCES: [Substance; 3] = [
+    Substance {
+        names: &["glass", "lens", "sklo", "skla", "skle", "cock"],
+        index: "1.5 1.5 1.5",
+    },
+    Substance {
+        names: &["water", "voda", "vody", "vodou", "vodni"],
+        index: "1.33 1.33 1.33",
+    },
+    Substance {
+        names: &["diamond", "diamant"],
+        index: "2.42 2.42 2.42",
+    },
+];
+
+/// A finding for each substance, where no record gives an index.
+pub(super) fn called(context: &Context, root: NodeId, kinds: &[Parts]) -> Vec<Diagnostic> {
+    let has_index = |kind: RecordKind| kind == RecordKind::RefractiveIndex;
+    let has_comment = || {
+        context
+            .document
+            .tokens
+            .iter()
+            .any(|t| t.kind().is_comment())
+    };
+    if context.records().any(|r| has_index(r.kind)) || !has_comment() {
+        return Vec::new();
+    }
+    let scene = context.scene;
+    let is_like: Test = |o| is_glass(o) && !is_clear(o);
+    let Some(all) = members(context, root, is_like) else {
+        return Vec::new();
+    };
+    let captions = Captions::of(context.document, context.text);
+    let mut told = FxHashSet::default();
+    let mut objects: [Vec<(Named, Origin)>; SUBSTANCES.len()] = Default::default();
+    for part in all.iter().filter(|m| m.is_plain() && m.is_solid(kinds)) {
+        let (Some(object), Some(paint)) = (named(scene, part.node), part.paint) else {
+            continue;
+        };
+        let record = scene.origins[paint as usize];
+        if !told.insert(paint) {
+            continue;
+        }
+        let heading = [record.id, object.id].map(|id| captions.get(id).unwrap_or_default());
+        let words = [behind(context, record), heading.join(" ")].join(" ");
+        if let Some(place) = SUBSTANCES.iter().position(|s| is_in(s, &words)) {
+            objects[place].push((object, record));
+        }
+    }
+    let cases = ["called", "called-several"];
+    let findings = SUBSTANCES
+        .iter()
+        .zip(&objects)
+        .filter_map(|(s, objects)| finding(context, objects, cases, s.index));
+    findings.collect()
+}
+
+/// The comments on the line of a record, behind its ID.
+fn behind(context: &Context, record: Origin) -> String {
+    let tokens = &context.document.tokens;
+    let first = tokens.partition_point(|t| t.start < record.span.start);
+    let on_line = tokens[first..]
+        .iter()
+        .take_while(|t| t.kind() != TokenKind::Newline);
+    let comments = on_line.filter(|t| t.kind().is_comment());
+    comments
+        .map(|t| t.text(context.text))
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+fn is_in(substance: &Substance, text: &str) -> bool {
+    let mut words = text.split(|c: char| !c.is_alphabetic()).map(plain);
+    words.any(|word| substance.names.iter().any(|name| word.starts_with(name)))
+}

@@ -1,0 +1,101 @@
+//! Differences that take away what has colours of its own, as a union would join it.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
+use crate::lint::Context;
+use crate::scene::{Node, NodeId, Scene};
+use crate::syntax::quote;
+use crate::syntax::table::{RecordKind, RecordType};
+
+/// So many colours of one tool are none of a hole.
+const TOOL_COLOURS: usize = 2;
+
+/// The colours, each with a node that has it, that a difference takes away in the place of a union; and what is said of
+/// these differences.
+pub(super) fn unions(
+    context: &Context,
+    colours: &[(usize, NodeId)],
+    is_drawn: impl Fn(NodeId) -> bool,
+) -> (FxHashSet<usize>, Vec<Diagnostic>) {
+    let mut told = FxHashSet::default();
+    let mut findings = Vec::new();
+    if colours.is_empty() {
+        return (told, findings);
+    }
+    let scene = context.scene;
+    let above = Above::new(scene, is_drawn);
+    let mut of: FxHashMap<NodeId, FxHashSet<usize>> = FxHashMap::default();
+    for &(colour, node) in colours {
+        if let Some(difference) = above.cut[node as usize] {
+            of.entry(difference).or_default().insert(colour);
+        }
+    }
+    let mut all: Vec<(NodeId, FxHashSet<usize>)> = of.into_iter().collect();
+    all.sort_unstable_by_key(|(difference, _)| *difference);
+    for (difference, colours) in all {
+        let Node::Difference(a, tool) = scene.nodes[difference as usize] else {
+            continue;
+        };
+        let is_joined = |node| is_union(scene, node);
+        let is_many = colours.len() >= TOOL_COLOURS && is_joined(tool);
+        let is_in_chain = is_joined(a) && above.in_union[difference as usize];
+        if !is_many && !is_in_chain {
+            continue;
+        }
+        let origin = scene.origins[difference as usize];
+        let Some(p) = context.params(origin.span) else {
+            continue;
+        };
+        let union = RecordType::of(RecordKind::Union).code.to_string();
+        let fix = Fix::replace("fix", Applicability::Choice, p.type_span(), union.clone());
+        let d = Diagnostic::new(Code::W331, p.span()).case("union");
+        let d = d.with("id", origin.id.to_string());
+        let d = d.with("tool", p.integer(1).to_string());
+        findings.push(d.fix(fix.with("number", quote(&union))));
+        told.extend(colours);
+    }
+    (told, findings)
+}
+
+/// Whether an object is a union, painted or moved or not.
+fn is_union(scene: &Scene, node: NodeId) -> bool {
+    scene
+        .states(node)
+        .any(|(_, n)| matches!(n, Node::Union(..)))
+}
+
+struct Above {
+    /// For each node the difference that takes it away, the outermost one.
+    cut: Vec<Option<NodeId>>,
+    /// Whether each node is an operand of a union.
+    in_union: Vec<bool>,
+}
+
+impl Above {
+    fn new(scene: &Scene, is_drawn: impl Fn(NodeId) -> bool) -> Above {
+        let mut cut: Vec<Option<NodeId>> = vec![None; scene.nodes.len()];
+        let mut in_union = vec![false; scene.nodes.len()];
+        // Children stand before their parents.
+        let nodes = (0..scene.nodes.len()).rev();
+        for at in nodes.filter(|&at| is_drawn(at as NodeId)) {
+            let node = scene.nodes[at];
+            let joins = match node {
+                Node::Union(..) => true,
+                Node::Paint { .. } | Node::Transform { .. } => in_union[at],
+                _ => false,
+            };
+            let tool = match node {
+                Node::Difference(_, tool) => Some(tool),
+                _ => None,
+            };
+            for child in node.children() {
+                let own = (tool == Some(child)).then_some(at as NodeId);
+                let child = child as usize;
+                cut[child] = cut[child].or(cut[at]).or(own);
+                in_union[child] |= joins;
+            }
+        }
+        Above { cut, in_union }
+    }
+}
