@@ -2,6 +2,7 @@
 
 use super::cuboid::{self, Cuboids};
 use super::cull::Cull;
+use super::lanes::{Lanes, Number};
 use super::leaf::{Kind, Leaf};
 use super::plane::{self, Planes};
 use super::probe::{Chords, Probe};
@@ -25,9 +26,10 @@ pub struct Block {
     pub extent: f64,
     /// Of all of them, if it is in a tree.
     pub bounds: Aabb,
-    /// Tests of four rays at once, one for each leaf: of shapes without lanes, quadrics, and a shape that is placed and
-    /// alone in the block. Of other blocks there are none.
-    pub culls: Box<[Cull]>,
+    /// Of what is not in an intersection: each of its leaves with lanes in all four, for four rays at once.
+    pub apart: Box<[Shapes]>,
+    /// Of a leaf without lanes: which of four rays miss it.
+    pub cull: Option<Box<Cull>>,
 }
 
 #[derive(Debug, Clone)]
@@ -63,11 +65,26 @@ pub fn in_blocks(leaves: &[Leaf], items: &[u32], blocks: &mut Vec<Block>) {
 /// Of up to four leaves of one kind.
 fn block(leaves: &[Leaf], numbers: &[u32]) -> Block {
     let all: Vec<&Leaf> = numbers.iter().map(|&i| &leaves[i as usize]).collect();
+    let mut own = [u32::MAX; 4];
+    own[..numbers.len()].copy_from_slice(numbers);
+    Block {
+        shapes: shapes(&all),
+        placement: all[0].placement,
+        leaves: own,
+        extent: all.iter().fold(0.0, |most, leaf| leaf.extent.max(most)),
+        bounds: Aabb::ALL,
+        apart: Box::default(),
+        cull: None,
+    }
+}
+
+/// Up to four shapes of one kind.
+pub fn shapes(all: &[&Leaf]) -> Shapes {
     let four = |leaf: &&Leaf| {
         let [a, b, c, d, ..] = leaf.numbers;
         [a, b, c, d]
     };
-    let shapes = match all[0].kind {
+    match all[0].kind {
         Kind::Sphere => Shapes::Spheres(Spheres::new(&all.iter().map(four).collect::<Vec<_>>())),
         Kind::Cuboid => {
             let corners = |leaf: &&Leaf| {
@@ -88,16 +105,6 @@ fn block(leaves: &[Leaf], numbers: &[u32]) -> Block {
             Shapes::Quadrics(Box::new(Quadrics::new(&quadrics)))
         }
         Kind::Other | Kind::Csg => Shapes::Single,
-    };
-    let mut own = [u32::MAX; 4];
-    own[..numbers.len()].copy_from_slice(numbers);
-    Block {
-        shapes,
-        placement: all[0].placement,
-        leaves: own,
-        extent: all.iter().fold(0.0, |most, leaf| leaf.extent.max(most)),
-        bounds: Aabb::ALL,
-        culls: Box::default(),
     }
 }
 
@@ -105,7 +112,15 @@ impl Block {
     /// The chords of its shapes, which have lanes.
     #[inline(always)]
     pub fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {
-        match &self.shapes {
+        (self.shapes).chords(probe, Lanes::splat(from), Lanes::splat(to))
+    }
+}
+
+impl Shapes {
+    /// The chords of shapes with lanes: of each on the line in its lane.
+    #[inline(always)]
+    pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
+        match self {
             Shapes::Spheres(spheres) => spheres.chords(probe, from, to),
             Shapes::Cuboids(cuboids) => cuboids.chords(probe, from, to),
             Shapes::Planes(planes) => planes.chords(probe, from, to),
@@ -120,33 +135,39 @@ impl Leaf {
     /// A place where a ray meets it, with a bound on its error.
     #[inline(always)]
     pub fn rough(&self, probe: &Probe, t: f64, is_near: bool) -> End {
-        if t.is_infinite() {
-            return End { t, error: 0.0 };
+        End {
+            t,
+            error: self.errors(probe, t, is_near),
         }
+    }
+
+    /// Bounds on the errors of places where lines meet it.
+    #[inline(always)]
+    pub fn errors<N: Number>(&self, probe: &Probe<N>, t: N, is_near: bool) -> N {
+        let number = N::splat;
+        let size = || (probe.reach + number(self.extent)) * probe.per_pace + t.abs();
         let error = match self.kind {
-            Kind::Sphere | Kind::Other | Kind::Csg => {
-                BENT * ((probe.reach + self.extent) * probe.per_pace + t.abs())
-            }
+            Kind::Sphere | Kind::Other | Kind::Csg => number(BENT) * size(),
             Kind::Quadric => {
-                let size = (probe.reach + self.extent) * probe.per_pace + t.abs();
                 let [x, y, z, stretch, ..] = self.numbers;
                 let [dx, dy, dz] = probe.direction;
-                let across = (x * dx + y * dy + z * dz).abs();
+                let across = (number(x) * dx + number(y) * dy + number(z) * dz).abs();
                 let has_ends = x != 0.0 || y != 0.0 || z != 0.0;
                 let flat = match has_ends {
-                    true => cuboid::SHARE * probe.pace / across,
-                    false => 0.0,
+                    true => number(cuboid::SHARE) * probe.pace / across,
+                    false => number(0.0),
                 };
-                (BENT + flat) * stretch * size
+                (number(BENT) + flat) * number(stretch) * size()
             }
             Kind::Cuboid => cuboid::rough(probe, &self.numbers, self.extent, t, is_near),
             Kind::Plane | Kind::HalfSpace => plane::rough(probe, *self.first(), self.extent, t),
             Kind::Rectangle => {
-                let size = probe.reach + self.extent + t.abs() * probe.pace;
-                cuboid::SHARE * size / probe.direction[2].abs()
+                let size = probe.reach + number(self.extent) + t.abs() * probe.pace;
+                number(cuboid::SHARE) * size / probe.direction[2].abs()
             }
         };
-        End { t, error }
+        // Of what is never met nothing is rounded.
+        number(f64::MAX).if_less(t.abs(), number(0.0), error)
     }
 
     /// Where a ray that starts in it comes out of it.

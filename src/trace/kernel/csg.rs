@@ -312,6 +312,7 @@ impl Stage<'_> {
         let probe = self.placed(&query.probe, block.placement, &mut moved);
         let hair = skin + BENT * ((probe.reach + block.extent) * probe.per_pace + 1.0);
         let chords = block.chords(probe, -hair, to + hair);
+        let (near_ends, far_ends) = (chords.near.to_array(), chords.far.to_array());
         let mut maybe = chords.maybe;
         while maybe != 0 {
             let lane = maybe.trailing_zeros() as usize % 4;
@@ -345,11 +346,11 @@ impl Stage<'_> {
             if chords.sure >> lane & 1 == 0 {
                 return Err(Doubt);
             }
-            let far = leaf.rough(probe, chords.far[lane], false);
+            let far = leaf.rough(probe, far_ends[lane], false);
             if far.t < -(skin + far.error) {
                 continue;
             }
-            let near = leaf.rough(probe, chords.near[lane], true);
+            let near = leaf.rough(probe, near_ends[lane], true);
             let is_met_ahead = near.t > skin + near.error;
             let is_left_ahead = far.t > skin + far.error;
             let is_met_before = near.t < -(skin + near.error);

@@ -1,10 +1,11 @@
 //! Axis-aligned boxes: which of several a line meets, and where several lines meet one each, as
 //! [`shapes::cuboid`](crate::trace::shapes) computes it.
 
-use super::lanes::{ALL, LANES, Lanes, V3, either, is_greater, is_less, mask};
+use super::lanes::{ALL, LANES, Lanes, Number, V3, either, is_greater, is_less, mask};
 use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
 use super::resolved::{Meet, Resolved};
+use crate::geometry::array::each;
 use crate::geometry::vec::{Vec3, gamma};
 
 /// Up to four boxes.
@@ -33,64 +34,64 @@ impl Cuboids {
         }
     }
 
-    /// The boxes that a line may meet after `from` and before `to`.
+    /// The boxes that lines may meet after `from` and before `to`.
     #[inline(always)]
-    pub fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {
-        if probe.inverse.iter().any(|x| x.is_infinite()) {
+    pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
+        let splat = Lanes::splat;
+        let [x, y, z] = each(probe.inverse, N::abs);
+        let steepest = x.greater(y).greater(z).wide();
+        if !is_less(steepest, splat(f64::INFINITY)).all() {
             return self.chords_along_an_axis(probe, from, to);
         }
-        let splat = Lanes::splat;
         let (mut near, mut far) = (splat(f64::NEG_INFINITY), splat(f64::INFINITY));
         for i in 0..3 {
-            let (o, inverse) = (splat(probe.origin[i]), splat(probe.inverse[i]));
+            let (o, inverse) = (probe.origins().0[i], probe.inverses().0[i]);
             let (a, b) = ((self.min[i] - o) * inverse, (self.max[i] - o) * inverse);
             near = near.fast_max(a.fast_min(b));
             far = far.fast_min(a.fast_max(b));
         }
-        let [x, y, z] = probe.inverse;
-        let slack = 4.0 * probe.slack * x.abs().max(y.abs()).max(z.abs());
+        let slack = splat(4.0) * probe.slack.wide() * steepest;
         self.within(near, far, slack, [from, to])
     }
 
     /// The chords with these ends.
     #[inline(always)]
-    fn within(&self, near: Lanes, far: Lanes, slack: f64, [from, to]: [f64; 2]) -> Chords {
+    fn within(&self, near: Lanes, far: Lanes, slack: Lanes, [from, to]: [Lanes; 2]) -> Chords {
         let splat = Lanes::splat;
-        let rim = splat(RIM) * (near.abs() + far.abs()) + splat(slack);
-        let met =
-            is_greater(far - near, -rim) & is_greater(far, splat(from)) & is_less(near, splat(to));
+        let rim = splat(RIM) * (near.abs() + far.abs()) + slack;
+        let met = is_greater(far - near, -rim) & is_greater(far, from) & is_less(near, to);
         Chords {
             maybe: met.to_bitmask() & self.present,
             sure: is_greater(far - near, rim).to_bitmask(),
-            near: near.to_array(),
-            far: far.to_array(),
+            near,
+            far,
         }
     }
 
-    /// As [`chords`](Self::chords), of a line some of whose numbers are zero. Boxes in whose faces it may lie are in
+    /// As [`chords`](Self::chords), of lines some of whose numbers are zero. Boxes in whose faces one may lie are in
     /// doubt.
     #[cold]
     #[inline(never)]
-    fn chords_along_an_axis(&self, probe: &Probe, from: f64, to: f64) -> Chords {
+    fn chords_along_an_axis<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
         let splat = Lanes::splat;
-        let (mut near, mut far) = (splat(f64::NEG_INFINITY), splat(f64::INFINITY));
-        let (mut beside, mut along, mut slack) = (0, 0, 0.0f64);
+        let (zero, infinity) = (Lanes::ZERO, splat(f64::INFINITY));
+        let (mut near, mut far) = (-infinity, infinity);
+        let (mut beside, mut along, mut slack) = (0, 0, zero);
         for i in 0..3 {
-            let (o, inverse) = (splat(probe.origin[i]), splat(probe.inverse[i]));
+            let (o, inverse) = (probe.origins().0[i], probe.inverses().0[i]);
             let (low, high) = (self.min[i] - o, self.max[i] - o);
-            if probe.inverse[i].is_infinite() {
-                let hair = splat(RIM) * (self.min[i].abs() + self.max[i].abs() + o.abs())
-                    + splat(probe.slack);
-                let is_beside = is_greater(low, hair) | is_less(high, -hair);
-                let is_within = is_less(low, -hair) & is_greater(high, hair);
-                beside |= is_beside.to_bitmask();
-                along |= !(is_beside | is_within).to_bitmask();
-                continue;
-            }
-            slack = slack.max(4.0 * probe.slack * probe.inverse[i].abs());
+            let moves = is_less(inverse.abs(), infinity);
+            let hair =
+                splat(RIM) * (self.min[i].abs() + self.max[i].abs() + o.abs()) + probe.slack.wide();
+            let is_beside = is_greater(low, hair) | is_less(high, -hair);
+            let is_within = is_less(low, -hair) & is_greater(high, hair);
+            beside |= (is_beside & !moves).to_bitmask();
+            along |= !(is_beside | is_within | moves).to_bitmask();
+            let own = splat(4.0) * probe.slack.wide() * inverse.abs();
+            slack = either(moves, slack.fast_max(own), slack);
             let (a, b) = (low * inverse, high * inverse);
-            near = near.fast_max(a.fast_min(b));
-            far = far.fast_min(a.fast_max(b));
+            near = either(moves, near.fast_max(a.fast_min(b)), near);
+            far = either(moves, far.fast_min(a.fast_max(b)), far);
         }
         let mut chords = self.within(near, far, slack, [from, to]);
         chords.maybe &= !beside;
@@ -99,22 +100,30 @@ impl Cuboids {
     }
 }
 
-/// A bound on the error of where a line meets a box, as the search for crossings sees it: see
+/// Bounds on the errors of where lines meet a box, as the search for crossings sees it: see
 /// [`Walker::rough`](crate::trace::search::walk::Walker::rough).
 #[inline(always)]
-pub fn rough(probe: &Probe, bounds: &[f64; 8], extent: f64, t: f64, is_near: bool) -> f64 {
-    let mut speed = f64::INFINITY;
-    // The least speed of all faces that the line is as near to as this.
+pub fn rough<N: Number>(
+    probe: &Probe<N>,
+    bounds: &[f64; 8],
+    extent: f64,
+    t: N,
+    is_near: bool,
+) -> N {
+    let (zero, tiny) = (N::splat(0.0), N::splat(f64::MIN_POSITIVE));
+    let mut speed = N::splat(f64::INFINITY);
+    // The least speed of all faces that a line is as near to as this.
     for i in 0..3 {
-        let inverse = probe.inverse[i];
-        let side = if (inverse < 0.0) == is_near { 3 + i } else { i };
-        let at = (bounds[side] - probe.origin[i]) * inverse;
-        let is_met = (at - t).abs() <= RIM * (t.abs() + at.abs());
-        if probe.direction[i] != 0.0 && is_met {
-            speed = speed.min(probe.direction[i].abs());
-        }
+        let (inverse, pace) = (probe.inverse[i], probe.direction[i].abs());
+        let [low, high] = [N::splat(bounds[i]), N::splat(bounds[3 + i])];
+        let [falling, rising] = if is_near { [high, low] } else { [low, high] };
+        let side = inverse.if_less(zero, falling, rising);
+        let at = (side - probe.origin[i]) * inverse;
+        let room = N::splat(RIM) * (t.abs() + at.abs()) + tiny;
+        let lesser = zero.if_less(pace, speed.lesser(pace), speed);
+        speed = (at - t).abs().if_less(room, lesser, speed);
     }
-    SHARE * (probe.reach + extent + t.abs() * probe.pace) / speed
+    N::splat(SHARE) * (probe.reach + N::splat(extent) + t.abs() * probe.pace) / speed
 }
 
 /// A little more than the share of [`Walker::rough`](crate::trace::search::walk::Walker::rough).

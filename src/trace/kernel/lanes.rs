@@ -1,8 +1,93 @@
 //! Four doubles at once. Each lane has the bits that the same operations give one double at a time.
 
 use crate::geometry::vec::Vec3;
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 pub use wide::f64x4 as Lanes;
+
+/// One double, or one in each lane.
+pub trait Number:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    fn splat(x: f64) -> Self;
+
+    /// In all lanes.
+    fn wide(self) -> Lanes;
+
+    fn abs(self) -> Self;
+
+    /// The lesser of two that are numbers.
+    fn lesser(self, other: Self) -> Self;
+
+    /// The greater of two that are numbers.
+    fn greater(self, other: Self) -> Self;
+
+    /// One of two: the first where this is less than something.
+    fn if_less(self, than: Self, then: Self, or: Self) -> Self;
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn splat(x: f64) -> f64 {
+        x
+    }
+
+    #[inline(always)]
+    fn wide(self) -> Lanes {
+        Lanes::splat(self)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> f64 {
+        self.abs()
+    }
+
+    #[inline(always)]
+    fn lesser(self, other: f64) -> f64 {
+        if self < other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn greater(self, other: f64) -> f64 {
+        if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn if_less(self, than: f64, then: f64, or: f64) -> f64 {
+        if self < than { then } else { or }
+    }
+}
+
+impl Number for Lanes {
+    #[inline(always)]
+    fn splat(x: f64) -> Lanes {
+        Lanes::splat(x)
+    }
+
+    #[inline(always)]
+    fn wide(self) -> Lanes {
+        self
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Lanes {
+        Lanes::abs(self)
+    }
+
+    #[inline(always)]
+    fn lesser(self, other: Lanes) -> Lanes {
+        self.fast_min(other)
+    }
+
+    #[inline(always)]
+    fn greater(self, other: Lanes) -> Lanes {
+        self.fast_max(other)
+    }
+
+    #[inline(always)]
+    fn if_less(self, than: Lanes, then: Lanes, or: Lanes) -> Lanes {
+        either(is_less(self, than), then, or)
+    }
+}
 
 /// Lanes in one go.
 pub const LANES: usize = 4;
@@ -40,9 +125,25 @@ pub fn lanes_where(holds: impl Fn(usize) -> bool) -> u32 {
 /// Where the bits of a mask are set, all bits of the lane.
 #[inline(always)]
 pub fn mask(bits: u32) -> Lanes {
-    let lane = |i: u32| f64::from_bits(0u64.wrapping_sub(u64::from(bits >> i & 1)));
-    Lanes::new([lane(0), lane(1), lane(2), lane(3)])
+    MASKS[(bits & ALL) as usize]
 }
+
+/// The masks of all sets of lanes.
+const MASKS: [Lanes; 1 << LANES] = {
+    let mut masks = [Lanes::ZERO; 1 << LANES];
+    let mut bits = 0;
+    while bits < masks.len() {
+        let mut lanes = [0.0; LANES];
+        let mut lane = 0;
+        while lane < LANES {
+            lanes[lane] = f64::from_bits(((bits >> lane & 1) as u64).wrapping_neg());
+            lane += 1;
+        }
+        masks[bits] = Lanes::new(lanes);
+        bits += 1;
+    }
+    masks
+};
 
 /// The lanes of `a` where the mask is set, and else those of `b`.
 #[inline(always)]

@@ -1,7 +1,8 @@
 //! The light of lamps on the places that a wave has met.
 
-use super::bundle::{Around, BUNDLE_MIN_RAYS, Rays};
+use super::bundle::{Around, BUNDLE_MIN_RAYS};
 use super::lanes::{LANES, Lanes, V3, is_greater, is_less, mask};
+use super::packet::Packet;
 use super::query::Start;
 use super::shade::{Four, Hits};
 use super::shadow::Light;
@@ -131,8 +132,8 @@ impl Tile {
         }
         let mut dark = 0;
         if is_known {
-            let rays = Rays::new(four.starts.each_ref(), faces, true);
-            dark = self.along.part(scene.stage, &rays, 1.0);
+            let packet = Packet::new(four.starts.each_ref(), faces);
+            dark = scene.stage.shadows_of_four(&mut self.along, &packet);
         }
         let mut seen = [Vec3::ZERO; LANES];
         for (lane, seen) in seen.iter_mut().enumerate() {

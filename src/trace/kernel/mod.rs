@@ -48,6 +48,7 @@ mod lanes;
 mod leaf;
 mod light;
 mod lone;
+mod packet;
 mod place;
 mod plane;
 mod probe;

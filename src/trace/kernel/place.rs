@@ -8,7 +8,7 @@ use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
 /// A map for each of four things.
 pub struct Maps {
     rows: [V3; 3],
-    offset: V3,
+    pub offset: V3,
 }
 
 impl Maps {
@@ -37,7 +37,7 @@ impl Maps {
 
     /// The sizes of the terms of `vector`, of sizes.
     #[inline(always)]
-    fn sizes(&self, v: V3) -> V3 {
+    pub fn sizes(&self, v: V3) -> V3 {
         let size = |i: usize| self.rows[i].abs().dot(v);
         V3([size(0), size(1), size(2)])
     }

@@ -1,7 +1,9 @@
 //! Planes and half-spaces: where a line meets several, and where several lines meet one each, as
 //! [`shapes::plane`](crate::trace::shapes) computes it.
 
-use super::lanes::{LANES, Lanes, V3, either, gathered, is_at_most, is_greater, is_less, mask};
+use super::lanes::{
+    LANES, Lanes, Number, V3, either, gathered, is_at_most, is_greater, is_less, mask,
+};
 use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
 use super::resolved::{Meet, Resolved};
@@ -36,18 +38,18 @@ impl Planes {
         }
     }
 
-    /// The planes that a line may meet after `from` and before `to`.
+    /// The planes that lines may meet after `from` and before `to`.
     #[inline(always)]
-    pub fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {
+    pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
         let splat = Lanes::splat;
         let (zero, infinity) = (Lanes::ZERO, splat(f64::INFINITY));
         let (mut slope, mut steep) = (zero, zero);
         let (mut value, mut size) = (self.d, self.d.abs());
         for i in 0..3 {
-            let step = self.normal[i] * splat(probe.direction[i]);
+            let step = self.normal[i] * probe.directions().0[i];
             slope += step;
             steep += step.abs();
-            let term = self.normal[i] * splat(probe.origin[i]);
+            let term = self.normal[i] * probe.origins().0[i];
             value += term;
             size += term.abs();
         }
@@ -58,27 +60,28 @@ impl Planes {
         let far = either(solid & !rises, infinity, t);
         // A line that is exactly parallel to the plane meets nothing in front of it.
         let still = is_at_most(steep, zero) & (is_greater(value, splat(RIM) * size) | !solid);
-        let still = still.to_bitmask() & if probe.slack > 0.0 { 0 } else { u32::MAX };
+        let still = still & !is_greater(probe.slack.wide(), zero);
         let flat = !is_greater(slope.abs(), splat(RIM) * steep);
-        let ahead = is_greater(far, splat(from)) & is_less(near, splat(to));
+        let ahead = is_greater(far, from) & is_less(near, to);
         Chords {
-            maybe: (ahead | flat).to_bitmask() & self.present & !still,
+            maybe: (ahead | flat).to_bitmask() & self.present & !still.to_bitmask(),
             sure: !flat.to_bitmask(),
-            near: near.to_array(),
-            far: far.to_array(),
+            near,
+            far,
         }
     }
 }
 
-/// A bound on the error of where a line meets a plane: see
+/// Bounds on the errors of where lines meet a plane: see
 /// [`Walker::rough`](crate::trace::search::walk::Walker::rough).
 #[inline(always)]
-pub fn rough(probe: &Probe, normal: [f64; 3], extent: f64, t: f64) -> f64 {
+pub fn rough<N: Number>(probe: &Probe<N>, normal: [f64; 3], extent: f64, t: N) -> N {
     let [a, b, c] = normal;
     let [x, y, z] = probe.direction;
-    let across = (a * x + b * y + c * z).abs();
+    let across = (N::splat(a) * x + N::splat(b) * y + N::splat(c) * z).abs();
     let length = 1.75 * a.abs().max(b.abs()).max(c.abs());
-    super::cuboid::SHARE * (probe.reach + extent + t.abs() * probe.pace) * length / across
+    let size = probe.reach + N::splat(extent) + t.abs() * probe.pace;
+    N::splat(super::cuboid::SHARE * length) * size / across
 }
 
 /// A plane as written, and in units of its normal.

@@ -1,28 +1,30 @@
 //! A ray as blocks of shapes see it.
 
+use super::lanes::{LANES, Lanes, Number, V3};
+use super::place::Maps;
 use crate::geometry::affine::Affine;
-use crate::geometry::array::dot;
+use crate::geometry::array::{dot, each};
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 
-/// A line from t = 0 on, with what several tests ask of it.
+/// A line from t = 0 on, with what several tests ask of it: or four, one in each lane of all numbers.
 #[derive(Debug, Clone, Copy)]
-pub struct Probe {
-    pub origin: [f64; 3],
-    pub direction: [f64; 3],
+pub struct Probe<N = f64> {
+    pub origin: [N; 3],
+    pub direction: [N; 3],
     /// The reciprocals of the direction.
-    pub inverse: [f64; 3],
+    pub inverse: [N; 3],
     /// The square of the direction's length, and its reciprocal.
-    pub square: f64,
-    pub per_square: f64,
+    pub square: N,
+    pub per_square: N,
     /// The largest component of the origin, in size.
-    pub reach: f64,
+    pub reach: N,
     /// That of the direction, and its reciprocal.
-    pub pace: f64,
-    pub per_pace: f64,
+    pub pace: N,
+    pub per_pace: N,
     /// More than how far its points may be off along each axis, in units of the numbers behind them, because it was
     /// moved into another space; 0 where it was not.
-    pub slack: f64,
+    pub slack: N,
 }
 
 /// More than a map rounds, as a share of the numbers behind a point.
@@ -82,22 +84,72 @@ impl Probe {
     }
 }
 
-/// Where a line goes into convex solids and out of them, lane by lane. A surface without inside is met at one place.
+impl Probe<Lanes> {
+    #[inline(always)]
+    pub fn of_four(origin: V3, direction: V3) -> Probe<Lanes> {
+        let one = Lanes::splat(1.0);
+        let square = direction.dot(direction);
+        let pace = direction.abs().max_component();
+        Probe {
+            origin: origin.0,
+            direction: direction.0,
+            inverse: each(direction.0, |d| one / d),
+            square,
+            per_square: one / square,
+            reach: origin.abs().max_component(),
+            pace,
+            per_pace: one / pace,
+            slack: Lanes::ZERO,
+        }
+    }
+
+    /// The same lines in another space.
+    #[inline(always)]
+    pub fn four_through(&self, map: &Affine) -> Probe<Lanes> {
+        let map = Maps::gathered([map; LANES], |map| map);
+        let origin = V3(self.origin);
+        let sizes = map.sizes(origin.abs()) + map.offset.abs();
+        Probe {
+            slack: Lanes::splat(ROUNDED) * sizes.max_component(),
+            ..Probe::of_four(map.point(origin), map.vector(V3(self.direction)))
+        }
+    }
+}
+
+impl<N: Number> Probe<N> {
+    /// The origin, in all lanes.
+    #[inline(always)]
+    pub fn origins(&self) -> V3 {
+        V3(each(self.origin, N::wide))
+    }
+
+    #[inline(always)]
+    pub fn directions(&self) -> V3 {
+        V3(each(self.direction, N::wide))
+    }
+
+    #[inline(always)]
+    pub fn inverses(&self) -> V3 {
+        V3(each(self.inverse, N::wide))
+    }
+}
+
+/// Where lines go into convex solids and out of them, lane by lane. A surface without inside is met at one place.
 #[derive(Debug, Clone, Copy)]
 pub struct Chords {
     /// The solids that the line may meet in the stretch that was asked for, as bits.
     pub maybe: u32,
     /// Those that it surely meets: rounding has nothing to do with it.
     pub sure: u32,
-    pub near: [f64; 4],
-    pub far: [f64; 4],
+    pub near: Lanes,
+    pub far: Lanes,
 }
 
 impl Chords {
     pub const NONE: Chords = Chords {
         maybe: 0,
         sure: 0,
-        near: [0.0; 4],
-        far: [0.0; 4],
+        near: Lanes::ZERO,
+        far: Lanes::ZERO,
     };
 }

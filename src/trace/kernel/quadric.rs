@@ -6,7 +6,7 @@
 //! ([`POLYNOMIAL_MARGIN`]). A line is told to meet a solid where the least value is below −margin; so it passes through the
 //! surface at a slope of more than a millionth, and [`BENT`](super::query::BENT) bounds the errors.
 
-use super::lanes::{ALL, Lanes, V3, either, gathered, is_at_most, is_greater, is_less};
+use super::lanes::{ALL, Lanes, Number, V3, either, gathered, is_at_most, is_greater, is_less};
 use super::probe::{Chords, Probe};
 use super::way_in::{REL_ROUNDED, WayIn};
 use crate::geometry::aabb::Aabb;
@@ -159,18 +159,18 @@ impl Quadrics {
         }
     }
 
-    /// The solids that a line may meet after `from` and before `to`.
+    /// The solids that lines may meet after `from` and before `to`.
     #[inline(always)]
-    pub fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {
+    pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
         let splat = Lanes::splat;
         let zero = Lanes::ZERO;
-        let [o, d] = each([probe.origin, probe.direction], |v| V3::splat(Vec3(v)));
         let into = |v: V3| V3(each([0, 1, 2], |i: usize| self.rows[i].dot(v)));
-        let (o, d) = (into(o) + self.offset - self.middle, into(d));
+        let o = into(probe.origins()) + self.offset - self.middle;
+        let d = into(probe.directions());
         let square = d.dot(d);
         let shift = -o.dot(d) / square;
         let q = o + d * shift;
-        let start = splat(probe.reach) + splat(probe.pace) * shift.abs();
+        let start = probe.reach.wide() + probe.pace.wide() * shift.abs();
         let error = splat(REL_ROUNDED)
             * (self.sizes[0] * start + self.sizes[1] + self.middle.abs().max_component());
         let is_known = is_at_most(error, splat(LINE_REL_ERROR) * self.reach);
@@ -251,7 +251,6 @@ impl Quadrics {
             sure |= along;
         }
         let (near, far) = (near + shift, far + shift);
-        let [from, to] = each([from, to], splat);
         let around = ((self.ball - q.dot(q)) / square).sqrt();
         let elsewhere = (sure & (is_less(far, from) | is_greater(near, to)))
             | is_less(shift + around, from)
@@ -260,8 +259,8 @@ impl Quadrics {
         Chords {
             maybe: ALL & !((is_known & (misses | elsewhere)) | absent).to_bitmask(),
             sure: (is_known & sure).to_bitmask(),
-            near: near.to_array(),
-            far: far.to_array(),
+            near,
+            far,
         }
     }
 }
@@ -323,7 +322,11 @@ mod tests {
         let quadric = Quadric::new(&piece, &shape.shape().bounds(), way).expect("usual numbers");
         for (distance, told) in [(1e3, true), (1e12, false)] {
             let line = Line::new(Vec3::new(5.0, 0.0, distance), Vec3::new(0.0, 0.0, -1.0));
-            let found = Quadrics::new(&[&quadric]).chords(&Probe::new(&line), 0.0, f64::INFINITY);
+            let found = Quadrics::new(&[&quadric]).chords(
+                &Probe::new(&line),
+                Lanes::ZERO,
+                Lanes::splat(f64::INFINITY),
+            );
             assert_eq!([found.maybe & 1 == 0, found.sure & 1 == 0], [told, true]);
         }
     }
@@ -364,7 +367,9 @@ mod tests {
                 let bounds = shape.shape().bounds();
                 let way = WayIn::new(&graph, chain);
                 let quadric = Quadric::new(&piece, &bounds, way).expect("usual numbers");
-                let chords = Quadrics::new(&[&quadric]).chords(&Probe::new(&line), -0.5, 1.0);
+                let [from, to] = [-0.5, 1.0].map(Lanes::splat);
+                let chords = Quadrics::new(&[&quadric]).chords(&Probe::new(&line), from, to);
+                let (near, far) = (chords.near.to_array()[0], chords.far.to_array()[0]);
                 assert_eq!(chords.maybe >> 1, 0);
                 let mut roots = Roots::default();
                 let own = chain
@@ -389,7 +394,7 @@ mod tests {
                     let [a, b] = ends.unwrap_or_else(|| panic!("{shape:?} {line:?} {chords:?}"));
                     let is_near = |x: f64, y: f64| x == y || (x - y).abs() < 1e-7 * (1.0 + x.abs());
                     assert!(
-                        is_near(a, chords.near[0]) && is_near(b, chords.far[0]),
+                        is_near(a, near) && is_near(b, far),
                         "{shape:?} {line:?} {ends:?} {chords:?}"
                     );
                     (told, met) = (told + 1, met + 1);

@@ -1,7 +1,7 @@
 //! Rectangles in the plane z = 0: which of several a line meets, and where several lines meet one each, as
 //! [`shapes::rectangle`](crate::trace::shapes) computes it.
 
-use super::lanes::{LANES, Lanes, V3, is_greater, is_less};
+use super::lanes::{ALL, LANES, Lanes, Number, V3, is_at_most, is_greater, is_less};
 use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
 use super::resolved::{Meet, Resolved};
@@ -32,44 +32,41 @@ impl Rectangles {
         }
     }
 
-    /// The rectangles that a line may meet after `from` and before `to`.
+    /// The rectangles that lines may meet after `from` and before `to`.
     #[inline(always)]
-    pub fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {
+    pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
         let splat = Lanes::splat;
-        let [_, _, z] = probe.origin;
-        let t = -z * probe.inverse[2];
+        let zero = Lanes::ZERO;
+        let [dx, dy, dz] = probe.directions().0;
+        let [x, y, z] = probe.origins().0;
+        let per_dz = probe.inverses().0[2];
+        let t = -z * per_dz;
         // A line in the plane, or nearly so, which may be elsewhere than where it is said to be.
-        let is_parallel = !t.is_finite() || probe.direction[2].abs() <= RIM * probe.pace;
-        if is_parallel {
-            let is_apart = z.abs() > RIM * probe.reach + probe.slack && probe.direction[2] == 0.0;
-            let maybe = if is_apart && probe.slack == 0.0 {
-                0
-            } else {
-                self.present
-            };
-            return Chords {
-                maybe,
-                ..Chords::NONE
-            };
-        }
-        if t <= from || t >= to {
+        let is_parallel = !is_less(t.abs(), splat(f64::INFINITY))
+            | is_at_most(dz.abs(), splat(RIM) * probe.pace.wide());
+        let is_apart = is_greater(z.abs(), splat(RIM) * probe.reach.wide())
+            & is_at_most(dz.abs(), zero)
+            & is_at_most(probe.slack.wide(), zero);
+        let ahead = is_greater(t, from) & is_less(t, to);
+        let open = (is_parallel & !is_apart) | (ahead & !is_parallel);
+        if !open.any() {
             return Chords::NONE;
         }
-        let (mut beside, mut within) = (Lanes::ZERO, Lanes::ZERO.simd_eq(Lanes::ZERO));
-        for i in 0..2 {
-            let (o, step) = (probe.origin[i], probe.direction[i] * t);
-            let run = 1.0 + (probe.direction[i] * probe.inverse[2]).abs();
-            let hair = splat(RIM * (o.abs() + step.abs()) + probe.slack * run);
-            let p = splat(o + step);
+        let (mut beside, mut within) = (zero, zero.simd_eq(zero));
+        for (i, (o, d)) in [(x, dx), (y, dy)].into_iter().enumerate() {
+            let step = d * t;
+            let run = splat(1.0) + (d * per_dz).abs();
+            let hair = splat(RIM) * (o.abs() + step.abs()) + probe.slack.wide() * run;
+            let p = o + step;
             let (low, high) = (p - self.min[i], self.max[i] - p);
             beside = beside | is_less(low, -hair) | is_less(high, -hair);
             within = within & is_greater(low, hair) & is_greater(high, hair);
         }
         Chords {
-            maybe: !beside.to_bitmask() & self.present,
-            sure: within.to_bitmask(),
-            near: [t; 4],
-            far: [t; 4],
+            maybe: (open & (is_parallel | !beside)).to_bitmask() & self.present & ALL,
+            sure: (within & !is_parallel).to_bitmask(),
+            near: t,
+            far: t,
         }
     }
 }

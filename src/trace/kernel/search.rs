@@ -1,7 +1,6 @@
 //! What a ray meets first.
 
 use super::block::{Block, Shapes};
-use super::bundle::Blocks;
 use super::leaf::{Kind, Leaf};
 use super::probe::Probe;
 use super::query::{
@@ -52,15 +51,9 @@ impl Nearest {
 }
 
 impl Stage<'_> {
-    /// The surface that a ray meets first; `along` are the blocks on its way, if they are known.
+    /// The surface that a ray meets first.
     #[inline(always)]
-    pub fn first(
-        &self,
-        start: &Start,
-        along: Option<&Blocks>,
-        scratch: &mut Scratch,
-        tests: &mut Tests,
-    ) -> Met {
+    pub fn first(&self, start: &Start, scratch: &mut Scratch, tests: &mut Tests) -> Met {
         let within = match start.within.owner() {
             NONE => None,
             number => Some(&self.leaves[number as usize]),
@@ -71,39 +64,24 @@ impl Stage<'_> {
         let query = Query::new(start);
         let mut best = Nearest::NOTHING;
         scratch.hidden.clear();
-        match along {
-            Some(along) => {
-                for &(near, block) in along {
-                    if near > best.limit {
-                        break;
-                    }
+        let beam = Beam::new(&query.line, &self.all.frame);
+        self.begin(scratch);
+        let mut next = None;
+        while let Some((near, child)) = next.take().or_else(|| scratch.pending.pop()) {
+            let most = beam.pace(best.limit);
+            if near > most {
+                continue;
+            }
+            match child.is() {
+                Is::Node(node) => {
+                    tests.boxes += CHILDREN as u32;
+                    let node = &self.all.tree.nodes[node as usize];
+                    next = nearest_child(&beam, node, most, &mut scratch.pending);
+                }
+                Is::Item(block) => {
                     let block = &self.blocks[block as usize];
                     if !self.nearer(&query, within, block, &mut best, scratch, tests) {
                         return Met::Doubt;
-                    }
-                }
-            }
-            None => {
-                let beam = Beam::new(&query.line, &self.all.frame);
-                self.begin(scratch);
-                let mut next = None;
-                while let Some((near, child)) = next.take().or_else(|| scratch.pending.pop()) {
-                    let most = beam.pace(best.limit);
-                    if near > most {
-                        continue;
-                    }
-                    match child.is() {
-                        Is::Node(node) => {
-                            tests.boxes += CHILDREN as u32;
-                            let node = &self.all.tree.nodes[node as usize];
-                            next = nearest_child(&beam, node, most, &mut scratch.pending);
-                        }
-                        Is::Item(block) => {
-                            let block = &self.blocks[block as usize];
-                            if !self.nearer(&query, within, block, &mut best, scratch, tests) {
-                                return Met::Doubt;
-                            }
-                        }
                     }
                 }
             }
@@ -212,6 +190,7 @@ impl Stage<'_> {
         let probe = self.placed(&query.probe, block.placement, &mut moved);
         let from = -(skin + BENT * ((probe.reach + block.extent) * probe.per_pace + 1.0));
         let chords = block.chords(probe, from, best.limit);
+        let (near_ends, far_ends) = (chords.near.to_array(), chords.far.to_array());
         let mut maybe = chords.maybe;
         while maybe != 0 {
             let lane = maybe.trailing_zeros() as usize % 4;
@@ -227,7 +206,7 @@ impl Stage<'_> {
             if chords.sure >> lane & 1 == 0 {
                 return false;
             }
-            let out = leaf.rough(probe, chords.far[lane], false);
+            let out = leaf.rough(probe, far_ends[lane], false);
             let crossing = |end: End, is_exit| Crossing {
                 surface: number,
                 root: Root {
@@ -250,7 +229,7 @@ impl Stage<'_> {
             if out.t < -(skin + out.error) {
                 continue;
             }
-            let end = leaf.rough(probe, chords.near[lane], true);
+            let end = leaf.rough(probe, near_ends[lane], true);
             let is_ahead = end.t > skin + end.error;
             if !is_ahead {
                 return false;

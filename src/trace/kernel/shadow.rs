@@ -28,7 +28,7 @@ enum Found {
 }
 
 /// The end of rays to lamps: see [`AT_LAMP`](crate::trace::precision::Precision::AT_LAMP).
-const TO: f64 = 1.0 - 1.0 / (1u64 << 27) as f64;
+pub const TO: f64 = 1.0 - 1.0 / (1u64 << 27) as f64;
 /// Transparent things on the way to a lamp at most.
 const MAX_PASSED: usize = 64;
 /// Before the start of every ray.
@@ -156,6 +156,7 @@ impl Stage<'_> {
         let probe = self.placed(&query.probe, block.placement, &mut moved);
         let hair = BENT * 2.0 * ((probe.reach + block.extent) * probe.per_pace + 1.0);
         let chords = block.chords(probe, -(skin + hair), 1.0 + hair);
+        let (near_ends, far_ends) = (chords.near.to_array(), chords.far.to_array());
         let mut maybe = chords.maybe;
         while maybe != 0 {
             let lane = maybe.trailing_zeros() as usize % 4;
@@ -174,11 +175,11 @@ impl Stage<'_> {
             if chords.sure >> lane & 1 == 0 {
                 return Found::Doubt;
             }
-            let out = leaf.rough(probe, chords.far[lane], false);
+            let out = leaf.rough(probe, far_ends[lane], false);
             if out.t < -(skin + out.error) {
                 continue;
             }
-            let end = leaf.rough(probe, chords.near[lane], true);
+            let end = leaf.rough(probe, near_ends[lane], true);
             if end.t - end.error > TO {
                 continue;
             }

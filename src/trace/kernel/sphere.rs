@@ -1,7 +1,9 @@
 //! Spheres: which of several a line meets, and where several lines meet one each, as
 //! [`shapes::sphere`](crate::trace::shapes) computes it.
 
-use super::lanes::{LANES, Lanes, V3, either, fused, gathered, is_at_most, is_greater, is_less};
+use super::lanes::{
+    LANES, Lanes, Number, V3, either, fused, gathered, is_at_most, is_greater, is_less,
+};
 use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
 use super::resolved::{Meet, Resolved};
@@ -36,32 +38,32 @@ impl Spheres {
         }
     }
 
-    /// The spheres that a line may meet after `from` and before `to`.
+    /// The spheres that lines may meet after `from` and before `to`.
     #[inline(always)]
-    pub fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {
+    pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
         let splat = Lanes::splat;
-        let offset = |i: usize| splat(probe.origin[i]) - self.centre[i];
-        let f = [offset(0), offset(1), offset(2)];
-        let [dx, dy, dz] = probe.direction;
-        let b = -(f[0] * splat(dx) + f[1] * splat(dy) + f[2] * splat(dz));
-        let f2 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
-        let a = splat(probe.square);
+        let f = probe.origins() - V3(self.centre);
+        let b = -f.dot(probe.directions());
+        let f2 = f.dot(f);
+        let a = probe.square.wide();
         let discriminant = b * b - a * (f2 - self.square);
-        let rim = splat(RIM * probe.square) * (f2 + self.square.abs())
-            + splat(4.0 * probe.slack * probe.square) * self.radius;
+        let rim = splat(RIM) * a * (f2 + self.square.abs())
+            + splat(4.0) * probe.slack.wide() * a * self.radius;
         let met = is_greater(discriminant, -rim);
         if !met.any() {
             return Chords::NONE;
         }
         let root = discriminant.fast_max(Lanes::ZERO).sqrt();
-        let per_square = splat(probe.per_square);
-        let (near, far) = ((b - root) * per_square, (b + root) * per_square);
-        let ahead = is_greater(far, splat(from)) & is_less(near, splat(to));
+        let (near, far) = (
+            (b - root) * probe.per_square.wide(),
+            (b + root) * probe.per_square.wide(),
+        );
+        let ahead = is_greater(far, from) & is_less(near, to);
         Chords {
             maybe: (met & ahead).to_bitmask(),
             sure: is_greater(discriminant, rim).to_bitmask(),
-            near: near.to_array(),
-            far: far.to_array(),
+            near,
+            far,
         }
     }
 }

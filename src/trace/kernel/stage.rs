@@ -1,13 +1,13 @@
 //! A scene as the kernel sees it: shapes in blocks, blocks in a tree.
 
-use super::block::{Block, Shapes, in_blocks};
+use super::block::{Block, Shapes, in_blocks, shapes};
 use super::csg::Csg;
 use super::cull::Cull;
 use super::expand::Leaves;
+use super::lanes::LANES;
 use super::leaf::{Kind, Leaf};
 use super::lone::find_lone;
 use super::probe::Probe;
-use super::query::NONE;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::bvh::Bvh;
 use crate::geometry::wide_bvh::{Frame, Tree};
@@ -64,7 +64,7 @@ impl Stage<'_> {
         } = leaves;
         let mut blocks = Vec::new();
         let all = Forest::new(&leaves, &loose, boxes, &mut blocks);
-        let cull = |&number: &u32| {
+        let cull = |number: u32| {
             let leaf = &leaves[number as usize];
             let (bounds, outline) = match leaf.kind {
                 Kind::Csg => (operands[leaf.primitive as usize].bounds, Outline::BOUNDS),
@@ -76,15 +76,15 @@ impl Stage<'_> {
             Cull::new(graph, &chains[leaf.chain as usize], &bounds, outline)
         };
         for block in &mut blocks {
-            let is_apart = match block.shapes {
-                Shapes::Single | Shapes::Quadrics(_) => true,
-                _ => block.placement != 0 && block.leaves[1] == NONE,
-            };
-            if is_apart {
-                let own = block.leaves.iter().filter(|&&leaf| leaf != NONE);
-                let culls: Option<Box<[Cull]>> = own.map(cull).collect();
-                block.culls = culls.unwrap_or_default();
+            if let Shapes::Single = block.shapes {
+                block.cull = cull(block.leaves[0]).map(Box::new);
+                continue;
             }
+            let own = block
+                .leaves
+                .iter()
+                .filter_map(|&leaf| leaves.get(leaf as usize));
+            block.apart = own.map(|leaf| shapes(&[leaf; LANES])).collect();
         }
         let csgs = operands
             .into_iter()

@@ -3,15 +3,16 @@
 //! All rays that a tile's pixels send, mirror and refract at one time are a wave. Each is traced by itself; what happens
 //! where they have met something is computed four at a time.
 
-use super::bundle::{Along, Around, BUNDLE_MIN_RAYS, Rays};
+use super::bundle::{Along, Around, BUNDLE_MIN_RAYS};
 use super::cuboid::Cuboids;
 use super::drawn::Drawn;
 use super::lanes::{ALL, LANES, V3, mask};
 use super::leaf::{Colour, KINDS, Kind, Leaf};
 use super::light::Lit;
+use super::packet::Packet;
 use super::place;
 use super::plane::Planes;
-use super::query::{Crossing, NONE, Start, UNKNOWN_FACE, Within};
+use super::query::{Crossing, NONE, Start, Tests, UNKNOWN_FACE, Within};
 use super::rectangle::Rectangles;
 use super::resolved::{Meet, Resolved};
 use super::scalar::{self, Place};
@@ -202,37 +203,11 @@ impl Tile {
             true => self.along.boxes.div_ceil(self.wave.len() as u32),
             false => 0,
         };
-        for i in 0..self.wave.len() {
-            let lane = i % LANES;
-            if is_known && lane == 0 {
-                let at = |k: usize| &self.wave[(i + k).min(self.wave.len() - 1)].start;
-                let four = [at(0), at(1), at(2), at(3)];
-                let rays = Rays::new(four, ALL, false);
-                self.along.part(scene.stage, &rays, f64::INFINITY);
-            }
-            let along = is_known.then_some(&self.along.blocks[lane][..]);
-            let ray = &mut self.wave[i];
-            let pixel = &mut self.pixels[ray.pixel as usize];
-            pixel.tests.boxes += boxes;
-            match (scene.stage).first(&ray.start, along, &mut self.search, &mut pixel.tests) {
-                Met::Doubt => self.doubtful.push(*ray),
-                Met::Nothing => {
-                    let light = scene.background.times(Vec3(ray.weight));
-                    self.nodes[ray.node as usize].light = light;
-                }
-                Met::Surface(mut crossing, sides) => {
-                    let leaf = &scene.stage.leaves[crossing.surface as usize];
-                    if leaf.kind == Kind::Quadric
-                        && crossing.root.face == UNKNOWN_FACE
-                        && !scene
-                            .stage
-                            .sharpen(&ray.start, &mut crossing, &mut self.search.roots)
-                    {
-                        self.doubtful.push(*ray);
-                        continue;
-                    }
-                    (ray.met, ray.sides) = (crossing, sides);
-                    self.by_kind[slot(leaf.kind, leaf.placement != 0)].push(i as u32);
+        match is_known {
+            true => self.meet_in_packets(scene, boxes),
+            false => {
+                for i in 0..self.wave.len() {
+                    self.meet_alone(scene, i);
                 }
             }
         }
@@ -268,6 +243,66 @@ impl Tile {
             self.ask(scene, arbiter, &ray);
         }
         self.doubtful = doubtful;
+    }
+
+    /// Finds what the rays of the wave meet, which go nearly the same way.
+    fn meet_in_packets(&mut self, scene: &Scene, boxes: u32) {
+        let last = self.wave.len() - 1;
+        for first in (0..self.wave.len()).step_by(LANES) {
+            let numbers = each([0, 1, 2, 3], |lane: usize| (first + lane).min(last));
+            let live = ALL >> (LANES - (last + 1 - first).min(LANES));
+            let starts = each(numbers, |i: usize| &self.wave[i].start);
+            let packet = Packet::new(starts, live);
+            let mut tests = [Tests { boxes, shapes: 0 }; LANES];
+            let met =
+                (scene.stage).first_of_four(&self.along, &packet, &mut self.search, &mut tests);
+            for (lane, met) in met.into_iter().enumerate().take(last + 1 - first) {
+                let i = first + lane;
+                let ray = &self.wave[i];
+                if !ray.start.within.is_empty() {
+                    self.meet_alone(scene, i);
+                    continue;
+                }
+                self.pixels[ray.pixel as usize].tests.add(tests[lane]);
+                self.note_met(scene, i, met);
+            }
+        }
+    }
+
+    /// Finds what a ray of the wave meets.
+    #[inline(always)]
+    fn meet_alone(&mut self, scene: &Scene, i: usize) {
+        let ray = &self.wave[i];
+        let tests = &mut self.pixels[ray.pixel as usize].tests;
+        let met = (scene.stage).first(&ray.start, &mut self.search, tests);
+        self.note_met(scene, i, met);
+    }
+
+    /// Notes what a ray of the wave has met.
+    #[inline(always)]
+    fn note_met(&mut self, scene: &Scene, i: usize, met: Met) {
+        let ray = &mut self.wave[i];
+        match met {
+            Met::Doubt => self.doubtful.push(*ray),
+            Met::Nothing => {
+                let light = scene.background.times(Vec3(ray.weight));
+                self.nodes[ray.node as usize].light = light;
+            }
+            Met::Surface(mut crossing, sides) => {
+                let leaf = &scene.stage.leaves[crossing.surface as usize];
+                if leaf.kind == Kind::Quadric
+                    && crossing.root.face == UNKNOWN_FACE
+                    && !scene
+                        .stage
+                        .sharpen(&ray.start, &mut crossing, &mut self.search.roots)
+                {
+                    self.doubtful.push(*ray);
+                    return;
+                }
+                (ray.met, ray.sides) = (crossing, sides);
+                self.by_kind[slot(leaf.kind, leaf.placement != 0)].push(i as u32);
+            }
+        }
     }
 
     /// Asks the arbiter for the light of a ray, and of all that follow from it.
