@@ -16,17 +16,14 @@ pub struct Candidate {
     pub bounds: Aabb,
 }
 
-/// Blocks that a ray may meet, the nearest first, with bounds from below on the t at which it does.
-pub type Blocks = [(f64, u32)];
-
 /// The blocks on the way of the rays of a bundle.
 #[derive(Debug, Default)]
 pub struct Along {
     pub candidates: Vec<Candidate>,
     /// Box tests that have been made.
     pub boxes: u32,
-    /// For each of four rays to a lamp, what is left of them: see [`Stage::shadows_of_four`].
-    pub blocks: [Vec<(f64, u32)>; LANES],
+    /// For each of four rays to a lamp, the numbers of those that are left: see [`Stage::shadows_of_four`].
+    pub blocks: [Vec<u32>; LANES],
     pending: Vec<Child>,
 }
 

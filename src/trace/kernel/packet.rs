@@ -322,7 +322,7 @@ impl Stage<'_> {
                 }
                 rays &= !dark;
             }
-            lanes(rays).for_each(|lane| blocks[lane].push((candidate.near, candidate.block)));
+            lanes(rays).for_each(|lane| blocks[lane].push(candidate.block));
         }
         dark
     }

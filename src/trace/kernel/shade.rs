@@ -2,10 +2,10 @@
 
 use super::lanes::{LANES, Lanes, V3, either, gathered, is_greater, is_less, lanes_where, mask};
 use super::leaf::{Leaf, Way};
-use super::query::{Crossing, Start, Within};
+use super::query::{Start, Within};
 use super::resolved::Resolved;
 use super::stage::Stage;
-use super::wave::{MIRRORED, Ray, RayNode, Scene, Tile};
+use super::wave::{Hit, MIRRORED, Ray, RayNode, Scene, Tile};
 use crate::geometry::array::each;
 use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
 
@@ -32,7 +32,7 @@ impl Tile {
             let from_one_into_another;
             let mut ways = each(four.leaves, |leaf| &leaf.ways[..leaf.way_count as usize]);
             let is_between = |lane: usize| {
-                let sides = four.rays[lane].sides;
+                let sides = four.hits[lane].sides;
                 four.leaves[lane].is_solid && sides.iter().all(|side| !side.is_empty())
             };
             let between = clear & lanes_where(is_between);
@@ -83,7 +83,7 @@ impl Tile {
     fn ways_between(&self, stage: &Stage, four: &Four) -> [([Way; 3], u32); LANES] {
         each([0, 1, 2, 3], |lane: usize| {
             let owner = |side: Within| stage.leaves.get(side.owner() as usize);
-            let [Some(before), Some(behind)] = four.rays[lane].sides.map(owner) else {
+            let [Some(before), Some(behind)] = four.hits[lane].sides.map(owner) else {
                 return ([Way::NONE; 3], 0);
             };
             let kt = four.leaves[lane].kt;
@@ -161,10 +161,10 @@ impl Tile {
             if sent >> lane & 1 == 0 {
                 continue;
             }
-            let from = four.rays[lane];
+            let (from, hit) = (four.rays[lane], four.hits[lane]);
             let (is_straight, within, child) = match goes_on {
-                Goes::Through { straight, way } => (straight >> lane & 1 != 0, from.sides[1], way),
-                Goes::Back => (false, from.sides[0], MIRRORED),
+                Goes::Through { straight, way } => (straight >> lane & 1 != 0, hit.sides[1], way),
+                Goes::Back => (false, hit.sides[0], MIRRORED),
             };
             let is_entering = entering >> lane & 1 != 0;
             let depth = from.depth + u32::from(!is_straight);
@@ -184,7 +184,7 @@ impl Tile {
                     direction: at(&directions),
                     skin: skins[lane],
                     left: four.leaves[lane].twin,
-                    face: from.met.root.face,
+                    face: hit.crossing.root.face,
                     goes_in: is_entering == matches!(goes_on, Goes::Through { .. }),
                     within,
                 },
@@ -192,8 +192,6 @@ impl Tile {
                 node,
                 pixel: from.pixel,
                 depth,
-                met: Crossing::NONE,
-                sides: [Within::NOTHING; 2],
             });
         }
         match goes_on {
@@ -218,6 +216,7 @@ enum Goes {
 /// Four rays and what they have met.
 pub struct Four<'a> {
     pub rays: [&'a Ray; LANES],
+    pub hits: [&'a Hit; LANES],
     pub leaves: [&'a Leaf; LANES],
     pub origin: V3,
     pub direction: V3,
@@ -228,18 +227,19 @@ pub struct Four<'a> {
 }
 
 impl<'a> Four<'a> {
+    /// Of one to four hits.
     #[inline(always)]
-    pub fn new(wave: &'a [Ray], leaves: &'a [Leaf], [a, b, c, d]: [u32; LANES]) -> Four<'a> {
-        let ray = |i: u32| &wave[i as usize];
-        let rays = [ray(a), ray(b), ray(c), ray(d)];
-        let leaf = |ray: &Ray| &leaves[ray.met.surface as usize];
-        let solids = [leaf(rays[0]), leaf(rays[1]), leaf(rays[2]), leaf(rays[3])];
+    pub fn new(wave: &'a [Ray], leaves: &'a [Leaf], hits: &'a [Hit]) -> Four<'a> {
+        let hits = each([0, 1, 2, 3], |lane: usize| &hits[lane.min(hits.len() - 1)]);
+        let rays = each(hits, |hit| &wave[hit.ray as usize]);
+        let solids = each(hits, |hit| &leaves[hit.crossing.surface as usize]);
         Four {
             rays,
+            hits,
             leaves: solids,
             origin: V3::gathered(rays, |ray| &ray.start.origin),
             direction: V3::gathered(rays, |ray| &ray.start.direction),
-            exits_leaf: lanes_where(|lane| rays[lane].met.is_exit),
+            exits_leaf: lanes_where(|lane| hits[lane].crossing.is_exit),
             exits_solid: lanes_where(|lane| rays[lane].start.within.has(solids[lane].solid)),
         }
     }

@@ -1,7 +1,6 @@
 //! How much light of a lamp gets to a point.
 
 use super::block::Shapes;
-use super::bundle::Blocks;
 use super::leaf::{Kind, Leaf};
 use super::probe::Probe;
 use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Start, Tests};
@@ -51,13 +50,13 @@ fn is_on_the_way(end: End) -> Option<bool> {
 }
 
 impl Stage<'_> {
-    /// The share of light that gets along a ray to a lamp at t = 1. `along` are the blocks on its way, if they are known;
+    /// The share of light that gets along a ray to a lamp at t = 1. `along` are the numbers of the blocks on its way, if they are known;
     /// `last` is the block that was in the way of the light before.
     #[inline(always)]
     pub fn light(
         &self,
         start: &Start,
-        along: Option<&Blocks>,
+        along: Option<&[u32]>,
         last: &mut u32,
         scratch: &mut Scratch,
         tests: &mut Tests,
@@ -85,7 +84,7 @@ impl Stage<'_> {
         }
         match along {
             Some(along) => {
-                for &(_, block) in along {
+                for &block in along {
                     match self.in_the_way(&query, block, scratch, tests) {
                         Found::Nothing => {}
                         Found::Doubt => return Light::Doubtful,

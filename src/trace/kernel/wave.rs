@@ -51,9 +51,14 @@ pub struct Ray {
     pub node: u32,
     pub pixel: u32,
     pub depth: u32,
-    /// Where it has met something.
-    pub met: Crossing,
-    /// The solids before and behind that.
+}
+
+/// Where a ray of a wave has met something.
+#[derive(Debug, Clone, Copy)]
+pub struct Hit {
+    pub ray: u32,
+    pub crossing: Crossing,
+    /// The solids before and behind it.
     pub sides: [Within; 2],
 }
 
@@ -83,7 +88,7 @@ pub struct Tile {
     pub(super) next: Vec<Ray>,
     pub(super) nodes: Vec<RayNode>,
     /// Rays of the wave that have met a shape of each kind: see [`slot`].
-    by_kind: [Vec<u32>; 2 * KINDS.len()],
+    by_kind: [Vec<Hit>; 2 * KINDS.len()],
     /// For each light, what was in its way last.
     pub(super) last: Vec<u32>,
     pub(super) search: Scratch,
@@ -154,8 +159,6 @@ impl Tile {
                 node: i,
                 pixel: i,
                 depth: 0,
-                met: Crossing::NONE,
-                sides: [Within::NOTHING; 2],
             });
             if !(origin.is_finite() && direction.is_finite() && direction.any()) {
                 self.pixels[i as usize].is_lost = true;
@@ -217,9 +220,7 @@ impl Tile {
                 let slot = slot(kind, is_placed);
                 let met = std::mem::take(&mut self.by_kind[slot]);
                 for some in met.chunks(LANES) {
-                    let mut all = [some[0]; LANES];
-                    all[..some.len()].copy_from_slice(some);
-                    let four = Four::new(&wave, &scene.stage.leaves, all);
+                    let four = Four::new(&wave, &scene.stage.leaves, some);
                     let live = ALL >> (LANES - some.len());
                     match kind {
                         Kind::Sphere => self.hits::<Spheres>(scene, (&four, live), is_placed),
@@ -281,7 +282,7 @@ impl Tile {
     /// Notes what a ray of the wave has met.
     #[inline(always)]
     fn note_met(&mut self, scene: &Scene, i: usize, met: Met) {
-        let ray = &mut self.wave[i];
+        let ray = &self.wave[i];
         match met {
             Met::Doubt => self.doubtful.push(*ray),
             Met::Nothing => {
@@ -299,8 +300,11 @@ impl Tile {
                     self.doubtful.push(*ray);
                     return;
                 }
-                (ray.met, ray.sides) = (crossing, sides);
-                self.by_kind[slot(leaf.kind, leaf.placement != 0)].push(i as u32);
+                self.by_kind[slot(leaf.kind, leaf.placement != 0)].push(Hit {
+                    ray: i as u32,
+                    crossing,
+                    sides,
+                });
             }
         }
     }
@@ -381,13 +385,18 @@ impl Tile {
         let mut places = [Place::NONE; LANES];
         for lane in (0..LANES).filter(|lane| live >> lane & 1 != 0) {
             let (ray, leaf) = (four.rays[lane], four.leaves[lane]);
-            places[lane] = stage.locate(&line(&ray.start), leaf, ray.met.root, &mut self.work);
+            places[lane] = stage.locate(
+                &line(&ray.start),
+                leaf,
+                four.hits[lane].crossing.root,
+                &mut self.work,
+            );
         }
-        let resolved = scalar::gathered(&places, each(four.rays, |ray| ray.met.root.t));
+        let resolved = scalar::gathered(&places, each(four.hits, |hit| hit.crossing.root.t));
         let live = self.known(four, live, &resolved);
         let mut hits = Hits::new(four, live, &resolved);
         hits.shading = V3::gathered(places.each_ref(), |place| &place.shading.0);
-        let place = |lane: usize| (places[lane].local, four.rays[lane].met.root.face);
+        let place = |lane: usize| (places[lane].local, four.hits[lane].crossing.root.face);
         hits.albedo = self.albedo(stage, (four, live), &hits, place);
         self.shade(scene, four, &hits);
     }
