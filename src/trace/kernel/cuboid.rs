@@ -39,8 +39,8 @@ impl Cuboids {
     pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
         let splat = Lanes::splat;
         let [x, y, z] = each(probe.inverse, N::abs);
-        let steepest = x.greater(y).greater(z).wide();
-        if !is_less(steepest, splat(f64::INFINITY)).all() {
+        let steepest = x.greater(y).greater(z);
+        if !is_less(steepest.wide(), splat(f64::INFINITY)).all() {
             return self.chords_along_an_axis(probe, from, to);
         }
         let (mut near, mut far) = (splat(f64::NEG_INFINITY), splat(f64::INFINITY));
@@ -50,8 +50,8 @@ impl Cuboids {
             near = near.fast_max(a.fast_min(b));
             far = far.fast_min(a.fast_max(b));
         }
-        let slack = splat(4.0) * probe.slack.wide() * steepest;
-        self.within(near, far, slack, [from, to])
+        let slack = N::splat(4.0) * probe.slack * steepest;
+        self.within(near, far, slack.wide(), [from, to])
     }
 
     /// The chords with these ends.

@@ -5,7 +5,7 @@
 //! of [`quick_reject`](crate::trace::shapes::quick_reject), beside which all that is rounded is nothing.
 
 use super::lanes::{ALL, LANES, Lanes, V3, either, is_at_most, is_greater, is_less};
-use super::place::Maps;
+use super::maps::Maps;
 use super::way_in::{REL_ROUNDED, WayIn};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;

@@ -50,6 +50,7 @@ mod lanes;
 mod leaf;
 mod light;
 mod lone;
+mod maps;
 mod packet;
 mod place;
 mod plane;

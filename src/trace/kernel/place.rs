@@ -1,53 +1,10 @@
 //! Into the spaces of shapes and out of them, four rays at once.
 
 use super::lanes::{LANES, Lanes, V3, is_greater};
+use super::maps::Maps;
 use super::resolved::Resolved;
-use crate::geometry::affine::{Affine, Placement};
+use crate::geometry::affine::Placement;
 use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
-
-/// A map for each of four things.
-pub struct Maps {
-    rows: [V3; 3],
-    pub offset: V3,
-}
-
-impl Maps {
-    #[inline(always)]
-    pub fn gathered<T>(places: [&T; LANES], map: impl Fn(&T) -> &Affine) -> Maps {
-        let row = |i: usize| V3::gathered(places, |p| &map(p).rows[i].0);
-        Maps {
-            rows: [row(0), row(1), row(2)],
-            offset: V3::gathered(places, |p| &map(p).offset.0),
-        }
-    }
-
-    #[inline(always)]
-    pub fn vector(&self, v: V3) -> V3 {
-        V3([
-            self.rows[0].dot(v),
-            self.rows[1].dot(v),
-            self.rows[2].dot(v),
-        ])
-    }
-
-    #[inline(always)]
-    pub fn point(&self, p: V3) -> V3 {
-        self.vector(p) + self.offset
-    }
-
-    /// The sizes of the terms of `vector`, of sizes.
-    #[inline(always)]
-    pub fn sizes(&self, v: V3) -> V3 {
-        let size = |i: usize| self.rows[i].abs().dot(v);
-        V3([size(0), size(1), size(2)])
-    }
-
-    /// See [`Affine::transposed`].
-    #[inline(always)]
-    fn transposed(&self, n: V3) -> V3 {
-        self.rows[0] * n.0[0] + self.rows[1] * n.0[1] + self.rows[2] * n.0[2]
-    }
-}
 
 /// By how many unit roundoffs a direction may be off: see `Roots::doubt_blurred` of
 /// [`shapes`](crate::trace::shapes).

@@ -1,7 +1,7 @@
 //! A ray as blocks of shapes see it.
 
 use super::lanes::{LANES, Lanes, Number, V3};
-use super::place::Maps;
+use super::maps::Maps;
 use crate::geometry::affine::Affine;
 use crate::geometry::array::{dot, each};
 use crate::geometry::line::Line;

@@ -41,14 +41,14 @@ impl Spheres {
     /// The spheres that lines may meet after `from` and before `to`.
     #[inline(always)]
     pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
-        let splat = Lanes::splat;
         let f = probe.origins() - V3(self.centre);
         let b = -f.dot(probe.directions());
         let f2 = f.dot(f);
         let a = probe.square.wide();
         let discriminant = b * b - a * (f2 - self.square);
-        let rim = splat(RIM) * a * (f2 + self.square.abs())
-            + splat(4.0) * probe.slack.wide() * a * self.radius;
+        let per_square = N::splat(RIM) * probe.square;
+        let per_radius = N::splat(4.0) * probe.slack * probe.square;
+        let rim = per_square.wide() * (f2 + self.square.abs()) + per_radius.wide() * self.radius;
         let met = is_greater(discriminant, -rim);
         if !met.any() {
             return Chords::NONE;
