@@ -41,35 +41,98 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
             lines.try_for_each(|line| writeln!(out, "{line}"))
         });
     }
-    let topic = &args.topic.join(" ");
-    if let Some(group) = group(topic) {
-        return terminal::print(look, Status::Clean, |out| {
-            let lines = group.codes().iter().map(|&c| line(c, look.language()));
-            let mut lines = lines.map(|line| hanging(&line, terminal::width()));
-            lines.try_for_each(|line| writeln!(out, "{line}"))
-        });
+    let language = look.language();
+    let (answers, unknown) = answers(&args.topic, language);
+    let status = match unknown.is_empty() {
+        true => Status::Clean,
+        false => Status::Failure,
+    };
+    if answers.is_empty() {
+        complain(look, &no_topic(&unknown, language));
+        return status;
     }
-    match page(topic, look.language()).or_else(|| pages(&args.topic, look.language())) {
-        Some(page) => {
-            let stdout = io::stdout();
-            let colour = look.colour(&stdout);
-            let form = match colour || stdout.is_terminal() {
-                true => PageStyle::Text { colour },
-                false => PageStyle::Markdown,
-            };
-            let page = laid_out(&page, form, terminal::width());
-            terminal::print(look, Status::Clean, |out| out.write_all(page.as_bytes()))
-        }
-        None => {
-            let near = suggestions(topic, look.language());
-            let complaint = Complaint::new(match near.is_empty() {
-                true => "no-topic-list",
-                false => "no-topic",
-            });
-            complain(look, &complaint.with("text", quote(topic)).or_meant(near));
-            Status::Failure
+    let stdout = io::stdout();
+    let colour = look.colour(&stdout);
+    let form = match colour || stdout.is_terminal() {
+        true => PageStyle::Text { colour },
+        false => PageStyle::Markdown,
+    };
+    let texts: Vec<String> = (answers.iter())
+        .map(|answer| answer.text(form, language))
+        .collect();
+    let printed = terminal::print(look, status, |out| {
+        out.write_all(texts.join("\n").as_bytes())
+    });
+    if !unknown.is_empty() {
+        complain(look, &no_topic(&unknown, language));
+    }
+    printed
+}
+
+/// What is said of a topic.
+enum Answer {
+    Page(String),
+    /// A list of codes.
+    Codes(Selector),
+}
+
+impl Answer {
+    fn of(topic: &str, language: Language) -> Option<Answer> {
+        group(topic)
+            .map(Answer::Codes)
+            .or_else(|| page(topic, language).map(Answer::Page))
+    }
+
+    fn text(&self, form: PageStyle, language: Language) -> String {
+        match self {
+            Answer::Page(page) => laid_out(page, form, terminal::width()),
+            Answer::Codes(group) => {
+                let lines = group.codes().iter().map(|&c| line(c, language));
+                let lines = lines.map(|line| hanging(&line, terminal::width()) + "\n");
+                lines.collect()
+            }
         }
     }
+}
+
+/// The answers to a topic of all the words, or to each of them, and what has none.
+fn answers(words: &[String], language: Language) -> (Vec<Answer>, Vec<String>) {
+    let whole = words.join(" ");
+    if let Some(answer) = Answer::of(&whole, language) {
+        return (vec![answer], Vec::new());
+    }
+    let mut answers = Vec::new();
+    let mut unknown = Vec::new();
+    for word in words {
+        match Answer::of(word, language) {
+            Some(answer) => answers.push(answer),
+            None => unknown.push(word.clone()),
+        }
+    }
+    // A name of several words may be misspelt.
+    let is_code = |word: &String| Code::parse(word).is_some() || group(word).is_some();
+    let are_apart = unknown.is_empty() || words.iter().any(is_code);
+    if !are_apart && !near_names(&normalise(&whole), language).is_empty() {
+        return (Vec::new(), vec![whole]);
+    }
+    match answers.is_empty() {
+        true => (answers, vec![whole]),
+        false => (answers, unknown),
+    }
+}
+
+/// The complaint of topics that have no answer.
+fn no_topic(unknown: &[String], language: Language) -> Complaint {
+    let near = match unknown {
+        [topic] => suggestions(topic, language),
+        _ => Vec::new(),
+    };
+    let quoted: Vec<String> = unknown.iter().map(|topic| quote(topic)).collect();
+    let complaint = Complaint::new(match near.is_empty() {
+        true => "no-topic-list",
+        false => "no-topic",
+    });
+    complaint.with("text", quoted.join(", ")).or_meant(near)
 }
 
 /// All topics, a line each.
@@ -105,12 +168,6 @@ fn line(code: Code, language: Language) -> String {
 fn group(topic: &str) -> Option<Selector> {
     let has_page = page(topic, Language::English).is_some();
     topic.trim().parse().ok().filter(|_| !has_page)
-}
-
-/// The pages on several topics of one word each.
-fn pages(topics: &[String], language: Language) -> Option<String> {
-    let pages: Option<Vec<String>> = topics.iter().map(|topic| page(topic, language)).collect();
-    Some(pages?.join("\n"))
 }
 
 /// What a page says first, in one line.
@@ -168,8 +225,7 @@ fn page(topic: &str, language: Language) -> Option<String> {
         return Some(format!("# {heading}\n\n{text}\n{also}"));
     }
     let Some((ty, others)) = types.split_first() else {
-        let help = topics::help(&topic)?;
-        let help = language.say("explain-help", &[("text", help.into())]);
+        let help = topics::help(&topic, language)?;
         return Some(format!("# {word}\n\n{help}\n"));
     };
     let page = type_page(ty, language);
@@ -206,6 +262,24 @@ fn suggestions(topic: &str, language: Language) -> Vec<String> {
     {
         return vec![ty.code.to_string()];
     }
+    let mut near = near_names(&topic, language);
+    if near.is_empty() {
+        // One word of several.
+        let has_page = |word: &&str| page(word, language).is_some();
+        let words = topic.split('-').filter(has_page);
+        near.extend(words.map(str::to_owned));
+    }
+    near.truncate(MAX_SUGGESTIONS);
+    near.into_iter()
+        .map(|name| match Code::parse(&name) {
+            Some(code) if code.name() != name => code.as_str().to_owned(),
+            _ => name,
+        })
+        .collect()
+}
+
+/// The names that a topic may be a misspelling of, nearest first.
+fn near_names(topic: &str, language: Language) -> Vec<String> {
     let allowed = (topic.chars().count() / 3).clamp(1, 3);
     let codes = Code::ALL
         .iter()
@@ -223,7 +297,7 @@ fn suggestions(topic: &str, language: Language) -> Vec<String> {
         .chain(other)
         .chain(czech)
         .filter_map(|name| {
-            let distance = strsim::damerau_levenshtein(&plain(&topic), &plain(&name));
+            let distance = strsim::damerau_levenshtein(&plain(topic), &plain(&name));
             // `light` is part of `point-light`.
             let part = topic.len() > 2 && name.split('-').any(|word| word == topic);
             // No number is a misspelt code.
@@ -240,19 +314,7 @@ fn suggestions(topic: &str, language: Language) -> Vec<String> {
     near.dedup_by(|a, b| plain(&a.1) == plain(&b.1));
     let nearest = near.first().map_or(0, |n| n.0);
     near.retain(|n| n.0 <= nearest + 1);
-    if near.is_empty() {
-        // One word of several.
-        let has_page = |word: &&str| page(word, language).is_some();
-        let words = topic.split('-').filter(has_page);
-        near.extend(words.map(|word| (0, word.to_owned())));
-    }
-    near.truncate(MAX_SUGGESTIONS);
-    near.into_iter()
-        .map(|(_, name)| match Code::parse(&name) {
-            Some(code) if code.name() != name => code.as_str().to_owned(),
-            _ => name,
-        })
-        .collect()
+    near.into_iter().map(|(_, name)| name).collect()
 }
 
 #[cfg(test)]
@@ -388,18 +450,40 @@ mod tests {
     #[test]
     fn several_topics_and_groups() {
         let english = Language::English;
-        let topics = ["W310", "torus", "-399"].map(str::to_owned);
-        let all = pages(&topics, english).unwrap();
-        let headings: Vec<&str> = all.lines().filter(|l| l.starts_with("# ")).collect();
-        assert_eq!(
-            headings,
-            [
-                "# unused-definition (W310)",
-                "# torus (14)",
-                "# checkerboard (-399)"
-            ]
-        );
-        assert!(pages(&["W310".to_owned(), "nothing".to_owned()], english).is_none());
+        let told = |topics: &[&str]| {
+            let topics: Vec<String> = topics.iter().map(|t| (*t).to_owned()).collect();
+            let (answers, unknown) = answers(&topics, english);
+            let headings: Vec<String> = (answers.iter())
+                .map(|a| a.text(PageStyle::Markdown, english))
+                .map(|text| text.lines().next().unwrap_or_default().to_owned())
+                .collect();
+            (headings, unknown.join("|"))
+        };
+        let first = " W301  colour-out-of-range";
+        for (topics, headings, unknown) in [
+            (
+                &["W310", "torus", "-399"][..],
+                &[
+                    "# unused-definition (W310)",
+                    "# torus (14)",
+                    "# checkerboard (-399)",
+                ][..],
+                "",
+            ),
+            (&["W3", "W305"], &[first, "# degenerate-shape (W305)"], ""),
+            (
+                &["W310", "nothing"],
+                &["# unused-definition (W310)"],
+                "nothing",
+            ),
+            (&["foo", "torus", "bar"], &["# torus (14)"], "foo|bar"),
+            // A misspelt name, and words of none.
+            (&["point", "ligth"], &[], "point ligth"),
+            (&["foo", "bar"], &[], "foo bar"),
+        ] {
+            let expected = headings.iter().map(|h| (*h).to_owned()).collect();
+            assert_eq!(told(topics), (expected, unknown.to_owned()));
+        }
         let codes = group("n60").unwrap();
         assert!(codes.codes().contains(&Code::N601) && !codes.holds(Code::S501));
         for topic in ["W310", "torus", "light", "nothing", ""] {

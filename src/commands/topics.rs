@@ -24,10 +24,18 @@ macro_rules! texts {
     };
 }
 
-pub(super) const TOPICS: [Topic; 14] = [
+pub(super) const TOPICS: [Topic; 15] = [
     Topic {
         titles: ["glass", "sklo"],
-        words: &["transparent", "transparency", "pruhledny", "pruhlednost"],
+        words: &[
+            "transparent",
+            "transparency",
+            "pruhledny",
+            "pruhlednost",
+            "alpha",
+            "alfa",
+            "kryti",
+        ],
         texts: texts!("glass"),
     },
     Topic {
@@ -92,7 +100,18 @@ pub(super) const TOPICS: [Topic; 14] = [
     },
     Topic {
         titles: ["comment", "komentář"],
-        words: &["comments", "komentare", "poznamka"],
+        words: &[
+            "comments",
+            "komentare",
+            "poznamka",
+            "noqa",
+            "suppress",
+            "ignore",
+            "disable",
+            "potlacit",
+            "ignorovat",
+            "vypnout",
+        ],
         texts: texts!("comment"),
     },
     Topic {
@@ -128,10 +147,34 @@ pub(super) const TOPICS: [Topic; 14] = [
         ],
         texts: texts!("order"),
     },
+    Topic {
+        titles: ["other lights", "jiná světla"],
+        words: &[
+            "spotlight",
+            "spotlights",
+            "spot",
+            "reflektor",
+            "bodovyreflektor",
+            "arealight",
+            "arealights",
+            "plosnesvetlo",
+            "directionallight",
+            "smerovesvetlo",
+            "parallellight",
+            "sun",
+            "sunlight",
+            "slunce",
+            "softshadow",
+            "softshadows",
+            "mekkystin",
+            "mekkestiny",
+        ],
+        texts: texts!("other-lights"),
+    },
 ];
 
 /// Words that lead to types, without accents and in lower case, as those of [`words`]. They are nobody's guess in a scene.
-const WORDS: [(&str, &[i32]); 58] = [
+const WORDS: [(&str, &[i32]); 64] = [
     ("indexofrefraction", &[-203]),
     ("kostka", &[12]),
     ("toroid", &[14]),
@@ -184,6 +227,12 @@ const WORDS: [(&str, &[i32]); 58] = [
     ("vektornahoru", &[-501]),
     ("upvector", &[-501]),
     ("nahoru", &[-501]),
+    ("up", &[-501]),
+    ("inverse", &[-104]),
+    ("invert", &[-104]),
+    ("inverze", &[-104]),
+    ("invertovat", &[-104]),
+    ("opak", &[-104]),
     ("operand", &[-101, -102, -103]),
     ("operation", &[-101, -102, -103]),
     ("solid", &[11, 12, 4]),
@@ -192,8 +241,9 @@ const WORDS: [(&str, &[i32]); 58] = [
     ("plocha", &[3, 5, 6]),
 ];
 
-/// Words of the command line, without accents and in lower case, and the command whose help speaks of them.
-const COMMANDS: [(&str, &[&str]); 9] = [
+/// Words of the command line, without accents and in lower case, and the command whose help speaks of them, with the option
+/// that does.
+const COMMANDS: [(&str, &[&str]); 10] = [
     (
         "check",
         &[
@@ -224,16 +274,27 @@ const COMMANDS: [(&str, &[&str]); 9] = [
             "picture",
             "obrazek",
             "pixel",
-            "sample",
-            "vzorek",
-            "antialiasing",
-            "vyhlazovanihran",
             "raytracer",
             "sledovacpaprsku",
             "thread",
             "vlakno",
             "memory",
             "pamet",
+        ],
+    ),
+    (
+        "render --samples",
+        &[
+            "sample",
+            "samples",
+            "vzorek",
+            "vzorky",
+            "antialiasing",
+            "antialias",
+            "aliasing",
+            "supersampling",
+            "vyhlazovanihran",
+            "vyhlazovani",
         ],
     ),
     ("frames", &["frame", "snimek"]),
@@ -284,14 +345,21 @@ const COMMANDS: [(&str, &[&str]); 9] = [
     ),
 ];
 
-/// What to type for help with a word of the command line.
-pub(super) fn help(word: &str) -> Option<String> {
+/// The sentence that names the help with a word of the command line.
+pub(super) fn help(word: &str, language: Language) -> Option<String> {
     let word = plain(word);
     let (command, _) = COMMANDS
         .iter()
         .find(|(_, words)| words.contains(&word.as_str()))?;
+    let (command, option) = command.split_once(' ').unwrap_or((command, ""));
     let words = ["zpg", command, "--help"].into_iter();
-    Some(Vec::from_iter(words.filter(|w| !w.is_empty())).join(" "))
+    let text = Vec::from_iter(words.filter(|w| !w.is_empty())).join(" ");
+    let message = match option {
+        "" => "explain-help",
+        _ => "explain-help-option",
+    };
+    let values = [("text", text.into()), ("option", option.into())];
+    Some(language.say(message, &values))
 }
 
 /// The types that a word leads to here, the likeliest first.
@@ -376,6 +444,7 @@ mod tests {
             None,
             None,
             None,
+            Some(Effect::Shadows),
         ]) {
             let mut scenes = Vec::new();
             for language in [Language::English, Language::Czech] {
@@ -409,6 +478,14 @@ mod tests {
             ("rozměry", "units"),
             ("ID", "order"),
             ("pořadí", "order"),
+            ("area_light", "other lights"),
+            ("spotlight", "other lights"),
+            ("Reflektor", "other lights"),
+            ("měkký stín", "other lights"),
+            ("alpha", "glass"),
+            ("krytí", "glass"),
+            ("noqa", "comment"),
+            ("potlačit", "comment"),
         ] {
             let topic = Topic::of(word).expect(word);
             assert_eq!(topic.title(Language::English), title, "{word}");
@@ -419,8 +496,15 @@ mod tests {
             ("interior", -203),
             ("mesh", 6),
             ("sor", 1),
+            ("up", -501),
+            ("inverse", -104),
+            ("inverze", -104),
         ] {
             assert_eq!(types(word)[0].code, code, "{word}");
+        }
+        for word in ["antialiasing", "vyhlazování hran"] {
+            let said = help(word, Language::Czech).expect(word);
+            assert_eq!(said, "Více řekne `zpg render --help` u `--samples`.");
         }
     }
 

@@ -331,6 +331,47 @@ fn a_second_move_of_a_lamp_is_that_of_the_next_one() {
 }
 
 #[test]
+fn a_move_of_a_shape_with_a_place_is_that_of_the_next_one() {
+    let scene = |shapes: &str| {
+        let rest = "9 -501 0 3 9 0 -0.2 -1 0 1 0 45\n50 -402 0.9\n50 -1 4 6 5\n1 9999 23 0\n";
+        format!("{shapes}23 -101 21 22\n{rest}")
+    };
+    let slip = scene("21 11 -1.2 1 0 1\n22 14 0.6 0.2\n21 -1 1.2 0.2 1.4\n");
+    let meant = scene("21 11 -1.2 1 0 1\n22 14 0.6 0.2\n22 -1 1.2 0.2 1.4\n");
+    assert_eq!(first(&slip, Code::W336), meant);
+    assert_eq!(fixed(&slip, true), meant);
+    for right in [
+        &meant,
+        // 21 is at the origin, or 22 is not; 21 has a move above; 22 is moved below, or copied.
+        &scene("21 9 1\n22 14 0.6 0.2\n21 -1 1.2 0.2 1.4\n"),
+        &scene("21 11 -1.2 1 0 1\n22 11 2 1 0 0.6\n21 -1 1.2 0.2 1.4\n"),
+        &scene("21 11 -1.2 1 0 1\n21 -3 1 2 1\n22 14 0.6 0.2\n21 -1 1.2 0.2 1.4\n"),
+        &scene("21 11 -1.2 1 0 1\n22 14 0.6 0.2\n21 -1 1.2 0.2 1.4\n22 -1 2 0 0\n"),
+        &scene("21 11 -1.2 1 0 1\n22 14 0.6 0.2\n21 -1 1.2 0.2 1.4\n24 -105 22\n"),
+        // The move stands right below its own shape.
+        &scene("22 14 0.6 0.2\n21 11 -1.2 1 0 1\n21 -1 1.2 0.2 1.4\n"),
+    ] {
+        let all = repair::proposals(&read(right));
+        assert!(all.iter().all(|d| d.code != Code::W336), "{right}\n{all:?}");
+    }
+    let all = repair::proposals(&read(&slip));
+    let finding = all.iter().find(|d| d.code == Code::W336);
+    let finding = finding.expect("a finding");
+    for (language, message) in [
+        (
+            Language::English,
+            "21 is moved here, and the torus 22 right above is not moved",
+        ),
+        (
+            Language::Czech,
+            "zde se posouvá 21 a torus 22 hned nad tím vůbec",
+        ),
+    ] {
+        assert_eq!(finding.wording(language).message, message);
+    }
+}
+
+#[test]
 fn what_changes_a_second_definition_goes_with_it() {
     let camera = "9 -501 0 3 12 0 -0.2 -1 0 1 0 45\n";
     let lamp = "50 -402 1\n50 -1 4 6 5\n";

@@ -108,7 +108,7 @@ fn angles_of_view_out_of_range() {
     is_meant(&scene, &format!("2 9 1\n{REST}"));
 }
 
-/// Cones and cylinders from end to end, as POV-Ray has them, behind the type of a cone.
+/// Cones and cylinders from end to end, as POV-Ray has them, behind the type of a cone, and of a geodesic sphere.
 #[test]
 fn cones_from_end_to_end() {
     for numbers in [
@@ -126,6 +126,16 @@ fn cones_from_end_to_end() {
         &format!("2 16 0 0 0 0 2 0 0.5\n{REST}"),
         &format!("2 1 2 0.5 0 0.5 2\n{REST}"),
     );
+    is_meant(
+        &format!("2 13 0 0 0 0 1 0 0.5\n{REST}"),
+        &format!("2 1 2 0.5 0 0.5 1\n{REST}"),
+    );
+    is_meant(
+        &format!("2 13 1 0 2 1 1 2 0.5\n{REST}"),
+        &format!("2 1 2 0.5 0 0.5 1\n2 -1 1 0 2\n{REST}"),
+    );
+    // The ends are not above each other.
+    assert_eq!(error(&format!("2 13 0 0 0 1 1 0 0.5\n{REST}")).fixes, []);
     // Nothing in the shape, or nothing to be moved.
     for line in ["2 14 0 1 0 0 0 1 0 0", "2 12 0 0 0 0 1 1 1 2 3 1 0 0"] {
         assert_eq!(error(&format!("{line}\n{REST}")).fixes, []);

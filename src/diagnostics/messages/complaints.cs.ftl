@@ -497,6 +497,7 @@ lsp-id-taken = { $id } je již použito na řádku { $line }
 explain-in-a-scene = Ve scéně
 explain-also = Viz též: { $list }
 explain-help = Více řekne `{ $text }`.
+explain-help-option = Více řekne `{ $text }` u `{ $option }`.
 lsp-no-uri = { $text } není URI
 lsp-no-command = zpg nemá příkaz { $text }
 lsp-no-target = zpg zde scénu do { $text } nepřevádí

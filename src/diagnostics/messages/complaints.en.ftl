@@ -494,6 +494,7 @@ lsp-id-taken = { $id } is taken: it stands in line { $line }
 explain-in-a-scene = In a scene
 explain-also = See also: { $list }
 explain-help = `{ $text }` says more.
+explain-help-option = `{ $text }` says more at `{ $option }`.
 lsp-no-uri = { $text } is no URI
 lsp-no-command = zpg has no command { $text }
 lsp-no-target = zpg does not convert a scene to { $text } here

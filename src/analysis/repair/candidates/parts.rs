@@ -13,8 +13,8 @@ enum Parts {
     Divided(f64),
     /// The transmitted part is an index; the part itself is what the others leave.
     Index(f64),
-    /// A number has its decimal point a place too far to the right.
-    Point(usize),
+    /// A number has its decimal point one place or two too far to the right: it is so many times too large.
+    Point(usize, f64),
 }
 
 /// The whole in per cent.
@@ -27,6 +27,8 @@ const PER_CENT_OFF_MAX: f64 = 2.0;
 const INDICES: std::ops::RangeInclusive<f64> = 1.2..=2.5;
 /// Parts with a decimal point put right add up to so much at least.
 const PARTS_SUM_MIN: f64 = 0.9;
+/// Parts with a decimal point put right add up to so much at most, but for rounding.
+const PARTS_SUM_MAX: f64 = 1.0 + 1e-9;
 
 /// What was meant by parts of light that are no shares; none where nothing fits.
 fn parts(written: &[f64]) -> Option<Parts> {
@@ -38,11 +40,9 @@ fn parts(written: &[f64]) -> Option<Parts> {
         return None;
     }
     let in_per_cent = |x: &f64| *x == 0.0 || *x >= 1.0;
-    if is_large || all_whole && (sum - PER_CENT).abs() <= PER_CENT_OFF_MAX {
-        return written
-            .iter()
-            .all(in_per_cent)
-            .then_some(Parts::Divided(PER_CENT));
+    let is_per_cent = is_large || all_whole && (sum - PER_CENT).abs() <= PER_CENT_OFF_MAX;
+    if is_per_cent && written.iter().all(in_per_cent) {
+        return Some(Parts::Divided(PER_CENT));
     }
     let &[kd, ks, kt] = written else {
         return None;
@@ -58,10 +58,10 @@ fn parts(written: &[f64]) -> Option<Parts> {
     let (Some((at, x)), None) = (large.next(), large.next()) else {
         return None;
     };
-    let sum = sum - x + x / 10.0;
-    (PARTS_SUM_MIN..=1.0)
-        .contains(&sum)
-        .then_some(Parts::Point(at))
+    let others: f64 = written.iter().filter(|x| **x <= 1.0).sum();
+    let is_whole = |by: &f64| (PARTS_SUM_MIN..=PARTS_SUM_MAX).contains(&(others + x / by));
+    let by = [10.0, PER_CENT].into_iter().find(is_whole)?;
+    Some(Parts::Point(at, by))
 }
 
 impl LineContext<'_> {
@@ -90,8 +90,8 @@ impl LineContext<'_> {
                 self.write(Habit::Proposed, &Vec::from_iter(tokens.zip(new)))
             }
             Parts::Index(kt) => self.index_for_part(kt),
-            Parts::Point(at) => {
-                let new = decimal(written[at] / 10.0);
+            Parts::Point(at, by) => {
+                let new = decimal(written[at] / by);
                 self.write(Habit::Proposed, &[(self.params()[at], new)])
             }
         }

@@ -51,8 +51,8 @@ const CYLINDER: usize = 7;
 const CONE: usize = 8;
 
 impl LineContext<'_> {
-    /// The numbers of a cylinder behind the type of a surface of revolution, of a cone or of a parabolic cylinder: a radius
-    /// and a height, or as POV-Ray has it.
+    /// The numbers of a cylinder behind the type of a surface of revolution, of a cone, of a geodesic sphere or of a
+    /// parabolic cylinder: a radius and a height, or as POV-Ray has it.
     pub(super) fn profile(&self, out: &mut Vec<Candidate>) {
         let Some(kind) = self.ty().filter(|ty| !self.fits(ty)).map(|ty| ty.kind) else {
             return;
@@ -60,7 +60,9 @@ impl LineContext<'_> {
         let is_cone = kind == RecordKind::Shape(ShapeKind::Cone);
         let is_profile = kind == RecordKind::Shape(ShapeKind::SurfaceOfRevolution);
         let is_parabolic = kind == RecordKind::Shape(ShapeKind::ParabolicCylinder);
+        let is_geodesic = kind == RecordKind::Shape(ShapeKind::GeodesicSphere);
         let is_cylinder = match self.params() {
+            all if is_geodesic => all.len() == CYLINDER,
             all if is_parabolic => matches!(all.len(), 2 | CYLINDER),
             [a, _] => is_profile && a.integer(self.text).is_none(),
             all if is_cone => matches!(all.len(), CYLINDER | CONE),
@@ -80,7 +82,7 @@ impl LineContext<'_> {
             }
         }
         for candidate in &mut out[start..] {
-            candidate.habit = if is_cone || is_parabolic {
+            candidate.habit = if is_cone || is_geodesic || is_parabolic {
                 Habit::Sibling
             } else {
                 Habit::Count

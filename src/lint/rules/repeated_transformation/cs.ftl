@@ -7,3 +7,7 @@ W336-lamp = { $type } { $id } se posouvá podruhé a { $other } hned nad tím v�
     .label = znovu posune { $id }
     .first = toto světlo zůstane v počátku
     .help = posuňte { $other }; má-li se posunout { $id }, uveďte jediné posunutí se součtem
+W336-shape = zde se posouvá { $id } a { $type } { $other } hned nad tím vůbec
+    .label = kde je { $id }, říkají už čísla v definici
+    .first = toto zůstane v počátku
+    .help = posuňte { $other }; má-li se posunout { $id }, napište posunutí hned pod definici

@@ -7,3 +7,7 @@ W336-lamp = the { $type } { $id } is moved a second time, and { $other } right a
     .label = it moves { $id } again
     .first = this one stays at the origin
     .help = move { $other } instead; where { $id } is meant, give it one move with the sum
+W336-shape = { $id } is moved here, and the { $type } { $other } right above is not moved
+    .label = the numbers of { $id } say already where it is
+    .first = this one stays at the origin
+    .help = move { $other } instead; where { $id } is meant, write its move right below its definition

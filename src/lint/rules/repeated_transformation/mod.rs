@@ -1,5 +1,7 @@
 //! W336: a transformation that stands there twice, one right behind the other, or that moves a lamp again in the place of
-//! the one right above.
+//! the one right above; a note on a move of a shape that has a place, in the place of the one right above.
+
+mod other_shape;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -29,6 +31,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         );
     }
     other_lamps(context, out);
+    other_shape::check(context, out);
 }
 
 /// Says of a lamp that nothing moves, and of the move right behind it that moves another lamp again.

@@ -1,17 +1,18 @@
-//! W328: a camera whose up vector is nearly along its view direction; a note on one that takes z for up in a scene where y
-//! is.
+//! W328: a camera whose up vector is nearly along its view direction; a note on one that takes another axis for up in a
+//! scene where y is.
 
-use rustc_hash::FxHashSet;
+mod floor;
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Severity, Value};
-use crate::geometry::array::{cross, length, sub, unit};
+use crate::geometry::array::{cross, length, unit};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
 use crate::lint::spelling::spelled;
 use crate::scene::record::Params;
-use crate::scene::{Camera, Geometry, Node, NodeId, Vec3};
+use crate::scene::{Camera, Vec3};
 use crate::solids::staging::Basis;
 use crate::syntax::table::RecordKind;
+use floor::Way;
 
 /// The sine of the angle between the two below which nobody has chosen it.
 const SINE: f64 = 1e-3;
@@ -21,8 +22,6 @@ const UP: Vec3 = [0.0, 1.0, 0.0];
 const TURNED: f64 = 0.5;
 /// A camera that looks up or down by more than this sine may have another way up.
 const LEVEL: f64 = 0.7;
-/// A floor is as near to the lowest point of what stands on it as this part of the size of that.
-const FLOOR_REL_GAP: f64 = 0.1;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (camera, p) in chosen_cameras(context) {
@@ -73,68 +72,37 @@ fn upright(camera: &Camera, p: &Params) -> Option<Fix> {
     )
 }
 
-/// The note on a camera whose up vector is the z axis where the scene stands on a floor across the y axis.
+/// The note on a camera whose up vector is another axis than y where the scene stands on a floor across the y axis.
 fn turned(context: &Context, camera: &Camera, p: &Params) -> Option<Diagnostic> {
-    let scene = context.scene;
-    let render = scene.render?;
+    let render = context.scene.render?;
     let written: [Vec3; 2] = [p.numbers(3), p.numbers(6)];
     let is_written = p.ty.kind == RecordKind::Camera && written == [camera.direction, camera.up];
-    let [x, y, _] = camera.up;
-    if !is_written || context.has_broken() || [x, y] != [0.0; 2] {
+    if !is_written || context.has_broken() {
         return None;
     }
+    let way = Way::along(camera.up)?;
     let [_, sine, _] = unit(camera.direction)?;
     let [_, up, _] = Basis::of(camera)?.up;
     if sine.abs() > LEVEL || up > TURNED * (1.0 - sine * sine).sqrt() {
         return None;
     }
-    let floor = floor(context, render.root)?;
+    let floor = floor::floor(context, render.root, way)?;
     let above = |place: Vec3| place[1] > floor;
-    let lamps = &scene.point_lights;
+    let lamps = &context.scene.point_lights;
     if lamps.is_empty() || !lamps.iter().all(|l| above(l.position)) || !above(camera.position) {
-        return None;
-    }
-    let objects = context.bounds()[render.root as usize].bounded();
-    let size = length(sub(objects.max, objects.min));
-    if objects.is_empty() || (objects.min[1] - floor).abs() > FLOOR_REL_GAP * size {
         return None;
     }
     let edits = (0..3).map(|i| Edit {
         span: p.span_of(6 + i, 1),
         text: spelled(UP[i]),
     });
-    let d = Diagnostic::new(Code::W328, p.span_of(6, 3)).case("turned");
+    let d = Diagnostic::new(Code::W328, p.span_of(6, 3));
+    let d = d.case(if way.axis == 1 {
+        "upside-down"
+    } else {
+        "turned"
+    });
     let d = d.severity(Severity::Note).with("id", camera.id.to_string());
+    let d = d.with("axis", way.name());
     Some(d.fix(Fix::guess("fix", edits.collect())))
-}
-
-/// The height of the only plane without end in a union, if that is across the y axis: an untouched plane or half-space.
-fn floor(context: &Context, root: NodeId) -> Option<f64> {
-    let scene = context.scene;
-    let mut left = vec![root];
-    let mut floor = None;
-    // Unions of copies have many ways to one node.
-    let mut seen = FxHashSet::default();
-    while let Some(node) = left.pop() {
-        if !seen.insert(node) {
-            continue;
-        }
-        match scene.nodes[node as usize] {
-            Node::Union(a, b) => left.extend([a, b]),
-            Node::Paint { child, .. } => left.push(child),
-            Node::Shape(s) => match scene.shapes[s as usize].geometry {
-                Geometry::Plane([a, b, c, d]) | Geometry::HalfSpace([a, b, c, d]) => {
-                    if floor.is_some() || a != 0.0 || c != 0.0 {
-                        return None;
-                    }
-                    floor = Some(-d / b);
-                }
-                _ => {}
-            },
-            // What is moved or cut may be a floor, too.
-            _ if !context.bounds()[node as usize].all.is_finite() => return None,
-            _ => {}
-        }
-    }
-    floor
 }
