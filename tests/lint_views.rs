@@ -41,9 +41,24 @@ fn pictures(scene: &Scene, others: &[Camera]) -> Vec<Vec<[u32; 3]>> {
 }
 
 /// The text with the record of a finding replaced.
+///
+/// A difference takes away a copy with that record, in the place of what it takes away.
 fn replaced(text: &str, d: &Diagnostic, parameters: &str) -> String {
     let (start, end) = (d.span.start as usize, d.span.end as usize);
-    let id = text[start..end].split_whitespace().next().unwrap();
+    let mut words = text[start..end].split_whitespace();
+    let id = words.next().unwrap();
+    if d.case == "union" {
+        let operands: Vec<&str> = words.skip(1).collect();
+        let [cut, tool] = operands[..] else {
+            panic!("{text}");
+        };
+        let copy = format!("900 -105 {tool}\n900 {parameters}");
+        return format!(
+            "{}{copy}\n{id} -103 {cut} 900{}",
+            &text[..start],
+            &text[end..]
+        );
+    }
     format!("{}{id} {parameters}{}", &text[..start], &text[end..])
 }
 
@@ -51,7 +66,7 @@ fn replaced(text: &str, d: &Diagnostic, parameters: &str) -> String {
 /// does not depend on cameras must hold for any.
 fn refuted_texture(text: &str, scene: &Scene, d: &Diagnostic, rng: &mut Rng) -> bool {
     let mut others = Vec::new();
-    if matches!(d.case, "covered" | "removed" | "dark") {
+    if matches!(d.case, "covered" | "removed" | "union" | "dark") {
         let camera = scene.cameras[0];
         others = (0..4)
             .map(|_| Camera {
@@ -220,7 +235,9 @@ fn textures_that_are_unseen_change_no_picture() {
         }
     }
     println!("{seen:?}");
-    for case in ["", "covered", "removed", "dark", "hidden", "beside"] {
+    for case in [
+        "", "covered", "removed", "union", "dark", "hidden", "beside",
+    ] {
         assert!(seen.contains_key(case), "{case}: {seen:?}");
     }
 }

@@ -101,8 +101,7 @@ impl LineContext<'_> {
                 .filter(|(t, _)| id(t) != 0)
                 .map(|(t, _)| {
                     let new = id(t).checked_add(*by).filter(|&id| id > 0)?;
-                    let is_held = held.iter().any(|&id| i64::from(id) == new);
-                    (!is_held).then(|| (*t, new.to_string()))
+                    Some((*t, new.to_string()))
                 })
                 .collect();
             out.extend(shifted.and_then(|new| self.write(Habit::Shifted, &new)));
