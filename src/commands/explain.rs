@@ -400,6 +400,8 @@ mod tests {
             ("posunout", "-1"),
             ("the tube's radius", "14"),
             ("intensity", "-402"),
+            ("stínování", "-201"),
+            ("gluLookAt", "-501"),
         ] {
             let page = page(word, Language::Czech).expect(word);
             let heading = page.lines().next().unwrap_or_default();

@@ -225,6 +225,10 @@ pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
         ("--output-format" | "--format" | "-f", "fmt") => return Some("habit-output-format-fmt"),
         ("--format" | "-f", "render") => return Some("habit-picture-format"),
         ("--werror" | "--strict" | "--max-warnings", "check") => return Some("habit-deny"),
+        // The way of compilers: `-Werror` and `-Wall`.
+        ("-W", "check") if is_given("-Werror") => return Some("habit-deny"),
+        ("-W", "check") => return Some("habit-verbose"),
+        ("-W" | "-H", "fmt" | "plan" | "explain" | "probe") => return None,
         ("--seed", "render") => return Some("habit-seed"),
         ("--preview", "render") => return Some("habit-render-preview"),
         ("--dry-run", "check" | "fmt") => return Some("habit-dry-run"),
@@ -275,6 +279,11 @@ pub(super) fn line_length() -> String {
 pub(super) fn threads() -> String {
     let threads = number(&["--jobs", "-j", "+WT", "Work_Threads"]);
     threads.unwrap_or(4).to_string()
+}
+
+/// Whether the arguments of this run hold a word.
+fn is_given(word: &str) -> bool {
+    std::env::args_os().any(|argument| argument == word)
 }
 
 /// The first number, 1 or more, that the arguments of this run give to an option of one of these names.

@@ -123,7 +123,7 @@ pub(super) const TOPICS: [Topic; 15] = [
         titles: ["units", "jednotky"],
         words: &[
             "unit", "jednotka", "size", "sizes", "velikost", "rozmery", "degree", "degrees",
-            "stupen", "stupne",
+            "stupen", "stupne", "radian", "radians", "radiany",
         ],
         texts: texts!("units"),
     },

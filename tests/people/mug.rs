@@ -261,6 +261,7 @@ fn words_of_other_programs() {
         ("render a.zpg --format png", ".png`"),
         ("check a.zpg --werror", "--deny warnings"),
         ("check a.zpg --strict", "--deny warnings"),
+        ("check a.zpg -Werror", "--deny warnings"),
         ("check a.zpg --max-warnings 0", "--deny warnings"),
         ("render a.zpg --precision double", "f64"),
         ("convert a.zpg --to xml", "mitsuba"),
@@ -272,8 +273,10 @@ fn words_of_other_programs() {
             assert!(said.replace('\n', " ").contains(words), "{line}: {said}");
         }
     }
-    let [seed, _] = says(dir.path(), "render a.zpg --seed 3");
-    assert!(seed.contains("there is none"), "{seed}");
+    for line in ["render a.zpg --seed 3", "check a.zpg -Wall"] {
+        let [said, _] = says(dir.path(), line);
+        assert!(said.contains("there is none"), "{line}: {said}");
+    }
 }
 
 /// Lines behind the end of a file, and parts that are gone.

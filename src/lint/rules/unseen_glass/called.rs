@@ -1,8 +1,8 @@
 //! Glass without an index that a comment calls glass, water or diamond, in a scene without any index.
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::{Test, finding, is_clear, is_glass, members};
+use super::{Test, finding, is_clear, lets_through, members};
 use crate::diagnostics::Diagnostic;
 use crate::lint::Context;
 use crate::lint::parts::Parts;
@@ -48,11 +48,16 @@ pub(super) fn called(context: &Context, root: NodeId, kinds: &[Parts]) -> Vec<Di
         return Vec::new();
     }
     let scene = context.scene;
-    let is_like: Test = |o| is_glass(o) && !is_clear(o);
+    let is_like: Test = |o| lets_through(o) && !is_clear(o);
     let Some(all) = members(context, root, is_like) else {
         return Vec::new();
     };
     let captions = Captions::of(context.document, context.text);
+    let mut comments: FxHashMap<u32, String> = FxHashMap::default();
+    for record in context.records() {
+        let last = &context.document.tokens[record.last as usize];
+        *comments.entry(record.id).or_default() += &behind(context, last.start);
+    }
     let mut told = FxHashSet::default();
     let mut objects: [Vec<(Named, Origin)>; SUBSTANCES.len()] = Default::default();
     for part in all.iter().filter(|m| m.is_plain() && m.is_solid(kinds)) {
@@ -63,8 +68,11 @@ pub(super) fn called(context: &Context, root: NodeId, kinds: &[Parts]) -> Vec<Di
         if !told.insert(paint) {
             continue;
         }
-        let heading = [record.id, object.id].map(|id| captions.get(id).unwrap_or_default());
-        let words = [behind(context, record), heading.join(" ")].join(" ");
+        let of = |id: u32| {
+            let lines = comments.get(&id).map_or("", String::as_str);
+            [captions.get(id).unwrap_or_default(), lines].join(" ")
+        };
+        let words = [of(record.id), of(object.id)].join(" ");
         if let Some(place) = SUBSTANCES.iter().position(|s| is_in(s, &words)) {
             objects[place].push((object, record));
         }
@@ -77,18 +85,15 @@ pub(super) fn called(context: &Context, root: NodeId, kinds: &[Parts]) -> Vec<Di
     findings.collect()
 }
 
-/// The comments on the line of a record, behind its ID.
-fn behind(context: &Context, record: Origin) -> String {
+/// The comments on the line behind a place, each with a space before it.
+fn behind(context: &Context, place: u32) -> String {
     let tokens = &context.document.tokens;
-    let first = tokens.partition_point(|t| t.start < record.span.start);
+    let first = tokens.partition_point(|t| t.start < place);
     let on_line = tokens[first..]
         .iter()
         .take_while(|t| t.kind() != TokenKind::Newline);
     let comments = on_line.filter(|t| t.kind().is_comment());
-    comments
-        .map(|t| t.text(context.text))
-        .collect::<Vec<_>>()
-        .join(" ")
+    comments.fold(String::new(), |all, t| all + " " + t.text(context.text))
 }
 
 fn is_in(substance: &Substance, text: &str) -> bool {

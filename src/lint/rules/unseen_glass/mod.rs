@@ -32,7 +32,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         optics.any(|o| test(&o))
     };
     let is_unlike = has(is_glass) && scene.paints.iter().any(|p| bent(p).is_some());
-    if !has(is_glass) {
+    if !has(lets_through) {
         return;
     }
     // Somebody who writes the index of a vacuum means it.
@@ -191,9 +191,14 @@ fn bent(paint: &Paint) -> Option<Rgb> {
     paint.index.filter(|&index| index != DEFAULT_INDEX)
 }
 
-/// Whether half of all light or more goes through, and no part is scattered.
+/// Whether half of all light or more goes through.
+fn lets_through(o: &Optics) -> bool {
+    o.kt.iter().all(|&x| x >= 0.5)
+}
+
+/// Whether no part of the light is scattered besides.
 fn is_glass(o: &Optics) -> bool {
-    o.kd == [0.0; 3] && o.kt.iter().all(|&x| x >= 0.5)
+    o.kd == [0.0; 3] && lets_through(o)
 }
 
 fn is_clear(o: &Optics) -> bool {
