@@ -28,6 +28,8 @@ pub struct Block {
     pub bounds: Aabb,
     /// Of what is not in an intersection: each of its leaves with lanes in all four, for four rays at once.
     pub apart: Box<[Shapes]>,
+    /// Whether light that meets some of its leaves gets no farther.
+    pub is_dark: bool,
     /// Of a leaf without lanes: which of four rays miss it.
     pub cull: Option<Box<Cull>>,
 }
@@ -74,6 +76,7 @@ fn block(leaves: &[Leaf], numbers: &[u32]) -> Block {
         extent: all.iter().fold(0.0, |most, leaf| leaf.extent.max(most)),
         bounds: Aabb::ALL,
         apart: Box::default(),
+        is_dark: all.iter().any(|leaf| leaf.is_dark()),
         cull: None,
     }
 }

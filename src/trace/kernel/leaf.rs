@@ -152,6 +152,12 @@ impl Leaf {
         three(&self.numbers, 0)
     }
 
+    /// Whether light that meets it gets no farther: it is opaque, and nothing transparent is near it.
+    #[inline(always)]
+    pub fn is_dark(&self) -> bool {
+        self.is_lone && !self.is_clear
+    }
+
     /// The upper corner of a box.
     #[inline(always)]
     pub fn upper(&self) -> &[f64; 3] {

@@ -298,15 +298,14 @@ impl Stage<'_> {
                 continue;
             }
             let block = &self.blocks[candidate.block as usize];
-            let is_opaque = |leaf: &Leaf| leaf.is_lone && !leaf.is_clear;
             if let Shapes::Single = block.shapes {
                 let leaf = &self.leaves[block.leaves[0] as usize];
                 let (beside, through) = packet.passing(block, leaf, 1.0);
-                if is_opaque(leaf) {
+                if leaf.is_dark() {
                     dark |= rays & packet.outside & through;
                 }
                 rays &= !(beside | dark);
-            } else {
+            } else if block.is_dark {
                 let mut moved = None;
                 let probe = self.in_space(packet, block, &mut moved);
                 let asked = rays & packet.outside;
@@ -314,7 +313,7 @@ impl Stage<'_> {
                 for (shape, &number) in block.apart.iter().zip(&block.leaves) {
                     let leaf = &self.leaves[number as usize];
                     let ahead = packet.meet(probe, (shape, leaf), one, asked & !dark);
-                    if is_opaque(leaf) {
+                    if leaf.is_dark() {
                         let before = is_less(ahead.t + ahead.error, end).to_bitmask();
                         dark |= ahead.met & before;
                     }
