@@ -831,3 +831,37 @@ fn the_sign_of_d_of_a_floor_that_overlaps_what_stands_on_it() {
         }
     }
 }
+
+#[test]
+fn a_direction_that_shows_something_comes_before_a_point() {
+    let scene = |camera: &str| {
+        format!(
+            "30 4 0 1 0 0.5\n31 11 0 1 0 1.5\n43 -101 30 31\n50 -402 0.8\n50 -1 4 6 5\n\
+             60 -501 {camera} 40\n1 9999 43 0\n"
+        )
+    };
+    // Both the direction and the point are in sight.
+    for (camera, direction, point) in [
+        ("0 3 9 0 -2 -9", "0 -2 -9", "0 -5 -18"),
+        ("0 2.2 9 0 -0.3 -1.2", "0 -0.3 -1.2", "0 -2.5 -10.2"),
+    ] {
+        let text = scene(camera);
+        let made = proposals(&text, Code::E008);
+        let texts: Vec<&String> = made.iter().map(|(_, text)| text).collect();
+        let position = camera.strip_suffix(direction).expect(camera);
+        let meant = [direction, point].map(|way| scene(&format!("{position}{way} 0 1 0")));
+        assert_eq!(texts, meant.iter().collect::<Vec<_>>());
+        assert!((made.iter()).all(|(fix, _)| fix.applicability == Applicability::Choice));
+        assert_eq!(fixed(&text, true), text);
+    }
+    for (camera, meant) in [
+        ("0 2.2 9 0 -0.2 -1", "0 2.2 9 0 -0.2 -1 0 1 0"),
+        // The middle of the ball, and what is above its camera.
+        ("0 2 9 0 1 0", "0 2 9 0 -1 -9 0 1 0"),
+        ("0 2 9 0.2 0.5 0", "0 2 9 0.2 -1.5 -9 0 1 0"),
+        // The point is above all.
+        ("0 3 9 0 -2 -7", "0 3 9 0 -2 -7 0 1 0"),
+    ] {
+        assert_eq!(first(&scene(camera), Code::E008), scene(meant));
+    }
+}
