@@ -784,3 +784,84 @@ fn file_names_with_brackets_stand_in_quotes() {
         assert_eq!(fixed(&text, true), meant);
     }
 }
+
+/// A glass ball on a floor, with what is joined with them.
+fn on_a_floor(floor: &str, more: &str) -> String {
+    format!(
+        "13 -701 0.5 0.7 0.9\n30 4 {floor}\n32 11 1.6 0.3 2 0.8\n32 -201 0.05 0.1 0.85\n\
+         32 -203 1.5 1.5 1.5\n43 -101 30 32\n{more}50 -402 0.8\n50 -1 4 6 5\n\
+         60 -501 0 3 9 0 -2 -9 0 1 0 40\n1 9999 43 13\n"
+    )
+}
+
+#[test]
+fn the_sign_of_d_of_a_floor_that_overlaps_what_stands_on_it() {
+    let text = on_a_floor("0 1 0 -0.5", "");
+    let made = proposals(&text, Code::W307);
+    let [(turned, meant), (split, _)] = &made[..] else {
+        panic!("{made:?}");
+    };
+    assert_eq!(*meant, on_a_floor("0 1 0 0.5", ""));
+    let choices = [turned, split].map(|f| f.applicability);
+    assert_eq!(choices, [Applicability::Choice; 2]);
+    assert_eq!(fixed(&text, true), text);
+    assert!(codes(meant).is_empty());
+    assert!(
+        !repair::proposals(&read(meant))
+            .iter()
+            .any(|d| d.code == Code::W307)
+    );
+    assert_eq!(
+        first_said(&text, Code::W307),
+        [
+            "change the sign of d, for the inside is ax + by + cz + d ≤ 0: write `0 1 0 0.5`",
+            "změnit znaménko d, protože vnitřek je ax + by + cz + d ≤ 0: napsat `0 1 0 0.5`",
+        ]
+    );
+    // The second of two balls would be in the floor all the same.
+    let lower = "33 11 -2 -0.6 0 0.8\n33 -201 0 0 1\n44 -101 43 33\n";
+    for other in [
+        on_a_floor("0 1 0 -0.5", lower).replace("9999 43", "9999 44"),
+        // The border goes through the origin, or the floor is water.
+        on_a_floor("0 1 0 0", ""),
+        on_a_floor("0 1 0 -0.5\n30 -201 0.1 0.1 0.8", ""),
+    ] {
+        for (fix, _) in proposals(&other, Code::W307) {
+            assert_eq!(fix.title, "fix", "{other}");
+        }
+    }
+}
+
+#[test]
+fn a_direction_that_shows_something_comes_before_a_point() {
+    let scene = |camera: &str| {
+        format!(
+            "30 4 0 1 0 0.5\n31 11 0 1 0 1.5\n43 -101 30 31\n50 -402 0.8\n50 -1 4 6 5\n\
+             60 -501 {camera} 40\n1 9999 43 0\n"
+        )
+    };
+    // Both the direction and the point are in sight.
+    for (camera, direction, point) in [
+        ("0 3 9 0 -2 -9", "0 -2 -9", "0 -5 -18"),
+        ("0 2.2 9 0 -0.3 -1.2", "0 -0.3 -1.2", "0 -2.5 -10.2"),
+    ] {
+        let text = scene(camera);
+        let made = proposals(&text, Code::E008);
+        let texts: Vec<&String> = made.iter().map(|(_, text)| text).collect();
+        let position = camera.strip_suffix(direction).expect(camera);
+        let meant = [direction, point].map(|way| scene(&format!("{position}{way} 0 1 0")));
+        assert_eq!(texts, meant.iter().collect::<Vec<_>>());
+        assert!((made.iter()).all(|(fix, _)| fix.applicability == Applicability::Choice));
+        assert_eq!(fixed(&text, true), text);
+    }
+    for (camera, meant) in [
+        ("0 2.2 9 0 -0.2 -1", "0 2.2 9 0 -0.2 -1 0 1 0"),
+        // The middle of the ball, and what is above its camera.
+        ("0 2 9 0 1 0", "0 2 9 0 -1 -9 0 1 0"),
+        ("0 2 9 0.2 0.5 0", "0 2 9 0.2 -1.5 -9 0 1 0"),
+        // The point is above all.
+        ("0 3 9 0 -2 -7", "0 3 9 0 -2 -7 0 1 0"),
+    ] {
+        assert_eq!(first(&scene(camera), Code::E008), scene(meant));
+    }
+}

@@ -37,7 +37,7 @@ const MAX_SHAPES_FOR_RULES: u64 = 20_000;
 /// Runs the rules; in a scene of more shapes than [`MAX_SHAPES_FOR_RULES`] only errors count.
 pub(super) fn left(analysis: &Analysis) -> Left {
     let mut left = Left::default();
-    if occurrences(&analysis.scene) > MAX_SHAPES_FOR_RULES {
+    if !is_small(&analysis.scene) {
         left.errors = errors(analysis);
         return left;
     }
@@ -56,6 +56,11 @@ pub(super) fn left(analysis: &Analysis) -> Left {
     left.in_vain += useless(&analysis.scene, bounds);
     left.in_vain += usize::from(is_unseen(&analysis.scene, bounds));
     left
+}
+
+/// Whether a scene has no more shapes than [`MAX_SHAPES_FOR_RULES`].
+pub(super) fn is_small(scene: &Scene) -> bool {
+    occurrences(scene) <= MAX_SHAPES_FOR_RULES
 }
 
 /// How often shapes occur in what is made of most of them.

@@ -5,6 +5,7 @@
 //! first which people do most ([`Habit`]). The number of trials is a function of the text alone: the same file
 //! always gets the same proposals.
 
+mod aim;
 mod candidates;
 mod characters;
 mod definitions;
@@ -432,6 +433,7 @@ impl Engine<'_> {
             let before = judge::left(&base);
             judged.retain(|(left, _)| *left < before);
         }
+        let is_either = aim::settle(&mut judged, place.id());
         let Some((_, best)) = judged.first() else {
             return false;
         };
@@ -517,7 +519,7 @@ impl Engine<'_> {
         if is_lost {
             finding.notes.push("lost");
         }
-        if is_open || places > 1 || is_hidden || is_lost {
+        if is_open || places > 1 || is_hidden || is_lost || is_either {
             (finding.fixes.iter_mut()).for_each(|f| f.applicability = Applicability::Choice);
         }
         true

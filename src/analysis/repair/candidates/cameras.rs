@@ -13,6 +13,11 @@ const ROUNDED: f64 = 1e-3;
 /// The angle of a camera that lacks it.
 pub(super) const ANGLE: f64 = 45.0;
 
+/// The title of a camera's direction that is read as a point.
+pub(in crate::analysis::repair) const POINT_TITLE: &str = "fix-look-at";
+/// The title of a camera's direction that gets an up vector.
+pub(in crate::analysis::repair) const DIRECTION_TITLE: &str = "fix-up";
+
 impl LineContext<'_> {
     /// The selection of a camera without its ID, where there is but one.
     pub(super) fn only_camera(&self) -> Option<Candidate> {
@@ -79,17 +84,18 @@ impl LineContext<'_> {
             )
         };
         let to_point = candidate(
-            "fix-look-at",
+            POINT_TITLE,
             Habit::Point,
             way.map(decimal).join(" "),
             upright(way),
         );
         out.push(to_point);
         let up = upright([dx, dy, dz]);
-        let largest = [dx, dy, dz].map(f64::abs).into_iter().fold(0.0, f64::max);
-        let is_unit = largest == 1.0 || (length([dx, dy, dz]) - 1.0).abs() < ROUNDED;
-        let habit = if is_unit { Habit::Direction } else { Habit::Up };
-        out.push(candidate("fix-up", habit, text.clone(), up));
+        let habit = match is_unit([dx, dy, dz]) {
+            true => Habit::Direction,
+            false => Habit::Up,
+        };
+        out.push(candidate(DIRECTION_TITLE, habit, text.clone(), up));
     }
 
     /// A camera with one number too few: without its angle, which is the last one and 45 degrees in most scenes, or
@@ -198,6 +204,12 @@ impl LineContext<'_> {
         };
         Candidate::new(habit, fix)
     }
+}
+
+/// Whether the length of a vector is 1, or its largest part.
+pub(in crate::analysis::repair) fn is_unit(v: [f64; 3]) -> bool {
+    let largest = v.map(f64::abs).into_iter().fold(0.0, f64::max);
+    largest == 1.0 || (length(v) - 1.0).abs() < ROUNDED
 }
 
 /// Whether a number may be an angle of view in degrees.

@@ -1,7 +1,7 @@
 //! What may have been meant by a line that something is wrong with.
 
 mod apart;
-mod cameras;
+pub(super) mod cameras;
 mod clauses;
 mod comments;
 mod flat;

@@ -143,7 +143,7 @@ fn turned(half_space: &Params) -> Fix {
 }
 
 /// The half-space with the other sign of d.
-fn moved(half_space: &Params) -> Fix {
+pub(super) fn moved(half_space: &Params) -> Fix {
     written(half_space, "fix-move", |i| match i {
         3 => opposite(half_space, i),
         _ => half_space.text_of(i).to_owned(),

@@ -6,6 +6,7 @@
 //! does where a difference cuts through what both hold: the cut face looks like the first operand.
 //! (Where an intersection cuts, the face looks like what cuts.)
 
+mod floor;
 mod medium;
 mod search;
 mod split;
@@ -14,13 +15,14 @@ mod unions;
 use rustc_hash::FxHashSet;
 
 use super::{camera_in_solid, lamp_in_solid};
-use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::lint::properties::Properties;
 use crate::lint::roots;
 use crate::lint::{Context, live_nodes};
 use crate::parallel;
 use crate::scene::record::Params;
 use crate::scene::{Node, Optics, Origin};
+use floor::Floors;
 use search::{Overlap, Search};
 use split::{Pieces, Splitter};
 use unions::Unions;
@@ -59,16 +61,23 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     });
     let pieces: Vec<Option<Pieces>> = pieces.collect();
     let properties = Properties::new(context);
+    let floors = Floors::new(context, &unions, &found);
     let said = parallel::map(found.len(), |i| {
         let found = &found[i];
         let record = &scene.origins[found.union as usize];
         let p = context.params(record.span)?;
         let d = finding(&unions, &p, record, found);
         let fix = (pieces[i].as_ref()).and_then(|pieces| pieces.fix(context, &properties, &p));
-        Some(match fix {
-            Some(fix) => d.fix(fix),
-            None => d,
-        })
+        let other_sign = floors.fix(&unions, found);
+        // Nobody can tell which of the two was meant.
+        let fix = fix.map(|fix| match other_sign {
+            Some(_) => Fix {
+                applicability: Applicability::Choice,
+                ..fix
+            },
+            None => fix,
+        });
+        Some((other_sign.into_iter().chain(fix)).fold(d, Diagnostic::fix))
     });
     out.extend(said.into_iter().flatten());
 }

@@ -24,7 +24,7 @@ const POINTS_PER_PAIR: u32 = 24;
 
 /// Depth of a point inside of both parts, as a share of the smaller one, at least: what overlaps by less is meant to
 /// touch, and written with six or seven digits.
-const MIN_REL_DEPTH: f64 = 1e-6;
+pub(super) const MIN_REL_DEPTH: f64 = 1e-6;
 
 /// Most steps of the closer look at one pair of which no point was found.
 const MAX_CLOSE_LOOK_STEPS: usize = 40_000;

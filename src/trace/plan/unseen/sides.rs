@@ -1,6 +1,7 @@
 //! What a half-space of the outermost union holds of the other parts, and would hold with other numbers.
 
 use super::members::members;
+use crate::geometry::array::length;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, NodeId, Scene, Vec3};
 use crate::solids::bounds::NodeBounds;
@@ -44,6 +45,16 @@ impl Sides {
         let [x, y, z] = local;
         let value = a * x + b * y + c * z + d;
         value <= CLEARANCE_REL * far(&[a, b, c]) * far(&local).max(1.0)
+    }
+
+    /// Whether a box lies outside of a half-space with these numbers, or reaches in by no more than a share of its size.
+    pub fn is_clear_of(&self, [a, b, c, d]: [f64; 4], of: &Aabb, share: f64) -> bool {
+        let size = (0..3).fold(0.0f64, |m, i| m.max(of.max[i] - of.min[i]));
+        let least = -share * size * length([a, b, c]);
+        (of.corners().iter()).all(|&corner| {
+            let [x, y, z] = self.back.point(corner);
+            a * x + b * y + c * z + d >= least
+        })
     }
 
     /// Whether all of some part that is not wholly within the half-space of the first numbers lies within that of the
