@@ -101,7 +101,9 @@ impl LineContext<'_> {
                 .filter(|(t, _)| id(t) != 0)
                 .map(|(t, _)| {
                     let new = id(t).checked_add(*by).filter(|&id| id > 0)?;
-                    Some((*t, new.to_string()))
+                    // All may be off by one; by two only what is no part of another operand.
+                    let is_held = held.iter().any(|&id| i64::from(id) == new);
+                    (by.abs() == 1 || !is_held).then(|| (*t, new.to_string()))
                 })
                 .collect();
             out.extend(shifted.and_then(|new| self.write(Habit::Shifted, &new)));
