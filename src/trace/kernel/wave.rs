@@ -201,18 +201,9 @@ impl Tile {
         self.next.clear();
         self.by_kind.iter_mut().for_each(Vec::clear);
         self.lit.clear();
-        let is_known = self.find_along(scene);
-        let boxes = match is_known {
-            true => self.along.boxes.div_ceil(self.wave.len() as u32),
-            false => 0,
-        };
-        match is_known {
-            true => self.meet_in_packets(scene, boxes),
-            false => {
-                for i in 0..self.wave.len() {
-                    self.meet_alone(scene, i);
-                }
-            }
+        match self.find_along(scene) {
+            true => self.meet_in_packets(scene),
+            false => (0..self.wave.len()).for_each(|i| self.meet_alone(scene, i)),
         }
         let wave = std::mem::take(&mut self.wave);
         for kind in KINDS {
@@ -247,7 +238,8 @@ impl Tile {
     }
 
     /// Finds what the rays of the wave meet, which go nearly the same way.
-    fn meet_in_packets(&mut self, scene: &Scene, boxes: u32) {
+    fn meet_in_packets(&mut self, scene: &Scene) {
+        let boxes = self.along.boxes.div_ceil(self.wave.len() as u32);
         let last = self.wave.len() - 1;
         for first in (0..self.wave.len()).step_by(LANES) {
             let numbers = each([0, 1, 2, 3], |lane: usize| (first + lane).min(last));
