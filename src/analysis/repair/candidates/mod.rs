@@ -5,6 +5,7 @@ pub(super) mod cameras;
 mod clauses;
 mod comments;
 mod flat;
+mod habit;
 mod heads;
 mod indices;
 mod inline;
@@ -20,6 +21,8 @@ mod types;
 
 use rustc_hash::FxHashSet;
 
+pub(super) use habit::Habit;
+
 use crate::analysis::Analysis;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::{SEPARATORS, Token, TokenKind};
@@ -27,108 +30,6 @@ use crate::syntax::table::{Family, Param, RecordType, Unit};
 use crate::syntax::words;
 use crate::syntax::{allows, quote};
 pub(crate) use inline::new_ids;
-
-/// What people do, what they do most first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Habit {
-    /// The minus of a type is lost, or there is one too many.
-    Sign,
-    /// A digit of a type is lost, doubled or wrong, or two are exchanged.
-    Digit,
-    /// Several numbers stand in one token.
-    Glued,
-    /// A number has letters, signs or units in it; a file name has spaces.
-    Characters,
-    /// A word stands in the place of a type's number.
-    Word,
-    /// The name of a type stands before the ID.
-    Keyword,
-    /// The name of a type stands in the place of the ID.
-    Unnamed,
-    /// The type of an operation stands between its operands.
-    Infix,
-    /// ID and type stand in each other's place.
-    Exchanged,
-    /// A comment has no signs around it.
-    Comment,
-    /// A profile says another number of points than it has.
-    Count,
-    /// Numbers stand there twice, or one is too many.
-    Doubled,
-    /// An axis is a letter, or stands before its angle.
-    Axis,
-    /// It is the record of a sibling.
-    Sibling,
-    /// What is too much is a record of its own.
-    Apart,
-    /// The direction of a camera has the length 1, so it is one.
-    Direction,
-    /// The direction of a camera is the point that it looks at.
-    Point,
-    /// The up vector of a camera is along its direction.
-    Up,
-    /// A space is lost within a whole number, which is two digits.
-    Split,
-    /// One of many numbers is lost.
-    Lost,
-    /// Two references stand in each other's place.
-    Swapped,
-    /// All references are off by the same number.
-    Shifted,
-    /// One reference names something else.
-    Reference,
-    /// What the finding itself proposes.
-    Proposed,
-    /// The record has another ID.
-    Id,
-    /// It is a record of another type.
-    Type,
-    /// The type is left out.
-    NoType,
-}
-
-impl Habit {
-    /// Whether this puts another ID in the place of one.
-    pub(super) fn names_another(self) -> bool {
-        matches!(self, Habit::Shifted | Habit::Reference | Habit::Proposed)
-    }
-
-    /// Whether a finding speaks of what this puts right. If not, [`LineContext::matter`] does.
-    pub(super) fn is_said_by(self, finding: &Diagnostic) -> bool {
-        use Code::*;
-        match self {
-            Habit::Sign => matches!(finding.code, E007 | E103),
-            Habit::Characters => matches!(
-                finding.code,
-                E001 | E002 | E003 | E004 | E006 | E007 | E010 | E011 | E012
-            ),
-            Habit::Glued => finding.case == "glued",
-            Habit::Exchanged => finding.case == "exchanged",
-            Habit::Word | Habit::Keyword => finding.code == E006,
-            Habit::Comment => matches!(finding.code, E001 | E002 | E003 | E007 | E009 | E012),
-            Habit::Doubled | Habit::Sibling => matches!(finding.code, E008 | E009),
-            Habit::Apart => matches!(finding.code, E003 | E007 | E008 | E009 | E012 | E101),
-            Habit::Count => finding.case == "points" || finding.code == E013,
-            Habit::Direction | Habit::Point | Habit::Up => {
-                matches!(finding.code, E008 | E203 | E206 | E207)
-            }
-            Habit::Split | Habit::Lost => finding.code == E008,
-            Habit::Swapped => {
-                matches!(finding.code, E101 | E103 | E104 | E107 | E108 | W319)
-            }
-            Habit::Unnamed => finding.code == E005,
-            Habit::NoType | Habit::Axis => false,
-            // They are made for such findings only.
-            Habit::Infix
-            | Habit::Digit
-            | Habit::Shifted
-            | Habit::Reference
-            | Habit::Id
-            | Habit::Type
-            | Habit::Proposed => true,
-        }
-    }
-}
 
 /// A text that may have been meant.
 #[derive(Debug, Clone)]
