@@ -67,7 +67,7 @@ impl Habit {
         matches!(self, Habit::Shifted | Habit::Reference | Habit::Proposed)
     }
 
-    /// Whether a finding speaks of what this puts right. If not, [`LineContext::matter`] does.
+    /// Whether a finding speaks of what this puts right. If not, `LineContext::matter` does.
     pub(in crate::analysis::repair) fn is_said_by(self, finding: &Diagnostic) -> bool {
         use Code::*;
         match self {
