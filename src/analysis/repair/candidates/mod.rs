@@ -207,9 +207,12 @@ impl<'a> LineContext<'a> {
         let may_be_last = allows(last, end) && (last.unit != Unit::Degrees || end > 1.0);
         if n + 1 == wanted.len() && !may_be_last {
             let (have, missing) = wanted.split_at(n);
-            let values = [("have", names(have)), ("missing", names(missing))];
-            let values = values.map(|(place, text)| (place, text.into()));
-            return Some(("lack", values.into()));
+            let values = vec![
+                ("have", names(have).into()),
+                ("missing", names(missing).into()),
+                ("parameter", Value::Term(last.doc)),
+            ];
+            return Some(("lack", values));
         }
         Some(("lack-any", vec![("missing", names(wanted).into())]))
     }
