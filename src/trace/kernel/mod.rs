@@ -18,7 +18,7 @@
 //!    way share one walk through the tree ([`bundle`]), and four of them at a time are held against a shape ([`packet`]); a
 //!    shape without lanes is asked about those that [`cull`] does not tell.
 //! 2. Where a leaf is met is computed with the operations of the arbiter in the arbiter's order, for four rays at once;
-//!    [`place`] takes rays into the spaces of shapes.
+//!    [`place`] takes rays into the spaces of shapes, and [`quadric_point`] finds points of solids of second degree.
 //!    [`shade`] sends on what is mirrored and refracted: the next wave.
 //! 3. [`light`] adds up the light of the lamps, one lamp after the other for all places of the wave; [`shadow`] says how much
 //!    of it gets through.
@@ -59,6 +59,7 @@ mod plane;
 mod probe;
 mod provenance;
 mod quadric;
+mod quadric_point;
 mod query;
 mod rectangle;
 mod resolved;
