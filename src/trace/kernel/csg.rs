@@ -3,11 +3,14 @@
 
 use super::block::{Block, Shapes, in_blocks};
 use super::expand::{Gate, Operands};
+use super::lanes::{LANES, Lanes};
 use super::leaf::{Kind, Leaf};
+use super::packet::Packet;
 use super::probe::Probe;
 use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Tests, UNKNOWN_FACE};
 use super::scalar::Raw;
 use super::scratch::Scratch;
+use super::spans::Spans;
 use super::stage::{Forest, Stage};
 use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH as CHILDREN};
 use crate::trace::shapes::Root;
@@ -27,6 +30,8 @@ pub struct Csg {
     gates: Vec<Gate>,
     /// How many operands of each gate are unmet at a place outside of all shapes.
     unmet: Vec<u32>,
+    /// A quicker way to the first place, if there are few shapes.
+    pub spans: Option<Spans>,
 }
 
 /// So few operands are asked without a look at their boxes.
@@ -42,6 +47,7 @@ impl Csg {
             let is_in = (unmet[number] == 0) != gate.is_union;
             unmet[gate.parent as usize] += u32::from(is_in == gate.is_cut);
         }
+        let spans = Spans::new(leaves, &operands);
         let first = blocks.len() as u32;
         in_blocks(leaves, &operands.firsts, blocks);
         let firsts = (first..blocks.len() as u32).collect();
@@ -54,6 +60,7 @@ impl Csg {
             others: Forest::new(leaves, &loose, boxes, blocks),
             gates: operands.gates,
             unmet,
+            spans,
         }
     }
 
@@ -100,6 +107,21 @@ impl Stage<'_> {
         scratch.ahead.clear();
         scratch.at_start.clear();
         scratch.merges += 1;
+        if let Some(spans) = &csg.spans
+            && ask != Ask::All
+            && !query.start.within.has(number)
+        {
+            let packet = Packet::new([query.start; LANES], 1);
+            let entry = self.entry(&packet, spans, Lanes::splat(to), 1);
+            if entry.rest == 0 {
+                tests.shapes += spans.count();
+                if entry.ahead.met == 0 {
+                    return Crossed::Nothing;
+                }
+                scratch.ahead.push(entry.crossing(0));
+                return Crossed::Ahead;
+            }
+        }
         scratch.unmet.clear();
         scratch.unmet.extend(&csg.unmet);
         if let Err(Doubt) = self.events(query, whole, csg, [from, to], scratch, tests) {

@@ -8,6 +8,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
 use crate::trace::graph::Graph;
 use crate::trace::shapes::Primitive;
+use crate::trace::shapes::quadric::Axial;
 
 /// Kinds of shapes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -222,7 +223,8 @@ pub fn quadric(
     let piece = shape.convex_piece()?;
     let way = WayIn::new(graph, chain);
     let (out, back) = (way.back.inverse()?, way.back);
-    let quadric = Quadric::new(&piece, &shape.bounds(), way)?;
+    let mut quadric = Quadric::new(&piece, &shape.bounds(), way)?;
+    quadric.axial = Axial::new(primitive);
     let [extent, stretch] = quadric.extent(&out);
     let Vec3([x, y, z]) = quadric.across();
     let numbers = [x, y, z, stretch, 0.0, 0.0, 0.0, 0.0];

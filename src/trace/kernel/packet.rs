@@ -15,6 +15,7 @@ use super::query::{
 use super::scratch::Scratch;
 use super::search::Met;
 use super::shadow::TO;
+use super::spans::Entry;
 use super::stage::Stage;
 use crate::trace::shapes::Root;
 
@@ -23,13 +24,13 @@ pub struct Packet<'w> {
     starts: [&'w Start; LANES],
     probe: Probe<Lanes>,
     /// In t, how far from a start a place is that cannot be taken for it.
-    skin: Lanes,
+    pub(super) skin: Lanes,
     /// Those that are asked for, as bits.
     live: u32,
     /// Those that start outside of everything.
     outside: u32,
     /// Those that go against the normal of the surface that they start on.
-    goes_in: u32,
+    pub(super) goes_in: u32,
 }
 
 impl<'w> Packet<'w> {
@@ -58,7 +59,7 @@ impl<'w> Packet<'w> {
 
     /// The rays that start on a leaf.
     #[inline(always)]
-    fn on(&self, leaf: &Leaf) -> u32 {
+    pub(super) fn on(&self, leaf: &Leaf) -> u32 {
         lanes_where(|lane| self.starts[lane].left == leaf.twin)
     }
 
@@ -121,14 +122,14 @@ impl<'w> Packet<'w> {
 }
 
 /// Where four rays meet a leaf ahead of their starts.
-struct Ahead {
+pub struct Ahead {
     /// Those that meet it, as bits.
-    met: u32,
+    pub met: u32,
     /// Those of which that is not known.
-    doubt: u32,
-    t: Lanes,
+    pub doubt: u32,
+    pub t: Lanes,
     /// A bound on the error of t.
-    error: Lanes,
+    pub error: Lanes,
 }
 
 /// The nearest crossings so far.
@@ -230,6 +231,19 @@ impl Stage<'_> {
             if let Shapes::Single = block.shapes {
                 let number = block.leaves[0];
                 let leaf = &self.leaves[number as usize];
+                let mut rays = rays;
+                if let Some(spans) = self.spans(leaf) {
+                    scratch.merges += u64::from(rays.count_ones());
+                    lanes(rays).for_each(|lane| tests[lane].shapes += spans.count());
+                    let entry = self.entry(packet, spans, best.limit, rays);
+                    for lane in lanes(best.consider(&entry.ahead)) {
+                        best.crossings[lane] = entry.crossing(lane);
+                    }
+                    rays = entry.rest;
+                    if rays == 0 {
+                        continue;
+                    }
+                }
                 let (beside, _) = packet.passing(block, leaf, f64::INFINITY);
                 for lane in lanes(rays & !beside) {
                     let query = Query::new(packet.starts[lane]);
@@ -244,7 +258,7 @@ impl Stage<'_> {
             }
             lanes(rays).for_each(|lane| tests[lane].shapes += 1);
             let mut moved = None;
-            let probe = self.in_space(packet, block, &mut moved);
+            let probe = self.in_space(packet, block.placement, &mut moved);
             for (shape, &number) in block.apart.iter().zip(&block.leaves) {
                 let leaf = &self.leaves[number as usize];
                 let ahead = packet.meet(probe, (shape, leaf), best.limit, rays);
@@ -300,14 +314,22 @@ impl Stage<'_> {
             let block = &self.blocks[candidate.block as usize];
             if let Shapes::Single = block.shapes {
                 let leaf = &self.leaves[block.leaves[0] as usize];
-                let (beside, through) = packet.passing(block, leaf, 1.0);
+                let (beside, through) = match self.spans(leaf) {
+                    Some(spans) => {
+                        let asked = rays & packet.outside;
+                        let Entry { ahead, rest, .. } = self.entry(packet, spans, one, asked);
+                        let before = is_less(ahead.t + ahead.error, end).to_bitmask();
+                        (asked & !(ahead.met | rest), ahead.met & before)
+                    }
+                    None => packet.passing(block, leaf, 1.0),
+                };
                 if leaf.is_dark() {
                     dark |= rays & packet.outside & through;
                 }
                 rays &= !(beside | dark);
             } else if block.is_dark {
                 let mut moved = None;
-                let probe = self.in_space(packet, block, &mut moved);
+                let probe = self.in_space(packet, block.placement, &mut moved);
                 let asked = rays & packet.outside;
                 rays &= !packet.outside;
                 for (shape, &number) in block.apart.iter().zip(&block.leaves) {
@@ -326,18 +348,18 @@ impl Stage<'_> {
         dark
     }
 
-    /// The rays of a packet in the space of a block, kept in `moved` where that is another one.
+    /// The rays of a packet in the space of a placement, kept in `moved` where that is another one.
     #[inline(always)]
-    fn in_space<'p>(
+    pub(super) fn in_space<'p>(
         &self,
         packet: &'p Packet,
-        block: &Block,
+        placement: u32,
         moved: &'p mut Option<Probe<Lanes>>,
     ) -> &'p Probe<Lanes> {
-        if block.placement == 0 {
+        if placement == 0 {
             return &packet.probe;
         }
-        let place = &self.graph.placements[block.placement as usize];
+        let place = &self.graph.placements[placement as usize];
         moved.insert(packet.probe.four_through(&place.back))
     }
 }

@@ -14,6 +14,7 @@ use crate::geometry::affine::Affine;
 use crate::geometry::array::each;
 use crate::geometry::vec::Vec3;
 use crate::trace::shapes::convex_piece::ConvexPiece;
+use crate::trace::shapes::quadric::Axial;
 use crate::trace::shapes::quick_reject::{LINE_REL_ERROR, POLYNOMIAL_MARGIN};
 
 /// A convex solid of second degree.
@@ -31,6 +32,8 @@ pub struct Quadric {
     side: f64,
     /// The size of the solid, beside which roundings count.
     reach: f64,
+    /// What its crossings are computed from, of some.
+    pub axial: Option<Axial>,
 }
 
 /// The slope of a direction beside a generator of a cone, or the axis of a cylinder, about which nothing is said: as a share
@@ -70,6 +73,7 @@ impl Quadric {
                 _ => 1.0,
             },
             reach,
+            axial: None,
         };
         let are_usual = quadric.polynomial.iter().all(|x| x.is_finite());
         (are_usual && reach.is_normal() && ball > 0.0).then_some(quadric)

@@ -12,6 +12,7 @@ use super::light::Lit;
 use super::packet::Packet;
 use super::place;
 use super::plane::Planes;
+use super::quadric_point;
 use super::query::{Crossing, NONE, Start, Tests, UNKNOWN_FACE, Within};
 use super::rectangle::Rectangles;
 use super::resolved::{Meet, Resolved};
@@ -26,6 +27,7 @@ use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::trace::arbiter::Arbiter;
 use crate::trace::shade::{Features, Limits};
+use crate::trace::shapes::Root;
 use crate::trace::stats::Work;
 use crate::trace::tracer;
 
@@ -220,7 +222,8 @@ impl Tile {
                             self.hits::<Planes>(scene, (&four, live), is_placed);
                         }
                         Kind::Rectangle => self.hits::<Rectangles>(scene, (&four, live), is_placed),
-                        Kind::Quadric | Kind::Other | Kind::Csg => {
+                        Kind::Quadric => self.hits_of_quadrics(scene, &wave, &four, live),
+                        Kind::Other | Kind::Csg => {
                             self.hits_one_by_one(scene, (&four, live));
                         }
                     }
@@ -281,17 +284,8 @@ impl Tile {
                 let light = scene.background.times(Vec3(ray.weight));
                 self.nodes[ray.node as usize].light = light;
             }
-            Met::Surface(mut crossing, sides) => {
+            Met::Surface(crossing, sides) => {
                 let leaf = &scene.stage.leaves[crossing.surface as usize];
-                if leaf.kind == Kind::Quadric
-                    && crossing.root.face == UNKNOWN_FACE
-                    && !scene
-                        .stage
-                        .sharpen(&ray.start, &mut crossing, &mut self.search.roots)
-                {
-                    self.doubtful.push(*ray);
-                    return;
-                }
                 self.by_kind[slot(leaf.kind, leaf.placement != 0)].push(Hit {
                     ray: i as u32,
                     crossing,
@@ -367,6 +361,53 @@ impl Tile {
             hits.albedo = self.albedo(scene.stage, (four, live), &hits, place);
         }
         self.shade(scene, four, &hits);
+    }
+
+    /// What happens where four rays have met convex solids of second degree.
+    #[inline(never)]
+    fn hits_of_quadrics(&mut self, scene: &Scene, wave: &[Ray], four: &Four, live: u32) {
+        let stage = scene.stage;
+        let found = quadric_point::meet(stage, four);
+        let told = live & found.as_ref().map_or(0, |found| found.known);
+        let mut hits = each(four.hits, Hit::clone);
+        let mut lost = 0;
+        for lane in (0..LANES).filter(|lane| live >> lane & 1 != 0) {
+            let crossing = &mut hits[lane].crossing;
+            match &found {
+                Some(found) if told >> lane & 1 != 0 => {
+                    crossing.root = Root {
+                        t: found.resolved.t.to_array()[lane],
+                        face: found.flat >> lane & 1,
+                    };
+                }
+                _ if crossing.root.face != UNKNOWN_FACE => {}
+                _ => {
+                    let ray = four.rays[lane];
+                    if !stage.sharpen(&ray.start, crossing, &mut self.search.roots) {
+                        self.doubtful.push(*ray);
+                        lost |= 1 << lane;
+                    }
+                }
+            }
+        }
+        let live = live & !lost;
+        let four = &Four::new(wave, &stage.leaves, &hits);
+        match found {
+            Some(found) if live == told => {
+                let mut of = Hits::new(four, live, &found.resolved);
+                of.shading = found.resolved.normal;
+                if four.leaves.iter().any(|leaf| leaf.colour != Colour::Plain) {
+                    let local = found.local.columns();
+                    let place = |lane: usize| {
+                        let local = Vec3(each([0, 1, 2], |i: usize| local[i][lane]));
+                        (local, hits[lane].crossing.root.face)
+                    };
+                    of.albedo = self.albedo(stage, (four, live), &of, place);
+                }
+                self.shade(scene, four, &of);
+            }
+            _ => self.hits_one_by_one(scene, (four, live)),
+        }
     }
 
     /// What happens where four rays have met leaves without lanes.

@@ -46,7 +46,7 @@ pub const FLIPPED: u32 = 1 << 31;
 /// Number of unit roundoffs by which the bound on a line's displacement through maps may exceed the size of its numbers
 /// before a finer number is asked. The bound of one turn reaches 30; what lines are really moved by is a tenth of
 /// theirs.
-const BLURRED: f64 = 32.0;
+pub const BLURRED: f64 = 32.0;
 
 /// A crossing of a line with a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -41,6 +41,15 @@ impl Cone {
         }
     }
 
+    pub fn form(&self) -> &QuadricForm {
+        &self.form
+    }
+
+    /// Its height if it is no double cone.
+    pub fn single_height(&self) -> Option<f64> {
+        (!self.record.double).then_some(self.record.height)
+    }
+
     /// How a line passes what of the cone is between two heights. The form is positive where the line is in that slab
     /// and the ball around the cone.
     fn pass_between(&self, line: &Line, stretch: [f64; 2], [low, high]: [f64; 2]) -> Pass {

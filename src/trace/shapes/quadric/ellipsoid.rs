@@ -35,6 +35,10 @@ impl Ellipsoid {
             record,
         }
     }
+
+    pub fn form(&self) -> &QuadricForm {
+        &self.form
+    }
 }
 
 impl Shape for Ellipsoid {

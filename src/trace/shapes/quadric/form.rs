@@ -37,7 +37,7 @@ pub(super) const PAIRS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 
 /// Ten terms of three factors each: products (two), sums (nine) and roundings of coordinates (two
 /// each), with five to spare for the coefficients' own sums and roundings.
-pub(super) const OPERATIONS: u32 = 20;
+pub const OPERATIONS: u32 = 20;
 
 /// The largest power of two that does not exceed |x|, kept among the normal numbers; 1 for zero.
 #[inline]

@@ -1,13 +1,15 @@
 //! Surfaces of second degree: the ellipsoid, the general quadric and the canonical ones, which
 //! share a [`QuadricForm`] and its meeting with a line ([`Chord`]), and the cones.
 
+mod axial;
 pub mod cone;
 pub mod ellipsoid;
 mod form;
 mod line;
 mod refine;
 
-pub use form::QuadricForm;
+pub use axial::Axial;
+pub use form::{OPERATIONS, QuadricForm};
 
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::Matrix;

@@ -1,0 +1,689 @@
+//! Where exactly four rays meet a convex solid of second degree each: the numbers that
+//! [`shapes::quadric`](crate::trace::shapes::quadric) computes, in its order.
+//!
+//! Bounds on errors are not its own, but greater ones that cost less. Where they do not tell that no rounding has decided
+//! anything, nothing is said, and the shape itself is asked.
+
+use super::lanes::{
+    ALL, LANES, Lanes, V3, either, fused, gathered, is_at_most, is_greater, is_less, lanes_where,
+    mask,
+};
+use super::maps::Maps;
+use super::query::{SKINS, UNKNOWN_FACE};
+use super::resolved::Resolved;
+use super::shade::Four;
+use super::stage::Stage;
+use crate::geometry::affine::Placement;
+use crate::geometry::array::each;
+use crate::geometry::vec::{UNIT_ROUNDOFF, Vec3, gamma};
+use crate::trace::shapes::BLURRED;
+use crate::trace::shapes::quadric::{Axial, OPERATIONS};
+
+/// Where four rays meet their leaves.
+pub struct Found {
+    /// The rays of which that is known, as bits.
+    pub known: u32,
+    /// Those that meet a flat end, as bits.
+    pub flat: u32,
+    pub resolved: Resolved,
+    /// The points in the spaces of their leaves.
+    pub local: V3,
+}
+
+/// Four polynomials; see [`Axial`].
+struct Forms {
+    square: V3,
+    linear: V3,
+    constant: Lanes,
+    unit: V3,
+    curves: V3,
+    weight: Lanes,
+    height: Lanes,
+}
+
+/// Rays in the spaces of their leaves, and bounds on how far their origins and directions are off; see
+/// [`Slack`](crate::geometry::affine::Slack).
+struct Local {
+    origin: V3,
+    direction: V3,
+    slack: [Lanes; 2],
+}
+
+/// Where lines are in solids, with the flat ends among the two as masks.
+struct Chords {
+    known: Lanes,
+    t: [Lanes; 2],
+    flat: [Lanes; 2],
+}
+
+/// A number and a bound on its error.
+#[derive(Clone, Copy)]
+struct Bounded {
+    value: Lanes,
+    error: Lanes,
+}
+
+/// Bounds are wider by this: they are rounded themselves.
+const ROOM: f64 = 1.01;
+/// Powers of two that lines are divided by are between this and its reciprocal.
+const LEAST_SCALE: f64 = 1e-100;
+/// Normals that maps make smaller than this are not for lanes.
+const LEAST_NORMAL: f64 = 1e-60;
+
+/// Where four rays meet their leaves: at the far ends of chords where they come out.
+#[inline(never)]
+pub fn meet(stage: &Stage, four: &Four) -> Option<Found> {
+    let axial = |lane: usize| four.leaves[lane].quadric.as_ref()?.axial.as_ref();
+    let [Some(a), Some(b), Some(c), Some(d)] = each([0, 1, 2, 3], axial) else {
+        return None;
+    };
+    let forms = Forms::gathered([a, b, c, d]);
+    let ways = each(four.leaves, |leaf| &stage.chains[leaf.chain as usize][..]);
+    let place = |lane: usize, depth: usize| -> &Placement {
+        let number = ways[lane]
+            .get(depth)
+            .or_else(|| ways.iter().find_map(|way| way.get(depth)));
+        &stage.graph.placements[number.copied().unwrap_or(0) as usize]
+    };
+    let places = |depth: usize| each([0, 1, 2, 3], |lane: usize| place(lane, depth));
+    let goes = |depth: usize| mask(lanes_where(|lane| depth < ways[lane].len()));
+    let depth = ways.iter().fold(0, |most, way| way.len().max(most));
+
+    let mut line = Local::new(four.origin, four.direction);
+    for depth in 0..depth {
+        line = line.through(&places(depth), goes(depth));
+    }
+    let chords = forms.chords(&line);
+    let exit = mask(four.exits_leaf);
+    let crossings = each(four.hits, |hit| &hit.crossing);
+    let [rough, error, t] = [
+        gathered(crossings, |crossing| crossing.end.t),
+        gathered(crossings, |crossing| crossing.end.error),
+        gathered(crossings, |crossing| crossing.root.t),
+    ];
+    let located = mask(lanes_where(|lane| {
+        crossings[lane].root.face != UNKNOWN_FACE
+    }));
+    let located_flat = mask(lanes_where(|lane| crossings[lane].root.face != 0));
+    let own = either(exit, chords.t[1], chords.t[0]);
+    let other = either(exit, chords.t[0], chords.t[1]);
+    let is_near = is_at_most((own - rough).abs(), error + error);
+    // The other end may be the start.
+    let skin = gathered(four.rays, |ray| ray.start.skin * SKINS);
+    let left = lanes_where(|lane| four.rays[lane].start.left == four.leaves[lane].twin);
+    let splat = Lanes::splat;
+    let far = skin / four.direction.abs().max_component() + splat(4.0) * error;
+    let is_apart = is_greater(other.abs(), far + far) | mask(left);
+    let told = chords.known & is_near & is_apart & line.is_sharp(own) & line.is_sharp(other);
+    let t = either(located, t, own);
+    let flat = either(
+        located,
+        located_flat,
+        either(exit, chords.flat[1], chords.flat[0]),
+    );
+    let mut place = forms.locate(&line, t, flat);
+    let local = place.point;
+    for depth in (0..depth).rev() {
+        place = place.out(&places(depth), goes(depth));
+    }
+    let normal = place.normal.unit();
+    let sizes = place.point.abs() + place.error + normal.abs();
+    let is_finite = is_less(sizes.0[0] + sizes.0[1] + sizes.0[2], splat(f64::INFINITY));
+    let known = (told | located) & place.known & is_finite;
+    Some(Found {
+        known: known.to_bitmask(),
+        flat: flat.to_bitmask(),
+        resolved: Resolved {
+            clear: known,
+            t,
+            point: place.point,
+            error: place.error,
+            normal,
+        },
+        local,
+    })
+}
+
+impl Local {
+    #[inline(always)]
+    fn new(origin: V3, direction: V3) -> Local {
+        Local {
+            origin,
+            direction,
+            slack: [Lanes::ZERO; 2],
+        }
+    }
+
+    /// Through maps, where a mask is set.
+    #[inline(always)]
+    fn through(&self, places: &[&Placement; LANES], goes: Lanes) -> Local {
+        let maps = Maps::gathered(*places, |place| &place.back);
+        let Local {
+            origin,
+            direction,
+            slack,
+        } = *self;
+        let turns = goes & mask(lanes_where(|lane| !places[lane].back.moves()));
+        let spread = maps.sizes(V3::splat(Vec3::ONE)).max_component();
+        let room = Lanes::splat(ROOM);
+        let [x, y, z] = (maps.sizes(origin.abs()) + maps.offset.abs()).0;
+        let vector = maps.sizes(direction.abs()).max_component();
+        let lost = [x + y + z, vector].map(|size| Lanes::splat(ROOM * gamma(5)) * size);
+        Local {
+            origin: V3::either(goes, maps.point(origin), origin),
+            direction: V3::either(turns, maps.vector(direction), direction),
+            slack: [
+                either(goes, lost[0] + room * spread * slack[0], slack[0]),
+                either(turns, lost[1] + room * spread * slack[1], slack[1]),
+            ],
+        }
+    }
+
+    #[inline(always)]
+    fn at(&self, t: Lanes) -> V3 {
+        self.origin + self.direction * t
+    }
+
+    /// Whether the maps on the way here have surely not moved the line by more than a little at t: see
+    /// [`Line::is_blurred_at`](crate::geometry::line::Line::is_blurred_at).
+    #[inline(always)]
+    fn is_sharp(&self, t: Lanes) -> Lanes {
+        let drift = self.slack[1] * t.abs();
+        let reach = self.origin.abs().max_component();
+        let at = self.at(t).abs().max_component();
+        is_at_most(
+            drift,
+            Lanes::splat(BLURRED * UNIT_ROUNDOFF) * reach.fast_max(at),
+        )
+    }
+}
+
+/// Vectors divided by a power of two not below `least`, so that the largest component is below 2, and that power.
+#[inline(always)]
+fn normalised(v: V3, least: f64) -> (V3, Lanes) {
+    let exponent = v.abs().max_component() & Lanes::splat(f64::INFINITY);
+    let scale = exponent.fast_max(Lanes::splat(least));
+    (v * (Lanes::splat(1.0) / scale), scale)
+}
+
+impl Bounded {
+    /// x/y, if y is known to be no zero.
+    #[inline(always)]
+    fn quotient(x: Bounded, y: Bounded) -> Bounded {
+        let value = x.value / y.value;
+        let splat = Lanes::splat;
+        let carried = (x.error + y.error * value.abs()) / y.value.abs();
+        Bounded {
+            value,
+            error: splat(2.0) * carried + splat(gamma(3)) * value.abs(),
+        }
+    }
+
+    /// Where the sign is surely the value's.
+    #[inline(always)]
+    fn is_sure(self) -> Lanes {
+        is_greater(self.value.abs(), self.error + self.error)
+    }
+}
+
+impl Forms {
+    #[inline(always)]
+    fn gathered(of: [&Axial; LANES]) -> Forms {
+        Forms {
+            square: V3::gathered(of, |form| &form.square),
+            linear: V3::gathered(of, |form| &form.linear),
+            constant: gathered(of, |form| form.constant),
+            unit: V3::gathered(of, |form| &form.unit),
+            curves: V3::gathered(of, |form| &form.curves),
+            weight: gathered(of, |form| form.weight),
+            height: gathered(of, |form| form.height),
+        }
+    }
+
+    /// A vector in units of the form.
+    #[inline(always)]
+    fn scaled(&self, v: V3) -> V3 {
+        V3(each([0, 1, 2], |i: usize| v.0[i] / self.unit.0[i]))
+    }
+
+    /// w²·F(x/w), and the sum of the sizes of its terms.
+    #[inline(always)]
+    fn value(&self, x: V3, w: Lanes) -> (Lanes, Lanes) {
+        let mut sum = self.constant * w * w;
+        let mut size = sum.abs();
+        for i in 0..3 {
+            let square = self.square.0[i] * x.0[i] * x.0[i];
+            let linear = self.linear.0[i] * x.0[i] * w;
+            sum = sum + square + linear;
+            size = size + square.abs() + linear.abs();
+        }
+        (sum, size)
+    }
+
+    /// The gradient of F at x, in the form's own units.
+    #[inline(always)]
+    fn gradient(&self, x: V3) -> V3 {
+        let two = Lanes::splat(2.0);
+        V3(each([0, 1, 2], |i: usize| {
+            two * self.square.0[i] * x.0[i] + self.linear.0[i]
+        }))
+    }
+
+    /// See `Chord` of [`shapes::quadric`](crate::trace::shapes::quadric).
+    #[inline(always)]
+    fn chords(&self, line: &Local) -> Chords {
+        let splat = Lanes::splat;
+        let (zero, one, two, four) = (Lanes::ZERO, splat(1.0), splat(2.0), splat(4.0));
+        let (d, length) = normalised(line.direction, 0.0);
+        let (direction, stretch) = normalised(self.scaled(d), 0.0);
+        let (offset, shrink) = normalised(self.scaled(line.origin), 1.0);
+        let heavy = direction.times(self.curves);
+        let back = -(offset.dot(heavy) / direction.dot(heavy)) * (shrink / stretch);
+        let moved = V3(each([0, 1, 2], |i: usize| {
+            fused(d.0[i], back, line.origin.0[i])
+        }));
+        let away = line.slack[1] * (back / length).abs();
+        let (p, scale) = normalised(moved, 1.0);
+        let (p, again) = normalised(self.scaled(p), 1.0);
+        let w = one / scale / again;
+        let usual = |scale: Lanes| {
+            is_greater(scale, splat(LEAST_SCALE)) & is_less(scale, splat(LEAST_SCALE.recip()))
+        };
+        let usual = usual(length) & usual(stretch) & usual(shrink) & usual(scale) & usual(again);
+        let usual = usual & is_at_most(away, line.origin.abs().max_component());
+
+        // How far the line in hand may be from the one that is meant.
+        let inverse = V3(each(self.unit.0, |unit| splat(ROOM) / unit.abs())).max_component();
+        let strays = (line.slack[0] + away) * inverse * w;
+        let turns = line.slack[1] / length / stretch * inverse;
+        let a = {
+            let (value, size) = self.leading(direction);
+            Bounded {
+                value,
+                error: splat(8.0 * UNIT_ROUNDOFF) * size + self.weight * turns * (two + turns),
+            }
+        };
+        let rounded = splat(ROOM * gamma(OPERATIONS));
+        let b = {
+            let (mut sum, mut size) = (zero, zero);
+            for i in 0..3 {
+                let square = two * self.square.0[i] * p.0[i] * direction.0[i];
+                let linear = self.linear.0[i] * direction.0[i] * w;
+                sum = sum + square + linear;
+                size = size + square.abs() + linear.abs();
+            }
+            Bounded {
+                value: sum,
+                error: rounded * size + self.weight * (two * (strays + turns) + strays * turns),
+            }
+        };
+        let c = {
+            let (value, size) = self.value(p, w);
+            Bounded {
+                value,
+                error: rounded * size + self.weight * strays * (two + strays),
+            }
+        };
+        let discriminant = {
+            let twice = four * a.value;
+            let product = twice * c.value;
+            let error = fused(-twice, c.value, product);
+            let value = fused(b.value, b.value, -product) + error;
+            let terms = a.value.abs() * c.error + c.value.abs() * a.error;
+            Bounded {
+                value,
+                error: splat(ROOM)
+                    * (splat(2.0 * UNIT_ROUNDOFF) * value.abs()
+                        + two * b.value.abs() * b.error
+                        + four * terms
+                        + b.error * b.error
+                        + four * a.error * c.error)
+                    + splat(f64::MIN_POSITIVE / UNIT_ROUNDOFF),
+            }
+        };
+        let root = discriminant.value.sqrt();
+        let q = {
+            let sum = either(is_greater(b.value, zero), -(b.value + root), root - b.value);
+            let value = sum / two;
+            Bounded {
+                value,
+                error: (b.error + discriminant.error / root) / two + splat(gamma(4)) * value.abs(),
+            }
+        };
+        let (x, y) = (Bounded::quotient(q, a), Bounded::quotient(c, q));
+        let ordered = is_at_most(x.value, y.value);
+        let [first, last] = [(x, y), (y, x)].map(|(x, y)| Bounded {
+            value: either(ordered, x.value, y.value),
+            error: either(ordered, x.error, y.error),
+        });
+        let told = usual
+            & is_greater(discriminant.value, discriminant.error + discriminant.error)
+            & a.is_sure()
+            & q.is_sure();
+        let (ends, flat, is_in) = self.cut(
+            [p.0[1], direction.0[1], w],
+            (a, b),
+            [first, last],
+            [strays, turns],
+        );
+        let t = each(ends, |tau| (back + tau / w / stretch) / length);
+        let known = told & is_in & is_less(t[0], t[1]) & is_less(t[1] - t[0], splat(f64::INFINITY));
+        Chords { known, t, flat }
+    }
+
+    /// dᵀAd in twice the working precision, and the sizes of its terms.
+    #[inline(always)]
+    fn leading(&self, d: V3) -> (Lanes, Lanes) {
+        let (mut sum, mut lost, mut size) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
+        for i in 0..3 {
+            let (k, x) = (self.square.0[i], d.0[i]);
+            let half = k * x;
+            let half_error = fused(k, x, -half);
+            let term = half * x;
+            let term_error = fused(half, x, -term) + half_error * x;
+            let next = sum + term;
+            let back = next - sum;
+            let rest = (sum - (next - back)) + (term - back) + term_error;
+            lost += rest;
+            sum = next;
+            size += term.abs();
+        }
+        (sum + lost, size)
+    }
+
+    /// What of the stretches inside of the polynomials is in the solids, which of the ends are flat, and where that is known:
+    /// of cones what is between the apex and the base, of all others everything.
+    #[inline(always)]
+    fn cut(
+        &self,
+        [height, rising, w]: [Lanes; 3],
+        (a, b): (Bounded, Bounded),
+        [first, last]: [Bounded; 2],
+        [strays, turns]: [Lanes; 2],
+    ) -> ([Lanes; 2], [Lanes; 2], Lanes) {
+        let splat = Lanes::splat;
+        let (zero, infinity) = (Lanes::ZERO, splat(f64::INFINITY));
+        let closed = is_greater(a.value, zero);
+        let is_cone = is_greater(self.height.abs(), zero);
+        if !is_cone.any() {
+            return ([first.value, last.value], [zero; 2], closed);
+        }
+        // The half of the double cone where y is positive: a bounded stretch is in the one of its middle, and of two others
+        // the one that the line rises into.
+        let two = splat(2.0);
+        let middle = Bounded::quotient(
+            Bounded {
+                value: -b.value,
+                error: b.error,
+            },
+            Bounded {
+                value: two * a.value,
+                error: two * a.error,
+            },
+        );
+        let off = |end: Bounded| {
+            rising.abs() * end.error + strays + turns * (end.value.abs() + end.error)
+        };
+        let step = middle.value * rising;
+        let y = height + step;
+        let y_error = splat(gamma(5)) * (height.abs() + step.abs()) + off(middle);
+        let is_upper = is_greater(y, y_error + y_error);
+        let falls = is_less(rising, zero);
+        let from = |finite: Lanes, end: Bounded, infinite: Lanes| Bounded {
+            value: either(finite, end.value, infinite),
+            error: either(finite, end.error, zero),
+        };
+        let starts = from(closed | !falls, either_of(closed, first, last), -infinity);
+        let stops = from(closed | falls, either_of(closed, last, first), infinity);
+        let below = |end: Bounded| {
+            let finite = is_less(end.value.abs(), infinity);
+            let step = rising * end.value;
+            let left = w - height - step;
+            let error = splat(gamma(7)) * (w + height.abs() + step.abs()) + off(end);
+            let sure = is_greater(left.abs(), error + error);
+            (finite & is_greater(left, zero), sure | !finite)
+        };
+        let (starts_below, start_is_sure) = below(starts);
+        let (stops_below, stop_is_sure) = below(stops);
+        let at = (w - height) / rising;
+        let ends = [
+            either(starts_below, starts.value, at),
+            either(stops_below, stops.value, at),
+        ];
+        let ends = [
+            either(is_cone, ends[0], first.value),
+            either(is_cone, ends[1], last.value),
+        ];
+        let known =
+            (is_upper | !closed) & start_is_sure & stop_is_sure & (starts_below | stops_below);
+        let flat = [is_cone & !starts_below, is_cone & !stops_below];
+        (ends, flat, either(is_cone, known, closed))
+    }
+
+    /// The points of lines at t, moved onto the surfaces, and where they are known; `flat` ends are planes.
+    #[inline(always)]
+    fn locate(&self, line: &Local, t: Lanes, flat: Lanes) -> Located {
+        let splat = Lanes::splat;
+        let rounded = splat(gamma(OPERATIONS));
+        let two = splat(2.0);
+        let squares = self.square.abs();
+        let curvature = Lanes::ZERO + two * squares.0[0] + two * squares.0[1] + two * squares.0[2];
+        let mut x = self.scaled(line.at(t));
+        let mut known = mask(ALL);
+        for _ in 0..2 {
+            let (value, size) = self.value(x, splat(1.0));
+            let g = self.gradient(x);
+            let square = g.dot(g);
+            let off = value.abs() + rounded * size;
+            let step = g * (value / square);
+            known = known & is_at_most(splat(4.0) * off * curvature, square);
+            x = x - step;
+        }
+        let (_, size) = self.value(x, splat(1.0));
+        let g = self.gradient(x);
+        let square = g.dot(g);
+        let error = g.abs() * (splat(2.0) * rounded * size / square);
+        let error = error.times(self.unit);
+        let point = x.times(self.unit);
+        let normal = self.scaled(g.unit());
+        let curved = Located {
+            point,
+            error: error + point.abs() * splat(gamma(3)),
+            normal,
+            known: known & mask(point.any()),
+        };
+        if !flat.any() {
+            return curved;
+        }
+        let zero = Lanes::ZERO;
+        let step = line.direction * t;
+        let mut point = line.origin + step;
+        point.0[1] = self.height;
+        let mut error = (line.origin.abs() + step.abs()) * splat(gamma(8));
+        error.0[1] = zero;
+        Located {
+            point: V3::either(flat, point, curved.point),
+            error: V3::either(flat, error, curved.error),
+            normal: V3::either(flat, V3([zero, self.height, zero]), curved.normal),
+            known: curved.known | flat,
+        }
+    }
+}
+
+#[inline(always)]
+fn either_of(mask: Lanes, a: Bounded, b: Bounded) -> Bounded {
+    Bounded {
+        value: either(mask, a.value, b.value),
+        error: either(mask, a.error, b.error),
+    }
+}
+
+/// Points of surfaces, in some space.
+struct Located {
+    point: V3,
+    error: V3,
+    normal: V3,
+    /// Where these are known.
+    known: Lanes,
+}
+
+impl Located {
+    /// Out of the spaces of placements, where a mask is set.
+    #[inline(always)]
+    fn out(&self, places: &[&Placement; LANES], goes: Lanes) -> Located {
+        let splat = Lanes::splat;
+        let back = Maps::gathered(*places, |place| &place.back);
+        let out = Maps::gathered(*places, |place| &place.out);
+        let before = self.error * splat(1.0 + gamma(3)) + self.point.abs() * splat(gamma(4));
+        let error = out.sizes(before.abs()) + out.offset.abs() * splat(gamma(4));
+        let normal = back.transposed(self.normal);
+        // What products lose by underflow is nothing beside this.
+        let is_usual = is_greater(normal.abs().max_component(), splat(LEAST_NORMAL));
+        Located {
+            point: V3::either(goes, out.point(self.point), self.point),
+            error: V3::either(goes, error, self.error),
+            normal: V3::either(goes, normal.unit(), self.normal),
+            known: self.known & (is_usual | !goes),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::line::Line;
+    use crate::testing::scene;
+    use crate::trace::Tracer;
+    use crate::trace::kernel::query::{NONE, Start, Tests, Within};
+    use crate::trace::kernel::scratch::Scratch;
+    use crate::trace::kernel::search::Met;
+    use crate::trace::kernel::tests::numbers;
+    use crate::trace::kernel::wave::{Hit, Ray};
+    use crate::trace::stats::Work;
+
+    /// A shape, moved and turned in groups so deep, and a ball far away.
+    fn text(shape: &str, depth: usize, number: &mut impl FnMut() -> f64) -> String {
+        let mut text = format!("2 {shape}\n3 11 900 0 0 1\n");
+        let mut whole = 2;
+        for i in 0..depth {
+            let mut turns = || 45.0 * (number() * 4.0).round();
+            let (a, b) = (turns(), turns());
+            text += &format!("{whole} -3 1 {} 1\n", 1.5 + number());
+            text += &format!("{whole} -2 {a} 1\n{whole} -2 {b} {}\n", 2 + i % 2);
+            text += &format!("{whole} -1 {} {} {}\n", number(), number(), number());
+            text += &format!("{} -101 {whole} 3\n", 10 + i);
+            whole = 10 + i;
+        }
+        text + &format!("1 9999 {whole} 0\n")
+    }
+
+    /// What is known has the bits of what the shape itself finds, on the way in and on the way out.
+    #[test]
+    fn points_have_the_bits_of_shapes() {
+        let shapes = [
+            "10 0.9 0.5 0.2",
+            "10 0.3 1.5 1.5",
+            "16 0.9 0.5",
+            "16 -0.4 0.6",
+            "15 1 0 0 0 0 0 0 0 0 0 1 0 0 0 0 -0.25",
+            "15 2 0 0 0.3 0 1.5 0 0 0 0 3 0 0.3 0 0 -1",
+        ];
+        let mut number = numbers();
+        for (shape, depth) in shapes.into_iter().flat_map(|s| (0..4).map(move |d| (s, d))) {
+            let scene = scene(&text(shape, depth, &mut number));
+            let tracer = Tracer::new(&scene).unwrap();
+            let stage = Stage::new(&tracer.graph, 100).expect("shapes for the kernel");
+            let (mut scratch, mut tests) = (Scratch::default(), Tests::default());
+            let (mut wave, mut hits) = (Vec::new(), Vec::new());
+            let mut look = |start: Start, wave: &mut Vec<Ray>, hits: &mut Vec<Hit>| {
+                let Met::Surface(crossing, sides) = stage.first(&start, &mut scratch, &mut tests)
+                else {
+                    return None;
+                };
+                if stage.leaves[crossing.surface as usize].quadric.is_none() {
+                    return None;
+                }
+                hits.push(Hit {
+                    ray: wave.len() as u32,
+                    crossing,
+                    sides,
+                });
+                wave.push(Ray {
+                    start,
+                    weight: [1.0; 3],
+                    node: 0,
+                    pixel: 0,
+                    depth: 0,
+                });
+                Some(crossing)
+            };
+            for i in 0..2_000 {
+                let mut vector = || Vec3::new(number(), number(), number());
+                let (from, to) = (vector() * 9.0, vector());
+                let mut direction = (to - from) * (1.0 + number());
+                if i % 9 == 0 {
+                    direction.0[i / 9 % 3] = 0.0;
+                }
+                let mut start = Start {
+                    origin: from.0,
+                    direction: direction.0,
+                    skin: 0.0,
+                    left: NONE,
+                    face: 0,
+                    goes_in: false,
+                    within: Within::NOTHING,
+                };
+                if let Some(mut crossing) = look(start, &mut wave, &mut hits)
+                    && stage.sharpen(&start, &mut crossing, &mut Default::default())
+                {
+                    let leaf = &stage.leaves[crossing.surface as usize];
+                    let line = Line::new(from, direction);
+                    let place = stage.locate(&line, leaf, crossing.root, &mut Work::default());
+                    start.origin = place.point.0;
+                    start.skin = 2.0 * place.error.max_component();
+                    (start.left, start.goes_in) = (leaf.twin, true);
+                    start.within = Within::one(leaf.solid);
+                    look(start, &mut wave, &mut hits);
+                }
+            }
+            let mut known = 0;
+            for some in hits.chunks(LANES) {
+                let four = Four::new(&wave, &stage.leaves, some);
+                let found = meet(&stage, &four).expect("forms without mixed terms");
+                let all = found.resolved;
+                for lane in (0..some.len()).filter(|lane| found.known >> lane & 1 != 0) {
+                    known += 1;
+                    let (leaf, ray) = (four.leaves[lane], four.rays[lane]);
+                    let mut crossing = some[lane].crossing;
+                    let is_told = stage.sharpen(&ray.start, &mut crossing, &mut Default::default());
+                    assert!(is_told, "{shape} {depth} {:?}", ray.start);
+                    let line = Line::new(Vec3(ray.start.origin), Vec3(ray.start.direction));
+                    let place = stage.locate(&line, leaf, crossing.root, &mut Work::default());
+                    let of = |v: V3| Vec3(v.columns().map(|column| column[lane]));
+                    assert_eq!(
+                        (all.t.to_array()[lane], found.flat >> lane & 1),
+                        (crossing.root.t, crossing.root.face),
+                        "{shape} {depth} {:?}",
+                        ray.start
+                    );
+                    assert_eq!(
+                        [
+                            of(all.point),
+                            of(all.error),
+                            of(all.normal),
+                            of(found.local)
+                        ],
+                        [place.point, place.error, place.normal, place.local],
+                        "{shape} {depth} {:?}",
+                        ray.start
+                    );
+                }
+            }
+            assert!(
+                hits.len() > 50 && known * 100 > hits.len() * 97,
+                "{shape} {depth}: {known} of {}",
+                hits.len()
+            );
+        }
+    }
+}
