@@ -18,6 +18,7 @@ mod scenes;
 mod shell;
 mod slips;
 mod student;
+mod switched_off;
 mod tenth;
 mod whole;
 

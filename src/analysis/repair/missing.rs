@@ -2,7 +2,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::named;
+use super::{named, switched_off};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::scene::{Entity, names};
@@ -31,7 +31,8 @@ struct Ids<'a> {
 /// tried by the caller.
 pub(super) fn retell(analysis: &Analysis, findings: &mut Vec<Diagnostic>) {
     let is_of_id = |d: &&Diagnostic| {
-        matches!(d.code, Code::E101 | Code::E103) && matches!(d.case, "" | "changed")
+        let is_open = matches!(d.case, "" | "changed") && !switched_off::is_told(d);
+        matches!(d.code, Code::E101 | Code::E103) && is_open
     };
     let mut seen = FxHashSet::default();
     let mut ids: Vec<u32> = (findings.iter().filter(is_of_id))
