@@ -12,6 +12,7 @@ mod messages;
 mod mistaken;
 mod mug;
 mod newcomers;
+mod operands;
 mod order;
 mod rules;
 mod scenes;

@@ -18,6 +18,7 @@ mod missing;
 mod retell;
 mod slashes;
 mod switched_off;
+mod unused_operand;
 mod whole;
 
 use rustc_hash::FxHashSet;
@@ -59,6 +60,7 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
         in_comments::retell(engine.analysis, &mut engine.findings);
         engine.switched_off();
         missing::retell(engine.analysis, &mut engine.findings);
+        unused_operand::add(engine.analysis, &mut engine.findings);
         engine.whole();
         engine.elsewhere();
         engine.lines();

@@ -106,6 +106,11 @@ folded-cut = { $count ->
 ## Společné věty
 
 fix-write = napsat { $number }
+fix-write-all = { $count ->
+    [one] napsat { $number } v tomto záznamu
+    [few] napsat { $number } ve všech { $count } záznamech
+   *[other] napsat { $number } ve všech { $count } záznamech
+}
 fix-space = chybí-li mezera, napsat { $number }
 fix-defined = napsat { $number } v definici výše
 fix-both-ways = je-li to totéž číslo v obou směrech, napsat { $number }

@@ -98,6 +98,10 @@ folded-cut = { $count ->
 ## Shared phrases
 
 fix-write = write { $number }
+fix-write-all = { $count ->
+    [one] write { $number } in this record
+   *[other] write { $number } in all { $count } records
+}
 fix-space = if a space is missing, write { $number }
 fix-defined = write { $number } in the definition above
 fix-both-ways = if it is the same number both ways, write { $number }
