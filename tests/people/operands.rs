@@ -93,3 +93,15 @@ fn an_operand_below_or_an_unused_one() {
         assert!(!fixed(&scene(&text)).contains("4 -103 2 3"));
     }
 }
+
+/// A lamp that is a copy has no intensity to be written otherwise.
+#[test]
+fn a_lamp_copied_and_not_moved() {
+    let text = scene("2 11 0 1 0 1\n").replace("1 9999", "51 -105 50\n1 9999");
+    let all = repair::proposals(&read(&text));
+    assert!(all.iter().all(|d| d.fixes.is_empty()), "{all:?}");
+    assert!(all.iter().any(|d| d.code == Code::W333), "{all:?}");
+    let moved = text.replace("51 -105 50\n", "51 -105 50\n51 -1 -8 0 0\n");
+    let all = repair::proposals(&read(&moved));
+    assert!(all.iter().all(|d| d.code != Code::W333), "{all:?}");
+}

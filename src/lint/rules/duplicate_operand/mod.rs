@@ -1,8 +1,10 @@
 //! W333: a union or an intersection of an object with itself, or a union with a copy of it that stays
-//! where it was, or with a shape that equals it; a checkerboard of one colour.
+//! where it was, or with a shape that equals it; a checkerboard of one colour; two equal lamps in
+//! one place.
 
 mod checkerboard;
 mod equal;
+mod lamps;
 
 use std::cell::LazyCell;
 
@@ -17,9 +19,11 @@ use crate::syntax::quote;
 use crate::syntax::table::Kind;
 
 pub(super) use checkerboard::of_one_colour;
+pub(super) use equal::are as are_equal;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.extend(checkerboard::check(context));
+    lamps::check(context, out);
     let scene = context.scene;
     let live = live_nodes(scene);
     let originals = originals(scene);
