@@ -12,12 +12,14 @@ mod messages;
 mod mistaken;
 mod mug;
 mod newcomers;
+mod operands;
 mod order;
 mod rules;
 mod scenes;
 mod shell;
 mod slips;
 mod student;
+mod switched_off;
 mod tenth;
 mod whole;
 

@@ -59,6 +59,12 @@ pub fn read(line: &str) -> Option<CommentedOut> {
     })
 }
 
+/// A line as a comment, which [`read`] reads.
+pub fn comment_out(line: &str) -> String {
+    let coded = line.replace('~', TILDE).replace('#', SIGN);
+    format!("{}{coded}{END}", begin(false))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

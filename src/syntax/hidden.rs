@@ -1,7 +1,7 @@
 //! Records that are lost in comments.
 
-use super::commented_out::is_commented_out;
-use super::lexer::TokenKind;
+use super::commented_out::{SIGN, TILDE, is_commented_out};
+use super::lexer::{Token, TokenKind};
 use super::table::{RecordKind, RecordType};
 use super::{Document, Item};
 use crate::diagnostics::Span;
@@ -51,6 +51,79 @@ pub fn records(text: &str, document: &Document) -> Vec<(Span, Vec<Hidden>)> {
         }
     }
     out
+}
+
+/// A line that is a comment and would be records without it.
+#[derive(Debug)]
+pub struct Line {
+    /// All of the line that is to be replaced.
+    pub span: Span,
+    /// The line without the signs of the comment.
+    pub text: String,
+    pub document: Document,
+}
+
+/// The lines that are comments around records, and nothing else.
+pub fn lines(text: &str, document: &Document) -> Vec<Line> {
+    let mut out = Vec::new();
+    let mut budget = BYTES_MAX;
+    let tokens = &document.tokens;
+    let newline = |t: &&Token| t.kind() == TokenKind::Newline;
+    let mut at = 0;
+    while at < tokens.len() {
+        let rest = &tokens[at..];
+        let end = rest.iter().position(|t| newline(&t)).unwrap_or(rest.len());
+        at += end + 1;
+        let line = &rest[..end];
+        let line = match line {
+            [void, rest @ ..] if void.text(text) == "0" => rest,
+            line => line,
+        };
+        let [comment] = line else { continue };
+        if !comment.kind().is_comment() {
+            continue;
+        }
+        let Some(inside) = inside(comment, text) else {
+            continue;
+        };
+        budget = match budget.checked_sub(inside.len()) {
+            Some(left) => left,
+            None => return out,
+        };
+        // `1 0` is as likely to be a pair of numbers as a placeholder.
+        let is_record =
+            |item: &Item| matches!(item, Item::Record(r) if r.kind != RecordKind::Undefined);
+        if let Some(document) = super::parser::parse_plain(&inside)
+            && !document.items.is_empty()
+            && document.items.iter().all(is_record)
+        {
+            out.push(Line {
+                span: Span::new(rest[0].start, comment.end()),
+                text: inside,
+                document,
+            });
+        }
+    }
+    out
+}
+
+/// What a comment on a line has in it, where that begins with a number. A comment that is not closed may have one in it.
+fn inside(comment: &Token, text: &str) -> Option<String> {
+    let written = comment.text(text);
+    let inside = written.strip_prefix('#')?;
+    let inside = match comment.kind() {
+        TokenKind::Comment => inside.strip_suffix('#')?,
+        _ => inside,
+    };
+    let inside = match is_commented_out(written) {
+        true => (inside.trim_start_matches([' ', '~', '+']))
+            .replace(SIGN, "#")
+            .replace(TILDE, "~"),
+        false => inside.to_owned(),
+    };
+    let inside = inside.trim();
+    let is_number = inside.starts_with(|c: char| c.is_ascii_digit());
+    (is_number && !inside.contains('\n')).then(|| inside.to_owned())
 }
 
 /// The stretches of lines that begin with a number: prose is not worth reading.

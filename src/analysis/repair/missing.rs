@@ -2,7 +2,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::named;
+use super::{named, switched_off};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::scene::{Entity, names};
@@ -31,7 +31,8 @@ struct Ids<'a> {
 /// tried by the caller.
 pub(super) fn retell(analysis: &Analysis, findings: &mut Vec<Diagnostic>) {
     let is_of_id = |d: &&Diagnostic| {
-        matches!(d.code, Code::E101 | Code::E103) && matches!(d.case, "" | "changed")
+        let is_open = matches!(d.case, "" | "changed") && !switched_off::is_told(d);
+        matches!(d.code, Code::E101 | Code::E103) && is_open
     };
     let mut seen = FxHashSet::default();
     let mut ids: Vec<u32> = (findings.iter().filter(is_of_id))
@@ -158,6 +159,12 @@ impl<'a> Ids<'a> {
         if properties > 0 && uses > wrong + self.copied(id) {
             return None;
         }
+        if own
+            .first()
+            .is_some_and(|first| self.has_lost_digit(id, first))
+        {
+            return None;
+        }
         let lights = (own.iter()).all(|r| match r.ty().effect {
             Effect::Changes(kinds) | Effect::DefinesOrChanges(_, kinds) => {
                 kinds.contains(&Kind::PointLight)
@@ -200,6 +207,14 @@ impl<'a> Ids<'a> {
             // All references of a record may be off by the same number.
             [a, b] if self.is_shifted(user, [a.id, b.id]) => None,
             [a, b] => {
+                // Of a chain the union before comes first.
+                let is_made = |id: u32| {
+                    (self.records.iter()).any(|r| r.id == id && r.ty().family == Family::Operation)
+                };
+                let (a, b) = match is_made(b.id) && !is_made(a.id) {
+                    true => (b, a),
+                    false => (a, b),
+                };
                 let text = format!("{id} -101 {} {}", a.id, b.id);
                 let span = Span::new(start, start);
                 let edits = vec![Edit {
@@ -297,6 +312,13 @@ impl<'a> Ids<'a> {
     /// Whether a record names two things with IDs that are all off by one or two.
     fn is_shifted(&self, user: &Record, left: [u32; 2]) -> bool {
         let named: Vec<u32> = names::references(&self.analysis.document, user).collect();
+        // Nothing would need what is named here alone.
+        let is_object = |e: &Entity| e.kind == Some(Kind::Object);
+        let objects = self.analysis.scene.entities.iter().filter(|e| is_object(e));
+        let mut only_here = objects.filter(|e| named.contains(&e.id) && self.uses(e.id) == 1);
+        if only_here.next().is_some() {
+            return false;
+        }
         let is_off = |by: i64| {
             let mut meant = named.iter().map(|&id| i64::from(id) + by);
             named.len() == left.len() && meant.all(|id| left.iter().any(|&l| i64::from(l) == id))
@@ -343,6 +365,20 @@ impl<'a> Ids<'a> {
                 .any(|e| !self.moved.contains(&e.id)),
             false => own && self.unused(Kind::Object, u32::MAX).next().is_some(),
         }
+    }
+
+    /// Whether the first record of an ID stands right below one of an object whose ID has one digit more, or less: all of
+    /// them are rather of that object.
+    fn has_lost_digit(&self, id: u32, first: &Record) -> bool {
+        let behind = self.records.partition_point(|r| r.first < first.first);
+        let Some(above) = behind.checked_sub(1).map(|i| self.records[i].id) else {
+            return false;
+        };
+        let mut entities = self.analysis.scene.entities.iter();
+        let is_object = entities.any(|e| e.id == above && e.kind == Some(Kind::Object));
+        let (a, b) = (id.to_string(), above.to_string());
+        let is_slip = a.len().abs_diff(b.len()) == 1 && strsim::osa_distance(&a, &b) == 1;
+        is_object && is_slip && id != above + 1 && self.uses(id) == 0
     }
 
     /// How many records copy something.

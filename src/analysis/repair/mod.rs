@@ -17,6 +17,8 @@ mod judge;
 mod missing;
 mod retell;
 mod slashes;
+mod switched_off;
+mod unused_operand;
 mod whole;
 
 use rustc_hash::FxHashSet;
@@ -56,7 +58,9 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
     if analysis.is_records() && engine.findings.iter().any(is_tried) {
         heads::retell(engine.analysis, &mut engine.findings);
         in_comments::retell(engine.analysis, &mut engine.findings);
+        engine.switched_off();
         missing::retell(engine.analysis, &mut engine.findings);
+        unused_operand::add(engine.analysis, &mut engine.findings);
         engine.whole();
         engine.elsewhere();
         engine.lines();
@@ -227,6 +231,7 @@ impl Engine<'_> {
             let settled = has_safe_fix(finding)
                 || whole::is_of_many(finding)
                 || in_comments::is_told(finding)
+                || switched_off::is_told(finding)
                 || missing::is_told(finding)
                 || early::is_told(finding)
                 || definitions::is_told(finding);
@@ -559,6 +564,7 @@ fn defines(analysis: &Analysis, id: Option<u32>) -> bool {
 fn undefined(findings: &[Diagnostic]) -> Vec<u32> {
     let mut all: Vec<u32> = (findings.iter())
         .filter(|d| d.code == Code::E101 && !in_comments::is_told(d) && !missing::is_told(d))
+        .filter(|d| !switched_off::is_told(d))
         .filter_map(named)
         .take(TRIALS)
         .collect();

@@ -3,7 +3,7 @@
 use super::whole::Matter;
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Span, Value};
-use crate::syntax::commented_out::{self, SIGN, TILDE};
+use crate::syntax::commented_out::comment_out;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
 
@@ -154,12 +154,7 @@ const END: &str = "*/";
 fn commented(line: &str, is_behind: bool) -> String {
     let is_record = line.starts_with(|c: char| c.is_ascii_digit());
     if is_record && !is_behind {
-        let coded = line.replace('~', TILDE).replace('#', SIGN);
-        return format!(
-            "{}{coded}{}",
-            commented_out::begin(false),
-            commented_out::END
-        );
+        return comment_out(line);
     }
     let words = line.replace('#', " ");
     let words: Vec<&str> = words.split_whitespace().collect();

@@ -106,6 +106,11 @@ folded-cut = { $count ->
 ## Společné věty
 
 fix-write = napsat { $number }
+fix-write-all = { $count ->
+    [one] napsat { $number } v tomto záznamu
+    [few] napsat { $number } ve všech { $count } záznamech
+   *[other] napsat { $number } ve všech { $count } záznamech
+}
 fix-space = chybí-li mezera, napsat { $number }
 fix-defined = napsat { $number } v definici výše
 fix-both-ways = je-li to totéž číslo v obou směrech, napsat { $number }
@@ -117,6 +122,12 @@ fix-comment = dát to do komentáře
 fix-doubled = vynechat čísla, která jsou tu dvakrát
 fix-operation = nad ostatní záznamy s jeho ID napsat `{ $text }`: { $first } a { $last } nejsou nikde použity
 fix-union = napsat nad něj `{ $text }`, sjednocení dvou objektů, které nejsou nikde použity
+fix-switch-on = { $count ->
+    [one] vyjmout záznam { $id } z komentáře
+   *[other] vyjmout z komentářů záznam { $id } i to, co potřebuje
+}
+fix-first-operand = místo { $id } napsat { $number }, první operand záznamu v komentáři
+fix-switch-off = obejít se bez { $id }: dát do komentáře i { $type } { $other } a místo { $other } napsat { $number }
 fix-again = odstranit ho: tentýž záznam je už o řádek výš
 fix-decimal-comma = je-li v { $text } desetinná čárka, napsat { $number }
 lack = zapsaná čísla jsou možná { $have }; pak chybí { $missing } ({ $parameter })
@@ -126,6 +137,7 @@ no-part = bodové světlo svítí samo; není částí tělesa
 choose = několik odhadů je stejně dobrých: vyberte z nich, `--unsafe-fixes` nepoužije žádný
 undecided = `--unsafe-fixes` tento odhad nepoužije: jen vy víte, zda je správný
 refused = `--unsafe-fixes` tu žádný odhad nepoužije: nálezů by po něm nebylo méně
+switched-off = záznam { $id } je v komentáři na řádku { $line }
 comment-ends = komentář končí druhým znakem `#`; co stojí za ním, se čte jako čísla
 fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam
 fix-lamp-place = napsat intenzitu 1 a polohu jako samostatný záznam
@@ -476,6 +488,8 @@ E101 = { $id } není definováno
 E101-hidden = { E101 }
     .label = { E101.label }
     .help = ID { $id } je definováno uvnitř komentáře, který začíná na řádku { $line }
+E101-switched-off = { E101 }
+    .label = mimo komentáře nemá toto ID žádný záznam
 E101-missing = { E101 }: možná chybí jeho definice
     .label = toto zbylo z toho, co mělo ID { $id }
     .help = nad tento záznam napište záznam, který { $id } definuje

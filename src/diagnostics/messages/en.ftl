@@ -98,6 +98,10 @@ folded-cut = { $count ->
 ## Shared phrases
 
 fix-write = write { $number }
+fix-write-all = { $count ->
+    [one] write { $number } in this record
+   *[other] write { $number } in all { $count } records
+}
 fix-space = if a space is missing, write { $number }
 fix-defined = write { $number } in the definition above
 fix-both-ways = if it is the same number both ways, write { $number }
@@ -109,6 +113,12 @@ fix-comment = turn this into a comment
 fix-doubled = drop the numbers that stand there twice
 fix-operation = put `{ $text }` above the other records of its ID: { $first } and { $last } are not used
 fix-union = put `{ $text }` above: a union of the two objects that nothing uses
+fix-switch-on = { $count ->
+    [one] take the record of { $id } out of its comment
+   *[other] take the record of { $id } and what it needs out of their comments
+}
+fix-first-operand = write { $number } for { $id }: it is the first operand of the record in the comment
+fix-switch-off = do without { $id }: put the { $type } { $other } into a comment, too, and write { $number } for { $other }
 fix-again = remove it: the same record stands above
 fix-decimal-comma = if { $text } has a decimal comma, write { $number }
 lack = the numbers here may be { $have }, with { $missing } ({ $parameter }) left out
@@ -118,6 +128,7 @@ no-part = a light shines by itself; it is no part of an object
 choose = several guesses are as good: choose one, since `--unsafe-fixes` takes none of them
 undecided = `--unsafe-fixes` does not take this guess: only you know whether it is meant
 refused = `--unsafe-fixes` takes no guess here: there would be no fewer findings after it
+switched-off = the record of { $id } stands in the comment on line { $line }
 comment-ends = a comment ends at its second `#`; whatever comes after it is read as numbers
 fix-lamp = write the intensity 1, and the colour as a record of its own
 fix-lamp-place = write the intensity 1, and the position as a record of its own
@@ -466,6 +477,8 @@ E101 = { $id } is not defined
 E101-hidden = { E101 }
     .label = { E101.label }
     .help = ID { $id } is defined inside the comment that begins on line { $line }
+E101-switched-off = { E101 }
+    .label = no record outside of comments has this ID
 E101-missing = { E101 }: its definition may be missing
     .label = this is left of what had the ID { $id }
     .help = put the record that defines { $id } above this one

@@ -74,7 +74,8 @@ use ShapeKind as S;
 
 const CUTS: &[RecordKind] = &[R::Intersection, R::Difference];
 const UNIONS: &[RecordKind] = &[R::Union];
-const JOINS_AND_CHECKERBOARDS: &[RecordKind] = &[R::Union, R::Intersection, R::Checkerboard];
+/// What may stand there twice.
+const DOUBLED: &[RecordKind] = &[R::Union, R::Intersection, R::Checkerboard, R::PointLight];
 const DIFFERENCES: &[RecordKind] = &[R::Difference];
 const ROTATIONS: &[RecordKind] = &[R::Rotation];
 const INTERSECTIONS: &[RecordKind] = &[R::Intersection];
@@ -309,7 +310,7 @@ pub(super) const RULES: &[Rule] = &[
     Rule {
         code: Code::W333,
         check: duplicate_operand::check,
-        asks_for: &[JOINS_AND_CHECKERBOARDS],
+        asks_for: &[DOUBLED],
     },
     Rule {
         code: Code::W334,

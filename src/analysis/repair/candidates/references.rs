@@ -3,11 +3,11 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::{Candidate, Habit, LineContext, MAX_CANDIDATES};
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::scene::{Entity, names};
-use crate::syntax::Item;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Effect, Family, Kind, Param, ParamKind, RecordKind, RecordType};
+use crate::syntax::{Item, Record, quote};
 
 /// The title of the fix that takes out a record which stands there twice.
 pub(super) const AGAIN_TITLE: &str = "fix-again";
@@ -379,6 +379,7 @@ impl LineContext<'_> {
                 out.push(again);
                 return;
             }
+            out.extend(self.reversed_copy(undefined));
             let misused = self.misused_below();
             let new = undefined.iter().take(MAX_CANDIDATES / 2);
             let new = misused.iter().chain(new);
@@ -417,6 +418,7 @@ impl LineContext<'_> {
             return;
         }
         out.extend(self.as_lamp(finding, id, kinds));
+        out.extend(self.of_object_above(finding, id, kinds));
         let text = id.to_string();
         // Records with one ID on both sides are of one object, and so is this.
         let around = self
@@ -447,6 +449,19 @@ impl LineContext<'_> {
             (others.iter().take(MAX_CANDIDATES / 2))
                 .filter_map(|o| self.write(Habit::Id, &[(head, o.4.to_string())])),
         );
+    }
+
+    /// A copy with its ID and that of its original in each other's place, where nothing defines what it copies.
+    fn reversed_copy(&self, undefined: &[u32]) -> Option<Candidate> {
+        let is_copy = self.ty().is_some_and(|ty| ty.kind == RecordKind::Copy);
+        let (&[of], true) = (self.params(), is_copy) else {
+            return None;
+        };
+        let id = u32::try_from(of.integer(self.text)?).ok()?;
+        let head = self.tokens[0];
+        let texts = |t: &Token| t.text(self.text).to_owned();
+        let is_new = undefined.contains(&id);
+        is_new.then(|| self.write(Habit::Id, &[(head, texts(&of)), (of, texts(&head))]))?
     }
 
     /// The IDs of properties that are defined below and are used there as what they are not: that of an object of which
@@ -493,6 +508,37 @@ impl LineContext<'_> {
             "",
         );
         is_alone.then_some(Candidate::new(Habit::Id, fix))
+    }
+
+    /// All records of an ID that no other record names, as records of what stands right above them.
+    fn of_object_above(
+        &self,
+        finding: &Diagnostic,
+        id: u32,
+        kinds: &'static [Kind],
+    ) -> Option<Candidate> {
+        let document = &self.analysis.document;
+        let records: Vec<&Record> = document.items.iter().filter_map(Item::record).collect();
+        let own = |r: &&Record| r.id == id && !matches!(r.ty().effect, Effect::Defines(_));
+        let first = records.iter().position(own)?;
+        let count = records[first..].iter().take_while(|r| own(r)).count();
+        let all = records.iter().filter(|r| r.id == id).count();
+        let above = records[first.checked_sub(1)?].id;
+        let is_known = self.entities(kinds).any(|e| e.id == above);
+        let is_half = finding.code == Code::E103 && count > 1 && count == all && is_known;
+        if !is_half || self.named_ids().contains(&id) {
+            return None;
+        }
+        let heads = records[first..first + count].iter();
+        let new = heads.map(|r| (*document.id_token(r), above.to_string()));
+        let mut candidate = self.write(Habit::Id, &new.collect::<Vec<_>>())?;
+        let number = quote(&above.to_string());
+        candidate.fix.title = "fix-write-all";
+        candidate.fix.values = vec![
+            ("number", number.into()),
+            ("count", Value::Count(count as u64)),
+        ];
+        Some(candidate)
     }
 
     /// A light from everywhere that is moved as a lamp is: it may be one.

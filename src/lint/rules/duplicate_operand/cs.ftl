@@ -13,3 +13,7 @@ W333-same = { $type } { $id } má za oba operandy { $one-id }: je to totéž jak
 W333-checkerboard = šachovnice má za obě barvy { $one-id }: všechna její pole jsou stejná
     .label = tatáž barva podruhé
     .help = napište sem jinou barvu, nebo místo šachovnice použijte jen tuto barvu
+W333-lamps = bodová světla { $one-id } a { $two-id } jsou stejná a na jednom místě
+    .label = toto světlo je tam, kde je { $one-id }
+    .one = bodové světlo { $one-id }
+    .help = jedno z nich posuňte, například pomocí `{ $two-id } -1 x y z`, nebo dejte { $one-id } součet obou intenzit

@@ -13,3 +13,7 @@ W333-same = the { $type } { $id } is of { $one-id } and { $one-id }: it is the s
 W333-checkerboard = the checkerboard is of { $one-id } and { $one-id }: all its fields have one colour
     .label = the same colour again
     .help = name another colour here, or give the object this colour alone
+W333-lamps = the lamps { $one-id } and { $two-id } are equal and in one place
+    .label = this lamp is where { $one-id } is
+    .one = the lamp { $one-id }
+    .help = move one of the two, as with `{ $two-id } -1 x y z`, or give { $one-id } the sum of both intensities

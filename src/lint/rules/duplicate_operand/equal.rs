@@ -49,7 +49,7 @@ fn geometry(scene: &Scene, shape: u32) -> &Geometry {
 }
 
 /// Whether two shapes are the same but for rounding of where they are.
-pub(super) fn are(scene: &Scene, a: NodeId, b: NodeId) -> bool {
+pub(in crate::lint::rules) fn are(scene: &Scene, a: NodeId, b: NodeId) -> bool {
     let (Some((a, m)), Some((b, n))) = (placed(scene, a), placed(scene, b)) else {
         return false;
     };

@@ -1,24 +1,29 @@
 //! W333: a union or an intersection of an object with itself, or a union with a copy of it that stays
-//! where it was, or with a shape that equals it; a checkerboard of one colour.
+//! where it was, or with a shape that equals it; a checkerboard of one colour; two equal lamps in
+//! one place.
 
 mod checkerboard;
 mod equal;
+mod lamps;
 
 use std::cell::LazyCell;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::lint::{Context, live_nodes};
+use crate::scene::record::Params;
 use crate::scene::{Entity, Node, NodeId, Scene};
 use crate::solids::named_core;
 use crate::syntax::quote;
 use crate::syntax::table::Kind;
 
 pub(super) use checkerboard::of_one_colour;
+pub(super) use equal::are as are_equal;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.extend(checkerboard::check(context));
+    lamps::check(context, out);
     let scene = context.scene;
     let live = live_nodes(scene);
     let originals = originals(scene);
@@ -73,7 +78,7 @@ fn twice(
 }
 
 /// The objects that no record names.
-fn unused<'a>(context: &Context<'a>) -> Vec<&'a Entity> {
+pub(super) fn unused<'a>(context: &Context<'a>) -> Vec<&'a Entity> {
     let named: FxHashSet<u32> = (context.records())
         .flat_map(|r| context.references(r))
         .collect();
@@ -93,13 +98,22 @@ fn same(context: &Context, operation: NodeId, unused: &[&Entity]) -> Option<Diag
         .with("type", Value::Term(p.ty.title))
         .with("id", record.id.to_string())
         .with("one-id", id.to_string());
-    let mut above = unused.iter().filter(|e| e.span.start < record.span.start);
+    Some(match instead(&p, record.span, unused) {
+        Some(fix) => d.fix(fix),
+        None => d,
+    })
+}
+
+/// The only unused object above an operation, in the place of its second operand.
+pub(super) fn instead(p: &Params, operation: Span, unused: &[&Entity]) -> Option<Fix> {
+    let mut above = unused.iter().filter(|e| e.span.start < operation.start);
     let (Some(one), None) = (above.next(), above.next()) else {
-        return Some(d);
+        return None;
     };
     let text = one.id.to_string();
+    let place = p.span_of(SECOND, 1);
     let fix = Fix::replace("fix-write", Applicability::Unsafe, place, text.clone());
-    Some(d.fix(fix.with("number", quote(&text))))
+    Some(fix.with("number", quote(&text)))
 }
 
 /// The place of the second operand in its record.

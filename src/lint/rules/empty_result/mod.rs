@@ -1,5 +1,8 @@
 //! W319: an intersection or a difference that is empty for certain.
 
+use std::cell::LazyCell;
+
+use super::duplicate_operand;
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::lint::operations::{Proof, Proven};
@@ -9,9 +12,20 @@ use crate::solids::named;
 use crate::solids::proofs::Reason;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let unused = LazyCell::new(|| duplicate_operand::unused(context));
+    // Where an operation names one object twice, another one is meant, which nothing uses.
+    let other = |operation: NodeId| {
+        let span = context.scene.origins[operation as usize].span;
+        let p = context.params(span)?;
+        let is_twice = p.integer(0) == p.integer(1);
+        (is_twice.then(|| duplicate_operand::instead(&p, span, &unused))).flatten()
+    };
     for Proven { node, what } in context.proven() {
-        if let Proof::Empty(x, y, reason) = what {
-            out.extend(finding(context, *node, (*x, *y), reason));
+        if let Proof::Empty(x, y, reason) = what
+            && let Some(mut finding) = finding(context, *node, (*x, *y), reason)
+        {
+            finding.fixes.extend(other(*node));
+            out.push(finding);
         }
     }
 }

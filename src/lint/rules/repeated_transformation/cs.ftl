@@ -11,3 +11,7 @@ W336-shape = zde se posouvá { $id } a { $type } { $other } hned nad tím vůbec
     .label = kde je { $id }, říkají už čísla v definici
     .first = toto zůstane v počátku
     .help = posuňte { $other }; má-li se posunout { $id }, napište posunutí hned pod definici
+W336-group = { $change } pro { $id } stojí mezi záznamy objektu { $other }, který takový záznam nemá
+    .label = změní { $id } ještě jednou
+    .first = zde je definován { $other } ({ $type })
+    .help = napište sem { $other }; má-li se změnit { $id }, napište záznam pod ostatní záznamy { $id }

@@ -11,3 +11,7 @@ W336-shape = { $id } is moved here, and the { $type } { $other } right above is 
     .label = the numbers of { $id } say already where it is
     .first = this one stays at the origin
     .help = move { $other } instead; where { $id } is meant, write its move right below its definition
+W336-group = this { $change } of { $id } stands among the records of { $other }, which has none
+    .label = it changes { $id } once more
+    .first = the { $type } { $other } is defined here
+    .help = write { $other } here; where { $id } is meant, write the record below the others of { $id }

@@ -1,6 +1,8 @@
 //! W336: a transformation that stands there twice, one right behind the other, or that moves a lamp again in the place of
-//! the one right above; a note on a move of a shape that has a place, in the place of the one right above.
+//! the one right above; a note on a move of a shape that has a place, in the place of the one right above; a
+//! transformation of an earlier object among the records of a later one.
 
+mod group;
 mod other_shape;
 
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -30,6 +32,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             },
         );
     }
+    group::check(context, out);
     other_lamps(context, out);
     other_shape::check(context, out);
 }

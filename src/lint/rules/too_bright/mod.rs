@@ -8,7 +8,7 @@ use crate::lint::spelling::decimal;
 use crate::scene::{Entity, Geometry, Optics, Paint, Render, Rgb, Scene, Shape, Texture};
 use crate::solids::staging::{Viewpoint, staged};
 use crate::syntax::quote;
-use crate::syntax::table::Kind;
+use crate::syntax::table::{Family, Kind};
 use crate::trace::Images;
 use crate::trace::film::{MAX_BRIGHT_PERCENT, is_above_white};
 use std::ops::ControlFlow;
@@ -71,7 +71,10 @@ fn images(context: &Context) -> Option<Images> {
 /// The intensity of a light as a part, where it seems to be in per cent.
 fn of_per_cent(context: &Context, light: &Entity) -> Option<Fix> {
     const INTENSITY: usize = 0;
-    let p = context.params(light.span)?;
+    // A copy has no intensity of its own.
+    let p = context
+        .params(light.span)
+        .filter(|p| p.ty.family == Family::Light)?;
     let written: f64 = p.text_of(INTENSITY).parse().ok()?;
     let text = (10.0..=100.0)
         .contains(&written)

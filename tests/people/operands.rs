@@ -1,0 +1,107 @@
+//! Operands and IDs that are wrong while another object is used by nothing.
+
+use zpg::internals::analysis::{Analysis, fixing, repair};
+use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, Language, fixes};
+
+use super::read;
+
+/// A camera and a lamp.
+const REST: &str = "40 -501 0 2 8 0 -0.2 -1 0 1 0 40\n50 -402 0.9\n50 -1 4 6 5\n";
+
+fn scene(text: &str) -> String {
+    let drawn = text.lines().last().and_then(|l| l.split(' ').next());
+    format!("{text}{REST}1 9999 {} 0\n", drawn.unwrap())
+}
+
+/// The first finding of a code, and the scenes that its guesses make.
+fn guessed(text: &str, code: Code) -> (Diagnostic, Vec<String>) {
+    let all = repair::proposals(&read(text));
+    let finding = all.into_iter().find(|d| d.code == code).expect(text);
+    let made = |fix| fixes::apply(text, [fix].into_iter()).0;
+    let made = finding.fixes.iter().map(made).collect();
+    (finding, made)
+}
+
+fn fixed(text: &str) -> String {
+    let mended = fixing::to_fixed_point(read(text), true, Analysis::of);
+    mended.analysis.source.text.clone()
+}
+
+/// What is written, what is said of it, and what was meant. All lines but some at the end are the same.
+const MEANT: &[(&str, Code, &str)] = &[
+    // A union of a chain is lost.
+    (
+        "2 11 -2 1 0 1\n3 11 0 1 0 1\n4 11 2 1 0 1\n5 11 4 1 0 1\n20 -101 2 3\n22 -101 21 5\n",
+        Code::E101,
+        "2 11 -2 1 0 1\n3 11 0 1 0 1\n4 11 2 1 0 1\n5 11 4 1 0 1\n20 -101 2 3\n21 -101 20 4\n22 -101 21 5\n",
+    ),
+    // One object as both operands of a difference.
+    (
+        "2 12 -1 0 -1 1 2 1\n3 11 0 1 1 0.7\n4 -103 2 2\n",
+        Code::W319,
+        "2 12 -1 0 -1 1 2 1\n3 11 0 1 1 0.7\n4 -103 2 3\n",
+    ),
+    // A copy with both IDs in each other's place.
+    (
+        "2 11 0 1 0 1\n2 -105 3\n3 -1 2.5 0 0\n4 -101 2 3\n",
+        Code::E102,
+        "2 11 0 1 0 1\n3 -105 2\n3 -1 2.5 0 0\n4 -101 2 3\n",
+    ),
+    // An ID that has lost a digit on all lines but the first.
+    (
+        "2 11 0 1 0 1\n19 16 -1.2 0.5\n9 -1 0.5 1.2 0.4\n9 -701 0.95 0.7 0.1\n20 -101 2 19\n",
+        Code::E103,
+        "2 11 0 1 0 1\n19 16 -1.2 0.5\n19 -1 0.5 1.2 0.4\n19 -701 0.95 0.7 0.1\n20 -101 2 19\n",
+    ),
+];
+
+#[test]
+fn what_was_meant_comes_first() {
+    for (text, code, meant) in MEANT {
+        let (finding, made) = guessed(&scene(text), *code);
+        assert_eq!(made.first(), Some(&scene(meant)), "{finding:?}");
+        assert_eq!(fixed(&scene(text)), scene(meant));
+    }
+    let (finding, _) = guessed(&scene(MEANT[3].0), Code::E103);
+    for (language, said) in [
+        (Language::English, "write `19` in all 2 records"),
+        (Language::Czech, "napsat `19` ve všech 2 záznamech"),
+    ] {
+        assert_eq!(finding.wording(language).fixes[0], said);
+    }
+}
+
+/// What is defined below may have been meant, and so may an object above that nothing uses.
+#[test]
+fn an_operand_below_or_an_unused_one() {
+    let text = "2 12 -1 0 -1 1 2 1\n3 11 0 1 1 0.7\n4 -103 2 6\n6 11 3 1 0 1\n7 -101 4 6\n";
+    let (finding, made) = guessed(&scene(text), Code::E107);
+    let up = "2 12 -1 0 -1 1 2 1\n3 11 0 1 1 0.7\n6 11 3 1 0 1\n4 -103 2 6\n7 -101 4 6\n";
+    assert_eq!(
+        made,
+        [scene(up), scene(&text.replace("4 -103 2 6", "4 -103 2 3"))]
+    );
+    assert!((finding.fixes.iter()).all(|f| f.applicability == Applicability::Choice));
+    assert_eq!(fixed(&scene(text)), scene(text));
+    // Nothing else would be left of it, or there is nothing that is not used.
+    for text in [
+        text.replace("7 -101 4 6", "7 -101 4 3"),
+        text.replace("7 -101 4 6", "7 -101 4 6\n8 -101 7 3"),
+    ] {
+        let (_, made) = guessed(&scene(&text), Code::E107);
+        assert_eq!(made.len(), 1);
+        assert!(!fixed(&scene(&text)).contains("4 -103 2 3"));
+    }
+}
+
+/// A lamp that is a copy has no intensity to be written otherwise.
+#[test]
+fn a_lamp_copied_and_not_moved() {
+    let text = scene("2 11 0 1 0 1\n").replace("1 9999", "51 -105 50\n1 9999");
+    let all = repair::proposals(&read(&text));
+    assert!(all.iter().all(|d| d.fixes.is_empty()), "{all:?}");
+    assert!(all.iter().any(|d| d.code == Code::W333), "{all:?}");
+    let moved = text.replace("51 -105 50\n", "51 -105 50\n51 -1 -8 0 0\n");
+    let all = repair::proposals(&read(&moved));
+    assert!(all.iter().all(|d| d.code != Code::W333), "{all:?}");
+}
