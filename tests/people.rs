@@ -18,6 +18,7 @@ mod scenes;
 mod shell;
 mod slips;
 mod student;
+mod surplus;
 mod tenth;
 mod whole;
 

@@ -17,6 +17,7 @@ mod judge;
 mod missing;
 mod retell;
 mod slashes;
+mod surplus;
 mod whole;
 
 use rustc_hash::FxHashSet;
@@ -57,6 +58,7 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
         heads::retell(engine.analysis, &mut engine.findings);
         in_comments::retell(engine.analysis, &mut engine.findings);
         missing::retell(engine.analysis, &mut engine.findings);
+        surplus::retell(engine.analysis, &mut engine.findings);
         engine.whole();
         engine.elsewhere();
         engine.lines();
