@@ -197,3 +197,76 @@ fn numbers_that_stand_there_twice() {
         "2 7  -1 0 0  1 0 0  1 1 0  0 0 1",
     )]);
 }
+
+/// In other programs matrices act on rows.
+#[test]
+fn matrices_for_rows() {
+    is_meant(&[(
+        &boxed("-4 1 0 0 0  0 1 0 0  0 0 1 0  2 0 1 1"),
+        &boxed("-4 1 0 0 2  0 1 0 0  0 0 1 1  0 0 0 1"),
+    )]);
+    let written = boxed("-4 1 0 0 0  0 1 0 0  0 0 1 0  2 0 1 2");
+    assert!(proposed(&written).is_empty());
+}
+
+/// A rectangle without area is rather a plane.
+#[test]
+fn rectangles_with_the_numbers_of_a_plane() {
+    let floor = "3 5 0 1 0 0\n2 11 0 1 0 1\n2 -101 2 3";
+    let safe = fixing::to_fixed_point(read(&scene(floor)), false, Analysis::of);
+    assert_eq!(safe.analysis.source.text, scene(floor));
+    let all = proposed("2 5 0 1 0 0");
+    assert!(all.contains(&"2 4 0 1 0 0".to_owned()), "{all:?}");
+    assert!(proposed("2 5 0 3 0 0").is_empty());
+    is_meant(&[("2 5 0 3 1 0", "2 5 0 0 1 3")]);
+}
+
+/// Three parts of light for three channels are those of glass, if their sum is above 1.
+#[test]
+fn tinted_glass() {
+    let ball = |record: &str, behind: &str| format!("2 11 0 1 0 1\n2 {record}{behind}");
+    let index = "\n2 -203 1.5 1.5 1.5";
+    let meant = "-202 0 0 0.9  0 0 0.95  0 0 0.9";
+    is_meant(&[
+        (&ball("-202 0.9 0.95 0.9", index), &ball(meant, index)),
+        (
+            &ball("-202 0.9 0.95 0.9", " # glass #"),
+            &ball(meant, " # glass #"),
+        ),
+        (
+            &ball("-202 0.9 0.95 0.9", " # zelené sklo #"),
+            &ball(meant, " # zelené sklo #"),
+        ),
+        // Parts of one surface.
+        (
+            &ball("-202 0.1 0.1 0.8", index),
+            &ball("-201 0.1 0.1 0.8", index),
+        ),
+    ]);
+    let alone = ball("-202 0.9 0.95 0.9", "");
+    assert_eq!(fixed(&alone), alone);
+}
+
+/// ID and type in each other's place, where the line is right either way.
+#[test]
+fn shapes_that_are_right_either_way() {
+    for (written, meant) in [
+        ("11 3  0 1 0  1", "3 11  0 1 0  1"),
+        ("11 4  0 1 0  1", "4 11  0 1 0  1"),
+    ] {
+        let id = &meant[..1];
+        let lines = |ball: &str| format!("8 9 0.5\n{ball}\n{id} -201 0.1 0.85 0\n2 -101 8 {id}");
+        is_meant(&[(&lines(written), &lines(meant))]);
+    }
+    // The plane is used.
+    let used = "11 3  0 1 0  1\n3 -201 0.1 0.85 0\n2 -101 11 3";
+    assert!(proposed(used).iter().all(|p| !p.starts_with("3 11")));
+}
+
+/// Where an ID belongs, the finding says whose.
+#[test]
+fn numbers_with_a_point_for_an_id() {
+    let text = "2 9 1\n11 -503 9 0.065";
+    assert!(told(text, Language::English).contains("the ID of the right eye's camera"));
+    assert!(told(text, Language::Czech).contains("ID kamery pravého oka"));
+}

@@ -18,15 +18,25 @@ const LENGTH_OFF_MAX: f64 = 1e-3;
 const FLAT_REL_MAX: f64 = 1e-6;
 
 impl LineContext<'_> {
-    /// What is meant by too many numbers of a plane or half-space, of a sphere, or of a triangle.
+    /// What is meant by too many numbers of a plane or half-space, of a sphere, or of a triangle; by a rectangle with the
+    /// numbers of a plane.
     pub(super) fn by_points(&self, finding: &Diagnostic, used: &[u32], out: &mut Vec<Candidate>) {
         let Some(RecordKind::Shape(kind)) = self.ty().map(|ty| ty.kind) else {
             return;
         };
         let numbers: Option<Vec<f64>> = self.params().iter().map(|t| t.number(self.text)).collect();
-        let (Some(numbers), Code::E009) = (numbers, finding.code) else {
+        let Some(numbers) = numbers else { return };
+        if let (ShapeKind::Rectangle, &[a, b, c, _], Code::E202) =
+            (kind, numbers.as_slice(), finding.code)
+            && is_unit([a, b, c])
+        {
+            let planes = [ShapeKind::HalfSpace, ShapeKind::Plane];
+            let planes = planes.map(|kind| RecordType::of(RecordKind::Shape(kind)));
+            out.extend(planes.map(|ty| self.write_type(Habit::Type, ty)));
+        }
+        if finding.code != Code::E009 {
             return;
-        };
+        }
         let points: Vec<Vec3> = (numbers.chunks_exact(AXES))
             .map(|p| [p[0], p[1], p[2]])
             .collect();
@@ -51,7 +61,6 @@ impl LineContext<'_> {
 
     /// A plane by a point and its normal, in either order: the normal is the one whose length is 1.
     fn by_normal(&self, two: [Vec3; 2], out: &mut Vec<Candidate>) {
-        let is_unit = |v: Vec3| (length(v) - 1.0).abs() <= LENGTH_OFF_MAX;
         let mut normals = vec![1, 0];
         normals.retain(|&i| length(two[i]) > 0.0);
         if normals.iter().any(|&i| is_unit(two[i])) {
@@ -129,6 +138,11 @@ impl LineContext<'_> {
         let fix = Fix::replace(QUAD_TITLE, Applicability::Choice, span, text);
         Some(Candidate::new(Habit::Sibling, fix))
     }
+}
+
+/// Whether a vector has the length 1.
+fn is_unit(v: Vec3) -> bool {
+    (length(v) - 1.0).abs() <= LENGTH_OFF_MAX
 }
 
 /// Whether four corners are in one plane.
