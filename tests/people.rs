@@ -19,6 +19,7 @@ mod scenes;
 mod shell;
 mod slips;
 mod student;
+mod surplus;
 mod switched_off;
 mod tenth;
 mod whole;

@@ -30,7 +30,6 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
     if inverted.is_empty() {
         return Some(());
     }
-    let name = |i: usize| p.param(i).map_or("", |q| q.name);
     // The bound that belongs to each place.
     let swapped: Vec<usize> = (first..first + 2 * n)
         .map(|i| match i < first + n {
@@ -71,6 +70,12 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
     };
     // A corner and a size, as other programs have it.
     let size = (!is_sorted).then(|| sized(p, first, n)).flatten();
+    // Bounds that differ along one axis only, or none, hold no area: something else is wrong.
+    let along = (first..first + n).filter(|&i| p.number(i) != p.number(i + n));
+    if along.count() < 2 {
+        out.push(inverted_range(p, &inverted, n));
+        return None;
+    }
     let proposed = match (in_turn, is_sorted) {
         (_, true) => fix("fix-order", &sorted, Applicability::Unsafe),
         (true, false) if size.is_some() => fix("fix", &swapped, Applicability::Choice),
@@ -78,16 +83,7 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
         (false, false) if size.is_some() => fix("fix", &swapped, Applicability::Choice),
         (false, false) => fix("fix", &swapped, Applicability::Safe),
     };
-    let at = inverted[0];
-    out.push(
-        Diagnostic::new(Code::E202, p.span_of(at, 1))
-            .with("lower", name(at))
-            .with("upper", name(at + n))
-            .with("type", Value::Term(p.ty.title))
-            .with("others", Value::Count(inverted.len() as u64 - 1))
-            .label(p.span_of(at + n, 1), "other")
-            .fix(proposed),
-    );
+    out.push(inverted_range(p, &inverted, n).fix(proposed));
     let other = (in_turn && !is_sorted).then(|| fix("fix-order", &sorted, Applicability::Choice));
     let fixes = &mut out.last_mut()?.fixes;
     match in_turn {
@@ -97,6 +93,18 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
     }
     fixes.extend(other);
     None
+}
+
+/// That lower bounds are greater than their upper ones, `n` further on.
+fn inverted_range(p: &Params, inverted: &[usize], n: usize) -> Diagnostic {
+    let name = |i: usize| p.param(i).map_or("", |q| q.name);
+    let at = inverted[0];
+    Diagnostic::new(Code::E202, p.span_of(at, 1))
+        .with("lower", name(at))
+        .with("upper", name(at + n))
+        .with("type", Value::Term(p.ty.title))
+        .with("others", Value::Count(inverted.len() as u64 - 1))
+        .label(p.span_of(at + n, 1), "other")
 }
 
 /// The choice that the upper bounds are a size: each becomes the sum of both. `None` if one of them can be none.

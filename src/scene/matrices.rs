@@ -2,17 +2,34 @@
 
 use super::record::Params;
 use super::sight::{Blind, Sight};
-use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Value};
 use crate::geometry::Matrix;
 
 /// E204 unless the matrix is affine (last row 0 0 0 1) and can be inverted.
 pub(super) fn affine(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
     let m = Matrix::from_rows(&p.numbers(0));
     if m.0[3] != [0.0, 0.0, 0.0, 1.0] {
-        out.push(Diagnostic::new(Code::E204, p.span_of(12, 4)).case("row"));
+        let d = Diagnostic::new(Code::E204, p.span_of(12, 4));
+        let is_transposed = m.0.map(|row| row[3]) == [0.0, 0.0, 0.0, 1.0];
+        out.push(match is_transposed {
+            true => d.case("transposed").fix(transpose(p)),
+            false => d.case("row"),
+        });
         return None;
     }
     invertible(p, m, out)
+}
+
+/// The matrix with rows and columns exchanged: in other programs matrices act on rows.
+fn transpose(p: &Params) -> Fix {
+    let new = (0..16).map(|i| (i, p.text_of(i % 4 * 4 + i / 4)));
+    let edits = new
+        .filter(|&(i, text)| p.text_of(i) != text)
+        .map(|(i, text)| Edit {
+            span: p.span_of(i, 1),
+            text: text.to_owned(),
+        });
+    Fix::guess("fix", edits.collect())
 }
 
 /// The matrix of a -99 record: E204 unless it can be inverted, E207 unless it has a ray for every

@@ -57,6 +57,8 @@ const NAMES: &[(&str, &[i32])] = &[
     ("turn", &[-2]),
     ("rotace", &[-2, -4]),
     ("otoceni", &[-2, -4]),
+    ("quaternion", &[-2]),
+    ("kvaternion", &[-2]),
     ("scale", &[-3]),
     ("scaling", &[-3]),
     ("meritko", &[-3]),

@@ -7,8 +7,9 @@ use super::candidates::{Candidate, Habit, LineContext};
 use super::whole::records;
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::scene::names;
 use crate::syntax::Record;
-use crate::syntax::table::{Kind, RecordKind};
+use crate::syntax::table::{Family, Kind, RecordKind, RecordType};
 
 /// A line that may be to blame.
 pub(super) struct Suspect {
@@ -29,6 +30,7 @@ pub(super) fn suspects(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Susp
     let mut all: Vec<Suspect> = taking(analysis).take(MAX_SUSPECTS).collect();
     all.extend(without_ids(analysis, findings));
     all.extend(exchanged(analysis, findings).into_iter().take(MAX_SUSPECTS));
+    all.extend(exchanged_shapes(analysis, findings).take(MAX_SUSPECTS));
     all.extend(copies(analysis, findings).into_iter().take(MAX_SUSPECTS));
     all
 }
@@ -126,6 +128,46 @@ fn exchanged(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
         }
     }
     out
+}
+
+/// Shapes that are right either way, as `11 3 0 1 0 1`: the type is an ID that is used and is no object's, and the ID is
+/// used nowhere.
+fn exchanged_shapes<'a>(
+    analysis: &'a Analysis,
+    findings: &[Diagnostic],
+) -> impl Iterator<Item = Suspect> + use<'a> {
+    let is_wrong = |d: &&Diagnostic| matches!(d.code, Code::E101 | Code::E103);
+    let wanted: FxHashSet<u32> = (findings.iter().filter(is_wrong))
+        .filter_map(super::named)
+        .collect();
+    let mut used: FxHashSet<u32> = FxHashSet::default();
+    if !wanted.is_empty() {
+        for record in records(analysis) {
+            used.extend(names::references(&analysis.document, record));
+            if record.ty().family != Family::Shape {
+                used.insert(record.id);
+            }
+        }
+    }
+    let is_one = move |record: &&Record| {
+        let ty = record.ty();
+        let is_wanted = u32::try_from(ty.code).is_ok_and(|code| wanted.contains(&code));
+        let other = RecordType::by_code(record.id.into());
+        let is_either = other.is_some_and(|other| other.family == Family::Shape);
+        ty.family == Family::Shape && is_wanted && is_either && !used.contains(&record.id)
+    };
+    let shapes = records(analysis).filter(is_one);
+    shapes.filter_map(|record| {
+        let head = analysis.document.id_token(record).start;
+        let place = LineContext::both(analysis, head).into_iter().next()?;
+        let (finding, candidate) = place.exchanged_heads()?;
+        Some(Suspect {
+            finding,
+            candidates: vec![candidate],
+            misread: place.line(),
+            least: 1,
+        })
+    })
 }
 
 /// Copies of what is no object, where something else is asked of at least two references to them.

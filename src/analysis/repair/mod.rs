@@ -17,6 +17,7 @@ mod judge;
 mod missing;
 mod retell;
 mod slashes;
+mod surplus;
 mod switched_off;
 mod unused_operand;
 mod whole;
@@ -61,6 +62,7 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
         engine.switched_off();
         missing::retell(engine.analysis, &mut engine.findings);
         unused_operand::add(engine.analysis, &mut engine.findings);
+        surplus::retell(engine.analysis, &mut engine.findings);
         engine.whole();
         engine.elsewhere();
         engine.lines();

@@ -35,6 +35,7 @@ mod free;
 mod group;
 mod heads;
 mod id_context;
+mod integers;
 mod layout;
 mod order;
 mod partial_parses;

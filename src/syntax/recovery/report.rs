@@ -108,7 +108,7 @@ impl Reporter<'_, '_> {
         self.stretch.token(start).span().to(last.span())
     }
 
-    fn text(&self, i: usize) -> &str {
+    pub(super) fn text(&self, i: usize) -> &str {
         self.stretch.token(i).text(self.stretch.text())
     }
 
@@ -304,7 +304,7 @@ impl Reporter<'_, '_> {
             if let Some(param) = param
                 && self.stretch.token(i).kind() == TokenKind::DecimalComma
             {
-                out.push(self.not_an_integer(i, param.doc));
+                out.push(self.no_integer_for(i, param));
                 continue;
             }
             if self.bad_token(i, out)
@@ -378,25 +378,8 @@ impl Reporter<'_, '_> {
                     .with("text", quote(self.text(i)))
                     .with("parameter", Value::Term(p.doc))
             } else {
-                self.not_an_integer(i, p.doc)
+                self.no_integer_for(i, p)
             });
-        }
-    }
-
-    /// The diagnostic of a number that is no integer where one is needed.
-    fn not_an_integer(&self, i: usize, what: &'static str) -> Diagnostic {
-        let (text, span) = (self.text(i), self.stretch.token(i).span());
-        let d = Diagnostic::new(Code::E010, span)
-            .with("text", quote(text))
-            .with("parameter", Value::Term(what));
-        let value = text.replace(',', ".").parse().ok();
-        match value.filter(|x: &f64| x.fract() == 0.0 && x.abs() < 1e15) {
-            Some(x) => {
-                let whole = format!("{}", x as i64);
-                d.with("number", quote(&whole))
-                    .fix(write(Applicability::Safe, span, whole))
-            }
-            None => d,
         }
     }
 
@@ -560,7 +543,7 @@ impl Reporter<'_, '_> {
 }
 
 /// A fix that writes something else, which is in the place `number`.
-fn write(applicability: Applicability, span: Span, text: String) -> Fix {
+pub(super) fn write(applicability: Applicability, span: Span, text: String) -> Fix {
     Fix::replace("fix", applicability, span, text)
 }
 

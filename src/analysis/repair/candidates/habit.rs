@@ -82,7 +82,7 @@ impl Habit {
             Habit::Comment => matches!(finding.code, E001 | E002 | E003 | E007 | E009 | E012),
             Habit::Doubled | Habit::Sibling => matches!(finding.code, E008 | E009),
             Habit::Apart => matches!(finding.code, E003 | E007 | E008 | E009 | E012 | E101),
-            Habit::Count => finding.case == "points" || finding.code == E013,
+            Habit::Count => matches!(finding.case, "points" | "space") || finding.code == E013,
             Habit::Direction | Habit::Point | Habit::Up => {
                 matches!(finding.code, E008 | E203 | E206 | E207)
             }

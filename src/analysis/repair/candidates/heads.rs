@@ -96,6 +96,12 @@ impl LineContext<'_> {
 
     /// ID and type in each other's place, as a finding and what puts it right. The ID is used elsewhere.
     pub(crate) fn exchange(&self) -> Option<(Diagnostic, Candidate)> {
+        let is_right = self.ty().is_some_and(|ty| self.fits(ty)) && self.id().is_some();
+        (!is_right).then(|| self.exchanged_heads())?
+    }
+
+    /// The same, also where the record is right as it stands.
+    pub(crate) fn exchanged_heads(&self) -> Option<(Diagnostic, Candidate)> {
         let [ty, id] = [self.tokens.first()?, self.tokens.get(1)?];
         let (code, number) = (ty.integer(self.text)?, id.integer(self.text)?);
         // The minus may have stayed in its place, as in `402 -50 1`.
@@ -105,8 +111,7 @@ impl LineContext<'_> {
         };
         let meant = RecordType::by_code(code)?;
         let is_id = number > i64::from(RENDER);
-        let is_right = self.ty().is_some_and(|ty| self.fits(ty)) && self.id().is_some();
-        if !is_id || is_right || !self.fits(meant) || meant.kind == RecordKind::Undefined {
+        if !is_id || !self.fits(meant) || meant.kind == RecordKind::Undefined {
             return None;
         }
         let edit = |t: &Token, new: i64| Edit {

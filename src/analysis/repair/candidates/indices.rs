@@ -36,7 +36,7 @@ impl LineContext<'_> {
     }
 
     /// The first of them that is a refractive index.
-    fn own_index(&self) -> Option<&Record> {
+    pub(super) fn own_index(&self) -> Option<&Record> {
         self.optics()
             .find(|r| r.kind == RecordKind::RefractiveIndex)
     }

@@ -42,6 +42,8 @@ pub(super) const NAMED_TITLE: &str = "fix-named-id";
 pub(super) const CLAUSES_TITLE: &str = "fix-clauses";
 pub(super) const BLOCK_TITLE: &str = "fix-block";
 pub(super) const PLANE_TITLE: &str = "fix-block-plane";
+/// The title of fixes that make two triangles of four corners; the ID of the first is what they begin with.
+pub(super) const QUAD_TITLE: &str = "fix-quad";
 
 /// The IDs that a fix gives to records.
 pub(crate) fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
@@ -56,7 +58,7 @@ pub(crate) fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
     ]);
     let ids = fix.edits.iter().filter(move |_| is_one);
     let ids = ids.filter_map(|edit| edit.text.trim_end().parse().ok());
-    let is_block = is(&[CLAUSES_TITLE, BLOCK_TITLE, PLANE_TITLE]);
+    let is_block = is(&[CLAUSES_TITLE, BLOCK_TITLE, PLANE_TITLE, QUAD_TITLE]);
     let head = fix.edits.first().filter(move |_| is_block);
     let head = head.and_then(|edit| edit.text.split_once(' ')?.0.parse().ok());
     ids.chain(head)

@@ -5,6 +5,7 @@ pub(super) mod cameras;
 mod clauses;
 mod comments;
 mod flat;
+mod groups;
 mod habit;
 mod heads;
 mod indices;
@@ -15,8 +16,11 @@ mod notation;
 mod numbers;
 mod own_id;
 mod parts;
+mod profiles;
 mod references;
+mod rotations;
 mod sizes;
+mod solids;
 mod types;
 
 use rustc_hash::FxHashSet;
@@ -279,6 +283,8 @@ impl<'a> LineContext<'a> {
             out.extend(self.spaced_points());
             self.surplus(finding, &mut out);
             out.extend(self.angles());
+            self.about_vector(&mut out);
+            self.turns_of_quaternion(&mut out);
             out.extend(self.per_cent(finding));
             out.extend(self.index(finding));
             out.extend(self.index_behind(finding));
@@ -287,6 +293,7 @@ impl<'a> LineContext<'a> {
                 Some(assignment) => out.push(assignment),
                 None => self.siblings(&mut out),
             }
+            self.by_points(finding, &[undefined, taken].concat(), &mut out);
             self.flat(finding, &mut out);
             self.by_sizes(finding, &mut out);
             self.by_centre(finding, &mut out);

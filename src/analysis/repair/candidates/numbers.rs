@@ -1,8 +1,8 @@
-//! How numbers and names are spelled, and numbers that stand there twice.
+//! How numbers and names are spelled.
 
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::characters;
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 use crate::lint::spelling::decimal;
 use crate::syntax::allows;
 use crate::syntax::lexer::{Token, TokenKind};
@@ -11,9 +11,6 @@ use crate::syntax::table::{RecordKind, RecordType};
 
 /// Words before the point that a camera of other programs looks at.
 const LOOK_AT: [&str; 4] = ["look_at", "lookat", "target", "at"];
-
-/// Words before the letter of an axis.
-const AXIS: [&str; 4] = ["axis", "osa", "osy", "ose"];
 
 /// The title of fixes that write decimal commas as points.
 pub(super) const COMMA_TITLE: &str = "fix-decimal-comma";
@@ -79,155 +76,6 @@ impl LineContext<'_> {
                 edits,
             },
         ))
-    }
-
-    /// A rotation with an angle for each axis, as other programs have it: one about each axis whose angle is not 0, about
-    /// x first.
-    pub(super) fn angles(&self) -> Option<Candidate> {
-        let ty = self.ty().filter(|ty| ty.kind == RecordKind::Rotation)?;
-        if self.params().len() == 4 {
-            return self.about_vector();
-        }
-        let [first, _, last] = *self.params() else {
-            return None;
-        };
-        let mut turns = Vec::new();
-        for (axis, t) in (1..).zip(self.params()) {
-            if t.number(self.text)? != 0.0 {
-                turns.push(format!("{} {axis}", t.text(self.text)));
-            }
-        }
-        let title = match turns.len() {
-            0 => return None,
-            1 => "fix-write",
-            _ => "fix-turns",
-        };
-        let text = turns.join(&format!("\n{} {} ", self.id()?, ty.code));
-        let span = Span::new(first.start, last.end());
-        let fix = Fix::replace(title, Applicability::Unsafe, span, text.clone());
-        Some(Candidate::new(
-            Habit::Doubled,
-            fix.with("number", quote(&text)),
-        ))
-    }
-
-    /// A rotation about an axis that is given as a vector, behind the angle or before it.
-    fn about_vector(&self) -> Option<Candidate> {
-        let params = self.params();
-        let axis = |vector: &[Token]| {
-            let numbers: Option<Vec<f64>> = vector.iter().map(|t| t.number(self.text)).collect();
-            let numbers = numbers?;
-            let at = numbers.iter().position(|&x| x != 0.0)?;
-            let is_one = numbers.iter().filter(|&&x| x != 0.0).count() == 1;
-            is_one.then_some((at + 1, numbers[at] < 0.0))
-        };
-        let behind = axis(&params[1..]).map(|axis| (params[0], axis));
-        let before = || axis(&params[..3]).map(|axis| (params[3], axis));
-        let (angle, (axis, is_reverse)) = behind.or_else(before)?;
-        let angle = angle.text(self.text);
-        let angle = match (is_reverse, angle.strip_prefix('-')) {
-            (true, Some(rest)) => rest.to_owned(),
-            (true, None) => format!("-{angle}"),
-            (false, _) => angle.to_owned(),
-        };
-        let text = format!("{angle} {axis}");
-        let span = params[0].span().to(params[3].span());
-        Some(Candidate::writing(Habit::Doubled, span, text))
-    }
-
-    /// How many points follow the number of points of a profile, if these are whole ones.
-    fn whole_points(&self) -> Option<usize> {
-        let ty = self.ty().filter(|ty| ty.is_counted())?;
-        let each: usize = ty.repeats.iter().map(|group| group.len()).sum();
-        let (n, points) = self.params().split_first()?;
-        let is_number = |t: &Token| t.number(self.text).is_some();
-        let is_one = n.integer(self.text).is_some() && points.iter().all(is_number);
-        let count = points.len() / each;
-        (is_one && points.len() % each == 0 && count > 1).then_some(count)
-    }
-
-    /// The number of points in front of the points of a profile that has none. Where the first number says that one is
-    /// missing, it is rather the number of points.
-    fn lost_count(&self) -> Option<Candidate> {
-        let ty = self.ty().filter(|ty| ty.is_counted() && !self.fits(ty))?;
-        let (base, point) = (ty.arity(0), ty.arity(1) - ty.arity(0));
-        let numbers = self.params().len() as u64;
-        let points = (numbers + 1).checked_sub(base)? / point;
-        let is_whole = points >= 2 && ty.arity(points) == numbers + 1;
-        let first = self.params().first().filter(|_| is_whole)?;
-        if first.integer(self.text).and_then(|n| u64::try_from(n).ok()) == Some(points) {
-            return None;
-        }
-        let text = format!("{points} {}", first.text(self.text));
-        self.write(Habit::Count, &[(*first, text)])
-    }
-
-    /// The number of points that a profile has, in the place of the one that it says.
-    pub(super) fn count(&self, out: &mut Vec<Candidate>) {
-        let count = self.whole_points().map(|count| count.to_string());
-        out.extend(count.and_then(|count| self.write(Habit::Count, &[(self.params()[0], count)])));
-        out.extend(self.lost_count());
-    }
-
-    /// That a profile says another number of points than it has.
-    pub(super) fn points(&self) -> Option<Diagnostic> {
-        let points = self.whole_points()?;
-        let n = self.params()[0];
-        let d = self.wrong_count()?;
-        let d = Diagnostic {
-            span: n.span(),
-            ..d
-        }
-        .case("points");
-        let d = d.with("says", n.text(self.text).to_owned());
-        Some(
-            d.with("points", Value::Count(points as u64))
-                .with("number", quote(&points.to_string())),
-        )
-    }
-
-    /// An axis by its letter, which may stand before the angle.
-    pub(super) fn axis(&self, out: &mut Vec<Candidate>) {
-        let turns = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Rotation);
-        let params = self.without_axis_word();
-        let new = self.axis_number(&params).filter(|_| turns);
-        out.extend(new.and_then(|new| self.write(Habit::Axis, &new)));
-    }
-
-    /// The parameters, where a word for an axis is a part of the one behind it: `90 axis x`.
-    fn without_axis_word(&self) -> Vec<Token> {
-        let is_word = |t: &Token| {
-            let text = t.text(self.text).to_lowercase();
-            AXIS.contains(&&*text)
-        };
-        let mut params = self.params().to_vec();
-        let word = params.iter().position(is_word);
-        if let Some(i) = word.filter(|&i| i + 1 < params.len()) {
-            let word = params.remove(i);
-            params[i] = self.joined(&word, &params[i]);
-        }
-        params
-    }
-
-    /// The angle and the axis of a rotation whose axis is a letter.
-    pub(super) fn axis_number(&self, params: &[Token]) -> Option<[(Token, String); 2]> {
-        let &[first, last] = params else {
-            return None;
-        };
-        let last_word = |t: &Token| t.text(self.text).split_whitespace().last();
-        let axis = |t: &Token| match last_word(t)? {
-            "x" | "X" => Some("1"),
-            "y" | "Y" => Some("2"),
-            "z" | "Z" => Some("3"),
-            _ => None,
-        };
-        let (angle, axis) = match (axis(&first), axis(&last)) {
-            (Some(axis), None) => (last, axis),
-            (None, Some(axis)) => (first, axis),
-            _ => return None,
-        };
-        let angle = angle.text(self.text).to_owned();
-        Some([(first, angle), (last, axis.to_owned())])
     }
 
     /// Numbers in other characters; a unit or dash on its own joins its number.
@@ -389,37 +237,6 @@ impl LineContext<'_> {
         let span = first.span().to(last.span());
         let name = format!("\"{}\"", self.text[span.range()].replace('"', ""));
         out.push(Candidate::writing(Habit::Characters, span, name));
-    }
-
-    /// Numbers that stand there twice, one group behind the other.
-    pub(super) fn doubled(&self, out: &mut Vec<Candidate>) {
-        let Some(ty) = self.ty().filter(|ty| !ty.is_counted()) else {
-            return;
-        };
-        let (params, wanted) = (self.params(), ty.params.len());
-        let Some(more) = params.len().checked_sub(wanted).filter(|&more| more > 1) else {
-            return;
-        };
-        let text = |t: &Token| t.text(self.text);
-        let value = |t: &Token| t.number(self.text).map(f64::to_bits);
-        let same = |a: &[Token], b: &[Token]| a.iter().zip(b).all(|(a, b)| value(a) == value(b));
-        let sorted = |a: &[Token]| {
-            let mut all: Vec<&str> = a.iter().map(text).collect();
-            all.sort_unstable();
-            all
-        };
-        for i in 0..=params.len() - more {
-            let dropped = &params[i..i + more];
-            let again = i >= more && same(&params[i - more..i], dropped);
-            let turned = i == wanted && more == wanted && sorted(&params[..i]) == sorted(dropped);
-            if again || turned {
-                let span = Span::new(params[i - 1].end(), dropped[more - 1].end());
-                out.push(Candidate::new(
-                    Habit::Doubled,
-                    Fix::replace("fix-doubled", Applicability::Unsafe, span, ""),
-                ));
-            }
-        }
     }
 
     /// Decimal commas with a space behind them, `0, 9`, where there are too many numbers. Which one it is may be a

@@ -45,6 +45,8 @@ const SIBLINGS: &[(i32, &[i32])] = &[
 
 /// Beginnings of words for a cylinder, without accents.
 const CYLINDERS: [&str; 3] = ["cylind", "valec", "valc"];
+/// Beginnings of words for glass, without accents.
+const GLASS: [&str; 2] = ["glass", "skl"];
 /// A cylinder from one centre of an end to the other has so many numbers.
 const CYLINDER: usize = 7;
 /// A cone from one circle to another has so many numbers.
@@ -286,6 +288,25 @@ impl LineContext<'_> {
         {
             let difference = RecordType::of(RecordKind::Difference);
             out.push(self.write_type(Habit::Digit, difference));
+        }
+        // Tinted glass: parts whose sum is above 1 are none of one surface.
+        if let (RecordKind::OpticsRgb, &[r, g, b]) = (ty.kind, texts.as_slice())
+            && self.params().iter().all(is_part)
+            && sum() > 1.0
+        {
+            let is_glass = self.own_index().is_some() || self.is_called(&GLASS);
+            let is_other = |c: &Candidate| {
+                let kind = c.ty.map(|ty| ty.kind);
+                kind != Some(RecordKind::Optics)
+                    && !(is_glass && kind == Some(RecordKind::RefractiveIndex))
+            };
+            out.retain(is_other);
+            let mut tinted = new("fix-tinted", format!("0 0 {r}  0 0 {g}  0 0 {b}"));
+            if !is_glass {
+                let all = out.iter_mut().chain([&mut tinted]);
+                all.for_each(|c| c.fix.applicability = Applicability::Choice);
+            }
+            out.push(tinted);
         }
         match (ty.kind, texts.as_slice(), self.id()) {
             (RecordKind::PointLight | RecordKind::AmbientLight, &[a, b, c], Some(id)) => {

@@ -57,9 +57,20 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                     None => finding.case("half-space"),
                 }
             }
-            None => finding,
+            None => match context.params(held.solid.span).filter(is_reversed) {
+                Some(quadric) => finding.case("quadric").fix(turned(&quadric)),
+                None => finding,
+            },
         });
     }
+}
+
+/// Whether a quadric has the signs of one whose outside is meant: its squares are negative, so it is all around that.
+fn is_reversed(p: &Params) -> bool {
+    let squares = || [0, 5, 10].into_iter().map(|i| p.number(i));
+    p.ty.kind == RecordKind::Shape(ShapeKind::Quadric)
+        && squares().all(|x| x <= 0.0)
+        && squares().any(|x| x < 0.0)
 }
 
 /// The finding with what may be meant instead of a half-space that holds the camera: what does not let the camera out, or
@@ -137,7 +148,7 @@ fn laid_down(camera: &Camera, p: &Params, (floor, sides): ([f64; 4], &Sides)) ->
     Some(Fix::guess("fix", edits.collect()))
 }
 
-/// The half-space on the other side of its boundary.
+/// The half-space or quadric on the other side of its boundary.
 fn turned(half_space: &Params) -> Fix {
     written(half_space, "fix-turn", |i| opposite(half_space, i))
 }

@@ -1,0 +1,200 @@
+//! Rotations as other programs have them: by an angle for each axis, by a vector and an angle, by a quaternion, and by the
+//! letter of an axis.
+
+use super::{Candidate, Habit, LineContext};
+use crate::diagnostics::{Applicability, Fix, Span};
+use crate::lint::spelling::decimal;
+use crate::syntax::lexer::Token;
+use crate::syntax::quote;
+use crate::syntax::table::RecordKind;
+
+/// Words before the letter of an axis.
+const AXIS: [&str; 4] = ["axis", "osa", "osy", "ose"];
+
+/// The squares of a quaternion's parts add up to 1 as nearly as this, where they are written with few digits.
+const NORM_OFF_MAX: f64 = 1e-3;
+/// A part of a quaternion below this is 0 that was rounded.
+const ZERO_PART_MAX: f64 = 1e-4;
+/// An angle that is as near to a whole number of degrees is that: a quaternion has few digits.
+const DEGREES_OFF_MAX: f64 = 0.05;
+
+/// The orders of a quaternion's parts, and where w is: that of glTF and that of Blender.
+const ORDERS: [(&str, usize); 2] = [("x y z w", 3), ("w x y z", 0)];
+
+/// Whether four numbers are a quaternion that turns: its length is 1, and it is no axis with an angle of 0.
+fn is_quaternion(parts: [f64; 4]) -> bool {
+    let norm: f64 = parts.iter().map(|x| x * x).sum();
+    let turns = parts.iter().filter(|x| x.abs() > ZERO_PART_MAX).count() > 1;
+    (norm - 1.0).abs() <= NORM_OFF_MAX && turns
+}
+
+/// The angle in degrees and the axis of a quaternion whose w is at a place, if that is one of the three axes.
+fn turn(parts: [f64; 4], w: usize) -> Option<(f64, usize)> {
+    let vector = (0..4).filter(|&i| i != w).map(|i| parts[i]);
+    let mut along = (1..).zip(vector).filter(|(_, x)| x.abs() > ZERO_PART_MAX);
+    let (Some((axis, sine)), None) = (along.next(), along.next()) else {
+        return None;
+    };
+    let degrees = 2.0 * sine.atan2(parts[w]).to_degrees();
+    let degrees = match degrees {
+        _ if degrees > 180.0 => degrees - 360.0,
+        _ if degrees < -180.0 => degrees + 360.0,
+        _ => degrees,
+    };
+    let whole = degrees.round();
+    Some(match (degrees - whole).abs() <= DEGREES_OFF_MAX {
+        true => (whole, axis),
+        false => ((degrees * 100.0).round() / 100.0, axis),
+    })
+}
+
+impl LineContext<'_> {
+    /// A rotation with an angle for each axis, as other programs have it: one about each axis whose angle is not 0, about
+    /// x first.
+    pub(super) fn angles(&self) -> Option<Candidate> {
+        let ty = self.ty().filter(|ty| ty.kind == RecordKind::Rotation)?;
+        let [first, _, last] = *self.params() else {
+            return None;
+        };
+        let mut turns = Vec::new();
+        for (axis, t) in (1..).zip(self.params()) {
+            if t.number(self.text)? != 0.0 {
+                turns.push(format!("{} {axis}", t.text(self.text)));
+            }
+        }
+        let title = match turns.len() {
+            0 => return None,
+            1 => "fix-write",
+            _ => "fix-turns",
+        };
+        let text = turns.join(&format!("\n{} {} ", self.id()?, ty.code));
+        let span = Span::new(first.start, last.end());
+        let fix = Fix::replace(title, Applicability::Unsafe, span, text.clone());
+        Some(Candidate::new(
+            Habit::Doubled,
+            fix.with("number", quote(&text)),
+        ))
+    }
+
+    /// A rotation about an axis that is given as a vector, behind the angle or before it: the one whose vector has the
+    /// length 1. Nobody can tell which one is meant where both have, or none.
+    pub(super) fn about_vector(&self, out: &mut Vec<Candidate>) {
+        let &[a, b, c, d] = self.params() else { return };
+        let is_rotation = self.ty().is_some_and(|ty| ty.kind == RecordKind::Rotation);
+        if !is_rotation || self.quaternion().is_some() {
+            return;
+        }
+        let mut readings: Vec<(bool, String)> = [(a, [b, c, d]), (d, [a, b, c])]
+            .into_iter()
+            .filter_map(|(angle, vector)| self.about(&angle, &vector))
+            .collect();
+        if readings.iter().any(|r| r.0) {
+            readings.retain(|r| r.0);
+        }
+        let applicability = match readings.len() {
+            1 => Applicability::Unsafe,
+            _ => Applicability::Choice,
+        };
+        let span = a.span().to(d.span());
+        out.extend(readings.into_iter().map(|(_, text)| {
+            let mut candidate = Candidate::writing(Habit::Doubled, span, text);
+            candidate.fix.applicability = applicability;
+            candidate
+        }));
+    }
+
+    /// Whether a vector along one of the axes has the length 1, and the rotation about it.
+    fn about(&self, angle: &Token, vector: &[Token; 3]) -> Option<(bool, String)> {
+        let numbers: Option<Vec<f64>> = vector.iter().map(|t| t.number(self.text)).collect();
+        let mut along = (1..).zip(numbers?).filter(|(_, x)| *x != 0.0);
+        let (Some((axis, length)), None) = (along.next(), along.next()) else {
+            return None;
+        };
+        let angle = angle.text(self.text);
+        let angle = match (length < 0.0, angle.strip_prefix('-')) {
+            (true, Some(rest)) => rest.to_owned(),
+            (true, None) => format!("-{angle}"),
+            (false, _) => angle.to_owned(),
+        };
+        Some((length.abs() == 1.0, format!("{angle} {axis}")))
+    }
+
+    /// The parts of a quaternion in the place of a rotation's angle and axis.
+    fn quaternion(&self) -> Option<[f64; 4]> {
+        self.ty().filter(|ty| ty.kind == RecordKind::Rotation)?;
+        let parts: Option<Vec<f64>> = self.params().iter().map(|t| t.number(self.text)).collect();
+        let parts = <[f64; 4]>::try_from(parts?).ok()?;
+        is_quaternion(parts).then_some(parts)
+    }
+
+    /// Whether the rotation is a quaternion that turns about none of the three axes.
+    pub(in crate::analysis::repair) fn is_turn_about_no_axis(&self) -> bool {
+        let is_none = |parts| ORDERS.iter().all(|&(_, w)| turn(parts, w).is_none());
+        self.quaternion().is_some_and(is_none)
+    }
+
+    /// The angle and the axis of a quaternion that turns about one of the three axes, in each order of its parts that has
+    /// one.
+    pub(super) fn turns_of_quaternion(&self, out: &mut Vec<Candidate>) {
+        let Some(parts) = self.quaternion() else {
+            return;
+        };
+        let turns = ORDERS.map(|(order, w)| Some((order, turn(parts, w)?)));
+        let applicability = match turns.iter().flatten().count() {
+            1 => Applicability::Unsafe,
+            _ => Applicability::Choice,
+        };
+        let params = self.params();
+        let span = params[0].span().to(params[3].span());
+        out.extend(turns.into_iter().flatten().map(|(order, (degrees, axis))| {
+            let text = format!("{} {axis}", decimal(degrees));
+            let fix = Fix::replace("fix-quaternion", applicability, span, text.clone());
+            let fix = fix.with("order", quote(order)).with("number", quote(&text));
+            Candidate::new(Habit::Doubled, fix)
+        }));
+    }
+
+    /// An axis by its letter, which may stand before the angle.
+    pub(super) fn axis(&self, out: &mut Vec<Candidate>) {
+        let turns = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Rotation);
+        let params = self.without_axis_word();
+        let new = self.axis_number(&params).filter(|_| turns);
+        out.extend(new.and_then(|new| self.write(Habit::Axis, &new)));
+    }
+
+    /// The parameters, where a word for an axis is a part of the one behind it: `90 axis x`.
+    fn without_axis_word(&self) -> Vec<Token> {
+        let is_word = |t: &Token| {
+            let text = t.text(self.text).to_lowercase();
+            AXIS.contains(&&*text)
+        };
+        let mut params = self.params().to_vec();
+        let word = params.iter().position(is_word);
+        if let Some(i) = word.filter(|&i| i + 1 < params.len()) {
+            let word = params.remove(i);
+            params[i] = self.joined(&word, &params[i]);
+        }
+        params
+    }
+
+    /// The angle and the axis of a rotation whose axis is a letter.
+    pub(super) fn axis_number(&self, params: &[Token]) -> Option<[(Token, String); 2]> {
+        let &[first, last] = params else {
+            return None;
+        };
+        let last_word = |t: &Token| t.text(self.text).split_whitespace().last();
+        let axis = |t: &Token| match last_word(t)? {
+            "x" | "X" => Some("1"),
+            "y" | "Y" => Some("2"),
+            "z" | "Z" => Some("3"),
+            _ => None,
+        };
+        let (angle, axis) = match (axis(&first), axis(&last)) {
+            (Some(axis), None) => (last, axis),
+            (None, Some(axis)) => (first, axis),
+            _ => return None,
+        };
+        let angle = angle.text(self.text).to_owned();
+        Some([(first, angle), (last, axis.to_owned())])
+    }
+}

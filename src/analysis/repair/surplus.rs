@@ -1,0 +1,23 @@
+//! Numbers too many that other programs have: a quaternion, points of a profile in space.
+
+use super::TRIALS;
+use super::candidates::LineContext;
+use crate::analysis::Analysis;
+use crate::diagnostics::{Code, Diagnostic};
+
+/// Says of numbers too many what they are.
+pub(super) fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
+    let is_surplus = |d: &&mut Diagnostic| d.code == Code::E009;
+    for d in findings.iter_mut().filter(is_surplus).take(TRIALS) {
+        for place in LineContext::both(analysis, d.span.start) {
+            if place.is_turn_about_no_axis() {
+                d.notes.push("quaternion");
+            } else if let Some(in_space) = place.points_in_space() {
+                *d = in_space;
+            } else {
+                continue;
+            }
+            break;
+        }
+    }
+}

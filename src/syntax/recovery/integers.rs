@@ -1,0 +1,34 @@
+//! Numbers that are no integers where one is needed.
+
+use super::super::quote::quote;
+use super::super::table::{Param, ParamKind};
+use super::report::{Reporter, write};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Value};
+
+impl Reporter<'_, '_> {
+    /// The diagnostic of a number that is no integer where one is needed.
+    pub(super) fn not_an_integer(&self, i: usize, what: &'static str) -> Diagnostic {
+        let (text, span) = (self.text(i), self.stretch.token(i).span());
+        let d = Diagnostic::new(Code::E010, span)
+            .with("text", quote(text))
+            .with("parameter", Value::Term(what));
+        let value = text.replace(',', ".").parse().ok();
+        match value.filter(|x: &f64| x.fract() == 0.0 && x.abs() < 1e15) {
+            Some(x) => {
+                let whole = format!("{}", x as i64);
+                d.with("number", quote(&whole))
+                    .fix(write(Applicability::Safe, span, whole))
+            }
+            None => d,
+        }
+    }
+
+    /// The same of a parameter, which may be an ID.
+    pub(super) fn no_integer_for(&self, i: usize, param: &Param) -> Diagnostic {
+        let d = self.not_an_integer(i, param.doc);
+        match param.kind {
+            ParamKind::Reference { .. } => d.case("reference"),
+            _ => d,
+        }
+    }
+}
