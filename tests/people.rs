@@ -19,6 +19,7 @@ mod shell;
 mod slips;
 mod student;
 mod tenth;
+mod taken_back;
 mod whole;
 
 use std::collections::BTreeMap;
