@@ -4,6 +4,7 @@
 mod agreement;
 mod blocks;
 mod commas;
+mod eyes;
 mod forgotten;
 mod guesses;
 mod left_out;
@@ -18,8 +19,8 @@ mod scenes;
 mod shell;
 mod slips;
 mod student;
-mod tenth;
 mod taken_back;
+mod tenth;
 mod whole;
 
 use std::collections::BTreeMap;

@@ -49,6 +49,7 @@ mod several_cameras;
 mod several_records_per_line;
 mod smaller_than_a_pixel;
 mod stale_operand;
+mod stereo_pair;
 mod surface_operand;
 mod too_bright;
 mod unseen_glass;
@@ -88,6 +89,7 @@ const QUADRICS: &[RecordKind] = &[R::Shape(S::Quadric)];
 const CAMERAS: &[RecordKind] = &[R::Camera];
 /// The records that define cameras.
 const CAMERA_RECORDS: &[RecordKind] = &[R::Camera, R::ProjectionMatrix];
+const STEREO: &[RecordKind] = &[R::StereoCamera];
 const LAMPS: &[RecordKind] = &[R::PointLight];
 const TRANSFORMATIONS: &[RecordKind] =
     &[R::Translation, R::Rotation, R::Scaling, R::RotationMatrix];
@@ -332,6 +334,11 @@ pub(super) const RULES: &[Rule] = &[
         asks_for: &[RENDER, OPTICS],
     },
     Rule {
+        code: Code::W338,
+        check: stereo_pair::check,
+        asks_for: &[STEREO],
+    },
+    Rule {
         code: Code::S505,
         check: leading_zero::check,
         asks_for: &[],
@@ -354,6 +361,7 @@ pub(super) const OF_PICTURES: &[Code] = &[
     Code::W334,
     Code::W335,
     Code::W337,
+    Code::W338,
     Code::N606,
 ];
 
