@@ -33,6 +33,7 @@ mod mixed_intersection;
 mod no_camera;
 mod no_light;
 mod no_real_points;
+mod normals_in_plane;
 mod not_a_rotation;
 mod notation_separator;
 mod nothing_in_view;
@@ -101,6 +102,10 @@ const SURFACES: &[RecordKind] = &[
     R::Shape(S::Plane),
     R::Shape(S::Rectangle),
     R::Shape(S::Triangle),
+    R::Shape(S::TriangleWithNormal),
+    R::Shape(S::TriangleWithVertexNormals),
+];
+const TRIANGLES_WITH_NORMALS: &[RecordKind] = &[
     R::Shape(S::TriangleWithNormal),
     R::Shape(S::TriangleWithVertexNormals),
 ];
@@ -337,6 +342,11 @@ pub(super) const RULES: &[Rule] = &[
         code: Code::W338,
         check: stereo_pair::check,
         asks_for: &[STEREO],
+    },
+    Rule {
+        code: Code::W339,
+        check: normals_in_plane::check,
+        asks_for: &[TRIANGLES_WITH_NORMALS],
     },
     Rule {
         code: Code::S505,
