@@ -4,6 +4,7 @@
 mod agreement;
 mod blocks;
 mod commas;
+mod eyes;
 mod forgotten;
 mod guesses;
 mod left_out;
@@ -21,6 +22,7 @@ mod slips;
 mod student;
 mod surplus;
 mod switched_off;
+mod taken_back;
 mod tenth;
 mod whole;
 

@@ -165,6 +165,8 @@ codes! {
     W335 "buried-shape" of rule "buried_shape";
     W336 "repeated-transformation" of rule "repeated_transformation";
     W337 "unseen-glass" of rule "unseen_glass";
+    W338 "stereo-pair" of rule "stereo_pair";
+    W339 "normals-in-plane" of rule "normals_in_plane";
     N601 "not-utf8";
     N602 "no-camera" of rule "no_camera";
     N603 "no-light" of rule "no_light";

@@ -33,6 +33,7 @@ mod mixed_intersection;
 mod no_camera;
 mod no_light;
 mod no_real_points;
+mod normals_in_plane;
 mod not_a_rotation;
 mod notation_separator;
 mod nothing_in_view;
@@ -49,6 +50,7 @@ mod several_cameras;
 mod several_records_per_line;
 mod smaller_than_a_pixel;
 mod stale_operand;
+mod stereo_pair;
 mod surface_operand;
 mod too_bright;
 mod unseen_glass;
@@ -89,6 +91,7 @@ const QUADRICS: &[RecordKind] = &[R::Shape(S::Quadric)];
 const CAMERAS: &[RecordKind] = &[R::Camera];
 /// The records that define cameras.
 const CAMERA_RECORDS: &[RecordKind] = &[R::Camera, R::ProjectionMatrix];
+const STEREO: &[RecordKind] = &[R::StereoCamera];
 const LAMPS: &[RecordKind] = &[R::PointLight];
 const TRANSFORMATIONS: &[RecordKind] =
     &[R::Translation, R::Rotation, R::Scaling, R::RotationMatrix];
@@ -100,6 +103,10 @@ const SURFACES: &[RecordKind] = &[
     R::Shape(S::Plane),
     R::Shape(S::Rectangle),
     R::Shape(S::Triangle),
+    R::Shape(S::TriangleWithNormal),
+    R::Shape(S::TriangleWithVertexNormals),
+];
+const TRIANGLES_WITH_NORMALS: &[RecordKind] = &[
     R::Shape(S::TriangleWithNormal),
     R::Shape(S::TriangleWithVertexNormals),
 ];
@@ -333,6 +340,16 @@ pub(super) const RULES: &[Rule] = &[
         asks_for: &[RENDER, OPTICS],
     },
     Rule {
+        code: Code::W338,
+        check: stereo_pair::check,
+        asks_for: &[STEREO],
+    },
+    Rule {
+        code: Code::W339,
+        check: normals_in_plane::check,
+        asks_for: &[TRIANGLES_WITH_NORMALS],
+    },
+    Rule {
         code: Code::S505,
         check: leading_zero::check,
         asks_for: &[],
@@ -355,6 +372,7 @@ pub(super) const OF_PICTURES: &[Code] = &[
     Code::W334,
     Code::W335,
     Code::W337,
+    Code::W338,
     Code::N606,
 ];
 

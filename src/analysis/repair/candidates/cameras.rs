@@ -19,17 +19,28 @@ pub(in crate::analysis::repair) const POINT_TITLE: &str = "fix-look-at";
 pub(in crate::analysis::repair) const DIRECTION_TITLE: &str = "fix-up";
 
 impl LineContext<'_> {
-    /// The selection of a camera without its ID, where there is but one.
-    pub(super) fn only_camera(&self) -> Option<Candidate> {
-        let is_one = self.ty()?.kind == RecordKind::MonoCamera && self.params().is_empty();
+    /// The selection of a camera or of two without an ID, where just as many cameras are left.
+    pub(super) fn only_cameras(&self) -> Option<Candidate> {
+        let ty = self.ty()?;
+        let is_one = matches!(ty.kind, RecordKind::MonoCamera | RecordKind::StereoCamera);
+        let lost = ty.params.len().checked_sub(self.params().len());
+        let lost = lost.filter(|&lost| is_one && lost > 0)?;
+        let written = self.params().iter().map(|t| t.integer(self.text));
+        let written: Vec<i64> = written.collect::<Option<_>>()?;
         let known = self.entities(&[Kind::Camera]).filter(|e| e.kind.is_some());
-        let mut cameras = known.filter(|_| is_one);
-        let (Some(only), None) = (cameras.next(), cameras.next()) else {
+        let (named, left): (Vec<i64>, Vec<i64>) =
+            (known.map(|e| i64::from(e.id))).partition(|id| written.contains(id));
+        if named.len() != written.len() || left.len() != lost {
             return None;
+        }
+        let last = *self.params().last().unwrap_or(&self.tokens[1]);
+        let ids = left.iter().map(|id| format!(" {id}"));
+        let text = format!("{}{}", last.text(self.text), ids.collect::<String>());
+        let habit = match named.is_empty() {
+            true => Habit::Lost,
+            false => Habit::Eye,
         };
-        let ty = self.tokens[1];
-        let text = format!("{} {}", ty.text(self.text), only.id);
-        self.write(Habit::Lost, &[(ty, text)])
+        self.write(habit, &[(last, text)])
     }
 
     /// The direction is the point that the camera looks at, or the up vector is along the direction or zero.

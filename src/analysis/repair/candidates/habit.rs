@@ -7,6 +7,8 @@ use crate::diagnostics::{Code, Diagnostic};
 pub(in crate::analysis::repair) enum Habit {
     /// The minus of a type is lost, or there is one too many.
     Sign,
+    /// The camera of one eye is left out, and but one other camera is there.
+    Eye,
     /// A digit of a type is lost, doubled or wrong, or two are exchanged.
     Digit,
     /// Several numbers stand in one token.
@@ -86,7 +88,7 @@ impl Habit {
             Habit::Direction | Habit::Point | Habit::Up => {
                 matches!(finding.code, E008 | E203 | E206 | E207)
             }
-            Habit::Split | Habit::Lost => finding.code == E008,
+            Habit::Split | Habit::Lost | Habit::Eye => finding.code == E008,
             Habit::Swapped => {
                 matches!(finding.code, E101 | E103 | E104 | E107 | E108 | W319)
             }

@@ -309,7 +309,7 @@ impl<'a> LineContext<'a> {
             self.inline(&[undefined, taken].concat(), &mut out);
             self.camera(finding, &mut out);
             self.without_up(finding, &mut out);
-            out.extend(self.only_camera());
+            out.extend(self.only_cameras());
             self.lost_number(finding, &mut out);
             self.angle_before(finding, &mut out);
             out.extend(self.lost_id(finding));
@@ -405,7 +405,8 @@ impl<'a> LineContext<'a> {
             | Habit::Id
             | Habit::Type
             | Habit::Proposed => None,
-            Habit::Direction | Habit::Point | Habit::Up | Habit::Split | Habit::Lost => None,
+            Habit::Direction | Habit::Point | Habit::Up => None,
+            Habit::Split | Habit::Lost | Habit::Eye => None,
         }
     }
 

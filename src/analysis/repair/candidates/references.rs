@@ -117,9 +117,11 @@ impl LineContext<'_> {
             let written = id(t);
             let text = written.to_string();
             let used: Vec<i64> = all.iter().map(|(t, _)| id(t)).collect();
-            // No operation has one thing as both its operands, and no checkerboard one colour.
+            // No operation has one thing as both its operands, no checkerboard one colour, and no pair of eyes one camera.
             let is_of_two = (self.ty()).is_some_and(|ty| {
-                ty.family == Family::Operation || ty.kind == RecordKind::Checkerboard
+                let is_pair =
+                    [RecordKind::Checkerboard, RecordKind::StereoCamera].contains(&ty.kind);
+                ty.family == Family::Operation || is_pair
             });
             let mut others: Vec<(bool, bool, usize, u64, u32)> = (self.entities(kinds))
                 .filter(|e| i64::from(e.id) != written && Some(e.id) != self.id())

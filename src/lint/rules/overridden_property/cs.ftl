@@ -13,3 +13,15 @@ W334-textured = { $change } objektu { $id } nemá účinek: následuje textura, 
     .second = { W334.second }
     .help = jednu z nich odstraňte, nebo druhou dejte objektu, kterému má patřit
     .fix = { W334.fix }
+W334-given = { $change } objektu { $id } nemá účinek: následuje přiřazení, které { $id } dá jinou texturu nebo barvu
+    .label = { W334.label }
+    .second = { W334.second }
+    .help = jeden z obou záznamů odstraňte, nebo dejte druhému ID objektu, ke kterému patří
+    .fix = { W334.fix }
+W334-taken-back = { $change } pro { $id } nemá účinek: v přiřazení, které následuje, je T = 0, a to texturu nebo barvu odstraní
+    .label = toto se odstraní
+    .second = odstraní to tato 0
+    .help = 0 neznamená, že vše zůstane: na místo T napište ID textury nebo barvy, nebo přiřazení napište nad záznam, který texturu nebo barvu dává
+    .fix = { W334.fix }
+    .fix-join = ve druhém záznamu napsat za T { $number } a první vynechat
+    .fix-behind = napsat to za přiřazení

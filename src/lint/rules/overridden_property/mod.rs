@@ -1,5 +1,7 @@
 //! W334: a property that a later record of the same kind, an assignment, or a texture overrides before anything uses it.
 
+mod taken_back;
+
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
@@ -22,7 +24,7 @@ const KINDS: [RecordKind; 5] = [
 const PROPOSALS: usize = 2;
 
 /// Findings that get proposals: each looks through the whole scene for them.
-const MAX_PROPOSED: usize = 16;
+pub(super) const MAX_PROPOSED: usize = 16;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let pairs = pairs(context);
@@ -30,45 +32,140 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         true => return,
         false => context.titles(),
     };
-    for (i, (first, second)) in pairs.into_iter().enumerate() {
+    for (i, pair) in pairs.into_iter().enumerate() {
+        let Pair {
+            first,
+            second,
+            case,
+        } = pair;
         let span = |r: &Record| context.document.span(r.first, r.last);
         let title = titles.get(&second.id).copied().unwrap_or("object");
         let mut d = Diagnostic::new(Code::W334, span(first))
             .with("change", Value::Term(first.ty().title))
             .with("type", Value::Term(title))
             .with("id", first.id.to_string())
-            .case(match second.kind {
-                kind if kind == first.kind => "",
-                RecordKind::Assignment => "assigned",
-                _ => "textured",
-            })
+            .case(case)
             .label(span(second), "second");
         if i < MAX_PROPOSED {
             d.fixes = neighbours(context, second);
+            if case == TAKEN_BACK {
+                taken_back::propose(context, first, second, &mut d.fixes);
+            }
         }
         out.push(d);
     }
 }
 
+/// A record without effect, and the one that overrides it.
+struct Pair<'a> {
+    first: &'a Record,
+    second: &'a Record,
+    case: &'static str,
+}
+
+/// The case of an assignment whose T is 0, behind what gave a texture or a colour.
+const TAKEN_BACK: &str = "taken-back";
+
 fn is_colour(record: &Record) -> bool {
     record.kind == RecordKind::Colour
+}
+
+/// Whether T of an assignment is 0.
+fn takes_back(context: &Context, assignment: &Record) -> bool {
+    context.record_params(assignment).integer(0) == 0
+}
+
+/// The places of the records that override another one, each with whether it is an assignment that takes a texture or a
+/// colour back.
+pub(super) fn overriding(context: &Context) -> FxHashMap<u32, bool> {
+    let mut overriding = FxHashMap::default();
+    for pair in pairs(context) {
+        let start = context.document.tokens[pair.second.first as usize].start;
+        *overriding.entry(start).or_default() |= pair.case == TAKEN_BACK;
+    }
+    overriding
 }
 
 /// The objects whose optics are given twice: a record about one of them may be meant for another.
 pub(super) fn with_two_optics(context: &Context) -> FxHashSet<u32> {
     let pairs = pairs(context).into_iter();
-    let of_optics = pairs.filter(|(first, _)| first.ty().gives_optics());
-    of_optics.map(|(first, _)| first.id).collect()
+    let of_optics = pairs.filter(|pair| pair.first.ty().gives_optics());
+    of_optics.map(|pair| pair.first.id).collect()
+}
+
+/// The records about an ID since the ID was used, the last one of each kind.
+#[derive(Default)]
+struct Unused<'a> {
+    of_kind: [Option<&'a Record>; KINDS.len()],
+    texture: Option<&'a Record>,
+}
+
+impl<'a> Unused<'a> {
+    /// Adds a record of one of the kinds, and gives the one that it overrides.
+    fn add(&mut self, record: &'a Record, kind: usize) -> Option<Pair<'a>> {
+        let first = self.of_kind[kind].replace(record)?;
+        let (second, case) = (record, "");
+        Some(Pair {
+            first,
+            second,
+            case,
+        })
+    }
+
+    /// Adds a texture, and gives the colour that it covers.
+    fn add_texture(&mut self, second: &'a Record) -> Option<Pair<'a>> {
+        self.texture = Some(second);
+        let (first, case) = (self.take_colour()?, "textured");
+        Some(Pair {
+            first,
+            second,
+            case,
+        })
+    }
+
+    /// Adds what an assignment overrides beside another one. A texture that another covers is not among it.
+    fn assign(&mut self, context: &Context, second: &'a Record, pairs: &mut Vec<Pair<'a>>) {
+        let colour = self.take_colour();
+        let (texture, case) = match (self.texture.take(), takes_back(context, second)) {
+            (texture, true) => (texture, TAKEN_BACK),
+            (_, false) => (None, "given"),
+        };
+        pairs.extend(colour.or(texture).map(|first| Pair {
+            first,
+            second,
+            case,
+        }));
+        // It gives the optics as well, as 0 does.
+        let gives = |last: &&mut Option<&Record>| last.is_some_and(|r| r.ty().gives_optics());
+        let of_optics = self.of_kind.iter_mut().filter(gives);
+        let of_optics = of_optics.filter_map(Option::take);
+        let case = "assigned";
+        pairs.extend(of_optics.map(|first| Pair {
+            first,
+            second,
+            case,
+        }));
+    }
+
+    /// Whether an object has its texture or colour from an assignment, for all that is unused.
+    fn is_plain(&self) -> bool {
+        self.texture.is_none() && !self.of_kind.iter().flatten().any(|r| is_colour(r))
+    }
+
+    /// The colour that nothing has overridden, which then is so.
+    fn take_colour(&mut self) -> Option<&'a Record> {
+        let mut colours = self.of_kind.iter_mut();
+        colours.find_map(|last| last.take_if(|r| is_colour(r)))
+    }
 }
 
 /// The records without effect, each with the one that overrides it.
-fn pairs<'a>(context: &Context<'a>) -> Vec<(&'a Record, &'a Record)> {
+fn pairs<'a>(context: &Context<'a>) -> Vec<Pair<'a>> {
     let mut pairs = Vec::new();
     if context.has_broken() {
         return pairs;
     }
-    // For each ID the last record of each kind since the ID was used.
-    let mut unused: FxHashMap<u32, [Option<&Record>; KINDS.len()]> = FxHashMap::default();
+    let mut unused: FxHashMap<u32, Unused> = FxHashMap::default();
     let mut defined: FxHashSet<u32> = FxHashSet::default();
     for record in context.records() {
         let changes = matches!(record.ty().effect, Effect::Changes(_));
@@ -78,23 +175,34 @@ fn pairs<'a>(context: &Context<'a>) -> Vec<(&'a Record, &'a Record)> {
         for id in context.references(record) {
             unused.remove(&id);
         }
-        let kind = KINDS.iter().position(|kind| *kind == record.kind);
-        if super::TEXTURES.contains(&record.kind)
-            && let Some(last) = unused.get_mut(&record.id)
-        {
-            let mut colours = (last.iter_mut()).filter(|r| r.is_some_and(is_colour));
-            pairs.extend(colours.find_map(|last| Some((last.take()?, record))));
-        }
         // Of what stands above its definition another finding speaks.
-        if let Some(kind) = kind.filter(|_| defined.contains(&record.id)) {
+        if !defined.contains(&record.id) {
+            continue;
+        }
+        let kind = KINDS.iter().position(|kind| *kind == record.kind);
+        if super::TEXTURES.contains(&record.kind) {
             let last = unused.entry(record.id).or_default();
-            let first = last[kind].replace(record);
-            pairs.extend(first.map(|first| (first, record)));
-            if record.kind == RecordKind::Assignment {
-                // It gives the optics as well, as 0 does.
-                let gives = |last: &Option<&Record>| last.is_some_and(|r| r.ty().gives_optics());
-                let of_optics = last.iter_mut().filter(|last| gives(last));
-                pairs.extend(of_optics.filter_map(|last| Some((last.take()?, record))));
+            pairs.extend(last.add_texture(record));
+        } else if let Some(kind) = kind {
+            let last = unused.entry(record.id).or_default();
+            let is_plain = last.is_plain();
+            let pair = last.add(record, kind);
+            let is_assignment = record.kind == RecordKind::Assignment;
+            let is_taken_back = |first: &Record| {
+                is_assignment
+                    && is_plain
+                    && takes_back(context, record)
+                    && !takes_back(context, first)
+            };
+            pairs.extend(pair.map(|pair| match is_taken_back(pair.first) {
+                true => Pair {
+                    case: TAKEN_BACK,
+                    ..pair
+                },
+                false => pair,
+            }));
+            if is_assignment {
+                last.assign(context, record, &mut pairs);
             }
         }
     }
@@ -103,10 +211,15 @@ fn pairs<'a>(context: &Context<'a>) -> Vec<(&'a Record, &'a Record)> {
 
 /// The second record with the ID of what was defined shortly before, has no such record, and is not used before that.
 /// Right under the records of such a one that one alone is meant: the line above was copied, and its ID was not changed.
-fn neighbours(context: &Context, second: &Record) -> Vec<Fix> {
+pub(super) fn neighbours(context: &Context, second: &Record) -> Vec<Fix> {
     let head = context.document.id_token(second).span();
     let is_light = |kind: Option<Kind>| matches!(kind, Some(Kind::PointLight | Kind::AmbientLight));
-    let given = context.records().filter(|r| r.kind == second.kind);
+    let gives_colour = |r: &Record| super::TEXTURES_AND_COLOURS.contains(&r.kind);
+    let is_other = |r: &Record| match gives_colour(second) {
+        true => gives_colour(r) || r.kind == RecordKind::Assignment,
+        false => r.kind == second.kind,
+    };
+    let given = context.records().filter(|r| is_other(r));
     let mut taken: FxHashSet<u32> = given.map(|r| r.id).collect();
     let before = context.records().take_while(|r| r.first < second.first);
     let mut above = None;

@@ -5,6 +5,7 @@ W331-covered = { $type } není nikde vidět: překrývá ji jiná textura nebo b
     .label = tato textura je překrytá
     .cover = tím, co se přiřazuje zde
     .help = jednu z nich odstraňte: co dostane celý objekt, překryje to, co mají jeho části
+    .fix = napsat { $number }
 W331-removed = { $type } není nikde vidět: co ji má, se jen odečítá od něčeho jiného
     .label = tato textura se odřízne
     .help = přiřaďte ji objektu, od kterého se odečítá (mají ji pak i plochy řezu), nebo ji odstraňte

@@ -5,6 +5,7 @@ W331-covered = no picture shows this { $type }: another texture or colour is pai
     .label = this texture is covered
     .cover = by what is given here
     .help = remove one of the two: what a whole object is given covers what its parts have
+    .fix = write { $number }
 W331-removed = no picture shows this { $type }: what has it is only taken away from something else
     .label = this texture is cut away
     .help = give it to the object that is cut, whose cut faces have it too, or remove it

@@ -7,12 +7,14 @@ mod given;
 mod instead;
 mod unions;
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::overridden_property::{self, MAX_PROPOSED};
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::Context;
-use crate::scene::{Node, NodeId, Scene, fold_up};
+use crate::scene::{Node, NodeId, Origin, Scene, fold_up};
 use crate::solids::Named;
+use crate::syntax::Item;
 use crate::trace::plan::unseen::view::{USUAL, beside_all_views};
 use crate::trace::plan::unseen::{LeftOut, Unseen, Why as UnseenReason};
 use crate::trace::plan::visible_aspects::{Showing, VisibleAspects};
@@ -29,14 +31,25 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let colours = sightings.colours(context);
     let (in_unions, findings) = sightings.unions(context, &colours);
     out.extend(findings);
+    let mut proposed = 0;
     for (i, (given, found)) in given.iter().zip(found).enumerate() {
         let said = found.said(given).filter(|_| !in_unions.contains(&i));
         let is_told = |d: &Diagnostic| {
             !given.is_colour || d.case == Why::Removed.case() && colours.differs(i)
         };
-        out.extend(said.filter(is_told).map(|d| match given.is_colour {
-            true => d.case("colour"),
-            false => d,
+        out.extend(said.filter(is_told).map(|mut d| {
+            if d.case == Why::Covered.case()
+                && let Some(again) = found.again.filter(|_| proposed < MAX_PROPOSED)
+                && let Some(at) = context.document.item_at(again.start)
+                && let Item::Record(second) = &context.document.items[at]
+            {
+                proposed += 1;
+                d.fixes = overridden_property::neighbours(context, second);
+            }
+            match given.is_colour {
+                true => d.case("colour"),
+                false => d,
+            }
         }));
     }
 }
@@ -92,6 +105,7 @@ impl<'a> Sightings<'a> {
         let is_drawn = |p: &Painting| views.showing(p) != Showing::Absent;
         // Whether each painting is drawn, or one that goes on from it.
         let mut drawn = vec![false; paintings.len()];
+        let overriding = overridden_property::overriding(context);
         for (i, painting) in paintings.iter().enumerate().rev() {
             let next = painting.next.filter(|&next| drawn[next]);
             drawn[i] = is_drawn(painting) || next.is_some();
@@ -102,11 +116,10 @@ impl<'a> Sightings<'a> {
             found.is_used = true;
             match next.filter(|_| !is_drawn(painting)) {
                 Some(next) if paintings[next].texture != painting.texture => {
-                    let origin = context.scene.origins[paintings[next].node as usize];
-                    found.add(Why::Covered, Some(origin.span));
+                    found.cover(views.scene, painting, paintings[next].node, &overriding);
                 }
                 Some(_) => {}
-                None => views.judge(painting, found),
+                None => views.judge(painting, &overriding, found),
             }
         }
         for i in (0..given.len()).rev() {
@@ -182,6 +195,8 @@ struct TextureSightings {
     reasons: Vec<Why>,
     /// The paint that covers the texture.
     cover: Option<Span>,
+    /// A record that covers the texture, is about the same object, and is in no other finding.
+    again: Option<Span>,
     /// The solid that hides the texture, if one does.
     solid: Option<Named>,
 }
@@ -192,6 +207,27 @@ impl TextureSightings {
             self.reasons.push(why);
         }
         self.cover = self.cover.or(cover);
+    }
+
+    /// Adds that a paint covers the texture, where W334 does not say that it takes it back.
+    fn cover(
+        &mut self,
+        scene: &Scene,
+        painting: &Painting,
+        cover: NodeId,
+        overriding: &FxHashMap<u32, bool>,
+    ) {
+        let origin = |node: NodeId| scene.origins[node as usize];
+        let Origin { id, span } = origin(cover);
+        let is_own = origin(painting.node).id == id;
+        match overriding.get(&span.start) {
+            Some(true) if is_own => {}
+            None if is_own => {
+                self.add(Why::Covered, Some(span));
+                self.again = self.again.or(Some(span));
+            }
+            _ => self.add(Why::Covered, Some(span)),
+        }
     }
 
     fn said(&self, given: &Given) -> Option<Diagnostic> {
@@ -273,7 +309,12 @@ impl<'a> Views<'a> {
     }
 
     /// Finds out whether a painting is to be seen, and if not, why.
-    fn judge(&self, painting: &Painting, found: &mut TextureSightings) {
+    fn judge(
+        &self,
+        painting: &Painting,
+        overriding: &FxHashMap<u32, bool>,
+        found: &mut TextureSightings,
+    ) {
         let is_lost = |reach: &Option<VisibleAspects>| {
             let shows = |r: &VisibleAspects| r.showing(self.scene, painting.node) == Showing::Shown;
             reach.as_ref().is_some_and(|r| !shows(r))
@@ -281,11 +322,10 @@ impl<'a> Views<'a> {
         match self.showing(painting) {
             Showing::Absent => {}
             Showing::Removed => found.add(Why::Removed, None),
-            Showing::Covered => {
-                let cover = self.covers[painting.node as usize];
-                let span = cover.map(|c| self.scene.origins[c as usize].span);
-                found.add(Why::Covered, span);
-            }
+            Showing::Covered => match self.covers[painting.node as usize] {
+                Some(cover) => found.cover(self.scene, painting, cover, overriding),
+                None => found.add(Why::Covered, None),
+            },
             Showing::Dark => found.add(Why::Dark, None),
             Showing::Shown if is_lost(&self.met) => {
                 found.add(Why::Hidden, None);

@@ -1,0 +1,16 @@
+W338 = obě oči stereoskopického obrázku jsou kamera { $id }
+    .label = oba obrázky jsou stejné
+    .help = uveďte druhou kameru, o kousek vpravo od první
+    .fix = napsat { $number }
+W338-same = kamery { $left } a { $right } stereoskopického obrázku mají totéž místo i směr
+    .label = na obrázcích není hloubka
+    .help = pravou kameru umístěte o kousek vpravo od levé
+W338-swapped = oči jsou prohozené: kamera { $left } levého oka je vpravo od { $right }
+    .label = co je blízko, bude daleko
+    .help = první má být levá kamera
+    .fix = napsat { $number }
+W338-overridden = výběr dvojice kamer { $id } nemá účinek: { $other } vybírá jednu kameru a platí poslední výběr
+    .label = toto se přepíše
+    .second = přepíše to tento záznam
+    .help = jeden z obou záznamů odstraňte
+    .fix = pro stereoskopický obrázek odstranit { $other }
