@@ -306,8 +306,14 @@ impl Stage<'_> {
             candidates, blocks, ..
         } = along;
         blocks.iter_mut().for_each(Vec::clear);
-        for candidate in &*candidates {
-            let mut rays = packet.in_box(candidate, one, packet.live & !dark);
+        // What is in the way of these is likely in the way of the next ones: it comes first then.
+        let mut foremost = 0;
+        for (i, candidate) in candidates.iter().enumerate() {
+            let open = packet.live & !dark;
+            if open == 0 {
+                break;
+            }
+            let mut rays = packet.in_box(candidate, one, open);
             if rays == 0 {
                 continue;
             }
@@ -343,7 +349,13 @@ impl Stage<'_> {
                 }
                 rays &= !dark;
             }
+            if open & dark != 0 {
+                foremost = i;
+            }
             lanes(rays).for_each(|lane| blocks[lane].push(candidate.block));
+        }
+        if foremost != 0 {
+            candidates.swap(0, foremost);
         }
         dark
     }

@@ -7,7 +7,7 @@ use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Start, Tests}
 use super::scratch::{Face, Passed, Scratch};
 use super::stage::Stage;
 use crate::geometry::vec::Vec3;
-use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH as CHILDREN};
+use crate::geometry::wide_bvh::{Beam, Is, WIDTH as CHILDREN};
 
 /// What light of a lamp does.
 #[derive(Debug, Clone, Copy)]
@@ -82,6 +82,7 @@ impl Stage<'_> {
                 };
             }
         }
+        let own = [scratch.passed.len(), scratch.opaque.len()];
         match along {
             Some(along) => {
                 for &block in along {
@@ -95,10 +96,15 @@ impl Stage<'_> {
             None => {
                 let beam = Beam::new(&query.line, &self.all.frame);
                 let ends = [0.0, beam.pace(1.0)];
-                self.begin(scratch);
-                if !self.has_glass && *last != NONE {
-                    scratch.pending.push((0.0, Child::item(*last)));
+                if *last != NONE {
+                    if let Found::Dark = self.in_the_way(&query, *last, scratch, tests) {
+                        return Light::Dark;
+                    }
+                    // It is met once more.
+                    scratch.passed.truncate(own[0]);
+                    scratch.opaque.truncate(own[1]);
                 }
+                self.begin(scratch);
                 let mut next = None;
                 while let Some((_, child)) = next.take().or_else(|| scratch.pending.pop()) {
                     let block = match child.is() {

@@ -37,8 +37,6 @@ pub struct Stage<'g> {
     /// Chains of placements: indices into [`Graph::placements`], the outermost first.
     pub chains: Vec<Vec<u32>>,
     pub graph: &'g Graph,
-    /// Whether something in it is transparent.
-    pub has_glass: bool,
     /// Whether transparent things let the light of lamps through.
     pub lets_light_through: bool,
 }
@@ -50,8 +48,7 @@ impl Stage<'_> {
             return None;
         }
         let mut leaves = Leaves::new(graph, most)?;
-        let has_glass = leaves.all.iter().any(|leaf| leaf.is_clear);
-        if has_glass {
+        if leaves.all.iter().any(|leaf| leaf.is_clear) {
             find_lone(graph, &mut leaves);
         }
         let Leaves {
@@ -91,7 +88,6 @@ impl Stage<'_> {
             .map(|o| Csg::new(&leaves, o, &mut blocks));
         Some(Stage {
             csgs: csgs.collect(),
-            has_glass,
             lets_light_through: !(graph.without.refraction || graph.without.transparent_shadows),
             leaves,
             blocks,
