@@ -1,6 +1,7 @@
 //! What many rays that go nearly the same way may meet.
 
 use super::lanes::LANES;
+use super::packet::REL_ROOM;
 use super::stage::Stage;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::shaft::Shaft;
@@ -68,8 +69,6 @@ impl Around {
 /// With more blocks than this on the way, or more nodes, each ray is quicker by itself.
 const MAX_BUNDLE_BLOCKS: usize = 24;
 const MAX_BUNDLE_NODES: u32 = 48;
-/// Boxes are wider by this part of all coordinates: far more than what is rounded.
-pub const REL_ROOM: f64 = 1e-12;
 
 impl Along {
     /// Finds the blocks that rays of a bundle may meet up to some t; whether that pays. The rays start in a box, whose

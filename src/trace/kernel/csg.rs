@@ -89,6 +89,15 @@ impl Csg {
 struct Doubt;
 
 impl Stage<'_> {
+    /// The operands of a leaf that is an intersection of a few shapes.
+    #[inline(always)]
+    pub fn spans(&self, leaf: &Leaf) -> Option<&Spans> {
+        match leaf.kind {
+            Kind::Csg => self.csgs[leaf.primitive as usize].spans.as_ref(),
+            _ => None,
+        }
+    }
+
     /// Finds where a ray crosses the boundary of an intersection ahead of its start, up to some t: the first place, or all
     /// of them.
     #[inline(never)]
@@ -112,7 +121,7 @@ impl Stage<'_> {
             && !query.start.within.has(number)
         {
             let packet = Packet::new([query.start; LANES], 1);
-            let entry = self.entry(&packet, spans, Lanes::splat(to), 1);
+            let entry = spans.entry(self.space(), &packet, Lanes::splat(to), 1);
             if entry.rest == 0 {
                 tests.shapes += spans.count();
                 if entry.ahead.met == 0 {

@@ -15,7 +15,7 @@
 //!    [`quadric`]): a ray is held against four at once. Other shapes are asked one by one by the arbiter's own formulas
 //!    ([`scalar`]). [`csg`] merges what a ray meets of an intersection; of a few shapes with lanes
 //!    the first place is found without that ([`spans`]). Rays that go nearly the same
-//!    way share one walk through the tree ([`bundle`]), and four of them at a time are held against a shape ([`packet`]); a
+//!    way share one walk through the tree ([`bundle`]), and four of them at a time are held against a shape ([`packet`], [`packet_search`]); a
 //!    shape without lanes is asked about those that [`cull`] does not tell.
 //! 2. Where a leaf is met is computed with the operations of the arbiter in the arbiter's order, for four rays at once;
 //!    [`place`] takes rays into the spaces of shapes, and [`quadric_point`] finds points of solids of second degree.
@@ -54,6 +54,7 @@ mod light;
 mod lone;
 mod maps;
 mod packet;
+mod packet_search;
 mod place;
 mod plane;
 mod probe;

@@ -8,10 +8,10 @@ use super::lanes::{
     ALL, LANES, Lanes, V3, either, fused, gathered, is_at_most, is_greater, is_less, lanes_where,
     mask,
 };
+use super::leaf::Leaf;
 use super::maps::Maps;
-use super::query::{SKINS, UNKNOWN_FACE};
+use super::query::{Crossing, SKINS, Start, UNKNOWN_FACE};
 use super::resolved::Resolved;
-use super::shade::Four;
 use super::stage::Stage;
 use crate::geometry::affine::Placement;
 use crate::geometry::array::each;
@@ -29,6 +29,9 @@ pub struct Found {
     /// The points in the spaces of their leaves.
     pub local: V3,
 }
+
+/// A ray, and where it meets its leaf, about.
+pub type Met<'w> = (&'w Start, &'w Crossing);
 
 /// Four polynomials; see [`Axial`].
 struct Forms {
@@ -72,13 +75,13 @@ const LEAST_NORMAL: f64 = 1e-60;
 
 /// Where four rays meet their leaves: at the far ends of chords where they come out.
 #[inline(never)]
-pub fn meet(stage: &Stage, four: &Four) -> Option<Found> {
-    let axial = |lane: usize| four.leaves[lane].quadric.as_ref()?.axial.as_ref();
+pub fn meet(stage: &Stage, leaves: [&Leaf; LANES], met: [Met<'_>; LANES]) -> Option<Found> {
+    let axial = |lane: usize| leaves[lane].quadric.as_ref()?.axial.as_ref();
     let [Some(a), Some(b), Some(c), Some(d)] = each([0, 1, 2, 3], axial) else {
         return None;
     };
     let forms = Forms::gathered([a, b, c, d]);
-    let ways = each(four.leaves, |leaf| &stage.chains[leaf.chain as usize][..]);
+    let ways = each(leaves, |leaf| &stage.chains[leaf.chain as usize][..]);
     let place = |lane: usize, depth: usize| -> &Placement {
         let number = ways[lane]
             .get(depth)
@@ -89,13 +92,16 @@ pub fn meet(stage: &Stage, four: &Four) -> Option<Found> {
     let goes = |depth: usize| mask(lanes_where(|lane| depth < ways[lane].len()));
     let depth = ways.iter().fold(0, |most, way| way.len().max(most));
 
-    let mut line = Local::new(four.origin, four.direction);
+    let starts = each(met, |(start, _)| start);
+    let crossings = each(met, |(_, crossing)| crossing);
+    let origin = V3::gathered(starts, |start| &start.origin);
+    let direction = V3::gathered(starts, |start| &start.direction);
+    let mut line = Local::new(origin, direction);
     for depth in 0..depth {
         line = line.through(&places(depth), goes(depth));
     }
     let chords = forms.chords(&line);
-    let exit = mask(four.exits_leaf);
-    let crossings = each(four.hits, |hit| &hit.crossing);
+    let exit = mask(lanes_where(|lane| crossings[lane].is_exit));
     let [rough, error, t] = [
         gathered(crossings, |crossing| crossing.end.t),
         gathered(crossings, |crossing| crossing.end.error),
@@ -109,10 +115,10 @@ pub fn meet(stage: &Stage, four: &Four) -> Option<Found> {
     let other = either(exit, chords.t[0], chords.t[1]);
     let is_near = is_at_most((own - rough).abs(), error + error);
     // The other end may be the start.
-    let skin = gathered(four.rays, |ray| ray.start.skin * SKINS);
-    let left = lanes_where(|lane| four.rays[lane].start.left == four.leaves[lane].twin);
+    let skin = gathered(starts, |start| start.skin * SKINS);
+    let left = lanes_where(|lane| starts[lane].left == leaves[lane].twin);
     let splat = Lanes::splat;
-    let far = skin / four.direction.abs().max_component() + splat(4.0) * error;
+    let far = skin / direction.abs().max_component() + splat(4.0) * error;
     let is_apart = is_greater(other.abs(), far + far) | mask(left);
     let told = chords.known & is_near & is_apart & line.is_sharp(own) & line.is_sharp(other);
     let t = either(located, t, own);
@@ -556,7 +562,8 @@ mod tests {
     use crate::trace::Tracer;
     use crate::trace::kernel::query::{NONE, Start, Tests, Within};
     use crate::trace::kernel::scratch::Scratch;
-    use crate::trace::kernel::search::Met;
+    use crate::trace::kernel::search;
+    use crate::trace::kernel::shade::Four;
     use crate::trace::kernel::tests::numbers;
     use crate::trace::kernel::wave::{Hit, Ray};
     use crate::trace::stats::Work;
@@ -596,7 +603,8 @@ mod tests {
             let (mut scratch, mut tests) = (Scratch::default(), Tests::default());
             let (mut wave, mut hits) = (Vec::new(), Vec::new());
             let mut look = |start: Start, wave: &mut Vec<Ray>, hits: &mut Vec<Hit>| {
-                let Met::Surface(crossing, sides) = stage.first(&start, &mut scratch, &mut tests)
+                let search::Met::Surface(crossing, sides) =
+                    stage.first(&start, &mut scratch, &mut tests)
                 else {
                     return None;
                 };
@@ -649,7 +657,10 @@ mod tests {
             let mut known = 0;
             for some in hits.chunks(LANES) {
                 let four = Four::new(&wave, &stage.leaves, some);
-                let found = meet(&stage, &four).expect("forms without mixed terms");
+                let met = each(four.hits, |hit| {
+                    (&wave[hit.ray as usize].start, &hit.crossing)
+                });
+                let found = meet(&stage, four.leaves, met).expect("forms without mixed terms");
                 let all = found.resolved;
                 for lane in (0..some.len()).filter(|lane| found.known >> lane & 1 != 0) {
                     known += 1;

@@ -11,7 +11,7 @@ use super::leaf::{Kind, Leaf};
 use super::packet::{Ahead, Packet};
 use super::probe::{Chords, Probe};
 use super::query::{BENT, Crossing, End, UNKNOWN_FACE};
-use super::stage::Stage;
+use crate::geometry::affine::Placement;
 use crate::trace::shapes::Root;
 
 /// The operands of an intersection, the cuts last.
@@ -150,20 +150,17 @@ impl Entry<'_> {
     }
 }
 
-impl Stage<'_> {
-    /// The operands of a leaf that is an intersection of a few shapes.
-    #[inline(always)]
-    pub fn spans(&self, leaf: &Leaf) -> Option<&Spans> {
-        match leaf.kind {
-            Kind::Csg => self.csgs[leaf.primitive as usize].spans.as_ref(),
-            _ => None,
-        }
-    }
-
+impl Spans {
     /// Where some rays, which start outside of an intersection, meet it first, up to some t: what is behind that may be
     /// missing.
     #[inline(never)]
-    pub fn entry<'s>(&self, packet: &Packet, spans: &'s Spans, to: Lanes, rays: u32) -> Entry<'s> {
+    pub fn entry(
+        &self,
+        (leaves, placements): (&[Leaf], &[Placement]),
+        packet: &Packet,
+        to: Lanes,
+        rays: u32,
+    ) -> Entry<'_> {
         let splat = Lanes::splat;
         let (zero, infinity) = (Lanes::ZERO, splat(f64::INFINITY));
         let mut chords = [Chord::NOWHERE; MAX_OPERANDS];
@@ -175,12 +172,12 @@ impl Stage<'_> {
         // The first way out is between these.
         let (mut out_least, mut out_most) = (infinity, infinity);
         let mut moved = None;
-        for (i, (operand, chord)) in spans.0.iter().zip(&mut chords).enumerate() {
+        for (i, (operand, chord)) in self.0.iter().zip(&mut chords).enumerate() {
             if rays & !beside == 0 {
                 break;
             }
-            let leaf = &self.leaves[operand.number as usize];
-            let probe = self.in_space(packet, leaf.placement, &mut moved);
+            let leaf = &leaves[operand.number as usize];
+            let probe = packet.in_space(placements, leaf.placement, &mut moved);
             let is_known;
             (*chord, is_known) = Chord::new(packet, probe, (&operand.shapes, leaf), to);
             doubt |= rays & !is_known;
@@ -208,7 +205,7 @@ impl Stage<'_> {
         t = either(starts_in, zero, t);
         error = either(starts_in, packet.skin, error);
         doubt |= rays & !is_last.to_bitmask();
-        let cuts = || spans.0.iter().zip(&chords).enumerate();
+        let cuts = || self.0.iter().zip(&chords).enumerate();
         let mut open = rays & !beside & !doubt;
         // At each turn some ray comes out of a cut for good.
         let mut has_moved = true;
@@ -244,7 +241,7 @@ impl Stage<'_> {
                 error,
             },
             rest: rays & !beside & (doubt | !(is_met | is_over).to_bitmask()),
-            spans,
+            spans: self,
             operands,
         }
     }
@@ -259,6 +256,7 @@ mod tests {
     use crate::trace::kernel::query::{NONE, Start, Tests, Within};
     use crate::trace::kernel::scratch::Scratch;
     use crate::trace::kernel::search::Met;
+    use crate::trace::kernel::stage::Stage;
     use crate::trace::kernel::tests::numbers;
 
     /// An intersection or a difference of a few shapes near the origin, some of them with faces in one plane.
@@ -332,7 +330,7 @@ mod tests {
                     let walked = walks.first(&start, &mut scratch, &mut tests);
                     let packet = Packet::new([&start; LANES], ALL);
                     let far = Lanes::splat(f64::INFINITY);
-                    let entry = stage.entry(&packet, spans, far, ALL);
+                    let entry = spans.entry(stage.space(), &packet, far, ALL);
                     all += 1;
                     known += usize::from(entry.rest == 0);
                     assert!(entry.rest == 0 || entry.rest == ALL);

@@ -9,6 +9,7 @@ use super::leaf::{Kind, Leaf};
 use super::lone::find_lone;
 use super::probe::Probe;
 use crate::geometry::aabb::Aabb;
+use crate::geometry::affine::Placement;
 use crate::geometry::bvh::Bvh;
 use crate::geometry::wide_bvh::{Frame, Tree};
 use crate::trace::graph::Graph;
@@ -95,6 +96,12 @@ impl Stage<'_> {
             chains,
             graph,
         })
+    }
+
+    /// The leaves, and the placements that they are in.
+    #[inline(always)]
+    pub fn space(&self) -> (&[Leaf], &[Placement]) {
+        (&self.leaves, &self.graph.placements)
     }
 
     /// A ray in the space of a placement, kept in `moved` where that is another one.

@@ -367,7 +367,10 @@ impl Tile {
     #[inline(never)]
     fn hits_of_quadrics(&mut self, scene: &Scene, wave: &[Ray], four: &Four, live: u32) {
         let stage = scene.stage;
-        let found = quadric_point::meet(stage, four);
+        let met = each(four.hits, |hit| {
+            (&wave[hit.ray as usize].start, &hit.crossing)
+        });
+        let found = quadric_point::meet(stage, four.leaves, met);
         let told = live & found.as_ref().map_or(0, |found| found.known);
         let mut hits = each(four.hits, Hit::clone);
         let mut lost = 0;

@@ -1,0 +1,243 @@
+//! What four rays of a bundle meet first, and what is between them and a lamp.
+
+use super::block::Shapes;
+use super::bundle::Along;
+use super::lanes::{LANES, Lanes, either, is_greater, is_less, mask};
+use super::packet::{Ahead, Packet};
+use super::query::{Ask, Crossed, Crossing, End, Query, Tests, UNKNOWN_FACE, Within};
+use super::scratch::Scratch;
+use super::search::Met;
+use super::shadow::TO;
+use super::spans::Entry;
+use super::stage::Stage;
+use crate::trace::shapes::Root;
+
+/// The nearest crossings so far.
+struct Nearest {
+    crossings: [Crossing; LANES],
+    t: Lanes,
+    error: Lanes,
+    /// The least t of all that is not the nearest.
+    second: Lanes,
+    /// What is met up to here may be as near as the nearest.
+    limit: Lanes,
+    /// The rays that rounding may have decided something about, as bits.
+    doubt: u32,
+}
+
+impl Nearest {
+    #[inline(always)]
+    fn nothing() -> Nearest {
+        let never = Lanes::splat(f64::INFINITY);
+        Nearest {
+            crossings: [Crossing::NONE; LANES],
+            t: never,
+            error: Lanes::ZERO,
+            second: never,
+            limit: never,
+            doubt: 0,
+        }
+    }
+
+    /// Takes places where some rays meet something; returns those to which it is the nearest.
+    #[inline(always)]
+    fn consider(&mut self, ahead: &Ahead) -> u32 {
+        let &Ahead { t, error, .. } = ahead;
+        self.doubt |= ahead.doubt;
+        let met = mask(ahead.met);
+        let is_nearer = met & is_less(t, self.t);
+        let other = either(is_nearer, self.t - self.error, t - error);
+        self.second = either(met, self.second.fast_min(other), self.second);
+        self.limit = either(is_nearer, t + (error + error), self.limit);
+        self.t = either(is_nearer, t, self.t);
+        self.error = either(is_nearer, error, self.error);
+        is_nearer.to_bitmask()
+    }
+
+    /// Takes what a leaf without lanes says of one ray.
+    #[inline(always)]
+    fn consider_single(&mut self, lane: usize, crossed: Crossed, ahead: &[Crossing]) {
+        match (crossed, ahead.first()) {
+            (Crossed::Doubt | Crossed::Somewhere, _) => self.doubt |= 1 << lane,
+            (Crossed::Ahead, Some(crossing)) => {
+                let one = Ahead {
+                    met: 1 << lane,
+                    doubt: 0,
+                    t: Lanes::splat(crossing.end.t),
+                    error: Lanes::splat(crossing.end.error),
+                };
+                if self.consider(&one) != 0 {
+                    self.crossings[lane] = *crossing;
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The lanes of some bits.
+#[inline(always)]
+fn lanes(mut bits: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = bits.trailing_zeros() as usize;
+        bits &= bits.wrapping_sub(1);
+        (lane < LANES).then_some(lane)
+    })
+}
+
+impl Stage<'_> {
+    /// The surfaces that four rays meet first. Those that start inside of something are in doubt.
+    #[inline(never)]
+    pub fn first_of_four(
+        &self,
+        along: &Along,
+        packet: &Packet,
+        scratch: &mut Scratch,
+        tests: &mut [Tests; LANES],
+    ) -> [Met; LANES] {
+        let mut best = Nearest::nothing();
+        best.doubt = !packet.outside;
+        for candidate in &along.candidates {
+            let beyond = is_greater(Lanes::splat(candidate.near), best.limit).to_bitmask();
+            let open = packet.live & !best.doubt;
+            if open & !beyond == 0 {
+                break;
+            }
+            let rays = packet.in_box(&candidate.bounds, best.limit, open);
+            let block = &self.blocks[candidate.block as usize];
+            if rays == 0 {
+                continue;
+            }
+            if let Shapes::Single = block.shapes {
+                let number = block.leaves[0];
+                let leaf = &self.leaves[number as usize];
+                let mut rays = rays;
+                if let Some(spans) = self.spans(leaf) {
+                    scratch.merges += u64::from(rays.count_ones());
+                    lanes(rays).for_each(|lane| tests[lane].shapes += spans.count());
+                    let entry = spans.entry(self.space(), packet, best.limit, rays);
+                    for lane in lanes(best.consider(&entry.ahead)) {
+                        best.crossings[lane] = entry.crossing(lane);
+                    }
+                    rays = entry.rest;
+                    if rays == 0 {
+                        continue;
+                    }
+                }
+                let (beside, _) = packet.passing(block, leaf, f64::INFINITY);
+                for lane in lanes(rays & !beside) {
+                    let query = Query::new(packet.starts[lane]);
+                    let stretch = [-query.skin, best.limit.to_array()[lane]];
+                    let tests = &mut tests[lane];
+                    tests.shapes += 1;
+                    let with = (&mut *scratch, tests);
+                    let crossed = self.meet_single(&query, number, stretch, Ask::First, with);
+                    best.consider_single(lane, crossed, &scratch.ahead);
+                }
+                continue;
+            }
+            lanes(rays).for_each(|lane| tests[lane].shapes += 1);
+            let mut moved = None;
+            let probe = packet.in_space(&self.graph.placements, block.placement, &mut moved);
+            for (shape, &number) in block.apart.iter().zip(&block.leaves) {
+                let leaf = &self.leaves[number as usize];
+                let ahead = packet.meet(probe, (shape, leaf), best.limit, rays);
+                let (t, error) = (ahead.t.to_array(), ahead.error.to_array());
+                for lane in lanes(best.consider(&ahead)) {
+                    let (t, error) = (t[lane], error[lane]);
+                    best.crossings[lane] = Crossing {
+                        surface: number,
+                        root: Root {
+                            t,
+                            face: UNKNOWN_FACE,
+                        },
+                        end: End { t, error },
+                        is_exit: false,
+                    };
+                }
+            }
+        }
+        let alone = is_greater(best.second, best.limit).to_bitmask();
+        let mut all = [Met::Doubt; LANES];
+        for lane in lanes(packet.live & !best.doubt) {
+            let crossing = best.crossings[lane];
+            all[lane] = match self.leaves.get(crossing.surface as usize) {
+                None => Met::Nothing,
+                Some(_) if alone >> lane & 1 == 0 => Met::Doubt,
+                Some(leaf) => {
+                    let behind = match leaf.is_solid {
+                        true => Within::one(leaf.solid),
+                        false => Within::NOTHING,
+                    };
+                    Met::Surface(crossing, [Within::NOTHING, behind])
+                }
+            };
+        }
+        all
+    }
+
+    /// Finds what four rays to a lamp may meet, into [`Along::blocks`]. Returns those that surely meet something opaque that
+    /// is near nothing transparent, as bits; what these may meet is not complete.
+    #[inline(never)]
+    pub fn shadows_of_four(&self, along: &mut Along, packet: &Packet) -> u32 {
+        let (one, end) = (Lanes::splat(1.0), Lanes::splat(TO));
+        let mut dark = 0;
+        let Along {
+            candidates, blocks, ..
+        } = along;
+        blocks.iter_mut().for_each(Vec::clear);
+        // What is in the way of these is likely in the way of the next ones: it comes first then.
+        let mut foremost = 0;
+        for (i, candidate) in candidates.iter().enumerate() {
+            let open = packet.live & !dark;
+            if open == 0 {
+                break;
+            }
+            let mut rays = packet.in_box(&candidate.bounds, one, open);
+            if rays == 0 {
+                continue;
+            }
+            let block = &self.blocks[candidate.block as usize];
+            if let Shapes::Single = block.shapes {
+                let leaf = &self.leaves[block.leaves[0] as usize];
+                let (beside, through) = match self.spans(leaf) {
+                    Some(spans) => {
+                        let asked = rays & packet.outside;
+                        let Entry { ahead, rest, .. } =
+                            spans.entry(self.space(), packet, one, asked);
+                        let before = is_less(ahead.t + ahead.error, end).to_bitmask();
+                        (asked & !(ahead.met | rest), ahead.met & before)
+                    }
+                    None => packet.passing(block, leaf, 1.0),
+                };
+                if leaf.is_dark() {
+                    dark |= rays & packet.outside & through;
+                }
+                rays &= !(beside | dark);
+            } else if block.is_dark {
+                let mut moved = None;
+                let probe = packet.in_space(&self.graph.placements, block.placement, &mut moved);
+                let asked = rays & packet.outside;
+                rays &= !packet.outside;
+                for (shape, &number) in block.apart.iter().zip(&block.leaves) {
+                    let leaf = &self.leaves[number as usize];
+                    let ahead = packet.meet(probe, (shape, leaf), one, asked & !dark);
+                    if leaf.is_dark() {
+                        let before = is_less(ahead.t + ahead.error, end).to_bitmask();
+                        dark |= ahead.met & before;
+                    }
+                    rays |= ahead.doubt | ahead.met;
+                }
+                rays &= !dark;
+            }
+            if open & dark != 0 {
+                foremost = i;
+            }
+            lanes(rays).for_each(|lane| blocks[lane].push(candidate.block));
+        }
+        if foremost != 0 {
+            candidates.swap(0, foremost);
+        }
+        dark
+    }
+}
