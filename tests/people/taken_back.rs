@@ -102,3 +102,17 @@ fn a_colour_with_the_id_of_the_object_above() {
     let alone = "16 -399 8 4 14 15\n2 11 0 1 0 1\n2 -299 16 0\n2 -701 0.1 0.6 0.3\n";
     assert!(said(&scene(alone, 2))[0].fixes.is_empty());
 }
+
+/// The two numbers of an assignment are written anew in whatever order they stand.
+#[test]
+fn an_optical_property_that_is_none() {
+    let free = "5 -701 0.9 0.2 0.1\n2 9 1\n2 -299 0 4\n1 9999 2 0\n";
+    let two = "5 -701 0.9 0.2 0.1\n6 -701 0.2 0.3 0.9\n2 11 0 1 0 1\n2 -299 0 5\n1 9999 2 0\n";
+    for (text, meant) in [(free, "2 -299 5 0"), (two, "2 -299 5 0")] {
+        let all = repair::proposals(&read(text));
+        let error = all.iter().find(|d| d.is_error()).expect("4 and 5 are none");
+        let fix = error.fixes.first().expect("a guess");
+        let mended = fixes::apply(text, &[fix]);
+        assert!(mended.contains(meant), "{mended}");
+    }
+}

@@ -482,7 +482,7 @@ impl Forms {
             let square = g.dot(g);
             let off = value.abs() + rounded * size;
             let step = g * (value / square);
-            known = known & is_at_most(splat(4.0) * off * curvature, square);
+            known &= is_at_most(splat(4.0) * off * curvature, square);
             x = x - step;
         }
         let (_, size) = self.value(x, splat(1.0));
@@ -608,9 +608,7 @@ mod tests {
                 else {
                     return None;
                 };
-                if stage.leaves[crossing.surface as usize].quadric.is_none() {
-                    return None;
-                }
+                stage.leaves[crossing.surface as usize].quadric.as_ref()?;
                 hits.push(Hit {
                     ray: wave.len() as u32,
                     crossing,

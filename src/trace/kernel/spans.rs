@@ -275,14 +275,17 @@ mod tests {
         for i in 0..count {
             let (id, shape) = (2 + 2 * i, shapes[(seed / 4 + 5 * i * (1 + seed % 2)) % 6]);
             text += &format!("{id} {shape}\n");
-            if (seed + i) % 3 != 0 {
+            if !(seed + i).is_multiple_of(3) {
                 let mut real = |by: f64| (number() * by * 100.0).round() / 100.0;
                 let angle = real(180.0);
                 text += &format!("{id} -2 {angle} {}\n", 1 + i % 3);
                 text += &format!("{id} -1 {} {} {}\n", real(0.7), real(0.7), real(0.7));
             }
             if i > 0 {
-                let operation = if (seed / 2 + i) % 3 == 0 { -102 } else { -103 };
+                let operation = match (seed / 2 + i) % 3 {
+                    0 => -102,
+                    _ => -103,
+                };
                 text += &format!("{} {operation} {whole} {id}\n", id + 1);
                 whole = id + 1;
             }

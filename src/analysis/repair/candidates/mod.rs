@@ -487,15 +487,16 @@ impl<'a> LineContext<'a> {
         }
     }
 
-    /// Several tokens written anew; `None` if that changes nothing.
+    /// Several tokens written anew, in any order; `None` if that changes nothing.
     fn write(&self, habit: Habit, new: &[(Token, String)]) -> Option<Candidate> {
-        let edits: Vec<Edit> = (new.iter())
+        let mut edits: Vec<Edit> = (new.iter())
             .filter(|(t, text)| t.text(self.text) != text)
             .map(|(t, text)| Edit {
                 span: t.span(),
                 text: text.clone(),
             })
             .collect();
+        edits.sort_by_key(|edit| edit.span.start);
         let (first, last) = (edits.first()?.span, edits.last()?.span);
         // All that stands there, as it is to be.
         let mut shown = String::new();
