@@ -200,6 +200,9 @@ E001 = { $text } tu nic neznamená
     .label = zde má být číslo
     .help = odstraňte to, nebo to dejte do komentáře: `# … #`
 
+E001-sign = { E001 }
+    .label = minus stojí těsně před svým číslem
+    .help = připojte ho k číslu za ním, nebo ho odstraňte
 E001-slashes = { $text } zde komentář nezačíná: komentář stojí mezi dvěma znaky `#`
     .label = { $count ->
         [one] co následuje, čte se jako čísla

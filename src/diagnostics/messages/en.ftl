@@ -193,6 +193,9 @@ E001 = { $text } means nothing here
     .label = a number was expected
     .help = remove it, or put it into a comment: `# … #`
 
+E001-sign = { E001 }
+    .label = a minus stands right before its number
+    .help = join it to the number behind it, or remove it
 E001-slashes = { $text } begins no comment here: comments stand between two `#`
     .label = { $count ->
         [one] what follows is read as numbers
