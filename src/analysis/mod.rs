@@ -10,6 +10,7 @@ mod commas;
 pub mod config;
 pub mod file;
 pub mod fixing;
+mod lone_signs;
 mod materials;
 mod moving;
 pub mod parameters;
@@ -361,6 +362,7 @@ impl Analysis {
         if self.is_scene {
             lint::run(&self.context(), |code| levels.is_on(choice, code), &mut all);
             diagnostics::sort(&mut all);
+            lone_signs::retell(&self.source, &self.document, &mut all);
         }
         levels.apply(choice, &mut all);
         all

@@ -12,7 +12,7 @@ use crate::features::pages::{code_page, type_page};
 use crate::lint::levels::Selector;
 use crate::syntax::quote;
 use crate::syntax::table::{RECORD_TYPES, RecordType};
-use crate::syntax::words::plain;
+use crate::syntax::words::{other_endings, plain};
 
 /// Explain a finding or a record type
 #[derive(Debug, clap::Args)]
@@ -184,9 +184,14 @@ fn first_sentence(code: Code, language: Language) -> String {
     text[..end].trim_end_matches('.').to_owned()
 }
 
-/// The page on a topic.
+/// The page on a topic. An adjective may have any of its endings.
 fn page(topic: &str, language: Language) -> Option<String> {
     let topic = normalise(topic);
+    let others = || other_endings(&topic).find_map(|form| exact_page(form, language));
+    exact_page(topic.clone(), language).or_else(others)
+}
+
+fn exact_page(topic: String, language: Language) -> Option<String> {
     if let Some(code) = Code::parse(&topic) {
         return Some(code_page(code, language));
     }
@@ -300,6 +305,10 @@ fn near_names(topic: &str, language: Language) -> Vec<String> {
             let distance = strsim::damerau_levenshtein(&plain(topic), &plain(&name));
             // `light` is part of `point-light`.
             let part = topic.len() > 2 && name.split('-').any(|word| word == topic);
+            // An ending of a word, as `lom` of `zlom`, is another word.
+            if distance > 0 && !topic.contains('-') && plain(topic).ends_with(&plain(&name)) {
+                return None;
+            }
             // No number is a misspelt code.
             if topic.starts_with(char::is_alphabetic) && !name.contains(char::is_alphabetic) {
                 return None;
@@ -357,6 +366,11 @@ mod tests {
             ("kostka", &["12"]),
             ("úhel", &["-2", "-501"]),
             ("view", &["-501", "-502"]),
+            ("paraboloid", &["15", "21"]),
+            ("ořez", &["-102", "-103", "4"]),
+            ("ořezání", &["-102", "-103", "4"]),
+            ("levé oko", &["-503"]),
+            ("bodová", &["-402"]),
         ] {
             let page = page(word, Language::English).expect(word);
             assert!(
@@ -420,6 +434,8 @@ mod tests {
             ("glass", english, "# glass", &["-201", "-203"][..]),
             ("sklo", czech, "# sklo", &["-201", "-203"]),
             ("sklo", english, "# sklo: glass", &["-203"]),
+            ("průhledné", czech, "# průhledný: sklo", &["-201"]),
+            ("průsvitná", czech, "# průsvitný: sklo", &["-201"]),
             ("mirror", english, "# mirror", &["-201"]),
             ("prism", english, "# prism", &["-102"]),
             ("hranol", czech, "# hranol", &["-102"]),
@@ -506,6 +522,7 @@ mod tests {
         assert_eq!(suggestions("area light", Language::English), ["light"]);
         assert_eq!(suggestions("soft shadow", Language::English), ["shadow"]);
         assert_eq!(suggestions("e0001", Language::English), ["E001"]);
+        assert!(suggestions("zlom", Language::Czech).is_empty());
         assert_eq!(suggestions("sachovnice", Language::Czech), ["šachovnice"]);
         assert!(suggestions("quite something else", Language::English).is_empty());
         assert!(!suggestions("W999", Language::English).contains(&"9999".to_owned()));

@@ -53,6 +53,57 @@ pub fn records(text: &str, document: &Document) -> Vec<(Span, Vec<Hidden>)> {
     out
 }
 
+/// Two lines that a `#` begins each, as a sign that would switch off its line. The first one is a comment, and the second
+/// one, behind the end of that, is none.
+#[derive(Debug)]
+pub struct LoneSigns {
+    /// The lines from their signs on.
+    pub lines: [Span; 2],
+    /// The lines without the signs.
+    pub texts: [String; 2],
+    /// The IDs of the records on the second line.
+    pub ids: Vec<u32>,
+}
+
+/// The lines with such signs that read as records without them.
+pub fn lone_signs(text: &str, document: &Document) -> Vec<LoneSigns> {
+    let mut out = Vec::new();
+    let mut budget = BYTES_MAX;
+    for (comment, _) in records(text, document) {
+        let begins_line = |at: u32| {
+            let before = text[..at as usize].trim_end_matches([' ', '\t']);
+            before.is_empty() || before.ends_with(['\n', '\r'])
+        };
+        let sign = comment.end - 1;
+        let inside = text[comment.start as usize + 1..sign as usize].trim();
+        let line = text[comment.start as usize..].lines().next().unwrap_or("");
+        let is_line = line[1..].trim() == inside;
+        if !is_line || !begins_line(comment.start) || !begins_line(sign) {
+            continue;
+        }
+        let rest = text[comment.end as usize..].lines().next().unwrap_or("");
+        budget = match budget.checked_sub(rest.len()) {
+            Some(left) => left,
+            None => return out,
+        };
+        let Some(document) = of_records(rest) else {
+            continue;
+        };
+        let span = |start: u32, line: &str| Span::new(start, start + line.trim_end().len() as u32);
+        out.push(LoneSigns {
+            lines: [
+                span(comment.start, line),
+                Span::new(sign, span(comment.end, rest).end),
+            ],
+            texts: [inside, rest.trim()].map(str::to_owned),
+            ids: (document.items.iter().filter_map(Item::record))
+                .map(|r| r.id)
+                .collect(),
+        });
+    }
+    out
+}
+
 /// A line that is a comment and would be records without it.
 #[derive(Debug)]
 pub struct Line {
@@ -90,13 +141,7 @@ pub fn lines(text: &str, document: &Document) -> Vec<Line> {
             Some(left) => left,
             None => return out,
         };
-        // `1 0` is as likely to be a pair of numbers as a placeholder.
-        let is_record =
-            |item: &Item| matches!(item, Item::Record(r) if r.kind != RecordKind::Undefined);
-        if let Some(document) = super::parser::parse_plain(&inside)
-            && !document.items.is_empty()
-            && document.items.iter().all(is_record)
-        {
+        if let Some(document) = of_records(&inside) {
             out.push(Line {
                 span: Span::new(rest[0].start, comment.end()),
                 text: inside,
@@ -105,6 +150,16 @@ pub fn lines(text: &str, document: &Document) -> Vec<Line> {
         }
     }
     out
+}
+
+/// A text that is records and nothing else, but for comments.
+fn of_records(text: &str) -> Option<Document> {
+    // `1 0` is as likely to be a pair of numbers as a placeholder.
+    let is_record =
+        |item: &Item| matches!(item, Item::Record(r) if r.kind != RecordKind::Undefined);
+    let document = super::parser::parse_plain(text)?;
+    let is_such = !document.items.is_empty() && document.items.iter().all(is_record);
+    is_such.then_some(document)
 }
 
 /// What a comment on a line has in it, where that begins with a number. A comment that is not closed may have one in it.

@@ -135,6 +135,9 @@ const TOPICS: &[(&str, &[i32])] = &[
     ("transparency", &[-201]),
     ("pruhledny", &[-201]),
     ("pruhlednost", &[-201]),
+    ("prusvitny", &[-201]),
+    ("prusvitnost", &[-201]),
+    ("translucent", &[-201]),
     ("opacity", &[-201]),
     ("boolean", &[-101, -102, -103]),
     ("csg", &[-101, -102, -103]),
@@ -167,6 +170,12 @@ const TOPICS: &[(&str, &[i32])] = &[
     ("fovy", &[-501]),
     ("zornepole", &[-501]),
     ("stereo", &[-503]),
+    ("eye", &[-501, -503]),
+    ("oko", &[-501, -503]),
+    ("lefteye", &[-503]),
+    ("leveoko", &[-503]),
+    ("righteye", &[-503]),
+    ("praveoko", &[-503]),
     ("subtraction", &[-103]),
     ("odecteni", &[-103]),
     ("skalovani", &[-3]),
@@ -195,6 +204,10 @@ const TOPICS: &[(&str, &[i32])] = &[
     ("hranol", &[-102, 4, 12]),
     ("cut", &[-103, 4]),
     ("rez", &[-103, 4]),
+    ("clip", &[-102, -103, 4]),
+    ("clipping", &[-102, -103, 4]),
+    ("orez", &[-102, -103, 4]),
+    ("orezani", &[-102, -103, 4]),
     ("background", &[9999]),
     ("pozadi", &[9999]),
     ("void", &[0]),
@@ -212,6 +225,7 @@ const TOPICS: &[(&str, &[i32])] = &[
     ("valcovaplochaparabolicka", &[18]),
     ("valcovaplochahyperbolicka", &[19]),
     ("parabolickyhyperboloid", &[21]),
+    ("paraboloid", &[15, 21]),
     ("rotaceokoloosy", &[-2]),
     ("obecnarotace", &[-4]),
     ("optickevlastnosti", &[-201, -202]),
@@ -319,6 +333,16 @@ pub fn names(ty: &RecordType) -> Vec<String> {
     let mut seen = FxHashSet::default();
     all.retain(|name| seen.insert(name.clone()));
     all
+}
+
+/// The endings of Czech adjectives.
+const ENDINGS: [char; 4] = ['ý', 'á', 'é', 'í'];
+
+/// A Czech adjective with its other endings; nothing of a word that is none.
+pub fn other_endings(word: &str) -> impl Iterator<Item = String> {
+    let stem = word.strip_suffix(ENDINGS);
+    let forms = stem.map(|stem| ENDINGS.map(|ending| format!("{stem}{ending}")));
+    forms.into_iter().flatten()
 }
 
 /// Lower case, without accents, and without what joins words.

@@ -865,3 +865,37 @@ fn a_direction_that_shows_something_comes_before_a_point() {
         assert_eq!(first(&scene(camera), Code::E008), scene(meant));
     }
 }
+
+/// A minus apart from its number: the number with it is the first guess, and the help names it first.
+#[test]
+fn a_minus_apart_from_its_number() {
+    let rest = "9 -501 0 2 8 0 -0.2 -1 0 1 0 40\n50 -402 1\n50 -1 4 6 6\n1 9999 2 0\n";
+    for (line, meant) in [
+        ("2 11 1 - 1.6 0 1", "2 11 1 -1.6 0 1"),
+        ("2 4 0 1 0 – 1.6", "2 4 0 1 0 -1.6"),
+    ] {
+        let text = format!("{line}\n{rest}");
+        assert_eq!(first(&text, Code::E001), format!("{meant}\n{rest}"));
+        let all = repair::proposals(&read(&text));
+        let finding = all.iter().find(|d| d.code == Code::E001).expect(line);
+        for (language, help) in [
+            (
+                Language::English,
+                "join it to the number behind it, or remove it",
+            ),
+            (
+                Language::Czech,
+                "připojte ho k číslu za ním, nebo ho odstraňte",
+            ),
+        ] {
+            assert_eq!(finding.wording(language).help.as_deref(), Some(help));
+        }
+    }
+    // No sphere has a negative radius.
+    let text = format!("2 11 0 1 0 - 1.6\n{rest}");
+    assert!(proposals(&text, Code::E001).is_empty());
+    // The number of the next line is another record's.
+    let text = format!("2 11 0 1 0 1 -\n{rest}");
+    let all = repair::proposals(&read(&text));
+    assert!(all.iter().all(|d| d.case != "sign"));
+}

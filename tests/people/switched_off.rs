@@ -188,3 +188,87 @@ fn a_comment_that_does_not_help_is_not_spoken_of() {
         assert_eq!(label, "nothing in this file has this ID");
     }
 }
+
+/// Two lines that a `#` begins each, what is drawn, a finding that follows, and the lines when all guesses are taken.
+const SIGNS: &[(&str, u32, Code, &str)] = &[
+    (
+        "2 11 0 1 0 1\n#3 11 2 1 0 1\n#3 -701 1 0 0\n",
+        2,
+        Code::W310,
+        "2 11 0 1 0 1\n0 # 3 11 2 1 0 1 #\n0 # 3 -701 1 0 0 #\n",
+    ),
+    (
+        "2 11 0 1 0 1\n#3 11 2 1 0 1\n#3 -1 1 0 0\n",
+        2,
+        Code::E101,
+        "2 11 0 1 0 1\n0 # 3 11 2 1 0 1 #\n0 # 3 -1 1 0 0 #\n",
+    ),
+    // A record with a comment of its own.
+    (
+        "2 11 0 1 0 1\n#2 12 1 1 0 1 1 1\n#2 11 5 1 0 1 # ball #\n",
+        2,
+        Code::E102,
+        "2 11 0 1 0 1\n0 # 2 12 1 1 0 1 1 1 #\n0 # ~ 2 11 5 1 0 1 ~~ ball ~~ #\n",
+    ),
+    // Another record needs the ID: what is switched off is missed.
+    (
+        "2 11 0 1 0 1\n#3 11 2 1 0 1\n#3 -701 1 0 0\n4 -101 2 3\n",
+        4,
+        Code::E101,
+        "2 11 0 1 0 1\n#3 11 2 1 0 1\n#3 -701 1 0 0\n4 -101 2 3\n",
+    ),
+    (
+        "2 11 0 1 0 1\n#6 -701 1 1 0\n#4 -1 1 0 0\n4 11 1 1 1 1\n5 -101 2 4\n",
+        5,
+        Code::E107,
+        "2 11 0 1 0 1\n0 # 6 -701 1 1 0 #\n0 # 4 -1 1 0 0 #\n4 11 1 1 1 1\n5 -101 2 4\n",
+    ),
+];
+
+/// A comment ends at the `#` of the next line: both lines are to be comments, and nothing is guessed of the second one.
+#[test]
+fn two_lines_with_a_sign_each() {
+    for &(lines, drawn, code, meant) in SIGNS {
+        let scene = |lines: &str| format!("{lines}{REST}1 9999 {drawn} 0\n");
+        let text = scene(lines);
+        let (finding, made) = guessed(&text, code);
+        assert!(made.is_empty(), "{made:?}");
+        for (language, said) in [
+            (
+                Language::English,
+                "line 3 is in no comment: the comment before it ends at its first `#`",
+            ),
+            (
+                Language::Czech,
+                "řádek 3 není v komentáři: komentář před ním končí jeho prvním znakem `#`",
+            ),
+        ] {
+            let notes = finding.wording(language).notes;
+            assert!(notes.iter().any(|note| note == said), "{notes:?}");
+        }
+        // A comment in a comment is written in the signs of editors, behind a `0`.
+        let closed = if lines.contains("ball") { 1 } else { 2 };
+        let (_, made) = guessed(&text, Code::W315);
+        let [made] = &made[..] else {
+            panic!("{made:?}");
+        };
+        let is_closed = |line: &&str| line.starts_with('#') && line.ends_with(" #");
+        assert_eq!(made.lines().filter(is_closed).count(), closed, "{made}");
+        assert_eq!(fixed(&text), scene(meant));
+    }
+}
+
+/// Where a comment has lines of its own, or a line is prose, no such guess is made.
+#[test]
+fn comments_of_several_lines_are_not_lines_with_signs() {
+    for lines in [
+        "#\n3 11 2 1 0 1\n#3 -701 1 0 0\n",
+        "#3 11 2 1 0 1\n3 -701 1 0 0\n#\n",
+        "0 #3 11 2 1 0 1\n#3 -701 1 0 0\n",
+        "#3 11 2 1 0 1\n#\n3 -701 1 0 0\n",
+    ] {
+        let text = format!("2 11 0 1 0 1\n{lines}{REST}1 9999 2 0\n");
+        let (_, made) = guessed(&text, Code::W315);
+        assert!(made.is_empty(), "{lines}: {made:?}");
+    }
+}

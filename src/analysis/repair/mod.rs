@@ -24,7 +24,7 @@ mod whole;
 
 use rustc_hash::FxHashSet;
 
-use super::Analysis;
+use super::{Analysis, lone_signs};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span, Value, fixes};
 use crate::scene::names;
 use crate::syntax::Item;
@@ -68,6 +68,7 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
         engine.lines();
         engine.lacking();
         engine.behind_comments();
+        lone_signs::retell(&analysis.source, &analysis.document, &mut engine.findings);
     }
     engine.findings
 }

@@ -145,6 +145,7 @@ choose = několik odhadů je stejně dobrých: vyberte z nich, `--unsafe-fixes` 
 undecided = `--unsafe-fixes` tento odhad nepoužije: jen vy víte, zda je správný
 refused = `--unsafe-fixes` tu žádný odhad nepoužije: nálezů by po něm nebylo méně
 switched-off = záznam { $id } je v komentáři na řádku { $line }
+behind-sign = řádek { $behind } není v komentáři: komentář před ním končí jeho prvním znakem `#`
 comment-ends = komentář končí druhým znakem `#`; co stojí za ním, se čte jako čísla
 quaternion = tato čtyři čísla jsou možná kvaternion; neotáčí kolem osy x, y ani z, takže se tu píše jako matice rotace (`-4`)
 fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam
@@ -199,6 +200,9 @@ declared-here = { $id } je deklarováno zde
 E001 = { $text } tu nic neznamená
     .label = zde má být číslo
     .help = odstraňte to, nebo to dejte do komentáře: `# … #`
+E001-sign = { E001 }
+    .label = minus stojí těsně před svým číslem
+    .help = připojte ho k číslu za ním, nebo ho odstraňte
 
 E001-slashes = { $text } zde komentář nezačíná: komentář stojí mezi dvěma znaky `#`
     .label = { $count ->

@@ -136,6 +136,7 @@ choose = several guesses are as good: choose one, since `--unsafe-fixes` takes n
 undecided = `--unsafe-fixes` does not take this guess: only you know whether it is meant
 refused = `--unsafe-fixes` takes no guess here: there would be no fewer findings after it
 switched-off = the record of { $id } stands in the comment on line { $line }
+behind-sign = line { $behind } is in no comment: the comment before it ends at its first `#`
 comment-ends = a comment ends at its second `#`; whatever comes after it is read as numbers
 quaternion = these four numbers may be a quaternion; it turns about none of the axes x, y and z, so here it is a rotation matrix (`-4`)
 fix-lamp = write the intensity 1, and the colour as a record of its own
@@ -192,6 +193,9 @@ declared-here = { $id } is declared here
 E001 = { $text } means nothing here
     .label = a number was expected
     .help = remove it, or put it into a comment: `# … #`
+E001-sign = { E001 }
+    .label = a minus stands right before its number
+    .help = join it to the number behind it, or remove it
 
 E001-slashes = { $text } begins no comment here: comments stand between two `#`
     .label = { $count ->

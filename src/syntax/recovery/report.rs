@@ -112,11 +112,15 @@ impl Reporter<'_, '_> {
         self.stretch.token(i).text(self.stretch.text())
     }
 
+    /// The text between a token and the next one.
+    fn between(&self, i: usize) -> &str {
+        let between = self.stretch.token(i).end()..self.stretch.token(i + 1).start;
+        &self.stretch.text()[between.start as usize..between.end as usize]
+    }
+
     /// Whether nothing but white space lies between a token and the next one.
     fn only_space_between(&self, i: usize) -> bool {
-        let between = self.stretch.token(i).end()..self.stretch.token(i + 1).start;
-        let text = &self.stretch.text()[between.start as usize..between.end as usize];
-        text.trim().is_empty()
+        self.between(i).trim().is_empty()
     }
 
     fn broken(&self, piece: &RecordCandidate, out: &mut Vec<Diagnostic>) {
@@ -282,11 +286,20 @@ impl Reporter<'_, '_> {
                 None => new(Code::E003),
             },
             TokenKind::Word | TokenKind::Quoted => new(Code::E012),
+            TokenKind::Invalid if self.is_sign_apart(i) => new(Code::E001).case("sign"),
             TokenKind::Invalid => new(Code::E001),
             _ => return false,
         };
         out.push(d);
         true
+    }
+
+    /// Whether a token is a minus that stands apart from the number behind it.
+    fn is_sign_apart(&self, i: usize) -> bool {
+        i + 1 < self.stretch.len()
+            && matches!(self.text(i), "-" | "−" | "–")
+            && self.text(i + 1).starts_with(|c: char| c.is_ascii_digit())
+            && self.between(i).trim_matches([' ', '\t']).is_empty()
     }
 
     fn bad_tokens(&self, ty: &RecordType, first: usize, end: usize, out: &mut Vec<Diagnostic>) {

@@ -7,3 +7,4 @@ W315 = tento komentář skrývá { $count ->
     .first = toto by byl záznam
     .end = zde komentář končí
     .help = ukončete komentář znakem `#` na jeho řádku; nepotřebné záznamy raději odstraňte
+    .fix = dát každý z obou řádků do vlastního komentáře

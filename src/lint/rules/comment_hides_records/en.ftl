@@ -6,3 +6,4 @@ W315 = this comment hides { $count ->
     .first = this would be a record
     .end = the comment ends here
     .help = close the comment with `#` on its own line; what is not wanted any more is better removed
+    .fix = put each of the two lines into a comment of its own

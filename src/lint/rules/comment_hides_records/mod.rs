@@ -1,23 +1,42 @@
 //! W315: records that are lost in a comment.
 
-use crate::diagnostics::{Code, Diagnostic, Span, Value};
+use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::lint::Context;
-use crate::syntax::hidden;
+use crate::syntax::commented_out::comment_out;
+use crate::syntax::hidden::{self, LoneSigns};
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let mut signs = hidden::lone_signs(context.text, context.document)
+        .into_iter()
+        .peekable();
     for (span, records) in hidden::records(context.text, context.document) {
+        let own = signs.next_if(|s| s.lines[0].start == span.start);
         let first = records[0];
         let line = context.text[span.range()].lines().next().unwrap_or("");
         let begin = Span::new(span.start, span.start + line.trim_end().len() as u32);
-        out.push(
-            Diagnostic::new(Code::W315, begin)
-                .with("count", Value::Count(records.len() as u64))
-                .with("type", Value::Term(first.ty.title))
-                .with("id", first.id.to_string())
-                .label(first.span, "first")
-                .label(Span::new(span.end - 1, span.end), "end"),
-        );
+        let mut finding = Diagnostic::new(Code::W315, begin)
+            .with("count", Value::Count(records.len() as u64))
+            .with("type", Value::Term(first.ty.title))
+            .with("id", first.id.to_string())
+            .label(first.span, "first")
+            .label(Span::new(span.end - 1, span.end), "end");
+        finding.fixes.extend(own.map(close_both));
+        out.push(finding);
     }
+}
+
+/// Each of two lines that a `#` begins as a comment of its own.
+fn close_both(signs: LoneSigns) -> Fix {
+    let closed = |text: String| match text.contains('#') {
+        true => comment_out(&text),
+        false => format!("# {text} #"),
+    };
+    let edits = signs.lines.into_iter().zip(signs.texts);
+    let edits = edits.map(|(span, text)| Edit {
+        span,
+        text: closed(text),
+    });
+    Fix::guess("fix", edits.collect())
 }
 
 #[cfg(test)]
