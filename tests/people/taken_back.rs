@@ -112,7 +112,7 @@ fn an_optical_property_that_is_none() {
         let all = repair::proposals(&read(text));
         let error = all.iter().find(|d| d.is_error()).expect("4 and 5 are none");
         let fix = error.fixes.first().expect("a guess");
-        let mended = fixes::apply(text, &[fix]);
+        let (mended, _) = fixes::apply(text, [fix].into_iter());
         assert!(mended.contains(meant), "{mended}");
     }
 }
