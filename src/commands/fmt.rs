@@ -6,6 +6,7 @@ use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use super::apart::apart;
 use super::difference::diff;
 use super::help;
 use super::load::is_json;
@@ -119,7 +120,8 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         return Status::Failure;
     }
     let results = parallel::map(found.files.len(), |i| {
-        format_file(&found.files[i], args, &configs, look)
+        let path = &found.files[i];
+        apart(path, || format_file(path, args, &configs, look))
     });
     let mut complaints = Complaints::new(look);
     let results = results.into_iter().map(|result| {

@@ -12,6 +12,7 @@
 //! arguments, [`watch`] does something again when a scene changes.
 
 pub mod accuracy;
+mod apart;
 pub mod atomic_file;
 mod belongings;
 mod camera;

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use super::apart::apart;
 use super::atomic_file::{self, try_file_in_new_folder, unwritable};
 use super::difference::{Change, changes, diff};
 use super::endings;
@@ -247,7 +248,10 @@ fn once(args: &Args, look: LookChoice) -> Status {
     if args.show_files || args.show_settings {
         return checker.show(&files.files);
     }
-    let results = parallel::map(files.files.len(), |i| checker.check(&files.files[i]));
+    let results = parallel::map(files.files.len(), |i| {
+        let path = &files.files[i];
+        apart(checker.name(path), || checker.check(path))
+    });
 
     let mut failed = files.failed;
     let mut complaints = Complaints::new(look);
