@@ -128,6 +128,7 @@ fix-flat-profile = vynechat třetí číslo každého bodu, které je 0
 fix-colour-each = napsat barvu { $text } { $count }×, pro každý bod jednou
 fix-colour-apart = napsat typ `{ $number }` ({ $type }) a barvu { $text } jako samostatný záznam
 fix-operation = nad ostatní záznamy s jeho ID napsat `{ $text }`: { $first } a { $last } nejsou nikde použity
+fix-difference = minus zde není doplněk; průnik s doplňkem objektu { $id } je rozdíl: napsat { $number }
 fix-union = napsat nad něj `{ $text }`, sjednocení dvou objektů, které nejsou nikde použity
 fix-switch-on = { $count ->
     [one] vyjmout záznam { $id } z komentáře

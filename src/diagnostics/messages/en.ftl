@@ -119,6 +119,7 @@ fix-flat-profile = leave out the third number of each point, which is 0
 fix-colour-each = write the colour { $text } once a point, { $count } times
 fix-colour-apart = write the type `{ $number }` ({ $type }), and the colour { $text } as a record of its own
 fix-operation = put `{ $text }` above the other records of its ID: { $first } and { $last } are not used
+fix-difference = a minus is no complement here; the intersection with the complement of { $id } is a difference: write { $number }
 fix-union = put `{ $text }` above: a union of the two objects that nothing uses
 fix-switch-on = { $count ->
     [one] take the record of { $id } out of its comment

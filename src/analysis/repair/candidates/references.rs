@@ -56,6 +56,10 @@ impl LineContext<'_> {
         if finding.notes.contains(&"no-part") {
             return;
         }
+        if self.has_complement(finding) {
+            out.extend(self.as_difference());
+            return;
+        }
         // Cameras are found by themselves.
         let is_camera =
             |t: &Token| t.integer(self.text).and_then(|id| self.kind_of(id)) == Some(Kind::Camera);
