@@ -11,7 +11,7 @@ use crate::diagnostics::{Code, Complaint, Language};
 use crate::features::pages::{code_page, type_page};
 use crate::lint::levels::Selector;
 use crate::syntax::quote;
-use crate::syntax::table::{RECORD_TYPES, RecordType};
+use crate::syntax::table::{RECORD_TYPES, RecordKind, RecordType};
 use crate::syntax::words::{other_endings, plain};
 
 /// Explain a finding or a record type
@@ -253,19 +253,22 @@ fn normalise(topic: &str) -> String {
     topic.trim().to_lowercase().replace([' ', '_'], "-")
 }
 
+/// The numbers that the handout prints for a type by mistake, each with that type.
+const MISPRINTS: [(i64, RecordKind); 1] = [(-204, RecordKind::Assignment)];
+
 /// How many names are suggested at most.
 const MAX_SUGGESTIONS: usize = 3;
 
 /// The names nearest to what was typed, nearest first.
 fn suggestions(topic: &str, language: Language) -> Vec<String> {
     let topic = normalise(topic);
-    // Of a number without its minus nothing else is meant.
-    if let Some(ty) = topic
-        .parse()
-        .ok()
-        .and_then(|n: i64| RecordType::by_code(-n))
-    {
-        return vec![ty.code.to_string()];
+    if let Ok(number) = topic.parse::<i64>() {
+        let misprint = MISPRINTS.iter().find(|m| m.0 == number || m.0 == -number);
+        let misprinted = misprint.map(|m| RecordType::of(m.1));
+        // Of a number without its minus nothing else is meant.
+        if let Some(ty) = misprinted.or_else(|| RecordType::by_code(-number)) {
+            return vec![ty.code.to_string()];
+        }
     }
     let mut near = near_names(&topic, language);
     if near.is_empty() {
@@ -513,6 +516,10 @@ mod tests {
     fn what_was_meant() {
         for (number, code) in [("203", "-203"), ("402", "-402"), ("501", "-501")] {
             assert_eq!(suggestions(number, Language::English), [code]);
+        }
+        // As `docs/handout.md` says of `4 -204 0 35`.
+        for number in ["-204", "204"] {
+            assert_eq!(suggestions(number, Language::Czech), ["-299"]);
         }
         assert_eq!(
             suggestions("chekerboard", Language::English),

@@ -26,6 +26,9 @@ use crate::scene::{Node, NodeId, Scene};
 use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::syntax::{Document, Item};
 
+/// Bounds that are thinner than this share of their reach are flat: that is what a few roundings leave.
+const FLAT_REL_EXTENT: f64 = 1e-9;
+
 /// The file, the scene and what is computed of them, for all rules.
 pub struct Context<'a> {
     pub text: &'a str,
@@ -90,6 +93,13 @@ impl<'a> Context<'a> {
             }
             _ => None,
         }
+    }
+
+    /// Whether all of a node is within a plane across an axis: no more than a face.
+    fn is_flat(&self, node: NodeId) -> bool {
+        let all = &self.bounds()[node as usize].all;
+        let least = all.extent().into_iter().fold(f64::INFINITY, f64::min);
+        all.is_finite() && least <= FLAT_REL_EXTENT * all.reach()
     }
 
     /// Whether the last numbers of the record that starts where the span does may be another one's.

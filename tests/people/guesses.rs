@@ -285,6 +285,39 @@ fn a_solid_around_the_camera_is_not_split() {
     assert!(all.iter().any(|d| d.code == Code::W307), "{all:?}");
 }
 
+/// A camera whose position and direction stand in each other's place is inside of the floor.
+#[test]
+fn a_camera_in_a_solid_may_have_its_position_last() {
+    let with = |solid: &str, camera: &str| {
+        format!(
+            "2 12 -1 0 -1 1 2 1\n{solid}\n4 -101 2 3\n9 -501 {camera} 0 1 0 40\n50 -402 0.9\n\
+             50 -1 4 6 5\n1 9999 4 0\n"
+        )
+    };
+    for floor in ["3 12 -8 -1 -8 8 0 8", "3 4 0 1 0 0"] {
+        let text = with(floor, "0 -0.2 -1 0 3 12");
+        let made = proposals(&text, Code::W325);
+        assert_eq!(made[0].1, with(floor, "0 3 12 0 -0.2 -1"));
+        assert_eq!(made[0].0.applicability, Applicability::Choice);
+        assert_eq!(
+            first_said(&text, Code::W325),
+            [
+                "swap position and direction: write `0 3 12 0 -0.2 -1`",
+                "prohodit polohu a směr: napsat `0 3 12 0 -0.2 -1`"
+            ]
+        );
+        assert_eq!(fixed(&text, true), text);
+    }
+    let is_proposed = |camera: &str| {
+        let made = proposals(&with("3 12 -8 -1 -8 8 0 8", camera), Code::W325);
+        made.iter().any(|m| m.0.title == "fix-place-and-view")
+    };
+    // The direction is no place; it is one in a solid; nothing is seen from there.
+    for camera in ["0 -0.2 -1 0 0 -1", "0 -0.2 -1 6 -0.5 6", "0 -0.2 1 0 3 12"] {
+        assert!(!is_proposed(camera), "{camera}");
+    }
+}
+
 #[test]
 fn a_second_move_of_a_lamp_is_that_of_the_next_one() {
     let scene = |lamps: &str| {

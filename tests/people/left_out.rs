@@ -193,3 +193,53 @@ fn a_render_record_without_its_id() {
     let mended = fixing::to_fixed_point(read(&slip), true, Analysis::of);
     assert_eq!(mended.analysis.source.text, text);
 }
+
+/// A colour or an optical property that is used elsewhere is rather not the one that is missing, even with the next ID.
+#[test]
+fn a_property_beside_one_that_is_used() {
+    let floor = "61 -701 1 1 1\n62 -701 0.5 0.7 0.9\n10 12 -4 -1 -4 4 0 4\n10 -399 8 8 60 61\n";
+    let balls =
+        "36 -201 0.5 0 0.5\n2 11 -1 1 0 1\n3 11 1 1 0 1\n2 -299 0 35\n3 -299 0 36\n4 -101 2 3\n";
+    for (lines, drawn, said) in [(floor, "10 62", "60"), (balls, "4 0", "35")] {
+        let finding = only(&scene(lines, drawn));
+        assert_eq!(
+            (finding.code, finding.notes.as_slice()),
+            (Code::E101, &["lost"][..])
+        );
+        for (language, message, note) in [
+            (
+                Language::English,
+                "is not defined",
+                "its definition may be missing",
+            ),
+            (
+                Language::Czech,
+                "není definováno",
+                "možná chybí jeho definice",
+            ),
+        ] {
+            let wording = finding.wording(language);
+            assert_eq!(wording.message, format!("{said} {message}"));
+            assert!(
+                wording.notes.iter().any(|n| n.starts_with(note)),
+                "{:?}",
+                wording.notes
+            );
+        }
+    }
+    // What nothing else has is meant: all IDs are off by one, or one is.
+    for (text, meant) in [
+        (scene(floor, "10 0"), "10 -399 8 8 61 62\n"),
+        (
+            scene(&balls.replace("3 -299 0 36\n", ""), "4 0"),
+            "2 -299 0 36\n",
+        ),
+    ] {
+        let mended = fixing::to_fixed_point(read(&text), true, Analysis::of);
+        assert!(
+            mended.analysis.source.text.contains(meant),
+            "{}",
+            mended.analysis.source.text
+        );
+    }
+}

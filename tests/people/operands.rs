@@ -105,3 +105,36 @@ fn a_lamp_copied_and_not_moved() {
     let all = repair::proposals(&read(&moved));
     assert!(all.iter().all(|d| d.code != Code::W333), "{all:?}");
 }
+
+/// A ∩ −B, as it stands on paper: the minus is no complement, so it is a difference, and never A ∩ B.
+#[test]
+fn a_complement_with_a_minus() {
+    let with = |line: &str| scene(&format!("2 12 -1 -1 -1 1 1 1\n3 11 1 1 1 0.9\n{line}\n"));
+    for (written, meant) in [("4 -102 2 -3", "4 -103 2 3"), ("4 -102 -2 3", "4 -103 3 2")] {
+        let (finding, made) = guessed(&with(written), Code::E101);
+        assert_eq!(made, [with(meant)]);
+        assert_eq!(fixed(&with(written)), with(meant));
+        let id = &meant[meant.len() - 1..];
+        let two = &meant[2..];
+        for (language, said) in [
+            (
+                Language::English,
+                format!(
+                    "a minus is no complement here; the intersection with the complement of {id} is a difference: write `{two}`"
+                ),
+            ),
+            (
+                Language::Czech,
+                format!(
+                    "minus zde není doplněk; průnik s doplňkem objektu {id} je rozdíl: napsat `{two}`"
+                ),
+            ),
+        ] {
+            assert_eq!(finding.wording(language).fixes[0], said);
+        }
+    }
+    // An intersection of two complements is no difference.
+    assert_eq!(fixed(&with("4 -102 -2 -3")), with("4 -102 -2 -3"));
+    // What a difference takes away may have a minus too many.
+    assert_eq!(fixed(&with("4 -103 2 -3")), with("4 -103 2 3"));
+}

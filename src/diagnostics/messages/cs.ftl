@@ -128,6 +128,7 @@ fix-flat-profile = vynechat třetí číslo každého bodu, které je 0
 fix-colour-each = napsat barvu { $text } { $count }×, pro každý bod jednou
 fix-colour-apart = napsat typ `{ $number }` ({ $type }) a barvu { $text } jako samostatný záznam
 fix-operation = nad ostatní záznamy s jeho ID napsat `{ $text }`: { $first } a { $last } nejsou nikde použity
+fix-difference = minus zde není doplněk; průnik s doplňkem objektu { $id } je rozdíl: napsat { $number }
 fix-union = napsat nad něj `{ $text }`, sjednocení dvou objektů, které nejsou nikde použity
 fix-switch-on = { $count ->
     [one] vyjmout záznam { $id } z komentáře
@@ -183,6 +184,7 @@ fix-part = je-li { $text } { $parameter }, napsat { $number }
 fix-turns = napsat pro každou osu jedno otočení, nejdřív kolem x
 fix-quaternion = je-li to kvaternion { $order }, napsat { $number }: úhel ve stupních a osu
 fix-up = napsat vektor „nahoru“ { $number }
+fix-place-and-view = prohodit polohu a směr: napsat { $number }
 fix-view-and-up = prohodit oba vektory: směr pohledu { $number }, nahoru { $up }
 fix-free-id = dát záznamu ID { $number }
 fix-chain = { $count ->

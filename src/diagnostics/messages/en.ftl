@@ -119,6 +119,7 @@ fix-flat-profile = leave out the third number of each point, which is 0
 fix-colour-each = write the colour { $text } once a point, { $count } times
 fix-colour-apart = write the type `{ $number }` ({ $type }), and the colour { $text } as a record of its own
 fix-operation = put `{ $text }` above the other records of its ID: { $first } and { $last } are not used
+fix-difference = a minus is no complement here; the intersection with the complement of { $id } is a difference: write { $number }
 fix-union = put `{ $text }` above: a union of the two objects that nothing uses
 fix-switch-on = { $count ->
     [one] take the record of { $id } out of its comment
@@ -174,6 +175,7 @@ fix-part = if { $text } is { $parameter }, write { $number }
 fix-turns = write one rotation for each axis, about x first
 fix-quaternion = as the quaternion { $order } it is { $number }: an angle in degrees, and an axis
 fix-up = write the up vector { $number }
+fix-place-and-view = swap position and direction: write { $number }
 fix-view-and-up = swap the two vectors: look along { $number }, with { $up } up
 fix-free-id = give it the ID { $number }
 fix-chain = { $count ->

@@ -4,6 +4,7 @@ mod apart;
 pub(super) mod cameras;
 mod clauses;
 mod comments;
+mod complements;
 mod flat;
 mod groups;
 mod habit;

@@ -56,6 +56,10 @@ impl LineContext<'_> {
         if finding.notes.contains(&"no-part") {
             return;
         }
+        if self.has_complement(finding) {
+            out.extend(self.as_difference());
+            return;
+        }
         // Cameras are found by themselves.
         let is_camera =
             |t: &Token| t.integer(self.text).and_then(|id| self.kind_of(id)) == Some(Kind::Camera);
@@ -184,32 +188,42 @@ impl LineContext<'_> {
     }
 
     /// Whether a guess names a colour, texture or optics that other records name, and that by a digit in the place of
-    /// another: what is named here is rather missing.
+    /// another, or by IDs that are all off by the same number: what is named here is rather missing.
     pub(in crate::analysis::repair) fn is_of_others(
         &self,
         finding: &Diagnostic,
         guess: &Candidate,
     ) -> bool {
-        let [edit] = guess.fix.edits.as_slice() else {
-            return false;
-        };
         let is_property = |kind: &Kind| *kind != Kind::Object;
-        let named = self.referring().into_iter().find(|(t, kinds)| {
-            t.span() == finding.span && edit.span == t.span() && kinds.iter().all(is_property)
-        });
-        let Some((named, _)) = named.filter(|_| guess.habit == Habit::Reference) else {
+        let referring = self.referring();
+        let is_one = referring
+            .iter()
+            .any(|(t, kinds)| t.span() == finding.span && kinds.iter().all(is_property));
+        let is_shift = guess.habit == Habit::Shifted;
+        if !is_one || !is_shift && guess.habit != Habit::Reference {
             return false;
-        };
+        }
         let digits = |text: &str| {
             let mut digits = text.as_bytes().to_vec();
             digits.sort_unstable();
             digits
         };
-        let written = named.text(self.text);
-        let is_other_digit =
-            written.len() == edit.text.len() && digits(written) != digits(&edit.text);
-        let new = edit.text.parse();
-        is_other_digit && new.is_ok_and(|id| self.named_ids().contains(&id))
+        let is_other_digit = |edit: &Edit| {
+            let written = &self.text[edit.span.range()];
+            written.len() == edit.text.len() && digits(written) != digits(&edit.text)
+        };
+        let own: Vec<i64> = (referring.iter())
+            .filter_map(|(t, _)| t.integer(self.text))
+            .collect();
+        let named = self.named_ids();
+        let is_of_others = |edit: &Edit| {
+            let new: Option<u32> = edit.text.parse().ok();
+            new.is_some_and(|id| own.contains(&i64::from(id)) || named.contains(&id))
+        };
+        let edits = &guess.fix.edits;
+        edits
+            .iter()
+            .all(|edit| (is_shift || is_other_digit(edit)) && is_of_others(edit))
     }
 
     /// Whether a reference of an assignment is the ID of the object that it is for.

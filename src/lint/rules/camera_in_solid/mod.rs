@@ -3,11 +3,13 @@
 use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::geometry::array::length;
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
+use crate::lint::rules::nothing_in_view::{LONGEST_WRITTEN, is_moved, sees, to_be_seen};
 use crate::lint::spelling::{decimal, opposite};
 use crate::scene::record::Params;
-use crate::scene::{Camera, Scene, Vec3};
+use crate::scene::{Camera, NodeId, Scene, Vec3};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, ShapeKind};
 use crate::trace::plan::unseen::sides::Sides;
@@ -49,7 +51,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let half_space = context
             .params(held.solid.span)
             .filter(|p| p.ty.kind == RecordKind::Shape(ShapeKind::HalfSpace));
-        out.push(match half_space {
+        let mut finding = match half_space {
             Some(p) => {
                 let sides = Sides::new(scene, context.bounds(), render.root, held.solid);
                 match sides {
@@ -61,7 +63,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 Some(quadric) => finding.case("quadric").fix(turned(&quadric)),
                 None => finding,
             },
-        });
+        };
+        let swapped = swapped(context, render.root, camera, camera_record);
+        finding.fixes.splice(0..0, swapped);
+        out.push(finding);
     }
 }
 
@@ -119,6 +124,36 @@ fn beside(
         .with("other-d", Value::Decimal(decimal(-d)))
         .with("other-at", at(-d));
     fixes.into_iter().fold(finding, Diagnostic::fix)
+}
+
+/// The camera with its position and its direction in each other's place, where the direction is rather a place, and the
+/// camera is then outside of all solids and sees something.
+fn swapped(context: &Context, root: NodeId, camera: &Camera, p: &Params) -> Option<Fix> {
+    let then = Camera {
+        position: camera.direction,
+        direction: camera.position,
+        ..*camera
+    };
+    let is_written = p.ty.kind == RecordKind::Camera && !is_moved(camera, p);
+    let [way, place] = [then.direction, then.position].map(length);
+    if !is_written || way > LONGEST_WRITTEN || place <= LONGEST_WRITTEN {
+        return None;
+    }
+    let parts = to_be_seen(context, root);
+    let holders = held(context.scene, context.bounds(), root, &[then.position]);
+    if holders.iter().any(Option::is_some) || !sees(context, root, &then, then.direction, parts) {
+        return None;
+    }
+    let texts = [3, 4, 5, 0, 1, 2].map(|i| p.text_of(i));
+    let edits = texts.iter().enumerate().map(|(i, text)| Edit {
+        span: p.span_of(i, 1),
+        text: (*text).to_owned(),
+    });
+    let fix = Fix {
+        applicability: Applicability::Choice,
+        ..Fix::guess("fix-place-and-view", edits.collect())
+    };
+    Some(fix.with("number", quote(&texts.join(" "))))
 }
 
 /// The camera with the y axis up, in the place of one with the z axis up, where it is in a floor across the y axis.

@@ -131,7 +131,7 @@ fn finding(
     let skin = pairs.iter().any(|p| p.skin);
     let bound = parents.bound.contains(&tool.id);
     if case == Case::Touch
-        && is_flat(context, operation)
+        && context.is_flat(operation)
         && let Some(p) = context.params(record.span)
         && p.ty.kind == RecordKind::Intersection
     {
@@ -149,16 +149,6 @@ fn finding(
         }
     }
     Some(d)
-}
-
-/// Bounds that are thinner than this share of their reach are flat: that is what a few roundings leave.
-const FLAT_REL_EXTENT: f64 = 1e-9;
-
-/// Whether all of a node is within a plane across an axis.
-fn is_flat(context: &Context, node: NodeId) -> bool {
-    let all = &context.bounds()[node as usize].all;
-    let least = all.extent().into_iter().fold(f64::INFINITY, f64::min);
-    all.is_finite() && least <= FLAT_REL_EXTENT * all.reach()
 }
 
 /// The place of a face in its record, its name, and the parameter that the face is named by.

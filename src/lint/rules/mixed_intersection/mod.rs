@@ -36,6 +36,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let tool = [a, b].iter().any(|&c| is_complement(scene, c));
         // Who assigns anything to the result has thought of what it looks like.
         if !surface && !tool && differ.contains(&true) && !owners.contains(&scene.origins[i].id) {
+            // Of what only touches W321 speaks.
+            if context.is_flat(i as NodeId) {
+                continue;
+            }
             // Of what holds all of the other one no face is left; of what is apart, of neither.
             let within =
                 |x, y, proofs: &mut Proofs| matches!(proofs.covered(x, y), Some(Reason::Within));

@@ -15,7 +15,7 @@ use crate::trace::plan::unseen::view::{OutOfView, Parts, USUAL, out_of_view};
 /// The cosine of the angle between two directions that are meant as one.
 const AIMED: f64 = 0.9;
 /// The length up to which people write directions: most have the length 1, or a 1 and a part of it.
-const LONGEST_WRITTEN: f64 = 1.5;
+pub(super) const LONGEST_WRITTEN: f64 = 1.5;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -94,10 +94,7 @@ fn turned(
         return Vec::new();
     }
     let ended = context.bounds()[root as usize].bounded();
-    let of = match ended.is_empty() {
-        true => Parts::All,
-        false => Parts::Bounded,
-    };
+    let of = to_be_seen(context, root);
     let swapped = Vec::from_iter(swapped(context, root, camera, p, of));
     let sees = |way: Vec3| sees(context, root, camera, way, of);
     let signs = signs(camera.direction, side, sees);
@@ -207,8 +204,16 @@ fn turned_to_point(camera: &Camera, p: &Params, sees: impl Fn(Vec3) -> bool) -> 
     Some(fix("fix-point", values, numbers, p))
 }
 
+/// The parts that a camera is meant to see: those that have an end, if there are any.
+pub(super) fn to_be_seen(context: &Context, root: NodeId) -> Parts {
+    match context.bounds()[root as usize].bounded().is_empty() {
+        true => Parts::All,
+        false => Parts::Bounded,
+    }
+}
+
 /// Whether a transformation moves the camera from the place and direction of its record.
-fn is_moved(camera: &Camera, p: &Params) -> bool {
+pub(super) fn is_moved(camera: &Camera, p: &Params) -> bool {
     p.numbers(0) != camera.position || p.numbers(3) != camera.direction
 }
 
@@ -232,7 +237,7 @@ fn fix(
 }
 
 /// Whether the camera would see some of these parts if it looked this way. The up vector must not be along it.
-fn sees(context: &Context, root: NodeId, camera: &Camera, way: Vec3, of: Parts) -> bool {
+pub(super) fn sees(context: &Context, root: NodeId, camera: &Camera, way: Vec3, of: Parts) -> bool {
     /// The least sine between direction and up.
     const UPRIGHT: f64 = 0.01;
     let (Some(direction), Some(up)) = (unit(way), unit(camera.up)) else {
