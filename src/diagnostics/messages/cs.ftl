@@ -623,6 +623,7 @@ E202 = { $type }: { $lower } je větší než { $upper }{ $others ->
     .fix = prohodit je
     .fix-order = napsat nejdřív všechny dolní meze, pak všechny horní
     .fix-size = je-li { $text } velikost, napsat { $number }
+    .fix-centre = je-li { $centre } střed a { $text } velikost, napsat { $number }
 
 E203 = { $type }: { $vector } je nulový vektor
     .label = nemá žádný směr
