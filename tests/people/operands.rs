@@ -105,3 +105,20 @@ fn a_lamp_copied_and_not_moved() {
     let all = repair::proposals(&read(&moved));
     assert!(all.iter().all(|d| d.code != Code::W333), "{all:?}");
 }
+
+/// An unused property is told with the line that assigns it.
+#[test]
+fn an_unused_property_has_its_assignment_said() {
+    for (unused, said) in [
+        ("32 -701 1 0 0", "`ID -299 32 0`"),
+        ("32 -201 0 0.8 0.2", "`ID -299 0 32`"),
+    ] {
+        let text = scene(&format!("{unused}\n2 11 0 1 0 1\n"));
+        let all = read(&text).findings().to_vec();
+        let finding = all.into_iter().find(|d| d.code == Code::W310).unwrap();
+        for language in [Language::English, Language::Czech] {
+            let help = finding.wording(language).help.unwrap();
+            assert!(help.contains(said), "{help}");
+        }
+    }
+}
