@@ -106,6 +106,38 @@ fn a_lamp_copied_and_not_moved() {
     assert!(all.iter().all(|d| d.code != Code::W333), "{all:?}");
 }
 
+/// A colour that comes too late for a texture may be that of the object right above.
+#[test]
+fn a_late_colour_under_an_object() {
+    let text = scene(
+        "60 -701 0.1 0.1 0.1\n61 -701 0.9 0.9 0.9\n10 5 -4 -4 4 4\n10 -399 8 8 60 61\n\
+         23 12 1 0 -1 3 2 1\n60 -701 1 0.5 0\n4 -101 23 10\n",
+    );
+    let late = |text: &str| {
+        let all = read(text).findings().to_vec();
+        all.into_iter().find(|d| d.code == Code::W309).unwrap()
+    };
+    let finding = late(&text);
+    let made = fixes::apply(&text, finding.fixes.iter()).0;
+    assert_eq!(made, text.replace("60 -701 1 0.5 0", "23 -701 1 0.5 0"));
+    assert_eq!(finding.fixes[0].applicability, Applicability::Choice);
+    for (language, said) in [
+        (
+            Language::English,
+            "if it is meant for the object right above, write `23`",
+        ),
+        (
+            Language::Czech,
+            "patří-li objektu hned nad ním, napsat `23`",
+        ),
+    ] {
+        assert_eq!(finding.wording(language).fixes, [said]);
+    }
+    // That object has a colour.
+    let text = text.replace("60 -701 1 0.5", "23 -701 1 1 1\n60 -701 1 0.5");
+    assert_eq!(late(&text).fixes, []);
+}
+
 /// An unused property is told with the line that assigns it.
 #[test]
 fn an_unused_property_has_its_assignment_said() {
