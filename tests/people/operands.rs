@@ -106,6 +106,47 @@ fn a_lamp_copied_and_not_moved() {
     assert!(all.iter().all(|d| d.code != Code::W333), "{all:?}");
 }
 
+/// A light among the operands of a union shines by itself, wherever its records stand.
+#[test]
+fn a_light_in_a_union() {
+    let lamp = "51 -402 0.9\n51 -1 -4 8 6\n";
+    let (ball, union) = ("2 11 0 1 0 1\n", "3 -101 2 51\n");
+    let changes = "3 -701 1 0 0\n4 11 3 1 0 1\n5 -101 4 3\n";
+    let meant = scene(&format!("{ball}{lamp}{}", changes.replace('3', "2")));
+    let meant = meant.replace("4 11 2 1", "4 11 3 1");
+    for text in [
+        format!("{ball}{union}{lamp}{changes}"),
+        format!("{ball}{lamp}{union}{changes}"),
+    ] {
+        let text = scene(&text);
+        let (finding, made) = guessed(&text, Code::E103);
+        assert_eq!(made, [meant.as_str()]);
+        assert_eq!(fixed(&text), meant);
+        for (language, said, noted) in [
+            (
+                Language::English,
+                "leave out the union 3, and write `2` in its place",
+                "a light shines by itself; it is no part of an object",
+            ),
+            (
+                Language::Czech,
+                "vynechat sjednocení 3 a místo něj napsat `2`",
+                "bodové světlo svítí samo; není částí tělesa",
+            ),
+        ] {
+            let wording = finding.wording(language);
+            assert_eq!(wording.fixes, [said]);
+            assert_eq!(wording.notes, [noted]);
+        }
+    }
+    // An object that nothing uses may be meant in place of the light.
+    let text = scene(&format!("{ball}6 11 3 1 0 1\n{lamp}{union}{changes}"));
+    let (finding, made) = guessed(&text, Code::E103);
+    assert_eq!(made.len(), 1);
+    assert_eq!(finding.fixes[0].applicability, Applicability::Choice);
+    assert_eq!(fixed(&text), text);
+}
+
 /// A colour that comes too late for a texture may be that of the object right above.
 #[test]
 fn a_late_colour_under_an_object() {

@@ -125,6 +125,7 @@ fix-switch-on = { $count ->
    *[other] take the record of { $id } and what it needs out of their comments
 }
 fix-first-operand = write { $number } for { $id }: it is the first operand of the record in the comment
+fix-without-light = leave out the union { $other }, and write { $number } in its place
 fix-switch-off = do without { $id }: put the { $type } { $other } into a comment, too, and write { $number } for { $other }
 fix-again = remove it: the same record stands above
 fix-decimal-comma = if { $text } has a decimal comma, write { $number }
