@@ -1,5 +1,8 @@
 //! What people want to make, which is no type of record: a page each of `zpg explain`, with a scene that does it.
 
+mod tables;
+
+use self::tables::{COMMANDS, WORDS};
 use crate::diagnostics::Language;
 use crate::syntax::table::{RECORD_TYPES, RecordType};
 use crate::syntax::words::{self, plain};
@@ -125,8 +128,28 @@ pub(super) const TOPICS: [Topic; 15] = [
     Topic {
         titles: ["units", "jednotky"],
         words: &[
-            "unit", "jednotka", "size", "sizes", "velikost", "rozmery", "degree", "degrees",
-            "stupen", "stupne", "radian", "radians", "radiany",
+            "unit",
+            "jednotka",
+            "size",
+            "sizes",
+            "velikost",
+            "rozmery",
+            "degree",
+            "degrees",
+            "stupen",
+            "stupne",
+            "radian",
+            "radians",
+            "radiany",
+            "coordinatesystem",
+            "coordinates",
+            "handedness",
+            "lefthanded",
+            "righthanded",
+            "soustavasouradnic",
+            "souradnice",
+            "levotociva",
+            "pravotociva",
         ],
         texts: texts!("units"),
     },
@@ -174,178 +197,6 @@ pub(super) const TOPICS: [Topic; 15] = [
         ],
         texts: texts!("other-lights"),
     },
-];
-
-/// Words that lead to types, without accents and in lower case, as those of [`words`]. They are nobody's guess in a scene.
-const WORDS: [(&str, &[i32]); 64] = [
-    ("indexofrefraction", &[-203]),
-    ("kostka", &[12]),
-    ("toroid", &[14]),
-    ("cylindr", &[1]),
-    ("angle", &[-2, -501]),
-    ("uhel", &[-2, -501]),
-    ("axis", &[-2]),
-    ("osa", &[-2]),
-    ("view", &[-501, -502]),
-    ("pohled", &[-501, -502]),
-    ("pyramid", &[-102, 4, 12, 16]),
-    ("jehlan", &[-102, 4, 12, 16]),
-    ("pyramida", &[-102, 4, 12, 16]),
-    ("hemisphere", &[-102, 4, 9, 11]),
-    ("polokoule", &[-102, 4, 9, 11]),
-    ("halfsphere", &[-102, 4, 9, 11]),
-    ("bowl", &[-103, 9, 11]),
-    ("miska", &[-103, 9, 11]),
-    ("circle", &[1]),
-    ("kotouc", &[1]),
-    ("highlight", &[-201]),
-    ("highlights", &[-201]),
-    ("odlesk", &[-201]),
-    ("odlesky", &[-201]),
-    ("phong", &[-201]),
-    ("specular", &[-201]),
-    ("gloss", &[-201]),
-    ("lesk", &[-201]),
-    ("fog", &[-201, 5]),
-    ("mlha", &[-201, 5]),
-    ("haze", &[-201, 5]),
-    ("kd", &[-201]),
-    ("ks", &[-201]),
-    ("kt", &[-201]),
-    ("imagemap", &[-301]),
-    ("interior", &[-203]),
-    ("mesh", &[6, 7, 8]),
-    ("sor", &[1]),
-    ("podlaha", &[4]),
-    ("ground", &[4]),
-    ("obloha", &[9999]),
-    ("odecist", &[-103]),
-    ("kopirovat", &[-105]),
-    ("otocit", &[-2, -4]),
-    ("posunout", &[-1]),
-    ("zornyuhel", &[-501]),
-    ("fieldofview", &[-501]),
-    ("smerpohledu", &[-501]),
-    ("viewdirection", &[-501]),
-    ("vektornahoru", &[-501]),
-    ("upvector", &[-501]),
-    ("nahoru", &[-501]),
-    ("up", &[-501]),
-    ("inverse", &[-104]),
-    ("invert", &[-104]),
-    ("inverze", &[-104]),
-    ("invertovat", &[-104]),
-    ("opak", &[-104]),
-    ("operand", &[-101, -102, -103]),
-    ("operation", &[-101, -102, -103]),
-    ("solid", &[11, 12, 4]),
-    ("teleso", &[11, 12, 4]),
-    ("surface", &[3, 5, 6]),
-    ("plocha", &[3, 5, 6]),
-];
-
-/// Words of the command line, without accents and in lower case, and the command whose help speaks of them, with the option
-/// that does.
-const COMMANDS: [(&str, &[&str]); 10] = [
-    (
-        "check",
-        &[
-            "error",
-            "chyba",
-            "warning",
-            "varovani",
-            "finding",
-            "nalez",
-            "fix",
-            "oprava",
-            "rule",
-            "pravidlo",
-            "code",
-            "kod",
-            "allow",
-            "povolit",
-            "check",
-            "zkontrolovat",
-            "note",
-        ],
-    ),
-    ("fmt", &["format", "zformatovat"]),
-    ("convert", &["convert", "prevest", "prevod"]),
-    (
-        "render",
-        &[
-            "picture",
-            "obrazek",
-            "pixel",
-            "raytracer",
-            "sledovacpaprsku",
-            "thread",
-            "vlakno",
-            "memory",
-            "pamet",
-        ],
-    ),
-    (
-        "render --samples",
-        &[
-            "sample",
-            "samples",
-            "vzorek",
-            "vzorky",
-            "antialiasing",
-            "antialias",
-            "aliasing",
-            "supersampling",
-            "vyhlazovanihran",
-            "vyhlazovani",
-        ],
-    ),
-    ("frames", &["frame", "snimek"]),
-    ("probe", &["ray", "paprsek", "crossing", "prusecik"]),
-    (
-        "accuracy",
-        &[
-            "accuracy",
-            "presnost",
-            "rounding",
-            "zaokrouhlovani",
-            "tolerance",
-        ],
-    ),
-    (
-        "farm",
-        &[
-            "job",
-            "uloha",
-            "task",
-            "dilciuloha",
-            "band",
-            "pas",
-            "part",
-            "castobrazku",
-            "node",
-            "uzel",
-            "engine",
-            "planovac",
-        ],
-    ),
-    (
-        "",
-        &[
-            "commandline",
-            "prikazovaradka",
-            "option",
-            "volba",
-            "file",
-            "soubor",
-            "folder",
-            "slozka",
-            "default",
-            "vychozi",
-            "exitstatus",
-            "navratovykod",
-        ],
-    ),
 ];
 
 /// The sentence that names the help with a word of the command line.
@@ -487,6 +338,9 @@ mod tests {
             ("měkký stín", "other lights"),
             ("alpha", "glass"),
             ("krytí", "glass"),
+            ("coordinate system", "units"),
+            ("left-handed", "units"),
+            ("souřadnice", "units"),
             ("noqa", "comment"),
             ("potlačit", "comment"),
         ] {
@@ -502,8 +356,20 @@ mod tests {
             ("up", -501),
             ("inverse", -104),
             ("inverze", -104),
+            ("tube", 1),
+            ("prstenec", 14),
+            ("wall", 12),
+            ("zeď", 12),
         ] {
             assert_eq!(types(word)[0].code, code, "{word}");
+        }
+        let codes = |word| Vec::from_iter(types(word).iter().map(|ty| ty.code));
+        for word in ["matrix", "matice"] {
+            assert_eq!(codes(word), [-4, 15], "{word}");
+        }
+        for word in ["depth", "hloubka"] {
+            let said = help(word, Language::Czech).expect(word);
+            assert_eq!(said, "Více řekne `zpg render --help` u `--depth`.");
         }
         for word in ["antialiasing", "vyhlazování hran"] {
             let said = help(word, Language::Czech).expect(word);

@@ -1,5 +1,7 @@
 //! Checks of a record that concern several parameters at once.
 
+use std::ops::Range;
+
 use super::record::Params;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::syntax::quote;
@@ -68,8 +70,15 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
             edits: edits.collect(),
         }
     };
-    // A corner and a size, as other programs have it.
-    let size = (!is_sorted).then(|| sized(p, first, n)).flatten();
+    // A corner or the centre and a size, as other programs have it.
+    let mut sizes = match is_sorted {
+        true => Vec::new(),
+        false => sized(p, first, n),
+    };
+    // Where bounds may be in turn, too, a corner is enough.
+    if in_turn {
+        sizes.truncate(1);
+    }
     // Bounds that differ along one axis only, or none, hold no area: something else is wrong.
     let along = (first..first + n).filter(|&i| p.number(i) != p.number(i + n));
     if along.count() < 2 {
@@ -78,9 +87,9 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
     }
     let proposed = match (in_turn, is_sorted) {
         (_, true) => fix("fix-order", &sorted, Applicability::Unsafe),
-        (true, false) if size.is_some() => fix("fix", &swapped, Applicability::Choice),
+        (true, false) if !sizes.is_empty() => fix("fix", &swapped, Applicability::Choice),
         (true, false) => fix("fix", &swapped, Applicability::Unsafe),
-        (false, false) if size.is_some() => fix("fix", &swapped, Applicability::Choice),
+        (false, false) if !sizes.is_empty() => fix("fix", &swapped, Applicability::Choice),
         (false, false) => fix("fix", &swapped, Applicability::Safe),
     };
     out.push(inverted_range(p, &inverted, n).fix(proposed));
@@ -88,8 +97,8 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
     let fixes = &mut out.last_mut()?.fixes;
     match in_turn {
         // Three pairs in turn, one of them swapped, are rarer than a size.
-        true => drop(fixes.splice(0..0, size)),
-        false => fixes.extend(size),
+        true => drop(fixes.splice(0..0, sizes)),
+        false => fixes.extend(sizes),
     }
     fixes.extend(other);
     None
@@ -107,28 +116,40 @@ fn inverted_range(p: &Params, inverted: &[usize], n: usize) -> Diagnostic {
         .label(p.span_of(at + n, 1), "other")
 }
 
-/// The choice that the upper bounds are a size: each becomes the sum of both. `None` if one of them can be none.
-fn sized(p: &Params, first: usize, n: usize) -> Option<Fix> {
-    let of = first + n..first + 2 * n;
-    let texts: Vec<&str> = of.clone().map(|i| p.text_of(i)).collect();
-    let sums: Vec<String> = of
-        .clone()
-        .map(|i| sum(p.number(i - n), p.number(i)))
-        .collect();
-    let edits = of.clone().zip(&sums).map(|(i, text)| Edit {
-        span: p.span_of(i, 1),
-        text: text.clone(),
-    });
-    let fix = Fix {
-        title: "fix-size",
-        values: vec![
-            ("text", quote(&texts.join(" ")).into()),
-            ("number", quote(&sums.join(" ")).into()),
-        ],
-        applicability: Applicability::Choice,
-        edits: edits.collect(),
+/// The choices that the upper bounds are a size: the lower ones are a corner, or the centre. None if one of them can be no
+/// size.
+fn sized(p: &Params, first: usize, n: usize) -> Vec<Fix> {
+    let all = first..first + 2 * n;
+    let (lower, size) = (first..first + n, first + n..first + 2 * n);
+    if !size.clone().all(|i| p.number(i) > 0.0) {
+        return Vec::new();
+    }
+    let written = |places: Range<usize>| {
+        let texts: Vec<&str> = places.map(|i| p.text_of(i)).collect();
+        quote(&texts.join(" "))
     };
-    of.into_iter().all(|i| p.number(i) > 0.0).then_some(fix)
+    let fix = |title, places: Range<usize>, new: Vec<String>| {
+        let shown = ("number", quote(&new.join(" ")).into());
+        let edits = places.zip(new).filter(|(i, text)| p.text_of(*i) != text);
+        let edits = edits.map(|(i, text)| Edit {
+            span: p.span_of(i, 1),
+            text,
+        });
+        Fix {
+            title,
+            values: vec![("text", written(size.clone()).into()), shown],
+            applicability: Applicability::Choice,
+            edits: edits.collect(),
+        }
+    };
+    let ends = lower.clone().map(|i| sum(p.number(i), p.number(i + n)));
+    let corner = fix("fix-size", size.clone(), ends.collect());
+    let from = |i: usize, by: f64| sum(p.number(i), by * p.number(i + n));
+    let bounds = lower.clone().map(|i| from(i, -0.5));
+    let bounds = bounds.chain(lower.clone().map(|i| from(i, 0.5)));
+    let centre = fix("fix-centre", all, bounds.collect());
+    let centre = centre.with("centre", written(lower));
+    vec![corner, centre]
 }
 
 /// The sum of two numbers in as many digits as people write.

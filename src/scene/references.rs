@@ -212,7 +212,10 @@ impl Resolver<'_> {
             },
         };
         let finding = self.showing(finding.with("id", id.to_string()), id);
-        let kind = self.state(id).and_then(State::kind);
+        let kind = match self.state(id) {
+            None if finding.code == Code::E103 => self.later(id).and_then(|(_, kind)| kind),
+            state => state.and_then(State::kind),
+        };
         let is_lamp = matches!(kind, Some(Kind::PointLight | Kind::AmbientLight));
         let finding = match is_lamp && p.ty.family == Family::Operation {
             // Lamps shine by themselves: no other object is meant.

@@ -706,7 +706,7 @@ fn names_of_types_without_an_id() {
     }
 }
 
-/// A corner and a size look like swapped corners: either may be meant, unless a size would be negative.
+/// A corner or the centre and a size look like swapped corners: any may be meant, unless a size would be negative.
 #[test]
 fn a_corner_and_a_size() {
     let scene = |numbers: &str| format!("2 12 {numbers}\n{REST}");
@@ -715,7 +715,14 @@ fn a_corner_and_a_size() {
     let error = all.iter().find(|d| d.code == Code::E202).unwrap();
     let written = |fix| fixes::apply(&text, std::iter::once(fix)).0;
     let proposed: Vec<String> = error.fixes.iter().map(written).collect();
-    assert_eq!(proposed, [scene("1 1 2 2 2 3"), scene("1 2 3 3 3 5")]);
+    let centre = scene("0 1.5 2 2 2.5 4");
+    assert_eq!(
+        proposed,
+        [scene("1 1 2 2 2 3"), scene("1 2 3 3 3 5"), centre]
+    );
+    let said = error.wording(Language::Czech).fixes;
+    let centre = "je-li `1 2 3` střed a `2 1 2` velikost, napsat `0 1.5 2 2 2.5 4`";
+    assert_eq!(said[2], centre);
     assert_eq!(fixed(&text), text);
     let safe = fixing::to_fixed_point(read(&scene("1 -1 0 -1 1 1")), false, Analysis::of);
     assert_eq!(safe.analysis.source.text, scene("-1 -1 0 1 1 1"));

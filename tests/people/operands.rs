@@ -138,3 +138,93 @@ fn a_complement_with_a_minus() {
     // What a difference takes away may have a minus too many.
     assert_eq!(fixed(&with("4 -103 2 -3")), with("4 -103 2 3"));
 }
+
+/// A light among the operands of a union shines by itself, wherever its records stand.
+#[test]
+fn a_light_in_a_union() {
+    let lamp = "51 -402 0.9\n51 -1 -4 8 6\n";
+    let (ball, union) = ("2 11 0 1 0 1\n", "3 -101 2 51\n");
+    let changes = "3 -701 1 0 0\n4 11 3 1 0 1\n5 -101 4 3\n";
+    let meant = scene(&format!("{ball}{lamp}{}", changes.replace('3', "2")));
+    let meant = meant.replace("4 11 2 1", "4 11 3 1");
+    for text in [
+        format!("{ball}{union}{lamp}{changes}"),
+        format!("{ball}{lamp}{union}{changes}"),
+    ] {
+        let text = scene(&text);
+        let (finding, made) = guessed(&text, Code::E103);
+        assert_eq!(made, [meant.as_str()]);
+        assert_eq!(fixed(&text), meant);
+        for (language, said, noted) in [
+            (
+                Language::English,
+                "leave out the union 3, and write `2` in its place",
+                "a light shines by itself; it is no part of an object",
+            ),
+            (
+                Language::Czech,
+                "vynechat sjednocení 3 a místo něj napsat `2`",
+                "bodové světlo svítí samo; není částí tělesa",
+            ),
+        ] {
+            let wording = finding.wording(language);
+            assert_eq!(wording.fixes, [said]);
+            assert_eq!(wording.notes, [noted]);
+        }
+    }
+    // An object that nothing uses may be meant in place of the light.
+    let text = scene(&format!("{ball}6 11 3 1 0 1\n{lamp}{union}{changes}"));
+    let (finding, made) = guessed(&text, Code::E103);
+    assert_eq!(made.len(), 1);
+    assert_eq!(finding.fixes[0].applicability, Applicability::Choice);
+    assert_eq!(fixed(&text), text);
+}
+
+/// A colour that comes too late for a texture may be that of the object right above.
+#[test]
+fn a_late_colour_under_an_object() {
+    let text = scene(
+        "60 -701 0.1 0.1 0.1\n61 -701 0.9 0.9 0.9\n10 5 -4 -4 4 4\n10 -399 8 8 60 61\n\
+         23 12 1 0 -1 3 2 1\n60 -701 1 0.5 0\n4 -101 23 10\n",
+    );
+    let late = |text: &str| {
+        let all = read(text).findings().to_vec();
+        all.into_iter().find(|d| d.code == Code::W309).unwrap()
+    };
+    let finding = late(&text);
+    let made = fixes::apply(&text, finding.fixes.iter()).0;
+    assert_eq!(made, text.replace("60 -701 1 0.5 0", "23 -701 1 0.5 0"));
+    assert_eq!(finding.fixes[0].applicability, Applicability::Choice);
+    for (language, said) in [
+        (
+            Language::English,
+            "if it is meant for the object right above, write `23`",
+        ),
+        (
+            Language::Czech,
+            "patří-li objektu hned nad ním, napsat `23`",
+        ),
+    ] {
+        assert_eq!(finding.wording(language).fixes, [said]);
+    }
+    // That object has a colour.
+    let text = text.replace("60 -701 1 0.5", "23 -701 1 1 1\n60 -701 1 0.5");
+    assert_eq!(late(&text).fixes, []);
+}
+
+/// An unused property is told with the line that assigns it.
+#[test]
+fn an_unused_property_has_its_assignment_said() {
+    for (unused, said) in [
+        ("32 -701 1 0 0", "`ID -299 32 0`"),
+        ("32 -201 0 0.8 0.2", "`ID -299 0 32`"),
+    ] {
+        let text = scene(&format!("{unused}\n2 11 0 1 0 1\n"));
+        let all = read(&text).findings().to_vec();
+        let finding = all.into_iter().find(|d| d.code == Code::W310).unwrap();
+        for language in [Language::English, Language::Czech] {
+            let help = finding.wording(language).help.unwrap();
+            assert!(help.contains(said), "{help}");
+        }
+    }
+}

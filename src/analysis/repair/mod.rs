@@ -14,6 +14,7 @@ mod elsewhere;
 mod heads;
 mod in_comments;
 mod judge;
+mod lamp_operand;
 mod missing;
 mod retell;
 mod slashes;
@@ -60,6 +61,7 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
         heads::retell(engine.analysis, &mut engine.findings);
         in_comments::retell(engine.analysis, &mut engine.findings);
         engine.switched_off();
+        engine.lamp_operands();
         missing::retell(engine.analysis, &mut engine.findings);
         unused_operand::add(engine.analysis, &mut engine.findings);
         surplus::retell(engine.analysis, &mut engine.findings);

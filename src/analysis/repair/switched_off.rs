@@ -180,7 +180,7 @@ impl<'a> Off<'a> {
         }
         let first = names::references(&line.document, record).next()?;
         let start = line.span.start;
-        let edits = self.instead(id, first, start);
+        let edits = instead(self.analysis, id, first, start);
         let fix = Fix::guess("fix-first-operand", edits);
         Some(
             fix.with("id", id.to_string())
@@ -221,7 +221,7 @@ impl<'a> Off<'a> {
             span: whole,
             text: comment_out(written),
         }];
-        edits.extend(self.instead(user.id, other, whole.end));
+        edits.extend(instead(analysis, user.id, other, whole.end));
         let fix = Fix::guess("fix-switch-off", edits).with("id", id.to_string());
         let fix = fix.with("type", Value::Term(user.ty().title));
         Some(
@@ -229,27 +229,27 @@ impl<'a> Off<'a> {
                 .with("number", quote(&other.to_string())),
         )
     }
+}
 
-    /// Another ID in all records from a place on that name or change something.
-    fn instead(&self, id: u32, new: u32, start: u32) -> Vec<Edit> {
-        let mut edits = Vec::new();
-        let mut write = |token: &Token| {
-            edits.push(Edit {
-                span: token.span(),
-                text: new.to_string(),
-            });
-        };
-        for record in records(self.analysis) {
-            let head = self.analysis.document.id_token(record);
-            if head.start < start && record.kind != RecordKind::Render {
-                continue;
-            }
-            if record.id == id && !matches!(record.ty().effect, Effect::Defines(_)) {
-                write(head);
-            }
-            let named = references(self.analysis, record).filter(|r| r.1 == i64::from(id));
-            named.for_each(|(token, _)| write(&token));
+/// Another ID in all records from a place on that name or change something.
+pub(super) fn instead(analysis: &Analysis, id: u32, new: u32, start: u32) -> Vec<Edit> {
+    let mut edits = Vec::new();
+    let mut write = |token: &Token| {
+        edits.push(Edit {
+            span: token.span(),
+            text: new.to_string(),
+        });
+    };
+    for record in records(analysis) {
+        let head = analysis.document.id_token(record);
+        if head.start < start && record.kind != RecordKind::Render {
+            continue;
         }
-        edits
+        if record.id == id && !matches!(record.ty().effect, Effect::Defines(_)) {
+            write(head);
+        }
+        let named = references(analysis, record).filter(|r| r.1 == i64::from(id));
+        named.for_each(|(token, _)| write(&token));
     }
+    edits
 }

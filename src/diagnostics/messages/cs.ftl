@@ -135,6 +135,7 @@ fix-switch-on = { $count ->
    *[other] vyjmout z komentářů záznam { $id } i to, co potřebuje
 }
 fix-first-operand = místo { $id } napsat { $number }, první operand záznamu v komentáři
+fix-without-light = vynechat sjednocení { $other } a místo něj napsat { $number }
 fix-switch-off = obejít se bez { $id }: dát do komentáře i { $type } { $other } a místo { $other } napsat { $number }
 fix-again = odstranit ho: tentýž záznam je už o řádek výš
 fix-decimal-comma = je-li v { $text } desetinná čárka, napsat { $number }
@@ -629,6 +630,7 @@ E202 = { $type }: { $lower } je větší než { $upper }{ $others ->
     .fix = prohodit je
     .fix-order = napsat nejdřív všechny dolní meze, pak všechny horní
     .fix-size = je-li { $text } velikost, napsat { $number }
+    .fix-centre = je-li { $centre } střed a { $text } velikost, napsat { $number }
 
 E203 = { $type }: { $vector } je nulový vektor
     .label = nemá žádný směr

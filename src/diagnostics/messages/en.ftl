@@ -126,6 +126,7 @@ fix-switch-on = { $count ->
    *[other] take the record of { $id } and what it needs out of their comments
 }
 fix-first-operand = write { $number } for { $id }: it is the first operand of the record in the comment
+fix-without-light = leave out the union { $other }, and write { $number } in its place
 fix-switch-off = do without { $id }: put the { $type } { $other } into a comment, too, and write { $number } for { $other }
 fix-again = remove it: the same record stands above
 fix-decimal-comma = if { $text } has a decimal comma, write { $number }
@@ -613,6 +614,7 @@ E202 = { $lower } of the { $type } is greater than { $upper }{ $others ->
     .fix = swap them
     .fix-order = write all lower bounds before all upper ones
     .fix-size = if { $text } is the size, write { $number }
+    .fix-centre = if { $centre } is the centre and { $text } the size, write { $number }
 
 E203 = the { $vector } of the { $type } is the zero vector
     .label = it has no direction

@@ -211,6 +211,7 @@ fn pairs<'a>(context: &Context<'a>) -> Vec<Pair<'a>> {
 
 /// The second record with the ID of what was defined shortly before, has no such record, and is not used before that.
 /// Right under the records of such a one that one alone is meant: the line above was copied, and its ID was not changed.
+/// A record of a property is meant for an object right above it only.
 pub(super) fn neighbours(context: &Context, second: &Record) -> Vec<Fix> {
     let head = context.document.id_token(second).span();
     let is_light = |kind: Option<Kind>| matches!(kind, Some(Kind::PointLight | Kind::AmbientLight));
@@ -229,17 +230,21 @@ pub(super) fn neighbours(context: &Context, second: &Record) -> Vec<Fix> {
     }
     let mut entities = context.scene.entities.iter();
     let own = entities.find(|e| e.id == second.id).and_then(|e| e.kind);
-    if own != Some(Kind::Object) && !is_light(own) {
+    let is_property = matches!(own, Some(Kind::Optics | Kind::Texture | Kind::Colour));
+    if own != Some(Kind::Object) && !is_light(own) && !is_property {
         return Vec::new();
     }
+    let wanted = own.filter(|_| !is_property).unwrap_or(Kind::Object);
     let is_such = |e: &&Entity| {
-        let is_of_kind = e.kind == own || is_light(e.kind) && is_light(own);
+        let is_of_kind = e.kind == Some(wanted) || is_light(e.kind) && is_light(own);
         is_of_kind && e.span.start < head.start && !taken.contains(&e.id)
     };
     let meant = context.scene.entities.iter().rev().filter(is_such);
     let mut meant: Vec<u32> = meant.map(|e| e.id).collect();
     if let Some(id) = above.filter(|id| meant.contains(id)) {
         meant = vec![id];
+    } else if is_property {
+        return Vec::new();
     }
     meant.truncate(PROPOSALS);
     meant

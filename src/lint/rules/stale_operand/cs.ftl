@@ -18,3 +18,4 @@ W309-property = { $type } { $id } se mění pozdě: { $taker-id } už používá
     .taken = { W309.taken }
     .note = vlastnosti a barvy se přiřazují v té podobě, jakou v místě přiřazení mají
     .help = přesuňte tento záznam před ten, který { $id } používá
+    .fix = patří-li objektu hned nad ním, napsat { $number }

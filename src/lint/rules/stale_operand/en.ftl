@@ -16,3 +16,4 @@ W309-property = the { $type } { $id } is changed too late: { $taker-id } has tak
     .taken = { $id } is taken here
     .note = properties and colours are taken as they are at that point
     .help = move this in front of the record that takes { $id }
+    .fix = if it is meant for the object right above, write { $number }

@@ -7,6 +7,7 @@
 //! was copied: that is what copies are for. What holds for operands holds for properties, too, which an
 //! assignment takes as they are, and for the colours of a texture.
 
+use super::overridden_property::{MAX_PROPOSED, neighbours};
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::syntax::Record;
@@ -21,29 +22,31 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     let titles = context.titles();
-    for Late {
-        change,
-        taker,
-        more,
-    } in late
-    {
+    for (i, late) in late.into_iter().enumerate() {
+        let Late {
+            change,
+            taker,
+            more,
+        } = late;
         let title = |id| Value::Term(titles.get(&id).copied().unwrap_or("object"));
         let document = context.document;
         let case = match taker.ty().family {
             Family::Operation => "",
             _ => "property",
         };
-        out.push(
-            Diagnostic::new(Code::W309, document.span(change.first, change.last))
-                .case(case)
-                .with("change", Value::Term(change.ty().title))
-                .with("id", change.id.to_string())
-                .with("type", title(change.id))
-                .with("taker", title(taker.id))
-                .with("taker-id", taker.id.to_string())
-                .with("more", Value::Count(more))
-                .label(document.span(taker.first, taker.last), "taken"),
-        );
+        let mut finding = Diagnostic::new(Code::W309, document.span(change.first, change.last))
+            .case(case)
+            .with("change", Value::Term(change.ty().title))
+            .with("id", change.id.to_string())
+            .with("type", title(change.id))
+            .with("taker", title(taker.id))
+            .with("taker-id", taker.id.to_string())
+            .with("more", Value::Count(more))
+            .label(document.span(taker.first, taker.last), "taken");
+        if case == "property" && i < MAX_PROPOSED {
+            finding.fixes = neighbours(context, change);
+        }
+        out.push(finding);
     }
 }
 

@@ -1,12 +1,12 @@
 W310 = { $type } { $id } se nikde nepoužije
     .label = nic z toho, co se zobrazí, to nepotřebuje
-    .help = přiřaďte to objektu pomocí `ID -299 TEXTURA OPTIKA`, nebo záznam odstraňte
+    .help = přiřaďte to objektu pomocí { $assignment }, nebo záznam odstraňte
     .fix = přiřadit to: přidat { $text }
     .board = možná ji má mít tato šachovnice, která má obě barvy stejné
 W310-colour = { W310 }
     .label = { W310.label }
     .board = { W310.board }
-    .help = přiřaďte ji objektu pomocí `ID -299 BARVA 0`, určete ji jako pozadí pomocí { $text }, nebo záznam odstraňte
+    .help = přiřaďte ji objektu pomocí { $assignment }, určete ji jako pozadí pomocí { $text }, nebo záznam odstraňte
     .fix = { W310.fix }
     .fix-background = použít ji jako pozadí: napsat { $text }
 W310-object = { $type } { $id } není součástí toho, co se zobrazí

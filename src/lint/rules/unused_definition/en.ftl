@@ -1,12 +1,12 @@
 W310 = the { $type } { $id } is never used
     .label = nothing that is drawn has it
-    .help = assign it with `ID -299 TEXTURE OPTICS`, or remove it
+    .help = assign it with { $assignment }, or remove it
     .fix = assign it: add { $text }
     .board = it may be meant by this checkerboard, which names one colour twice
 W310-colour = { W310 }
     .label = { W310.label }
     .board = { W310.board }
-    .help = assign it with `ID -299 COLOUR 0`, make it the background with { $text }, or remove it
+    .help = assign it with { $assignment }, make it the background with { $text }, or remove it
     .fix = { W310.fix }
     .fix-background = make it the background: write { $text }
 W310-object = the { $type } { $id } is not part of what is drawn

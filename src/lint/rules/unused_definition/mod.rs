@@ -14,8 +14,8 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Label, Value};
 use crate::lint::Context;
 use crate::scene::Entity;
 use crate::scene::names::Names;
-use crate::syntax::Record;
 use crate::syntax::table::{Effect, Kind, RecordKind};
+use crate::syntax::{Record, quote};
 
 /// Flags of an ID. A large scene has millions of IDs, so each has one byte.
 type IdFlags = u8;
@@ -142,11 +142,16 @@ fn finding(context: &Context, entity: &Entity) -> Option<Diagnostic> {
         _ => return None,
     };
     let title = context.params(entity.span).map_or("object", |p| p.ty.title);
+    let assignment = match entity.kind? {
+        Kind::Optics => format!("ID -299 0 {}", entity.id),
+        _ => format!("ID -299 {} 0", entity.id),
+    };
     Some(
         Diagnostic::new(Code::W310, entity.span)
             .case(case)
             .with("type", Value::Term(title))
-            .with("id", entity.id.to_string()),
+            .with("id", entity.id.to_string())
+            .with("assignment", quote(&assignment)),
     )
 }
 
