@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::diagnostics::Complaint;
 
 /// Works on one file. Where zpg panics, which the panic's own message has told, that is a complaint about the file.
-pub fn apart<T>(
+pub(super) fn apart<T>(
     path: &Path,
     work: impl FnOnce() -> Result<T, Complaint>,
 ) -> Result<T, Complaint> {
@@ -26,6 +26,9 @@ mod tests {
         let complaint = done(2).expect_err("there is no third number");
         let said = [Language::English, Language::Czech].map(|l| complaint.wording(l));
         assert!(said.iter().all(|text| text.contains("a.zpg")), "{said:?}");
-        assert!(said[0].contains("mistake") && said[1].contains("chyb"), "{said:?}");
+        assert!(
+            said[0].contains("mistake") && said[1].contains("chyb"),
+            "{said:?}"
+        );
     }
 }
