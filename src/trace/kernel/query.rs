@@ -24,6 +24,22 @@ pub struct Start {
     pub within: Within,
 }
 
+impl Start {
+    /// A ray that starts outside of everything, on no surface.
+    #[inline(always)]
+    pub fn outside(origin: Vec3, direction: Vec3) -> Start {
+        Start {
+            origin: origin.0,
+            direction: direction.0,
+            skin: 0.0,
+            left: NONE,
+            face: 0,
+            goes_in: false,
+            within: Within::NOTHING,
+        }
+    }
+}
+
 /// The solids around a place, numbers of leaves: up to [`DEEPEST`], and then [`NONE`]. The earlier operands are first; the
 /// first one owns the place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -253,7 +253,7 @@ mod tests {
     use crate::geometry::vec::Vec3;
     use crate::testing::scene;
     use crate::trace::Tracer;
-    use crate::trace::kernel::query::{NONE, Start, Tests, Within};
+    use crate::trace::kernel::query::{Start, Tests};
     use crate::trace::kernel::scratch::Scratch;
     use crate::trace::kernel::search::Met;
     use crate::trace::kernel::stage::Stage;
@@ -319,15 +319,7 @@ mod tests {
                 if i % 9 == 0 {
                     direction.0[i / 9 % 3] = 0.0;
                 }
-                let mut start = Start {
-                    origin: from.0,
-                    direction: direction.0,
-                    skin: 0.0,
-                    left: NONE,
-                    face: 0,
-                    goes_in: false,
-                    within: Within::NOTHING,
-                };
+                let mut start = Start::outside(from, direction);
                 for _ in 0..2 {
                     let found = stage.first(&start, &mut scratch, &mut tests);
                     let walked = walks.first(&start, &mut scratch, &mut tests);

@@ -148,15 +148,7 @@ impl Tile {
             self.pixels.push(Drawn::default());
             self.nodes.push(RayNode::DARK);
             self.wave.push(Ray {
-                start: Start {
-                    origin: origin.0,
-                    direction: direction.0,
-                    skin: 0.0,
-                    left: NONE,
-                    face: 0,
-                    goes_in: false,
-                    within: Within::NOTHING,
-                },
+                start: Start::outside(origin, direction),
                 weight: [1.0; 3],
                 node: i,
                 pixel: i,

@@ -4,7 +4,7 @@ use super::*;
 use crate::geometry::line::Line;
 use crate::testing::scene;
 use crate::trace::Tracer;
-use crate::trace::kernel::query::{NONE, Start, Tests, Within};
+use crate::trace::kernel::query::{Start, Tests, Within};
 use crate::trace::kernel::scratch::Scratch;
 use crate::trace::kernel::search;
 use crate::trace::kernel::shade::Four;
@@ -74,15 +74,7 @@ fn points_have_the_bits_of_shapes() {
             if i % 9 == 0 {
                 direction.0[i / 9 % 3] = 0.0;
             }
-            let mut start = Start {
-                origin: from.0,
-                direction: direction.0,
-                skin: 0.0,
-                left: NONE,
-                face: 0,
-                goes_in: false,
-                within: Within::NOTHING,
-            };
+            let mut start = Start::outside(from, direction);
             if let Some(mut crossing) = look(start, &mut wave, &mut hits)
                 && stage.sharpen(&start, &mut crossing, &mut Default::default())
             {
