@@ -12,7 +12,8 @@ const NOTE: &str = "behind-sign";
 /// Says of findings about such lines and of errors about their IDs where the comment ends, and takes their fixes away: that of the comment
 /// is meant.
 pub(super) fn retell(source: &SourceFile, document: &Document, findings: &mut [Diagnostic]) {
-    let all = hidden::lone_signs(&source.text, document);
+    let comments = hidden::records(&source.text, document);
+    let all = hidden::lone_signs(&source.text, &comments);
     if all.is_empty() {
         return;
     }

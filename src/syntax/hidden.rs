@@ -65,11 +65,11 @@ pub struct LoneSigns {
     pub ids: Vec<u32>,
 }
 
-/// The lines with such signs that read as records without them.
-pub fn lone_signs(text: &str, document: &Document) -> Vec<LoneSigns> {
+/// The lines with such signs that read as records without them, given the comments that have [records] in them.
+pub fn lone_signs(text: &str, comments: &[(Span, Vec<Hidden>)]) -> Vec<LoneSigns> {
     let mut out = Vec::new();
     let mut budget = BYTES_MAX;
-    for (comment, _) in records(text, document) {
+    for (comment, _) in comments {
         let begins_line = |at: u32| {
             let before = text[..at as usize].trim_end_matches([' ', '\t']);
             before.is_empty() || before.ends_with(['\n', '\r'])

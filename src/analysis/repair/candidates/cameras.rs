@@ -1,15 +1,14 @@
 //! Where a camera looks, and which way is up.
 
+use super::solids::has_unit_length;
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
-use crate::geometry::array::{cross, length, sub};
+use crate::geometry::array::{cross, sub};
 use crate::lint::spelling::decimal;
 use crate::syntax::lexer::Token;
 use crate::syntax::quote;
 use crate::syntax::table::{Kind, RecordKind};
 
-/// A direction of length 1 is written with so many digits at least.
-const ROUNDED: f64 = 1e-3;
 /// The angle of a camera that lacks it.
 pub(super) const ANGLE: f64 = 45.0;
 
@@ -220,7 +219,7 @@ impl LineContext<'_> {
 /// Whether the length of a vector is 1, or its largest part.
 pub(in crate::analysis::repair) fn is_unit(v: [f64; 3]) -> bool {
     let largest = v.map(f64::abs).into_iter().fold(0.0, f64::max);
-    largest == 1.0 || (length(v) - 1.0).abs() < ROUNDED
+    largest == 1.0 || has_unit_length(v)
 }
 
 /// Whether a number may be an angle of view in degrees.

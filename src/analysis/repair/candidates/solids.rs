@@ -12,7 +12,7 @@ use crate::syntax::table::{RecordKind, RecordType, ShapeKind};
 
 /// The numbers of a point in space.
 const AXES: usize = 3;
-/// The length of a normal is 1 but for so much, as it is written with few digits.
+/// A length that differs from 1 by no more is 1 that was written with few digits.
 const LENGTH_OFF_MAX: f64 = 1e-3;
 /// Four corners are in one plane where the box that they span has no more than this share of the volume of a cube.
 const FLAT_REL_MAX: f64 = 1e-6;
@@ -28,7 +28,7 @@ impl LineContext<'_> {
         let Some(numbers) = numbers else { return };
         if let (ShapeKind::Rectangle, &[a, b, c, _], Code::E202) =
             (kind, numbers.as_slice(), finding.code)
-            && is_unit([a, b, c])
+            && has_unit_length([a, b, c])
         {
             let planes = [ShapeKind::HalfSpace, ShapeKind::Plane];
             let planes = planes.map(|kind| RecordType::of(RecordKind::Shape(kind)));
@@ -63,8 +63,8 @@ impl LineContext<'_> {
     fn by_normal(&self, two: [Vec3; 2], out: &mut Vec<Candidate>) {
         let mut normals = vec![1, 0];
         normals.retain(|&i| length(two[i]) > 0.0);
-        if normals.iter().any(|&i| is_unit(two[i])) {
-            normals.retain(|&i| is_unit(two[i]));
+        if normals.iter().any(|&i| has_unit_length(two[i])) {
+            normals.retain(|&i| has_unit_length(two[i]));
         }
         let applicability = match normals.len() {
             1 => Applicability::Unsafe,
@@ -141,7 +141,7 @@ impl LineContext<'_> {
 }
 
 /// Whether a vector has the length 1.
-fn is_unit(v: Vec3) -> bool {
+pub(super) fn has_unit_length(v: Vec3) -> bool {
     (length(v) - 1.0).abs() <= LENGTH_OFF_MAX
 }
 

@@ -6,10 +6,9 @@ use crate::syntax::commented_out::comment_out;
 use crate::syntax::hidden::{self, LoneSigns};
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    let mut signs = hidden::lone_signs(context.text, context.document)
-        .into_iter()
-        .peekable();
-    for (span, records) in hidden::records(context.text, context.document) {
+    let comments = hidden::records(context.text, context.document);
+    let mut signs = (hidden::lone_signs(context.text, &comments).into_iter()).peekable();
+    for (span, records) in comments {
         let own = signs.next_if(|s| s.lines[0].start == span.start);
         let first = records[0];
         let line = context.text[span.range()].lines().next().unwrap_or("");
