@@ -30,8 +30,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::ops::Range;
 
-use zpg::internals::analysis::{Analysis, repair};
-use zpg::internals::diagnostics::{Diagnostic, Language, Severity, fixes};
+use zpg::internals::analysis::{Analysis, fixing, repair};
+use zpg::internals::diagnostics::{Code, Diagnostic, Language, Severity, fixes};
 use zpg::internals::syntax::lexer;
 
 use crate::rng::Rng;
@@ -62,6 +62,21 @@ const SCENES: Range<u64> = 0..24;
 
 fn read(text: &str) -> Analysis {
     Analysis::new("scene.zpg", text.as_bytes().to_vec())
+}
+
+/// The first finding of a code, and the scenes that its guesses make.
+fn guessed(text: &str, code: Code) -> (Diagnostic, Vec<String>) {
+    let all = repair::proposals(&read(text));
+    let finding = all.into_iter().find(|d| d.code == code).expect(text);
+    let made = |fix| fixes::apply(text, [fix].into_iter()).0;
+    let made = finding.fixes.iter().map(made).collect();
+    (finding, made)
+}
+
+/// A scene as `check --fix --unsafe-fixes` leaves it.
+fn fixed(text: &str) -> String {
+    let mended = fixing::to_fixed_point(read(text), true, Analysis::of);
+    mended.analysis.source.text
 }
 
 /// The numbers and words of a text.

@@ -2,11 +2,11 @@
 
 use std::fs;
 
-use zpg::internals::analysis::{Analysis, fixing, repair};
+use zpg::internals::analysis::{Analysis, repair};
 use zpg::internals::diagnostics::{Code, Diagnostic, fixes};
 
-use super::read;
 use super::rules::{SCENE, with};
+use super::{fixed, read};
 
 /// What the first fix of the first finding with a code makes of a text.
 #[track_caller]
@@ -15,12 +15,6 @@ fn first(text: &str, code: Code) -> String {
     let finding = all.iter().find(|d| d.code == code);
     let finding = finding.unwrap_or_else(|| panic!("{text}\n{all:?}"));
     fixes::apply(text, finding.fixes.first().into_iter()).0
-}
-
-/// What `--fix --unsafe-fixes` makes of a text.
-fn fixed(text: &str) -> String {
-    let mended = fixing::to_fixed_point(read(text), true, Analysis::of);
-    mended.analysis.source.text.clone()
 }
 
 fn codes(text: &str) -> Vec<Code> {

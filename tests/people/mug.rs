@@ -1,9 +1,9 @@
 //! Slips in the scene of a mug, and what was meant.
 
-use zpg::internals::analysis::{Analysis, fixing, repair};
+use zpg::internals::analysis::repair;
 use zpg::internals::diagnostics::{Code, Diagnostic, Language, fixes};
 
-use super::{read, said};
+use super::{fixed, read, said};
 
 /// A mug with a handle, a ball of glass and a cone on a floor, without mistakes.
 const MUG: &str = "\
@@ -55,12 +55,6 @@ fn guessed(text: &str) -> String {
         .first()
         .unwrap_or_else(|| panic!("{}", said(first).join("; ")));
     fixes::apply(text, [fix].into_iter()).0
-}
-
-/// The scene after all guesses.
-fn fixed(text: &str) -> String {
-    let mended = fixing::to_fixed_point(read(text), true, Analysis::of);
-    mended.analysis.source.text.clone()
 }
 
 #[test]

@@ -5,7 +5,7 @@ use zpg::internals::analysis::{Analysis, fixing, repair};
 use zpg::internals::diagnostics::{Code, Diagnostic, Language, fixes};
 use zpg::internals::format::{Options, format};
 
-use super::read;
+use super::{fixed, read};
 
 /// A camera, a lamp, and what is drawn.
 const REST: &str = "9 -501 0 0 6 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999 2 0\n";
@@ -14,11 +14,6 @@ const REST: &str = "9 -501 0 0 6 0 0 -1 0 1 0 45\n50 -402 1\n50 -1 3 5 5\n1 9999
 fn first_error(text: &str) -> Diagnostic {
     let all = repair::proposals(&read(text));
     all.into_iter().find(Diagnostic::is_error).unwrap()
-}
-
-fn fixed(text: &str) -> String {
-    let mended = fixing::to_fixed_point(read(text), true, Analysis::of);
-    mended.analysis.source.text.clone()
 }
 
 /// What is written before the rest, and what was meant.

@@ -1,9 +1,9 @@
 //! Operands and IDs that are wrong while another object is used by nothing.
 
-use zpg::internals::analysis::{Analysis, fixing, repair};
-use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, Language, fixes};
+use zpg::internals::analysis::repair;
+use zpg::internals::diagnostics::{Applicability, Code, Language, fixes};
 
-use super::read;
+use super::{fixed, guessed, read};
 
 /// A camera and a lamp.
 const REST: &str = "40 -501 0 2 8 0 -0.2 -1 0 1 0 40\n50 -402 0.9\n50 -1 4 6 5\n";
@@ -11,20 +11,6 @@ const REST: &str = "40 -501 0 2 8 0 -0.2 -1 0 1 0 40\n50 -402 0.9\n50 -1 4 6 5\n
 fn scene(text: &str) -> String {
     let drawn = text.lines().last().and_then(|l| l.split(' ').next());
     format!("{text}{REST}1 9999 {} 0\n", drawn.unwrap())
-}
-
-/// The first finding of a code, and the scenes that its guesses make.
-fn guessed(text: &str, code: Code) -> (Diagnostic, Vec<String>) {
-    let all = repair::proposals(&read(text));
-    let finding = all.into_iter().find(|d| d.code == code).expect(text);
-    let made = |fix| fixes::apply(text, [fix].into_iter()).0;
-    let made = finding.fixes.iter().map(made).collect();
-    (finding, made)
-}
-
-fn fixed(text: &str) -> String {
-    let mended = fixing::to_fixed_point(read(text), true, Analysis::of);
-    mended.analysis.source.text.clone()
 }
 
 /// What is written, what is said of it, and what was meant. All lines but some at the end are the same.

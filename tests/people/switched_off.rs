@@ -1,26 +1,11 @@
 //! Records that stand in a comment, and that others still need.
 
-use zpg::internals::analysis::{Analysis, fixing, repair};
-use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, Fix, Language, fixes};
+use zpg::internals::diagnostics::{Applicability, Code, Fix, Language};
 
-use super::read;
+use super::{fixed, guessed};
 
 /// A camera and a lamp.
 const REST: &str = "9 -501 0 2 8 0 -0.2 -1 0 1 0 40\n50 -402 0.9\n50 -1 4 6 5\n";
-
-/// The first finding of a code, and the scenes that its guesses make.
-fn guessed(text: &str, code: Code) -> (Diagnostic, Vec<String>) {
-    let all = repair::proposals(&read(text));
-    let finding = all.into_iter().find(|d| d.code == code).expect(text);
-    let made = |fix| fixes::apply(text, [fix].into_iter()).0;
-    let made = finding.fixes.iter().map(made).collect();
-    (finding, made)
-}
-
-fn fixed(text: &str) -> String {
-    let mended = fixing::to_fixed_point(read(text), true, Analysis::of);
-    mended.analysis.source.text.clone()
-}
 
 /// A scene without camera and lamp, what is drawn of it, what is said, and what the guesses make of both.
 struct Off {

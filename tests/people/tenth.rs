@@ -4,7 +4,7 @@ use serde_json::Value;
 use zpg::internals::analysis::{Analysis, fixing, repair};
 use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, Fix, fixes};
 
-use super::{read, said};
+use super::{fixed, read, said};
 use crate::support::program::{folder, text, zpg, zpg_with};
 
 /// A camera, a lamp, and what is drawn.
@@ -35,12 +35,6 @@ fn error(text: &str) -> Diagnostic {
     let told: Vec<String> = errors.iter().flat_map(said).collect();
     assert_eq!(errors.len(), 1, "{text}{}", told.join("; "));
     errors[0].clone()
-}
-
-/// The scene after all guesses.
-fn fixed(text: &str) -> String {
-    let mended = fixing::to_fixed_point(read(text), true, Analysis::of);
-    mended.analysis.source.text.clone()
 }
 
 /// That the first proposal for the only error is what was meant, and is what is written.
