@@ -324,7 +324,7 @@ many-files = převod má více souborů ({ $documents ->
 
 json-deep = seznamy a objekty jsou do sebe vnořeny příliš hluboko
 json-not-formatted = { $path } je scéna v JSON, a tu zpg fmt neupravuje
-own-mistake = { $path }: zpg udělal chybu a o tomto souboru nic neříká; nahlaste ji prosím i se souborem a řádky nad touto zprávou
+own-mistake = { $path }: zpg udělal chybu a práci s tímto souborem vzdal; nahlaste prosím chybu i se souborem a řádky nad touto zprávou
 json-not-changed = { $path } je scéna v JSON, a tu zpg check jen čte: --fix, --diff a --add-allow pracují jen se záznamy
 json-ends = není to JSON: text končí příliš brzy, něco není uzavřeno
 json-syntax = není to JSON: tento znak sem nepatří

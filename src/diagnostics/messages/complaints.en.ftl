@@ -319,7 +319,7 @@ many-files = the translation is more than one file ({ $documents ->
 
 json-deep = lists and objects lie too deep in one another
 json-not-formatted = { $path } is a scene in JSON, which zpg fmt does not lay out
-own-mistake = { $path }: zpg has made a mistake, and says nothing of this file; please report it, with the file and the lines above
+own-mistake = { $path }: zpg has made a mistake and has given up on this file; please report the mistake, with the file and the lines above
 json-not-changed = { $path } is a scene in JSON, which zpg check only reads: --fix, --diff and --add-allow are for records
 json-ends = this is not JSON: it ends too early, something is not closed
 json-syntax = this is not JSON: { $what }
