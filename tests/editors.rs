@@ -33,7 +33,8 @@ fn copy_folder(from: &Path, to: &Path) {
     }
 }
 
-/// A home with a scene in it, and in the PATH a `zpg` that keeps what an editor and the server say to each other.
+/// A home with a scene in it, and in the PATH a `zpg` that keeps what an editor and the server say to each other. A question
+/// is kept before the server reads it, so that no answer stands without its question.
 fn home() -> (tempfile::TempDir, PathBuf, String) {
     let home = tempfile::tempdir().unwrap();
     let scene = home.path().join("a.zpg");
@@ -48,7 +49,7 @@ fn home() -> (tempfile::TempDir, PathBuf, String) {
         "#!/bin/sh\n\
          export LC_ALL=C\n\
          [ \"$1\" = lsp ] || exec {program} \"$@\"\n\
-         tee -a {folder}/asked.$$ | {program} lsp | tee -a {folder}/said.$$\n"
+         tee /dev/fd/3 3>&1 >>{folder}/asked.$$ | {program} lsp | tee -a {folder}/said.$$\n"
     );
     let own = home.path().join("zpg");
     std::fs::write(&own, script).unwrap();
@@ -93,8 +94,9 @@ fn all_kept_to_the_protocol(folder: &Path) {
         let Some(number) = number.strip_prefix("/said.") else {
             continue;
         };
+        let said = messages(&std::fs::read(&entry).unwrap());
         let asked = messages(&std::fs::read(folder.join(format!("asked.{number}"))).unwrap());
-        for message in messages(&std::fs::read(entry).unwrap()) {
+        for message in said {
             count += 1;
             let own = message["method"].as_str();
             let right = match (own, message.get("id")) {
