@@ -3,6 +3,7 @@
 
 mod agreement;
 mod blocks;
+mod called;
 mod commas;
 mod eyes;
 mod forgotten;

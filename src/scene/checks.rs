@@ -1,10 +1,8 @@
 //! Checks of a record that concern several parameters at once.
 
-use std::ops::Range;
-
 use super::record::Params;
+use super::sizes::{Readings, readings};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
-use crate::syntax::quote;
 
 /// E203 unless the three parameters from `first` on make a vector with a direction.
 pub(super) fn non_zero(
@@ -71,14 +69,15 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
         }
     };
     // A corner or the centre and a size, as other programs have it.
-    let mut sizes = match is_sorted {
-        true => Vec::new(),
-        false => sized(p, first, n),
-    };
+    let Readings { mut fixes, said } = readings(p, first, n);
     // Where bounds may be in turn, too, a corner is enough.
-    if in_turn {
-        sizes.truncate(1);
+    match (is_sorted, in_turn) {
+        _ if said => {}
+        (true, _) => fixes.clear(),
+        (false, true) => fixes.truncate(1),
+        (false, false) => {}
     }
+    let sizes = fixes;
     // Bounds that differ along one axis only, or none, hold no area: something else is wrong.
     let along = (first..first + n).filter(|&i| p.number(i) != p.number(i + n));
     if along.count() < 2 {
@@ -86,6 +85,7 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
         return None;
     }
     let proposed = match (in_turn, is_sorted) {
+        _ if said => fix("fix", &swapped, Applicability::Choice),
         (_, true) => fix("fix-order", &sorted, Applicability::Unsafe),
         (true, false) if !sizes.is_empty() => fix("fix", &swapped, Applicability::Choice),
         (true, false) => fix("fix", &swapped, Applicability::Unsafe),
@@ -93,9 +93,10 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
         (false, false) => fix("fix", &swapped, Applicability::Safe),
     };
     out.push(inverted_range(p, &inverted, n).fix(proposed));
-    let other = (in_turn && !is_sorted).then(|| fix("fix-order", &sorted, Applicability::Choice));
+    let other =
+        (!said && in_turn && !is_sorted).then(|| fix("fix-order", &sorted, Applicability::Choice));
     let fixes = &mut out.last_mut()?.fixes;
-    match in_turn {
+    match in_turn || said {
         // Three pairs in turn, one of them swapped, are rarer than a size.
         true => drop(fixes.splice(0..0, sizes)),
         false => fixes.extend(sizes),
@@ -114,49 +115,4 @@ fn inverted_range(p: &Params, inverted: &[usize], n: usize) -> Diagnostic {
         .with("type", Value::Term(p.ty.title))
         .with("others", Value::Count(inverted.len() as u64 - 1))
         .label(p.span_of(at + n, 1), "other")
-}
-
-/// The choices that the upper bounds are a size: the lower ones are a corner, or the centre. None if one of them can be no
-/// size.
-fn sized(p: &Params, first: usize, n: usize) -> Vec<Fix> {
-    let all = first..first + 2 * n;
-    let (lower, size) = (first..first + n, first + n..first + 2 * n);
-    if !size.clone().all(|i| p.number(i) > 0.0) {
-        return Vec::new();
-    }
-    let written = |places: Range<usize>| {
-        let texts: Vec<&str> = places.map(|i| p.text_of(i)).collect();
-        quote(&texts.join(" "))
-    };
-    let fix = |title, places: Range<usize>, new: Vec<String>| {
-        let shown = ("number", quote(&new.join(" ")).into());
-        let edits = places.zip(new).filter(|(i, text)| p.text_of(*i) != text);
-        let edits = edits.map(|(i, text)| Edit {
-            span: p.span_of(i, 1),
-            text,
-        });
-        Fix {
-            title,
-            values: vec![("text", written(size.clone()).into()), shown],
-            applicability: Applicability::Choice,
-            edits: edits.collect(),
-        }
-    };
-    let ends = lower.clone().map(|i| sum(p.number(i), p.number(i + n)));
-    let corner = fix("fix-size", size.clone(), ends.collect());
-    let from = |i: usize, by: f64| sum(p.number(i), by * p.number(i + n));
-    let bounds = lower.clone().map(|i| from(i, -0.5));
-    let bounds = bounds.chain(lower.clone().map(|i| from(i, 0.5)));
-    let centre = fix("fix-centre", all, bounds.collect());
-    let centre = centre.with("centre", written(lower));
-    vec![corner, centre]
-}
-
-/// The sum of two numbers in as many digits as people write.
-fn sum(a: f64, b: f64) -> String {
-    /// Parts of 1.
-    const ROUNDED: f64 = 1e9;
-    let rounded = ((a + b) * ROUNDED).round() / ROUNDED;
-    let text = if rounded.is_finite() { rounded } else { a + b };
-    text.to_string()
 }

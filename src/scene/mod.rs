@@ -22,6 +22,7 @@ pub(crate) mod record;
 mod references;
 mod resolve;
 pub mod sight;
+pub(crate) mod sizes;
 pub mod walk;
 
 pub use geometry::{Geometry, TriangleNormals};

@@ -1,9 +1,11 @@
 //! Parameters of a record: their tokens, their values, and the table's facts about each.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
+use crate::syntax::commented_out::is_commented_out;
+use crate::syntax::directive::is_directive;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Constraint, Param, RecordKind, RecordType, ShapeKind};
-use crate::syntax::{Document, Record};
+use crate::syntax::{Document, Record, words};
 
 /// Angles of view that cameras have.
 const USUAL_ANGLES: [f64; 13] = [
@@ -51,6 +53,18 @@ impl<'a> Params<'a> {
     /// The text from the ID to the last parameter.
     pub fn span(&self) -> Span {
         self.document.span(self.record.first, self.record.last)
+    }
+
+    /// The comments about the record, without those for zpg and what is commented out.
+    pub fn comments(&self) -> impl Iterator<Item = &'a str> {
+        let says = |t: &&Token| !is_directive(t, self.text) && !is_commented_out(t.text(self.text));
+        let comments = self.document.comments_of(&self.record).filter(says);
+        comments.map(|t| t.text(self.text))
+    }
+
+    /// Whether a comment about the record has a word that begins so, accents left out.
+    pub fn is_called(&self, beginnings: &[&str]) -> bool {
+        self.comments().any(|text| words::has(text, beginnings))
     }
 
     pub fn len(&self) -> usize {

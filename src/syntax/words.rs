@@ -345,6 +345,12 @@ pub fn other_endings(word: &str) -> impl Iterator<Item = String> {
     forms.into_iter().flatten()
 }
 
+/// Whether a text has a word that begins so, accents left out.
+pub fn has(text: &str, beginnings: &[&str]) -> bool {
+    let mut words = text.split(|c: char| !c.is_alphabetic()).map(plain);
+    words.any(|word| beginnings.iter().any(|b| word.starts_with(b)))
+}
+
 /// Lower case, without accents, and without what joins words.
 pub fn plain(word: &str) -> String {
     let letters = word.chars().flat_map(char::to_lowercase);

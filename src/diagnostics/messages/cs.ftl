@@ -631,6 +631,7 @@ E202 = { $type }: { $lower } je větší než { $upper }{ $others ->
     .fix-order = napsat nejdřív všechny dolní meze, pak všechny horní
     .fix-size = je-li { $text } velikost, napsat { $number }
     .fix-centre = je-li { $centre } střed a { $text } velikost, napsat { $number }
+    .fix-half = je-li { $centre } střed a { $text } polovina velikosti, napsat { $number }
 
 E203 = { $type }: { $vector } je nulový vektor
     .label = nemá žádný směr

@@ -615,6 +615,7 @@ E202 = { $lower } of the { $type } is greater than { $upper }{ $others ->
     .fix-order = write all lower bounds before all upper ones
     .fix-size = if { $text } is the size, write { $number }
     .fix-centre = if { $centre } is the centre and { $text } the size, write { $number }
+    .fix-half = if { $centre } is the centre and { $text } half the size, write { $number }
 
 E203 = the { $vector } of the { $type } is the zero vector
     .label = it has no direction

@@ -5,7 +5,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
 use crate::lint::spelling::decimal;
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType, ShapeKind};
-use crate::syntax::words::plain;
+use crate::syntax::words;
 
 /// Beginnings of words for a box, without accents.
 const BOX: [&str; 6] = ["box", "cube", "cuboid", "krychl", "kvadr", "kost"];
@@ -89,12 +89,8 @@ impl LineContext<'_> {
 
     /// Whether a comment on the line has a word that begins so, accents left out.
     pub(super) fn is_called(&self, beginnings: &[&str]) -> bool {
-        let comments = self.all.iter().filter(|t| t.kind().is_comment());
-        let words = comments.flat_map(|t| t.text(self.text).split(|c: char| !c.is_alphabetic()));
-        words.map(plain).any(|word| {
-            let mut beginnings = beginnings.iter();
-            beginnings.any(|begin| word.starts_with(begin))
-        })
+        let mut comments = self.all.iter().filter(|t| t.kind().is_comment());
+        comments.any(|t| words::has(t.text(self.text), beginnings))
     }
 
     /// All of a record behind its ID in another way.

@@ -5,6 +5,7 @@ mod in_line;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::lint::Context;
 use crate::scene::record::Params;
+use crate::scene::sizes::{Readings, readings};
 use crate::scene::{Geometry, Shape};
 use crate::solids::definite::{QuadricSet, judge};
 use crate::solids::shapes::quadric::Quadric;
@@ -44,10 +45,22 @@ fn finding(shape: &Shape, p: &Params, why: &Degenerate) -> Diagnostic {
         .with("lower", name(first))
         .with("upper", name(first + half))
         .label(p.span_of(first + half, 1), "other");
-    match lost_minus(p, why, half) {
-        Some(fix) => finding.fix(fix),
-        None => finding,
+    // A corner or the centre and a size, as other programs have it.
+    let Readings {
+        fixes: mut sizes,
+        said,
+    } = readings(p, 0, half);
+    let minus = lost_minus(p, why, half);
+    if said {
+        sizes.extend(minus);
+        return sizes.into_iter().fold(finding, Diagnostic::fix);
     }
+    // The centre comes first: a corner and a size are rarely equal.
+    sizes.reverse();
+    minus
+        .into_iter()
+        .chain(sizes)
+        .fold(finding, Diagnostic::fix)
 }
 
 /// The profile of which x and y stand in each other's place.

@@ -11,7 +11,7 @@ use crate::solids::{Named, named};
 use crate::syntax::captions::Captions;
 use crate::syntax::lexer::TokenKind;
 use crate::syntax::table::RecordKind;
-use crate::syntax::words::plain;
+use crate::syntax::words;
 
 /// A substance by the beginnings of its names, without accents, and its index.
 struct Substance {
@@ -73,7 +73,7 @@ pub(super) fn called(context: &Context, root: NodeId, kinds: &[Parts]) -> Vec<Di
             [captions.get(id).unwrap_or_default(), lines].join(" ")
         };
         let words = [of(record.id), of(object.id)].join(" ");
-        if let Some(place) = SUBSTANCES.iter().position(|s| is_in(s, &words)) {
+        if let Some(place) = SUBSTANCES.iter().position(|s| words::has(&words, s.names)) {
             objects[place].push((object, record));
         }
     }
@@ -94,9 +94,4 @@ fn behind(context: &Context, place: u32) -> String {
         .take_while(|t| t.kind() != TokenKind::Newline);
     let comments = on_line.filter(|t| t.kind().is_comment());
     comments.fold(String::new(), |all, t| all + " " + t.text(context.text))
-}
-
-fn is_in(substance: &Substance, text: &str) -> bool {
-    let mut words = text.split(|c: char| !c.is_alphabetic()).map(plain);
-    words.any(|word| substance.names.iter().any(|name| word.starts_with(name)))
 }

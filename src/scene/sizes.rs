@@ -1,0 +1,115 @@
+//! Boxes and rectangles by a corner or the centre and a size, as other programs have them.
+
+use std::ops::Range;
+
+use super::record::Params;
+use crate::diagnostics::{Applicability, Edit, Fix};
+use crate::syntax::quote;
+
+/// Beginnings of words for a centre, without accents.
+const CENTRE: [&str; 3] = ["centr", "center", "stred"];
+/// The same for a size. A prism, `hranol`, is none.
+const SIZE: [&str; 8] = [
+    "size", "edge", "hrana", "hrany", "hrane", "hranou", "velikost", "rozmer",
+];
+/// The same for a corner.
+const CORNER: [&str; 3] = ["corner", "roh", "vrchol"];
+/// The same for half of a size.
+const HALF: [&str; 3] = ["half", "pul", "polovi"];
+
+/// How the numbers of a record are meant by a comment.
+#[derive(Clone, Copy, PartialEq)]
+enum Meant {
+    Corner,
+    Centre,
+    /// The centre and half of the size.
+    Half,
+}
+
+/// The choices that the upper bounds are a size: the lower ones are a corner, or the centre.
+pub(crate) struct Readings {
+    pub fixes: Vec<Fix>,
+    /// Whether a comment speaks of a size or a centre: the first choice is what it says.
+    pub said: bool,
+}
+
+/// The readings of `n` lower bounds from `first` on, and as many upper ones. None if one of these can be no size.
+pub(crate) fn readings(p: &Params, first: usize, n: usize) -> Readings {
+    let size = first + n..first + 2 * n;
+    let meant = meant(p);
+    let mut fixes = Vec::new();
+    if size.clone().all(|i| p.number(i) > 0.0) {
+        let kinds = match meant {
+            None | Some(Meant::Corner) => vec![Meant::Corner, Meant::Centre],
+            Some(Meant::Centre) => vec![Meant::Centre, Meant::Corner],
+            Some(Meant::Half) => vec![Meant::Half, Meant::Centre],
+        };
+        fixes.extend(kinds.into_iter().map(|kind| reading(p, first, n, kind)));
+    }
+    let said = meant.is_some() && !fixes.is_empty();
+    if said && p.is_called(&SIZE) && (p.is_called(&CENTRE) || p.is_called(&CORNER)) {
+        fixes[0].applicability = Applicability::Unsafe;
+    }
+    Readings { fixes, said }
+}
+
+/// How the bounds are meant by a comment on the record.
+fn meant(p: &Params) -> Option<Meant> {
+    let [centre, size, corner, half] = [&CENTRE[..], &SIZE, &CORNER, &HALF].map(|b| p.is_called(b));
+    match (centre, size) {
+        (true, _) if half => Some(Meant::Half),
+        (true, _) => Some(Meant::Centre),
+        (false, true) if corner => Some(Meant::Corner),
+        (false, true) => Some(Meant::Centre),
+        (false, false) => None,
+    }
+}
+
+fn reading(p: &Params, first: usize, n: usize, kind: Meant) -> Fix {
+    let (lower, size) = (first..first + n, first + n..first + 2 * n);
+    let written = |places: Range<usize>| {
+        let texts: Vec<&str> = places.map(|i| p.text_of(i)).collect();
+        quote(&texts.join(" "))
+    };
+    let from = |by: f64| {
+        lower
+            .clone()
+            .map(move |i| sum(p.number(i), by * p.number(i + n)))
+    };
+    let both = |by: f64| from(-by).chain(from(by)).collect();
+    let (title, places, new): (_, _, Vec<String>) = match kind {
+        Meant::Corner => ("fix-size", size.clone(), from(1.0).collect()),
+        Meant::Centre => ("fix-centre", first..first + 2 * n, both(0.5)),
+        Meant::Half => ("fix-half", first..first + 2 * n, both(1.0)),
+    };
+    let shown = quote(&new.join(" "));
+    let edits = places.zip(new).filter(|(i, text)| p.text_of(*i) != text);
+    let edits = edits.map(|(i, text)| Edit {
+        span: p.span_of(i, 1),
+        text,
+    });
+    let fix = Fix {
+        title,
+        values: vec![("text", written(size).into()), ("number", shown.into())],
+        applicability: Applicability::Choice,
+        edits: edits.collect(),
+    };
+    match kind {
+        Meant::Corner => fix,
+        Meant::Centre | Meant::Half => fix.with("centre", written(lower)),
+    }
+}
+
+/// The sum of two numbers in as many digits as people write.
+fn sum(a: f64, b: f64) -> String {
+    /// Parts of 1.
+    const ROUNDED: f64 = 1e9;
+    let rounded = ((a + b) * ROUNDED).round() / ROUNDED;
+    // No -0.
+    let text = if rounded.is_finite() {
+        rounded + 0.0
+    } else {
+        a + b
+    };
+    text.to_string()
+}
