@@ -55,11 +55,23 @@ impl<'a> Params<'a> {
         self.document.span(self.record.first, self.record.last)
     }
 
-    /// The comments about the record, without those for zpg and what is commented out.
+    /// The comments on the line before the record, in it and behind it, without those for zpg and what is commented out.
     pub fn comments(&self) -> impl Iterator<Item = &'a str> {
-        let says = |t: &&Token| !is_directive(t, self.text) && !is_commented_out(t.text(self.text));
-        let comments = self.document.comments_of(&self.record).filter(says);
-        comments.map(|t| t.text(self.text))
+        let before = self.document.comments_before(&self.record);
+        before
+            .filter_map(|t| self.said(t))
+            .chain(self.own_comments())
+    }
+
+    /// The same without those on the line before.
+    pub fn own_comments(&self) -> impl Iterator<Item = &'a str> {
+        let own = self.document.comments_at(&self.record);
+        own.filter_map(|t| self.said(t))
+    }
+
+    fn said(&self, comment: &Token) -> Option<&'a str> {
+        let text = comment.text(self.text);
+        (!is_directive(comment, self.text) && !is_commented_out(text)).then_some(text)
     }
 
     /// Whether a comment about the record has a word that begins so, accents left out.

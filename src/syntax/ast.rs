@@ -295,37 +295,41 @@ impl Document {
         out
     }
 
-    /// The comments about a record: those by themselves on the line before, those in it, and those behind it on its last
-    /// line. A `0` may introduce them.
-    pub fn comments_of(&self, record: &Record) -> impl Iterator<Item = &Token> {
-        let (first, end) = (record.first as usize, record.last as usize + 1);
-        let is_line_end = |t: &&Token| t.kind() == TokenKind::Newline;
-        // A record has three tokens at least.
-        let is_void = |t: &Token| t.kind() == TokenKind::Integer && t.end() == t.start + 1;
-        let before = match self.tokens[..first].split_last() {
-            Some((last, before)) if is_line_end(&last) => before,
+    /// The comments by themselves on the line before a record. A `0` may introduce them.
+    pub fn comments_before(&self, record: &Record) -> impl Iterator<Item = &Token> {
+        let before = match self.tokens[..record.first as usize].split_last() {
+            Some((last, before)) if last.kind() == TokenKind::Newline => before,
             _ => &[],
         };
-        let count = before.iter().rev().take_while(|t| !is_line_end(t)).count();
-        let before = match &before[before.len() - count..] {
-            [void, comments @ ..] if is_void(void) => comments,
-            comments => comments,
-        };
-        let is_alone = before.iter().all(|t| t.kind().is_comment());
-        let before = if is_alone { before } else { &[] };
-        let behind = match &self.tokens[end..] {
-            [void, behind @ ..] if is_void(void) => behind,
-            behind => behind,
-        };
-        let behind = behind.iter().take_while(|t| t.kind().is_comment());
+        let on_line = |t: &&Token| t.kind() != TokenKind::Newline;
+        let count = before.iter().rev().take_while(on_line).count();
+        let comments = without_void(&before[before.len() - count..]);
+        let is_alone = comments.iter().all(|t| t.kind().is_comment());
+        (if is_alone { comments } else { &[] }).iter()
+    }
+
+    /// The comments in a record, and those behind it on its last line. A `0` may introduce these.
+    pub fn comments_at(&self, record: &Record) -> impl Iterator<Item = &Token> {
+        let (first, end) = (record.first as usize, record.last as usize + 1);
         let within = self.tokens[first..end]
             .iter()
             .filter(|t| t.kind().is_comment());
-        before.iter().chain(within).chain(behind)
+        let behind = without_void(&self.tokens[end..]).iter();
+        within.chain(behind.take_while(|t| t.kind().is_comment()))
     }
 
     /// The comments, closed or not, in order.
     pub fn comments(&self) -> impl Iterator<Item = &Token> {
         self.tokens.iter().filter(|t| t.kind().is_comment())
+    }
+}
+
+/// Tokens without a `0` before them. A record has more tokens.
+fn without_void(tokens: &[Token]) -> &[Token] {
+    match tokens {
+        [void, rest @ ..] if void.kind() == TokenKind::Integer && void.end() == void.start + 1 => {
+            rest
+        }
+        all => all,
     }
 }

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use rustc_hash::FxHashSet;
 
-use super::table::{RECORD_TYPES, RecordType};
+use super::table::{Family, RECORD_TYPES, RecordType};
 use crate::diagnostics::Language;
 
 /// Other names, without accents and in lower case, and the types they may stand for, the likeliest first.
@@ -18,6 +18,7 @@ const NAMES: &[(&str, &[i32])] = &[
     ("cuboid", &[12]),
     ("block", &[12]),
     ("krychle", &[12]),
+    ("kostka", &[12]),
     ("kvadr", &[12]),
     ("rect", &[5]),
     ("rectangle", &[5]),
@@ -259,6 +260,35 @@ pub fn types(word: &str) -> Vec<&'static RecordType> {
     NAMES.iter().find(near).map_or(Vec::new(), |n| of(n.1))
 }
 
+/// The shapes that go by a word, a plural or a form of a Czech name, too.
+pub fn shapes(word: &str) -> Vec<&'static RecordType> {
+    let word = plain(word);
+    let named = |name: &str| {
+        let codes = NAMES.iter().find(|n| n.0 == name).map_or(&[][..], |n| n.1);
+        let mut types = of(codes);
+        types.retain(|ty| ty.family == Family::Shape);
+        types
+    };
+    let stems = FORMS.iter().filter_map(|form| word.strip_suffix(form));
+    stems
+        .flat_map(|stem| {
+            // As `válce` of `válec`.
+            let vowel = stem.strip_suffix('c').map(|stem| format!("{stem}ec"));
+            let whole = NOMINATIVES.map(|end| format!("{stem}{end}"));
+            whole.into_iter().chain(vowel)
+        })
+        .map(|name| named(&name))
+        .find(|types| !types.is_empty())
+        .unwrap_or_default()
+}
+
+/// Endings of nouns, without accents.
+const FORMS: [&str; 13] = [
+    "", "s", "es", "a", "e", "i", "u", "y", "ou", "em", "emi", "ami", "ech",
+];
+/// What they stand in the place of.
+const NOMINATIVES: [&str; 4] = ["", "a", "e", "us"];
+
 /// A word as `zpg explain` takes it, if it stands for a type; `none` if not.
 pub fn explained(word: &str) -> String {
     let is_one = !named(word).is_empty();
@@ -389,6 +419,17 @@ mod tests {
         assert_eq!(codes("shpere"), [11, 9, 13]);
         assert_eq!(codes("okolní světlo"), [-401]);
         assert_eq!(codes("dům"), [] as [i32; 0]);
+    }
+
+    #[test]
+    fn shapes_in_other_forms() {
+        let code = |word: &str| shapes(word).first().map(|ty| ty.code);
+        let forms = [
+            "kostky", "krychlí", "koule", "koulemi", "válce", "toru", "boxes", "spheres",
+        ];
+        let codes = [12, 12, 11, 11, 1, 14, 12, 11];
+        assert_eq!(forms.map(code), codes.map(Some));
+        assert_eq!(["union", "barva", "kos"].map(code), [None; 3]);
     }
 
     #[test]

@@ -81,3 +81,68 @@ fn a_centre_and_a_size_without_a_comment() {
     let flat = read(&scene("2 12 -1 0 -1 1 0 1 # centre and size #"));
     assert!(flat.findings().iter().all(|d| d.fixes.is_empty()));
 }
+
+/// A box 13 and a ball 14, with comments, and their difference.
+fn cut(comments: [&str; 3], operands: &str) -> String {
+    let [cuboid, ball, difference] = comments;
+    scene(&format!(
+        "13 12 -1 -1 -1 1 1 1{cuboid}\n14 11 1 1 1 0.8{ball}\n2 -103 {operands}{difference}"
+    ))
+}
+
+/// Comments of the box, the ball and the difference, by which the box remains.
+const REVERSED: &[[&str; 3]] = &[
+    ["", "", " # kostka bez koule #"],
+    ["", "", " # box minus ball #"],
+    ["", "", " # red cube without the small sphere #"],
+    ["", "", " # the cube less a sphere #"],
+    ["", "", " # cube with a round hole #"],
+    ["", "", " # krychle s kulatou dírou #"],
+    ["", "", " # kvádr bez dvou koulí #"],
+    ["", " # koule, která se odečte #", ""],
+    ["", " # sphere, to be subtracted #", ""],
+    ["", " # díra #", ""],
+    [" # podstavec #", " # jamka #", " # podstavec bez jamky #"],
+];
+
+#[test]
+fn a_difference_that_a_comment_reverses() {
+    for comments in REVERSED {
+        let text = cut(*comments, "14 13");
+        let (finding, made) = guessed(&text, Code::W340);
+        assert_eq!(made, [cut(*comments, "13 14")]);
+        assert_eq!(fixed(&text), made[0]);
+        for language in [Language::English, Language::Czech] {
+            let said = finding.wording(language).message;
+            assert!(said.contains("14") && said.contains("13"), "{said}");
+        }
+        let right = read(&cut(*comments, "13 14"));
+        assert!(right.findings().iter().all(|d| d.code != Code::W340));
+    }
+}
+
+/// What comments say of something else, or of both, is no reason.
+#[test]
+fn a_difference_that_no_comment_reverses() {
+    for comments in [
+        ["", "", ""],
+        ["", "", " # koule bez krychle #"],
+        ["", "", " # ball with a square hole #"],
+        ["", "", " # koule s hranatou dírou #"],
+        ["", "", " # koule bez koule #"],
+        ["", "", " # without a box, the ball #"],
+        ["", "", " # box and ball #"],
+        ["", "", " # koule (kostka bez barvy) #"],
+        ["", " # koule, od které se odečte kostka #", ""],
+        ["", " # sphere with a hole #", ""],
+        ["", " # subtract the cube from this #", ""],
+        [" # díra #", " # díra v kouli #", ""],
+        ["", " # díra v kouli #", ""],
+        ["", " # odečtení #", ""],
+        [" # díl #", " # důl #", " # důl bez dílu #"],
+    ] {
+        let found = read(&cut(comments, "14 13"));
+        let codes: Vec<Code> = found.findings().iter().map(|d| d.code).collect();
+        assert!(!codes.contains(&Code::W340), "{comments:?}");
+    }
+}

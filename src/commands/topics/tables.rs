@@ -1,9 +1,12 @@
 //! The words that lead to types of records, and to commands.
 
 /// Words that lead to types, without accents and in lower case, as those of [`words`](crate::syntax::words). They are nobody's guess in a scene.
-pub(super) const WORDS: [(&str, &[i32]); 73] = [
+pub(super) const WORDS: [(&str, &[i32]); 76] = [
     ("indexofrefraction", &[-203]),
-    ("kostka", &[12]),
+    ("krabice", &[12]),
+    ("hole", &[-103]),
+    ("dira", &[-103]),
+    ("otvor", &[-103]),
     ("toroid", &[14]),
     ("cylindr", &[1]),
     ("prstenec", &[14]),

@@ -52,6 +52,7 @@ mod smaller_than_a_pixel;
 mod stale_operand;
 mod stereo_pair;
 mod surface_operand;
+mod swapped_difference;
 mod too_bright;
 mod unseen_glass;
 mod unseen_texture;
@@ -348,6 +349,11 @@ pub(super) const RULES: &[Rule] = &[
         code: Code::W339,
         check: normals_in_plane::check,
         asks_for: &[TRIANGLES_WITH_NORMALS],
+    },
+    Rule {
+        code: Code::W340,
+        check: swapped_difference::check,
+        asks_for: &[DIFFERENCES],
     },
     Rule {
         code: Code::S505,
