@@ -6,6 +6,8 @@ use super::ast::{Document, Item};
 use super::commented_out::is_commented_out;
 use super::directive::{inside, is_directive};
 use super::lexer::{Token, TokenKind};
+use super::table::RecordType;
+use super::words;
 
 /// The comments of a scene by what they belong to, each as one line of text without control
 /// characters.
@@ -13,7 +15,8 @@ use super::lexer::{Token, TokenKind};
 /// An entity's comment stands within one of its records or behind it on its last line; where there is
 /// none, it is the heading before its first record, a comment on lines of its own with no blank line
 /// in between. What stands before all records and a blank line is the title of the scene, and so is the only
-/// heading of a scene if it stands before all records.
+/// heading of a scene if it stands before all records. That is of the first record, too, where it is one comment and
+/// names a shape that the record is, and no other.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Captions {
     title: Option<String>,
@@ -41,6 +44,8 @@ struct Walk {
     /// The text of a heading before all records, and how many headings there are.
     first: Option<u32>,
     headings: u32,
+    /// The first record's ID, where that heading names its shape.
+    named: Option<u32>,
 }
 
 impl Captions {
@@ -138,6 +143,8 @@ impl Walk {
                     let index = self.keep(self.heading.join(" "));
                     self.headings += 1;
                     self.first = self.first.or(at_top.then_some(index));
+                    let is_name = matches!(&self.heading[..], [one] if names(one, record.ty()));
+                    self.named = self.named.or((at_top && is_name).then_some(id));
                     index
                 }
             };
@@ -171,7 +178,8 @@ impl Walk {
     fn settle_title(&mut self) {
         if let (Some(first), 1, None) = (self.first, self.headings, &self.captions.title) {
             self.captions.title = Some(self.captions.texts[first as usize].clone());
-            self.captions.ids.retain(|_, (_, own)| *own);
+            let named = self.named;
+            (self.captions.ids).retain(|id, (_, own)| *own || named == Some(*id));
         }
     }
 
@@ -183,6 +191,16 @@ impl Walk {
             self.captions.title = Some(shortened(heading.join(" ")));
         }
     }
+}
+
+/// Whether words name a shape, and all shapes that they name are this one.
+fn names(said: &str, ty: &RecordType) -> bool {
+    let words = said.split(|c: char| !c.is_alphabetic());
+    let mut shapes = words
+        .map(words::shapes)
+        .filter(|s| !s.is_empty())
+        .peekable();
+    shapes.peek().is_some() && shapes.all(|s| s.iter().any(|s| s.code == ty.code))
 }
 
 /// A comment on one line; nothing if it is empty, meant for zpg, or commented out.
@@ -242,6 +260,30 @@ mod tests {
         let all = captions("0 # balls #\n2 9 1 # red #\n\n3 9 2\n");
         let of = (all.title(), all.get(2), all.get(3));
         assert_eq!(of, (Some("balls"), Some("red"), None));
+    }
+
+    #[test]
+    fn a_heading_at_the_top_that_names_the_first_record_is_of_that_too() {
+        let of = |text: &str| {
+            let all = captions(text);
+            let own = [2, 3].map(|id| all.get(id).map(str::to_owned));
+            (all.title().map(str::to_owned), own)
+        };
+        let some = |text: &str| Some(text.to_owned());
+        let ball = "2 11 0 1 0 1\n3 11 0 3 0 1\n";
+        let one = of(&format!("# glass ball #\n{ball}"));
+        assert_eq!(one, (some("glass ball"), [some("glass ball"), None]));
+        let czech = of(&format!("0 # skleněná koule #\n{ball}"));
+        assert_eq!(czech.1, [some("skleněná koule"), None]);
+        for title in [
+            "# glass ball #\n\n",
+            "# glass ball #\n# by me #\n",
+            "# glass ball on a plane #\n",
+            "# glass cube #\n",
+            "# glass #\n",
+        ] {
+            assert_eq!(of(&format!("{title}{ball}")).1, [None, None], "{title}");
+        }
     }
 
     #[test]

@@ -146,3 +146,21 @@ fn a_difference_that_no_comment_reverses() {
         assert!(!codes.contains(&Code::W340), "{comments:?}");
     }
 }
+
+/// A comment above the first record is about that, where it names its shape.
+#[test]
+fn glass_by_a_comment_on_the_first_line() {
+    let rest = "2 11 0 1 0 1\n2 -201 0.05 0.15 0.8\n";
+    for comment in ["# glass ball #", "0 # skleněná koule #"] {
+        let (_, made) = guessed(&scene(&format!("{comment}\n{rest}")), Code::W337);
+        assert!(made[0].contains("2 -203 1.5 1.5 1.5\n"), "{}", made[0]);
+    }
+    for comment in [
+        "# glass ball #\n",
+        "# glass ball and a box #",
+        "# glass box #",
+    ] {
+        let found = read(&scene(&format!("{comment}\n{rest}")));
+        assert!(found.findings().iter().all(|d| d.code != Code::W337));
+    }
+}
