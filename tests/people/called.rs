@@ -164,3 +164,30 @@ fn glass_by_a_comment_on_the_first_line() {
         assert!(found.findings().iter().all(|d| d.code != Code::W337));
     }
 }
+
+/// A glass ball on a floor, whose radius may stand first: by its spaces, or because it then stands on the floor.
+#[test]
+fn the_radius_of_a_sphere_first() {
+    let text = |numbers: &str| {
+        scene(&format!(
+            "21 4 0 1 0 0\n22 11 {numbers}\n22 -201 0.05 0.1 0.85\n22 -203 1.5 1.5 1.5\n2 -101 21 22"
+        ))
+    };
+    let meant = text("0.3 0.7 2.2 0.7");
+    assert!(read(&meant).findings().iter().all(|d| d.code != Code::W307));
+    for (numbers, is_apart) in [("0.7  0.3 0.7 2.2", true), ("0.7 0.3 0.7 2.2", false)] {
+        let (finding, made) = guessed(&text(numbers), Code::W307);
+        assert_eq!(made[0], meant);
+        let said = finding.wording(Language::Czech).fixes;
+        assert_eq!(said[0], "je-li první poloměr, napsat `0.3 0.7 2.2 0.7`");
+        assert_eq!(fixed(&text(numbers)) == meant, is_apart);
+    }
+    // The first number is no radius: below the floor, or with nothing that speaks for it.
+    for numbers in ["-0.7  0.3 0.7 2.2", "0.5 0.3 0.7 2.2", "0.3 0.7 2.2  1"] {
+        let (finding, _) = guessed(&text(numbers), Code::W307);
+        assert!(
+            finding.fixes.iter().all(|f| f.title != "fix-radius"),
+            "{numbers}"
+        );
+    }
+}

@@ -8,6 +8,7 @@
 
 mod floor;
 mod medium;
+mod radius;
 mod search;
 mod split;
 mod unions;
@@ -69,15 +70,17 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let d = finding(&unions, &p, record, found);
         let fix = (pieces[i].as_ref()).and_then(|pieces| pieces.fix(context, &properties, &p));
         let other_sign = floors.fix(&unions, found);
-        // Nobody can tell which of the two was meant.
-        let fix = fix.map(|fix| match other_sign {
-            Some(_) => Fix {
+        let radius = radius::fix(context, &unions, found);
+        // Nobody can tell which of them was meant.
+        let fix = fix.map(|fix| match other_sign.is_some() || radius.is_some() {
+            true => Fix {
                 applicability: Applicability::Choice,
                 ..fix
             },
-            None => fix,
+            false => fix,
         });
-        Some((other_sign.into_iter().chain(fix)).fold(d, Diagnostic::fix))
+        let fixes = radius.into_iter().chain(other_sign).chain(fix);
+        Some(fixes.fold(d, Diagnostic::fix))
     });
     out.extend(said.into_iter().flatten());
 }
