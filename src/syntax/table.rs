@@ -971,7 +971,7 @@ record_types! {
             Family::Operation,
             Effect::Defines(Kind::Object),
             TWO_OBJECTS,
-            "A := B − C. The whole boundary, cut faces too, has the properties of B.",
+            "A := B − C: C is taken from B. The whole boundary, cut faces too, has the properties of B.",
             "4 -103 2 3",
         ),
         Complement: record(

@@ -29,7 +29,7 @@ summary-rotation-matrix = Otočí objekt, bodové světlo nebo kameru s tímto I
 summary-projection-matrix = Dá kameře s tímto ID vlastní projekci místo fovy: ořez = P · pohled · x, s ořezovou krychlí jako v OpenGL. Nové ID definuje kameru v počátku, která hledí ve směru −z.
 summary-union = A := B ∪ C. Každá část si ponechá své vlastnosti; bod, který leží v obou operandech, patří prvnímu.
 summary-intersection = A := B ∩ C. Každá část hranice si ponechá vlastnosti tvaru, ze kterého pochází.
-summary-difference = A := B − C. Celá hranice, i plochy řezu, má vlastnosti B.
+summary-difference = A := B − C: C se odečte od B. Celá hranice, i plochy řezu, má vlastnosti B.
 summary-complement = A := −B, vše vně B.
 summary-copy = A := B v té podobě, jakou má v tomto místě; kopie a originál se pak mění nezávisle.
 summary-optics = Koeficienty difuzního odrazu, zrcadlového odrazu a propustnosti, ve všech kanálech stejné.

@@ -35,6 +35,10 @@ const OF_ANOTHER: [&str; 12] = [
 const IN: [&str; 7] = ["in", "into", "through", "v", "ve", "do", "skrz"];
 /// So many words are between a name and what is said of it at most.
 const MAX_WORDS_BETWEEN: usize = 3;
+/// Words of a comment that are looked at.
+const MAX_COMMENT_WORDS: usize = 64;
+/// Comments on the records of one object that are looked at.
+const MAX_COMMENTS: usize = 8;
 /// Words of which so many letters are the same may be one word with two endings.
 const STEM: usize = 4;
 
@@ -48,7 +52,9 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let p = context.record_params(record);
         let own: Vec<Vec<String>> = p.own_comments().map(split).collect();
         if !own.is_empty() {
-            comments.entry(record.id).or_default().extend(own);
+            let all = comments.entry(record.id).or_default();
+            all.extend(own);
+            all.truncate(MAX_COMMENTS);
         }
         if record.kind == RecordKind::Difference {
             tools.insert(p.integer(1));
@@ -114,7 +120,8 @@ fn finding(p: &Params, case: &'static str) -> Diagnostic {
 /// The words of a comment, without accents.
 fn split(comment: &str) -> Vec<String> {
     let words = comment.split(|c: char| !c.is_alphabetic());
-    words.filter(|w| !w.is_empty()).map(plain).collect()
+    let words = words.filter(|w| !w.is_empty()).map(plain);
+    words.take(MAX_COMMENT_WORDS).collect()
 }
 
 /// One of the two operands.
@@ -171,9 +178,9 @@ impl Operand<'_> {
             let has =
                 |words: &[String], any: &[&str]| words.iter().any(|w| any.contains(&w.as_str()));
             let is_other = |w: &String| !words::shapes(w).is_empty() && !self.is_called(w);
-            !has(&said[..at], &OF_ANOTHER)
-                && !(is_hole(&said[at]) && has(&said[at..], &IN))
-                && !said.iter().any(is_other)
+            let is_in = is_hole(&said[at]) && has(&said[at..], &IN);
+            let is_another = has(&said[..at], &OF_ANOTHER) || is_in;
+            !is_another && !said.iter().any(is_other)
         })
     }
 }
@@ -184,18 +191,21 @@ fn is_reverse(said: &[String], one: &Operand, two: &Operand) -> bool {
         |w: &&String| !words::shapes(w).is_empty() || one.is_called(w) || two.is_called(w);
     let between = MAX_WORDS_BETWEEN + 1;
     (1..said.len()).any(|at| {
+        let word = said[at].as_str();
+        if !WITHOUT.contains(&word) && !WITH.contains(&word) {
+            return false;
+        }
         let what = said[..at].iter().rev().take(between).find(is_name);
         let Some(what) = what.filter(|w| two.is_called(w) && !one.is_called(w)) else {
             return false;
         };
         let mut behind = said[at + 1..].iter().take(between);
-        let word = said[at].as_str();
         if WITHOUT.contains(&word) {
             let is_right = |w: &String| one.is_called(w) && !two.is_called(w);
             return what.len() > 1 && behind.find(is_name).is_some_and(is_right);
         }
         // A shape that is cut out of something else than one shape may be of any kind.
-        WITH.contains(&word) && one.ty.is_some() && behind.any(|w| begins(w, &HOLE))
+        one.ty.is_some() && behind.any(|w| begins(w, &HOLE))
     })
 }
 
