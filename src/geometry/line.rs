@@ -139,6 +139,14 @@ impl<R: Traced> Line<R> {
         }
     }
 
+    /// A line that may be off by some slack.
+    #[inline]
+    pub fn within(slack: Slack<R>, origin: Vec3<R>, direction: Vec3<R>) -> Line<R> {
+        let mut line = Line::new(origin, direction);
+        line.slack = slack;
+        line
+    }
+
     /// Whether all of its numbers are finite and it has a direction.
     #[inline]
     pub fn is_sound(&self) -> bool {

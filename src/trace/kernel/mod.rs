@@ -43,6 +43,7 @@
 
 mod block;
 mod bundle;
+mod chain;
 mod csg;
 mod cuboid;
 mod cull;
@@ -58,6 +59,7 @@ mod packet_search;
 mod place;
 mod plane;
 mod probe;
+mod profile;
 mod provenance;
 mod quadric;
 mod quadric_point;

@@ -4,6 +4,7 @@
 //! with the same formulas and the same bounds.
 
 use super::block::{Block, Shapes};
+use super::chain::Chains;
 use super::cull::in_box;
 use super::lanes::{LANES, Lanes, V3, gathered, is_greater, is_less, lanes_where};
 use super::leaf::Leaf;
@@ -11,6 +12,7 @@ use super::probe::Probe;
 use super::query::{BENT, SKINS, Start};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::affine::Placement;
+use crate::geometry::line::Line;
 
 /// Boxes are wider by this part of all coordinates: far more than what is rounded.
 pub const REL_ROOM: f64 = 1e-12;
@@ -76,22 +78,27 @@ impl<'w> Packet<'w> {
         lanes_where(|lane| self.starts[lane].left == leaf.twin)
     }
 
+    /// The rays in the spaces of leaves.
+    #[inline(always)]
+    pub fn lines(&self, chains: &Chains) -> [Line; LANES] {
+        let (origin, direction) = (V3(self.probe.origin), V3(self.probe.direction));
+        chains.enter(origin, direction).lines()
+    }
+
     /// The rays that surely miss a leaf without lanes up to some t, and those that surely go through it.
     #[inline(always)]
-    pub fn passing(&self, block: &Block, leaf: &Leaf, to: f64) -> (u32, u32) {
+    pub fn passing(&self, block: &Block, leaf: &Leaf, to: Lanes) -> (u32, u32) {
         let here = self.on(leaf);
+        let out = here & !self.goes_in;
         // What is convex is not met again by a ray that leaves it.
-        let leaves_it = if leaf.is_convex {
-            here & !self.goes_in
-        } else {
-            0
-        };
+        let is_left = if leaf.is_convex { out } else { 0 };
         let Some(cull) = &block.cull else {
-            return (leaves_it, 0);
+            return (is_left, 0);
         };
         let (origin, direction) = (V3(self.probe.origin), V3(self.probe.direction));
         let passing = cull.passing(origin, direction, self.skin, to);
-        (passing.beside | leaves_it, passing.through & !here)
+        let is_left = is_left | out & passing.leaves;
+        (passing.beside | is_left, passing.through & !here)
     }
 
     /// Where some rays, which start outside of everything, meet a leaf with lanes; `probe` has them in the leaf's space.

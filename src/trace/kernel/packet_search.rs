@@ -3,6 +3,7 @@
 use super::block::Shapes;
 use super::bundle::Along;
 use super::lanes::{LANES, Lanes, either, is_greater, is_less, mask};
+use super::leaf::Kind;
 use super::packet::{Ahead, Packet};
 use super::query::{Ask, Crossed, Crossing, End, Query, Tests, UNKNOWN_FACE, Within};
 use super::scratch::Scratch;
@@ -124,14 +125,32 @@ impl Stage<'_> {
                         continue;
                     }
                 }
-                let (beside, _) = packet.passing(block, leaf, f64::INFINITY);
-                for lane in lanes(rays & !beside) {
+                let (beside, _) = packet.passing(block, leaf, best.limit);
+                rays &= !beside;
+                if rays == 0 {
+                    continue;
+                }
+                // Those that start on it have more to be asked.
+                let plain = match leaf.kind {
+                    Kind::Other => rays & !packet.on(leaf),
+                    _ => 0,
+                };
+                let lines = (plain != 0).then(|| packet.lines(&self.chains_of([leaf; LANES])));
+                let limits = best.limit.to_array();
+                for lane in lanes(rays) {
                     let query = Query::new(packet.starts[lane]);
-                    let stretch = [-query.skin, best.limit.to_array()[lane]];
+                    let stretch = [-query.skin, limits[lane]];
                     let tests = &mut tests[lane];
                     tests.shapes += 1;
-                    let with = (&mut *scratch, tests);
-                    let crossed = self.meet_single(&query, number, stretch, Ask::First, with);
+                    let crossed = match &lines {
+                        Some(lines) if plain >> lane & 1 != 0 => {
+                            self.meet_on_line(&query, number, &lines[lane], stretch, scratch)
+                        }
+                        _ => {
+                            let with = (&mut *scratch, tests);
+                            self.meet_single(&query, number, stretch, Ask::First, with)
+                        }
+                    };
                     best.consider_single(lane, crossed, &scratch.ahead);
                 }
                 continue;
@@ -208,7 +227,7 @@ impl Stage<'_> {
                         let before = is_less(ahead.t + ahead.error, end).to_bitmask();
                         (asked & !(ahead.met | rest), ahead.met & before)
                     }
-                    None => packet.passing(block, leaf, 1.0),
+                    None => packet.passing(block, leaf, one),
                 };
                 if leaf.is_dark() {
                     dark |= rays & packet.outside & through;

@@ -4,19 +4,17 @@
 //! Bounds on errors are not its own, but greater ones that cost less. Where they do not tell that no rounding has decided
 //! anything, nothing is said, and the shape itself is asked.
 
+use super::chain::{Local, Located};
 use super::lanes::{
     ALL, LANES, Lanes, V3, either, fused, gathered, is_at_most, is_greater, is_less, lanes_where,
     mask,
 };
 use super::leaf::Leaf;
-use super::maps::Maps;
 use super::query::{Crossing, SKINS, Start, UNKNOWN_FACE};
 use super::resolved::Resolved;
 use super::stage::Stage;
-use crate::geometry::affine::Placement;
 use crate::geometry::array::each;
-use crate::geometry::vec::{UNIT_ROUNDOFF, Vec3, gamma};
-use crate::trace::shapes::BLURRED;
+use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
 use crate::trace::shapes::quadric::{Axial, OPERATIONS};
 
 /// Where four rays meet their leaves.
@@ -44,14 +42,6 @@ struct Forms {
     height: Lanes,
 }
 
-/// Rays in the spaces of their leaves, and bounds on how far their origins and directions are off; see
-/// [`Slack`](crate::geometry::affine::Slack).
-struct Local {
-    origin: V3,
-    direction: V3,
-    slack: [Lanes; 2],
-}
-
 /// Where lines are in solids, with the flat ends among the two as masks.
 struct Chords {
     known: Lanes,
@@ -70,8 +60,6 @@ struct Bounded {
 const ROOM: f64 = 1.01;
 /// Powers of two that lines are divided by are between this and its reciprocal.
 const LEAST_SCALE: f64 = 1e-100;
-/// Normals that maps make smaller than this are not for lanes.
-const LEAST_NORMAL: f64 = 1e-60;
 
 /// Where four rays meet their leaves: at the far ends of chords where they come out.
 #[inline(never)]
@@ -81,25 +69,12 @@ pub fn meet(stage: &Stage, leaves: [&Leaf; LANES], met: [Met<'_>; LANES]) -> Opt
         return None;
     };
     let forms = Forms::gathered([a, b, c, d]);
-    let ways = each(leaves, |leaf| &stage.chains[leaf.chain as usize][..]);
-    let place = |lane: usize, depth: usize| -> &Placement {
-        let number = ways[lane]
-            .get(depth)
-            .or_else(|| ways.iter().find_map(|way| way.get(depth)));
-        &stage.graph.placements[number.copied().unwrap_or(0) as usize]
-    };
-    let places = |depth: usize| each([0, 1, 2, 3], |lane: usize| place(lane, depth));
-    let goes = |depth: usize| mask(lanes_where(|lane| depth < ways[lane].len()));
-    let depth = ways.iter().fold(0, |most, way| way.len().max(most));
-
+    let chains = stage.chains_of(leaves);
     let starts = each(met, |(start, _)| start);
     let crossings = each(met, |(_, crossing)| crossing);
     let origin = V3::gathered(starts, |start| &start.origin);
     let direction = V3::gathered(starts, |start| &start.direction);
-    let mut line = Local::new(origin, direction);
-    for depth in 0..depth {
-        line = line.through(&places(depth), goes(depth));
-    }
+    let line = chains.enter(origin, direction);
     let chords = forms.chords(&line);
     let exit = mask(lanes_where(|lane| crossings[lane].is_exit));
     let [rough, error, t] = [
@@ -127,15 +102,10 @@ pub fn meet(stage: &Stage, leaves: [&Leaf; LANES], met: [Met<'_>; LANES]) -> Opt
         located_flat,
         either(exit, chords.flat[1], chords.flat[0]),
     );
-    let mut place = forms.locate(&line, t, flat);
+    let place = forms.locate(&line, t, flat);
     let local = place.point;
-    for depth in (0..depth).rev() {
-        place = place.out(&places(depth), goes(depth));
-    }
-    let normal = place.normal.unit();
-    let sizes = place.point.abs() + place.error + normal.abs();
-    let is_finite = is_less(sizes.0[0] + sizes.0[1] + sizes.0[2], splat(f64::INFINITY));
-    let known = (told | located) & place.known & is_finite;
+    let place = chains.leave(place);
+    let known = (told | located) & place.known;
     Some(Found {
         known: known.to_bitmask(),
         flat: flat.to_bitmask(),
@@ -144,64 +114,10 @@ pub fn meet(stage: &Stage, leaves: [&Leaf; LANES], met: [Met<'_>; LANES]) -> Opt
             t,
             point: place.point,
             error: place.error,
-            normal,
+            normal: place.normal,
         },
         local,
     })
-}
-
-impl Local {
-    #[inline(always)]
-    fn new(origin: V3, direction: V3) -> Local {
-        Local {
-            origin,
-            direction,
-            slack: [Lanes::ZERO; 2],
-        }
-    }
-
-    /// Through maps, where a mask is set.
-    #[inline(always)]
-    fn through(&self, places: &[&Placement; LANES], goes: Lanes) -> Local {
-        let maps = Maps::gathered(*places, |place| &place.back);
-        let Local {
-            origin,
-            direction,
-            slack,
-        } = *self;
-        let turns = goes & mask(lanes_where(|lane| !places[lane].back.moves()));
-        let spread = maps.sizes(V3::splat(Vec3::ONE)).max_component();
-        let room = Lanes::splat(ROOM);
-        let [x, y, z] = (maps.sizes(origin.abs()) + maps.offset.abs()).0;
-        let vector = maps.sizes(direction.abs()).max_component();
-        let lost = [x + y + z, vector].map(|size| Lanes::splat(ROOM * gamma(5)) * size);
-        Local {
-            origin: V3::either(goes, maps.point(origin), origin),
-            direction: V3::either(turns, maps.vector(direction), direction),
-            slack: [
-                either(goes, lost[0] + room * spread * slack[0], slack[0]),
-                either(turns, lost[1] + room * spread * slack[1], slack[1]),
-            ],
-        }
-    }
-
-    #[inline(always)]
-    fn at(&self, t: Lanes) -> V3 {
-        self.origin + self.direction * t
-    }
-
-    /// Whether the maps on the way here have surely not moved the line by more than a little at t: see
-    /// [`Line::is_blurred_at`](crate::geometry::line::Line::is_blurred_at).
-    #[inline(always)]
-    fn is_sharp(&self, t: Lanes) -> Lanes {
-        let drift = self.slack[1] * t.abs();
-        let reach = self.origin.abs().max_component();
-        let at = self.at(t).abs().max_component();
-        is_at_most(
-            drift,
-            Lanes::splat(BLURRED * UNIT_ROUNDOFF) * reach.fast_max(at),
-        )
-    }
 }
 
 /// Vectors divided by a power of two not below `least`, so that the largest component is below 2, and that power.
@@ -521,36 +437,6 @@ fn either_of(mask: Lanes, a: Bounded, b: Bounded) -> Bounded {
     Bounded {
         value: either(mask, a.value, b.value),
         error: either(mask, a.error, b.error),
-    }
-}
-
-/// Points of surfaces, in some space.
-struct Located {
-    point: V3,
-    error: V3,
-    normal: V3,
-    /// Where these are known.
-    known: Lanes,
-}
-
-impl Located {
-    /// Out of the spaces of placements, where a mask is set.
-    #[inline(always)]
-    fn out(&self, places: &[&Placement; LANES], goes: Lanes) -> Located {
-        let splat = Lanes::splat;
-        let back = Maps::gathered(*places, |place| &place.back);
-        let out = Maps::gathered(*places, |place| &place.out);
-        let before = self.error * splat(1.0 + gamma(3)) + self.point.abs() * splat(gamma(4));
-        let error = out.sizes(before.abs()) + out.offset.abs() * splat(gamma(4));
-        let normal = back.transposed(self.normal);
-        // What products lose by underflow is nothing beside this.
-        let is_usual = is_greater(normal.abs().max_component(), splat(LEAST_NORMAL));
-        Located {
-            point: V3::either(goes, out.point(self.point), self.point),
-            error: V3::either(goes, error, self.error),
-            normal: V3::either(goes, normal.unit(), self.normal),
-            known: self.known & (is_usual | !goes),
-        }
     }
 }
 

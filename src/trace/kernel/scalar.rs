@@ -1,11 +1,13 @@
 //! Shapes without lanes: the arbiter's own formulas, one ray at a time.
 
-use super::lanes::{LANES, Lanes, V3, mask};
+use super::chain;
+use super::lanes::{LANES, Lanes, V3, is_less, mask};
 use super::leaf::{Colour, Kind, Leaf};
 use super::query::{Ask, Crossed, Crossing, End, Query, Start, Tests};
 use super::resolved::Resolved;
 use super::scratch::Scratch;
 use super::stage::Stage;
+use crate::geometry::array::each;
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
@@ -13,7 +15,7 @@ use crate::trace::search::hit::beside;
 use crate::trace::search::query::Scale;
 use crate::trace::search::root_order::{before_left, rough};
 use crate::trace::shapes::quick_reject::Pass;
-use crate::trace::shapes::{Root, Roots};
+use crate::trace::shapes::{Located, Root, Roots};
 use crate::trace::stats::Work;
 use crate::trace::texture::SurfacePoint;
 
@@ -59,9 +61,45 @@ impl Stage<'_> {
         if leaf.kind == Kind::Csg {
             return self.boundary(query, number, stretch, ask, scratch, tests);
         }
-        scratch.ahead.clear();
         let mut roots = std::mem::take(&mut scratch.roots);
-        let crossed = match self.cross(query, number, stretch, ask, &mut roots) {
+        let raw = self.cross(query, number, stretch, ask, &mut roots);
+        scratch.roots = roots;
+        self.listed(query, number, raw, ask, scratch)
+    }
+
+    /// The same, of a ray that does not start on the leaf and may well meet it, whose line in the leaf's space is known.
+    #[inline]
+    pub fn meet_on_line(
+        &self,
+        query: &Query,
+        number: u32,
+        line: &Line,
+        stretch: [f64; 2],
+        scratch: &mut Scratch,
+    ) -> Crossed {
+        let ask = Ask::First;
+        let mut roots = std::mem::take(&mut scratch.roots);
+        let raw = match line.is_sound() {
+            true => self.solve(query, number, line, stretch, ask, &mut roots),
+            false => Raw::Doubt,
+        };
+        scratch.roots = roots;
+        self.listed(query, number, raw, ask, scratch)
+    }
+
+    /// Lists what has been found of a leaf in `scratch.ahead`.
+    #[inline(always)]
+    fn listed(
+        &self,
+        query: &Query,
+        number: u32,
+        raw: Raw,
+        ask: Ask,
+        scratch: &mut Scratch,
+    ) -> Crossed {
+        let leaf = &self.leaves[number as usize];
+        scratch.ahead.clear();
+        match raw {
             Raw::Nothing => Crossed::Nothing,
             Raw::Somewhere => Crossed::Somewhere,
             Raw::Doubt => Crossed::Doubt,
@@ -72,7 +110,7 @@ impl Stage<'_> {
             }
             Raw::Ahead { line, inside } => {
                 let wanted = if ask == Ask::All { usize::MAX } else { 1 };
-                let roots = roots.list.iter().take(wanted);
+                let roots = scratch.roots.list.iter().take(wanted);
                 scratch.ahead.extend(roots.map(|&root| Crossing {
                     surface: number,
                     root,
@@ -81,9 +119,7 @@ impl Stage<'_> {
                 }));
                 Crossed::Ahead
             }
-        };
-        scratch.roots = roots;
-        crossed
+        }
     }
 
     /// Finds where exactly a ray crosses a convex solid of second degree; `false` where that is not known.
@@ -151,26 +187,43 @@ impl Stage<'_> {
             Pass::Through if ask == Ask::Any => return Raw::Somewhere,
             Pass::Through | Pass::Perhaps => {}
         }
+        self.solve(query, number, &line, stretch, ask, roots)
+    }
+
+    /// Finds where a ray crosses a leaf without lanes that it may well cross, on its line in the leaf's space.
+    #[inline]
+    fn solve(
+        &self,
+        query: &Query,
+        number: u32,
+        line: &Line,
+        stretch: [f64; 2],
+        ask: Ask,
+        roots: &mut Roots,
+    ) -> Raw {
+        let leaf = &self.leaves[number as usize];
+        let primitive = &self.graph.primitives[leaf.primitive as usize];
+        let start = query.start;
         roots.clear();
         let solver = self.graph.solver.as_ref();
-        let is_solved = solver.is_some_and(|s| s.crossings(leaf.primitive, &line, roots));
+        let is_solved = solver.is_some_and(|s| s.crossings(leaf.primitive, line, roots));
         match ask {
             _ if is_solved => {}
-            Ask::All => primitive.intersect().crossings(&line, roots),
+            Ask::All => primitive.intersect().crossings(line, roots),
             Ask::First | Ask::Any => {
                 (primitive.intersect()).first_crossings(&line, -1.5 * stretch[0], roots)
             }
         }
-        roots.doubt_blurred(&line);
+        roots.doubt_blurred(line);
         if roots.uncertain || roots.along.is_some() {
             return Raw::Doubt;
         }
         let passed = roots.list.partition_point(|root| root.t <= 0.0);
-        let behind = match is_left {
+        let behind = match start.left == leaf.twin {
             true => before_left(roots, start.goes_in, leaf.is_solid).unwrap_or(passed),
             false => {
                 let near =
-                    |&root: &Root| root.t.abs() <= query.skin + self.end(leaf, &line, root).error;
+                    |&root: &Root| root.t.abs() <= query.skin + self.end(leaf, line, root).error;
                 let around = &roots.list[passed.saturating_sub(1)..];
                 if around.iter().take(2).any(near) {
                     return Raw::Doubt;
@@ -180,38 +233,75 @@ impl Stage<'_> {
         };
         let inside = roots.inside != (behind % 2 == 1);
         roots.list.drain(..behind);
-        Raw::Ahead { line, inside }
+        Raw::Ahead {
+            line: *line,
+            inside,
+        }
     }
 
-    /// Where a ray has met a leaf without lanes.
+    /// Where four rays have met leaves without lanes, those of some lanes.
     #[inline(never)]
-    pub fn locate(&self, line: &Line, leaf: &Leaf, root: Root, work: &mut Work) -> Place {
-        let line = self.line_through(line, leaf.chain);
-        let primitive = &self.graph.primitives[leaf.primitive as usize];
-        let located = primitive.intersect().locate(&line, root);
-        let local = located.point;
-        let (mut point, mut error, mut normal) = (local, located.error, located.normal);
-        let mut shading = primitive.shape().shading_normal(local, root.face);
-        if self.graph.without.smooth_normals {
-            shading = None;
+    pub fn locate(
+        &self,
+        leaves: [&Leaf; LANES],
+        (origin, direction): (V3, V3),
+        roots: [Root; LANES],
+        live: u32,
+        work: &mut Work,
+    ) -> Places {
+        let chains = self.chains_of(leaves);
+        let lines = chains.enter(origin, direction).lines();
+        let mut found = [NOWHERE; LANES];
+        let mut bent = [None; LANES];
+        for lane in (0..LANES).filter(|lane| live >> lane & 1 != 0) {
+            let (leaf, root) = (leaves[lane], roots[lane]);
+            let primitive = &self.graph.primitives[leaf.primitive as usize];
+            found[lane] = primitive.intersect().locate(&lines[lane], root);
+            if self.graph.without.smooth_normals {
+                continue;
+            }
+            let Some(local) = primitive
+                .shape()
+                .shading_normal(found[lane].point, root.face)
+            else {
+                continue;
+            };
+            work.smooth_normal += 1;
+            let placements = self.chains[leaf.chain as usize].iter().rev();
+            bent[lane] = Some(placements.fold(local, |normal, &placement| {
+                let maps = &self.graph.placements[placement as usize];
+                maps.back.unit_normal(normal)
+            }));
         }
-        work.smooth_normal += u64::from(shading.is_some());
-        for &placement in self.chains[leaf.chain as usize].iter().rev() {
-            let maps = &self.graph.placements[placement as usize];
-            error = maps.out.point_error(point, error);
-            point = maps.out.point(point);
-            normal = maps.back.unit_normal(normal);
-            shading = shading.map(|n| maps.back.unit_normal(n));
+        let all = |vector: fn(&Located) -> &[f64; 3]| V3::gathered(found.each_ref(), vector);
+        let place = chains.leave(chain::Located {
+            point: all(|found| &found.point.0),
+            error: all(|found| &found.error.0),
+            normal: all(|found| &found.normal.0),
+            known: mask(live),
+        });
+        let is_finite = |v: V3| is_less(v.abs().max_component(), Lanes::splat(f64::INFINITY));
+        let has_normal = mask(place.normal.any());
+        let known = place.known & is_finite(place.point) & is_finite(place.error) & has_normal;
+        let mut shading = place.normal;
+        if bent.iter().any(Option::is_some) {
+            let normals = place.normal.columns();
+            let each_normal = each([0, 1, 2, 3], |lane: usize| {
+                let normal = Vec3::new(normals[0][lane], normals[1][lane], normals[2][lane]);
+                bent[lane].map_or(normal, |n| beside(n, normal))
+            });
+            shading = V3::gathered(each_normal.each_ref(), |normal| &normal.0);
         }
-        let normal = normal.unit();
-        let is_known = point.is_finite() && error.is_finite() && normal.is_finite() && normal.any();
-        Place {
-            is_known,
-            point,
-            error,
-            normal,
-            shading: shading.map_or(normal, |n| beside(n, normal)),
-            local,
+        Places {
+            resolved: Resolved {
+                clear: known,
+                t: Lanes::new(each(roots, |root| root.t)),
+                point: place.point,
+                error: place.error,
+                normal: place.normal,
+            },
+            shading,
+            local: each(found, |found| found.point),
         }
     }
 
@@ -244,46 +334,18 @@ impl Stage<'_> {
     }
 }
 
-/// A point of a surface, in the scene's space.
-#[derive(Debug, Clone, Copy)]
-pub struct Place {
-    /// Whether there are numbers for it.
-    pub is_known: bool,
-    pub point: Vec3,
-    /// Bounds on the error of the point, component by component.
-    pub error: Vec3,
-    /// Unit, outwards.
-    pub normal: Vec3,
-    /// The unit normal that light is reckoned with.
-    pub shading: Vec3,
-    /// The point in the space of the shape.
-    pub local: Vec3,
+/// Points of surfaces.
+pub struct Places {
+    pub resolved: Resolved,
+    /// The unit normals that light is reckoned with, in the scene's space.
+    pub shading: V3,
+    /// The points in the spaces of their shapes.
+    pub local: [Vec3; LANES],
 }
 
-impl Place {
-    /// Nowhere.
-    pub const NONE: Place = Place {
-        is_known: false,
-        point: Vec3::ZERO,
-        error: Vec3::ZERO,
-        normal: Vec3::ZERO,
-        shading: Vec3::ZERO,
-        local: Vec3::ZERO,
-    };
-}
-
-/// Four places that rays have met at these t.
-#[inline]
-pub fn gathered(places: &[Place; LANES], t: [f64; LANES]) -> Resolved {
-    let all = |vector: fn(&Place) -> &[f64; 3]| V3::gathered(places.each_ref(), vector);
-    let known = (0..)
-        .zip(places)
-        .map(|(lane, p)| u32::from(p.is_known) << lane);
-    Resolved {
-        clear: mask(known.sum()),
-        t: Lanes::new(t),
-        point: all(|p| &p.point.0),
-        error: all(|p| &p.error.0),
-        normal: all(|p| &p.normal.0),
-    }
-}
+/// In no space.
+const NOWHERE: Located = Located {
+    point: Vec3::ZERO,
+    error: Vec3::ZERO,
+    normal: Vec3::ZERO,
+};

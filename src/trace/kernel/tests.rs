@@ -10,7 +10,10 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Geometry;
 use crate::testing::{random, scene};
 use crate::trace::graph::Graph;
-use crate::trace::shapes::{Primitive, Roots};
+use crate::trace::kernel::leaf::{Kind, Leaf};
+use crate::trace::kernel::stage::Stage;
+use crate::trace::shapes::{Primitive, Root, Roots};
+use crate::trace::stats::Work;
 use crate::trace::{Picture, Settings, Tracer, selected_camera};
 use std::fmt::Write;
 
@@ -28,6 +31,102 @@ pub fn placed_by(out: &Matrix) -> Graph {
         placements: vec![Placement { out, back }],
         ..Graph::default()
     }
+}
+
+/// The point of a leaf that a line meets, a bound on its error, and the unit normal there, and the point in the leaf's own
+/// space: one map after the other.
+pub fn located(stage: &Stage, line: &Line, leaf: &Leaf, root: Root) -> [Vec3; 4] {
+    let placements = &stage.graph.placements;
+    let chain = &stage.chains[leaf.chain as usize];
+    let through = |line: Line, &m: &u32| line.through(&placements[m as usize].back);
+    let own = chain.iter().fold(*line, through);
+    let primitive = &stage.graph.primitives[leaf.primitive as usize];
+    let found = primitive.intersect::<f64>().locate(&own, root);
+    let (mut point, mut error, mut normal) = (found.point, found.error, found.normal);
+    for &m in chain.iter().rev() {
+        let maps = &placements[m as usize];
+        error = maps.out.point_error(point, error);
+        point = maps.out.point(point);
+        normal = maps.back.unit_normal(normal);
+    }
+    [point, error, normal.unit(), found.point]
+}
+
+/// Places on shapes without lanes have the bits that one map after the other gives, in groups of any depth.
+#[test]
+fn places_have_the_bits_of_shapes() {
+    let shapes = [
+        "14 0.8 0.3",
+        "1 3 0.3 -1 0.7 0.2 0.1 0.9",
+        "15 1 0 0 0 0 -1 0 0 0 0 1 0 0 0 0 -0.25",
+        "14 0.4 0.6",
+    ];
+    let mut number = numbers();
+    let mut found = [0; 4];
+    for i in 0..60 {
+        let mut text = String::from("3 11 900 0 0 1\n");
+        for (id, shape) in (10..).zip(shapes) {
+            text += &format!("{id} {shape}\n");
+        }
+        let mut groups = Vec::new();
+        for id in 10..14 {
+            let mut whole = id;
+            for depth in 0..(i + id) % 4 {
+                let next = 20 + 4 * depth + id;
+                let (a, b) = (180.0 * number(), 180.0 * number());
+                text += &format!("{whole} -3 1 {} 1\n{whole} -2 {a} 1\n", 1.5 + number());
+                text += &format!("{whole} -2 {b} {}\n", 2 + depth % 2);
+                text += &format!("{whole} -1 {} {} {}\n", number(), number(), number());
+                text += &format!("{next} -101 {whole} 3\n");
+                whole = next;
+            }
+            groups.push(whole);
+        }
+        let [a, b, c, d] = groups[..] else { continue };
+        text += &format!("90 -101 {a} {b}\n91 -101 {c} {d}\n92 -101 90 91\n1 9999 92 0\n");
+        let scene = scene(&text);
+        let tracer = Tracer::new(&scene).unwrap();
+        let stage = Stage::new(&tracer.graph, 100).expect("shapes for the kernel");
+        let leaves: Vec<&Leaf> = (stage.leaves.iter())
+            .filter(|leaf| leaf.kind == Kind::Other)
+            .collect();
+        for _ in 0..50 {
+            let mut lines = Vec::new();
+            for leaf in &leaves {
+                let mut vector = || Vec3::new(number(), number(), number());
+                let (from, to) = (vector() * 9.0, vector());
+                let line = Line::new(from, to - from);
+                let mut roots = Roots::default();
+                let own = stage.line_through(&line, leaf.chain);
+                let primitive = &stage.graph.primitives[leaf.primitive as usize];
+                primitive.intersect::<f64>().crossings(&own, &mut roots);
+                lines.extend(roots.list.first().map(|&root| (*leaf, line, root)));
+            }
+            let Some(&last) = lines.last() else { continue };
+            let four = [0, 1, 2, 3].map(|lane| *lines.get(lane).unwrap_or(&last));
+            let origin = V3::gathered(four.each_ref(), |(_, line, _)| &line.origin.0);
+            let direction = V3::gathered(four.each_ref(), |(_, line, _)| &line.direction.0);
+            let (leaves, roots) = (four.map(|(leaf, ..)| leaf), four.map(|(.., root)| root));
+            let places = stage.locate(leaves, (origin, direction), roots, 15, &mut Work::default());
+            let all = places.resolved;
+            for (lane, (leaf, line, root)) in four.iter().enumerate() {
+                assert!(all.clear.to_bitmask() >> lane & 1 != 0, "{text}");
+                let of = |v: V3| Vec3(v.columns().map(|column| column[lane]));
+                assert_eq!(
+                    [
+                        of(all.point),
+                        of(all.error),
+                        of(all.normal),
+                        places.local[lane]
+                    ],
+                    located(&stage, line, leaf, *root),
+                    "{text}"
+                );
+                found[lane] += 1;
+            }
+        }
+    }
+    assert!(found.iter().all(|&count| count > 1000), "{found:?}");
 }
 
 /// Four times the same.

@@ -16,14 +16,12 @@ use super::quadric_point;
 use super::query::{Crossing, NONE, Start, Tests, UNKNOWN_FACE, Within};
 use super::rectangle::Rectangles;
 use super::resolved::{Meet, Resolved};
-use super::scalar::{self, Place};
 use super::scratch::Scratch;
 use super::search::Met;
 use super::shade::{Four, Hits};
 use super::sphere::Spheres;
 use super::stage::Stage;
 use crate::geometry::array::each;
-use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::trace::arbiter::Arbiter;
 use crate::trace::shade::{Features, Limits};
@@ -409,22 +407,14 @@ impl Tile {
     #[inline(never)]
     fn hits_one_by_one(&mut self, scene: &Scene, (four, live): (&Four, u32)) {
         let stage = scene.stage;
-        let line = |start: &Start| Line::new(Vec3(start.origin), Vec3(start.direction));
-        let mut places = [Place::NONE; LANES];
-        for lane in (0..LANES).filter(|lane| live >> lane & 1 != 0) {
-            let (ray, leaf) = (four.rays[lane], four.leaves[lane]);
-            places[lane] = stage.locate(
-                &line(&ray.start),
-                leaf,
-                four.hits[lane].crossing.root,
-                &mut self.work,
-            );
-        }
-        let resolved = scalar::gathered(&places, each(four.hits, |hit| hit.crossing.root.t));
+        let roots = each(four.hits, |hit| hit.crossing.root);
+        let rays = (four.origin, four.direction);
+        let places = stage.locate(four.leaves, rays, roots, live, &mut self.work);
+        let resolved = places.resolved;
         let live = self.known(four, live, &resolved);
         let mut hits = Hits::new(four, live, &resolved);
-        hits.shading = V3::gathered(places.each_ref(), |place| &place.shading.0);
-        let place = |lane: usize| (places[lane].local, four.hits[lane].crossing.root.face);
+        hits.shading = places.shading;
+        let place = |lane: usize| (places.local[lane], four.hits[lane].crossing.root.face);
         hits.albedo = self.albedo(stage, (four, live), &hits, place);
         self.shade(scene, four, &hits);
     }

@@ -11,6 +11,18 @@ pub enum Form {
     Quadric([f64; 10]),
     /// (|p|² + R² − r²)² − 4R²(x² + z²), with R and r.
     Torus([f64; 2]),
+    /// What a profile surrounds that is turned about the y axis. No polynomial.
+    Profile(Vec<ProfilePoint>),
+}
+
+/// An end of a piece of a profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProfilePoint {
+    /// How far it is from the axis.
+    pub radius: f64,
+    pub height: f64,
+    /// Whether a piece leads here from the point before it in the list.
+    pub is_joined: bool,
 }
 
 /// The points where a polynomial is negative, in the bounds of a shape.

@@ -2,15 +2,15 @@
 
 use super::*;
 use crate::geometry::line::Line;
+use crate::geometry::vec::Vec3;
 use crate::testing::scene;
 use crate::trace::Tracer;
 use crate::trace::kernel::query::{Start, Tests, Within};
 use crate::trace::kernel::scratch::Scratch;
 use crate::trace::kernel::search;
 use crate::trace::kernel::shade::Four;
-use crate::trace::kernel::tests::numbers;
+use crate::trace::kernel::tests::{located, numbers};
 use crate::trace::kernel::wave::{Hit, Ray};
-use crate::trace::stats::Work;
 
 /// A shape, moved and turned in groups so deep, and a ball far away.
 fn text(shape: &str, depth: usize, number: &mut impl FnMut() -> f64) -> String {
@@ -80,9 +80,9 @@ fn points_have_the_bits_of_shapes() {
             {
                 let leaf = &stage.leaves[crossing.surface as usize];
                 let line = Line::new(from, direction);
-                let place = stage.locate(&line, leaf, crossing.root, &mut Work::default());
-                start.origin = place.point.0;
-                start.skin = 2.0 * place.error.max_component();
+                let [point, error, ..] = located(&stage, &line, leaf, crossing.root);
+                start.origin = point.0;
+                start.skin = 2.0 * error.max_component();
                 (start.left, start.goes_in) = (leaf.twin, true);
                 start.within = Within::one(leaf.solid);
                 look(start, &mut wave, &mut hits);
@@ -103,7 +103,6 @@ fn points_have_the_bits_of_shapes() {
                 let is_told = stage.sharpen(&ray.start, &mut crossing, &mut Default::default());
                 assert!(is_told, "{shape} {depth} {:?}", ray.start);
                 let line = Line::new(Vec3(ray.start.origin), Vec3(ray.start.direction));
-                let place = stage.locate(&line, leaf, crossing.root, &mut Work::default());
                 let of = |v: V3| Vec3(v.columns().map(|column| column[lane]));
                 assert_eq!(
                     (all.t.to_array()[lane], found.flat >> lane & 1),
@@ -118,7 +117,7 @@ fn points_have_the_bits_of_shapes() {
                         of(all.normal),
                         of(found.local)
                     ],
-                    [place.point, place.error, place.normal, place.local],
+                    located(&stage, &line, leaf, crossing.root),
                     "{shape} {depth} {:?}",
                     ray.start
                 );

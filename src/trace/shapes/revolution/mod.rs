@@ -18,7 +18,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
 use crate::solids::shapes as solids;
 use crate::trace::shapes::convex_piece::ConvexPiece;
-use crate::trace::shapes::outline::{Form, Outline};
+use crate::trace::shapes::outline::{Form, Outline, ProfilePoint};
 use crate::trace::shapes::support::Support;
 use cylinders::Cylinders;
 use overlap_removal::Subsegment;
@@ -28,6 +28,9 @@ use std::cell::LazyCell;
 use std::f64::consts::TAU;
 use std::ops::Deref;
 use tree::Run;
+
+/// A profile with more pieces than this is quicker to cross than to look at piece by piece.
+const MAX_OUTLINE_PIECES: usize = 64;
 
 /// Points (x, y) with x ≥ 0 turned about the y axis. Inside is what the closed profile surrounds
 /// by the even-odd rule. It closes with a flat disc from each end point to the axis, unless the
@@ -175,8 +178,28 @@ impl Shape for Revolution {
         }
     }
 
-    /// A cylinder.
+    /// A cylinder around a long profile.
     fn outline(&self) -> Outline {
+        if self.pieces.len() <= MAX_OUTLINE_PIECES {
+            let point = |number: u32, is_joined: bool| {
+                let [radius, height] = each(self.points[number as usize], |x| x / self.scale);
+                ProfilePoint {
+                    radius,
+                    height,
+                    is_joined,
+                }
+            };
+            let mut points = Vec::new();
+            let mut last = None;
+            for piece in &self.pieces {
+                if last != Some(piece.from) {
+                    points.push(point(piece.from, false));
+                }
+                points.push(point(piece.to, true));
+                last = Some(piece.to);
+            }
+            return Outline::exact(Form::Profile(points));
+        }
         let widest = self.bounds().max[0];
         let constant = -widest * widest;
         let cylinder = [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, constant];
