@@ -116,7 +116,9 @@ impl Local {
         let room = Lanes::splat(ROOM);
         let [x, y, z] = (maps.sizes(origin.abs()) + maps.offset.abs()).0;
         let vector = maps.sizes(direction.abs()).max_component();
-        let lost = [x + y + z, vector].map(|size| Lanes::splat(ROOM * gamma(5)) * size);
+        let lost = each([x + y + z, vector], |size| {
+            Lanes::splat(ROOM * gamma(5)) * size
+        });
         Local {
             origin: V3::either(goes, maps.point(origin), origin),
             direction: V3::either(turns, maps.vector(direction), direction),

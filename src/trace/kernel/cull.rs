@@ -89,7 +89,7 @@ impl Cull {
         let (o, d) = (back.point(origin), back.vector(direction));
         let inverse = V3(each(d.0, |d| splat(1.0) / d));
         let [near, far] = in_box(&self.around, o, inverse, [-before, to]);
-        let [start, pace] = [origin, direction].map(|v| v.abs().max_component());
+        let [start, pace] = each([origin, direction], |v| v.abs().max_component());
         let size = splat(self.way.sizes[0]) * (start + pace * near.abs().fast_max(far.abs()));
         let error = splat(REL_ROUNDED) * (size + splat(self.way.sizes[1]));
         // All is written so that nothing is said where a number is NaN.
