@@ -9,7 +9,8 @@ use super::packet::Packet;
 use super::probe::Probe;
 use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Tests, UNKNOWN_FACE};
 use super::scalar::Raw;
-use super::scratch::Scratch;
+use super::scratch::{Inner, Scratch};
+use super::search::nearest_child;
 use super::spans::Spans;
 use super::stage::{Forest, Stage};
 use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH as CHILDREN};
@@ -30,6 +31,8 @@ pub struct Csg {
     gates: Vec<Gate>,
     /// How many operands of each gate are unmet at a place outside of all shapes.
     unmet: Vec<u32>,
+    /// The greatest extent of its shapes.
+    extent: f64,
     /// A quicker way to the first place, if there are few shapes.
     pub spans: Option<Spans>,
 }
@@ -47,6 +50,8 @@ impl Csg {
             let is_in = (unmet[number] == 0) != gate.is_union;
             unmet[gate.parent as usize] += u32::from(is_in == gate.is_cut);
         }
+        let extents = operands.all().map(|leaf| leaves[leaf as usize].extent);
+        let extent = extents.fold(0.0, f64::max);
         let spans = Spans::new(leaves, &operands);
         let first = blocks.len() as u32;
         in_blocks(leaves, &operands.firsts, blocks);
@@ -60,6 +65,7 @@ impl Csg {
             others: Forest::new(leaves, &loose, boxes, blocks),
             gates: operands.gates,
             unmet,
+            extent,
             spans,
         }
     }
@@ -87,6 +93,57 @@ impl Csg {
 
 /// Rounding may have decided something.
 struct Doubt;
+
+/// A ray in the space of the last operands.
+struct Space {
+    placement: u32,
+    probe: Probe,
+}
+
+impl Space {
+    const NONE: Space = Space {
+        placement: 0,
+        probe: Probe::NONE,
+    };
+}
+
+/// More than a crossing with shapes of some extent may be off.
+#[inline(always)]
+fn hair(query: &Query, probe: &Probe, extent: f64) -> f64 {
+    query.skin + BENT * ((probe.reach + extent) * probe.per_pace + 1.0)
+}
+
+/// A place behind which a difference surely begins or ends, or never does, if there are no other cuts before it. The first
+/// crossings are those with first operands, so many; those with each cut stand together, in order.
+fn uncovered(events: &[Crossing], firsts: usize) -> f64 {
+    let (firsts, cuts) = events.split_at(firsts);
+    let ways_in = firsts.iter().filter(|event| !event.is_exit);
+    let last = |t: f64, event: &Crossing| t.max(event.end.t + event.end.error);
+    let mut t = ways_in.fold(0.0, last);
+    loop {
+        let before = t;
+        let mut rest = cuts;
+        while let [event, others @ ..] = rest {
+            let (from, out) = match (event.is_exit, others) {
+                (true, _) => (f64::NEG_INFINITY, Some(event)),
+                (false, [next, ..]) if next.is_exit && next.surface == event.surface => {
+                    (event.end.t - event.end.error, Some(next))
+                }
+                (false, _) => (event.end.t - event.end.error, None),
+            };
+            rest = match out {
+                Some(out) if !std::ptr::eq(out, event) => &others[1..],
+                _ => others,
+            };
+            if from <= t {
+                t = out.map_or(f64::INFINITY, |out| last(t, out));
+            }
+        }
+        if t == before || t == f64::INFINITY {
+            return t;
+        }
+    }
+}
 
 impl Stage<'_> {
     /// The operands of a leaf that is an intersection of a few shapes.
@@ -133,7 +190,9 @@ impl Stage<'_> {
         }
         scratch.unmet.clear();
         scratch.unmet.extend(&csg.unmet);
-        if let Err(Doubt) = self.events(query, whole, csg, [from, to], scratch, tests) {
+        let is_swept = ask != Ask::All && !query.start.within.has(number);
+        let found = self.events(query, (whole, csg), [from, to], is_swept, (scratch, tests));
+        if let Err(Doubt) = found {
             return Crossed::Doubt;
         }
         let Scratch {
@@ -219,22 +278,24 @@ impl Stage<'_> {
         }
     }
 
-    /// Lists where a ray crosses operands, and goes into those that it starts in.
+    /// Lists where a ray crosses operands, and goes into those that it starts in. Of a difference that is swept, crossings
+    /// behind the first place of its boundary may be missing.
     fn events(
         &self,
         query: &Query,
-        whole: &Leaf,
-        csg: &Csg,
+        (whole, csg): (&Leaf, &Csg),
         [from, to]: [f64; 2],
-        scratch: &mut Scratch,
-        tests: &mut Tests,
+        is_swept: bool,
+        (scratch, tests): (&mut Scratch, &mut Tests),
     ) -> Result<(), Doubt> {
+        let mut space = Space::NONE;
         // Beyond the way out of the first operands nothing matters.
         let mut end = to;
         for &block in &csg.firsts {
             let before = (scratch.unmet[0], scratch.events.len());
             let block = &self.blocks[block as usize];
-            self.operands(query, block, [from, f64::INFINITY], csg, scratch)?;
+            let stretch = [from, f64::INFINITY];
+            self.operands((query, &mut space), block, stretch, csg, scratch)?;
             let met = &scratch.events[before.1..];
             if (scratch.unmet[0], scratch.events.len()) == before {
                 // Neither in it nor before it.
@@ -249,9 +310,10 @@ impl Stage<'_> {
             }
         }
         tests.shapes += csg.firsts.len() as u32;
+        let firsts = scratch.events.len();
         for &block in &csg.others.loose {
             let block = &self.blocks[block as usize];
-            self.operands(query, block, [from, end], csg, scratch)?;
+            self.operands((query, &mut space), block, [from, end], csg, scratch)?;
         }
         if csg.others.tree.nodes.is_empty() {
             return Ok(());
@@ -260,31 +322,56 @@ impl Stage<'_> {
             &self.line_through(&query.line, whole.chain),
             &csg.others.frame,
         );
+        // All cuts that begin before this are looked at: up to where the first operands are first uncovered.
+        let is_swept = is_swept && csg.gates.len() == 1;
+        let needed = |events: &[Crossing]| match is_swept {
+            true => {
+                end.min(uncovered(events, firsts) + 2.0 * hair(query, &query.probe, csg.extent))
+            }
+            false => end,
+        };
+        let mut reach = beam.pace(needed(&scratch.events));
         let ends = [0.0, beam.pace(end)];
-        let mut pending = std::mem::take(&mut scratch.inner);
+        let Inner {
+            mut pending,
+            mut beyond,
+        } = std::mem::take(&mut scratch.inner);
         pending.clear();
-        pending.push(Child::ROOT);
+        beyond.clear();
+        pending.push((0.0, Child::ROOT));
         let mut result = Ok(());
-        while let Some(child) = pending.pop() {
+        while result.is_ok() {
+            let Some((near, child)) = pending.pop() else {
+                let is_needed = |&mut (near, _): &mut (f32, Child)| near <= reach;
+                pending.extend(beyond.extract_if(.., is_needed));
+                match pending.is_empty() {
+                    true => break,
+                    false => continue,
+                }
+            };
+            if near > reach {
+                beyond.push((near, child));
+                continue;
+            }
             match child.is() {
                 Is::Node(node) => {
                     tests.boxes += CHILDREN as u32;
                     let node = &csg.others.tree.nodes[node as usize];
-                    let first = beam.first(node, ends, |_, child| pending.push(child));
-                    pending.extend(first.map(|(_, child)| child));
+                    let nearest = nearest_child(&beam, node, ends, &mut pending);
+                    pending.extend(nearest);
                 }
                 Is::Item(block) => {
                     tests.shapes += 1;
                     let block = &self.blocks[block as usize];
                     let stretch = [from, end];
-                    result = self.operands(query, block, stretch, csg, scratch);
-                    if result.is_err() {
-                        break;
+                    result = self.operands((query, &mut space), block, stretch, csg, scratch);
+                    if is_swept {
+                        reach = reach.max(beam.pace(needed(&scratch.events)));
                     }
                 }
             }
         }
-        scratch.inner = pending;
+        scratch.inner = Inner { pending, beyond };
         result
     }
 
@@ -329,7 +416,7 @@ impl Stage<'_> {
     #[inline(always)]
     fn operands(
         &self,
-        query: &Query,
+        (query, space): (&Query, &mut Space),
         block: &Block,
         [from, to]: [f64; 2],
         csg: &Csg,
@@ -339,9 +426,15 @@ impl Stage<'_> {
             return self.operand(query, block.leaves[0], from, csg, scratch);
         }
         let (start, skin) = (query.start, query.skin);
-        let mut moved = Probe::NONE;
-        let probe = self.placed(&query.probe, block.placement, &mut moved);
-        let hair = skin + BENT * ((probe.reach + block.extent) * probe.per_pace + 1.0);
+        if block.placement != space.placement {
+            space.placement = block.placement;
+            self.placed(&query.probe, block.placement, &mut space.probe);
+        }
+        let probe = match block.placement {
+            0 => &query.probe,
+            _ => &space.probe,
+        };
+        let hair = hair(query, probe, block.extent);
         let chords = block.chords(probe, -hair, to + hair);
         let (near_ends, far_ends) = (chords.near.to_array(), chords.far.to_array());
         let mut maybe = chords.maybe;
@@ -399,5 +492,39 @@ impl Stage<'_> {
             }
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Out of a first operand from 1 to 9 cuts are taken that hide each other's ends, and one that begins behind those.
+    #[test]
+    fn the_first_uncovered_place() {
+        let event = |surface: u32, t: f64, is_exit: bool| Crossing {
+            surface,
+            end: End { t, error: 0.0 },
+            is_exit,
+            ..Crossing::NONE
+        };
+        let first = [event(0, 1.0, false), event(0, 9.0, true)];
+        let cuts = [
+            event(1, 2.5, false),
+            event(1, 4.0, true),
+            // The ray starts in this one.
+            event(2, 2.0, true),
+            event(3, 1.5, false),
+            event(3, 3.0, true),
+            event(4, 5.0, false),
+            event(4, 6.0, true),
+        ];
+        let all = |cuts: &[Crossing]| uncovered(&[&first[..], cuts].concat(), 2);
+        assert_eq!(all(&cuts), 4.0);
+        assert_eq!(all(&cuts[..2]), 1.0);
+        assert_eq!(all(&cuts[2..]), 3.0);
+        // One without a way out.
+        assert_eq!(all(&[event(1, 0.5, false)]), f64::INFINITY);
+        assert_eq!(uncovered(&[], 0), 0.0);
     }
 }

@@ -20,6 +20,14 @@ pub struct Face {
     pub surface: u32,
 }
 
+/// What of the tree of an intersection is still to be visited, with bounds from below on where it is met: next, and perhaps
+/// later.
+#[derive(Debug, Default)]
+pub struct Inner {
+    pub pending: Vec<(f32, Child)>,
+    pub beyond: Vec<(f32, Child)>,
+}
+
 /// What is kept from one search to the next.
 #[derive(Debug, Default)]
 pub struct Scratch {
@@ -44,7 +52,7 @@ pub struct Scratch {
     pub least: Vec<f64>,
     /// Of each gate of it, how many operands are unmet: see [`Csg`](super::csg::Csg).
     pub unmet: Vec<u32>,
-    pub inner: Vec<Child>,
+    pub inner: Inner,
     /// How many lists of crossings intersections have merged.
     pub merges: u64,
 }

@@ -337,6 +337,50 @@ fn pictures_are_those_of_the_arbiter() {
     assert!(quick > all / 3, "{quick} of {all}");
 }
 
+/// Boxes and balls with many holes of all kinds, which overlap each other, opaque and of glass, and light comes through them.
+#[test]
+fn solids_full_of_holes_are_those_of_the_arbiter() {
+    let mut number = numbers();
+    let holes = [
+        "11 0 0 0 0.3",
+        "14 0.25 0.1",
+        "12 -0.2 -0.2 -0.2 0.2 0.2 0.2",
+        "16 0.4 0.3",
+    ];
+    let (mut asked, mut all) = (0, 0);
+    for seed in 0..8 {
+        let mut text = String::from(["10 12 -1 -1 -1 1 1 1\n", "10 11 0 0 0 1.2\n"][seed % 2]);
+        let mut whole = 10;
+        for i in 0..40 {
+            let id = 200 + 2 * i;
+            let hole = holes[if seed < 4 { 0 } else { (i + seed) % 4 }];
+            let mut real = |by: f64| (number() * by * 100.0).round() / 100.0;
+            let [x, y, z, turn] = [real(1.2), real(1.2), real(1.2), real(180.0)];
+            writeln!(text, "{id} {hole}\n{id} -2 {turn} {}", 1 + i % 3).unwrap();
+            writeln!(text, "{id} -1 {x} {y} {z}\n{} -103 {whole} {id}", id + 1).unwrap();
+            whole = id + 1;
+        }
+        if seed % 4 > 1 {
+            text += &format!("{whole} -201 0.1 0.1 0.8\n{whole} -203 1.4 1.4 1.4\n");
+        }
+        text += &format!(
+            "{whole} -2 20 1\n9 12 -3 -2 -3 3 -1.5 3\n8 -101 {whole} 9\n101 -401 0.2\n102 -402 0.8\n102 -1 2 9 4\n\
+             104 -501 0 1 5 0 -0.1 -1 0 1 0 45\n1 9999 8 0\n"
+        );
+        let settings = Settings {
+            width: 48,
+            height: 36,
+            cutoff: 0.0,
+            ..Settings::default()
+        };
+        let [ours, theirs] = pictures(&text, &settings);
+        assert_eq!(ours.film, theirs.film, "{seed}: {text}");
+        asked += 48 * 36 - ours.counts.quick;
+        all += 48 * 36;
+    }
+    assert!(asked * 50 < all, "{asked} of {all}");
+}
+
 /// Solids of second degree and boxes in one heap, up to five deep: each is glass of its own, glass of one kind, or opaque. Light
 /// also comes to be within something opaque, whose near face is hidden in glass.
 #[test]
