@@ -1,4 +1,4 @@
-//! What the quick kernel asks of those who know.
+//! Questions of the quick kernel to those who know.
 
 use super::ray::Ray;
 use super::stats::Cost;

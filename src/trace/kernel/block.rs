@@ -42,7 +42,7 @@ pub enum Shapes {
     Rectangles(Rectangles),
     /// In the scene's space: each has a space of its own besides.
     Quadrics(Box<Quadrics>),
-    /// One leaf, without lanes.
+    /// A single leaf, without lanes.
     Single,
 }
 

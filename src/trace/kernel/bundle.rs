@@ -1,4 +1,4 @@
-//! What many rays that go nearly the same way may meet.
+//! Blocks that many rays may meet that go nearly the same way.
 
 use super::lanes::LANES;
 use super::packet::REL_ROOM;

@@ -147,7 +147,7 @@ impl Local {
         )
     }
 
-    /// One line of each.
+    /// The line in each lane.
     #[inline(always)]
     pub fn lines(&self) -> [Line; LANES] {
         let (origin, direction) = (self.origin.columns(), self.direction.columns());

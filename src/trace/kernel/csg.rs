@@ -27,7 +27,7 @@ pub struct Csg {
     firsts: Vec<u32>,
     /// The other shapes.
     others: Forest,
-    /// That of the whole comes first, each one before its operands.
+    /// The gate of the whole first, and each one before its operands.
     gates: Vec<Gate>,
     /// How many operands of each gate are unmet at a place outside of all shapes.
     unmet: Vec<u32>,

@@ -1,4 +1,5 @@
-//! Which of four rays surely miss a shape, and which surely go through it. The shape itself, which takes rays one by one, is asked only about the others.
+//! A test for four rays at once: which of them surely miss a shape, and which surely go through it. The shape itself, which
+//! takes rays one by one, is asked only about the others.
 //!
 //! In the shape's space the box around it cuts a piece out of each ray. The polynomial of its [`Outline`] is taken there in
 //! Bernstein's form: where no coefficient of either half is below a margin, the ray misses the shape. The margins are those
@@ -34,11 +35,11 @@ pub struct Cull {
 /// How four rays pass a shape, as bits.
 #[derive(Debug, Clone, Copy)]
 pub struct Passing {
-    /// They surely cross nothing.
+    /// The rays that surely cross nothing.
     pub beside: u32,
-    /// They surely go into the solid, and out of it.
+    /// The rays that surely go into the solid, and out of it.
     pub through: u32,
-    /// Those of them that leave the solid at their starts surely do not meet it again.
+    /// The rays that surely do not meet the solid again if they leave it at their starts.
     pub leaves: u32,
 }
 
@@ -297,8 +298,8 @@ mod tests {
         geometries.iter().map(Primitive::new).collect()
     }
 
-    /// What is said of a ray is what the shape itself finds. Of most rays that miss a shape it is said, and of most that go
-    /// through one with an exact outline.
+    /// Answers about rays are what the shape itself finds. Most rays that miss a shape get one, and most that go through
+    /// one with an exact outline.
     #[test]
     fn rays_that_are_told_apart_are_told_right() {
         let mut number = numbers();

@@ -1,15 +1,15 @@
-//! What a sample has come to, and what that has cost.
+//! Drawn samples, and what they have cost.
 
 use super::query::Tests;
 use crate::geometry::vec::Vec3;
 use crate::trace::stats::{Cost, Counts};
 
-/// What a sample has come to.
+/// A drawn sample: its light, and counts of the work on it.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Drawn {
     /// Whether the kernel could not draw it; then nothing else here means anything.
     pub is_lost: bool,
-    /// What the arbiter was asked for has cost.
+    /// The cost of the arbiter's answers.
     pub(super) asked: Cost,
     pub light: Vec3,
     pub(super) tests: Tests,
@@ -23,7 +23,7 @@ pub struct Drawn {
 }
 
 impl Drawn {
-    /// What it has taken.
+    /// The cost of the sample.
     pub fn cost(&self) -> Cost {
         let own = self.tests.boxes.saturating_add(self.tests.shapes);
         Cost {

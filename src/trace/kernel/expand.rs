@@ -16,7 +16,7 @@ use rustc_hash::FxHashMap;
 #[derive(Default)]
 pub struct Leaves {
     pub all: Vec<Leaf>,
-    /// Those without bounds that are in the scene's union.
+    /// Leaves without bounds in the scene's union.
     pub loose: Vec<u32>,
     /// The others in it, with their boxes.
     pub boxes: Vec<(u32, Aabb)>,
@@ -31,7 +31,7 @@ pub struct Leaves {
     paths: Vec<Vec<u32>>,
 }
 
-/// What is above the parts of an object.
+/// The path to the parts of an object: placements and paint above them.
 #[derive(Clone, Default)]
 struct Above {
     /// The placements, the outermost first.
@@ -53,7 +53,7 @@ impl Above {
         )
     }
 
-    /// What is above the parts of a part.
+    /// The path to the parts of a part under it.
     fn and(&self, graph: &Graph, number: u32) -> Above {
         let part = &graph.parts[number as usize];
         let coat: &Coat = &graph.paints[part.paint as usize];

@@ -4,7 +4,7 @@ use crate::geometry::vec::Vec3;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 pub use wide::f64x4 as Lanes;
 
-/// One double, or one in each lane.
+/// A double, or a double in each lane.
 pub trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
@@ -21,7 +21,7 @@ pub trait Number:
     /// The greater of two that are numbers.
     fn greater(self, other: Self) -> Self;
 
-    /// One of two: the first where this is less than something.
+    /// Selects `then` where this is less than `than`, and `or` elsewhere.
     fn if_less(self, than: Self, then: Self, or: Self) -> Self;
 }
 
@@ -183,7 +183,7 @@ impl V3 {
         ])
     }
 
-    /// One array for each component.
+    /// The components, an array each.
     #[inline(always)]
     pub fn columns(self) -> [[f64; LANES]; 3] {
         [

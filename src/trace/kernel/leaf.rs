@@ -47,7 +47,7 @@ pub const KINDS: [Kind; 8] = [
 /// Where the colour of a shape comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Colour {
-    /// It is the same everywhere.
+    /// The colour is the same everywhere.
     Plain,
     /// The shape may have colours of its own.
     Own,
@@ -100,7 +100,7 @@ impl Way {
 #[derive(Debug, Clone)]
 pub struct Leaf {
     pub kind: Kind,
-    /// What makes it what it is: see [`Kind`].
+    /// The parameters of its kind: see [`Kind`].
     pub numbers: [f64; 8],
     /// Of a convex solid of second degree, what else makes it what it is.
     pub quadric: Option<Box<Quadric>>,

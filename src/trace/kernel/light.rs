@@ -21,11 +21,11 @@ pub struct Lit {
     point: V3,
     /// The normals on the sides where the rays come from.
     facing: V3,
-    /// What rays to lamps know of where they start.
+    /// The starts of rays to lamps.
     starts: [Start; LANES],
     albedo: V3,
     weight: V3,
-    /// What has come so far.
+    /// The light that has come so far.
     light: V3,
     pixels: [u32; LANES],
     nodes: [u32; LANES],

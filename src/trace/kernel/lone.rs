@@ -1,4 +1,4 @@
-//! Which shapes are near no other.
+//! Shapes that are near no other.
 
 use super::expand::Leaves;
 use super::leaf::{Kind, Leaf};

@@ -23,11 +23,11 @@ pub struct Packet<'w> {
     pub probe: Probe<Lanes>,
     /// In t, how far from a start a place is that cannot be taken for it.
     pub skin: Lanes,
-    /// Those that are asked for, as bits.
+    /// The rays that are asked for, as bits.
     pub live: u32,
-    /// Those that start outside of everything.
+    /// The rays that start outside of everything.
     pub outside: u32,
-    /// Those that go against the normal of the surface that they start on.
+    /// The rays that go against the normal of the surface that they start on.
     pub goes_in: u32,
 }
 
@@ -63,7 +63,7 @@ impl<'w> Packet<'w> {
         )
     }
 
-    /// Those of some rays that may be in a box up to some t.
+    /// The rays among some that may be in a box up to some t.
     #[inline(always)]
     pub fn in_box(&self, bounds: &Aabb, to: Lanes, rays: u32) -> u32 {
         let (origin, inverse) = (V3(self.probe.origin), V3(self.probe.inverse));
@@ -143,9 +143,9 @@ impl<'w> Packet<'w> {
 
 /// Where four rays meet a leaf ahead of their starts.
 pub struct Ahead {
-    /// Those that meet it, as bits.
+    /// The rays that meet it, as bits.
     pub met: u32,
-    /// Those of which that is not known.
+    /// The rays of which that is not known.
     pub doubt: u32,
     pub t: Lanes,
     /// A bound on the error of t.

@@ -1,4 +1,4 @@
-//! What four rays of a bundle meet first, and what is between them and a lamp.
+//! The first surfaces that four rays of a bundle meet, and shapes between them and a lamp.
 
 use super::block::Shapes;
 use super::bundle::Along;
@@ -20,7 +20,7 @@ struct Nearest {
     error: Lanes,
     /// The least t of all that is not the nearest.
     second: Lanes,
-    /// What is met up to here may be as near as the nearest.
+    /// The largest t at which a crossing may be as near as the nearest.
     limit: Lanes,
     /// The rays that rounding may have decided something about, as bits.
     doubt: u32,

@@ -19,7 +19,7 @@ pub struct Probe<N = f64> {
     pub per_square: N,
     /// The largest component of the origin, in size.
     pub reach: N,
-    /// That of the direction, and its reciprocal.
+    /// The largest component of the direction, in size, and its reciprocal.
     pub pace: N,
     pub per_pace: N,
     /// More than how far its points may be off along each axis, in units of the numbers behind them, because it was
@@ -139,7 +139,7 @@ impl<N: Number> Probe<N> {
 pub struct Chords {
     /// The solids that the line may meet in the stretch that was asked for, as bits.
     pub maybe: u32,
-    /// Those that it surely meets: rounding has nothing to do with it.
+    /// The solids that it surely meets: rounding has nothing to do with it.
     pub sure: u32,
     pub near: Lanes,
     pub far: Lanes,

@@ -1,4 +1,4 @@
-//! Which pieces of the profile of a solid of revolution four rays cross.
+//! Crossings of four rays with the pieces of a solid of revolution's profile.
 //!
 //! A ray passes the ring of a profile's point inside of it or outside: with the point p and the direction d of the ray, and
 //! with the height y above p of a ring of radius r, |d_y (p_x, p_z) + y (d_x, d_z)|² − (d_y r)² is negative inside. A piece
@@ -10,14 +10,14 @@ use super::lanes::{ALL, Lanes, V3, either, is_greater, is_less};
 use crate::trace::shapes::outline::ProfilePoint;
 use crate::trace::shapes::quick_reject::POLYNOMIAL_MARGIN;
 
-/// What four rays do, as bits.
+/// Sets of four rays by how many pieces of a profile they cross, as bits.
 #[derive(Debug, Clone, Copy)]
 pub struct Crossed {
-    /// They surely cross no piece up to where they end.
+    /// The rays that surely cross no piece up to where they end.
     pub none: u32,
-    /// They surely cross no more than one, perhaps twice, however far they go.
+    /// The rays that surely cross no more than one, perhaps twice, however far they go.
     pub at_most_one: u32,
-    /// They surely cross some piece.
+    /// The rays that surely cross some piece.
     pub some: u32,
 }
 

@@ -32,7 +32,7 @@ pub struct Quadric {
     side: f64,
     /// The size of the solid, beside which roundings count.
     reach: f64,
-    /// What its crossings are computed from, of some.
+    /// The form that its crossings are computed from, which some quadrics have.
     pub axial: Option<Axial>,
 }
 
@@ -335,8 +335,8 @@ mod tests {
         }
     }
 
-    /// What is said of a line is what the shape itself finds, and of nearly all lines something is said. Lines are aimed
-    /// anywhere, along axes and generators, and at points of the surface.
+    /// Answers about lines are what the shape itself finds, and nearly all lines get one. Lines are aimed anywhere, along
+    /// axes and generators, and at points of the surface.
     #[test]
     fn lines_that_are_told_apart_are_told_right() {
         let mut number = numbers();

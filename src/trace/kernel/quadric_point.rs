@@ -21,7 +21,7 @@ use crate::trace::shapes::quadric::{Axial, OPERATIONS};
 pub struct Found {
     /// The rays of which that is known, as bits.
     pub known: u32,
-    /// Those that meet a flat end, as bits.
+    /// The rays that meet a flat end, as bits.
     pub flat: u32,
     pub resolved: Resolved,
     /// The points in the spaces of their leaves.
@@ -313,8 +313,8 @@ impl Forms {
         (sum + lost, size)
     }
 
-    /// What of the stretches inside of the polynomials is in the solids, which of the ends are flat, and where that is known:
-    /// of cones what is between the apex and the base, of all others everything.
+    /// The parts of the stretches inside of the polynomials that are in the solids, which of the ends are flat, and where
+    /// that is known: of cones what is between the apex and the base, of all others everything.
     #[inline(always)]
     fn cut(
         &self,

@@ -85,7 +85,7 @@ impl Within {
         within
     }
 
-    /// One more, which comes before those that it precedes; `None` where there are too many.
+    /// Adds a solid before those that it precedes; `None` where there are too many.
     pub fn with(self, solid: u32, precedes: impl Fn(u32) -> bool) -> Option<Within> {
         let at = self
             .0
@@ -178,7 +178,7 @@ impl Crossing {
     };
 }
 
-/// Which of the places where a ray crosses a leaf are asked for.
+/// The crossings of a ray with a leaf that are asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ask {
     First,
@@ -190,7 +190,7 @@ pub enum Ask {
 /// How a ray crosses a leaf ahead of its start.
 pub enum Crossed {
     Nothing,
-    /// It surely goes through, and nobody has asked where.
+    /// The ray surely goes through, and nobody has asked where.
     Somewhere,
     /// Rounding may have decided something.
     Doubt,

@@ -22,7 +22,7 @@ use crate::trace::texture::SurfacePoint;
 /// How a ray crosses a shape ahead of its start.
 pub enum Raw {
     Nothing,
-    /// It surely goes through, and nobody has asked where.
+    /// The ray surely goes through, and nobody has asked where.
     Somewhere,
     /// Rounding may have decided something.
     Doubt,

@@ -1,4 +1,4 @@
-//! What is kept from one search to the next, so that nothing is allocated for a ray.
+//! Scratch memory kept from one search to the next, so that nothing is allocated for a ray.
 
 use super::query::{Crossing, End};
 use crate::geometry::wide_bvh::Child;
@@ -20,18 +20,18 @@ pub struct Face {
     pub surface: u32,
 }
 
-/// What of the tree of an intersection is still to be visited, with bounds from below on where it is met: next, and perhaps
-/// later.
+/// Children in the tree of an intersection still to be visited, with bounds from below on where they are met: next, and
+/// perhaps later.
 #[derive(Debug, Default)]
 pub struct Inner {
     pub pending: Vec<(f32, Child)>,
     pub beyond: Vec<(f32, Child)>,
 }
 
-/// What is kept from one search to the next.
+/// Scratch memory kept from one search to the next.
 #[derive(Debug, Default)]
 pub struct Scratch {
-    /// What is still to be visited, with bounds from below on where it is met.
+    /// Children still to be visited, with bounds from below on where they are met.
     pub pending: Vec<(f32, Child)>,
     /// Transparent things on the way.
     pub passed: Vec<Passed>,

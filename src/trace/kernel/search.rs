@@ -1,4 +1,4 @@
-//! What a ray meets first.
+//! The first surface that a ray meets.
 
 use super::block::{Block, Shapes};
 use super::leaf::{Kind, Leaf};
@@ -11,7 +11,7 @@ use super::stage::Stage;
 use crate::geometry::wide_bvh::{Beam, Child, Is, Node, WIDTH as CHILDREN};
 use crate::trace::shapes::Root;
 
-/// What a ray meets first.
+/// The first surface that a ray meets.
 #[derive(Debug, Clone, Copy)]
 pub enum Met {
     Nothing,
@@ -26,7 +26,7 @@ struct Nearest {
     crossing: Crossing,
     /// The least t of all that is not the nearest.
     second: f64,
-    /// What is met up to here may be as near as the nearest.
+    /// The largest t at which a crossing may be as near as the nearest.
     limit: f64,
 }
 

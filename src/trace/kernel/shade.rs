@@ -255,7 +255,7 @@ pub struct Hits {
     /// The share of diffuse light.
     pub albedo: V3,
     pub skin: Lanes,
-    /// Which rays go against the normal, as a mask.
+    /// The rays that go against the normal, as a mask.
     pub entering: Lanes,
 }
 

@@ -9,17 +9,17 @@ use super::stage::Stage;
 use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::{Beam, Is, WIDTH as CHILDREN};
 
-/// What light of a lamp does.
+/// The light of a lamp behind all that is on its way.
 #[derive(Debug, Clone, Copy)]
 pub enum Light {
-    /// It is seen, with this share of it left.
+    /// The lamp is seen, with this share of its light left.
     Seen(Vec3),
     Dark,
     /// The kernel does not know.
     Doubtful,
 }
 
-/// What has been found on the way.
+/// An answer about things on the way.
 enum Found {
     Nothing,
     Dark,
@@ -326,7 +326,7 @@ impl Stage<'_> {
         (others.iter()).any(|other| may_hide(other) && !is_apart(other))
     }
 
-    /// What is left of light if all that is opaque begins in something transparent.
+    /// The light that is left if all that is opaque begins in something transparent.
     #[cold]
     fn share_with_opaque(&self, query: &Query, scratch: &mut Scratch, tests: &mut Tests) -> Light {
         let opaque = std::mem::take(&mut scratch.opaque);
@@ -374,7 +374,7 @@ impl Stage<'_> {
         has_room
     }
 
-    /// What is left of light behind all that it passes.
+    /// The light that is left behind all that it passes.
     #[inline(always)]
     fn share(&self, scratch: &mut Scratch) -> Light {
         match &scratch.passed[..] {

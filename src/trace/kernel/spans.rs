@@ -121,13 +121,13 @@ impl Chord {
     }
 }
 
-/// What four rays meet of an intersection.
+/// The places where four rays meet an intersection.
 pub struct Entry<'s> {
     pub ahead: Ahead,
     /// The rays that do not tell it so simply, as bits.
     pub rest: u32,
     spans: &'s Spans,
-    /// Which operand each ray meets there.
+    /// The operand that each ray meets there.
     operands: Lanes,
 }
 
@@ -293,7 +293,7 @@ mod tests {
         format!("{text}1 9999 {whole} 0\n")
     }
 
-    /// What is known of a ray is what the walk through all crossings finds, also of rays that start on the surface.
+    /// Known entries are what the walk through all crossings finds, also for rays that start on the surface.
     #[test]
     fn entries_are_those_of_the_walk() {
         let mut number = numbers();

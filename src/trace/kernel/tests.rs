@@ -134,7 +134,7 @@ fn four(v: Vec3) -> V3 {
     V3::splat(v)
 }
 
-/// What the kernel finds on a line.
+/// The point that the kernel finds on a line.
 fn resolved(geometry: &Geometry, line: &Line, exit: bool) -> Resolved {
     let (o, d) = (four(line.origin), four(line.direction));
     let exit = mask(if exit { 15 } else { 0 });
@@ -161,7 +161,7 @@ fn resolved(geometry: &Geometry, line: &Line, exit: bool) -> Resolved {
     }
 }
 
-/// What the kernel is sure of has the bits of what the shape itself finds, on lines from near and far, and from its
+/// Points that the kernel is sure of have the bits of what the shape itself finds, on lines from near and far, and from its
 /// own surface.
 #[test]
 fn lanes_have_the_bits_of_shapes() {
@@ -450,7 +450,7 @@ fn heaps_are_those_of_the_arbiter() {
     assert!(asked > 0 && asked < all / 2, "{asked} of {all}");
 }
 
-/// What would be expanded to 2⁴⁰ operands is left to the arbiter.
+/// A scene that would be expanded to 2⁴⁰ operands is left to the arbiter.
 #[test]
 fn copies_of_copies_are_not_expanded() {
     let mut text = String::from("10 11 0 0 0 1\n11 12 -0.8 -0.8 -0.8 0.8 0.8 0.8\n12 -103 11 10\n");
@@ -467,7 +467,7 @@ fn copies_of_copies_are_not_expanded() {
     assert!(super::Stage::new(&tracer.graph, 1 << 20).is_none());
 }
 
-/// What the kernel knows all about, or nearly so.
+/// Scenes that the kernel knows all about, or nearly so.
 #[test]
 fn doubt_is_rare() {
     let end = "90 4 0 1 0 1.5\n90 -701 0.7 0.6 0.5\n91 -101 8 90\n9 -402 0.8\n9 -1 2 5 9\n92 -401 0.1\n\

@@ -29,7 +29,7 @@ use crate::trace::shapes::Root;
 use crate::trace::stats::Work;
 use crate::trace::tracer;
 
-/// What all rays of a picture have in common.
+/// The scene and the settings that all rays of a picture share.
 pub struct Scene<'t> {
     pub stage: &'t Stage<'t>,
     pub lights: &'t [tracer::Light],
@@ -69,7 +69,7 @@ pub struct RayNode {
     pub children: [u32; 4],
 }
 
-/// Which child of a node is the mirrored ray.
+/// The index of the mirrored ray among the children of a node.
 pub const MIRRORED: usize = 3;
 
 impl RayNode {
@@ -95,9 +95,9 @@ pub struct Tile {
     pending: Vec<u32>,
     /// Rays of the wave that the kernel is in doubt about.
     doubtful: Vec<Ray>,
-    /// What the arbiter says about one of them.
+    /// The arbiter's answer about one of them.
     answer: Vec<Vec3>,
-    /// What the rays of a wave may meet, if they go nearly the same way.
+    /// Blocks that the rays of a wave may meet, if they go nearly the same way.
     pub(super) along: Along,
     /// Places of the wave that lamps may shine on.
     pub(super) lit: Vec<Lit>,
@@ -323,7 +323,7 @@ impl Tile {
         (self.along).find(scene.stage, &start, steps, f64::INFINITY)
     }
 
-    /// What happens where four rays have met something.
+    /// Shades the points where four rays have met something.
     #[inline(never)]
     fn hits<S: Meet>(&mut self, scene: &Scene, (four, live): (&Four, u32), is_placed: bool) {
         let (origin, direction, exit) = (four.origin, four.direction, mask(four.exits_leaf));
@@ -353,7 +353,7 @@ impl Tile {
         self.shade(scene, four, &hits);
     }
 
-    /// What happens where four rays have met convex solids of second degree.
+    /// Shades the points where four rays have met convex solids of second degree.
     #[inline(never)]
     fn hits_of_quadrics(&mut self, scene: &Scene, wave: &[Ray], four: &Four, live: u32) {
         let stage = scene.stage;
@@ -403,7 +403,7 @@ impl Tile {
         }
     }
 
-    /// What happens where four rays have met leaves without lanes.
+    /// Shades the points where four rays have met leaves without lanes.
     #[inline(never)]
     fn hits_one_by_one(&mut self, scene: &Scene, (four, live): (&Four, u32)) {
         let stage = scene.stage;

@@ -11,7 +11,7 @@ pub enum Form {
     Quadric([f64; 10]),
     /// (|p|² + R² − r²)² − 4R²(x² + z²), with R and r.
     Torus([f64; 2]),
-    /// What a profile surrounds that is turned about the y axis. No polynomial.
+    /// The solid inside of a profile that is turned about the y axis. No polynomial.
     Profile(Vec<ProfilePoint>),
 }
 

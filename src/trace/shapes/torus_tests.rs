@@ -57,7 +57,7 @@ fn a_touch_has_no_inside() {
     touches::<Dd>();
 }
 
-/// One unit in the last place inside the rim is within the rounding of doubles, 64 are not;
+/// A line one unit in the last place inside the rim is within the rounding of doubles, one of 64 units is not;
 /// double-double tells both.
 #[test]
 fn the_bound_at_its_edge() {

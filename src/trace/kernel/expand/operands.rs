@@ -1,4 +1,4 @@
-//! What intersections and differences are made of.
+//! The operands of intersections and differences.
 
 use super::{Above, Leaves, moved};
 use crate::geometry::aabb::Aabb;
@@ -17,7 +17,7 @@ pub struct Gate {
     pub is_union: bool,
 }
 
-/// What an intersection is made of.
+/// The operands of an intersection.
 #[derive(Debug)]
 pub struct Operands {
     /// Holds all of it, in its space.
@@ -164,8 +164,8 @@ impl Leaves {
     }
 }
 
-/// What is above the shape that owns all that is in all of some parts: the first one of the first part. `None` where that
-/// is not everywhere one shape, and not all of them look alike.
+/// The path to the shape that owns all that is in all of some parts: the first one of the first part. `None` where that is
+/// not everywhere one shape, and not all of them look alike.
 fn foremost(graph: &Graph, parts: Range<u32>, above: &Above) -> Option<Above> {
     let mut pending = vec![above.and(graph, parts.clone().next()?)];
     let (mut found, mut count): (Option<Above>, usize) = (None, 0);

@@ -1,4 +1,4 @@
-//! What lanes say of solids of second degree, beside what the shapes say.
+//! Points that lanes find on solids of second degree, beside those that the shapes find.
 
 use super::*;
 use crate::geometry::line::Line;
@@ -28,7 +28,7 @@ fn text(shape: &str, depth: usize, number: &mut impl FnMut() -> f64) -> String {
     text + &format!("1 9999 {whole} 0\n")
 }
 
-/// What is known has the bits of what the shape itself finds, on the way in and on the way out.
+/// Known points have the bits of what the shape itself finds, on the way in and on the way out.
 #[test]
 fn points_have_the_bits_of_shapes() {
     let shapes = [

@@ -1,4 +1,4 @@
-//! What a half-space of the outermost union holds of the other parts, and would hold with other numbers.
+//! The parts of the outermost union that a half-space holds, and would hold with other numbers.
 
 use super::members::members;
 use crate::geometry::array::length;
