@@ -77,7 +77,7 @@ use ShapeKind as S;
 
 const CUTS: &[RecordKind] = &[R::Intersection, R::Difference];
 const UNIONS: &[RecordKind] = &[R::Union];
-/// What may stand there twice.
+/// Records that [`duplicate_operand`] looks at.
 const DOUBLED: &[RecordKind] = &[R::Union, R::Intersection, R::Checkerboard, R::PointLight];
 const DIFFERENCES: &[RecordKind] = &[R::Difference];
 const ROTATIONS: &[RecordKind] = &[R::Rotation];

@@ -18,7 +18,7 @@ const WITHOUT: [&str; 4] = ["without", "minus", "less", "bez"];
 const WITH: [&str; 5] = ["with", "having", "s", "se", "ma"];
 /// Beginnings of words for a hole, without accents.
 const HOLE: [&str; 7] = ["hole", "dira", "diry", "dire", "dirou", "dirami", "otvor"];
-/// What is said of what is taken away.
+/// Words for what is taken away, without accents.
 const TAKEN: [&str; 6] = [
     "subtracted",
     "odecte",
@@ -124,7 +124,7 @@ fn split(comment: &str) -> Vec<String> {
     words.take(MAX_COMMENT_WORDS).collect()
 }
 
-/// One of the two operands.
+/// An operand of a difference.
 struct Operand<'a> {
     /// The type of the shape that it is, or is cut out of.
     ty: Option<&'static RecordType>,

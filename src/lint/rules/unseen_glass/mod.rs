@@ -53,7 +53,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.extend(called::called(context, render.root, &kinds));
 }
 
-/// What is clear and has no index, but for what cuts holes.
+/// Clear objects that have no index, but for those that cut holes.
 fn invisible(context: &Context, root: NodeId, kinds: &[Parts]) -> Option<Diagnostic> {
     let scene = context.scene;
     let all = members(context, root, is_clear)?;
@@ -79,7 +79,7 @@ fn invisible(context: &Context, root: NodeId, kinds: &[Parts]) -> Option<Diagnos
     finding(context, &unseen, cases, "1.5 1.5 1.5")
 }
 
-/// One finding for objects without an index and the records of their optics, and the guess that gives them one.
+/// A finding for objects without an index and the records of their optics, and the guess that gives them one.
 fn finding(
     context: &Context,
     objects: &[(Named, Origin)],

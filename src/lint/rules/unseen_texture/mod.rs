@@ -149,13 +149,13 @@ impl<'a> Sightings<'a> {
             .filter_map(move |p| Some((p.node, p.texture.filter(|&i| is_asked(i))?)))
     }
 
-    /// What would be seen in the place of the colours that are cut away.
+    /// The colours that would be seen in the place of those that are cut away.
     fn colours(&self, context: &Context) -> Instead {
         let is_drawn = |node| self.views.all.reaches(node);
         Instead::new(context.scene, self.removed(), is_drawn)
     }
 
-    /// Those that a union would show, and what is said of the differences that take them away.
+    /// The colours that a union would show, and findings about the differences that take them away.
     fn unions(&self, context: &Context, colours: &Instead) -> (FxHashSet<usize>, Vec<Diagnostic>) {
         let differing = self.removed().filter(|&(_, i)| colours.differs(i));
         let differing: Vec<(usize, NodeId)> = differing.map(|(node, i)| (i, node)).collect();
