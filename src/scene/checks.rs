@@ -105,7 +105,7 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
     None
 }
 
-/// That lower bounds are greater than their upper ones, `n` further on.
+/// The finding that lower bounds are greater than their upper ones, `n` further on.
 fn inverted_range(p: &Params, inverted: &[usize], n: usize) -> Diagnostic {
     let name = |i: usize| p.param(i).map_or("", |q| q.name);
     let at = inverted[0];
