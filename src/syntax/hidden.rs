@@ -162,7 +162,7 @@ fn of_records(text: &str) -> Option<Document> {
     is_such.then_some(document)
 }
 
-/// What a comment on a line has in it, where that begins with a number. A comment that is not closed may have one in it.
+/// The text inside of a comment on a line, where it begins with a number. A comment that is not closed may have one in it.
 fn inside(comment: &Token, text: &str) -> Option<String> {
     let written = comment.text(text);
     let inside = written.strip_prefix('#')?;

@@ -286,7 +286,7 @@ pub fn shapes(word: &str) -> Vec<&'static RecordType> {
 const FORMS: [&str; 13] = [
     "", "s", "es", "a", "e", "i", "u", "y", "ou", "em", "emi", "ami", "ech",
 ];
-/// What they stand in the place of.
+/// Endings of nominatives, without accents.
 const NOMINATIVES: [&str; 4] = ["", "a", "e", "us"];
 
 /// A word as `zpg explain` takes it, if it stands for a type; `none` if not.

@@ -245,7 +245,7 @@ impl Reporter<'_, '_> {
         is_long_enough && self.text(start) == render.code.to_string()
     }
 
-    /// That a record begins with its type.
+    /// The finding that a record begins with its type.
     fn lost_id(&self, start: usize, ty: &RecordType) -> Diagnostic {
         let span = self.stretch.token(start).span();
         let d = Diagnostic::new(Code::E005, span)

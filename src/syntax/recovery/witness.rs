@@ -15,8 +15,8 @@ use super::surroundings::Surroundings;
 
 /// The evidence of a text's lines about its layout.
 pub(crate) struct Witnesses<'a> {
-    /// One past the last token of the record that a line begins, if the record ends at a line's end or is a VOID with a
-    /// comment; 0 where the line is no witness.
+    /// The end of the record that a line begins, one past its last token, if the record ends at a line's end or is a VOID
+    /// with a comment; 0 where the line is no witness.
     pub ends: Vec<u32>,
     /// Whether each line would be a record of its own, but for a slip. Lines of a longer record are `false`.
     pub slips: Vec<bool>,
