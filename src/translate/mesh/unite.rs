@@ -150,8 +150,8 @@ impl Member {
         self.mesh.triangles.len()
     }
 
-    /// Both members as one, and whether they could be joined where they overlap. Of faces in one place those of the
-    /// first are kept.
+    /// Unites two members; tells whether they could be joined where they overlap. Of faces in one place those of the first
+    /// are kept.
     fn with(self, other: Member) -> (Member, bool) {
         let (a, b) = match self.first < other.first {
             true => (self, other),
