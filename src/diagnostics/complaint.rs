@@ -74,7 +74,7 @@ impl Complaint {
             .join("\n")
     }
 
-    /// This complaint and then the others that it goes with.
+    /// The complaint and then the others that it goes with.
     pub fn each(&self) -> impl Iterator<Item = Complaint> + '_ {
         let alone = Complaint {
             others: Vec::new(),
