@@ -54,7 +54,7 @@ fn early_changes(mover: &Mover, findings: &mut [Diagnostic]) {
     }
 }
 
-/// What moves the records of an ID that stand above its definition behind that, and where they stand.
+/// The fix that moves the records of an ID that stand above its definition behind that, and where they stand.
 type Behind = Option<(Fix, Vec<Span>)>;
 
 /// Moves what stands above the definition of its object behind that, for each finding about such a definition. Nothing

@@ -77,11 +77,11 @@ struct Slip {
 struct Blocks<'a> {
     analysis: &'a Analysis,
     records: Vec<&'a Record>,
-    /// What each ID is given, and by which record last.
+    /// Properties that each ID is given, and by which record last.
     given: FxHashMap<(u32, Given), u32>,
 }
 
-/// What a record gives an object.
+/// A property that a record gives an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Given {
     Optics,

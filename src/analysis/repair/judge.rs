@@ -1,4 +1,4 @@
-//! What is left to be said of a scene: the less, the likelier it is what a person meant.
+//! Findings that are left in a scene: the fewer, the likelier it is what a person meant.
 
 use super::candidates::{Candidate, Habit};
 use crate::analysis::Analysis;

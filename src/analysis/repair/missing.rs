@@ -17,7 +17,7 @@ pub(super) fn is_told(d: &Diagnostic) -> bool {
     d.code == Code::E101 && d.case.starts_with("missing")
 }
 
-/// What the records of a scene say of its IDs.
+/// The records of a scene, and uses and moves of its IDs.
 struct Ids<'a> {
     analysis: &'a Analysis,
     records: Vec<&'a Record>,
@@ -292,7 +292,7 @@ impl<'a> Ids<'a> {
         record.kind == RecordKind::Translation && (is_next(before, -1) || is_next(next, 1))
     }
 
-    /// That a colour of a checkerboard is missing, where there is no other one that it may be.
+    /// The finding that a colour of a checkerboard is missing, where there is no other one that it may be.
     fn missing_colour(&self, id: u32, spans: &[Span]) -> Option<Diagnostic> {
         let &[at] = spans else { return None };
         let user = self.record_at(at)?;

@@ -134,7 +134,7 @@ impl Engine<'_> {
         Some((Analysis::trial(source.with_text(text)), line))
     }
 
-    /// What is wrong with many lines at once.
+    /// Settles what is wrong with many lines at once.
     fn whole(&mut self) {
         for find in whole::ALL {
             if let Some(matter) = find(self.analysis, &self.findings) {
@@ -184,7 +184,7 @@ impl Engine<'_> {
         (self.findings).retain(|d| d.is_error() || said.contains(&key(self.analysis, d)));
     }
 
-    /// What is wrong with lines whose errors are on others.
+    /// Settles what is wrong with lines whose errors are on others.
     fn elsewhere(&mut self) {
         if self.trials == 0 {
             return;
@@ -224,8 +224,8 @@ impl Engine<'_> {
         }
     }
 
-    /// What is wrong with single lines, one after the other. A choice between guesses waits for those of other lines: a
-    /// scene with an error tells little of them.
+    /// Settles what is wrong with single lines, one after the other. A choice between guesses waits for those of other
+    /// lines: a scene with an error tells little of them.
     fn lines(&mut self) {
         self.postponed = Some(Vec::new());
         let mut mended: Option<Span> = None;

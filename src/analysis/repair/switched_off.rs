@@ -24,7 +24,7 @@ pub(super) fn is_told(d: &Diagnostic) -> bool {
     d.notes.contains(&NOTE)
 }
 
-/// What may have an ID that another record names.
+/// Whether a finding is about an ID without a definition that another record names.
 fn is_of_id(d: &Diagnostic) -> bool {
     let is_open = matches!(d.case, "" | "changed");
     matches!(d.code, Code::E101 | Code::E103) && is_open && named(d).is_some()

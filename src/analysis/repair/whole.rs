@@ -1,5 +1,5 @@
-//! One slip that shows on many lines: the minus of all types lost, the ID of the render record used for an
-//! object, two scenes in one file, definitions that need each other.
+//! A slip that shows on many lines: the minus of all types lost, the ID of the render record used for an object, two scenes
+//! in one file, definitions that need each other.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 

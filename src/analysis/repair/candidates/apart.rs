@@ -9,12 +9,12 @@ use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType, ShapeKi
 /// A move and a colour have as many numbers.
 const OWN: usize = 3;
 
-/// What says that a place goes before the numbers of a record.
+/// Evidence that a place goes before the numbers of a record.
 #[derive(Clone, Copy)]
 enum Order {
-    /// It stands in brackets.
+    /// The place stands in brackets.
     Brackets,
-    /// What follows it is rather a number of the record.
+    /// The numbers behind it rather belong to the record.
     PlaceFirst,
     /// Nothing: it may follow them, too.
     Either,

@@ -15,7 +15,7 @@ use crate::syntax::words;
 /// A colour, a move and a scaling have so many numbers, and so many axes has a turn.
 const OWN: usize = 3;
 
-/// What POV-Ray says of surfaces and insides in ways that records have no numbers for.
+/// Clauses of POV-Ray about surfaces and insides that records have no numbers for.
 const OTHERS: [&str; 4] = ["finish", "normal", "interior", "no_shadow"];
 
 /// A record: its type and its numbers.
@@ -27,7 +27,7 @@ type Block<'t> = (&'static RecordType, Vec<Line>, &'t [Token]);
 /// The words of POV-Ray for a refractive index, and what is around it.
 const INSIDE: [&str; 2] = ["interior", "ior"];
 
-/// What other programs put around the properties of a surface.
+/// Words that other programs put around the properties of a surface.
 const AROUND: [&str; 2] = ["texture", "material"];
 
 impl LineContext<'_> {
@@ -142,7 +142,7 @@ impl LineContext<'_> {
         (!is_gone).then_some(Candidate::new(Habit::Keyword, fix))
     }
 
-    /// What POV-Ray writes in another way than as the numbers of a record: the type that it is, the records with their
+    /// A block that POV-Ray writes in another way than as the numbers of a record: its type, the records with their
     /// numbers, and what follows.
     fn block<'t>(&self, word: &str, behind: &'t [Token]) -> Option<Block<'t>> {
         let count = numbers(behind);

@@ -2,7 +2,7 @@
 
 use crate::diagnostics::{Code, Diagnostic};
 
-/// What people do, what they do most first.
+/// Habits of people, the most frequent first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::analysis::repair) enum Habit {
     /// The minus of a type is lost, or there is one too many.
@@ -33,9 +33,9 @@ pub(in crate::analysis::repair) enum Habit {
     Doubled,
     /// An axis is a letter, or stands before its angle.
     Axis,
-    /// It is the record of a sibling.
+    /// The record is that of a sibling.
     Sibling,
-    /// What is too much is a record of its own.
+    /// The numbers that are too many are a record of their own.
     Apart,
     /// The direction of a camera has the length 1, so it is one.
     Direction,
@@ -45,19 +45,19 @@ pub(in crate::analysis::repair) enum Habit {
     Up,
     /// A space is lost within a whole number, which is two digits.
     Split,
-    /// One of many numbers is lost.
+    /// A number of many is lost.
     Lost,
     /// Two references stand in each other's place.
     Swapped,
     /// All references are off by the same number.
     Shifted,
-    /// One reference names something else.
+    /// A single reference names something else.
     Reference,
-    /// What the finding itself proposes.
+    /// The finding itself proposes the fix.
     Proposed,
     /// The record has another ID.
     Id,
-    /// It is a record of another type.
+    /// The record has another type.
     Type,
     /// The type is left out.
     NoType,

@@ -276,14 +276,14 @@ impl LineContext<'_> {
         Some(Candidate::writing(Habit::Characters, span, text))
     }
 
-    /// That a record has one number too few or too many.
+    /// The finding that a record has one number too few or too many.
     pub(crate) fn one_off(&self) -> Option<Diagnostic> {
         let ty = self.ty().filter(|ty| ty.kind != RecordKind::Undefined)?;
         let is_one = self.params().len().abs_diff(self.wanted(ty)) == 1;
         self.wrong_count().filter(|_| is_one)
     }
 
-    /// That a type is none, if it is nothing else that scenes have.
+    /// The finding that a type is none, if it is nothing else that scenes have.
     pub(crate) fn odd_type(&self) -> Option<Diagnostic> {
         let code = self.int(1).filter(|&code| code <= LEAST_HEAD.into())?;
         let is_none = RecordType::by_code(code).is_none();

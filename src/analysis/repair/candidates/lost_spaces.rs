@@ -151,7 +151,7 @@ impl LineContext<'_> {
             && ty.params.iter().zip(params).all(may_be)
     }
 
-    /// That a token is several numbers.
+    /// The finding that a token is several numbers.
     pub(super) fn several_numbers(&self, candidate: &Candidate) -> Option<Diagnostic> {
         let edit = candidate.fix.edits.first()?;
         let d = Diagnostic::new(Code::E003, edit.span).case("glued");

@@ -1,4 +1,4 @@
-//! What may have been meant by a line that something is wrong with.
+//! Guesses at what is meant by a line that something is wrong with.
 
 mod apart;
 pub(super) mod cameras;
@@ -222,8 +222,8 @@ impl<'a> LineContext<'a> {
         Some(("lack-any", vec![("missing", names(wanted).into())]))
     }
 
-    /// What may have been meant, given a finding of this place. `undefined` are the IDs that are used and
-    /// defined nowhere, `taken` those that other proposals define.
+    /// Lists what may have been meant, given a finding of this place. `undefined` are the IDs that are used and defined
+    /// nowhere, `taken` those that other proposals define.
     pub(super) fn candidates(
         &self,
         finding: &Diagnostic,
@@ -348,8 +348,8 @@ impl<'a> LineContext<'a> {
         out
     }
 
-    /// What a candidate puts right, as a finding. Together with [`Habit::is_said_by`] it sees to it that a finding and
-    /// its first proposal speak of one thing.
+    /// The fault that a candidate puts right, as a finding. Together with [`Habit::is_said_by`] it sees to it that a
+    /// finding and its first proposal speak of one thing.
     pub(super) fn matter(&self, candidate: &Candidate) -> Option<Diagnostic> {
         let edit = candidate.fix.edits.first()?;
         let written = quote(&self.text[edit.span.range()]);
@@ -411,7 +411,7 @@ impl<'a> LineContext<'a> {
         }
     }
 
-    /// What arranges numbers anew leaves no half of a bracket: all separators of the line go.
+    /// Drops all separators of the line where a candidate arranges numbers anew, so that no half of a bracket is left.
     fn drop_separators(&self, candidate: &mut Candidate) {
         use Habit::*;
         let arranges = matches!(

@@ -1,4 +1,4 @@
-//! What mathematics writes: `4 = 2 ∪ 3`, `4 2 ∪ 3` by the type's number, and names before numbers, `r = 1`.
+//! Notations of mathematics: `4 = 2 ∪ 3`, `4 2 ∪ 3` by the type's number, and names before numbers, `r = 1`.
 
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Edit, Fix, Value};
@@ -7,7 +7,7 @@ use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Family, Kind, RecordKind, RecordType, ShapeKind};
 use crate::syntax::{calculated, quote};
 
-/// What stands between a name and its number.
+/// Signs between a name and its number.
 const EQUALS: [char; 2] = ['=', ':'];
 
 /// The factor of a number that is meant for all three of a record.

@@ -14,7 +14,7 @@ use crate::syntax::table::{Effect, Family, Kind, ParamKind, RecordKind, RecordTy
 const MAX_SHOWN_IDS: usize = 4;
 
 impl LineContext<'_> {
-    /// What this record defines and what its ID is, where these are properties of different kinds.
+    /// The kind of property that the record defines and the kind that its ID is, where these differ.
     pub(super) fn other_property(&self) -> Option<(Kind, Kind)> {
         let is_property = |kind: &Kind| matches!(kind, Kind::Optics | Kind::Texture | Kind::Colour);
         let Effect::DefinesOrChanges(own, _) = self.ty()?.effect else {

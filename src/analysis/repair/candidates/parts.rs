@@ -30,7 +30,7 @@ const PARTS_SUM_MIN: f64 = 0.9;
 /// Parts with a decimal point put right add up to so much at most, but for rounding.
 const PARTS_SUM_MAX: f64 = 1.0 + 1e-9;
 
-/// What was meant by parts of light that are no shares; none where nothing fits.
+/// The meaning of parts of light that are no shares; none where nothing fits.
 fn parts(written: &[f64]) -> Option<Parts> {
     let is_whole = |x: &f64| x.fract() == 0.0;
     let sum: f64 = written.iter().sum();

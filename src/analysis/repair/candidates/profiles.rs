@@ -57,7 +57,7 @@ impl LineContext<'_> {
         out.extend(self.lost_count());
     }
 
-    /// That a profile says another number of points than it has.
+    /// The finding that a profile says another number of points than it has.
     pub(super) fn points(&self) -> Option<Diagnostic> {
         let points = self.whole_points()?;
         let n = self.params()[0];
@@ -117,7 +117,7 @@ impl LineContext<'_> {
         Some(Candidate::new(Habit::Count, fix))
     }
 
-    /// That the points of a profile have three coordinates.
+    /// The finding that the points of a profile have three coordinates.
     pub(in crate::analysis::repair) fn points_in_space(&self) -> Option<Diagnostic> {
         let points = self.in_space()?;
         let span = points[0].span().to(points[points.len() - 1].span());
@@ -125,7 +125,7 @@ impl LineContext<'_> {
         Some(Diagnostic { span, ..d }.case("space"))
     }
 
-    /// One colour behind all points of a coloured profile: for each of them, or as a record of its own behind a profile
+    /// A colour behind all points of a coloured profile: for each of them, or as a record of its own behind a profile
     /// without colours.
     fn one_colour(&self) -> Vec<Candidate> {
         let surface = |kind: ShapeKind| RecordType::of(RecordKind::Shape(kind));

@@ -161,7 +161,7 @@ impl LineContext<'_> {
             && new.is_ok_and(|id| self.held(finding, &self.referring()).contains(&id))
     }
 
-    /// What the other operands of an operation are made of: no other part of it is meant.
+    /// The parts that the other operands of an operation are made of: no other part of it is meant.
     fn held(&self, finding: &Diagnostic, all: &[(Token, &'static [Kind])]) -> FxHashSet<u32> {
         let mut held = FxHashSet::default();
         if !self.is_operation() {
@@ -238,7 +238,7 @@ impl LineContext<'_> {
         named.is_some_and(|t| self.is_of_itself(t))
     }
 
-    /// What has an ID.
+    /// The kind of the entity that has an ID.
     pub(super) fn kind_of(&self, id: i64) -> Option<Kind> {
         let mut entities = self.analysis.scene.entities.iter();
         entities.find(|e| i64::from(e.id) == id)?.kind

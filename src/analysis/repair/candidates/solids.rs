@@ -18,8 +18,8 @@ const LENGTH_OFF_MAX: f64 = 1e-3;
 const FLAT_REL_MAX: f64 = 1e-6;
 
 impl LineContext<'_> {
-    /// What is meant by too many numbers of a plane or half-space, of a sphere, or of a triangle; by a rectangle with the
-    /// numbers of a plane.
+    /// Guesses at what is meant by too many numbers of a plane or half-space, of a sphere, or of a triangle, and by a
+    /// rectangle with the numbers of a plane.
     pub(super) fn by_points(&self, finding: &Diagnostic, used: &[u32], out: &mut Vec<Candidate>) {
         let Some(RecordKind::Shape(kind)) = self.ty().map(|ty| ty.kind) else {
             return;

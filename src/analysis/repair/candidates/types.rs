@@ -407,7 +407,7 @@ impl LineContext<'_> {
         Some(Candidate::writing(Habit::Sibling, span, text))
     }
 
-    /// One part of light, or its per cent, in the place of three: it may be any of them, and the rest is diffuse.
+    /// A single part of light, or its per cent, in the place of three: it may be any of them, and the rest is diffuse.
     fn one_part(&self, ty: &'static RecordType, written: &str) -> Vec<Candidate> {
         let part = match self.params()[0].number(self.text) {
             Some(x) if x > 0.0 && x <= 1.0 => x,
@@ -511,7 +511,7 @@ impl LineContext<'_> {
         })
     }
 
-    /// That the line has too few numbers for its type, or too many.
+    /// The finding that the line has too few numbers for its type, or too many.
     pub(crate) fn wrong_count(&self) -> Option<Diagnostic> {
         let (ty, got) = (self.ty()?, self.params().len());
         let wanted = self.wanted(ty);
