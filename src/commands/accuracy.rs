@@ -225,7 +225,7 @@ fn folder(args: &Args, file: &Path) -> PathBuf {
     (args.output.clone()).unwrap_or_else(|| PathBuf::from(format!("{stem}-accuracy")))
 }
 
-/// What is done now and how much is left, where standard error is a terminal.
+/// The display of what is done now and how much is left, where standard error is a terminal.
 struct Shown {
     bar: indicatif::ProgressBar,
     language: Language,

@@ -34,11 +34,11 @@ pub struct AtomicFile {
 
 /// How a file is written.
 enum WriteMethod {
-    /// This file takes the place of what is there.
+    /// The new file takes the place of what is there.
     Exchange { file: NamedTempFile, place: PathBuf },
-    /// What is there gets the bytes of this file, which lies in the temporary folder.
+    /// The file that is there gets the bytes of the new one, which lies in the temporary folder.
     Over { file: NamedTempFile, place: PathBuf },
-    /// What exists and is not a plain file, a pipe for instance, is written to as it is.
+    /// An existing file that is not a plain one, a pipe for instance, is written to as it is.
     Direct(File),
     /// `-`
     Stdout,

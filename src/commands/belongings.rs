@@ -1,4 +1,4 @@
-//! What belongs to a file besides its bytes.
+//! Properties of a file besides its bytes.
 
 pub(super) use system::{copy, has_other_names};
 

@@ -1,4 +1,4 @@
-//! Who takes the picture: a camera of the scene, or one that looks at it from a side.
+//! The choice of the camera: one of the scene, or one that looks at it from a side.
 
 use super::help;
 use super::size::Size;

@@ -12,7 +12,7 @@ pub(super) const SMALL: MonoFont = iso_8859_2::FONT_7X13;
 
 pub(super) type Colour = [u8; 3];
 
-/// What pictures lie on.
+/// The colour that pictures lie on.
 pub(super) const PAPER: Colour = [32; 3];
 pub(super) const WHITE: Colour = [255; 3];
 
@@ -50,7 +50,7 @@ impl Canvas {
         let Ok(_) = Text::with_baseline(&text, place, style, Baseline::Top).draw(self);
     }
 
-    /// One colour from a corner on.
+    /// Fills a rectangle from a corner on with a colour.
     pub(super) fn fill(
         &mut self,
         [left, top]: [u32; 2],

@@ -118,7 +118,7 @@ enum Other {
 }
 
 impl Other {
-    /// What people call it.
+    /// The name that people know it by.
     fn title(self) -> &'static str {
         match self {
             Other::Povray => "POV-Ray",
@@ -155,7 +155,7 @@ struct Answer<T> {
     pictures: Vec<Compared<T>>,
 }
 
-/// What a camera sees.
+/// The comparison of a camera's pictures.
 #[derive(Serialize)]
 struct Compared<T> {
     /// `_left`, `_right`, or nothing.
@@ -174,7 +174,7 @@ trait Outcome: Serialize {
     /// How many pixels there are, and how many of them were not compared.
     fn pixels(&self) -> [usize; 2];
 
-    /// What the colours of the difference mean, as messages.
+    /// The meanings of the difference's colours, as messages.
     fn legend() -> &'static [([u8; 3], &'static str)];
 
     /// The share of pixels that were compared.
@@ -198,7 +198,7 @@ trait Outcome: Serialize {
 /// How wide the first column of the answer is.
 const WIDTH: usize = 18;
 
-/// What the pictures that are left are called.
+/// Names of the pictures that are left.
 const PICTURES: [&str; 4] = ["ours", "theirs", "difference", "side-by-side"];
 
 /// Three pictures of 8-bit RGB.
@@ -358,12 +358,12 @@ fn folder(args: &Args) -> PathBuf {
 /// The folder for what is written.
 struct Folder {
     path: PathBuf,
-    /// It was not there before.
+    /// Whether the folder was not there before.
     is_new: bool,
 }
 
 impl Folder {
-    /// It exists from now on; what is written there is no picture of the scene, nor are `files`.
+    /// Makes the folder; what is written there is no picture of the scene, nor are `files`.
     fn made<'f>(
         args: &Args,
         loaded: &Analysis,
@@ -383,7 +383,7 @@ impl Folder {
         }
     }
 
-    /// What there is without an answer of the program is of no use.
+    /// Removes a new folder, which is of no use without an answer of the program.
     fn forget(&self) {
         if self.is_new {
             let _ = fs::remove_dir_all(&self.path);
@@ -446,11 +446,11 @@ fn images(loaded: &Analysis) -> Result<trace::Images, Error> {
 
 /// A program, as people are told of it.
 struct Asked {
-    /// What they call it.
+    /// The name that people know it by.
     name: &'static str,
     /// The ways to get it.
     how: &'static str,
-    /// What helps when it takes too long.
+    /// The advice for when it takes too long.
     late: &'static str,
 }
 

@@ -100,7 +100,7 @@ pub(super) fn diff(out: &mut Vec<u8>, path: &str, old: &str, new: &str, colour: 
     }
 }
 
-/// What has changed in a line.
+/// A change in a line.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Change<'t> {
     /// The number of the line as it is now, from 1; of one that is gone, of what stands there now.
@@ -110,7 +110,7 @@ pub(super) struct Change<'t> {
     pub new: &'t str,
 }
 
-/// What has changed, in the order of the lines.
+/// The changes in the order of the lines.
 pub(super) fn changes<'t>(old: &'t str, new: &'t str) -> Vec<Change<'t>> {
     let input = InternedInput::new(old, new);
     let diff = difference::of(&input);
@@ -130,7 +130,7 @@ pub(super) fn changes<'t>(old: &'t str, new: &'t str) -> Vec<Change<'t>> {
     all
 }
 
-/// Which line has become which: those that begin with the same word, as records do with their ID, and what is left between
+/// Pairs of lines, old and new: those that begin with the same word, as records do with their ID, and what is left between
 /// them in order. Each comes with the number of lines that there are before it now; nothing stands for no line.
 fn pairs<'t>(old: &[&'t str], new: &[&'t str]) -> Vec<(usize, &'t str, &'t str)> {
     let id = |line: &'t str| line.split_whitespace().next().unwrap_or_default();

@@ -69,7 +69,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     printed
 }
 
-/// What is said of a topic.
+/// The answer about a topic.
 enum Answer {
     Page(String),
     /// A list of codes.
@@ -170,7 +170,7 @@ fn group(topic: &str) -> Option<Selector> {
     topic.trim().parse().ok().filter(|_| !has_page)
 }
 
-/// What a page says first, in one line.
+/// The first sentence of a page, in one line.
 fn first_sentence(code: Code, language: Language) -> String {
     let page = code.explanation(language);
     let text = page.split("\n\n").nth(1).unwrap_or_default();
@@ -242,7 +242,7 @@ fn exact_page(topic: String, language: Language) -> Option<String> {
     })
 }
 
-/// What a record type goes by, in any language.
+/// The names of a record type, in any language.
 fn names(ty: &RecordType) -> impl Iterator<Item = String> {
     let titles = [Language::English, Language::Czech].map(|l| l.name(ty.title));
     [ty.keyword.to_owned()].into_iter().chain(titles)
@@ -351,7 +351,7 @@ mod tests {
         assert!(page("-400", Language::English).is_none());
     }
 
-    /// What people call things, the handout first.
+    /// Words for things, those of the handout first.
     #[test]
     fn words_have_pages() {
         for (word, codes) in [
@@ -432,7 +432,7 @@ mod tests {
         assert!(ray.contains("`zpg probe --help`"), "{ray}");
     }
 
-    /// What people want to make has a page of its own, which begins with the word and shows a scene that does it.
+    /// Topics have pages of their own, which begin with the word and show a scene that does it.
     #[test]
     fn topics_have_scenes() {
         let (english, czech) = (Language::English, Language::Czech);

@@ -235,7 +235,7 @@ fn minutes(seconds: f64) -> u64 {
     (seconds / 60.0).ceil().max(10.0) as u64
 }
 
-/// What a job is, in a few sentences.
+/// A summary of a job, in a few sentences.
 fn summary(
     args: &Args,
     measured: &Measured,

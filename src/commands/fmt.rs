@@ -72,7 +72,7 @@ pub struct Args {
     stdin_filename: Option<PathBuf>,
 }
 
-/// Some lines of a file: `3-9`, or one: `3`.
+/// Lines of a file: `3-9`, or a single one: `3`.
 #[derive(Debug, Clone)]
 struct Lines(RangeInclusive<usize>);
 
@@ -88,12 +88,12 @@ impl FromStr for Lines {
     }
 }
 
-/// What became of a file.
+/// The outcome for a file.
 enum Outcome {
     Unchanged,
     /// Rewritten, or to be rewritten if it were not for `--check` or `--diff`.
     Changed,
-    /// It has been said why.
+    /// The file could not be formatted; it has been said why.
     Failed,
 }
 

@@ -1,4 +1,4 @@
-//! What people write who know ruff or speak Czech: options, commands and values that zpg calls otherwise, or does without.
+//! Habits of people who know ruff or speak Czech: options, commands and values that zpg calls otherwise, or does without.
 
 use std::path::{Path, PathBuf};
 
@@ -194,7 +194,7 @@ const CZECH: [(&str, &str); 89] = [
     ("--cena", "--cost"),
 ];
 
-/// What zpg calls a command or an option that is named in Czech.
+/// Hints at what zpg calls a command or an option that is named in Czech.
 pub(super) fn czech(word: &str) -> Option<Complaint> {
     let name = word.split('=').next()?;
     let dashes = if name.starts_with("--") { "--" } else { "" };
@@ -249,7 +249,7 @@ pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
     habit.map(|(_, message)| *message)
 }
 
-/// What there is instead of the name of a template on its own.
+/// Hints at what there is instead of the name of a template on its own.
 pub(super) fn template(word: &str, command: &str) -> Option<Complaint> {
     let is_one = command == "new" && Template::from_str(word, true).is_ok();
     is_one.then(|| Complaint::new("habit-from").with("text", word.to_owned()))
@@ -305,7 +305,7 @@ fn number(names: &[&str]) -> Option<u32> {
 /// The endings of pictures that zpg draws.
 const PICTURES: [&str; 7] = ["png", "apng", "jpg", "jpeg", "webp", "exr", "pfm"];
 
-/// What there is instead of a line of POV-Ray's settings: `Width=640`.
+/// Hints at what there is instead of a line of POV-Ray's settings: `Width=640`.
 fn of_povray_settings(word: &str) -> Option<Complaint> {
     let (name, value) = word.split_once('=')?;
     let name = name.to_ascii_lowercase();
@@ -333,7 +333,7 @@ pub(super) fn with_numbers(message: &'static str) -> Complaint {
         .with("length", line_length())
 }
 
-/// What there is instead of an option of POV-Ray: `+W640`, `+Opicture.png`.
+/// Hints at what there is instead of an option of POV-Ray: `+W640`, `+Opicture.png`.
 fn of_povray(word: &str) -> Option<Complaint> {
     let rest = word.strip_prefix('+')?;
     let of = |names: &[&str]| {
@@ -372,8 +372,8 @@ fn of_povray(word: &str) -> Option<Complaint> {
     }
 }
 
-/// What there is instead of a word that stands where a scene belongs and is none: the name of a picture, or an option of
-/// POV-Ray.
+/// Hints at what there is instead of a word that stands where a scene belongs and is none: the name of a picture, or an
+/// option of POV-Ray.
 pub(super) fn output(word: &Path) -> Option<Complaint> {
     let text = word.to_string_lossy();
     if let Some(complaint) = of_povray(&text).or_else(|| of_povray_settings(&text)) {
@@ -385,7 +385,7 @@ pub(super) fn output(word: &Path) -> Option<Complaint> {
     (is_output && !text.starts_with('-')).then_some(complaint)
 }
 
-/// What draws a picture, where one is named to translate a scene to.
+/// Hints at what draws a picture, where one is named to translate a scene to.
 pub(super) fn picture(word: &Path, scene: &Path) -> Option<Complaint> {
     let ending = word.extension()?;
     let is_picture = PICTURES.iter().any(|e| ending.eq_ignore_ascii_case(e));
@@ -393,8 +393,8 @@ pub(super) fn picture(word: &Path, scene: &Path) -> Option<Complaint> {
     is_picture.then(|| complaint.with("scene", scene))
 }
 
-/// What there is instead of a picture where the name is that of a translation, for scenes of which the first one is
-/// told.
+/// Hints at what there is instead of a picture where the name is that of a translation, for scenes of which the first one
+/// is told.
 pub(super) fn translation(word: &Path, scenes: &[PathBuf]) -> Option<Complaint> {
     of_file(word).filter(|target| target.ending() != "zpg")?;
     let scene = scenes.iter().find(|path| *path != word)?;
@@ -430,7 +430,7 @@ const VALUES: [(&str, &str); 24] = [
     ("sikmo", "iso"),
 ];
 
-/// What there is instead of a value of `--camera` that is a side.
+/// Hints at what there is instead of a value of `--camera` that is a side.
 pub(super) fn camera(argument: &str, value: &str) -> Option<Complaint> {
     let is_camera = argument.split(' ').next() == Some("--camera");
     let side = self::value(value).map_or_else(|| plain(value), str::to_owned);
@@ -438,7 +438,7 @@ pub(super) fn camera(argument: &str, value: &str) -> Option<Complaint> {
     is_side.then(|| Complaint::new("habit-view").with("text", side))
 }
 
-/// What there is instead of a word in the place of a file to check that is none.
+/// Hints at what there is instead of a word in the place of a file to check that is none.
 pub(super) fn of_check(word: &Path) -> Option<Complaint> {
     let is_one = word.as_os_str() == "fix" && !word.exists();
     is_one.then(|| Complaint::new("habit-fix"))

@@ -83,7 +83,7 @@ fn fitted(command: Command, width: usize) -> Command {
     }
 }
 
-/// What clap has laid out, with its own words in a language, and without lines that are wider than this.
+/// Text that clap has laid out, with its own words in a language, and without lines that are wider than this.
 pub(super) fn shown(text: String, language: Language, width: usize) -> String {
     let text = own_words(text, language);
     let lines = text.split('\n').map(|line| hanging(line, width));

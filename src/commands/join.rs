@@ -207,7 +207,7 @@ fn of_left_out(left_out: &[PathBuf]) -> Complaint {
     Complaint::new("parts-left-out").with("paths", named.join(", "))
 }
 
-/// What a file says of itself.
+/// Opens a file and reads what it says of itself.
 fn opened(path: PathBuf) -> Result<PartFile, Refusal> {
     if let Err(e) = fs::metadata(&path) {
         let complaint = Complaint::new("cannot-read").with("path", path.as_path());
@@ -302,7 +302,7 @@ fn lacking(missing: &[(u32, u32)], height: u32) -> Complaint {
         .with("height", height.to_string())
 }
 
-/// What sets two pictures apart.
+/// The difference that sets two pictures apart.
 fn difference(one: &Origin, other: &Origin) -> &'static str {
     match () {
         () if one.version != other.version => "of-another-version",

@@ -4,7 +4,7 @@ use std::ffi::{OsStr, OsString};
 
 use crate::diagnostics::Language;
 
-/// What `--lang` may be.
+/// The values of `--lang`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum LanguageChoice {
     /// English
@@ -45,7 +45,7 @@ fn is_czech(locale: &OsStr) -> bool {
     matches!(language, Some("cs" | "czech"))
 }
 
-/// What `--lang` says among arguments of which the rest cannot be read.
+/// The value of `--lang` among arguments of which the rest cannot be read.
 pub(super) fn among(args: impl Iterator<Item = OsString>) -> Option<LanguageChoice> {
     let args: Vec<_> = args.map(|a| a.to_string_lossy().into_owned()).collect();
     let options = args.iter().take_while(|a| *a != "--").enumerate();

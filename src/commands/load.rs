@@ -9,7 +9,7 @@ use crate::analysis::{Analysis, repair};
 use crate::diagnostics::{Code, Complaint, Diagnostic, Error, Severity, SourceFile, Span};
 use crate::translate::json;
 
-/// What a command needs of a scene besides that it is sound.
+/// Needs of a command besides that the scene is sound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Needs {
     /// A render record: something is to be drawn.
@@ -64,7 +64,7 @@ pub fn load_for(needs: Needs, path: &Path, look: LookChoice) -> Result<Analysis,
     })
 }
 
-/// That there is no render record is a warning, and an error for commands that cannot do without one.
+/// Makes errors of warnings that there is no render record, for commands that cannot do without one.
 fn render_is_needed(findings: &mut [Diagnostic]) {
     let about = findings.iter_mut().filter(|d| d.code == Code::E106);
     about.for_each(|d| d.severity = Severity::Error);

@@ -83,7 +83,7 @@ fn number(x: f64) -> String {
 }
 
 impl Memory {
-    /// What is allowed, in bytes.
+    /// The memory that is allowed, in bytes.
     fn bytes(self) -> u64 {
         self.allowed.map_or_else(|| *HALF, |b| b.0)
     }
@@ -119,7 +119,7 @@ impl Memory {
         }
     }
 
-    /// What may be made of triangles, in bytes.
+    /// The memory that triangles may take, in bytes.
     pub fn for_triangles(self) -> Option<u64> {
         Some(self.bytes())
     }
@@ -134,7 +134,7 @@ impl Memory {
         }
     }
 
-    /// What to say where rays find too much in one place.
+    /// The complaint where rays find too much in one place.
     pub fn crowded(self, tracer: &Tracer) -> Complaint {
         Complaint::new("too-many-parts-in-one-place")
             .with("parts", number(tracer.graph.occurrences()))

@@ -10,7 +10,7 @@ pub(super) enum PageStyle {
     Text { colour: bool },
 }
 
-/// What text is set in, and what ends it.
+/// Escape sequences that text is set in, and the one that ends them.
 const BOLD: &str = "\u{1b}[1m";
 const CODE: &str = "\u{1b}[36m";
 const PLAIN: &str = "\u{1b}[0m";
@@ -104,7 +104,7 @@ impl Pages {
     }
 }
 
-/// What stands between backquotes in a colour, in place of them.
+/// Text with code in a colour in place of its backquotes.
 fn coloured(text: &str) -> String {
     let mut out = String::new();
     for (i, part) in text.split('`').enumerate() {

@@ -170,7 +170,7 @@ fn width_behind_watch(args: &Args) -> Option<String> {
     Some(width.display().to_string())
 }
 
-/// What there is to draw. What stands in the way is said, and then there is nothing.
+/// The jobs to draw. What stands in the way is said, and then there are none.
 fn jobs(args: &Args, look: LookChoice) -> Option<Vec<Job>> {
     // Nothing is drawn where a name among the scenes is meant as something else.
     let no_scene = args.paths.iter().filter(|path| !path.exists());

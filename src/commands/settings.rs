@@ -1,4 +1,4 @@
-//! Which files of settings count, and which files of scenes.
+//! The files of settings that count, and those of scenes.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

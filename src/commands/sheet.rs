@@ -177,7 +177,7 @@ fn read<'e>(entry: &'e SheetBox, size: Size) -> Cell<'e> {
     Cell { entry, picture }
 }
 
-/// What a folder is called, however the path to it is written.
+/// The name of a folder, however the path to it is written.
 fn name_of(folder: &Path) -> String {
     let full = folder.canonicalize();
     let name = full.as_deref().ok().and_then(Path::file_name);

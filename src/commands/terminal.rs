@@ -1,4 +1,4 @@
-//! What people see: colour or not, messages, and output that nobody reads any more.
+//! Output on a terminal: colour or not, messages, and output that nobody reads any more.
 
 use std::ffi::OsString;
 use std::io::{self, BufWriter, IsTerminal, Write};
@@ -51,7 +51,7 @@ enum ColorChoice {
 }
 
 impl LookChoice {
-    /// What is asked for among arguments of which the rest cannot be read.
+    /// The look that is asked for among arguments of which the rest cannot be read.
     pub fn among(args: impl Iterator<Item = OsString>) -> LookChoice {
         LookChoice {
             lang: language::among(args),

@@ -1,4 +1,4 @@
-//! What people want to make, which is no type of record: a page each of `zpg explain`, with a scene that does it.
+//! Things that people want to make and that are no type of record: a page each of `zpg explain`, with a scene that does it.
 
 mod tables;
 
@@ -11,7 +11,7 @@ use crate::syntax::words::{self, plain};
 pub(super) struct Topic {
     /// In English and in Czech.
     titles: [&'static str; 2],
-    /// What else leads here, without accents and in lower case.
+    /// Other words that lead here, without accents and in lower case.
     words: &'static [&'static str],
     /// Text and a scene, in English and in Czech.
     texts: [&'static str; 2],
@@ -260,12 +260,12 @@ impl Topic {
         TOPICS.iter().find(is_its)
     }
 
-    /// What it is called.
+    /// The title of the topic.
     pub(super) fn title(&self, language: Language) -> &'static str {
         self.titles[usize::from(language == Language::Czech)]
     }
 
-    /// What is to be said of it, as Markdown.
+    /// The text of the topic, as Markdown.
     pub(super) fn text(&self, language: Language) -> &'static str {
         self.texts[usize::from(language == Language::Czech)]
     }

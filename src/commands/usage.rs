@@ -132,7 +132,7 @@ fn laid_out(help: &StyledStr, colour: bool) -> String {
     }
 }
 
-/// What is wrong with the arguments; nothing if that is for clap to say, as help is.
+/// The complaint about the arguments; nothing if that is for clap to say, as help is.
 fn complaint(error: &clap::Error, command: &Command) -> Option<Complaint> {
     let commands: Vec<String> = (command.get_subcommands())
         .map(|c| c.get_name().to_owned())
@@ -236,7 +236,7 @@ fn with_values(arg: &str, of: Option<&Command>) -> String {
     }
 }
 
-/// What else may be meant by a word that clap has no name for.
+/// Guesses at what else is meant by a word that clap has no name for.
 fn meant(error: &clap::Error, written: &str, commands: &[String]) -> Vec<String> {
     match error.kind() {
         ErrorKind::InvalidSubcommand if is_scene(Path::new(written)) => {
@@ -269,7 +269,7 @@ fn is_scene(path: &Path) -> bool {
     endings.iter().any(|e| ending.eq_ignore_ascii_case(e)) || path.exists()
 }
 
-/// What clap takes for the name that was meant, or several.
+/// The name that clap takes for the one that was meant, or several.
 fn suggested(error: &clap::Error) -> Vec<String> {
     let kinds = [
         ContextKind::SuggestedArg,

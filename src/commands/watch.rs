@@ -72,8 +72,8 @@ fn unwatchable(error: &notify::Error) -> Complaint {
     Complaint::new("cannot-watch").with("reason", error.to_string())
 }
 
-/// What to watch: a folder with all below it, and for a file its folder, since editors put a new file
-/// in the place of the old one.
+/// The folders to watch: a folder with all below it, and for a file its folder, since editors put a new file in the place
+/// of the old one.
 fn folders(paths: &[PathBuf]) -> HashSet<(PathBuf, RecursiveMode)> {
     let of = |path: &PathBuf| match path.is_dir() {
         true => (path.clone(), RecursiveMode::Recursive),

@@ -166,7 +166,7 @@ impl Args {
     }
 }
 
-/// One file's findings, ready to be put out.
+/// The findings of a file, ready to be put out.
 struct Checked {
     is_scene: bool,
     output: Output,
@@ -178,7 +178,7 @@ struct Checked {
     fixed: usize,
     /// How many findings comments allow now.
     allowed: usize,
-    /// What guesses have changed, a line each.
+    /// Changes that guesses have made, a line each.
     changes: Vec<String>,
 }
 
@@ -289,7 +289,7 @@ struct Checker<'a> {
 }
 
 impl Checker<'_> {
-    /// What a file goes by.
+    /// The name that a file goes by.
     fn name<'p>(&'p self, path: &'p Path) -> &'p Path {
         match &self.args.stdin_filename {
             Some(name) if is_stdin(path) => name,

@@ -41,7 +41,7 @@ impl Format {
     }
 }
 
-/// One file's findings, ready to be put out.
+/// The findings of a file, ready to be put out.
 pub(super) enum Output {
     Text(Vec<u8>),
     Json(json::File),

@@ -12,7 +12,7 @@ use crate::diagnostics::{Code, Diagnostic};
 #[derive(Debug, Default)]
 pub(super) struct Statistics(BTreeMap<Code, (usize, usize)>);
 
-/// What is written for programs.
+/// The report for programs.
 #[derive(Serialize)]
 struct Report<'a> {
     version: u32,

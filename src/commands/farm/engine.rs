@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::commands::atomic_file;
 use crate::diagnostics::{Complaint, Language};
 
-/// Who runs the tasks.
+/// The program that runs the tasks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub(super) enum Engine {
     /// Open Job Description: job.yaml, for render farms and `openjd run`
@@ -16,11 +16,11 @@ pub(super) enum Engine {
     Shell,
 }
 
-/// What a job is made of. A task is a picture, or a band of rows of one.
+/// The work of a job in tasks. A task is a picture, or a band of rows of one.
 pub(super) struct Work {
     /// Letters, digits and dashes.
     pub name: String,
-    /// What people are told of it.
+    /// The summary for people.
     pub summary: String,
     /// The options of `zpg render`, as a shell reads them.
     pub options: String,
@@ -40,9 +40,9 @@ pub(super) struct Work {
     pub chunk: u32,
     pub cores: u32,
     pub megabytes: u64,
-    /// What tasks in one go may take at most.
+    /// Minutes that tasks in one go may take at most.
     pub minutes: u64,
-    /// What joining all pictures may take at most.
+    /// Minutes that joining all pictures may take at most.
     pub join_minutes: u64,
     /// Whether there are several scenes, of which there is a sheet at the end.
     pub is_class: bool,
@@ -53,7 +53,7 @@ const AT_A_TIME: u32 = 64;
 /// So many elements an array of Slurm has at most: its MaxArraySize is 1001 unless it is set.
 const ARRAY: u32 = 1000;
 
-/// What engines start.
+/// Files that engines start from.
 const STARTED: [&str; 6] = [
     "job.yaml",
     "job-plain.yaml",

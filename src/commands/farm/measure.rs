@@ -19,7 +19,7 @@ const JOIN_SECONDS_PER_PIXEL: f64 = 1e-6;
 /// Factor on the memory of this process, since another machine may take more.
 const MEMORY_MARGIN: f64 = 1.25;
 
-/// What the dearest picture takes.
+/// The time and the memory that the dearest picture takes.
 pub(super) struct Measured {
     /// Reading the scene and building, in seconds.
     pub build: f64,
@@ -96,12 +96,12 @@ impl Measured {
         }
     }
 
-    /// What a task takes: reading, building, and a band on so many processors.
+    /// The seconds of a task: reading, building, and a band on so many processors.
     pub(super) fn seconds(&self, tiles: u32, cores: u32) -> f64 {
         self.build + self.pixels / f64::from(tiles) / f64::from(cores)
     }
 
-    /// What a task takes at most, in 10⁶ bytes.
+    /// The memory that a task takes at most, in 10⁶ bytes.
     pub(super) fn megabytes(&self, tiles: u32) -> u64 {
         let bytes = MEMORY_MARGIN * self.process + self.picture / f64::from(tiles);
         let hundreds = (bytes / 1e8).ceil() as u64;

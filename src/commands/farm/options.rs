@@ -14,7 +14,7 @@ use crate::diagnostics::Complaint;
 /// The table of frames in the folder of the job.
 const TABLE: &str = "table.csv";
 
-/// What each task is told by the scripts of the job.
+/// Options that the scripts of the job give each task.
 const OF_TASKS: [&str; 2] = ["only", "fps"];
 
 /// The options about pictures that this program was called with, as a shell reads them. `command` is that of the whole
@@ -35,7 +35,7 @@ pub(super) fn given(command: Command) -> String {
     written.collect::<Vec<_>>().join(" ")
 }
 
-/// One option with all its values.
+/// An option with all its values.
 fn option(name: &str, id: &str, matches: &ArgMatches) -> String {
     let values = matches.get_raw(id).into_iter().flatten();
     let written = values.map(|value| match name {

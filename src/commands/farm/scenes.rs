@@ -27,7 +27,7 @@ const LIST: &str = "scenes.txt";
 /// The folder of the scenes.
 const SCENES: &str = "scenes";
 
-/// Those that lie in a folder, and the others.
+/// The files that lie in a folder, and the others.
 pub(super) fn in_folder(folder: &Path, files: Vec<PathBuf>) -> (Vec<PathBuf>, Vec<PathBuf>) {
     let folder = folder.canonicalize().ok();
     let is_in = |file: &PathBuf| {

@@ -169,7 +169,7 @@ impl FrameArgs {
         self.frames.map_or(0, |frames| frames.first)
     }
 
-    /// That one frame is drawn, if its number may be meant as how many there are.
+    /// The note that one frame is drawn, if its number may be meant as how many there are.
     pub fn note(&self) -> Option<Complaint> {
         let frame = self.frames.filter(|f| f.first == f.last && f.first > 1)?;
         let last = frame.last - 1;

@@ -219,7 +219,7 @@ fn range(frames: Option<Range>, table: Option<&Table>) -> Result<Range, Complain
     }
 }
 
-/// What numbers are varied by two.
+/// Complaints about numbers that two motions vary.
 fn twice(motions: &[Motion]) -> Vec<Complaint> {
     let mut all: Vec<&Number> = motions.iter().flat_map(Motion::numbers).collect();
     all.sort_by_key(|number| number.span);

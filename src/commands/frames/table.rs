@@ -30,7 +30,7 @@ impl Table {
         parsed(path, source.text.trim_start_matches('\u{feff}'))
     }
 
-    /// What is wrong with the name of a column.
+    /// The complaint about the name of a column.
     pub(super) fn misnamed(&self, column: usize, why: Complaint) -> Complaint {
         in_cell(&self.path, 1, (column + 1).to_string(), why)
     }
@@ -46,10 +46,10 @@ fn shown(cell: &str) -> String {
     text.replace(char::is_control, "\u{fffd}")
 }
 
-/// Which row of a text a place is in.
+/// The rows of a text, by places in it.
 struct Rows<'a> {
     text: &'a str,
-    /// What ends a line: in old files a carriage return alone.
+    /// The end of a line: in old files a carriage return alone.
     end: char,
     /// How many lines end before a place.
     before: (usize, u64),
@@ -76,7 +76,7 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// What is wrong in a cell; rows count from 1, as in a spreadsheet.
+/// The complaint about a cell; rows count from 1, as in a spreadsheet.
 fn in_cell(path: &Path, row: u64, column: String, why: Complaint) -> Complaint {
     Complaint::new("in-cell")
         .with("path", path)

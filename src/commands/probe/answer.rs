@@ -9,7 +9,7 @@ use crate::diagnostics::Complaint;
 use crate::geometry::vec::Vec3;
 use crate::trace::{Crossing, Membership, Ray, Tracer, Walkers};
 
-/// What is on a ray.
+/// The answer about a ray: what is on it.
 #[derive(Debug, Serialize)]
 pub(super) struct RayAnswer {
     ray: RayJson,
@@ -34,7 +34,7 @@ struct HitJson {
     entering: Option<bool>,
 }
 
-/// What is on the ray of a pixel, and its colour, linear RGB.
+/// The answer about a pixel: what is on its ray, and its colour, linear RGB.
 #[derive(Debug, Serialize)]
 pub(super) struct PixelAnswer {
     pixel: [u32; 2],
@@ -43,7 +43,7 @@ pub(super) struct PixelAnswer {
     ray: RayAnswer,
 }
 
-/// What is at a point.
+/// The answer about a point: what is there.
 #[derive(Debug, Serialize)]
 pub(super) struct PointAnswer {
     point: [f64; 3],

@@ -31,7 +31,7 @@ pub(super) struct BadRay {
 }
 
 impl BadRay {
-    /// What to say about it; `path` is the file of rays.
+    /// The complaint about it; `path` is the file of rays.
     pub(super) fn complaint(self, path: &Path) -> Complaint {
         Complaint::new("at-line")
             .with("path", path)
@@ -145,13 +145,13 @@ pub(super) type Input = BufReader<Box<dyn Read>>;
 
 /// Why a batch ends.
 enum End {
-    /// It is full, or nothing more has arrived yet.
+    /// The batch is full, or nothing more has arrived yet.
     Batch,
     File,
     Unreadable(BadRay),
 }
 
-/// What a line holds.
+/// The content of a line.
 enum Content {
     Nothing,
     Ray(Box<Ray>),

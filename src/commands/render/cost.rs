@@ -1,4 +1,4 @@
-//! What a picture has cost, in words.
+//! The cost of a picture, in words.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ const COST_SECONDS: f64 = 1.0;
 /// The least width of the first column.
 const LABEL_WIDTH: usize = 36;
 
-/// What a picture has cost, in some ten lines.
+/// The cost of a picture, in some ten lines.
 pub(super) fn spent(
     camera: &Camera,
     (loaded, scene): (&Analysis, &Scene),

@@ -56,11 +56,11 @@ fn of_json(value: &impl Serialize) -> Sha256 {
         .map_or_else(|_| Sha256::new(), |hashed| hashed.0)
 }
 
-/// What a file shows of the cameras of a scene.
+/// The content of a file: what it shows of the cameras of a scene.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Content {
-    /// What the only camera sees, or both as one picture.
+    /// The view of the only camera, or both as one picture.
     Picture,
     Left,
     Right,

@@ -1,4 +1,4 @@
-//! What is wrong with a picture, in one line each on standard error.
+//! Notes on what is wrong with a picture, a line each on standard error.
 
 use super::Args;
 use crate::analysis::Analysis;

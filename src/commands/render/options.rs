@@ -142,7 +142,7 @@ fn samples(text: &str) -> Result<u32, Complaint> {
 /// Pictures of more pixels than this would need more memory than a machine can be taken to have.
 const MAX_PIXELS: u64 = 1 << 28;
 
-/// What a pixel takes until it is in a file, with one sample in it or many: measured, up to 30 and 75.
+/// Bytes that a pixel takes until it is in a file, with one sample in it or many: measured, up to 30 and 75.
 const PIXEL_BYTES: f64 = 40.0;
 const ADAPTIVE_PIXEL_BYTES: f64 = 96.0;
 

@@ -105,7 +105,7 @@ impl Output {
     }
 }
 
-/// That a picture was written: its width and height in pixels.
+/// The message that a picture was written: its width and height in pixels.
 pub fn wrote(path: &Path, [width, height]: [u32; 2]) -> Complaint {
     Complaint::new("wrote-picture")
         .with("path", path)

@@ -1,4 +1,4 @@
-//! One picture, or a pair: drawn, put into files, and what is said of it.
+//! A picture or a pair: drawn, put into files, and what is said of it.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -236,7 +236,7 @@ pub(super) fn draw(
     Ok(said)
 }
 
-/// What all files of one run have in common.
+/// The data that all files of one run share.
 struct Pictures<'a> {
     args: &'a Args,
     settings: &'a Settings,
@@ -249,7 +249,7 @@ struct Pictures<'a> {
 }
 
 impl Pictures<'_> {
-    /// What a file of so many columns says of itself.
+    /// The origin that a file of so many columns states.
     fn origin(&self, width: u32, content: Content) -> Origin {
         let is_unfinished = matches!(content, Content::Rows(_));
         Origin {
@@ -321,7 +321,7 @@ fn line(look: LookChoice, about: &Complaint) -> String {
     }
 }
 
-/// What is to be said of a file that was written.
+/// The message about a file that was written.
 fn wrote_rows(path: &Path, film: &Film, origin: &Origin) -> Complaint {
     if origin.is_whole() {
         return wrote(path, [film.width, film.height]);
@@ -354,7 +354,7 @@ fn compose(mut pictures: Vec<Picture>, stereo: Stereo, files: usize) -> Vec<Film
     }
 }
 
-/// What all pictures have cost, and the samples in their pixels.
+/// The cost of all pictures, and the samples in their pixels.
 fn totals(pictures: &[Picture]) -> (Counts, Samples) {
     let mut counts = Counts::default();
     for picture in pictures {

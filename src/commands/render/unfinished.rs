@@ -1,4 +1,4 @@
-//! What an interrupted run has drawn is kept, and the next one takes it up.
+//! Rows that an interrupted run has drawn, which are kept, and which the next one takes up.
 
 use std::fs;
 use std::ops::Range;

@@ -1,4 +1,4 @@
-//! What is said in a box of a sheet.
+//! The text in a box of a sheet.
 
 use super::average::Thumbnail;
 use super::entry::SheetBox;
@@ -12,7 +12,7 @@ pub(super) struct Cell<'e> {
     pub picture: Result<Thumbnail, Complaint>,
 }
 
-/// What is said of the whole sheet.
+/// The heading of the whole sheet.
 pub(super) struct Heading {
     pub folder: String,
     pub pictures: usize,
@@ -32,7 +32,7 @@ impl Cell<'_> {
         self.entry.scene.map(|scene| scene.counts())
     }
 
-    /// What stands in place of the picture.
+    /// The reason that stands in place of the picture.
     pub(super) fn reason(&self, language: Language) -> Option<String> {
         let why = self.picture.as_ref().err()?;
         Some(match self.entry.picture {

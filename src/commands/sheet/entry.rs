@@ -1,4 +1,4 @@
-//! What a sheet shows: pictures, each with the scene of its name, and scenes without a picture.
+//! The boxes of a sheet: pictures, each with the scene of its name, and scenes without a picture.
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Component, Path, PathBuf};
@@ -133,8 +133,8 @@ fn stem(path: &Path) -> String {
         .into_owned()
 }
 
-/// What the scene of a picture may be called: as the picture is, or without what `render` adds for an eye of a pair or
-/// a frame.
+/// Names that the scene of a picture may have: that of the picture, or without what `render` adds for an eye of a pair or a
+/// frame.
 fn meant(stem: &str) -> Vec<String> {
     let mut all = vec![stem.to_owned()];
     let mut rest = stem;

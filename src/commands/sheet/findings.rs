@@ -1,4 +1,4 @@
-//! What `zpg check --format json` has found in scenes.
+//! The findings of `zpg check --format json` in scenes.
 
 use std::fs;
 use std::io;
@@ -10,7 +10,7 @@ use crate::analysis::file::unreadable;
 use crate::diagnostics::render::json::VERSION;
 use crate::diagnostics::{Complaint, Language, Value};
 
-/// What the file is called that a folder of pictures may have.
+/// The name of the file of findings that a folder of pictures may have.
 pub(super) const FILE: &str = "findings.json";
 
 /// Of all scenes.
@@ -57,7 +57,7 @@ pub(super) struct Counts {
 }
 
 impl Findings {
-    /// Those of a folder, if it has some.
+    /// The findings of a folder, if it has some.
     pub(super) fn of_folder(folder: &Path) -> Result<Option<Findings>, Complaint> {
         let path = folder.join(FILE);
         let bytes = match fs::read(&path) {

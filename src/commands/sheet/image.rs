@@ -10,7 +10,7 @@ use crate::commands::size::Size;
 use crate::diagnostics::layout::wrapped;
 use crate::diagnostics::{Complaint, Language};
 
-/// What a sheet says of itself, so that it is no picture of the next one.
+/// The text by which a sheet names itself, so that it is no picture of the next one.
 const MARK: (&str, &str) = ("Software", "zpg sheet");
 
 /// Between boxes, in pixels.
@@ -23,13 +23,13 @@ const HEAD_LINE: u32 = 24;
 /// A name, a size, and what was found.
 const LINES: u32 = 3;
 
-/// What is behind a picture.
+/// The colour behind a picture.
 const CARD: Colour = [48; 3];
 const GREY: Colour = [170; 3];
 const RED: Colour = [255, 128, 128];
 const YELLOW: Colour = [240, 208, 96];
 
-/// What a sheet of boxes looks like.
+/// The layout of a sheet of boxes.
 pub(super) struct Layout {
     pub columns: u32,
     rows: u32,
