@@ -26,7 +26,7 @@ pub struct Chains<'s> {
 }
 
 /// Rays in the spaces of their leaves, and bounds on how far their origins and directions are off; see
-/// [`Slack`](crate::geometry::affine::Slack).
+/// [`Slack`].
 pub struct Local {
     pub origin: V3,
     pub direction: V3,
