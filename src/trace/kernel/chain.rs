@@ -5,6 +5,7 @@
 use super::lanes::{LANES, Lanes, V3, either, is_at_most, is_greater, lanes_where, mask};
 use super::leaf::Leaf;
 use super::maps::Maps;
+use super::query::BENT;
 use super::stage::Stage;
 use crate::geometry::affine::{Placement, Slack};
 use crate::geometry::array::each;
@@ -145,6 +146,19 @@ impl Local {
             drift,
             Lanes::splat(BLURRED * UNIT_ROUNDOFF) * reach.fast_max(at),
         )
+    }
+
+    /// Bounds on the errors of crossings with a shape of some extent that bends away from its tangents: see
+    /// [`rough`](crate::trace::search::root_order::rough).
+    #[inline(always)]
+    pub fn bent_error(&self, extent: f64, t: Lanes) -> Lanes {
+        let splat = Lanes::splat;
+        let pace = self.direction.abs().max_component();
+        let reach = self.origin.abs().max_component() + splat(extent);
+        let size = reach / pace + t.abs();
+        let slack = self.slack[0] / pace + t.abs() * self.slack[1] / pace;
+        let error = splat(BENT) * size + splat(4.0) * (slack * size).sqrt();
+        either(error.simd_eq(error), error, splat(f64::INFINITY))
     }
 
     /// The line in each lane.

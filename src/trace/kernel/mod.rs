@@ -76,6 +76,7 @@ mod sphere;
 mod stage;
 #[cfg(test)]
 mod tests;
+mod torus;
 mod wave;
 mod way_in;
 

@@ -4,7 +4,7 @@
 //! with the same formulas and the same bounds.
 
 use super::block::{Block, Shapes};
-use super::chain::Chains;
+use super::chain::{Chains, Local};
 use super::cull::in_box;
 use super::lanes::{LANES, Lanes, V3, gathered, is_greater, is_less, lanes_where};
 use super::leaf::Leaf;
@@ -12,7 +12,6 @@ use super::probe::Probe;
 use super::query::{BENT, SKINS, Start};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::affine::Placement;
-use crate::geometry::line::Line;
 
 /// Boxes are wider by this part of all coordinates: far more than what is rounded.
 pub const REL_ROOM: f64 = 1e-12;
@@ -80,9 +79,8 @@ impl<'w> Packet<'w> {
 
     /// The rays in the spaces of leaves.
     #[inline(always)]
-    pub fn lines(&self, chains: &Chains) -> [Line; LANES] {
-        let (origin, direction) = (V3(self.probe.origin), V3(self.probe.direction));
-        chains.enter(origin, direction).lines()
+    pub fn enter(&self, chains: &Chains) -> Local {
+        chains.enter(V3(self.probe.origin), V3(self.probe.direction))
     }
 
     /// The rays that surely miss a leaf without lanes up to some t, and those that surely go through it.

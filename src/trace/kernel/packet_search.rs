@@ -1,9 +1,10 @@
 //! The first surfaces that four rays of a bundle meet, and shapes between them and a lamp.
 
-use super::block::Shapes;
+use super::block::{Block, Shapes};
 use super::bundle::Along;
+use super::chain::Local;
 use super::lanes::{LANES, Lanes, either, is_greater, is_less, mask};
-use super::leaf::Kind;
+use super::leaf::{Kind, Leaf};
 use super::packet::{Ahead, Packet};
 use super::query::{Ask, Crossed, Crossing, End, Query, Tests, UNKNOWN_FACE, Within};
 use super::scratch::Scratch;
@@ -11,7 +12,8 @@ use super::search::Met;
 use super::shadow::TO;
 use super::spans::Entry;
 use super::stage::Stage;
-use crate::trace::shapes::Root;
+use super::torus;
+use crate::trace::shapes::{Primitive, Root};
 
 /// The nearest crossings so far.
 struct Nearest {
@@ -110,49 +112,7 @@ impl Stage<'_> {
                 continue;
             }
             if let Shapes::Single = block.shapes {
-                let number = block.leaves[0];
-                let leaf = &self.leaves[number as usize];
-                let mut rays = rays;
-                if let Some(spans) = self.spans(leaf) {
-                    scratch.merges += u64::from(rays.count_ones());
-                    lanes(rays).for_each(|lane| tests[lane].shapes += spans.count());
-                    let entry = spans.entry(self.space(), packet, best.limit, rays);
-                    for lane in lanes(best.consider(&entry.ahead)) {
-                        best.crossings[lane] = entry.crossing(lane);
-                    }
-                    rays = entry.rest;
-                    if rays == 0 {
-                        continue;
-                    }
-                }
-                let (beside, _) = packet.passing(block, leaf, best.limit);
-                rays &= !beside;
-                if rays == 0 {
-                    continue;
-                }
-                // Those that start on it have more to be asked.
-                let plain = match leaf.kind {
-                    Kind::Other => rays & !packet.on(leaf),
-                    _ => 0,
-                };
-                let lines = (plain != 0).then(|| packet.lines(&self.chains_of([leaf; LANES])));
-                let limits = best.limit.to_array();
-                for lane in lanes(rays) {
-                    let query = Query::new(packet.starts[lane]);
-                    let stretch = [-query.skin, limits[lane]];
-                    let tests = &mut tests[lane];
-                    tests.shapes += 1;
-                    let crossed = match &lines {
-                        Some(lines) if plain >> lane & 1 != 0 => {
-                            self.meet_on_line(&query, number, &lines[lane], stretch, scratch)
-                        }
-                        _ => {
-                            let with = (&mut *scratch, tests);
-                            self.meet_single(&query, number, stretch, Ask::First, with)
-                        }
-                    };
-                    best.consider_single(lane, crossed, &scratch.ahead);
-                }
+                self.nearer_of_four(packet, (block, rays), &mut best, scratch, tests);
                 continue;
             }
             lanes(rays).for_each(|lane| tests[lane].shapes += 1);
@@ -193,6 +153,101 @@ impl Stage<'_> {
             };
         }
         all
+    }
+
+    /// Looks for the first surface of four rays in a block with one leaf, which some of them may meet.
+    #[inline(never)]
+    fn nearer_of_four(
+        &self,
+        packet: &Packet,
+        (block, mut rays): (&Block, u32),
+        best: &mut Nearest,
+        scratch: &mut Scratch,
+        tests: &mut [Tests; LANES],
+    ) {
+        let number = block.leaves[0];
+        let leaf = &self.leaves[number as usize];
+        if let Some(spans) = self.spans(leaf) {
+            scratch.merges += u64::from(rays.count_ones());
+            lanes(rays).for_each(|lane| tests[lane].shapes += spans.count());
+            let entry = spans.entry(self.space(), packet, best.limit, rays);
+            for lane in lanes(best.consider(&entry.ahead)) {
+                best.crossings[lane] = entry.crossing(lane);
+            }
+            rays = entry.rest;
+            if rays == 0 {
+                return;
+            }
+        }
+        let (beside, _) = packet.passing(block, leaf, best.limit);
+        rays &= !beside;
+        if rays == 0 {
+            return;
+        }
+        lanes(rays).for_each(|lane| tests[lane].shapes += 1);
+        let mut lines = None;
+        // Those that start on it have more to be asked.
+        let plain = rays & !packet.on(leaf);
+        if leaf.kind == Kind::Other && plain != 0 {
+            let local = packet.enter(&self.chains_of([leaf; LANES]));
+            if let Some((ahead, none)) = self.meet_torus(packet, &local, leaf, plain) {
+                let (t, error) = (ahead.t.to_array(), ahead.error.to_array());
+                for lane in lanes(best.consider(&ahead)) {
+                    let (t, error) = (t[lane], error[lane]);
+                    best.crossings[lane] = Crossing {
+                        surface: number,
+                        root: Root { t, face: 0 },
+                        end: End { t, error },
+                        is_exit: false,
+                    };
+                }
+                rays &= !(ahead.met | none);
+            }
+            lines = (rays & plain != 0).then(|| local.lines());
+        }
+        let limits = best.limit.to_array();
+        for lane in lanes(rays) {
+            let query = Query::new(packet.starts[lane]);
+            let stretch = [-query.skin, limits[lane]];
+            let crossed = match &lines {
+                Some(lines) if plain >> lane & 1 != 0 => {
+                    self.meet_on_line(&query, number, &lines[lane], stretch, scratch)
+                }
+                _ => {
+                    let mut counted = Tests::default();
+                    let with = (&mut *scratch, &mut counted);
+                    let crossed = self.meet_single(&query, number, stretch, Ask::First, with);
+                    tests[lane].add(counted);
+                    crossed
+                }
+            };
+            best.consider_single(lane, crossed, &scratch.ahead);
+        }
+    }
+
+    /// Where rays meet a torus ahead of their starts, of those of which that is known, and those that do not meet it.
+    #[inline(always)]
+    fn meet_torus(
+        &self,
+        packet: &Packet,
+        local: &Local,
+        leaf: &Leaf,
+        rays: u32,
+    ) -> Option<(Ahead, u32)> {
+        let Primitive::Torus(torus) = &self.graph.primitives[leaf.primitive as usize] else {
+            return None;
+        };
+        let found = torus::first(torus, local, packet.skin, rays);
+        let t = found.t;
+        let error = local.bent_error(leaf.extent, t);
+        let met = found.met & is_greater(t, packet.skin + error).to_bitmask();
+        let ahead = Ahead {
+            met,
+            doubt: 0,
+            t,
+            error,
+        };
+        Some((ahead, found.known & !found.met))
     }
 
     /// Finds what four rays to a lamp may meet, into [`Along::blocks`]. Returns those that surely meet something opaque that

@@ -24,7 +24,7 @@ mod rectangle;
 mod revolution;
 mod sphere;
 pub mod support;
-mod torus;
+pub mod torus;
 mod triangle;
 
 use crate::geometry::aabb::Aabb;

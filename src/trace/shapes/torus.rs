@@ -78,8 +78,15 @@ impl Torus {
         }
     }
 
-    /// R and r in the units of [`Scaled`].
-    fn radii<R: Traced>(&self) -> [R; 2] {
+    /// The unit of [`Torus::radii`] and its reciprocal, if the numbers are of no unusual size.
+    pub fn unit(&self) -> Option<[f64; 2]> {
+        const MOST: i32 = 100;
+        let is_usual = self.size.abs() <= MOST;
+        is_usual.then(|| each([self.size, -self.size], |k| shifted(1.0, k)))
+    }
+
+    /// R and r in units of a power of two, so that the greater one lies in [1, 2).
+    pub fn radii<R: Traced>(&self) -> [R; 2] {
         each([self.record.major, self.record.minor], |r| {
             R::of(shifted(r, -self.size))
         })
@@ -341,7 +348,7 @@ impl<R: Traced> Intersect<R> for Torus {
 
 /// Points are known to this part of R + r, or nothing is decided about the line: products of errors
 /// are then far below the errors, and the ends of the sphere outside of the torus.
-const MOST_ERROR: f64 = 1.0 / 256.0;
+pub const MOST_ERROR: f64 = 1.0 / 256.0;
 
 /// How far from its true extremum the quartic may be at the point taken for it.
 struct Flatness<'a, R> {
