@@ -13,12 +13,13 @@
 //! 1. [`search`] finds the leaf that each ray meets first, with bounds that are far wider than any rounding. Spheres, boxes,
 //!    planes, rectangles and convex solids of second degree have lanes ([`sphere`], [`cuboid`], [`plane`], [`rectangle`],
 //!    [`quadric`]): a ray is held against four at once. Other shapes are asked one by one by the arbiter's own formulas
-//!    ([`scalar`]). [`csg`] merges what a ray meets of an intersection; of a few shapes with lanes
-//!    the first place is found without that ([`spans`]). Rays that go nearly the same
-//!    way share one walk through the tree ([`bundle`]), and four of them at a time are held against a shape ([`packet`], [`packet_search`]); a
-//!    shape without lanes is asked about those that [`cull`] does not tell.
+//!    ([`scalar`]). [`csg`] merges what a ray meets of an intersection; of a few shapes with lanes the first place is found
+//!    without that ([`spans`]). Rays that go nearly the same way share one walk through the tree ([`bundle`]), and four of
+//!    them at a time are held against a shape ([`packet`], [`packet_search`]). A shape without lanes is asked about those
+//!    that [`cull`] does not tell, with the pieces of a [`profile`]. [`torus`] is solved for four rays.
 //! 2. Where a leaf is met is computed with the operations of the arbiter in the arbiter's order, for four rays at once;
-//!    [`place`] takes rays into the spaces of shapes, and [`quadric_point`] finds points of solids of second degree.
+//!    [`place`] and [`chain`] take rays into the spaces of shapes, and [`quadric_point`] finds points of solids of second
+//!    degree.
 //!    [`shade`] sends on what is mirrored and refracted: the next wave.
 //! 3. [`light`] adds up the light of the lamps, one lamp after the other for all places of the wave; [`shadow`] says how much
 //!    of it gets through.
