@@ -6,7 +6,6 @@ use super::lanes::{LANES, Lanes, V3, either, is_at_most, is_greater, lanes_where
 use super::leaf::Leaf;
 use super::maps::Maps;
 use super::query::BENT;
-use super::stage::Stage;
 use crate::geometry::affine::{Placement, Slack};
 use crate::geometry::array::each;
 use crate::geometry::line::Line;
@@ -43,18 +42,21 @@ pub struct Located {
     pub known: Lanes,
 }
 
-impl Stage<'_> {
-    pub fn chains_of(&self, leaves: [&Leaf; LANES]) -> Chains<'_> {
-        let ways = each(leaves, |leaf| &self.chains[leaf.chain as usize][..]);
+impl<'s> Chains<'s> {
+    /// Of leaves, from the list of all chains and that of all placements.
+    pub fn of(
+        leaves: [&Leaf; LANES],
+        chains: &'s [Vec<u32>],
+        placements: &'s [Placement],
+    ) -> Chains<'s> {
+        let ways = each(leaves, |leaf| &chains[leaf.chain as usize][..]);
         Chains {
             ways,
-            placements: &self.graph.placements,
+            placements,
             depth: ways.iter().fold(0, |most, way| way.len().max(most)),
         }
     }
-}
 
-impl Chains<'_> {
     /// The placements at a depth, and a mask of the chains that are so long. Others have some placement there.
     #[inline(always)]
     fn level(&self, depth: usize) -> ([&Placement; LANES], Lanes) {

@@ -88,10 +88,10 @@ pub fn crossed(points: &[ProfilePoint], [p, q]: [V3; 2], d: V3, reach: f64) -> C
                 | (a.inside & b.inside)
                 | (a.is_before & b.is_before);
             let met = !is_missed;
-            here = here | (met & !(a.is_beyond & b.is_beyond));
-            twice = twice | (once & met);
-            once = once | met;
-            some = some | (a.inside & b.outside) | (a.outside & b.inside);
+            here |= met & !(a.is_beyond & b.is_beyond);
+            twice |= once & met;
+            once |= met;
+            some |= (a.inside & b.outside) | (a.outside & b.inside);
         }
         a = b;
     }

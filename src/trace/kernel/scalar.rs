@@ -211,7 +211,7 @@ impl Stage<'_> {
             _ if is_solved => {}
             Ask::All => primitive.intersect().crossings(line, roots),
             Ask::First | Ask::Any => {
-                (primitive.intersect()).first_crossings(&line, -1.5 * stretch[0], roots)
+                (primitive.intersect()).first_crossings(line, -1.5 * stretch[0], roots)
             }
         }
         roots.doubt_blurred(line);

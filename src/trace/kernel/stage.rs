@@ -1,6 +1,7 @@
 //! A scene as the kernel sees it: shapes in blocks, blocks in a tree.
 
 use super::block::{Block, Shapes, in_blocks, shapes};
+use super::chain::Chains;
 use super::csg::Csg;
 use super::cull::Cull;
 use super::expand::Leaves;
@@ -112,6 +113,11 @@ impl Stage<'_> {
         }
         *moved = probe.through(&self.graph.placements[placement as usize].back);
         moved
+    }
+
+    /// The placements above four leaves.
+    pub fn chains_of(&self, leaves: [&Leaf; LANES]) -> Chains<'_> {
+        Chains::of(leaves, &self.chains, &self.graph.placements)
     }
 }
 

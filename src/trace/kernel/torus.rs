@@ -129,7 +129,7 @@ fn root_between(
     let mut open = lanes;
     for _ in 0..MAX_STEPS {
         let (value, slope) = f(x);
-        open = open & !value.simd_eq(Lanes::ZERO);
+        open &= !value.simd_eq(Lanes::ZERO);
         if open.to_bitmask() == 0 {
             break;
         }
@@ -146,7 +146,7 @@ fn root_between(
         let has_moved = !next.simd_eq(x);
         x = either(open, next, x);
         last = size;
-        open = open & has_moved & !is_at_most(size, precision);
+        open &= has_moved & !is_at_most(size, precision);
     }
     (x, lanes & !open)
 }
@@ -216,7 +216,7 @@ pub fn first(torus: &Torus, line: &Local, skin: Lanes, live: u32) -> First {
     let bend = line.slack[1] / longest;
     let share = bend * splat(1.75);
     let drift = line.slack[0] + share * start + share * whole;
-    known = known & is_at_most(bend, splat(0.25));
+    known &= is_at_most(bend, splat(0.25));
     let scaled = Scaled {
         major,
         minor,
@@ -225,7 +225,7 @@ pub fn first(torus: &Torus, line: &Local, skin: Lanes, live: u32) -> First {
         error: splat(UNIT_ROUNDOFF) * moved + drift * splat(down),
     };
     let size = major + minor;
-    known = known & is_at_most(scaled.error, splat(size * MOST_ERROR));
+    known &= is_at_most(scaled.error, splat(size * MOST_ERROR));
 
     let [two, three, four] = [splat(2.0), splat(3.0), splat(4.0)];
     let (b, c) = (near.dot(direction), near.dot(near));
@@ -268,10 +268,10 @@ pub fn first(torus: &Torus, line: &Local, skin: Lanes, live: u32) -> First {
         let [is_outside, is_tube] = scaled.sides(t, most);
         low = either(lanes & is_outside, t, low);
         high = either(lanes & is_tube, t, high);
-        found = found | (lanes & is_tube);
+        found |= lanes & is_tube;
         let is_lost = lanes & !(is_outside | is_tube);
-        *known = *known & !is_lost;
-        *open = *open & !(is_lost | (lanes & is_tube));
+        *known &= !is_lost;
+        *open &= !(is_lost | (lanes & is_tube));
     };
     let [c4, c3, c2, ..] = quartics.0;
     let slope = [four * c4, three * c3, two * c2];
@@ -292,8 +292,8 @@ pub fn first(torus: &Torus, line: &Local, skin: Lanes, live: u32) -> First {
             let rising = is_greater(own, zero);
             let (stationary, is_found) =
                 root_between(f, [last, bend], rising, start, precision, turns);
-            known = known & (is_found | !turns);
-            open = open & known;
+            known &= is_found | !turns;
+            open &= known;
             let is_later = turns & is_greater(stationary, last);
             visit(stationary, is_later, &mut open, &mut known);
             last = either(is_later, stationary, last);
