@@ -166,6 +166,7 @@ fix-inline = { $count ->
 }
 fix-equation = má-li to být { $type } dvou objektů, napsat { $number }
 fix-block = napsat to jako záznamy
+fix-block-angle = napsat to jako záznamy; `angle` v POV-Ray je úhel na šířku, na výšku je to při 4:3 { $number }
 fix-block-plane = pokud jde o `plane` z POV-Ray, jejíž d má opačné znaménko, napsat to jako záznamy
 fix-clauses = napsat záznam pro tvar a po jednom pro každou jeho vlastnost
 fix-clauses-some = napsat záznam pro tvar a po jednom pro každou vlastnost, pro kterou záznam existuje; ostatní se vynechají

@@ -157,6 +157,7 @@ fix-inline = { $count ->
 }
 fix-equation = if this is meant as the { $type } of two objects, write { $number }
 fix-block = write it as records
+fix-block-angle = write it as records; `angle` of POV-Ray is that of the width, the angle of the height is { $number } for 4:3
 fix-block-plane = where POV-Ray's `plane` is meant, whose d has the other sign, write it as records
 fix-clauses = write a record for the shape and one for each of its properties
 fix-clauses-some = write a record for the shape and one for each of its properties that records have; the others are left out
