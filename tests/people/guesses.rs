@@ -318,6 +318,34 @@ fn a_camera_in_a_solid_may_have_its_position_last() {
     }
 }
 
+/// A camera in the floor, of which the minus of y is too much: it is not turned to look out of there.
+#[test]
+fn a_camera_in_a_floor_has_another_sign() {
+    let with = |floor: &str, camera: &str| {
+        let rest = "50 -402 0.9\n50 -1 4 6 5\n1 9999 4 0\n";
+        format!("2 11 0 1 0 1\n{floor}\n4 -101 2 3\n9 -501 {camera} 0 1 0 40\n{rest}")
+    };
+    for floor in ["3 4 0 1 0 0", "3 12 -9 -3 -9 9 0 9"] {
+        let text = with(floor, "0 -2.5 8 0 -0.2 -1");
+        let meant = with(floor, "0 2.5 8 0 -0.2 -1");
+        assert_eq!(first(&text, Code::W325), meant);
+        assert_eq!(
+            first_said(&text, Code::W325),
+            [
+                "turn the sign of y of the camera: write `0 2.5 8`",
+                "změnit znaménko y kamery: napsat `0 2.5 8`"
+            ]
+        );
+        assert_eq!(fixed(&text, true), meant);
+        let all = repair::proposals(&read(&text));
+        let turned = all.iter().filter(|d| d.code == Code::W324);
+        assert_eq!(turned.flat_map(|d| &d.fixes).count(), 0, "{text}");
+    }
+    // It would see nothing from there.
+    let away = with("3 4 0 1 0 0", "0 -2.5 8 0 0.2 1");
+    assert_eq!(proposals(&away, Code::W325).len(), 0);
+}
+
 #[test]
 fn a_second_move_of_a_lamp_is_that_of_the_next_one() {
     let scene = |lamps: &str| {

@@ -187,6 +187,7 @@ fix-turns = napsat pro každou osu jedno otočení, nejdřív kolem x
 fix-quaternion = je-li to kvaternion { $order }, napsat { $number }: úhel ve stupních a osu
 fix-up = napsat vektor „nahoru“ { $number }
 fix-place-and-view = prohodit polohu a směr: napsat { $number }
+fix-sign-of-place = změnit znaménko { $axis } kamery: napsat { $number }
 fix-view-and-up = prohodit oba vektory: směr pohledu { $number }, nahoru { $up }
 fix-free-id = dát záznamu ID { $number }
 fix-chain = { $count ->

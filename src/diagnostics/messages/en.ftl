@@ -178,6 +178,7 @@ fix-turns = write one rotation for each axis, about x first
 fix-quaternion = as the quaternion { $order } it is { $number }: an angle in degrees, and an axis
 fix-up = write the up vector { $number }
 fix-place-and-view = swap position and direction: write { $number }
+fix-sign-of-place = turn the sign of { $axis } of the camera: write { $number }
 fix-view-and-up = swap the two vectors: look along { $number }, with { $up } up
 fix-free-id = give it the ID { $number }
 fix-chain = { $count ->
