@@ -11,6 +11,7 @@ mod properties;
 mod rays;
 mod records;
 mod rules;
+pub mod signs;
 pub mod spelling;
 
 use std::path::Path;

@@ -71,7 +71,7 @@ fn parallel(a: Vec3, b: Vec3) -> bool {
 }
 
 /// The matrix of a -1 … -4 record.
-pub(super) fn transformation(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
+pub fn transformation(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
     if !p.check_constraints(out) {
         return None;
     }

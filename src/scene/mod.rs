@@ -25,6 +25,7 @@ pub mod sight;
 pub(crate) mod sizes;
 pub mod walk;
 
+pub use camera::transformation;
 pub use geometry::{Geometry, TriangleNormals};
 pub use model::*;
 pub use resolve::{resolve, resolve_with};

@@ -121,6 +121,63 @@ fn a_difference_that_a_comment_reverses() {
     }
 }
 
+/// Comments of the box, the ball and the operation, by which the ball is taken from the box.
+const MINUS: &[[&str; 3]] = &[
+    ["", "", " # box minus ball #"],
+    ["", "", " # kostka bez koule #"],
+    ["", " # scoop #", " # box minus scoop #"],
+    [" # podstavec #", " # jamka #", " # podstavec bez jamky #"],
+];
+
+/// Another operation than the difference that its comment says; the colours differ, of which W308 has no guess then.
+#[test]
+fn an_operation_whose_comment_says_a_difference() {
+    let operation =
+        |comments: &[&str; 3], code: &str| cut(*comments, "13 14").replace("-103", code);
+    for (code, words) in [
+        ("-101", ["union 2", "sjednocení 2"]),
+        ("-102", ["intersection 2", "průnik 2"]),
+    ] {
+        for comments in MINUS {
+            let text = operation(comments, code);
+            let (finding, made) = guessed(&text, Code::W340);
+            assert_eq!(made, [operation(comments, "-103")]);
+            for (language, word) in [Language::English, Language::Czech].into_iter().zip(words) {
+                let said = finding.wording(language).message;
+                assert!(said.contains(word), "{said}");
+            }
+            let painted = text.replace("\n2 -10", "\n13 -701 0.9 0.1 0.1\n2 -10");
+            let meant =
+                operation(comments, "-103").replace("\n2 -10", "\n13 -701 0.9 0.1 0.1\n2 -10");
+            assert_eq!(fixed(&painted), meant);
+            let mixed = read(&painted);
+            let mut mixed = mixed.findings().iter().filter(|d| d.code == Code::W308);
+            assert!(mixed.all(|d| d.fixes.is_empty()), "{painted}");
+        }
+        for comments in [
+            ["", "", " # box and ball #"],
+            ["", "", " # ball minus box #"],
+            ["", "", " # box minus box #"],
+            ["", "", " # box without colour, ball #"],
+            ["", "", " # krychle bez barvy a koule #"],
+        ] {
+            let found = read(&operation(&comments, code));
+            assert!(
+                found.findings().iter().all(|d| d.code != Code::W340),
+                "{comments:?}"
+            );
+        }
+    }
+    // A − B may be written as A ∩ −B.
+    let complement =
+        cut(["", "", " # box minus ball #"], "13 15").replace("\n2 -103", "\n15 -104 14\n2 -102");
+    let found = read(&complement);
+    assert!(
+        found.findings().iter().all(|d| d.code != Code::W340),
+        "{complement}"
+    );
+}
+
 /// What comments say of something else, or of both, is no reason.
 #[test]
 fn a_difference_that_no_comment_reverses() {

@@ -318,6 +318,34 @@ fn a_camera_in_a_solid_may_have_its_position_last() {
     }
 }
 
+/// A camera in the floor, of which the minus of y is too much: it is not turned to look out of there.
+#[test]
+fn a_camera_in_a_floor_has_another_sign() {
+    let with = |floor: &str, camera: &str| {
+        let rest = "50 -402 0.9\n50 -1 4 6 5\n1 9999 4 0\n";
+        format!("2 11 0 1 0 1\n{floor}\n4 -101 2 3\n9 -501 {camera} 0 1 0 40\n{rest}")
+    };
+    for floor in ["3 4 0 1 0 0", "3 12 -9 -3 -9 9 0 9"] {
+        let text = with(floor, "0 -2.5 8 0 -0.2 -1");
+        let meant = with(floor, "0 2.5 8 0 -0.2 -1");
+        assert_eq!(first(&text, Code::W325), meant);
+        assert_eq!(
+            first_said(&text, Code::W325),
+            [
+                "turn the sign of y of the camera: write `0 2.5 8`",
+                "změnit znaménko y kamery: napsat `0 2.5 8`"
+            ]
+        );
+        assert_eq!(fixed(&text, true), meant);
+        let all = repair::proposals(&read(&text));
+        let turned = all.iter().filter(|d| d.code == Code::W324);
+        assert_eq!(turned.flat_map(|d| &d.fixes).count(), 0, "{text}");
+    }
+    // It would see nothing from there.
+    let away = with("3 4 0 1 0 0", "0 -2.5 8 0 0.2 1");
+    assert_eq!(proposals(&away, Code::W325).len(), 0);
+}
+
 #[test]
 fn a_second_move_of_a_lamp_is_that_of_the_next_one() {
     let scene = |lamps: &str| {
@@ -931,4 +959,58 @@ fn a_minus_apart_from_its_number() {
     let text = format!("2 11 0 1 0 1 -\n{rest}");
     let all = repair::proposals(&read(&text));
     assert!(all.iter().all(|d| d.case != "sign"));
+}
+
+/// A half-space in which all of an object lies, and what was meant; the next finding is about something else then.
+#[test]
+fn a_half_space_that_swallows_an_object() {
+    let scene = |lines: &str| {
+        format!(
+            "{lines}\n4 -101 2 3\n9 -501 0 3 8 0 -0.3 -1 0 1 0 40\n50 -402 0.9\n50 -1 4 6 5\n1 9999 4 0\n"
+        )
+    };
+    let checks = "10 -701 1 0 0\n11 -701 1 1 1\n2 11 2.4 0.9 -1.2 0.9\n2 -399 8 4 10 11\n";
+    let ring = "2 14 0.7 0.2\n2 -1 -0.6 0.9 2\n2 -2 80 1\n3 4 0 1 0 0";
+    let turned = "2 14 0.7 0.2\n2 -2 80 1\n2 -1 -0.6 0.9 2\n3 4 0 1 0 0";
+    for (lines, meant, titles) in [
+        (
+            format!("{checks}3 4 0 0 1 0 # floor #"),
+            format!("{checks}3 4 0 1 0 0 # floor #"),
+            [
+                "lay the floor across the y axis: write `0 1 0`",
+                "položit podlahu kolmo k ose y: napsat `0 1 0`",
+            ],
+        ),
+        (
+            "2 11 0 0 0 1\n3 4 0 1 0 -1.5".to_owned(),
+            "2 11 0 0 0 1\n3 4 0 1 0 1.5".to_owned(),
+            [
+                "change the sign of d: write `0 1 0 1.5`",
+                "změnit znaménko d: napsat `0 1 0 1.5`",
+            ],
+        ),
+        (
+            ring.to_owned(),
+            turned.to_owned(),
+            [
+                "swap the two lines: turn it first, then move it",
+                "prohodit oba řádky: nejdřív otočit, potom posunout",
+            ],
+        ),
+    ] {
+        let text = scene(&lines);
+        let all = repair::proposals(&read(&text));
+        assert!(all.iter().all(|d| d.code != Code::W331), "{all:?}");
+        assert_eq!(first(&text, Code::W335), scene(&meant));
+        assert_eq!(first_said(&text, Code::W335), titles);
+        let then = repair::proposals(&read(&scene(&meant)));
+        assert!(then.iter().all(|d| d.code != Code::W335), "{then:?}");
+    }
+    // A wall is no floor, and the swapped lines would leave the ring in the ground.
+    for lines in [
+        format!("{checks}3 4 0 0 1 0 # wall #"),
+        ring.replace("0.9 2", "-1.9 2"),
+    ] {
+        assert_eq!(proposals(&scene(&lines), Code::W335).len(), 0, "{lines}");
+    }
 }

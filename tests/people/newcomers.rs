@@ -800,7 +800,7 @@ fn blocks_of_povray() {
         ),
         (
             format!("2 9 1\ncamera {{ location <0,1,8> look_at <0,0,0> angle 40 }}\n{lamp}"),
-            format!("2 9 1\n51 -501 0 1 8 0 -1 -8 0 1 0 40\n{lamp}"),
+            format!("2 9 1\n51 -501 0 1 8 0 -1 -8 0 1 0 30.5\n{lamp}"),
         ),
         (
             format!("2 9 1\n{camera}light_source {{ <3,5,5> color White }}\n"),
@@ -815,6 +815,46 @@ fn blocks_of_povray() {
             written.matches('{').count()
         );
     }
+}
+
+/// The angle of POV-Ray is that of the width, that of a record is that of the height, and 640 by 480 pixels are meant.
+#[test]
+fn the_angle_of_pov_ray_is_that_of_the_width() {
+    let rest = "2 9 1\n50 -402 1\n50 -1 4 6 5\n1 9999 2 0\n";
+    let slip = |block: &str| format!("9 camera {{ {block} }}\n{rest}");
+    for (block, meant) in [
+        (
+            "location <0, 3, 8> look_at <0, 1, 0> angle 40",
+            "9 -501 0 3 8 0 -2 -8 0 1 0 30.5",
+        ),
+        // tan 45° is 1, and the arctangent of 3/4 is 36.87°.
+        (
+            "angle 90 location <0, 3, 8> direction <0, -2, -8>",
+            "9 -501 0 3 8 0 -2 -8 0 1 0 73.7",
+        ),
+    ] {
+        let text = slip(block);
+        assert_eq!(fixed(&text), format!("{meant}\n{rest}"));
+        let all = repair::proposals(&read(&text));
+        let first = &all.iter().find(|d| !d.fixes.is_empty()).unwrap();
+        let angle = meant.rsplit(' ').next().unwrap();
+        for (language, width) in [
+            (Language::English, "that of the width"),
+            (Language::Czech, "úhel na šířku"),
+        ] {
+            let said = &first.wording(language).fixes[0];
+            assert!(
+                said.contains(width) && said.contains(&format!("`{angle}`")),
+                "{said}"
+            );
+        }
+    }
+    // Without an angle nothing is to be said of one.
+    let text = slip("location <0, 3, 8> look_at <0, 1, 0>");
+    let all = repair::proposals(&read(&text));
+    let titles = all.iter().flat_map(|d| &d.fixes).map(|f| f.title);
+    assert!(titles.clone().count() > 0);
+    assert!(titles.clone().all(|title| title != "fix-block-angle"));
 }
 
 /// Words are no numbers.

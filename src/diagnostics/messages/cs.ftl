@@ -166,6 +166,7 @@ fix-inline = { $count ->
 }
 fix-equation = má-li to být { $type } dvou objektů, napsat { $number }
 fix-block = napsat to jako záznamy
+fix-block-angle = napsat to jako záznamy; `angle` v POV-Ray je úhel na šířku, na výšku je to při 4:3 { $number }
 fix-block-plane = pokud jde o `plane` z POV-Ray, jejíž d má opačné znaménko, napsat to jako záznamy
 fix-clauses = napsat záznam pro tvar a po jednom pro každou jeho vlastnost
 fix-clauses-some = napsat záznam pro tvar a po jednom pro každou vlastnost, pro kterou záznam existuje; ostatní se vynechají
@@ -186,6 +187,7 @@ fix-turns = napsat pro každou osu jedno otočení, nejdřív kolem x
 fix-quaternion = je-li to kvaternion { $order }, napsat { $number }: úhel ve stupních a osu
 fix-up = napsat vektor „nahoru“ { $number }
 fix-place-and-view = prohodit polohu a směr: napsat { $number }
+fix-sign-of-place = změnit znaménko { $axis } kamery: napsat { $number }
 fix-view-and-up = prohodit oba vektory: směr pohledu { $number }, nahoru { $up }
 fix-free-id = dát záznamu ID { $number }
 fix-chain = { $count ->

@@ -157,6 +157,7 @@ fix-inline = { $count ->
 }
 fix-equation = if this is meant as the { $type } of two objects, write { $number }
 fix-block = write it as records
+fix-block-angle = write it as records; `angle` of POV-Ray is that of the width, the angle of the height is { $number } for 4:3
 fix-block-plane = where POV-Ray's `plane` is meant, whose d has the other sign, write it as records
 fix-clauses = write a record for the shape and one for each of its properties
 fix-clauses-some = write a record for the shape and one for each of its properties that records have; the others are left out
@@ -177,6 +178,7 @@ fix-turns = write one rotation for each axis, about x first
 fix-quaternion = as the quaternion { $order } it is { $number }: an angle in degrees, and an axis
 fix-up = write the up vector { $number }
 fix-place-and-view = swap position and direction: write { $number }
+fix-sign-of-place = turn the sign of { $axis } of the camera: write { $number }
 fix-view-and-up = swap the two vectors: look along { $number }, with { $up } up
 fix-free-id = give it the ID { $number }
 fix-chain = { $count ->

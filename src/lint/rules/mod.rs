@@ -76,6 +76,7 @@ use RecordKind as R;
 use ShapeKind as S;
 
 const CUTS: &[RecordKind] = &[R::Intersection, R::Difference];
+const OPERATIONS: &[RecordKind] = &[R::Union, R::Intersection, R::Difference];
 const UNIONS: &[RecordKind] = &[R::Union];
 /// Records that [`duplicate_operand`] looks at.
 const DOUBLED: &[RecordKind] = &[R::Union, R::Intersection, R::Checkerboard, R::PointLight];
@@ -353,7 +354,7 @@ pub(super) const RULES: &[Rule] = &[
     Rule {
         code: Code::W340,
         check: swapped_difference::check,
-        asks_for: &[DIFFERENCES],
+        asks_for: &[OPERATIONS],
     },
     Rule {
         code: Code::S505,

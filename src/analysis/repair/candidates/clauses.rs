@@ -2,7 +2,7 @@
 //! camera, a plane, a cylinder or a light.
 
 use super::cameras::ANGLE;
-use super::inline::{BLOCK_TITLE, CLAUSES_TITLE, PLANE_TITLE};
+use super::inline::{ANGLE_TITLE, BLOCK_TITLE, CLAUSES_TITLE, PLANE_TITLE};
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Edit, Fix, Span};
 use crate::geometry::array::{length, sub};
@@ -17,6 +17,9 @@ const OWN: usize = 3;
 
 /// Clauses of POV-Ray about surfaces and insides that records have no numbers for.
 const OTHERS: [&str; 4] = ["finish", "normal", "interior", "no_shadow"];
+
+/// Height of a picture to its width, of 640 by 480 pixels.
+const HEIGHT_TO_WIDTH: f64 = 0.75;
 
 /// A record: its type and its numbers.
 type Line = (&'static RecordType, String);
@@ -78,14 +81,25 @@ impl LineContext<'_> {
             && own.len() > OWN
             && own.last().is_some_and(is_offset)
             && is_bare(&self.text[word.end() as usize..]);
+        // The word counts in the block alone, and the angle is the last number of a camera.
+        let has_angle = shape.kind == RecordKind::Camera
+            && behind[..behind.len() - rest.len()]
+                .iter()
+                .any(|t| is_angle(t.text(self.text)));
+        let angle = lines[0].1.rsplit(' ').next().unwrap_or_default();
+        let values = match has_angle {
+            true => vec![("number", quote(angle).into())],
+            false => Vec::new(),
+        };
         let fix = Fix {
             title: match (leaves_out, is_block) {
                 (true, _) => "fix-clauses-some",
                 (false, true) if is_bare_plane => PLANE_TITLE,
+                (false, true) if has_angle => ANGLE_TITLE,
                 (false, true) => BLOCK_TITLE,
                 (false, false) => CLAUSES_TITLE,
             },
-            values: Vec::new(),
+            values,
             applicability: match is_known && !leaves_out && !is_bare_plane {
                 true => Applicability::Unsafe,
                 false => Applicability::Choice,
@@ -99,7 +113,7 @@ impl LineContext<'_> {
     /// `plane { <0,1,0>, -1 }`, `plane <0,1,0>, -1`.
     pub(super) fn is_in_brackets(&self, candidate: &Candidate) -> bool {
         let word = candidate.fix.edits[0].span;
-        candidate.fix.title == BLOCK_TITLE
+        [BLOCK_TITLE, ANGLE_TITLE].contains(&candidate.fix.title)
             && self.text[word.end as usize..]
                 .trim_start()
                 .starts_with(['{', '<'])
@@ -207,7 +221,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// A camera of POV-Ray: `camera { location <0,1,8> look_at <0,0,0> angle 45 }`.
+    /// A camera of POV-Ray: `camera { location <0,1,8> look_at <0,0,0> angle 45 }`. Its angle is that of the width.
     fn camera_block<'t>(&self, behind: &'t [Token]) -> Option<Block<'t>> {
         let mut rest = behind;
         let (mut location, mut target) = (None, None);
@@ -221,7 +235,7 @@ impl LineContext<'_> {
                 ("look_at", &[x, y, z]) => target = Some([x, y, z]),
                 ("direction", &[x, y, z]) => direction = Some([x, y, z]),
                 ("up" | "sky", &[x, y, z]) => up = [x, y, z],
-                ("angle", &[degrees]) => angle = degrees,
+                (word, &[degrees]) if is_angle(word) => angle = of_height(degrees),
                 _ => return None,
             }
             rest = behind;
@@ -314,6 +328,21 @@ impl LineContext<'_> {
     fn texts(&self, tokens: &[Token]) -> String {
         let texts: Vec<&str> = tokens.iter().map(|t| t.text(self.text)).collect();
         texts.join(" ")
+    }
+}
+
+fn is_angle(word: &str) -> bool {
+    word.eq_ignore_ascii_case("angle")
+}
+
+/// The angle of view of a picture's height, to a tenth of a degree, from that of its width.
+fn of_height(of_width: f64) -> f64 {
+    match of_width > 0.0 && of_width < 180.0 {
+        true => {
+            let half = libm::atan(HEIGHT_TO_WIDTH * libm::tan(of_width.to_radians() / 2.0));
+            (20.0 * half.to_degrees()).round() / 10.0
+        }
+        false => of_width,
     }
 }
 

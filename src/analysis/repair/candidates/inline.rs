@@ -41,6 +41,7 @@ pub(super) const NAMED_TITLE: &str = "fix-named-id";
 /// The titles of fixes that write records for what other programs have in one block; the ID is what they begin with.
 pub(super) const CLAUSES_TITLE: &str = "fix-clauses";
 pub(super) const BLOCK_TITLE: &str = "fix-block";
+pub(super) const ANGLE_TITLE: &str = "fix-block-angle";
 pub(super) const PLANE_TITLE: &str = "fix-block-plane";
 /// The title of fixes that make two triangles of four corners; the ID of the first is what they begin with.
 pub(super) const QUAD_TITLE: &str = "fix-quad";
@@ -58,7 +59,13 @@ pub(crate) fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
     ]);
     let ids = fix.edits.iter().filter(move |_| is_one);
     let ids = ids.filter_map(|edit| edit.text.trim_end().parse().ok());
-    let is_block = is(&[CLAUSES_TITLE, BLOCK_TITLE, PLANE_TITLE, QUAD_TITLE]);
+    let is_block = is(&[
+        CLAUSES_TITLE,
+        BLOCK_TITLE,
+        ANGLE_TITLE,
+        PLANE_TITLE,
+        QUAD_TITLE,
+    ]);
     let head = fix.edits.first().filter(move |_| is_block);
     let head = head.and_then(|edit| edit.text.split_once(' ')?.0.parse().ok());
     ids.chain(head)

@@ -1,5 +1,7 @@
 //! W335: a part of what is drawn that lies wholly inside of an opaque solid.
 
+mod mended;
+
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::unseen_texture;
@@ -37,7 +39,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let told = told(context);
     // Of each solid what is in it, in the order of the file.
     let mut order: Vec<Named> = Vec::new();
-    let mut held: FxHashMap<(u32, Span), Vec<Named>> = FxHashMap::default();
+    let mut held: FxHashMap<(u32, Span), Vec<(Named, NodeId)>> = FxHashMap::default();
     let mut seen = FxHashSet::default();
     for (part, solid, node) in parts {
         if told.contains(&node) || !seen.insert((part.id, part.span, solid.id)) {
@@ -47,7 +49,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         if all.is_empty() {
             order.push(solid);
         }
-        all.push(part);
+        all.push((part, node));
     }
     for solid in order {
         let all = &held[&(solid.id, solid.span)];
@@ -56,27 +58,35 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 }
 
 /// The finding about all that lies in one solid.
-fn finding(context: &Context, solid: Named, all: &[Named]) -> Diagnostic {
-    let first = all[0];
-    let kind = context.params(solid.span).map(|p| p.ty.kind);
-    let is_half_space = kind == Some(RecordKind::Shape(ShapeKind::HalfSpace));
-    let case = match (is_half_space, all.len()) {
+fn finding(context: &Context, solid: Named, all: &[(Named, NodeId)]) -> Diagnostic {
+    let (first, _) = all[0];
+    let half_space = context
+        .params(solid.span)
+        .filter(|p| p.ty.kind == RecordKind::Shape(ShapeKind::HalfSpace));
+    let is_half_space = half_space.is_some();
+    let own = half_space.filter(|p| p.id == solid.id);
+    let (better, fixes) = match &own {
+        Some(p) => mended::mended(context, (solid, p), all),
+        None => Default::default(),
+    };
+    let case = better.unwrap_or(match (is_half_space, all.len()) {
         (false, 1) => "",
         (false, _) => "several",
         (true, 1) => "half-space",
         (true, _) => "half-space-several",
-    };
-    Diagnostic::new(Code::W335, first.span)
+    });
+    let finding = Diagnostic::new(Code::W335, first.span)
         .case(case)
         .with("object", Value::Term(first.title))
         .with("object-id", first.id.to_string())
         .with("count", Value::Count(all.len() as u64))
         .with("solid", Value::Term(solid.title))
         .with("solid-id", solid.id.to_string())
-        .label(solid.span, "solid")
+        .label(solid.span, "solid");
+    fixes.into_iter().fold(finding, Diagnostic::fix)
 }
 
-/// The nodes that belong to something whose texture is hidden: of that W331 speaks.
+/// The nodes that belong to something whose texture is hidden for several reasons: of that W331 speaks.
 fn told(context: &Context) -> FxHashSet<NodeId> {
     let scene = context.scene;
     let mut told: FxHashSet<NodeId> = unseen_texture::hidden(context).into_iter().collect();

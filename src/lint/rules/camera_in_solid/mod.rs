@@ -7,6 +7,7 @@ use crate::geometry::array::length;
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
 use crate::lint::rules::nothing_in_view::{LONGEST_WRITTEN, is_moved, sees, to_be_seen};
+use crate::lint::signs::sign_that_frees;
 use crate::lint::spelling::{decimal, opposite};
 use crate::scene::record::Params;
 use crate::scene::{Camera, NodeId, Scene, Vec3};
@@ -31,6 +32,12 @@ fn within<'c>(context: &'c Context) -> Vec<((&'c Camera, Params<'c>), Held)> {
     let both = cameras.into_iter().zip(holders);
     both.filter_map(|(camera, held)| Some((camera, inside(held)?)))
         .collect()
+}
+
+/// The cameras that are inside of something opaque.
+pub(super) fn cameras(context: &Context) -> FxHashSet<u32> {
+    let all = within(context).into_iter();
+    all.map(|((camera, _), _)| camera.id).collect()
 }
 
 /// The solids that a camera is inside of.
@@ -66,8 +73,49 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         };
         let swapped = swapped(context, render.root, camera, camera_record);
         finding.fixes.splice(0..0, swapped);
+        if finding.fixes.is_empty() {
+            let freed = freed(context, render.root, (camera, camera_record), held);
+            finding.fixes.extend(freed);
+        }
         out.push(finding);
     }
+}
+
+/// The place of a camera with the other sign of a coordinate, where it then sees something.
+fn freed(
+    context: &Context,
+    root: NodeId,
+    (camera, p): (&Camera, &Params),
+    held: &Held,
+) -> Option<Fix> {
+    if p.ty.kind != RecordKind::Camera || is_moved(camera, p) {
+        return None;
+    }
+    let (axis, number) = sign_that_frees(context, camera.position, held, p)?;
+    let mut then = *camera;
+    then.position[axis] = -then.position[axis];
+    if !sees(
+        context,
+        root,
+        &then,
+        then.direction,
+        to_be_seen(context, root),
+    ) {
+        return None;
+    }
+    let all = [0, 1, 2].map(|i| match i == axis {
+        true => number.as_str(),
+        false => p.text_of(i),
+    });
+    let all = quote(&all.join(" "));
+    let span = p.span_of(axis, 1);
+    let fix = Fix::replace(
+        "fix-sign-of-place",
+        Applicability::Unsafe,
+        span,
+        number.clone(),
+    );
+    Some(fix.with("number", all).with("axis", ["x", "y", "z"][axis]))
 }
 
 /// Whether a quadric has the signs of one whose outside is meant: its squares are negative, so it is all around that.

@@ -5,12 +5,12 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
-use crate::lint::spelling::opposite;
+use crate::lint::signs::sign_that_frees;
 use crate::scene::record::Params;
 use crate::scene::{Entity, PointLight, Vec3};
 use crate::syntax::Record;
 use crate::syntax::quote;
-use crate::syntax::table::{Family, Kind, RecordKind, ShapeKind};
+use crate::syntax::table::{Family, Kind, RecordKind};
 use crate::trace::plan::unseen::view::{Held, held as held_at};
 
 /// Lamps whose place is tried with other signs: each asks all parts of the scene again.
@@ -96,29 +96,9 @@ fn only_moves<'c>(context: &'c Context) -> FxHashMap<u32, Option<&'c Record>> {
     all
 }
 
-/// The place of a lamp with the other sign of a coordinate, where one sign alone frees it of a half-space or a box.
+/// The place of a lamp with the other sign of a coordinate.
 fn mirrored(context: &Context, lamp: &PointLight, held: &Held, place: &Params) -> Option<Fix> {
-    let scene = context.scene;
-    let root = scene.render?.root;
-    let has_faces = context.params(held.solid.span).is_some_and(|p| {
-        let shapes = [ShapeKind::HalfSpace, ShapeKind::Box].map(RecordKind::Shape);
-        shapes.contains(&p.ty.kind)
-    });
-    let written: Vec3 = place.numbers(0);
-    if !has_faces || written != lamp.position {
-        return None;
-    }
-    let places = [0, 1, 2].map(|i| {
-        let mut turned = written;
-        turned[i] = -turned[i];
-        turned
-    });
-    let held = held_at(scene, context.bounds(), root, &places);
-    let mut free = (0..3).filter(|&i| held[i].is_none() && written[i] != 0.0);
-    let (axis, None) = (free.next()?, free.next()) else {
-        return None;
-    };
-    let number = opposite(place, axis);
+    let (axis, number) = sign_that_frees(context, lamp.position, held, place)?;
     let all: Vec<&str> = (0..place.len())
         .map(|i| match i == axis {
             true => number.as_str(),

@@ -2,6 +2,7 @@
 
 use rustc_hash::FxHashSet;
 
+use super::swapped_difference;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::lint::parts::parts;
@@ -169,6 +170,8 @@ fn seen(scene: &Scene) -> Vec<u8> {
 fn report(context: &Context, mixed: &[(NodeId, [bool; 3])], out: &mut Vec<Diagnostic>) {
     let titles = context.titles();
     let properties = Properties::new(context);
+    // Of these W340 has a guess.
+    let differences = swapped_difference::intersections(context);
     let finding = |&(node, differ): &(NodeId, [bool; 3])| {
         let origin = context.scene.origins[node as usize];
         let p = context.params(origin.span)?;
@@ -192,7 +195,8 @@ fn report(context: &Context, mixed: &[(NodeId, [bool; 3])], out: &mut Vec<Diagno
             .with("second-id", operands[1].to_string())
             .with("aspects", aspects);
         let children = context.scene.nodes[node as usize].children();
-        for (id, child) in operands.into_iter().zip(children) {
+        let is_one = !differences.contains(&node);
+        for (id, child) in operands.into_iter().zip(children).filter(|_| is_one) {
             if let Some(lines) = properties.again(context, id, child, origin.id, differ) {
                 let fix: Fix = context.add_behind(p.span(), "fix", Applicability::Unsafe, &lines);
                 d = d.with("source", id.to_string()).fix(fix);

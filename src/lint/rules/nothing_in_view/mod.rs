@@ -4,7 +4,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::geometry::array::{cross, dot, length, sub, unit};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
-use crate::lint::rules::angle_in_radians;
+use crate::lint::rules::{angle_in_radians, camera_in_solid};
 use crate::lint::spelling::{decimal, near};
 use crate::scene::record::Params;
 use crate::scene::{Camera, Node, NodeId, Scene, Vec3};
@@ -42,7 +42,9 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             Some(side) => finding.with("where", name(side)),
             None => finding.case("unbounded"),
         };
-        let fixes = match is_written {
+        // A camera in a solid has to be moved first.
+        let is_inside = || camera_in_solid::cameras(context).contains(&camera.id);
+        let fixes = match is_written && !is_inside() {
             true => turned(context, render.root, camera, &p, side),
             false => Vec::new(),
         };

@@ -1,4 +1,5 @@
-//! W340: a difference whose operands are in each other's place, by what comments say.
+//! W340: a difference whose operands are in each other's place, or another operation that is a difference, by what
+//! comments say.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -12,8 +13,13 @@ use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
 use crate::syntax::words::{self, plain};
 
+/// The cases of operations that are a difference by their comments.
+const UNION: &str = "union";
+const INTERSECTION: &str = "intersection";
 /// Between `cube` and what it is without: words as these.
 const WITHOUT: [&str; 4] = ["without", "minus", "less", "bez"];
+/// Between things of which only the first one is without something; the first word may be an article, too.
+const AND: [&str; 4] = ["a", "and", "i", "plus"];
 /// Before a hole: what has it.
 const WITH: [&str; 5] = ["with", "having", "s", "se", "ma"];
 /// Beginnings of words for a hole, without accents.
@@ -43,8 +49,23 @@ const MAX_COMMENTS: usize = 8;
 const STEM: usize = 4;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let said = said(context);
+    out.extend(said.iter().map(|(p, _, case)| finding(p, case)));
+}
+
+/// The intersections of which W340 says that a difference is meant.
+pub(super) fn intersections(context: &Context) -> FxHashSet<NodeId> {
+    let said = said(context).into_iter();
+    said.filter(|(_, _, case)| *case == INTERSECTION)
+        .map(|(_, node, _)| node)
+        .collect()
+}
+
+/// The operations that comments say otherwise, with the case of each.
+fn said<'c>(context: &'c Context) -> Vec<(Params<'c>, NodeId, &'static str)> {
+    let mut out = Vec::new();
     if !context.document.contents.comments {
-        return;
+        return out;
     }
     let mut comments: FxHashMap<u32, Vec<Vec<String>>> = FxHashMap::default();
     let mut tools: FxHashSet<i64> = FxHashSet::default();
@@ -61,7 +82,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         }
     }
     if comments.is_empty() {
-        return;
+        return out;
     }
     // That nothing is left has a rule of its own.
     let is_empty = |proven: &&Proven| matches!(proven.what, Proof::Empty(..));
@@ -70,8 +91,11 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     for (node, made) in scene.nodes.iter().enumerate() {
         let node = node as NodeId;
-        let Node::Difference(a, b) = made else {
-            continue;
+        let (a, b, otherwise) = match *made {
+            Node::Difference(a, b) => (a, b, None),
+            Node::Union(a, b) => (a, b, Some(UNION)),
+            Node::Intersection(a, b) => (a, b, Some(INTERSECTION)),
+            _ => continue,
         };
         let origin = scene.origins[node as usize];
         let Some(p) = context
@@ -80,9 +104,18 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         else {
             continue;
         };
-        let operands =
-            [(0, *a), (1, *b)].map(|(i, n)| operand(context, &comments, p.integer(i), n));
+        let operands = [(0, a), (1, b)].map(|(i, n)| operand(context, &comments, p.integer(i), n));
         let [one, two] = &operands;
+        if let Some(case) = otherwise {
+            let of = |comment: &'c str| comment.split([',', ';', '.', ':', '(', ')']);
+            let is_own = |said: &str| is_without(&split(said), one, two);
+            let is_said = p.comments().flat_map(of).any(is_own);
+            // A ∩ −B is A − B.
+            if is_said && !operands.iter().any(|o| o.is_complement) {
+                out.push((p, node, case));
+            }
+            continue;
+        }
         let is_tool = tools.contains(&i64::from(p.id));
         let own = p
             .comments()
@@ -93,23 +126,35 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             true => "taken",
             false => continue,
         };
-        out.push(finding(&p, case));
+        out.push((p, node, case));
     }
+    out
 }
 
 fn finding(p: &Params, case: &'static str) -> Diagnostic {
     let [one, two] = [0, 1].map(|i| p.text_of(i).to_owned());
-    let edits = [(0, &two), (1, &one)].map(|(i, text)| Edit {
-        span: p.span_of(i, 1),
-        text: text.clone(),
-    });
+    let is_difference = p.ty.kind == RecordKind::Difference;
+    let (span, number, edits) = match is_difference {
+        true => {
+            let edits = [(0, &two), (1, &one)].map(|(i, text)| Edit {
+                span: p.span_of(i, 1),
+                text: text.clone(),
+            });
+            (p.span_of(0, 2), format!("{two} {one}"), edits.into())
+        }
+        false => {
+            let text = RecordType::of(RecordKind::Difference).code.to_string();
+            let span = p.type_span();
+            (span, text.clone(), vec![Edit { span, text }])
+        }
+    };
     let fix = Fix {
         title: "fix",
-        values: vec![("number", quote(&format!("{two} {one}")).into())],
+        values: vec![("number", quote(&number).into())],
         applicability: Applicability::Unsafe,
-        edits: edits.into(),
+        edits,
     };
-    Diagnostic::new(Code::W340, p.span_of(0, 2))
+    Diagnostic::new(Code::W340, span)
         .case(case)
         .with("id", p.id.to_string())
         .with("one", one)
@@ -128,6 +173,7 @@ fn split(comment: &str) -> Vec<String> {
 struct Operand<'a> {
     /// The type of the shape that it is, or is cut out of.
     ty: Option<&'static RecordType>,
+    is_complement: bool,
     comments: Vec<&'a [String]>,
 }
 
@@ -138,6 +184,8 @@ fn operand<'a>(
     mut node: NodeId,
 ) -> Operand<'a> {
     let scene = context.scene;
+    let core = named_core(scene, node).map(|(_, core)| core);
+    let is_complement = matches!(core, Some(Node::Complement(_)));
     let ty = loop {
         match named_core(scene, node).map(|(_, core)| core) {
             Some(Node::Shape(s)) => break Some(scene.shapes[s as usize].ty()),
@@ -148,6 +196,7 @@ fn operand<'a>(
     let own = u32::try_from(id).ok().and_then(|id| comments.get(&id));
     Operand {
         ty,
+        is_complement,
         comments: own.into_iter().flatten().map(Vec::as_slice).collect(),
     }
 }
@@ -187,26 +236,47 @@ impl Operand<'_> {
 
 /// Whether a comment on a difference says that its first operand is taken from the second one.
 fn is_reverse(said: &[String], one: &Operand, two: &Operand) -> bool {
-    let is_name =
-        |w: &&String| !words::shapes(w).is_empty() || one.is_called(w) || two.is_called(w);
-    let between = MAX_WORDS_BETWEEN + 1;
-    (1..said.len()).any(|at| {
-        let word = said[at].as_str();
-        if !WITHOUT.contains(&word) && !WITH.contains(&word) {
-            return false;
-        }
-        let what = said[..at].iter().rev().take(between).find(is_name);
-        let Some(what) = what.filter(|w| two.is_called(w) && !one.is_called(w)) else {
-            return false;
-        };
-        let mut behind = said[at + 1..].iter().take(between);
-        if WITHOUT.contains(&word) {
-            let is_right = |w: &String| one.is_called(w) && !two.is_called(w);
-            return what.len() > 1 && behind.find(is_name).is_some_and(is_right);
-        }
-        // A shape that is cut out of something else than one shape may be of any kind.
-        one.ty.is_some() && behind.any(|w| begins(w, &HOLE))
-    })
+    let is_hole = |w: &String| begins(w, &HOLE);
+    // A shape that is cut out of something else than one shape may be of any kind.
+    let is_with_hole = |at: usize| {
+        let mut behind = said[at + 1..].iter().take(MAX_WORDS_BETWEEN + 1);
+        one.ty.is_some()
+            && WITH.contains(&said[at].as_str())
+            && behind.any(is_hole)
+            && named_before(said, at, two, one).is_some()
+    };
+    is_without(said, two, one) || (1..said.len()).any(is_with_hole)
+}
+
+/// Whether a comment says that one operand is there without another one.
+fn is_without(said: &[String], whole: &Operand, taken: &Operand) -> bool {
+    (1..said.len())
+        .filter(|&at| WITHOUT.contains(&said[at].as_str()))
+        .any(|at| {
+            let mut behind = said[at + 1..].iter().take(MAX_WORDS_BETWEEN + 1);
+            let first = behind.next().into_iter();
+            let behind = behind.take_while(|w| !AND.contains(&w.as_str()));
+            let named = first.chain(behind).find(|w| is_name(w, whole, taken));
+            named.is_some_and(|w| taken.is_called(w) && !whole.is_called(w))
+                && named_before(said, at, whole, taken).is_some_and(|what| what.len() > 1)
+        })
+}
+
+/// The nearest name before a place in a comment, if it is that of the first operand alone.
+fn named_before<'s>(
+    said: &'s [String],
+    at: usize,
+    first: &Operand,
+    second: &Operand,
+) -> Option<&'s String> {
+    let mut before = said[..at].iter().rev().take(MAX_WORDS_BETWEEN + 1);
+    let name = before.find(|w| is_name(w, first, second))?;
+    (first.is_called(name) && !second.is_called(name)).then_some(name)
+}
+
+/// Whether a word is a name of a shape, or of one of two operands.
+fn is_name(word: &str, one: &Operand, two: &Operand) -> bool {
+    !words::shapes(word).is_empty() || one.is_called(word) || two.is_called(word)
 }
 
 fn begins(word: &str, beginnings: &[&str]) -> bool {

@@ -13,7 +13,7 @@ use super::overridden_property::{self, MAX_PROPOSED};
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
 use crate::lint::Context;
 use crate::scene::{Node, NodeId, Origin, Scene, fold_up};
-use crate::solids::Named;
+use crate::solids::named;
 use crate::syntax::Item;
 use crate::trace::plan::unseen::view::{USUAL, beside_all_views};
 use crate::trace::plan::unseen::{LeftOut, Unseen, Why as UnseenReason};
@@ -61,7 +61,8 @@ pub(super) fn hidden(context: &Context) -> Vec<NodeId> {
     };
     let is_hidden = |texture: usize| {
         let (given, found) = (&sightings.given[texture], &sightings.found[texture]);
-        !given.is_colour && !found.is_seen && found.reasons == [Why::Hidden]
+        let is_hidden = found.reasons == [Why::Hidden] && found.is_hidden_otherwise;
+        !given.is_colour && !found.is_seen && is_hidden
     };
     let paintings = sightings.paintings.iter();
     let hidden = paintings.filter(|p| p.texture.is_some_and(is_hidden));
@@ -197,8 +198,8 @@ struct TextureSightings {
     cover: Option<Span>,
     /// A record that covers the texture, is about the same object, and is in no other finding.
     again: Option<Span>,
-    /// The solid that hides the texture, if one does.
-    solid: Option<Named>,
+    /// Whether something with the texture is hidden, and not by being an object that lies inside of a solid.
+    is_hidden_otherwise: bool,
 }
 
 impl TextureSightings {
@@ -230,8 +231,13 @@ impl TextureSightings {
         }
     }
 
+    /// Whether all that has the texture are objects inside of solids: of these W335 speaks.
+    fn is_in_solids(&self) -> bool {
+        self.reasons == [Why::Hidden] && !self.is_hidden_otherwise
+    }
+
     fn said(&self, given: &Given) -> Option<Diagnostic> {
-        if self.is_seen {
+        if self.is_seen || self.is_in_solids() {
             return None;
         }
         let case = match self.reasons[..] {
@@ -244,12 +250,8 @@ impl TextureSightings {
             .with("type", Value::Term(given.params.ty.title))
             .with("width", USUAL[0].to_string())
             .with("height", USUAL[1].to_string());
-        Some(match (self.cover, self.solid) {
-            (Some(cover), _) if case == Why::Covered.case() => d.label(cover, "cover"),
-            (_, Some(solid)) if case == Why::Hidden.case() => (d.case("inside"))
-                .with("solid", Value::Term(solid.title))
-                .with("solid-id", solid.id.to_string())
-                .label(solid.span, "solid"),
+        Some(match self.cover {
+            Some(cover) if case == Why::Covered.case() => d.label(cover, "cover"),
             _ => d,
         })
     }
@@ -330,9 +332,7 @@ impl<'a> Views<'a> {
             Showing::Shown if is_lost(&self.met) => {
                 found.add(Why::Hidden, None);
                 let why = self.unseen.get(painting.node as usize).copied().flatten();
-                if let Some(UnseenReason::Inside(solid)) = why {
-                    found.solid = found.solid.or(Some(solid));
-                }
+                found.is_hidden_otherwise |= !matches!(why, Some(UnseenReason::Inside(_)));
             }
             Showing::Shown if is_lost(&self.viewed) => found.add(Why::Beside, None),
             Showing::Shown => found.is_seen = true,
@@ -365,7 +365,8 @@ fn covers(scene: &Scene, root: NodeId, reach: &VisibleAspects) -> Vec<Option<Nod
 /// For each node why the part is unseen that it belongs to, or that belongs to it.
 fn unseen_parts(scene: &Scene, unseen: &[Unseen]) -> Vec<Option<UnseenReason>> {
     let mut parts = vec![None; scene.nodes.len()];
-    for part in unseen {
+    // W335 speaks of what has a name.
+    for part in unseen.iter().filter(|p| named(scene, p.node).is_some()) {
         parts[part.node as usize] = Some(part.why);
     }
     // Children stand before their parents.

@@ -8,6 +8,13 @@ use crate::solids::bounds::NodeBounds;
 use crate::solids::within::{CLEARANCE_REL, far};
 use crate::solids::{Named, named};
 
+/// The place of a part of the outermost union: the map from the coordinates of its shape into those of the scene.
+pub fn placed(scene: &Scene, bounds: &[NodeBounds], root: NodeId, part: NodeId) -> Option<Matrix> {
+    let parts = members(scene, bounds, root);
+    let own = parts.iter().find(|m| m.node == part)?;
+    Some(*own.matrix())
+}
+
 /// A half-space in its place, and the boxes of all that has an end.
 pub struct Sides {
     /// From the coordinates of the scene into those of the half-space.
@@ -55,6 +62,12 @@ impl Sides {
             let [x, y, z] = self.back.point(corner);
             a * x + b * y + c * z + d >= least
         })
+    }
+
+    /// Whether all of some part lies within a half-space with these numbers.
+    pub fn buries(&self, numbers: [f64; 4]) -> bool {
+        let is_in = |&corner: &Vec3| self.holds(numbers, corner);
+        self.boxes.iter().any(|b| b.corners().iter().all(is_in))
     }
 
     /// Whether all of some part that is not wholly within the half-space of the first numbers lies within that of the

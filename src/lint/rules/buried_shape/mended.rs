@@ -1,0 +1,147 @@
+//! What may be meant instead of a half-space that swallows objects.
+
+use crate::diagnostics::{Applicability, Edit, Fix, Span};
+use crate::geometry::Matrix;
+use crate::geometry::array::{length, sub};
+use crate::lint::Context;
+use crate::lint::records::chosen_cameras;
+use crate::lint::rules::camera_in_solid::moved;
+use crate::lint::spelling::opposite;
+use crate::scene::record::Params;
+use crate::scene::{Node, NodeId, transformation};
+use crate::solids::Named;
+use crate::solids::shapes::facts::Facts;
+use crate::syntax::Record;
+use crate::syntax::quote;
+use crate::syntax::table::{Family, RecordKind};
+use crate::trace::plan::unseen::sides::{Sides, placed};
+
+/// Beginnings of words for what things stand on, without accents.
+const FLOOR: [&str; 6] = ["floor", "podlah", "zem", "ground", "table", "stul"];
+/// Transformations of one object that are tried in another order.
+const MAX_TRANSFORMATIONS: usize = 8;
+/// The gap between two places that are the same but for rounding, as a share of how far away they are.
+const PLACE_REL_GAP: f64 = 1e-9;
+
+/// The fixes of a half-space that holds parts, with the case of the finding where the first fix makes a difference to it.
+pub(super) fn mended(
+    context: &Context,
+    half_space: (Named, &Params),
+    parts: &[(Named, NodeId)],
+) -> (Option<&'static str>, Vec<Fix>) {
+    let scene = context.scene;
+    let (solid, p) = half_space;
+    let Some(root) = scene.render.map(|r| r.root) else {
+        return (None, Vec::new());
+    };
+    let Some(sides) = Sides::new(scene, context.bounds(), root, solid) else {
+        return (None, Vec::new());
+    };
+    let now: [f64; 4] = p.numbers(0);
+    let mut fixes = Vec::new();
+    let mut case = None;
+    if let [(part, node)] = *parts {
+        let order = in_other_order(context, part, node, (now, &sides));
+        case = order.is_some().then_some("half-space-order");
+        fixes.extend(order);
+    }
+    let frees = |then: [f64; 4]| {
+        let cameras = chosen_cameras(context).into_iter().map(|(c, _)| c.position);
+        let lamps = scene.point_lights.iter().map(|l| l.position);
+        !sides.buries(then) && !cameras.chain(lamps).any(|place| sides.holds(then, place))
+    };
+    fixes.extend(
+        laid_down(p, now, &sides)
+            .filter(|(then, _)| frees(*then))
+            .map(|(_, fix)| fix),
+    );
+    let [a, b, c, d] = now;
+    if d != 0.0 && frees([a, b, c, -d]) {
+        fixes.push(moved(p));
+    }
+    (case, fixes)
+}
+
+/// A floor by its comment that stands upright, with its numbers and record as a floor across the y axis.
+fn laid_down(p: &Params, now: [f64; 4], sides: &Sides) -> Option<([f64; 4], Fix)> {
+    let axis = (0..3).find(|&i| (0..3).all(|j| (i == j) == (now[j] != 0.0)))?;
+    if axis == 1 || !sides.is_untouched || !p.is_called(&FLOOR) {
+        return None;
+    }
+    let up = match now[axis] < 0.0 {
+        true => opposite(p, axis),
+        false => p.text_of(axis).to_owned(),
+    };
+    let normal = format!("0 {up} 0");
+    let fix = Fix::replace(
+        "fix-lay",
+        Applicability::Unsafe,
+        p.span_of(0, 3),
+        normal.clone(),
+    );
+    let fix = fix.with("number", quote(&normal));
+    Some(([0.0, now[axis].abs(), 0.0, now[3]], fix))
+}
+
+/// A rotation of an object and a translation above it in each other's place, where the middle of the object is then out of
+/// the half-space: a rotation is about the origin.
+fn in_other_order(
+    context: &Context,
+    part: Named,
+    node: NodeId,
+    (now, sides): ([f64; 4], &Sides),
+) -> Option<Fix> {
+    let scene = context.scene;
+    let (core, _) = scene.core(node, Matrix::IDENTITY);
+    let Node::Shape(shape) = scene.nodes[core as usize] else {
+        return None;
+    };
+    let geometry = &scene.shapes[shape as usize].geometry;
+    let moves = |r: &&Record| r.id == part.id && r.ty().family == Family::Transformation;
+    let chain: Vec<Params> = (context.records().filter(moves))
+        .take(MAX_TRANSFORMATIONS + 1)
+        .map(|r| context.record_params(r))
+        .collect();
+    if chain.len() > MAX_TRANSFORMATIONS {
+        return None;
+    }
+    let matrix = |p: &Params| transformation(p, &mut Vec::new());
+    let matrices: Vec<Matrix> = chain.iter().map(matrix).collect::<Option<_>>()?;
+    let bounds = |order: &[usize]| {
+        let all = order.iter().map(|&i| &matrices[i]);
+        geometry.bounds(&all.fold(Matrix::IDENTITY, |before, m| m.after(&before)))
+    };
+    let mut order: Vec<usize> = (0..chain.len()).collect();
+    // Nothing else moves it.
+    let place = placed(scene, context.bounds(), scene.render?.root, node)?;
+    let (now_at, by_records) = (geometry.bounds(&place), bounds(&order));
+    let apart = length(sub(now_at.centre(), by_records.centre()));
+    if !now_at.is_bounded() || apart > PLACE_REL_GAP * now_at.far() {
+        return None;
+    }
+    let is = |i: usize, kind: RecordKind| chain[i].ty.kind == kind;
+    // Neighbours first.
+    let pairs = (1..chain.len()).flat_map(|by| (by..chain.len()).map(move |i| (i - by, i)));
+    for (early, late) in pairs {
+        if !is(late, RecordKind::Rotation) || !is(early, RecordKind::Translation) {
+            continue;
+        }
+        order.swap(late, early);
+        let then = bounds(&order);
+        if then.is_bounded() && !sides.holds(now, then.centre()) {
+            let [rotation, translation] = [late, early].map(|i| chain[i].span());
+            let text = |span: Span| context.text[span.range()].to_owned();
+            let edits = [(translation, rotation), (rotation, translation)];
+            let edits = edits.map(|(span, other)| Edit {
+                span,
+                text: text(other),
+            });
+            return Some(Fix {
+                applicability: Applicability::Choice,
+                ..Fix::guess("fix-order", edits.into())
+            });
+        }
+        order.swap(late, early);
+    }
+    None
+}
