@@ -1,6 +1,7 @@
 //! What may have been meant by a line that something is wrong with.
 
 mod apart;
+mod axes;
 pub(super) mod cameras;
 mod clauses;
 mod comments;
@@ -266,6 +267,7 @@ impl<'a> LineContext<'a> {
                 out.push(clauses);
             }
             out.extend(self.square_roots());
+            out.extend(self.vectors());
             self.spaced_name(&mut out);
             if !is_block {
                 self.words(&mut out);
