@@ -1,9 +1,9 @@
 //! Text of POV-Ray behind an ID or alone on a line: the records that it stands for, and nothing of it is lost.
 
 use zpg::internals::analysis::repair;
-use zpg::internals::diagnostics::Diagnostic;
+use zpg::internals::diagnostics::{Code, Diagnostic, Language};
 
-use super::{fixed, read};
+use super::{fixed, guessed, read};
 
 /// A ball with a line behind it, a camera, a lamp, and what is drawn.
 fn scene(line: &str) -> String {
@@ -17,6 +17,69 @@ fn becomes(text: &str, meant: &str) {
     let errors: Vec<&Diagnostic> = all.iter().filter(|d| d.is_error()).collect();
     assert_eq!(errors.len(), 1, "{text}{errors:#?}");
     assert_eq!(fixed(text), meant);
+}
+
+/// What a guess knows no record for, it keeps as a comment.
+#[test]
+fn surfaces_and_insides() {
+    for (line, meant) in [
+        (
+            "2 pigment { color rgb <0.8, 0.2, 0.1> } finish { reflection 0.5 }",
+            "2 -701 0.8 0.2 0.1\n2 -201 0.5 0.5 0",
+        ),
+        (
+            "2 texture { pigment { rgb <1,0,0> } finish { ambient 0.1 diffuse 0.6 reflection 0.3 } }",
+            "2 -701 1 0 0\n2 -201 0.6 0.3 0 # finish { ambient 0.1 } #",
+        ),
+        (
+            "2 pigment { rgb <1,0,0> } interior { ior 1.5 }",
+            "2 -701 1 0 0\n2 -203 1.5 1.5 1.5",
+        ),
+        ("2 finish { diffuse 0.7 }", "2 -201 0.7 0 0"),
+        (
+            "2 pigment { Red } finish { reflection { 0.1, 0.9 } phong 1 } no_shadow",
+            "2 -701 1 0 0 # finish { reflection { 0.1, 0.9 } phong 1 } no_shadow #",
+        ),
+    ] {
+        becomes(&scene(line), &scene(meant));
+    }
+    // A block that goes on below, and what is no property.
+    for line in [
+        "2 pigment { rgb <1,0,0> } finish {",
+        "2 pigment { rgb <1,0,0> transmit 0.5 }",
+    ] {
+        assert_eq!(fixed(&scene(line)), scene(line));
+    }
+    let text = scene("2 pigment { Red } normal { bumps 0.2 }");
+    let (error, _) = guessed(&text, Code::E006);
+    let said = [Language::English, Language::Czech].map(|l| error.wording(l).fixes[0].clone());
+    let meant = [
+        "write each property and each transformation as a record of its own; what no record says becomes a comment",
+        "napsat každou vlastnost a každou transformaci jako samostatný záznam; z toho, co žádný záznam neříká, se stane \
+         komentář",
+    ];
+    assert_eq!(said, meant);
+}
+
+/// Several transformations behind one ID.
+#[test]
+fn several_transformations() {
+    for line in [
+        "2 -1 0 1 0 rotate <0, 45, 0>",
+        "2 -1 0 1 0 rotate 0 45 0",
+        "2 -1 0 1 0 -2 45 2",
+        "2 translate <0,1,0> rotate <0,45,0>",
+        "2 translate y rotate 45*y",
+        "2 translate <0,1,0> -2 45 2",
+    ] {
+        becomes(&scene(line), &scene("2 -1 0 1 0\n2 -2 45 2"));
+    }
+    let text = scene("3 11 0 1 0 0.5 translate <1,0,0>").replace("9999 2", "9999 3");
+    let meant = scene("3 11 0 1 0 0.5\n3 -1 1 0 0").replace("9999 2", "9999 3");
+    assert_eq!(fixed(&text), meant);
+    // Words of people are a comment.
+    let text = scene("2 -1 0 1 0 rotate later");
+    assert_eq!(fixed(&text), scene("2 -1 0 1 0 # rotate later #"));
 }
 
 /// Vectors along an axis, and turns about one.

@@ -19,6 +19,7 @@ mod numbers;
 mod own_id;
 mod parts;
 mod profiles;
+mod properties;
 mod references;
 mod rotations;
 mod sizes;
@@ -302,7 +303,7 @@ impl<'a> LineContext<'a> {
             self.by_centre(finding, &mut out);
             out.extend(self.lost_line_end(finding));
             out.extend(self.moved_copy(finding));
-            let behind = self.records_behind();
+            let behind = self.records_behind().or_else(|| self.changes_behind());
             // A record is no comment.
             if behind.is_some() {
                 out.retain(|c| c.habit != Habit::Comment);
