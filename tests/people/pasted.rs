@@ -1,7 +1,7 @@
 //! Text of POV-Ray behind an ID or alone on a line: the records that it stands for, and nothing of it is lost.
 
 use zpg::internals::analysis::repair;
-use zpg::internals::diagnostics::{Code, Diagnostic, Language};
+use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, Language};
 
 use super::{fixed, guessed, read};
 
@@ -59,6 +59,44 @@ fn surfaces_and_insides() {
          komentář",
     ];
     assert_eq!(said, meant);
+}
+
+/// A background gets an ID, which the render record names; an ambient light gets one, too.
+#[test]
+fn settings_of_the_scene() {
+    for (line, numbers) in [
+        ("background { color rgb <0.2, 0.3, 0.5> }", "0.2 0.3 0.5"),
+        ("background 0.2 0.3 0.5", "0.2 0.3 0.5"),
+        ("background { rgb 0.2 }", "0.2 0.2 0.2"),
+        ("pozadí 0.2 0.3 0.5", "0.2 0.3 0.5"),
+    ] {
+        let meant = scene(&format!("51 -701 {numbers}")).replace("9999 2 0", "9999 2 51");
+        becomes(&scene(line), &meant);
+    }
+    // Behind the render record, too.
+    let text = format!("{}background 0.2 0.3 0.5\n", scene("2 -701 1 0 0"));
+    let error = repair::proposals(&read(&text));
+    let error = error.iter().find(|d| d.is_error()).unwrap();
+    assert_eq!(&text[error.span.range()], "background");
+    // Another background may be the right one.
+    let text = scene("30 -701 1 1 1\nbackground 0.2 0.3 0.5").replace("9999 2 0", "9999 2 30");
+    let (error, made) = guessed(&text, Code::E006);
+    assert_eq!(error.fixes[0].applicability, Applicability::Choice);
+    let meant = text.replace("background", "51 -701");
+    assert_eq!(made, [meant.replace("9999 2 30", "9999 2 51")]);
+    for (line, meant) in [
+        ("global_settings { ambient_light 0.2 }", "51 -401 0.2"),
+        (
+            "global_settings { assumed_gamma 1 ambient_light rgb <0.2, 0.2, 0.2> max_trace_level 5 }",
+            "51 -401 0.2 # assumed_gamma 1 max_trace_level 5 #",
+        ),
+        (
+            "global_settings { ambient_light rgb <1, 0.5, 0> }",
+            "51 -401 1\n51 -701 1 0.5 0",
+        ),
+    ] {
+        becomes(&scene(line), &scene(meant));
+    }
 }
 
 /// Several transformations behind one ID.

@@ -59,8 +59,8 @@ pub(crate) fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
     let ids = fix.edits.iter().filter(move |_| is_one);
     let ids = ids.filter_map(|edit| edit.text.trim_end().parse().ok());
     let is_block = is(&[CLAUSES_TITLE, BLOCK_TITLE, PLANE_TITLE, QUAD_TITLE]);
-    let head = fix.edits.first().filter(move |_| is_block);
-    let head = head.and_then(|edit| edit.text.split_once(' ')?.0.parse().ok());
+    let mut heads = fix.edits.iter().filter(move |_| is_block);
+    let head = heads.find_map(|edit| edit.text.split_once(' ')?.0.parse().ok());
     ids.chain(head)
 }
 

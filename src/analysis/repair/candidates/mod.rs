@@ -22,6 +22,7 @@ mod profiles;
 mod properties;
 mod references;
 mod rotations;
+mod settings;
 mod sizes;
 mod solids;
 mod types;
@@ -268,6 +269,7 @@ impl<'a> LineContext<'a> {
                 out.push(clauses);
             }
             out.extend(self.square_roots());
+            out.extend(self.setting(&[undefined, taken].concat()));
             out.extend(self.vectors());
             self.spaced_name(&mut out);
             if !is_block {
@@ -354,7 +356,9 @@ impl<'a> LineContext<'a> {
     /// What a candidate puts right, as a finding. Together with [`Habit::is_said_by`] it sees to it that a finding and
     /// its first proposal speak of one thing.
     pub(super) fn matter(&self, candidate: &Candidate) -> Option<Diagnostic> {
-        let edit = candidate.fix.edits.first()?;
+        let edits = || candidate.fix.edits.iter();
+        let on_line = edits().find(|e| self.line.touches(e.span));
+        let edit = on_line.or_else(|| edits().next())?;
         let written = quote(&self.text[edit.span.range()]);
         let with_type = |d: Diagnostic| {
             let ty = candidate.ty?;
