@@ -99,6 +99,22 @@ fn settings_of_the_scene() {
     }
 }
 
+/// Words before the name of a picture go.
+#[test]
+fn pictures() {
+    for (line, name) in [
+        ("png moon.png", "moon.png"),
+        ("png \"moon.png\"", "moon.png"),
+        ("image_map { png \"moon.png\" }", "moon.png"),
+        ("image_map { jpeg \"full moon.jpg\" }", "\"full moon.jpg\""),
+    ] {
+        let text = scene(&format!("2 -301 {line}"));
+        assert_eq!(fixed(&text), scene(&format!("2 -301 {name}")));
+    }
+    let text = scene("2 -301 full moon.png");
+    assert_eq!(fixed(&text), scene("2 -301 \"full moon.png\""));
+}
+
 /// Several transformations behind one ID.
 #[test]
 fn several_transformations() {

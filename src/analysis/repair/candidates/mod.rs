@@ -271,6 +271,7 @@ impl<'a> LineContext<'a> {
             out.extend(self.square_roots());
             out.extend(self.setting(&[undefined, taken].concat()));
             out.extend(self.vectors());
+            out.extend(self.named_picture());
             self.spaced_name(&mut out);
             if !is_block {
                 self.words(&mut out);
