@@ -140,7 +140,7 @@ impl LineContext<'_> {
                     RecordKind::Rotation,
                 ];
                 let ty = kinds.into_iter().find_map(is)?;
-                let count = numbers(&rest[1..]).min(OWN).max(1);
+                let count = numbers(&rest[1..]).clamp(1, OWN);
                 let (own, behind) = rest[1..].split_at_checked(count)?;
                 let moves = self.moves(ty, own)?;
                 found.lines.extend(moves.into_iter().map(|text| (ty, text)));
