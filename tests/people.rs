@@ -16,6 +16,7 @@ mod mug;
 mod newcomers;
 mod operands;
 mod order;
+mod pasted;
 mod rules;
 mod scenes;
 mod shell;

@@ -337,16 +337,13 @@ fn objects_with_a_damaged_beginning() {
     assert_eq!(fixed(&merged.replace("7 -101", "7 merge")), merged);
 }
 
-/// What no record says of a surface is left out only by somebody's choice, and the shape is no comment.
+/// What no record says of a surface becomes a comment, and the shape is none.
 #[test]
 fn a_shape_with_a_finish() {
     let line =
         "4 sphere { <0,1.6,0>, 0.6 pigment { Red } finish { ambient 0.2 } translate <1,0,0> }";
-    let text = joined(line);
-    assert_eq!(fixed(&text), text);
-    let all = repair::proposals(&read(&text));
-    let (chosen, _) = fixes::apply(&text, all[0].fixes.first().into_iter());
-    assert_eq!(chosen, joined("4 11 0 1.6 0 0.6\n4 -701 1 0 0\n4 -1 1 0 0"));
+    let meant = joined("4 11 0 1.6 0 0.6\n4 -701 1 0 0\n4 -1 1 0 0 # finish { ambient 0.2 } #");
+    assert_eq!(fixed(&joined(line)), meant);
 }
 
 /// Operations as equations of sets.

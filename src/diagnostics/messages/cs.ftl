@@ -169,7 +169,9 @@ fix-block = napsat to jako záznamy
 fix-block-angle = napsat to jako záznamy; `angle` v POV-Ray je úhel na šířku, na výšku je to při 4:3 { $number }
 fix-block-plane = pokud jde o `plane` z POV-Ray, jejíž d má opačné znaménko, napsat to jako záznamy
 fix-clauses = napsat záznam pro tvar a po jednom pro každou jeho vlastnost
-fix-clauses-some = napsat záznam pro tvar a po jednom pro každou vlastnost, pro kterou záznam existuje; ostatní se vynechají
+fix-clauses-some = napsat záznam pro tvar a po jednom pro každou vlastnost, pro kterou záznam existuje; z ostatních se stane komentář
+fix-properties = napsat každou vlastnost a každou transformaci jako samostatný záznam
+fix-properties-some = napsat každou vlastnost a každou transformaci jako samostatný záznam; z toho, co žádný záznam neříká, se stane komentář
 fix-colour-id = { $count ->
     [one] napsat ID této barvy, { $text }
    *[other] napsat ID těchto barev, { $text }

@@ -160,7 +160,9 @@ fix-block = write it as records
 fix-block-angle = write it as records; `angle` of POV-Ray is that of the width, the angle of the height is { $number } for 4:3
 fix-block-plane = where POV-Ray's `plane` is meant, whose d has the other sign, write it as records
 fix-clauses = write a record for the shape and one for each of its properties
-fix-clauses-some = write a record for the shape and one for each of its properties that records have; the others are left out
+fix-clauses-some = write a record for the shape and one for each of its properties that records have; the others become a comment
+fix-properties = write each property and each transformation as a record of its own
+fix-properties-some = write each property and each transformation as a record of its own; what no record says becomes a comment
 fix-colour-id = { $count ->
     [one] write the ID of this colour, { $text }
    *[other] write the IDs of these colours, { $text }

@@ -3,6 +3,7 @@
 
 use super::cameras::ANGLE;
 use super::inline::{ANGLE_TITLE, BLOCK_TITLE, CLAUSES_TITLE, PLANE_TITLE};
+use super::properties::OWN;
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Edit, Fix, Span};
 use crate::geometry::array::{length, sub};
@@ -12,26 +13,14 @@ use crate::syntax::quote;
 use crate::syntax::table::{Family, RecordKind, RecordType, ShapeKind};
 use crate::syntax::words;
 
-/// A colour, a move and a scaling have so many numbers, and so many axes has a turn.
-const OWN: usize = 3;
-
-/// Clauses of POV-Ray about surfaces and insides that records have no numbers for.
-const OTHERS: [&str; 4] = ["finish", "normal", "interior", "no_shadow"];
-
 /// Height of a picture to its width, of 640 by 480 pixels.
 const HEIGHT_TO_WIDTH: f64 = 0.75;
 
 /// A record: its type and its numbers.
-type Line = (&'static RecordType, String);
+pub(super) type Line = (&'static RecordType, String);
 
 /// A type, the records with their numbers of which the first is of that type, and the tokens that follow.
 type Block<'t> = (&'static RecordType, Vec<Line>, &'t [Token]);
-
-/// The words of POV-Ray for a refractive index, and what is around it.
-const INSIDE: [&str; 2] = ["interior", "ior"];
-
-/// Words that other programs put around the properties of a surface.
-const AROUND: [&str; 2] = ["texture", "material"];
 
 impl LineContext<'_> {
     /// The shape as a record, and each of its properties and moves. Without an ID it gets the only one that is undefined,
@@ -50,10 +39,10 @@ impl LineContext<'_> {
         let (shape, lines, rest) = match (block, shape) {
             (Some(block), _) => block,
             (None, Some(shape)) => (shape, vec![(shape, self.texts(own))], rest),
-            (None, None) => return self.only_properties(written?, word, behind),
+            (None, None) => return self.only_properties(written?),
         };
-        let is_other = |t: &Token| OTHERS.contains(&&*t.text(self.text).to_lowercase());
-        let leaves_out = rest.iter().any(is_other);
+        let more = self.properties(rest)?;
+        let leaves_out = more.leaves_out();
         let (id, is_known) = match (written, &self.missing()[..]) {
             (Some(id), _) => (id, true),
             (None, &[id]) if shape.family == Family::Shape => (id, true),
@@ -61,11 +50,11 @@ impl LineContext<'_> {
             (None, _) => (self.free_id(used)?, shape.family != Family::Shape),
         };
         let mut text = format!(" {}", lines[0].1);
-        for (ty, numbers) in lines[1..].iter().cloned().chain(self.properties(rest)?) {
+        for (ty, numbers) in lines[1..].iter().chain(&more.lines) {
             text += &format!("\n{id} {} {numbers}", ty.code);
         }
-        let is_part = |t: &&Token| t.kind() == TokenKind::Separator || !t.kind().is_trivia();
-        let last = self.all.iter().rfind(is_part)?.end();
+        text += &more.comment();
+        let last = self.last_part()?;
         let span = Span::new(word.end(), last.max(word.end()));
         // A comment between the numbers would be lost.
         let is_gone = self.text[span.range()].contains('#');
@@ -100,7 +89,7 @@ impl LineContext<'_> {
                 (false, false) => CLAUSES_TITLE,
             },
             values,
-            applicability: match is_known && !leaves_out && !is_bare_plane {
+            applicability: match is_known && !is_bare_plane {
                 true => Applicability::Unsafe,
                 false => Applicability::Choice,
             },
@@ -119,44 +108,7 @@ impl LineContext<'_> {
                 .starts_with(['{', '<'])
     }
 
-    /// Properties of POV-Ray behind an ID: `9 pigment { color rgb <1,0,0> }`, `8 interior { ior 1.5 }`.
-    fn only_properties(&self, id: u32, word: Token, behind: &[Token]) -> Option<Candidate> {
-        let index = RecordType::of(RecordKind::RefractiveIndex);
-        let lines = match behind {
-            [ior, one]
-                if [word, *ior].map(|t| t.text(self.text)) == INSIDE && one.kind().is_number() =>
-            {
-                vec![(index, self.texts(&[*one; OWN]))]
-            }
-            _ => {
-                let named = words::types(word.text(self.text));
-                let is_colour = named.iter().any(|ty| ty.kind == RecordKind::Colour);
-                let is_around = AROUND.contains(&word.text(self.text));
-                let all = [&[word], behind].concat();
-                self.properties(&all)
-                    .filter(|_| (is_colour || is_around) && behind.first().is_some_and(is_word))?
-            }
-        };
-        let (first, rest) = lines.split_first()?;
-        let mut text = format!("{} {}", first.0.code, first.1);
-        for (ty, numbers) in rest {
-            text += &format!("\n{id} {} {numbers}", ty.code);
-        }
-        let is_part = |t: &&Token| t.kind() == TokenKind::Separator || !t.kind().is_trivia();
-        let last = self.all.iter().rfind(is_part)?.end();
-        let span = Span::new(word.start, last.max(word.end()));
-        let is_gone = self.text[span.range()].contains('#');
-        let title = if rest.is_empty() {
-            "fix-write"
-        } else {
-            CLAUSES_TITLE
-        };
-        let fix = Fix::replace(title, Applicability::Unsafe, span, text.clone());
-        let fix = fix.with("number", quote(&text));
-        (!is_gone).then_some(Candidate::new(Habit::Keyword, fix))
-    }
-
-    /// A block that POV-Ray writes in another way than as the numbers of a record: its type, the records with their
+    /// What POV-Ray writes in another way than as the numbers of a record: the type that it is, the records with their
     /// numbers, and what follows.
     fn block<'t>(&self, word: &str, behind: &'t [Token]) -> Option<Block<'t>> {
         let count = numbers(behind);
@@ -248,87 +200,6 @@ impl LineContext<'_> {
         let text = all.collect::<Vec<_>>().join(" ");
         Some((camera, vec![(camera, text)], rest))
     }
-
-    /// The types and numbers of properties and moves, if the tokens are nothing else.
-    fn properties(&self, mut rest: &[Token]) -> Option<Vec<(&'static RecordType, String)>> {
-        let mut all = Vec::new();
-        let mut is_colour = false;
-        while let Some(first) = rest.first() {
-            let word = first.text(self.text).to_lowercase();
-            let named = words::types(&word);
-            let is = |kind: RecordKind| named.iter().find(|ty| ty.kind == kind).copied();
-            let colour = RecordType::of(RecordKind::Colour);
-            if !is_word(first) {
-                // Behind a word for colours.
-                let parts = rest.get(..OWN).filter(|parts| numbers(parts) == OWN)?;
-                all.push((colour, self.texts(parts)));
-                rest = &rest[OWN..];
-                if !std::mem::take(&mut is_colour) {
-                    return None;
-                }
-            } else if OTHERS.contains(&&*word) {
-                let end = self.end_of_block(first.end());
-                rest = &rest[rest.partition_point(|t| t.start < end)..];
-            } else if let Some((of, numbers)) = self.named_colour(rest) {
-                all.push((colour, numbers));
-                rest = &rest[of..];
-                is_colour = false;
-            } else if is(RecordKind::Colour).is_some() || AROUND.contains(&&*word) {
-                is_colour |= is(RecordKind::Colour).is_some();
-                rest = &rest[1..];
-            } else {
-                let kinds = [
-                    RecordKind::Translation,
-                    RecordKind::Scaling,
-                    RecordKind::Rotation,
-                ];
-                let ty = kinds.into_iter().find_map(is)?;
-                let (own, behind) = rest[1..].split_at(numbers(&rest[1..]));
-                all.extend(self.moves(ty, own)?.into_iter().map(|text| (ty, text)));
-                rest = behind;
-            }
-        }
-        (!is_colour).then_some(all)
-    }
-
-    /// Where the block in braces ends that begins at a place on the line; the place itself where none begins there.
-    fn end_of_block(&self, at: u32) -> u32 {
-        let rest = &self.text[at as usize..self.line.end as usize];
-        let mut depth = 0;
-        for (i, c) in rest.char_indices() {
-            match c {
-                '{' => depth += 1,
-                '}' => depth -= 1,
-                c if depth == 0 && !c.is_whitespace() => return at,
-                _ => {}
-            }
-            if depth <= 0 && c == '}' {
-                return at + i as u32;
-            }
-        }
-        at
-    }
-
-    /// The numbers of the records that a move, a scaling, or turns about x, y and z are.
-    fn moves(&self, ty: &RecordType, own: &[Token]) -> Option<Vec<String>> {
-        match (ty.kind, own) {
-            (RecordKind::Scaling, [one]) => Some(vec![self.texts(&[*one; OWN])]),
-            (RecordKind::Rotation, [_, _, _]) => {
-                let turn = |(axis, t): (usize, &Token)| format!("{} {axis}", t.text(self.text));
-                let is_turn = |(_, t): &(usize, &Token)| t.number(self.text) != Some(0.0);
-                Some((1..).zip(own).filter(is_turn).map(turn).collect())
-            }
-            (RecordKind::Translation | RecordKind::Scaling, [_, _, _]) => {
-                Some(vec![self.texts(own)])
-            }
-            _ => None,
-        }
-    }
-
-    fn texts(&self, tokens: &[Token]) -> String {
-        let texts: Vec<&str> = tokens.iter().map(|t| t.text(self.text)).collect();
-        texts.join(" ")
-    }
 }
 
 fn is_angle(word: &str) -> bool {
@@ -391,11 +262,11 @@ fn cylinder(
     Some(lines)
 }
 
-fn is_word(t: &Token) -> bool {
+pub(super) fn is_word(t: &Token) -> bool {
     t.kind() == TokenKind::Word
 }
 
 /// How many numbers some tokens begin with.
-fn numbers(tokens: &[Token]) -> usize {
+pub(super) fn numbers(tokens: &[Token]) -> usize {
     tokens.iter().take_while(|t| t.kind().is_number()).count()
 }

@@ -3,6 +3,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::axes::about_axis;
 use super::inline::NAMED_TITLE;
 use super::{Candidate, Habit, LineContext, header};
 use crate::analysis::colours;
@@ -406,7 +407,7 @@ impl LineContext<'_> {
         let Some(finding) = place.wrong_count() else {
             return Vec::new();
         };
-        let mut out = Vec::from_iter(place.angles());
+        let mut out = Vec::from_iter(place.angles().or_else(|| place.vectors()));
         place.apart(&finding, &mut out);
         place.without_up(&finding, &mut out);
         for candidate in &mut out {
@@ -428,17 +429,4 @@ impl LineContext<'_> {
         };
         Candidate::new(habit, fix)
     }
-}
-
-/// The angle and the axis of a turn as `x*75` or `-30*y`.
-pub(super) fn about_axis(text: &str) -> Option<String> {
-    let (a, b) = text.split_once('*')?;
-    let axis = |text: &str| ["x", "y", "z"].iter().position(|axis| *axis == text);
-    let (axis, angle) = match (axis(a), axis(b)) {
-        (Some(axis), None) => (axis, b),
-        (None, Some(axis)) => (axis, a),
-        _ => return None,
-    };
-    let is_number = angle.parse().is_ok_and(f64::is_finite);
-    is_number.then(|| format!("{angle} {}", axis + 1))
 }

@@ -66,8 +66,8 @@ pub(crate) fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
         PLANE_TITLE,
         QUAD_TITLE,
     ]);
-    let head = fix.edits.first().filter(move |_| is_block);
-    let head = head.and_then(|edit| edit.text.split_once(' ')?.0.parse().ok());
+    let mut heads = fix.edits.iter().filter(move |_| is_block);
+    let head = heads.find_map(|edit| edit.text.split_once(' ')?.0.parse().ok());
     ids.chain(head)
 }
 

@@ -1,6 +1,7 @@
 //! Guesses at what is meant by a line that something is wrong with.
 
 mod apart;
+mod axes;
 pub(super) mod cameras;
 mod clauses;
 mod comments;
@@ -18,8 +19,10 @@ mod numbers;
 mod own_id;
 mod parts;
 mod profiles;
+mod properties;
 mod references;
 mod rotations;
+mod settings;
 mod sizes;
 mod solids;
 mod types;
@@ -266,6 +269,9 @@ impl<'a> LineContext<'a> {
                 out.push(clauses);
             }
             out.extend(self.square_roots());
+            out.extend(self.setting(&[undefined, taken].concat()));
+            out.extend(self.vectors());
+            out.extend(self.named_picture());
             self.spaced_name(&mut out);
             if !is_block {
                 self.words(&mut out);
@@ -300,7 +306,7 @@ impl<'a> LineContext<'a> {
             self.by_centre(finding, &mut out);
             out.extend(self.lost_line_end(finding));
             out.extend(self.moved_copy(finding));
-            let behind = self.records_behind();
+            let behind = self.records_behind().or_else(|| self.changes_behind());
             // A record is no comment.
             if behind.is_some() {
                 out.retain(|c| c.habit != Habit::Comment);
@@ -351,7 +357,9 @@ impl<'a> LineContext<'a> {
     /// The fault that a candidate puts right, as a finding. Together with [`Habit::is_said_by`] it sees to it that a
     /// finding and its first proposal speak of one thing.
     pub(super) fn matter(&self, candidate: &Candidate) -> Option<Diagnostic> {
-        let edit = candidate.fix.edits.first()?;
+        let edits = || candidate.fix.edits.iter();
+        let on_line = edits().find(|e| self.line.touches(e.span));
+        let edit = on_line.or_else(|| edits().next())?;
         let written = quote(&self.text[edit.span.range()]);
         let with_type = |d: Diagnostic| {
             let ty = candidate.ty?;

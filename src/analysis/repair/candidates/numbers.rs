@@ -5,12 +5,15 @@ use crate::analysis::repair::characters;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 use crate::lint::spelling::decimal;
 use crate::syntax::allows;
-use crate::syntax::lexer::{Token, TokenKind};
+use crate::syntax::lexer::{SEPARATORS, Token, TokenKind};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
 
 /// Words before the point that a camera of other programs looks at.
 const LOOK_AT: [&str; 4] = ["look_at", "lookat", "target", "at"];
+
+/// Words before the name of a picture in POV-Ray.
+const PICTURE: [&str; 5] = ["pigment", "image_map", "png", "jpeg", "jpg"];
 
 /// The title of fixes that write decimal commas as points.
 pub(super) const COMMA_TITLE: &str = "fix-decimal-comma";
@@ -227,6 +230,25 @@ impl LineContext<'_> {
         };
         let last = self.params().iter().position(is_end)?;
         Some(&self.params()[..=last])
+    }
+
+    /// The name of a picture without the words that POV-Ray has before it: `image_map { png "moon.png" }`.
+    pub(super) fn named_picture(&self) -> Option<Candidate> {
+        let all = self
+            .file_name()
+            .filter(|all| all.len() == self.params().len())?;
+        let is_word = |t: &&Token| PICTURE.contains(&&*t.text(self.text).to_lowercase());
+        let words = all.iter().take_while(is_word).count();
+        let (first, last) = (all.get(words)?, all.last()?);
+        let name = self.text[first.span().to(last.span()).range()].replace('"', "");
+        let is_plain =
+            !name.contains(|c: char| c.is_whitespace() || SEPARATORS.contains(&c) || c == '#');
+        let name = match is_plain {
+            true => name,
+            false => format!("\"{name}\""),
+        };
+        let whole = self.joined(&all[0], last);
+        (words > 0).then(|| self.write(Habit::Characters, &[(whole, name)]))?
     }
 
     /// A file name with spaces in it, which belongs in quotes.

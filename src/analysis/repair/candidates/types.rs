@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::heads::about_axis;
+use super::axes::along_axis;
 use super::{Candidate, Habit, LineContext, MAX_CANDIDATES, header};
 use crate::analysis::materials;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
@@ -107,7 +107,7 @@ impl LineContext<'_> {
         // An axis before its angle is no word of the name.
         let count = match self.axis_number(behind.get(count.saturating_sub(1)..).unwrap_or(&[])) {
             Some(_) if count > 1 => count - 1,
-            _ if count > 1 && about_axis(behind[count - 1].text(self.text)).is_some() => count - 1,
+            _ if count > 1 && along_axis(behind[count - 1].text(self.text)).is_some() => count - 1,
             _ => count,
         };
         // The name of a colour, of two words or one, is what a colour has for its numbers.
