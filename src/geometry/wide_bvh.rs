@@ -454,6 +454,26 @@ impl Beam {
         first
     }
 
+    /// The same, but the others are put on a stack, the farthest first.
+    #[inline(always)]
+    pub fn nearest(
+        &self,
+        node: &Node,
+        ends: [f32; 2],
+        stack: &mut Vec<(f32, Child)>,
+    ) -> Option<(f32, Child)> {
+        let base = stack.len();
+        self.first(node, ends, |near, child| {
+            let mut at = stack.len();
+            stack.push((near, child));
+            while at > base && stack[at - 1].0 < near {
+                stack[at] = stack[at - 1];
+                at -= 1;
+            }
+            stack[at] = (near, child);
+        })
+    }
+
     #[cold]
     fn all(&self, node: &Node, from: f32) -> (u32, [f32; WIDTH]) {
         let is_there = |k: usize| u32::from(node.children[k] != Child::NONE) << k;

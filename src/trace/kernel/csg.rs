@@ -10,7 +10,6 @@ use super::probe::Probe;
 use super::query::{Ask, BENT, Crossed, Crossing, End, NONE, Query, Tests, UNKNOWN_FACE};
 use super::scalar::Raw;
 use super::scratch::{Inner, Scratch};
-use super::search::nearest_child;
 use super::spans::Spans;
 use super::stage::{Forest, Stage};
 use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH as CHILDREN};
@@ -357,7 +356,7 @@ impl Stage<'_> {
                 Is::Node(node) => {
                     tests.boxes += CHILDREN as u32;
                     let node = &csg.others.tree.nodes[node as usize];
-                    let nearest = nearest_child(&beam, node, ends, &mut pending);
+                    let nearest = beam.nearest(node, ends, &mut pending);
                     pending.extend(nearest);
                 }
                 Is::Item(block) => {

@@ -76,7 +76,7 @@ impl Stage<'_> {
                 Is::Node(node) => {
                     tests.boxes += CHILDREN as u32;
                     let node = &self.all.tree.nodes[node as usize];
-                    next = nearest_child(&beam, node, [0.0, most], &mut scratch.pending);
+                    next = beam.nearest(node, [0.0, most], &mut scratch.pending);
                 }
                 Is::Item(block) => {
                     let block = &self.blocks[block as usize];
@@ -284,24 +284,4 @@ impl Stage<'_> {
             scratch.pending.push((0.0, Child::item(block)));
         }
     }
-}
-
-/// The nearest child of a node that a ray may meet; the others are put on the stack, the farthest first.
-#[inline(always)]
-pub fn nearest_child(
-    beam: &Beam,
-    node: &Node,
-    ends: [f32; 2],
-    pending: &mut Vec<(f32, Child)>,
-) -> Option<(f32, Child)> {
-    let base = pending.len();
-    beam.first(node, ends, |near, child| {
-        let mut at = pending.len();
-        pending.push((near, child));
-        while at > base && pending[at - 1].0 < near {
-            pending[at] = pending[at - 1];
-            at -= 1;
-        }
-        pending[at] = (near, child);
-    })
 }
