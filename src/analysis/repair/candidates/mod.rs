@@ -1,10 +1,12 @@
 //! Guesses at what is meant by a line that something is wrong with.
 
 mod apart;
+mod assigned;
 pub(super) mod cameras;
 mod clauses;
 mod comments;
 mod complements;
+mod drawn;
 mod flat;
 mod groups;
 mod habit;
@@ -290,6 +292,7 @@ impl<'a> LineContext<'a> {
             out.extend(self.index(finding));
             out.extend(self.index_behind(finding));
             out.extend(self.operands(&[undefined, taken].concat()));
+            out.extend(self.drawn(finding, &[undefined, taken].concat()));
             match self.assignment() {
                 Some(assignment) => out.push(assignment),
                 None => self.siblings(&mut out),
@@ -313,7 +316,10 @@ impl<'a> LineContext<'a> {
             out.extend(self.only_cameras());
             self.lost_number(finding, &mut out);
             self.angle_before(finding, &mut out);
-            out.extend(self.lost_id(finding));
+            match self.assigned(finding) {
+                Some(assigned) => out.push(assigned),
+                None => out.extend(self.lost_id(finding)),
+            }
             out.extend(self.negative_id(finding, undefined));
             self.types(finding, &mut out);
             self.arranged(&mut out);
@@ -324,6 +330,7 @@ impl<'a> LineContext<'a> {
                 self.lost_type(&mut out);
             }
             self.lost_shape_type(&mut out);
+            out.extend(self.type_before_zero(finding));
             self.one_too_few(finding, &mut out);
         } else if finding.code == Code::W319 {
             self.swapped(&mut out);
