@@ -11,6 +11,7 @@ mod guesses;
 mod left_out;
 mod meant;
 mod messages;
+mod misplaced;
 mod mistaken;
 mod mug;
 mod newcomers;

@@ -68,6 +68,17 @@ pub(super) fn behind(
     findings.iter().map(|d| mover.behind(d)).collect()
 }
 
+/// Moves definitions above the properties with their IDs, for each finding about such a definition, and gives the lines of
+/// these properties.
+pub(super) fn above(
+    source: &SourceFile,
+    document: &Document,
+    findings: &[&Diagnostic],
+) -> Vec<Behind> {
+    let mut mover = Mover::new(source, document, &[]);
+    findings.iter().map(|d| mover.above(d)).collect()
+}
+
 struct Mover<'a> {
     source: &'a SourceFile,
     document: &'a Document,
@@ -135,11 +146,7 @@ impl<'a> Mover<'a> {
         self.left = self.left.checked_sub(defined.saturating_sub(first))?;
         let id = self.record(defined)?.id;
         let block = self.block(defined)?;
-        let mut needs = FxHashSet::default();
-        for i in block.items.clone() {
-            needs.extend(names::references(self.document, self.record(i)?));
-        }
-        needs.remove(&id);
+        let needs = self.needs(&block, id)?;
         // What the definition needs below itself is another matter.
         if !self.are_above(&needs, defined) {
             return None;
@@ -158,6 +165,43 @@ impl<'a> Mover<'a> {
         let is_free = (own.items.end..block.items.end).all(|i| !self.mentions(i, id));
         let lines = self.with_comment(&own, &(0..0));
         is_free.then(|| self.fix("fix-down", Applicability::Unsafe, lines, block.lines.end))
+    }
+
+    /// The IDs that the records of a block refer to, but for its own.
+    fn needs(&self, block: &Block, id: u32) -> Option<FxHashSet<u32>> {
+        let mut needs = FxHashSet::default();
+        for i in block.items.clone() {
+            needs.extend(names::references(self.document, self.record(i)?));
+        }
+        needs.remove(&id);
+        Some(needs)
+    }
+
+    /// A definition, and what changes it right behind it, before the first record with its ID, and the lines of the records
+    /// with that ID in between. What it is made of must be above these.
+    fn above(&mut self, finding: &Diagnostic) -> Behind {
+        let defined = self.item(finding.span.start)?;
+        let id = self.record(defined)?.id;
+        let first = self.records.get(&id)?.0;
+        self.left = self.left.checked_sub(defined.checked_sub(first)?)?;
+        let block = self.block(defined)?;
+        let needs = self.needs(&block, id)?;
+        if first == defined || !self.are_above(&needs, first) {
+            return None;
+        }
+        let mut spans = Vec::new();
+        for i in first..defined {
+            let Some(record) = self.record(i).filter(|r| r.id == id) else {
+                continue;
+            };
+            if matches!(record.ty().effect, Effect::Defines(_)) {
+                return None;
+            }
+            spans.push(self.document.span(record.first, record.last));
+        }
+        let to = self.own_lines(first..first + 1)?.start;
+        let lines = self.with_comment(&block, &(0..0));
+        Some((self.fix("fix", Applicability::Unsafe, lines, to), spans))
     }
 
     /// The records with the ID of a definition that stand above that, on the lines behind it, in their order.

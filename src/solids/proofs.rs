@@ -20,6 +20,9 @@ const PARTS: usize = 64;
 /// Parts of larger unions, for all proofs together: some hundredths of a second.
 const MORE: usize = 100_000;
 
+/// Pairs of parts of two unions that are compared, for all proofs together: some hundredths of a second.
+const PAIRS: usize = 100_000;
+
 /// A node in the coordinates of the operation, or its complement.
 pub type Literal = (NodeId, bool);
 
@@ -76,7 +79,7 @@ pub enum Reason {
         end: f64,
         begin: f64,
     },
-    /// Each part of the second, a union, is apart from the first.
+    /// Each part of the second, a union, is apart from the first, or from all its parts.
     Parts,
     /// The first is within the second, which is taken away.
     Within,
@@ -90,6 +93,7 @@ pub struct Proofs<'a> {
     /// Whether a surface without inside is a part, to which the laws of sets do not apply.
     sheets: Vec<bool>,
     left: usize,
+    pairs_left: usize,
 }
 
 impl<'a> Proofs<'a> {
@@ -103,6 +107,7 @@ impl<'a> Proofs<'a> {
             bounds,
             sheets,
             left: MORE,
+            pairs_left: PAIRS,
         }
     }
 
@@ -202,14 +207,52 @@ impl<'a> Proofs<'a> {
         self.plane_between(&p, &q)
     }
 
-    /// Whether each part of a union is apart from something.
+    /// Whether each part of a union is apart from something, or from all its parts if that is a union, too.
     fn in_parts(&mut self, x: NodeId, union: NodeId) -> bool {
         if self.all(x).is_empty() {
             return false;
         }
         let parts = self.parts(union);
-        let apart = |&part: &NodeId| self.apart(x, part).is_some() || self.apart(part, x).is_some();
-        parts.len() > 1 && parts.iter().all(apart)
+        if parts.len() < 2 {
+            return false;
+        }
+        let near: Vec<NodeId> = (parts.iter().copied())
+            .filter(|&part| self.apart(x, part).is_none() && self.apart(part, x).is_none())
+            .collect();
+        near.is_empty() || self.are_apart(x, &near)
+    }
+
+    /// Whether all parts of a union are apart from each of some things.
+    fn are_apart(&mut self, union: NodeId, others: &[NodeId]) -> bool {
+        if !matches!(
+            self.scene.nodes[self.unpainted(union) as usize],
+            Node::Union(..)
+        ) {
+            return false;
+        }
+        let parts = self.parts(union);
+        let left = self.pairs_left.checked_sub(parts.len() * others.len());
+        let Some(left) = left.filter(|_| parts.len() > 1) else {
+            return false;
+        };
+        self.pairs_left = left;
+        let is_apart = |&a: &NodeId, &b: &NodeId| {
+            self.all(a).is_empty()
+                || self.all(b).is_empty()
+                || self.apart(a, b).is_some()
+                || self.apart(b, a).is_some()
+        };
+        (parts.iter()).all(|a| others.iter().all(|b| is_apart(a, b)))
+    }
+
+    /// What is painted or copied, without that.
+    fn unpainted(&self, mut node: NodeId) -> NodeId {
+        while let Node::Paint { child, .. } | Node::Copy { child, .. } =
+            self.scene.nodes[node as usize]
+        {
+            node = child;
+        }
+        node
     }
 
     /// The parts of a union; where there are more than are looked at, some of them in larger parts.

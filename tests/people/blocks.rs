@@ -124,14 +124,23 @@ fn a_property_with_the_id_of_the_next_object() {
     let made = guesses(&text, &the(Code::E102, &text));
     assert_eq!(made[0], "21 -201 0.15 0.8 0");
     assert_eq!(mended(&text, true).0, two(21, clear));
-    // Where the next one has no other, it may be meant for either.
-    let text = two(22, "");
-    let made = guesses(&text, &the(Code::E102, &text));
-    assert_eq!((made.len(), &*made[0]), (2, "21 -201 0.15 0.8 0"));
-    assert_eq!(mended(&text, true), (text, 0));
+    // Where the next one has no other, it is moved: both the ID and the place are that one's.
+    let moved = |text: &str, lines: &str, meant: &str| {
+        assert_eq!(the(Code::E102, text).fixes.len(), 1, "{text}");
+        assert_eq!(mended(text, true), (text.replace(lines, meant), 1));
+    };
+    let (above, object) = ("22 -201 0.15 0.8 0\n", "22 11 1.9 1 0 1\n");
+    let (lines, meant) = ([above, object].concat(), [object, above].concat());
+    moved(&two(22, ""), &lines, &meant);
     // So it is with an operation.
-    let part = "33 14 0.8 0.2\n44 -701 0.9 0.7 0.1\n44 -101 2 33\n";
-    let text = scene(&[FLOOR, part, VIEW, "1 9999 44 0\n"]);
+    let (above, object) = ("44 -701 0.9 0.7 0.1\n", "44 -101 2 33\n");
+    let (lines, meant) = ([above, object].concat(), [object, above].concat());
+    let ring = "33 14 0.8 0.2\n";
+    let text = scene(&[FLOOR, ring, &lines, VIEW, "1 9999 44 0\n"]);
+    moved(&text, &lines, &meant);
+    // With a record in between it may be meant for either.
+    let lines = format!("{ring}{above}5 11 3 1 0 1\n6 -101 5 2\n44 -101 6 33\n");
+    let text = scene(&[FLOOR, &lines, VIEW, "1 9999 44 0\n"]);
     let made = guesses(&text, &the(Code::E102, &text));
     assert_eq!((made.len(), &*made[0]), (2, "33 -701 0.9 0.7 0.1"));
     assert_eq!(mended(&text, true), (text, 0));

@@ -123,6 +123,40 @@ fn what_moves_takes_its_comment_along() {
     );
 }
 
+/// Properties, changes and a use above a definition, with its ID: one finding, which moves the definition up.
+#[test]
+fn a_definition_below_its_properties_and_a_use() {
+    let rest = "50 -402 1\n50 -1 3 5 5\n9 -501 0 0 9 0 0 -1 0 1 0 45\n1 9999 4 0\n";
+    for property in ["-701 1 0 0", "-201 0.1 0.5 0", "-203 1.5 1.5 1.5"] {
+        for changes in ["", "3 -1 2 0 0\n", "3 -2 30 1\n3 -1 2 0 0\n"] {
+            let (above, below) = (format!("3 {property}\n{changes}"), "4 -101 2 3\n");
+            let text = format!("2 11 -1 0 0 1\n{above}{below}3 9 1\n{rest}");
+            let [d] = &errors(&text)[..] else {
+                panic!("{text}");
+            };
+            assert_eq!(
+                (d.code, d.case, d.fixes.len()),
+                (Code::E107, "", 1),
+                "{text}"
+            );
+            let meant = format!("2 11 -1 0 0 1\n3 9 1\n{above}{below}{rest}");
+            assert_eq!(mended(&text, false), text);
+            assert_eq!(mended(&text, true), meant);
+        }
+    }
+    // What it is made of is above, and a comment goes along.
+    let parts = "12 11 -1 0 0 1\n13 11 0 0 0 1\n2 12 -3 -3 -3 3 -1 3\n";
+    let above = "14 -701 1 0 0\n14 -2 30 2\n14 -1 0 1 0\n";
+    let (below, own) = ("4 -101 14 2\n", "0 # cut #\n14 -103 12 13\n");
+    assert_eq!(
+        mended(&[parts, above, below, own, rest].concat(), true),
+        [parts, own, above, below, rest].concat()
+    );
+    // Where a part is defined below the properties, nothing is moved.
+    let text = ["14 -701 1 0 0\n", parts, below, own, rest].concat();
+    assert!(errors(&text).iter().all(|d| d.code != Code::E107));
+}
+
 /// It is a guess where a change in between, or after, has a say, or where others use it in its place.
 #[test]
 fn where_moving_is_a_guess() {

@@ -1,4 +1,5 @@
-//! Properties above the object that they are for, or with the ID of the next object in place of that of the one above.
+//! Properties above the object that they are for, or with the ID of the next object in place of that of the one above, and
+//! objects that are used as such before they are defined, where their properties stand above.
 
 use rustc_hash::FxHashMap;
 
@@ -21,9 +22,49 @@ pub(super) fn is_told(d: &Diagnostic) -> bool {
     is_early(d) && !d.fixes.is_empty()
 }
 
+/// The objects that are used as such where but their properties are defined: each definition is moved above these.
+pub(super) fn definitions(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Matter> {
+    let mut wrong: FxHashMap<u32, Vec<&Diagnostic>> = FxHashMap::default();
+    for d in findings.iter().filter(|d| d.code == Code::E103) {
+        if let Some(id) = super::named(d) {
+            wrong.entry(id).or_default().push(d);
+        }
+    }
+    let uses = |d: &Diagnostic| {
+        let own = super::named(d).and_then(|id| wrong.get(&id));
+        own.map_or(&[][..], Vec::as_slice)
+    };
+    let first_use = |d: &Diagnostic| {
+        let used = uses(d).iter().find(|e| e.case.is_empty())?.span;
+        Some(used).filter(|used| used.end <= d.span.start)
+    };
+    let used: Vec<(&Diagnostic, Span)> = (findings.iter())
+        .filter(|d| is_early(d))
+        .filter_map(|d| Some((d, first_use(d)?)))
+        .take(MAX_OBJECTS)
+        .collect();
+    let definitions: Vec<&Diagnostic> = used.iter().map(|(d, _)| *d).collect();
+    let moved = moving::above(&analysis.source, &analysis.document, &definitions);
+    let matters = used
+        .into_iter()
+        .zip(moved)
+        .filter_map(|((d, used), moved)| {
+            let (fix, mut spans) = moved?;
+            spans.push(d.span);
+            spans.extend(uses(d).iter().map(|e| e.span));
+            let finding = Diagnostic::new(Code::E107, used)
+                .with("id", super::named(d)?.to_string())
+                .label(d.span, "later")
+                .fix(fix);
+            Some(Matter { finding, spans })
+        });
+    matters.collect()
+}
+
 /// The objects whose properties stand above them, each with the fix that moves all of these behind it. Where an ID is
 /// used and defined nowhere, or is used as something else, the object may rather have another one. A property of the
-/// object above with the ID of the next one is written with its own.
+/// object above with the ID of the next one is written with its own, unless it stands right above that next one, which
+/// has no other.
 pub(super) fn properties(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Matter> {
     let early: Vec<&Diagnostic> = (findings.iter().filter(|d| is_early(d)))
         .take(MAX_OBJECTS)
@@ -144,6 +185,8 @@ impl<'a> Blocks<'a> {
             .partition_point(|t| t.start < finding.span.start) as u32;
         let last = self.given.get(&(property.id, kind));
         let has_own = last.is_some_and(|&last| last > defined);
-        Some(Slip { fix, has_own })
+        // Between the two, and with the ID of the one below, it is rather that one's.
+        let is_right_above = next.id == property.id;
+        (has_own || !is_right_above).then_some(Slip { fix, has_own })
     }
 }

@@ -144,6 +144,9 @@ impl Engine<'_> {
         for matter in definitions::slips(self.analysis, &self.findings) {
             self.settle(matter);
         }
+        for matter in early::definitions(self.analysis, &self.findings) {
+            self.settle(matter);
+        }
         for matter in early::properties(self.analysis, &self.findings) {
             self.settle(matter);
         }

@@ -8,7 +8,7 @@ use super::query::{
 };
 use super::scratch::Scratch;
 use super::stage::Stage;
-use crate::geometry::wide_bvh::{Beam, Child, Is, Node, WIDTH as CHILDREN};
+use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH as CHILDREN};
 use crate::trace::shapes::Root;
 
 /// The first surface that a ray meets.

@@ -13,8 +13,8 @@ const PARTS: usize = 3;
 /// No record has more places for colours, optional ones too.
 const PLACES: u32 = 2;
 /// So many operands of one operation are taken apart.
-const OPERANDS: usize = 16;
-const LARGEST: u32 = i32::MAX as u32;
+pub(super) const MAX_OPERANDS: usize = 16;
+pub(super) const MAX_ID: u32 = i32::MAX as u32;
 
 /// A colour where an ID belongs: its place in the text, and its numbers.
 struct Inline {
@@ -146,7 +146,7 @@ impl LineContext<'_> {
     /// The IDs of the colours; those without a record get one above this, with an ID that is free.
     fn with_records(&self, list: &[Inline], used: &[u32]) -> Option<Candidate> {
         let code = RecordType::of(RecordKind::Colour).code;
-        let mut free = self.free_id(used)?..=LARGEST;
+        let mut free = self.free_id(used)?..=MAX_ID;
         let mut above = String::new();
         let (mut edits, mut new, mut known) = (Vec::new(), Vec::new(), Vec::new());
         for inline in list {
@@ -240,7 +240,7 @@ impl LineContext<'_> {
         let params = self.params();
         let last = params
             .last()
-            .filter(|_| (3..=OPERANDS).contains(&params.len()))?;
+            .filter(|_| (3..=MAX_OPERANDS).contains(&params.len()))?;
         let ids: Option<Vec<i64>> = params
             .iter()
             .map(|t| t.integer(self.text).filter(|&id| id > 1))
@@ -249,7 +249,7 @@ impl LineContext<'_> {
         let ids = ids.filter(|ids| (1..ids.len()).all(|i| !ids[..i].contains(&ids[i])))?;
         let (mut above, mut part) = (String::new(), ids[0].to_string());
         let first = self.free_id(used)?;
-        for (id, operand) in (first..LARGEST).zip(&ids[1..ids.len() - 1]) {
+        for (id, operand) in (first..MAX_ID).zip(&ids[1..ids.len() - 1]) {
             above += &format!("{id} {} {part} {operand}\n", ty.code);
             part = id.to_string();
         }

@@ -1,15 +1,20 @@
 //! Records whose type is lost: `34 32 33`, or a shape whose first number stands in the place of its type.
 
 use super::{Candidate, Habit, LineContext};
-use crate::diagnostics::{Applicability, Fix, Value};
+use crate::analysis::colours;
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
+use crate::syntax::words;
 
 /// The types that scenes are mostly made of, the most frequent first.
 const OFTEN: &[i32] = &[
     11, 12, -1, -701, -101, -103, -102, -299, -2, -201, -402, -501, -105, 9, 10, 5, 6, -3, 4, 14,
     16,
 ];
+
+/// Words of the comments on a line that are looked at.
+const MAX_COMMENT_WORDS: usize = 64;
 
 impl LineContext<'_> {
     /// An operation without its type, as in `34 32 33` where 32 and 33 are objects, or an assignment, as in `2 10 0` where
@@ -78,6 +83,44 @@ impl LineContext<'_> {
             .filter_map(|&code| RecordType::by_code(code.into()));
         let fitting = fitting.filter(|ty| self.fit(ty, behind));
         out.extend(fitting.map(|ty| self.with_type(head, ty)));
+    }
+
+    /// A record without its type whose first number is 0, which reads as an undefined object with numbers, or 1 before a 0,
+    /// which reads as a surface of no points. A comment on the line may name the shape, or a colour.
+    pub(super) fn type_before_zero(&self, finding: &Diagnostic) -> Vec<Candidate> {
+        let (Some(head), Some(ty)) = (self.tokens.first(), self.ty()) else {
+            return Vec::new();
+        };
+        let is_empty_profile =
+            ty.is_counted() && self.int(2) == Some(0) && self.params().len() == 2;
+        let is_one = match finding.code {
+            Code::E009 => ty.kind == RecordKind::Undefined && self.params().len() > 1,
+            Code::E206 | Code::E008 => is_empty_profile,
+            _ => false,
+        };
+        if !is_one || self.id().is_none() {
+            return Vec::new();
+        }
+        let fits = |ty: &&RecordType| self.fit(ty, &self.tokens[1..]);
+        let often =
+            (OFTEN.iter().chain(&[12])).filter_map(|&code| RecordType::by_code(code.into()));
+        let fitting: Vec<&'static RecordType> = often.filter(fits).collect();
+        let comments = self.all.iter().filter(|t| t.kind().is_comment());
+        let is_letter = |c: char| c.is_alphabetic();
+        let words = comments.flat_map(|t| t.text(self.text).split(move |c| !is_letter(c)));
+        let words: Vec<&str> = words
+            .filter(|w| !w.is_empty())
+            .take(MAX_COMMENT_WORDS)
+            .collect();
+        let shapes: Vec<&RecordType> = words.iter().flat_map(|w| words::shapes(w)).collect();
+        let is_coloured = words.iter().any(|w| colours::numbers(w).is_some());
+        let is_called = |ty: &&RecordType| {
+            let is_shape = shapes.iter().any(|shape| shape.code == ty.code);
+            is_shape || shapes.is_empty() && is_coloured && ty.kind == RecordKind::Colour
+        };
+        let called: Vec<&RecordType> = fitting.iter().copied().filter(is_called).collect();
+        let all = if called.is_empty() { fitting } else { called };
+        all.into_iter().map(|ty| self.with_type(head, ty)).collect()
     }
 
     fn is_defined_elsewhere(&self, id: u32) -> bool {

@@ -1,11 +1,13 @@
 //! Guesses at what is meant by a line that something is wrong with.
 
 mod apart;
+mod assigned;
 mod axes;
 pub(super) mod cameras;
 mod clauses;
 mod comments;
 mod complements;
+mod drawn;
 mod flat;
 mod groups;
 mod habit;
@@ -296,6 +298,7 @@ impl<'a> LineContext<'a> {
             out.extend(self.index(finding));
             out.extend(self.index_behind(finding));
             out.extend(self.operands(&[undefined, taken].concat()));
+            out.extend(self.drawn(finding, &[undefined, taken].concat()));
             match self.assignment() {
                 Some(assignment) => out.push(assignment),
                 None => self.siblings(&mut out),
@@ -319,7 +322,10 @@ impl<'a> LineContext<'a> {
             out.extend(self.only_cameras());
             self.lost_number(finding, &mut out);
             self.angle_before(finding, &mut out);
-            out.extend(self.lost_id(finding));
+            match self.assigned(finding) {
+                Some(assigned) => out.push(assigned),
+                None => out.extend(self.lost_id(finding)),
+            }
             out.extend(self.negative_id(finding, undefined));
             self.types(finding, &mut out);
             self.arranged(&mut out);
@@ -330,6 +336,7 @@ impl<'a> LineContext<'a> {
                 self.lost_type(&mut out);
             }
             self.lost_shape_type(&mut out);
+            out.extend(self.type_before_zero(finding));
             self.one_too_few(finding, &mut out);
         } else if finding.code == Code::W319 {
             self.swapped(&mut out);

@@ -119,29 +119,46 @@ pub(super) fn instead(p: &Params, operation: Span, unused: &[&Entity]) -> Option
 /// The place of the second operand in its record.
 const SECOND: usize = 1;
 
-/// The original of each node: the node that it is a copy of without changes, or itself. Copies stand behind their
-/// originals.
+/// The original of each node: what it is a copy of, whatever properties the two have, or itself. Copies stand behind
+/// their originals.
 fn originals(scene: &Scene) -> Vec<NodeId> {
     let mut originals: Vec<NodeId> = Vec::with_capacity(scene.nodes.len());
     for (i, node) in scene.nodes.iter().enumerate() {
         originals.push(match node {
-            Node::Copy { child, .. } => originals[*child as usize],
+            Node::Copy { child, .. } | Node::Paint { child, .. } => originals[*child as usize],
             _ => i as NodeId,
         });
     }
     originals
 }
 
+/// The copy that a node is, perhaps with properties of its own, and the ID of that.
+fn copied(scene: &Scene, mut node: NodeId) -> Option<(NodeId, u32)> {
+    while let Node::Paint { child, .. } = scene.nodes[node as usize] {
+        node = child;
+    }
+    match scene.nodes[node as usize] {
+        Node::Copy { id, .. } => Some((node, id)),
+        _ => None,
+    }
+}
+
 fn finding(scene: &Scene, union: NodeId, a: NodeId, b: NodeId) -> Option<Diagnostic> {
-    let is_copy = |n: NodeId| matches!(scene.nodes[n as usize], Node::Copy { .. });
-    let (one, copy) = if is_copy(b) { (a, b) } else { (b, a) };
-    let Node::Copy { id, .. } = scene.nodes[copy as usize] else {
-        return None;
+    let (one, (copy, id)) = match copied(scene, b) {
+        Some(copy) => (a, copy),
+        None => (b, copied(scene, a)?),
+    };
+    let same = |mut node: NodeId| {
+        while let Node::Copy { child, .. } = scene.nodes[node as usize] {
+            node = child;
+        }
+        node
     };
     let (named, _) = named_core(scene, one)?;
     let record = scene.origins[copy as usize];
     let taken = scene.origins[union as usize];
     let d = Diagnostic::new(Code::W333, record.span)
+        .case(if same(a) == same(b) { "" } else { "painted" })
         .with("id", taken.id.to_string())
         .with("one", Value::Term(named.title))
         .with("one-id", named.id.to_string())

@@ -1,10 +1,13 @@
 //! W308: an intersection whose surface is made of pieces with different properties.
 
+use std::cell::LazyCell;
+
 use rustc_hash::FxHashSet;
 
 use super::swapped_difference;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
+use crate::lint::operations::{Proof, Proven};
 use crate::lint::parts::parts;
 use crate::lint::properties::{ASPECTS, Properties, sets};
 use crate::parallel;
@@ -22,6 +25,12 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let parts = parts(scene);
     let owners: FxHashSet<u32> = scene.paints.iter().map(|p| p.owner).collect();
     let mut proofs = Proofs::new(scene, context.bounds());
+    // Of what is empty W319 speaks.
+    let empty: LazyCell<FxHashSet<NodeId>, _> = LazyCell::new(|| {
+        let is_empty = |proven: &&Proven| matches!(proven.what, Proof::Empty(..));
+        let empty = context.proven().iter().filter(is_empty);
+        empty.map(|proven| proven.node).collect()
+    });
     let mut mixed: Vec<(NodeId, [bool; 3])> = Vec::new();
     for (i, node) in scene.nodes.iter().enumerate() {
         let Node::Intersection(a, b) = *node else {
@@ -38,7 +47,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         // Who assigns anything to the result has thought of what it looks like.
         if !surface && !tool && differ.contains(&true) && !owners.contains(&scene.origins[i].id) {
             // Of what only touches W321 speaks.
-            if context.is_flat(i as NodeId) {
+            if context.is_flat(i as NodeId) || empty.contains(&(i as NodeId)) {
                 continue;
             }
             // Of what holds all of the other one no face is left; of what is apart, of neither.

@@ -2,6 +2,7 @@
 //! less than 1.
 
 mod apart;
+mod covers;
 mod instead;
 
 use rustc_hash::FxHashMap;
@@ -14,6 +15,7 @@ use crate::scene::{DEFAULT_INDEX, Node, NodeId, Paint, Scene, fold_up};
 use crate::syntax::quote;
 use crate::syntax::table::{Kind, RecordKind};
 use apart::Apart;
+use covers::{Covers, optics_of};
 
 /// The refractive index of a vacuum: nothing is thinner.
 const VACUUM: f64 = 1.0;
@@ -113,6 +115,7 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
     silent.retain(|s| apart.is_without_effect(s.0));
     let titles = context.titles();
     let is_one = silent.len() == 1;
+    let mut covers: Option<Covers> = None;
     let twice = super::overridden_property::with_two_optics(context);
     for (span, object) in silent {
         let Some(p) = context.params(span) else {
@@ -122,10 +125,26 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
         if below_one(&p).is_some() {
             continue;
         }
-        let title = titles.get(&object).copied().unwrap_or("object");
+        let title = |id: u32| Value::Term(titles.get(&id).copied().unwrap_or("object"));
         let d = Diagnostic::new(Code::W318, p.span_of(0, 3))
-            .with("object", Value::Term(title))
+            .with("object", title(object))
             .with("object-id", object.to_string());
+        if let Some(cover) = covers
+            .get_or_insert_with(|| Covers::new(scene))
+            .of(&sources, span)
+            && let Some(record) = optics_of(context, cover)
+        {
+            let written = context.document.span(record.first, record.last);
+            let head = context.record_params(record);
+            out.push(
+                d.case("covered")
+                    .with("cover", title(record.id))
+                    .with("cover-id", record.id.to_string())
+                    .with("number", quote(&format!("{} {}", head.id, head.ty.code)))
+                    .label(written, "cover"),
+            );
+            continue;
+        }
         let fix = (is_one.then(|| instead::of_glass(context, &p, &twice))).flatten();
         out.push(match fix {
             Some(fix) => d.fix(fix),

@@ -19,6 +19,9 @@ W331-union = rozdíl { $id } odečítá { $tool }, ale barvy odečítaného nejs
 W331-dark = { $type } není nikde vidět: nic, co ji má, nemá difuzní odraz (kd = 0)
     .label = textura je barva difuzního odrazu
     .help = dejte tomu, co ji má, optickou vlastnost s kd > 0, nebo texturu odstraňte
+W331-dark-colour = { W331-dark }
+    .label = barva je barva difuzního odrazu
+    .help = dejte tomu, co ji má, optickou vlastnost s kd > 0, nebo barvu odstraňte: zrcadlo ani sklo vlastní barvu nemá
 W331-hidden = { $type } není nikde vidět: co ji má, leží mimo kvádr renderovacího záznamu nebo uvnitř neprůhledného tělesa
     .label = tato textura je skrytá
     .help = přesuňte to, co ji má (co je skryté, vypíše `zpg plan`), nebo texturu odstraňte

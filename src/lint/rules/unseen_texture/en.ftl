@@ -19,6 +19,9 @@ W331-union = the difference { $id } takes away { $tool }, whose colours no pictu
 W331-dark = no picture shows this { $type }: nothing that has it reflects diffusely (kd = 0)
     .label = a texture is the colour of the diffuse part
     .help = give what has it an optical property with kd > 0, or remove the texture
+W331-dark-colour = { W331-dark }
+    .label = a colour is that of the diffuse part
+    .help = give what has it an optical property with kd > 0, or remove the colour: mirrors have none of their own, and glass has that of the lights and of what is behind it
 W331-hidden = no picture shows this { $type }: what has it lies outside of the box of the render record or inside of something opaque
     .label = this texture is hidden
     .help = move what has it (`zpg plan` lists what is hidden), or remove the texture

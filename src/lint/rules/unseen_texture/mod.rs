@@ -15,6 +15,7 @@ use crate::lint::Context;
 use crate::scene::{Node, NodeId, Origin, Scene, fold_up};
 use crate::solids::named;
 use crate::syntax::Item;
+use crate::syntax::table::RecordKind;
 use crate::trace::plan::unseen::view::{USUAL, beside_all_views};
 use crate::trace::plan::unseen::{LeftOut, Unseen, Why as UnseenReason};
 use crate::trace::plan::visible_aspects::{Showing, VisibleAspects};
@@ -35,7 +36,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (i, (given, found)) in given.iter().zip(found).enumerate() {
         let said = found.said(given).filter(|_| !in_unions.contains(&i));
         let is_told = |d: &Diagnostic| {
-            !given.is_colour || d.case == Why::Removed.case() && colours.differs(i)
+            let is_cut = d.case == Why::Removed.case() && colours.differs(i);
+            !given.is_colour || is_cut || d.case == Why::Dark.case()
         };
         out.extend(said.filter(is_told).map(|mut d| {
             if d.case == Why::Covered.case()
@@ -46,9 +48,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 proposed += 1;
                 d.fixes = overridden_property::neighbours(context, second);
             }
-            match given.is_colour {
-                true => d.case("colour"),
-                false => d,
+            match (given.is_colour, d.case == Why::Dark.case()) {
+                (true, true) => d.case("dark-colour"),
+                (true, false) => d.case("colour"),
+                (false, _) => d,
             }
         }));
     }
@@ -81,7 +84,8 @@ impl<'a> Sightings<'a> {
     /// `None` where there is nothing to be found out.
     fn new(context: &Context<'a>) -> Option<Sightings<'a>> {
         let has_textures = context.document.contents.has(super::TEXTURES);
-        if !has_textures && !context.document.contents.has(super::DIFFERENCES) {
+        let has = |kinds: &[RecordKind]| context.document.contents.has(kinds);
+        if !has_textures && !has(super::DIFFERENCES) && !has(OPTICS) {
             return None;
         }
         let (given, paintings) = textures(context);
@@ -256,6 +260,9 @@ impl TextureSightings {
         })
     }
 }
+
+/// What may leave an object without a diffuse part.
+const OPTICS: &[RecordKind] = &[RecordKind::Optics, RecordKind::OpticsRgb];
 
 /// Number of nodes above which hidden parts and parts out of view are not looked for: that takes too long for an
 /// editor.
