@@ -36,6 +36,10 @@ pub struct Csg {
     pub spans: Option<Spans>,
 }
 
+/// With more crossings than this all that a ray may cross is quicker to list than to stop early: each block that is looked
+/// at goes through the list again.
+const MAX_SWEPT_CROSSINGS: usize = 64;
+
 /// So few operands are asked without a look at their boxes.
 const MAX_LOOSE: usize = 4;
 
@@ -323,10 +327,9 @@ impl Stage<'_> {
         );
         // All cuts that begin before this are looked at: up to where the first operands are first uncovered.
         let is_swept = is_swept && csg.gates.len() == 1;
-        let needed = |events: &[Crossing]| match is_swept {
-            true => {
-                end.min(uncovered(events, firsts) + 2.0 * hair(query, &query.probe, csg.extent))
-            }
+        let margin = 2.0 * hair(query, &query.probe, csg.extent);
+        let needed = |events: &[Crossing]| match is_swept && events.len() <= MAX_SWEPT_CROSSINGS {
+            true => end.min(uncovered(events, firsts) + margin),
             false => end,
         };
         let mut reach = beam.pace(needed(&scratch.events));

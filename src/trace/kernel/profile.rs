@@ -3,8 +3,8 @@
 //! A ray passes the ring of a profile's point inside of it or outside: with the point p and the direction d of the ray, and
 //! with the height y above p of a ring of radius r, |d_y (p_x, p_z) + y (d_x, d_z)|² − (d_y r)² is negative inside. A piece
 //! between two rings that are passed on two sides is crossed. It is not crossed if the ray passes inside of both, nor if the
-//! three coefficients in Bernstein's basis say that the ray is outside all the way, as in
-//! [`revolution`](crate::trace::shapes::Primitive).
+//! three coefficients in Bernstein's basis say that the ray is outside all the way. `profile_cull` of
+//! `shapes::revolution` says the same of one ray and four pieces.
 
 use super::lanes::{ALL, Lanes, V3, either, is_greater, is_less};
 use crate::trace::shapes::outline::ProfilePoint;

@@ -337,6 +337,20 @@ fn pictures_are_those_of_the_arbiter() {
     assert!(quick > all / 3, "{quick} of {all}");
 }
 
+/// Draws a small picture, which is the arbiter's. How many of its pixels the kernel has asked for, of how many.
+fn asked_of(text: &str) -> [u64; 2] {
+    let settings = Settings {
+        width: 48,
+        height: 36,
+        cutoff: 0.0,
+        ..Settings::default()
+    };
+    let [ours, theirs] = pictures(text, &settings);
+    assert_eq!(ours.film, theirs.film, "{text}");
+    let all = u64::from(settings.width * settings.height);
+    [all - ours.counts.quick, all]
+}
+
 /// Boxes and balls with many holes of all kinds, which overlap each other, opaque and of glass, and light comes through them.
 #[test]
 fn solids_full_of_holes_are_those_of_the_arbiter() {
@@ -367,16 +381,8 @@ fn solids_full_of_holes_are_those_of_the_arbiter() {
             "{whole} -2 20 1\n9 12 -3 -2 -3 3 -1.5 3\n8 -101 {whole} 9\n101 -401 0.2\n102 -402 0.8\n102 -1 2 9 4\n\
              104 -501 0 1 5 0 -0.1 -1 0 1 0 45\n1 9999 8 0\n"
         );
-        let settings = Settings {
-            width: 48,
-            height: 36,
-            cutoff: 0.0,
-            ..Settings::default()
-        };
-        let [ours, theirs] = pictures(&text, &settings);
-        assert_eq!(ours.film, theirs.film, "{seed}: {text}");
-        asked += 48 * 36 - ours.counts.quick;
-        all += 48 * 36;
+        let [own, of] = asked_of(&text);
+        (asked, all) = (asked + own, all + of);
     }
     assert!(asked * 50 < all, "{asked} of {all}");
 }
@@ -435,16 +441,8 @@ fn heaps_are_those_of_the_arbiter() {
         text += &format!(
             "101 -401 0.2\n102 -402 0.5\n102 -1 5 9 8\n104 -501 0 0 6 0 0 -1 0 1 0 45\n1 9999 {union} 0\n"
         );
-        let settings = Settings {
-            width: 48,
-            height: 36,
-            cutoff: 0.0,
-            ..Settings::default()
-        };
-        let [ours, theirs] = pictures(&text, &settings);
-        assert_eq!(ours.film, theirs.film, "{seed}: {text}");
-        asked += 48 * 36 - ours.counts.quick;
-        all += 48 * 36;
+        let [own, of] = asked_of(&text);
+        (asked, all) = (asked + own, all + of);
     }
     // Some of it is asked of the arbiter, and most is not.
     assert!(asked > 0 && asked < all / 2, "{asked} of {all}");

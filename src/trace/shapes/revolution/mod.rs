@@ -18,7 +18,7 @@ use crate::geometry::vec::Vec3;
 use crate::scene::Rgb;
 use crate::solids::shapes as solids;
 use crate::trace::shapes::convex_piece::ConvexPiece;
-use crate::trace::shapes::outline::{Form, Outline, ProfilePoint};
+use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::support::Support;
 use cylinders::Cylinders;
 use overlap_removal::Subsegment;
@@ -181,23 +181,7 @@ impl Shape for Revolution {
     /// A cylinder around a long profile.
     fn outline(&self) -> Outline {
         if self.pieces.len() <= MAX_OUTLINE_PIECES {
-            let point = |number: u32, is_joined: bool| {
-                let [radius, height] = each(self.points[number as usize], |x| x / self.scale);
-                ProfilePoint {
-                    radius,
-                    height,
-                    is_joined,
-                }
-            };
-            let mut points = Vec::new();
-            let mut last = None;
-            for piece in &self.pieces {
-                if last != Some(piece.from) {
-                    points.push(point(piece.from, false));
-                }
-                points.push(point(piece.to, true));
-                last = Some(piece.to);
-            }
+            let points = overlap_removal::outline(&self.points, &self.pieces, self.scale);
             return Outline::exact(Form::Profile(points));
         }
         let widest = self.bounds().max[0];

@@ -7,6 +7,7 @@
 use crate::geometry::array::each;
 use crate::geometry::dd::Dd;
 use crate::geometry::number::Real;
+use crate::trace::shapes::outline::ProfilePoint;
 use std::collections::BTreeSet;
 
 /// A part of a segment, from one point of the profile to another.
@@ -191,6 +192,28 @@ fn thin_out(points: &[[f64; 2]], line: &[u32], all: &mut Vec<Subsegment>) {
             });
         }
     }
+}
+
+/// The ends of pieces, of points that are `scale` times as large.
+pub(super) fn outline(points: &[[f64; 2]], pieces: &[Subsegment], scale: f64) -> Vec<ProfilePoint> {
+    let point = |number: u32, is_joined: bool| {
+        let [radius, height] = each(points[number as usize], |x| x / scale);
+        ProfilePoint {
+            radius,
+            height,
+            is_joined,
+        }
+    };
+    let mut ends = Vec::new();
+    let mut last = None;
+    for piece in pieces {
+        if last != Some(piece.from) {
+            ends.push(point(piece.from, false));
+        }
+        ends.push(point(piece.to, true));
+        last = Some(piece.to);
+    }
+    ends
 }
 
 #[cfg(test)]
