@@ -214,16 +214,19 @@ impl Tracer {
             depth: settings.depth,
             cutoff: settings.cutoff,
         };
-        let outside = self.clip.is_none()
-            && view.is_pinhole()
-            && !self.holds(&mut self.walker::<f64>(), view.position());
+        let eye = match () {
+            () if self.clip.is_some() => Eye::Anywhere,
+            () if !view.is_pinhole() => Eye::OfEachRay,
+            () if self.holds(&mut self.walker::<f64>(), view.position()) => Eye::Anywhere,
+            () => Eye::Outside,
+        };
         let lights = &self.lights[..];
-        let features = self.features(outside);
+        let features = self.features(eye == Eye::Outside);
         Ok(draw(&Drawing {
             tracer: self,
             lights,
             limits,
-            is_outside: outside,
+            eye,
             shift: settings.shift,
             features,
             view,
@@ -234,14 +237,24 @@ impl Tracer {
     }
 }
 
+/// Where the rays of a camera start.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Eye {
+    /// At one point outside of every solid.
+    Outside,
+    /// Each at a point of its own, which may be in a solid.
+    OfEachRay,
+    /// In a solid, or where a render box cuts solids open.
+    Anywhere,
+}
+
 /// The state that the rows of a picture have in common.
 pub(super) struct Drawing<'t> {
     pub(super) tracer: &'t Tracer,
     lights: &'t [Light],
     limits: Limits,
     pub(super) view: View,
-    /// Whether camera rays start outside of every solid.
-    pub(super) is_outside: bool,
+    eye: Eye,
     shift: [f64; 2],
     features: Features,
     wanted: Option<Arc<[bool]>>,
@@ -297,7 +310,7 @@ impl<'t> Drawing<'t> {
         Pen {
             shader: Shader::new(self.tracer, self.lights, self.limits, self.features),
             drawing: self,
-            quick: quick.map(Quick::new),
+            quick: quick.map(|scene| Quick::new(scene, self.tracer)),
         }
     }
 
@@ -307,6 +320,11 @@ impl<'t> Drawing<'t> {
         let [dx, dy] = sample(x, y, i, n);
         let [dx, dy] = [dx + self.shift[0], dy + self.shift[1]];
         self.view.line(f64::from(x) + dx, f64::from(y) + dy)
+    }
+
+    /// Whether all rays of the camera start outside of every solid.
+    pub(super) fn is_outside(&self) -> bool {
+        self.eye == Eye::Outside
     }
 
     fn is_wanted(&self, x: u32, y: u32) -> bool {

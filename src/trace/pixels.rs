@@ -153,7 +153,7 @@ impl<R: Precision> Pixels for Single<'_, '_, R> {
         if !ray.line.is_sound() {
             return None;
         }
-        ray.is_outside = drawing.is_outside;
+        ray.is_outside = drawing.is_outside();
         let probe = drawing.tracer.probe(&mut self.walkers, &ray);
         let first = probe.crossings.first()?;
         Some(VisibleObject {

@@ -141,8 +141,9 @@ pub struct Leaf {
     pub way_count: u32,
     /// Whether something goes through it.
     pub is_clear: bool,
-    /// Whether it is transparent and nothing is near it, or opaque and nothing transparent is near it. So from inside of
-    /// glass its other side comes next, and light gets to what is opaque through the open alone.
+    /// Whether it is transparent and nothing is near it, or opaque and near nothing transparent, nor hidden in something
+    /// opaque that is. So from inside of glass its other side comes next, and light gets to what is opaque through the open
+    /// alone.
     pub is_lone: bool,
 }
 

@@ -2,7 +2,8 @@
 //!
 //! Pictures have the bits of those that [`search`](super::search) and [`shade`](super::shade) draw, who are called the
 //! arbiter here. The kernel takes on scenes that are seen from outside: unions of shapes, intersections and differences,
-//! placed anywhere. A place may be inside of four of them at most. The kernel knows of each ray whether rounding may have
+//! placed anywhere. A ray that starts in a solid is the arbiter's, and so is a picture from within one, or of a scene that a
+//! render box cuts open. A place may be inside of four solids at most. The kernel knows of each ray whether rounding may have
 //! decided anything about it. The arbiter is asked about such a ray ([`Arbiter`](super::arbiter::Arbiter), [`provenance`]).
 //!
 //! The scene: [`expand`] takes the graph apart into leaves, each a shape with its looks ([`leaf`]). [`stage`] puts leaves of

@@ -301,10 +301,16 @@ fn text(number: &mut impl FnMut() -> f64, seed: usize) -> String {
 
 /// A picture by the kernel, and one by the arbiter.
 fn pictures(text: &str, settings: &Settings) -> [Picture; 2] {
+    projected(text, settings, None)
+}
+
+/// The same by the scene's camera with another projection.
+fn projected(text: &str, settings: &Settings, projection: Option<Matrix>) -> [Picture; 2] {
     let scene = scene(text);
     let mut tracer = Tracer::new(&scene).unwrap();
     let aspect = f64::from(settings.width) / f64::from(settings.height);
-    let camera = selected_camera(&scene, aspect);
+    let mut camera = selected_camera(&scene, aspect);
+    camera.projection = projection;
     [false, true].map(|without| {
         tracer.graph.without.kernel = without;
         tracer.render(&camera, settings, || ()).unwrap()
@@ -335,6 +341,38 @@ fn pictures_are_those_of_the_arbiter() {
         all += u64::from(width * height);
     }
     assert!(quick > all / 3, "{quick} of {all}");
+}
+
+/// Pictures of parallel rays are those of the arbiter, whether the rays start before the scene or in the middle of it, where
+/// some are in solids.
+#[test]
+fn pictures_of_parallel_rays_are_those_of_the_arbiter() {
+    let mut number = numbers();
+    let settings = Settings {
+        width: 40,
+        height: 30,
+        ..Settings::default()
+    };
+    let mut quick = [0; 2];
+    for seed in 0..24 {
+        // The camera is at z = 18; rays start where the depth is -1: at z = 18 or z = 0.
+        let offset = [-1.0, -4.6][seed % 2];
+        let parallel = Matrix([
+            [0.15, 0.0, 0.0, 0.0],
+            [0.0, 0.2, 0.0, 0.0],
+            [0.0, 0.0, -0.2, offset],
+            [0.0, 0.0, 0.0, 1.0],
+        ]);
+        let text = text(&mut number, seed);
+        let [ours, theirs] = projected(&text, &settings, Some(parallel));
+        assert_eq!(ours.film, theirs.film, "{seed}");
+        assert_eq!(ours.counts.rays, theirs.counts.rays, "{seed}");
+        assert_eq!(ours.total_reflection, theirs.total_reflection, "{seed}");
+        quick[seed % 2] += ours.counts.quick;
+    }
+    let all = 12 * 40 * 30;
+    assert!(quick.iter().all(|&n| n > all / 2), "{quick:?} of {all}");
+    assert!(quick[1] < all, "no ray starts in a solid");
 }
 
 /// Draws a small picture, which is the arbiter's. How many of its pixels the kernel has asked for, of how many.
@@ -446,6 +484,26 @@ fn heaps_are_those_of_the_arbiter() {
     }
     // Some of it is asked of the arbiter, and most is not.
     assert!(asked > 0 && asked < all / 2, "{asked} of {all}");
+}
+
+/// Light comes through glass into something opaque, whose near face the glass hides, and on through what that hides in turn,
+/// which is not near the glass.
+#[test]
+fn light_passes_what_something_opaque_hides() {
+    let text = "2 11 0 0 1 1\n2 -201 0 0 1\n3 11 0 0 0 1\n4 11 0 0 -0.8 0.5\n5 -101 2 3\n6 -101 5 4\n\
+                10 -402 1\n10 -1 1 1 9\n11 -501 0 0 6 0 0 -1 0 1 0 30\n1 9999 6 0\n";
+    let settings = Settings {
+        width: 48,
+        height: 36,
+        ..Settings::default()
+    };
+    let [ours, theirs] = pictures(text, &settings);
+    assert_eq!(ours.film, theirs.film);
+    // At the centre the ray goes through the glass to the far side of the opaque ball, at (0, 0, -1); the lamp is in the
+    // direction (1, 1, 10) from there, and the normal is (0, 0, 1).
+    let [red, ..] = ours.film.pixels[18 * 48 + 24];
+    let cosine = 10.0 / 102.0f32.sqrt();
+    assert!((red - cosine).abs() < 0.02, "{red} is not {cosine}");
 }
 
 /// A scene that would be expanded to 2⁴⁰ operands is left to the arbiter.

@@ -8,8 +8,10 @@ use crate::trace::film::developed;
 use crate::trace::kernel::{self, Tile};
 use crate::trace::precision::Precision;
 use crate::trace::ray::Ray;
+use crate::trace::search::escalate::Walkers;
 use crate::trace::shade::Shader;
 use crate::trace::stats::{Cost, Counts};
+use crate::trace::tracer::Tracer;
 
 /// A finished pixel.
 #[derive(Debug, Clone, Copy, Default)]
@@ -40,12 +42,15 @@ pub(super) struct Quick<'d> {
     tile: Box<Tile>,
     counts: Counts,
     rays: Vec<[Vec3; 2]>,
+    /// Tells whether a ray starts in a solid, where each starts at a point of its own.
+    starts: Walkers<'d, f64>,
 }
 
 impl<'d> Quick<'d> {
-    pub(super) fn new(scene: &'d kernel::Scene<'d>) -> Quick<'d> {
+    pub(super) fn new(scene: &'d kernel::Scene<'d>, tracer: &'d Tracer) -> Quick<'d> {
         Quick {
             scene,
+            starts: tracer.walker(),
             tile: Box::default(),
             counts: Counts::default(),
             rays: Vec::new(),
@@ -86,15 +91,20 @@ impl<R: Precision> Pen<'_, '_, R> {
         let Some(mut quick) = self.quick.take() else {
             return places.iter().map(|&place| self.slow(place)).collect();
         };
-        let line = |place: &SampleOf| {
+        let Drawing { tracer, .. } = *self.drawing;
+        let is_outside = self.drawing.is_outside();
+        let mut line = |place: &SampleOf| {
             let [x, y] = place.pixel;
-            let line = self.drawing.line(x, y, place.sample, place.of);
-            line.unwrap_or_default()
+            let line = self.drawing.line(x, y, place.sample, place.of)?;
+            let is_outside = is_outside || !tracer.holds(&mut quick.starts, line[0]);
+            is_outside.then_some(line)
         };
         let mut samples = Vec::with_capacity(places.len());
         for places in places.chunks(kernel::TILE[0] * kernel::TILE[1]) {
             quick.rays.clear();
-            quick.rays.extend(places.iter().map(line));
+            quick
+                .rays
+                .extend(places.iter().map(|place| line(place).unwrap_or_default()));
             let drawn = (quick.tile).draw(quick.scene, &mut self.shader, &quick.rays);
             samples.extend(drawn.iter().zip(places).map(|(drawn, &place)| {
                 if drawn.is_lost {
@@ -130,7 +140,7 @@ impl<R: Precision> Pen<'_, '_, R> {
         let line = self.drawing.line(x, y, i, n);
         match line.map(|[origin, direction]| Ray::new(origin, direction).cast::<R>()) {
             Some(mut ray) if ray.line.is_sound() => {
-                ray.is_outside = self.drawing.is_outside;
+                ray.is_outside = self.drawing.is_outside();
                 Vec3(self.shader.radiance(&ray))
             }
             _ => Vec3::ZERO,

@@ -1,6 +1,6 @@
 //! A picture by the quick kernel, in bands of rows.
 
-use super::{Drawing, Numbers, Settings};
+use super::{Drawing, Eye, Numbers, Settings};
 use crate::trace::kernel;
 
 impl<'t> Drawing<'t> {
@@ -12,7 +12,7 @@ impl<'t> Drawing<'t> {
         let most = (pixels / 8).saturating_mul(settings.first_samples() as usize);
         let graph = &self.tracer.graph;
         let is_for_it =
-            settings.numbers == Numbers::F64 && self.is_outside && !graph.without.kernel;
+            settings.numbers == Numbers::F64 && self.eye != Eye::Anywhere && !graph.without.kernel;
         is_for_it.then(|| kernel::Stage::new(graph, most)).flatten()
     }
 
