@@ -346,6 +346,27 @@ fn a_camera_in_a_floor_has_another_sign() {
     assert_eq!(proposals(&away, Code::W325).len(), 0);
 }
 
+/// A ball beside the picture that has lost a decimal point: both languages name the number.
+#[test]
+fn a_coordinate_without_its_decimal_point() {
+    let scene = |x: &str| {
+        let balls = format!("2 11 -1 0 0 0.8\n3 11 1 0 0 0.8\n4 11 {x} 2 0 0.8\n");
+        let rest = "9 -501 0 0 9 0 0 -1 0 1 0 45\n50 -402 0.9\n50 -1 3 5 5\n1 9999 6 0\n";
+        format!("{balls}5 -101 2 3\n6 -101 5 4\n{rest}")
+    };
+    let text = scene("30");
+    assert_eq!(first(&text, Code::N608), scene("3.0"));
+    assert_eq!(
+        first_said(&text, Code::N608),
+        [
+            "write `3.0`, with a decimal point",
+            "napsat `3.0`, s desetinnou tečkou"
+        ]
+    );
+    let then = repair::proposals(&read(&scene("3.0")));
+    assert!(then.iter().all(|d| d.code != Code::N608), "{then:?}");
+}
+
 /// A plane that hides an object from the camera, and what was meant: the other sign of d, or a floor that lies.
 #[test]
 fn a_plane_that_hides_an_object() {

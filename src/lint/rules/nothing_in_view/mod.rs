@@ -86,7 +86,8 @@ fn has_mirror(scene: &Scene) -> bool {
     })
 }
 
-fn name(side: OutOfView) -> &'static str {
+/// The name of a side in messages.
+pub(super) fn name(side: OutOfView) -> &'static str {
     match side {
         OutOfView::Behind => "behind",
         OutOfView::Left => "left",

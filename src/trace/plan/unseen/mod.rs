@@ -10,6 +10,7 @@ mod screens;
 pub mod sides;
 mod starts;
 pub mod view;
+pub mod views;
 
 use crate::diagnostics::Span;
 use crate::geometry::Aabb;
