@@ -118,6 +118,12 @@ impl Scene {
         self.view.cameras().filter_map(|i| self.cameras.get(i))
     }
 
+    /// Whether any optics mirror or let light through: then things are seen that no camera looks at.
+    pub fn has_mirrors_or_glass(&self) -> bool {
+        let mut optics = self.paints.iter().filter_map(|p| p.optics);
+        optics.any(|o| o.ks != [0.0; 3] || o.kt != [0.0; 3])
+    }
+
     /// The shapes and where they are written, in file order: each has one node, and [`shapes`](Self::shapes) has the
     /// order of the nodes.
     pub fn written_shapes(&self) -> impl Iterator<Item = (&Shape, Span)> {

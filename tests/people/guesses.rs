@@ -346,6 +346,73 @@ fn a_camera_in_a_floor_has_another_sign() {
     assert_eq!(proposals(&away, Code::W325).len(), 0);
 }
 
+/// A ball beside the picture that has lost a decimal point: both languages name the number.
+#[test]
+fn a_coordinate_without_its_decimal_point() {
+    let scene = |x: &str| {
+        let balls = format!("2 11 -1 0 0 0.8\n3 11 1 0 0 0.8\n4 11 {x} 2 0 0.8\n");
+        let rest = "9 -501 0 0 9 0 0 -1 0 1 0 45\n50 -402 0.9\n50 -1 3 5 5\n1 9999 6 0\n";
+        format!("{balls}5 -101 2 3\n6 -101 5 4\n{rest}")
+    };
+    let text = scene("30");
+    assert_eq!(first(&text, Code::N608), scene("3.0"));
+    assert_eq!(
+        first_said(&text, Code::N608),
+        [
+            "write `3.0`, with a decimal point",
+            "napsat `3.0`, s desetinnou tečkou"
+        ]
+    );
+    let then = repair::proposals(&read(&scene("3.0")));
+    assert!(then.iter().all(|d| d.code != Code::N608), "{then:?}");
+}
+
+/// A plane that hides an object from the camera, and what was meant: the other sign of d, or a floor that lies.
+#[test]
+fn a_plane_that_hides_an_object() {
+    let scene = |lines: &str| {
+        let rest = "50 -402 0.9\n50 -1 4 6 5\n1 9999 4 0\n";
+        format!("{lines}\n4 -101 2 3\n9 -501 0 3 9 0 -0.3 -1 0 1 0 40\n{rest}")
+    };
+    for (lines, meant, titles) in [
+        (
+            "2 11 0 0 0 1\n3 3 0 1 0 -1",
+            "2 11 0 0 0 1\n3 3 0 1 0 1",
+            [
+                "change the sign of d: write `0 1 0 1`",
+                "změnit znaménko d: napsat `0 1 0 1`",
+            ],
+        ),
+        (
+            "2 11 0 1 -3 1\n3 3 0 0 1 0 # floor #",
+            "2 11 0 1 -3 1\n3 3 0 1 0 0 # floor #",
+            [
+                "lay the floor across the y axis: write `0 1 0`",
+                "položit podlahu kolmo k ose y: napsat `0 1 0`",
+            ],
+        ),
+    ] {
+        let text = scene(lines);
+        assert_eq!(first(&text, Code::W335), scene(meant));
+        assert_eq!(first_said(&text, Code::W335), titles);
+        let then = repair::proposals(&read(&scene(meant)));
+        assert!(then.iter().all(|d| d.code != Code::W335), "{then:?}");
+    }
+    // The other plane would hide it, too, or the lamp.
+    for lines in [
+        "2 11 0 -4 0 1\n3 3 0 1 0 -1",
+        "2 11 0 -9 0 1\n3 3 0 1 0 5.5",
+    ] {
+        assert_eq!(proposals(&scene(lines), Code::W335).len(), 0, "{lines}");
+    }
+    // Glass or a mirror may show it.
+    for more in ["3 -201 0.5 0 0.5", "2 -201 0.5 0.5 0"] {
+        let text = scene(&format!("2 11 0 0 0 1\n3 3 0 1 0 -1\n{more}"));
+        let all = repair::proposals(&read(&text));
+        assert!(all.iter().all(|d| d.code != Code::W335), "{all:?}");
+    }
+}
+
 #[test]
 fn a_second_move_of_a_lamp_is_that_of_the_next_one() {
     let scene = |lamps: &str| {

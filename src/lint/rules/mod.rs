@@ -14,7 +14,7 @@
 mod angle_in_radians;
 mod asymmetric_quadric;
 mod bare_comment;
-
+mod beside_picture;
 mod bound_too_small;
 mod buried_shape;
 mod camera_in_solid;
@@ -302,6 +302,11 @@ pub(super) const RULES: &[Rule] = &[
         asks_for: &[ROTATIONS],
     },
     Rule {
+        code: Code::N608,
+        check: beside_picture::check,
+        asks_for: &[CAMERA_RECORDS, RENDER, UNIONS],
+    },
+    Rule {
         code: Code::S501,
         check: notation_separator::check,
         asks_for: &[],
@@ -381,6 +386,7 @@ pub(super) const OF_PICTURES: &[Code] = &[
     Code::W337,
     Code::W338,
     Code::N606,
+    Code::N608,
 ];
 
 /// Rules whose fixes take records out. Where there is an error such a record may be what is to be mended: no fix is

@@ -29,3 +29,19 @@ W335-half-space-order = { W335 }
     .fix-order = prohodit oba řádky: nejdřív otočit, potom posunout
     .fix-lay = { W335-half-space.fix-lay }
     .fix-move = { W335-half-space.fix-move }
+W335-plane = { $object } { $object-id } není z žádné kamery vidět: v cestě je rovina { $solid-id }
+    .label = { W335.label }
+    .solid = kamery jsou na jedné straně této roviny, objekt na druhé
+    .help = posuňte rovinu nebo objekt: rovina je tam, kde ax + by + cz + d = 0
+    .fix-lay = { W335-half-space.fix-lay }
+    .fix-move = { W335-half-space.fix-move }
+W335-plane-several = { $count ->
+    [one] { $count } objekt není
+    [few] { $count } objekty nejsou
+   *[other] { $count } objektů není
+} z žádné kamery vidět: v cestě je rovina { $solid-id }
+    .label = { W335-several.label }
+    .solid = kamery jsou na jedné straně této roviny, objekty na druhé
+    .help = rovina je tam, kde ax + by + cz + d = 0: zkontrolujte její normálu a znaménko d
+    .fix-lay = { W335-half-space.fix-lay }
+    .fix-move = { W335-half-space.fix-move }

@@ -28,3 +28,18 @@ W335-half-space-order = { W335 }
     .fix-order = swap the two lines: turn it first, then move it
     .fix-lay = { W335-half-space.fix-lay }
     .fix-move = { W335-half-space.fix-move }
+W335-plane = no camera sees the { $object } { $object-id }: the plane { $solid-id } lies between them
+    .label = { W335.label }
+    .solid = the cameras are on one side of this, the { $object } is on the other
+    .help = move the plane or the { $object }: the plane is where ax + by + cz + d = 0
+    .fix-lay = { W335-half-space.fix-lay }
+    .fix-move = { W335-half-space.fix-move }
+W335-plane-several = { $count ->
+    [one] one object is
+   *[other] { $count } objects are
+} seen by no camera: the plane { $solid-id } lies between
+    .label = { W335-several.label }
+    .solid = the cameras are on one side of this, the objects are on the other
+    .help = a plane is where ax + by + cz + d = 0: look at its normal and at the sign of d
+    .fix-lay = { W335-half-space.fix-lay }
+    .fix-move = { W335-half-space.fix-move }

@@ -1,14 +1,14 @@
-//! What may be meant instead of a half-space that swallows objects.
+//! What may be meant instead of a half-space that swallows objects, or of a plane that hides them.
 
 use crate::diagnostics::{Applicability, Edit, Fix, Span};
-use crate::geometry::Matrix;
 use crate::geometry::array::{length, sub};
+use crate::geometry::{Aabb, Matrix};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
 use crate::lint::rules::camera_in_solid::moved;
 use crate::lint::spelling::opposite;
 use crate::scene::record::Params;
-use crate::scene::{Node, NodeId, transformation};
+use crate::scene::{Node, NodeId, Vec3, transformation};
 use crate::solids::Named;
 use crate::solids::shapes::facts::Facts;
 use crate::syntax::Record;
@@ -60,6 +60,31 @@ pub(super) fn mended(
         fixes.push(moved(p));
     }
     (case, fixes)
+}
+
+/// The fixes of a plane that hides parts from all cameras: none that hides a part, or brings a lamp behind it.
+pub(super) fn plane(context: &Context, (name, p): (Named, &Params)) -> Vec<Fix> {
+    let scene = context.scene;
+    let sides =
+        (scene.render).and_then(|render| Sides::new(scene, context.bounds(), render.root, name));
+    let Some(sides) = sides else {
+        return Vec::new();
+    };
+    let now: [f64; 4] = p.numbers(0);
+    let eyes: Vec<Vec3> = scene.cameras.iter().map(|c| c.position).collect();
+    let is_dark = |numbers, lamp: Vec3| sides.is_between(numbers, &eyes, &Aabb::new(lamp, lamp));
+    let frees = |then: [f64; 4]| {
+        let mut lamps = scene.point_lights.iter().map(|l| l.position);
+        !sides.hides(then, &eyes) && !lamps.any(|l| is_dark(then, l) && !is_dark(now, l))
+    };
+    let mut fixes = Vec::new();
+    let laid = laid_down(p, now, &sides);
+    fixes.extend(laid.filter(|(then, _)| frees(*then)).map(|(_, fix)| fix));
+    let [a, b, c, d] = now;
+    if d != 0.0 && frees([a, b, c, -d]) {
+        fixes.push(moved(p));
+    }
+    fixes
 }
 
 /// A floor by its comment that stands upright, with its numbers and record as a floor across the y axis.

@@ -1,4 +1,4 @@
-//! W335: a part of what is drawn that lies wholly inside of an opaque solid.
+//! W335: a part of what is drawn that lies wholly inside of an opaque solid, or behind an opaque plane.
 
 mod mended;
 
@@ -10,7 +10,7 @@ use crate::lint::Context;
 use crate::scene::NodeId;
 use crate::solids::{Named, named};
 use crate::syntax::table::{RecordKind, ShapeKind};
-use crate::trace::plan::unseen::{Unseen, Why, find_but_for_points};
+use crate::trace::plan::unseen::{Unseen, Why, find_but_for_points, screened};
 
 /// Number of nodes above which hidden parts are not looked for: that takes too long for an editor.
 const MAX_NODES: usize = 5000;
@@ -22,22 +22,27 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     let Some(render) = scene.render else { return };
     let hidden = find_but_for_points(scene, render.root).unseen;
-    let inside = |part: &Unseen| match part.why {
-        Why::Inside(solid) => {
-            let named = named(scene, part.node)?;
-            let is_own = context.params(named.span).is_some_and(|p| p.id == named.id);
-            // The place of a copy, not of its original.
-            let span = if is_own { named.span } else { part.span };
-            Some((Named { span, ..named }, solid, part.node))
-        }
+    let buried = hidden.iter().filter_map(|part: &Unseen| match part.why {
+        Why::Inside(solid) => Some((part.node, part.span, solid)),
         Why::Outside => None,
+    });
+    let known: FxHashSet<NodeId> = hidden.iter().map(|part| part.node).collect();
+    let behind = screened(scene, context.bounds(), render.root);
+    let behind = behind.iter().filter(|part| !known.contains(&part.node));
+    let all = buried.chain(behind.map(|part| (part.node, part.span, part.plane)));
+    let with_place = |(node, definition, solid): (NodeId, Span, Named)| {
+        let named = named(scene, node)?;
+        let is_own = context.params(named.span).is_some_and(|p| p.id == named.id);
+        // The place of a copy, not of its original.
+        let span = if is_own { named.span } else { definition };
+        Some((Named { span, ..named }, solid, node))
     };
-    let parts: Vec<(Named, Named, NodeId)> = hidden.iter().filter_map(inside).collect();
+    let parts: Vec<(Named, Named, NodeId)> = all.filter_map(with_place).collect();
     if parts.is_empty() {
         return;
     }
     let told = told(context);
-    // Of each solid what is in it, in the order of the file.
+    // Of each solid what is in it, and of each plane what is behind it, in the order of the file.
     let mut order: Vec<Named> = Vec::new();
     let mut held: FxHashMap<(u32, Span), Vec<(Named, NodeId)>> = FxHashMap::default();
     let mut seen = FxHashSet::default();
@@ -57,23 +62,27 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The finding about all that lies in one solid.
+/// The finding about all that lies in one solid, or behind one plane.
 fn finding(context: &Context, solid: Named, all: &[(Named, NodeId)]) -> Diagnostic {
     let (first, _) = all[0];
-    let half_space = context
-        .params(solid.span)
-        .filter(|p| p.ty.kind == RecordKind::Shape(ShapeKind::HalfSpace));
-    let is_half_space = half_space.is_some();
-    let own = half_space.filter(|p| p.id == solid.id);
-    let (better, fixes) = match &own {
-        Some(p) => mended::mended(context, (solid, p), all),
-        None => Default::default(),
+    let record = context.params(solid.span);
+    let kind = match record.as_ref().map(|p| p.ty.kind) {
+        Some(RecordKind::Shape(kind)) => Some(kind),
+        _ => None,
     };
-    let case = better.unwrap_or(match (is_half_space, all.len()) {
-        (false, 1) => "",
-        (false, _) => "several",
-        (true, 1) => "half-space",
-        (true, _) => "half-space-several",
+    let own = record.filter(|p| p.id == solid.id);
+    let (better, fixes) = match (&own, kind) {
+        (Some(p), Some(ShapeKind::HalfSpace)) => mended::mended(context, (solid, p), all),
+        (Some(p), Some(ShapeKind::Plane)) => (None, mended::plane(context, (solid, p))),
+        _ => Default::default(),
+    };
+    let case = better.unwrap_or(match (kind, all.len()) {
+        (Some(ShapeKind::Plane), 1) => "plane",
+        (Some(ShapeKind::Plane), _) => "plane-several",
+        (Some(ShapeKind::HalfSpace), 1) => "half-space",
+        (Some(ShapeKind::HalfSpace), _) => "half-space-several",
+        (_, 1) => "",
+        (..) => "several",
     });
     let finding = Diagnostic::new(Code::W335, first.span)
         .case(case)

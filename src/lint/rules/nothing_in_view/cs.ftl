@@ -17,3 +17,7 @@ W324-unbounded = kamera { $id } neuvidí nic kromě toho, co nemá konec (např�
     .help = { W324.help }
     .fix = { W324.fix }
     .fix-sign = { W324.fix-sign }
+W324-unbounded-elsewhere = { W324-unbounded }
+    .label = { W324.label }
+    .note = { W324.note }
+    .help = přesuňte kameru, nebo ji otočte: střed toho, co má konec, leží od ní ve směru { $way }

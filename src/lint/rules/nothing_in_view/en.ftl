@@ -17,3 +17,7 @@ W324-unbounded = the camera { $id } will see nothing but what has no end, such a
     .help = { W324.help }
     .fix = { W324.fix }
     .fix-sign = { W324.fix-sign }
+W324-unbounded-elsewhere = { W324-unbounded }
+    .label = { W324.label }
+    .note = { W324.note }
+    .help = move the camera, or turn it: the middle of what has an end lies in the direction { $way } from it

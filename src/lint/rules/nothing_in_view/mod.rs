@@ -29,7 +29,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let seen = |of| out_of_view(scene, context.bounds(), render.root, camera, of);
         let unseen = seen(Parts::All);
         // A floor without end is seen from almost everywhere.
-        let ended = || seen(Parts::Bounded).filter(|_| is_written);
+        let ended = || seen(Parts::Bounded);
         let Some(side) = unseen.or_else(ended) else {
             continue;
         };
@@ -43,22 +43,36 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             None => finding.case("unbounded"),
         };
         // A camera in a solid has to be moved first.
-        let is_inside = || camera_in_solid::cameras(context).contains(&camera.id);
-        let fixes = match is_written && !is_inside() {
+        let is_inside = is_written && camera_in_solid::cameras(context).contains(&camera.id);
+        let fixes = match is_written && !is_inside {
             true => turned(context, render.root, camera, &p, side),
             false => Vec::new(),
         };
         // A mirror may show what lies behind the camera.
         let may_be_meant = fixes.iter().all(|f| f.title == "fix") && has_mirror(scene);
-        if unseen.is_none() && (fixes.is_empty() || may_be_meant) {
+        if unseen.is_none() && (is_inside || may_be_meant) {
             continue;
         }
+        let finding = match unseen.is_none() && fixes.is_empty() {
+            true => {
+                (finding.case("unbounded-elsewhere")).with("way", way(context, render.root, camera))
+            }
+            false => finding,
+        };
         let finding = finding
             .with("id", camera.id.to_string())
             .with("width", USUAL[0].to_string())
             .with("height", USUAL[1].to_string());
         out.push(fixes.into_iter().fold(finding, Diagnostic::fix));
     }
+}
+
+/// The direction from a camera to the middle of what has an end.
+fn way(context: &Context, root: NodeId, camera: &Camera) -> String {
+    let middle = context.bounds()[root as usize].bounded().centre();
+    let way = sub(middle, camera.position);
+    let numbers = way.map(|x| near(x, length(way)));
+    quote(&numbers.join(" "))
 }
 
 /// Whether something reflects.
@@ -72,7 +86,8 @@ fn has_mirror(scene: &Scene) -> bool {
     })
 }
 
-fn name(side: OutOfView) -> &'static str {
+/// The name of a side in messages.
+pub(super) fn name(side: OutOfView) -> &'static str {
     match side {
         OutOfView::Behind => "behind",
         OutOfView::Left => "left",

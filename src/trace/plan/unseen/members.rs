@@ -1,11 +1,16 @@
 //! The parts of the outermost union, where they are.
 
+use crate::diagnostics::Span;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, Node, NodeId, Scene, Vec3, fold_up};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::named;
 use crate::solids::shapes::facts::Facts;
+use rustc_hash::FxHashMap;
 use std::sync::Arc;
+
+/// The share by which balls are smaller that touch something in a point: far more than what is rounded.
+pub(super) const TOUCHING_SHARE: f64 = 1e-6;
 
 /// The slot in which a part is written.
 #[derive(Debug, Clone, Copy)]
@@ -193,4 +198,9 @@ fn clear(scene: &Scene, root: NodeId) -> Vec<[bool; 2]> {
             },
         }
     })
+}
+
+/// The place of the definition of each ID.
+pub(super) fn definitions(scene: &Scene) -> FxHashMap<u32, Span> {
+    scene.entities.iter().map(|e| (e.id, e.span)).collect()
 }

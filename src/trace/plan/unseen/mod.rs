@@ -6,9 +6,11 @@
 
 mod hidden;
 mod members;
+mod screens;
 pub mod sides;
 mod starts;
 pub mod view;
+pub mod views;
 
 use crate::diagnostics::Span;
 use crate::geometry::Aabb;
@@ -16,8 +18,9 @@ use crate::scene::{NodeId, Scene};
 use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::solids::{Named, named};
 use hidden::Hidden;
-use members::{Member, Slot, members};
+use members::{Member, Slot, TOUCHING_SHARE, definitions, members};
 use rustc_hash::FxHashMap;
+pub use screens::{Screened, screened};
 pub use starts::Starts;
 
 /// The reason why nothing of a part can be seen.
@@ -101,9 +104,6 @@ impl UnseenParts {
     }
 }
 
-/// The share by which balls are smaller that touch something in a point: far more than what is rounded.
-const TOUCHING_SHARE: f64 = 1e-6;
-
 /// Looks for what can be seen.
 pub fn find(scene: &Scene, root: NodeId) -> UnseenParts {
     find_with(scene, root, 0.0)
@@ -150,7 +150,7 @@ fn find_with(scene: &Scene, root: NodeId, less: f64) -> UnseenParts {
     }
     let mut found = UnseenParts::default();
     let spans: FxHashMap<u32, Span> = match why.iter().any(Option::is_some) {
-        true => scene.entities.iter().map(|e| (e.id, e.span)).collect(),
+        true => definitions(scene),
         false => FxHashMap::default(),
     };
     for (member, why) in all.iter().zip(&why) {

@@ -1,6 +1,6 @@
-//! The parts of the outermost union that a half-space holds, and would hold with other numbers.
+//! The parts of the outermost union that a half-space holds, and would hold with other numbers; those that a plane hides.
 
-use super::members::members;
+use super::members::{Member, members};
 use crate::geometry::array::length;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Geometry, NodeId, Scene, Vec3};
@@ -15,9 +15,9 @@ pub fn placed(scene: &Scene, bounds: &[NodeBounds], root: NodeId, part: NodeId) 
     Some(*own.matrix())
 }
 
-/// A half-space in its place, and the boxes of all that has an end.
+/// A half-space or a plane in its place, and the boxes of all that has an end.
 pub struct Sides {
-    /// From the coordinates of the scene into those of the half-space.
+    /// From the coordinates of the scene into those of the half-space or the plane.
     back: Matrix,
     /// Whether the two are the same.
     pub is_untouched: bool,
@@ -25,18 +25,18 @@ pub struct Sides {
 }
 
 impl Sides {
-    /// `None` where no half-space of this name is a part of the outermost union.
-    pub fn new(
-        scene: &Scene,
-        bounds: &[NodeBounds],
-        root: NodeId,
-        half_space: Named,
-    ) -> Option<Sides> {
+    /// `None` where no half-space or plane of this name is a part of the outermost union.
+    pub fn new(scene: &Scene, bounds: &[NodeBounds], root: NodeId, name: Named) -> Option<Sides> {
         let parts = members(scene, bounds, root);
-        let is_one = |geometry: &Geometry| matches!(geometry, Geometry::HalfSpace(_));
+        let is_one =
+            |geometry: &Geometry| matches!(geometry, Geometry::HalfSpace(_) | Geometry::Plane(_));
         let own = (parts.iter())
             .filter(|m| m.geometry(scene).is_some_and(is_one))
-            .find(|m| named(scene, m.node) == Some(half_space))?;
+            .find(|m| named(scene, m.node) == Some(name))?;
+        Sides::of(own, &parts)
+    }
+
+    pub(super) fn of(own: &Member, parts: &[Member]) -> Option<Sides> {
         Some(Sides {
             back: own.matrix().inverse()?,
             is_untouched: *own.matrix() == Matrix::IDENTITY,
@@ -77,4 +77,44 @@ impl Sides {
             |numbers, b: &Aabb| (b.corners().iter()).all(|&corner| self.holds(numbers, corner));
         (self.boxes.iter()).any(|b| all_of(then, b) && !all_of(now, b))
     }
+
+    /// Whether some part lies wholly across a plane with these numbers from the first of these places, or touches the plane
+    /// from there.
+    pub fn hides(&self, numbers: [f64; 4], from: &[Vec3]) -> bool {
+        let own = from.first().map(|&p| self.side(numbers, p));
+        let is_across = |p: &Vec3| Some(self.side(numbers, *p)) != own;
+        self.boxes.iter().any(|b| b.corners().iter().all(is_across))
+    }
+
+    /// Whether a plane with these numbers lies between all of a box and every one of these places, and touches none.
+    pub fn is_between(&self, numbers: [f64; 4], from: &[Vec3], of: &Aabb) -> bool {
+        let side = |point: &Vec3| self.side(numbers, *point);
+        let across = match from.first().map(side) {
+            Some(Side::Below) => Side::Above,
+            Some(Side::Above) => Side::Below,
+            Some(Side::On) | None => return false,
+        };
+        let is_apart = |p: &Vec3| side(p) != Side::On && side(p) != across;
+        from.iter().all(is_apart) && of.corners().iter().all(|p| side(p) == across)
+    }
+
+    fn side(&self, [a, b, c, d]: [f64; 4], point: Vec3) -> Side {
+        let local = self.back.point(point);
+        let [x, y, z] = local;
+        let value = a * x + b * y + c * z + d;
+        let near = CLEARANCE_REL * far(&[a, b, c]) * far(&local).max(1.0);
+        match value {
+            _ if value > near => Side::Above,
+            _ if value < -near => Side::Below,
+            _ => Side::On,
+        }
+    }
+}
+
+/// The side of a plane on which a point lies, as far as rounding can tell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Below,
+    On,
+    Above,
 }

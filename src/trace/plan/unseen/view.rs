@@ -57,7 +57,7 @@ const SIDES: [OutOfView; 5] = [
 
 /// The field of a camera in a picture of the usual size: every ray starts between four places and goes between four
 /// directions.
-struct Field {
+pub(super) struct Field {
     starts: [Vec3; 4],
     directions: [Vec3; 4],
     /// Directions into the field: from behind, from its four sides, and along the axes.
@@ -66,7 +66,7 @@ struct Field {
 
 impl Field {
     /// The field of view of a camera, a margin wider; `None` if the camera takes no pictures.
-    fn of(camera: &Camera) -> Option<Field> {
+    pub(super) fn of(camera: &Camera) -> Option<Field> {
         let [width, height] = USUAL.map(f64::from);
         let view = View::new(camera, USUAL[0], USUAL[1])?;
         let (low, high) = (-PICTURE_MARGIN, 1.0 + PICTURE_MARGIN);
@@ -115,6 +115,12 @@ impl Field {
             directions,
             inwards,
         })
+    }
+
+    /// The side of the field on which all of a box lies, if it lies beside the field.
+    pub(super) fn side(&self, b: &Aabb) -> Option<OutOfView> {
+        let at = self.beyond(b).position(|is_beyond| is_beyond)?;
+        Some(SIDES.get(at).copied().unwrap_or(OutOfView::Beside))
     }
 
     /// For each direction inwards whether a box lies beyond the border of the field against it.

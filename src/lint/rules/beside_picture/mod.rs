@@ -1,0 +1,131 @@
+//! N608: a small object out of the picture that another reading of one coordinate brings into it.
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
+use crate::geometry::array::add;
+use crate::geometry::{Aabb, Matrix};
+use crate::lint::Context;
+use crate::lint::rules::nothing_in_view::name;
+use crate::lint::spelling::opposite;
+use crate::scene::record::Params;
+use crate::scene::{Node, Vec3};
+use crate::solids::named_core;
+use crate::syntax::quote;
+use crate::syntax::table::{RecordKind, ShapeKind};
+use crate::trace::plan::unseen::view::USUAL;
+use crate::trace::plan::unseen::views::{Aside, Views};
+
+/// Number of nodes above which nothing is looked for.
+const MAX_NODES: usize = 200_000;
+/// Number of objects out of the picture above which they are meant to be there.
+const MAX_ASIDE: usize = 4;
+/// Number of objects in the picture for each one out of it.
+const MIN_WITHIN_PER_ASIDE: usize = 2;
+
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let scene = context.scene;
+    let Some(render) = scene.render else { return };
+    if scene.nodes.len() > MAX_NODES || scene.has_mirrors_or_glass() {
+        return;
+    }
+    let Some(views) = Views::new(scene, context.bounds(), render.root) else {
+        return;
+    };
+    let count = views.aside.len();
+    if count > MAX_ASIDE || views.within.len() < MIN_WITHIN_PER_ASIDE * count {
+        return;
+    }
+    let picture = views.within.iter().fold(Aabb::EMPTY, |all, b| all.hull(b));
+    for part in &views.aside {
+        // What is as large as all else is a wall or a ground.
+        if part.bounds.radius() < picture.radius() {
+            out.extend(finding(context, &views, part));
+        }
+    }
+}
+
+/// The finding about an object, where another reading brings it into the picture.
+fn finding(context: &Context, views: &Views, part: &Aside) -> Option<Diagnostic> {
+    let (object, _) = named_core(context.scene, part.node)?;
+    let readings: Vec<(Span, Fix)> = places(context, part)
+        .iter()
+        .flat_map(|(p, map)| readings(views, part, p, map))
+        .collect();
+    let (span, _) = *readings.first()?;
+    let finding = Diagnostic::new(Code::N608, span)
+        .with("object", Value::Term(object.title))
+        .with("object-id", object.id.to_string())
+        .with("camera", views.camera.to_string())
+        .with("where", name(part.side))
+        .with("width", USUAL[0].to_string())
+        .with("height", USUAL[1].to_string());
+    let fixes = readings.into_iter().map(|(_, fix)| fix);
+    Some(fixes.fold(finding, Diagnostic::fix))
+}
+
+/// The records of an object whose first three numbers are a place, with the maps from there into the scene. A copy does
+/// not move its original.
+fn places<'c>(context: &'c Context, part: &Aside) -> Vec<(Params<'c>, Matrix)> {
+    let scene = context.scene;
+    let mut out = Vec::new();
+    // Something else moves it.
+    if scene.core(part.node, Matrix::IDENTITY).1 != part.moved {
+        return out;
+    }
+    let mut map = Matrix::IDENTITY;
+    for (id, node) in scene.states(part.node) {
+        let kind = match node {
+            Node::Transform { .. } => RecordKind::Translation,
+            Node::Shape(_) => RecordKind::Shape(ShapeKind::Sphere),
+            Node::Paint { .. } => continue,
+            _ => break,
+        };
+        let record = context.params(scene.origins[id as usize].span);
+        out.extend(record.filter(|p| p.ty.kind == kind).map(|p| (p, map)));
+        if let Node::Transform { matrix, .. } = node {
+            map = map.after(&scene.matrices[matrix as usize]);
+        }
+    }
+    out
+}
+
+/// Other readings of the coordinates of a place that bring an object into the picture: with a decimal point before the
+/// last digit, and with the other sign.
+fn readings(views: &Views, part: &Aside, p: &Params, map: &Matrix) -> Vec<(Span, Fix)> {
+    let middle = |axis: usize, then: f64| {
+        let mut by: Vec3 = [0.0; 3];
+        by[axis] = then - p.number(axis);
+        add(part.bounds.centre(), map.vector(by), 1.0)
+    };
+    let is_taken = |place: Vec3| views.within.iter().any(|b| b.contains(place));
+    // Pairs that stand on both sides are meant.
+    if (0..3).any(|i| p.number(i) != 0.0 && is_taken(middle(i, -p.number(i)))) {
+        return Vec::new();
+    }
+    let brings = |axis: usize, then: f64| {
+        let place = middle(axis, then);
+        views.shows(place) && !is_taken(place)
+    };
+    let fix = |axis: usize, title: &'static str, text: String| {
+        let span = p.span_of(axis, 1);
+        let fix = Fix::replace(title, Applicability::Choice, span, text.clone());
+        (p.span_of(0, 3), fix.with("number", quote(&text)))
+    };
+    let mut out = Vec::new();
+    for axis in 0..3 {
+        let number = p.number(axis);
+        let text = with_point(p.text_of(axis)).filter(|_| brings(axis, number / 10.0));
+        out.extend(text.map(|text| fix(axis, "fix-decimal", text)));
+        if number != 0.0 && brings(axis, -number) {
+            out.push(fix(axis, "fix-sign", opposite(p, axis)));
+        }
+    }
+    out
+}
+
+/// A whole number of two digits or more with a point before the last one.
+fn with_point(text: &str) -> Option<String> {
+    let digits = text.trim_start_matches(['-', '+']);
+    let is_whole = digits.len() >= 2 && digits.bytes().all(|b| b.is_ascii_digit());
+    let (most, last) = text.split_at_checked(text.len().checked_sub(1)?)?;
+    is_whole.then(|| format!("{most}.{last}"))
+}
