@@ -249,6 +249,26 @@ pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
     habit.map(|(_, message)| *message)
 }
 
+/// Hints at the command that explains, where `--explain W310` stands behind another one.
+pub(super) fn explain(word: &str) -> Option<Complaint> {
+    let name = "--explain";
+    if word.split('=').next() != Some(name) {
+        return None;
+    }
+    let written = std::env::args_os().map(|argument| argument.to_string_lossy().into_owned());
+    let mut behind = written.skip_while(|argument| !argument.starts_with(name));
+    let value = match behind.next()?.split_once('=') {
+        Some((_, value)) => value.to_owned(),
+        None => behind.next().unwrap_or_default(),
+    };
+    let is_code = !value.is_empty() && value.bytes().all(|c| c.is_ascii_alphanumeric());
+    let text = match is_code {
+        true => format!("zpg explain {value}"),
+        false => "zpg explain".to_owned(),
+    };
+    Some(Complaint::new("habit-called").with("text", text))
+}
+
 /// Hints at what there is instead of the name of a template on its own.
 pub(super) fn template(word: &str, command: &str) -> Option<Complaint> {
     let is_one = command == "new" && Template::from_str(word, true).is_ok();

@@ -141,6 +141,13 @@ pub(super) const TOPICS: [Topic; 15] = [
             "radian",
             "radians",
             "radiany",
+            "decimal",
+            "decimalcomma",
+            "decimalpoint",
+            "comma",
+            "desetinnacarka",
+            "desetinnatecka",
+            "carka",
             "coordinatesystem",
             "coordinates",
             "handedness",
@@ -329,6 +336,8 @@ mod tests {
         for (word, title) in [
             ("size", "units"),
             ("stupně", "units"),
+            ("desetinná čárka", "units"),
+            ("decimal comma", "units"),
             ("rozměry", "units"),
             ("ID", "order"),
             ("pořadí", "order"),
@@ -349,6 +358,10 @@ mod tests {
         }
         for (word, code) in [
             ("kt", -201),
+            ("elipsa", 10),
+            ("ellipse", 10),
+            ("angle", -2),
+            ("úhel", -2),
             ("image_map", -301),
             ("interior", -203),
             ("mesh", 6),
@@ -370,6 +383,10 @@ mod tests {
         for word in ["depth", "hloubka"] {
             let said = help(word, Language::Czech).expect(word);
             assert_eq!(said, "Více řekne `zpg render --help` u `--depth`.");
+        }
+        for word in ["resolution", "rozlišení"] {
+            let said = help(word, Language::Czech).expect(word);
+            assert_eq!(said, "Více řekne `zpg render --help` u `--size`.");
         }
         for word in ["antialiasing", "vyhlazování hran"] {
             let said = help(word, Language::Czech).expect(word);

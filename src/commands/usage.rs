@@ -92,7 +92,10 @@ pub fn refuse(error: &clap::Error, command: &mut Command, look: LookChoice) -> S
     // An answer of its own says what to write instead.
     let has_answer = unknown.as_deref().is_some_and(|word| {
         let message = habits::message(word, command_of(usage.as_deref()));
-        message.is_some() || habits::czech(word).is_some()
+        message.is_some()
+            || habits::czech(word)
+                .or_else(|| habits::explain(word))
+                .is_some()
     });
     let usage = usage.filter(|_| !has_answer && suggested(error).iter().all(is_meant));
     // With a conflict, that of all arguments that are there, and these may not go together either.
@@ -193,6 +196,7 @@ fn complaint(error: &clap::Error, command: &Command) -> Option<Complaint> {
         let template = || habits::template(word, command);
         habit
             .or_else(|| habits::czech(word))
+            .or_else(|| habits::explain(word))
             .or_else(template)
             .or_else(|| habits::output(Path::new(word)))
     });

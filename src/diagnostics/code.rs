@@ -168,6 +168,7 @@ codes! {
     W338 "stereo-pair" of rule "stereo_pair";
     W339 "normals-in-plane" of rule "normals_in_plane";
     W340 "swapped-difference" of rule "swapped_difference";
+    W341 "bounds-by-size" of rule "bounds_by_size";
     N601 "not-utf8";
     N602 "no-camera" of rule "no_camera";
     N603 "no-light" of rule "no_light";

@@ -113,3 +113,44 @@ fn sum(a: f64, b: f64) -> String {
     };
     text.to_string()
 }
+
+/// Comments of more words without any number are about something else.
+const MAX_LABEL_WORDS: usize = 6;
+
+/// The first choice for bounds that may be bounds, where a comment speaks of a size, and of a centre or a corner: the numbers
+/// in it are those of the record, and not the place and the size of the bounds.
+pub(crate) fn by_comment(p: &Params, n: usize) -> Option<Fix> {
+    let kind = meant(p).filter(|_| p.is_called(&SIZE))?;
+    if kind == Meant::Centre && !p.is_called(&CENTRE) {
+        return None;
+    }
+    let fixes = readings(p, 0, n).fixes.into_iter();
+    let mut fix = fixes.take(1).find(|fix| !fix.edits.is_empty())?;
+    let said: Vec<f64> = p.comments().flat_map(numbers).collect();
+    if said.is_empty() {
+        let words = |text: &str| text.split_whitespace().filter(|w| *w != "#").count();
+        let is_symmetric = |i: usize| p.number(i) == -p.number(i + n);
+        fix.applicability = Applicability::Choice;
+        let is_label = p.comments().all(|text| words(text) <= MAX_LABEL_WORDS);
+        return (is_label && !(0..n).any(is_symmetric)).then_some(fix);
+    }
+    // Nobody writes the centre that is the origin.
+    let is_said = |x: f64| x == 0.0 || said.contains(&x);
+    let size = |i: usize| p.number(i + n) - p.number(i);
+    let as_bounds = |i: usize| match kind {
+        Meant::Corner => is_said(p.number(i)) && is_said(size(i)),
+        Meant::Centre | Meant::Half => {
+            let centre = (p.number(i) + p.number(i + n)) / 2.0;
+            is_said(centre) && (is_said(size(i)) || is_said(size(i) / 2.0))
+        }
+    };
+    ((0..2 * n).all(|i| is_said(p.number(i))) && !(0..n).all(as_bounds)).then_some(fix)
+}
+
+/// The numbers in a text.
+fn numbers(text: &str) -> impl Iterator<Item = f64> {
+    let is_part = |c: char| c.is_ascii_digit() || ".,-".contains(c);
+    let words = text.split(move |c: char| !is_part(c));
+    let words = words.map(|word| word.trim_end_matches(['.', ',', '-']).replace(',', "."));
+    words.filter_map(|word| word.parse().ok())
+}

@@ -248,3 +248,30 @@ fn the_radius_of_a_sphere_first() {
         );
     }
 }
+
+/// An opaque ball on a floor, beside another one, whose radius stands first.
+#[test]
+fn the_radius_of_an_opaque_sphere_first() {
+    let text = |numbers: &str| {
+        scene(&format!(
+            "21 11 0 1 0 1\n22 11 {numbers}\n23 4 0 1 0 0\n24 -101 21 22\n2 -101 23 24"
+        ))
+    };
+    let meant = text("0.3 0.7 2.2 0.7");
+    assert!(read(&meant).findings().iter().all(|d| d.code != Code::W307));
+    let (finding, made) = guessed(&text("0.7 0.3 0.7 2.2"), Code::W307);
+    assert_eq!((finding.case, &made[0]), ("radius", &meant));
+    let said = finding.wording(Language::Czech);
+    assert_eq!(
+        said.fixes[0],
+        "je-li první poloměr, napsat `0.3 0.7 2.2 0.7`"
+    );
+    // A hill, and a ball that reaches into the other one and would not stand on the floor.
+    for numbers in ["5 -3 5 4", "0.5 0.3 0.7 2.2", "0.3 1 1 0.5"] {
+        let found = read(&text(numbers));
+        assert!(
+            found.findings().iter().all(|d| d.code != Code::W307),
+            "{numbers}"
+        );
+    }
+}

@@ -45,8 +45,20 @@ fn assignments_with_ids_in_other_places() {
     // All three, in no place of their own.
     let with = |line: &str| scene(&[ball, colour, optics, line].join("\n"), "2 0");
     assert_eq!(mended(&with("36 -299 2 35")), with("2 -299 35 36"));
-    // Without any object among them there is none to be guessed.
-    assert!(only(&with("-299 35 36")).fixes.is_empty());
+    // The object is missing: it is the one that has none of them.
+    assert_eq!(mended(&with("-299 35 36")), with("2 -299 35 36"));
+    assert_eq!(mended(&with("-299 0 36")), with("2 -299 0 36"));
+    let lines = [ball, optics, "2 -299 0 36", colour, "-299 35 36"];
+    let finding = only(&scene(&lines.join("\n"), "2 0"));
+    assert_eq!((finding.code, finding.fixes.len()), (Code::E005, 0));
+    let said = [Language::English, Language::Czech].map(|l| finding.wording(l).notes[0].clone());
+    let meant = [
+        "ID is that of the object, T that of its texture or colour, and O that of its optical property; 0 is none",
+        "ID je ID objektu, T jeho textury nebo barvy a O jeho optické vlastnosti; 0 znamená žádnou",
+    ];
+    assert_eq!(said, meant);
+    let lines = [ball, "3 11 4 0 0 1", "4 -101 2 3", colour, "-299 35 0"];
+    assert_eq!(only(&scene(&lines.join("\n"), "4 0")).fixes.len(), 2);
 }
 
 /// The first number is 0, or 1 before a 0: a comment may say which type is missing.

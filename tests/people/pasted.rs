@@ -36,6 +36,23 @@ fn surfaces_and_insides() {
             "2 -701 1 0 0\n2 -203 1.5 1.5 1.5",
         ),
         ("2 finish { diffuse 0.7 }", "2 -201 0.7 0 0"),
+        // What goes through is taken from the diffuse part; a filter lets through what the colour does.
+        (
+            "2 pigment { color rgbt <1,1,1,0.8> }",
+            "2 -701 1 1 1\n2 -201 0.2 0 0.8",
+        ),
+        (
+            "2 pigment { rgb <1,0,0> transmit 0.5 }",
+            "2 -701 1 0 0\n2 -201 0.5 0 0.5",
+        ),
+        (
+            "2 pigment { Red filter 0.8 } interior { ior 1.5 }",
+            "2 -701 1 0 0\n2 -203 1.5 1.5 1.5\n2 -202 0.2 0 0.8 0.2 0 0 0.2 0 0",
+        ),
+        (
+            "2 pigment { rgbt <1,1,1,0.8> } finish { reflection 0.1 }",
+            "2 -701 1 1 1\n2 -201 0.18 0.1 0.72",
+        ),
         (
             "2 pigment { Red } finish { reflection { 0.1, 0.9 } phong 1 } no_shadow",
             "2 -701 1 0 0 # finish { reflection { 0.1, 0.9 } phong 1 } no_shadow #",
@@ -46,7 +63,8 @@ fn surfaces_and_insides() {
     // A block that goes on below, and what is no property.
     for line in [
         "2 pigment { rgb <1,0,0> } finish {",
-        "2 pigment { rgb <1,0,0> transmit 0.5 }",
+        "2 pigment { rgb <1,0,0> transmit 1.5 }",
+        "2 pigment { rgb <1,0,0> turbulence 0.5 }",
     ] {
         assert_eq!(fixed(&scene(line)), scene(line));
     }
@@ -111,6 +129,16 @@ fn pictures() {
         let text = scene(&format!("2 -301 {line}"));
         assert_eq!(fixed(&text), scene(&format!("2 -301 {name}")));
     }
+    for line in [
+        "texture { pigment { image_map { png \"moon.png\" } } }",
+        "pigment { image_map { png \"moon.png\" } }",
+    ] {
+        becomes(&scene(&format!("2 {line}")), &scene("2 -301 moon.png"));
+    }
+    let ball = "3 sphere { <0,1,0>, 1 texture { pigment { image_map { png \"moon.png\" } } } }";
+    let text = scene(ball).replace("9999 2", "9999 3");
+    let meant = scene("3 11 0 1 0 1\n3 -301 moon.png").replace("9999 2", "9999 3");
+    assert_eq!(fixed(&text), meant);
     let text = scene("2 -301 full moon.png");
     assert_eq!(fixed(&text), scene("2 -301 \"full moon.png\""));
 }

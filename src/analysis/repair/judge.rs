@@ -18,12 +18,14 @@ pub(super) struct Left {
     pub notes: usize,
 }
 
-pub(super) fn errors(analysis: &Analysis) -> usize {
-    analysis.errors.len()
-}
-
 /// The code of a picture that cannot be read, which no text mends.
 pub(super) const NO_PICTURE: Code = Code::E210;
+
+/// The number of errors of the text.
+pub(super) fn errors(analysis: &Analysis) -> usize {
+    let of_text = |&&(code, _): &&(Code, Span)| code != NO_PICTURE;
+    analysis.errors.iter().filter(of_text).count()
+}
 
 /// Whether no error of the text is left.
 pub(super) fn is_right(analysis: &Analysis) -> bool {
@@ -43,6 +45,7 @@ pub(super) fn left(analysis: &Analysis) -> Left {
     }
     for d in analysis.findings() {
         match (d.severity, d.code) {
+            (Severity::Error, NO_PICTURE) => {}
             (Severity::Error, _) => left.errors += 1,
             (_, Code::W310 | Code::W319 | Code::W305 | Code::W306 | Code::W327) => {
                 left.in_vain += 1;
@@ -119,7 +122,8 @@ fn codes_at(scene: &Analysis, line: Span) -> impl Iterator<Item = Code> {
     let source = &scene.source;
     let at = source.line_index(source.floor(line.start));
     let on_line = move |span: Span| source.line_index(source.floor(span.start)) == at;
-    (scene.errors.iter()).filter_map(move |&(code, span)| on_line(span).then_some(code))
+    let errors = scene.errors.iter().filter(|e| e.0 != NO_PICTURE);
+    errors.filter_map(move |&(code, span)| on_line(span).then_some(code))
 }
 
 /// How many errors of a line show only now that an unknown type has its minus again, or a rotation the number of its axis:

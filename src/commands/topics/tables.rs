@@ -1,7 +1,7 @@
 //! The words that lead to types of records, and to commands.
 
 /// Words that lead to types, without accents and in lower case, as those of [`words`](crate::syntax::words). They are nobody's guess in a scene.
-pub(super) const WORDS: [(&str, &[i32]); 76] = [
+pub(super) const WORDS: [(&str, &[i32]); 78] = [
     ("indexofrefraction", &[-203]),
     ("krabice", &[12]),
     ("hole", &[-103]),
@@ -33,6 +33,8 @@ pub(super) const WORDS: [(&str, &[i32]); 76] = [
     ("bowl", &[-103, 9, 11]),
     ("miska", &[-103, 9, 11]),
     ("circle", &[1]),
+    ("ellipse", &[10]),
+    ("elipsa", &[10]),
     ("kotouc", &[1]),
     ("highlight", &[-201]),
     ("highlights", &[-201]),
@@ -82,7 +84,7 @@ pub(super) const WORDS: [(&str, &[i32]); 76] = [
 
 /// Words of the command line, without accents and in lower case, and the command whose help speaks of them, with the option
 /// that does.
-pub(super) const COMMANDS: [(&str, &[&str]); 11] = [
+pub(super) const COMMANDS: [(&str, &[&str]); 12] = [
     (
         "check",
         &[
@@ -136,6 +138,7 @@ pub(super) const COMMANDS: [(&str, &[&str]); 11] = [
             "vyhlazovani",
         ],
     ),
+    ("render --size", &["resolution", "rozliseni"]),
     ("render --depth", &["depth", "hloubka"]),
     ("frames", &["frame", "snimek"]),
     ("probe", &["ray", "paprsek", "crossing", "prusecik"]),

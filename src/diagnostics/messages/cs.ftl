@@ -149,6 +149,7 @@ refused = `--unsafe-fixes` tu žádný odhad nepoužije: nálezů by po něm neb
 switched-off = záznam { $id } je v komentáři na řádku { $line }
 behind-sign = řádek { $behind } není v komentáři: komentář před ním končí jeho prvním znakem `#`
 comment-ends = komentář končí druhým znakem `#`; co stojí za ním, se čte jako čísla
+assignment-ids = ID je ID objektu, T jeho textury nebo barvy a O jeho optické vlastnosti; 0 znamená žádnou
 quaternion = tato čtyři čísla jsou možná kvaternion; neotáčí kolem osy x, y ani z, takže se tu píše jako matice rotace (`-4`)
 fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam
 fix-lamp-place = napsat intenzitu 1 a polohu jako samostatný záznam

@@ -140,6 +140,7 @@ refused = `--unsafe-fixes` takes no guess here: there would be no fewer findings
 switched-off = the record of { $id } stands in the comment on line { $line }
 behind-sign = line { $behind } is in no comment: the comment before it ends at its first `#`
 comment-ends = a comment ends at its second `#`; whatever comes after it is read as numbers
+assignment-ids = ID is that of the object, T that of its texture or colour, and O that of its optical property; 0 is none
 quaternion = these four numbers may be a quaternion; it turns about none of the axes x, y and z, so here it is a rotation matrix (`-4`)
 fix-lamp = write the intensity 1, and the colour as a record of its own
 fix-lamp-place = write the intensity 1, and the position as a record of its own

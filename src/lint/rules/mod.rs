@@ -16,6 +16,7 @@ mod asymmetric_quadric;
 mod bare_comment;
 mod beside_picture;
 mod bound_too_small;
+mod bounds_by_size;
 mod buried_shape;
 mod camera_in_solid;
 mod coincident_faces;
@@ -85,6 +86,8 @@ const ROTATIONS: &[RecordKind] = &[R::Rotation];
 const INTERSECTIONS: &[RecordKind] = &[R::Intersection];
 const SOLID_OPERATIONS: &[RecordKind] = &[R::Intersection, R::Difference, R::Complement];
 const BOUNDS: &[RecordKind] = &[R::BoundingBox, R::BoundingSphere];
+/// Shapes by their bounds.
+const BOUNDED: &[RecordKind] = &[R::Shape(S::Box), R::Shape(S::Rectangle)];
 const RENDER: &[RecordKind] = &[R::Render];
 const OPTICS: &[RecordKind] = &[R::Optics, R::OpticsRgb];
 const INDICES: &[RecordKind] = &[R::RefractiveIndex];
@@ -350,6 +353,11 @@ pub(super) const RULES: &[Rule] = &[
         code: Code::W338,
         check: stereo_pair::check,
         asks_for: &[STEREO],
+    },
+    Rule {
+        code: Code::W341,
+        check: bounds_by_size::check,
+        asks_for: &[BOUNDED],
     },
     Rule {
         code: Code::W339,

@@ -256,9 +256,10 @@ impl Reporter<'_, '_> {
         // There is but one ID that it can have.
         let head = format!("1 {}", ty.code);
         let fix = Fix::replace("fix-write", Applicability::Unsafe, span, head.clone());
-        match ty.kind == RecordKind::Render {
-            true => d.fix(fix.with("number", quote(&head))),
-            false => d,
+        match ty.kind {
+            RecordKind::Render => d.fix(fix.with("number", quote(&head))),
+            RecordKind::Assignment => d.note("assignment-ids"),
+            _ => d,
         }
     }
 

@@ -1,8 +1,15 @@
 //! Assignments whose IDs stand in wrong places, with that of the object among them, where the record has another ID or none.
 
+use rustc_hash::FxHashSet;
+
 use super::{Candidate, Habit, LineContext};
-use crate::diagnostics::{Code, Diagnostic};
-use crate::syntax::table::{Kind, RecordKind, RecordType};
+use crate::analysis::repair::whole::records;
+use crate::diagnostics::{Applicability, Code, Diagnostic};
+use crate::syntax::lexer::Token;
+use crate::syntax::table::{Family, Kind, RecordKind, RecordType};
+
+/// So many objects are proposed for an assignment that names none.
+const MAX_CHOICES: usize = 2;
 
 impl LineContext<'_> {
     /// The only order in which all that an assignment names is in its place, where its ID is that of no object, or missing:
@@ -45,5 +52,56 @@ impl LineContext<'_> {
         let is_new = self.text[span.range()] != text;
         let habit = if is_lost { Habit::Id } else { Habit::Swapped };
         is_new.then(|| Candidate::writing(habit, span, text))
+    }
+
+    /// The objects that an assignment without an ID may be of, where all that it names is in its place: shapes above that
+    /// have nothing of it yet. Several of them are a choice.
+    pub(super) fn assigned_to(&self, finding: &Diagnostic) -> Vec<Candidate> {
+        let ty = RecordType::of(RecordKind::Assignment);
+        let [head, texture, optics] = self.tokens[..] else {
+            return Vec::new();
+        };
+        let is_lost = finding.code == Code::E005 && self.int(0) == Some(ty.code.into());
+        let kind = |t: &Token| Some((t.integer(self.text)?, self.kind_of(t.integer(self.text)?)));
+        let (Some(texture), Some(optics)) = (kind(&texture), kind(&optics)) else {
+            return Vec::new();
+        };
+        let is_of = |(id, kind): (i64, Option<Kind>), kinds: &[Kind]| {
+            id == 0 || kind.is_some_and(|kind| kinds.contains(&kind))
+        };
+        let fits = is_of(texture, &[Kind::Texture, Kind::Colour]) && is_of(optics, &[Kind::Optics]);
+        if !is_lost || !fits || (texture.0, optics.0) == (0, 0) {
+            return Vec::new();
+        }
+        let mut shapes: Vec<u32> = Vec::new();
+        let mut given: FxHashSet<u32> = FxHashSet::default();
+        for record in records(self.analysis) {
+            let is_above =
+                self.analysis.document.span(record.first, record.last).end <= self.line.start;
+            match record.ty().family {
+                Family::Shape if is_above => shapes.push(record.id),
+                Family::Texture | Family::Colour if texture.0 != 0 => {
+                    given.insert(record.id);
+                }
+                Family::Property if optics.0 != 0 || record.kind == ty.kind => {
+                    given.insert(record.id);
+                }
+                _ => {}
+            }
+        }
+        shapes.retain(|id| !given.contains(id));
+        if shapes.len() > MAX_CHOICES {
+            return Vec::new();
+        }
+        let is_one = shapes.len() == 1;
+        let written = |id: &u32| {
+            let new = [(head, format!("{id} {}", ty.code))];
+            let mut candidate = self.write(Habit::Id, &new)?;
+            if !is_one {
+                candidate.fix.applicability = Applicability::Choice;
+            }
+            Some(candidate)
+        };
+        shapes.iter().filter_map(written).collect()
     }
 }

@@ -324,7 +324,10 @@ impl<'a> LineContext<'a> {
             self.angle_before(finding, &mut out);
             match self.assigned(finding) {
                 Some(assigned) => out.push(assigned),
-                None => out.extend(self.lost_id(finding)),
+                None => match self.lost_id(finding) {
+                    Some(lost) => out.push(lost),
+                    None => out.extend(self.assigned_to(finding)),
+                },
             }
             out.extend(self.negative_id(finding, undefined));
             self.types(finding, &mut out);

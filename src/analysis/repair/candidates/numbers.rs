@@ -13,7 +13,11 @@ use crate::syntax::table::{RecordKind, RecordType};
 const LOOK_AT: [&str; 4] = ["look_at", "lookat", "target", "at"];
 
 /// Words before the name of a picture in POV-Ray.
-const PICTURE: [&str; 5] = ["pigment", "image_map", "png", "jpeg", "jpg"];
+pub(super) const PICTURE: [&str; 5] = ["pigment", "image_map", "png", "jpeg", "jpg"];
+
+fn is_picture_word(word: &str) -> bool {
+    PICTURE.contains(&&*word.to_lowercase())
+}
 
 /// The title of fixes that write decimal commas as points.
 pub(super) const COMMA_TITLE: &str = "fix-decimal-comma";
@@ -224,12 +228,14 @@ impl LineContext<'_> {
         if self.ty()?.kind != RecordKind::ImageTexture {
             return None;
         }
-        let is_end = |t: &Token| {
-            let name = t.text(self.text).trim_end_matches('"').to_lowercase();
-            [".png", ".jpg", ".jpeg"].iter().any(|e| name.ends_with(e))
-        };
-        let last = self.params().iter().position(is_end)?;
+        let last = self.params().iter().position(|t| self.ends_picture(t))?;
         Some(&self.params()[..=last])
+    }
+
+    /// Whether the name of a picture ends with a token.
+    pub(super) fn ends_picture(&self, t: &Token) -> bool {
+        let name = t.text(self.text).trim_end_matches('"').to_lowercase();
+        [".png", ".jpg", ".jpeg"].iter().any(|e| name.ends_with(e))
     }
 
     /// The name of a picture without the words that POV-Ray has before it: `image_map { png "moon.png" }`.
@@ -237,18 +243,25 @@ impl LineContext<'_> {
         let all = self
             .file_name()
             .filter(|all| all.len() == self.params().len())?;
-        let is_word = |t: &&Token| PICTURE.contains(&&*t.text(self.text).to_lowercase());
+        let name = self.picture_name(all)?;
+        let (first, last) = (all.first()?, all.last()?);
+        let whole = self.joined(first, last);
+        is_picture_word(first.text(self.text))
+            .then(|| self.write(Habit::Characters, &[(whole, name)]))?
+    }
+
+    /// The name of a picture behind words of POV-Ray, in quotes where it needs them.
+    pub(super) fn picture_name(&self, all: &[Token]) -> Option<String> {
+        let is_word = |t: &&Token| is_picture_word(t.text(self.text));
         let words = all.iter().take_while(is_word).count();
         let (first, last) = (all.get(words)?, all.last()?);
         let name = self.text[first.span().to(last.span()).range()].replace('"', "");
         let is_plain =
             !name.contains(|c: char| c.is_whitespace() || SEPARATORS.contains(&c) || c == '#');
-        let name = match is_plain {
+        Some(match is_plain {
             true => name,
             false => format!("\"{name}\""),
-        };
-        let whole = self.joined(&all[0], last);
-        (words > 0).then(|| self.write(Habit::Characters, &[(whole, name)]))?
+        })
     }
 
     /// A file name with spaces in it, which belongs in quotes.

@@ -3,6 +3,7 @@
 
 use super::axes::{about_axis, along_axis};
 use super::clauses::{Line, is_word, numbers};
+use super::numbers::PICTURE;
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Fix, Span};
 use crate::lint::spelling::decimal;
@@ -17,6 +18,16 @@ pub(super) const OWN: usize = 3;
 /// What POV-Ray says of surfaces and insides, for some of which there are records.
 const OTHERS: [&str; 4] = ["finish", "normal", "interior", "no_shadow"];
 
+/// Colours of POV-Ray with parts that go through, filtered or not, and how many parts those are.
+const CLEAR: [(&str, [bool; 2]); 3] = [
+    ("rgbf", [true, false]),
+    ("rgbt", [false, true]),
+    ("rgbft", [true, true]),
+];
+
+/// The same parts by words of their own, behind a colour.
+const PARTS: [&str; 2] = ["filter", "transmit"];
+
 /// What other programs put around the properties of a surface.
 const AROUND: [&str; 2] = ["texture", "material"];
 
@@ -27,6 +38,8 @@ pub(super) struct Properties {
     pub lines: Vec<Line>,
     /// What no record says.
     left: Vec<String>,
+    /// The parts of the light that go through: in the colour of the surface, and as they are.
+    clear: [f64; 2],
 }
 
 impl Properties {
@@ -41,6 +54,43 @@ impl Properties {
             true => format!(" # {} #", self.left.join(" ")),
             false => String::new(),
         }
+    }
+}
+
+impl Properties {
+    /// The optics of what lets light through: what is not mirrored goes through by these parts, and the rest of it is
+    /// diffuse.
+    fn let_through(&mut self) -> Option<()> {
+        let [filtered, plain] = self.clear;
+        let all = filtered + plain;
+        if all == 0.0 {
+            return Some(());
+        }
+        let of_kind = |kind: RecordKind| {
+            let line = self.lines.iter().find(|line| line.0.kind == kind)?;
+            let numbers: Option<Vec<f64>> = line.1.split(' ').map(|n| n.parse().ok()).collect();
+            numbers?.try_into().ok()
+        };
+        let colour: [f64; OWN] = of_kind(RecordKind::Colour)?;
+        let [kd, ks, _] = of_kind(RecordKind::Optics).unwrap_or([1.0, 0.0, 0.0]);
+        let is_share = |x: f64| (0.0..=1.0).contains(&x);
+        if ![filtered, plain, all, ks].into_iter().all(is_share) {
+            return None;
+        }
+        self.lines.retain(|line| line.0.kind != RecordKind::Optics);
+        let channel = |c: f64| {
+            let kt = (1.0 - ks) * (plain + filtered * c);
+            [kd * (1.0 - all), ks, kt].map(decimal).join(" ")
+        };
+        let is_grey = filtered == 0.0 || colour == [colour[0]; OWN];
+        self.lines.push(match is_grey {
+            true => (RecordType::of(RecordKind::Optics), channel(colour[0])),
+            false => (
+                RecordType::of(RecordKind::OpticsRgb),
+                colour.map(channel).join(" "),
+            ),
+        });
+        Some(())
     }
 }
 
@@ -124,6 +174,27 @@ impl LineContext<'_> {
                 if !std::mem::take(&mut is_colour) {
                     return None;
                 }
+            } else if let Some((_, parts)) = CLEAR.iter().find(|c| c.0 == word) {
+                let (own, behind) = rest[1..].split_at_checked(OWN)?;
+                if numbers(own) < OWN {
+                    return None;
+                }
+                found.lines.push((colour, self.texts(own)));
+                is_colour = false;
+                rest = self.clear(*parts, behind, &mut found)?;
+            } else if PARTS.contains(&&*word) {
+                found
+                    .lines
+                    .iter()
+                    .find(|l| l.0.kind == RecordKind::Colour)?;
+                let parts = PARTS.map(|part| part == word);
+                rest = self.clear(parts, &rest[1..], &mut found)?;
+            } else if let Some(count) = self.picture(rest) {
+                let name = self.picture_name(&rest[..count])?;
+                let image = RecordType::of(RecordKind::ImageTexture);
+                found.lines.push((image, name));
+                rest = &rest[count..];
+                is_colour = false;
             } else if OTHERS.contains(&&*word) {
                 rest = self.other(&word, rest, &mut found)?;
             } else if let Some((of, numbers)) = self.named_colour(rest) {
@@ -147,7 +218,35 @@ impl LineContext<'_> {
                 rest = behind;
             }
         }
+        found.let_through()?;
         (!is_colour).then_some(found)
+    }
+
+    /// Reads the parts of a colour that go through, and gives the tokens behind them.
+    fn clear<'t>(
+        &self,
+        parts: [bool; 2],
+        mut rest: &'t [Token],
+        found: &mut Properties,
+    ) -> Option<&'t [Token]> {
+        for (i, _) in parts.iter().enumerate().filter(|part| *part.1) {
+            let (first, behind) = rest.split_first()?;
+            found.clear[i] = first.number(self.text)?;
+            rest = behind;
+        }
+        Some(rest)
+    }
+
+    /// How many tokens are the name of a picture with the words that POV-Ray has before it.
+    fn picture(&self, tokens: &[Token]) -> Option<usize> {
+        let first = tokens.first()?.text(self.text).to_lowercase();
+        let is_end = |t: &Token| self.ends_picture(t);
+        let is_one = first != "pigment" && PICTURE.contains(&&*first);
+        tokens
+            .iter()
+            .position(is_end)
+            .filter(|_| is_one)
+            .map(|i| i + 1)
     }
 
     /// The type of a change by its number, and as many numbers as it takes.

@@ -23,6 +23,7 @@ use crate::lint::{Context, live_nodes};
 use crate::parallel;
 use crate::scene::record::Params;
 use crate::scene::{Node, Optics, Origin};
+use crate::trace::plan::unseen::{self, LeftOut};
 use floor::Floors;
 use search::{Overlap, Search};
 use split::{Pieces, Splitter};
@@ -32,6 +33,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let glass = |o: &Optics| o.kt.iter().any(|&k| k > 0.0);
     let opens = |n: &Node| matches!(n, Node::Difference(..));
+    out.extend(radius::opaque(context));
     if !(scene.paints.iter().filter_map(|p| p.optics.as_ref())).any(glass)
         && !scene.nodes.iter().any(opens)
         || !scene.nodes.iter().any(|n| matches!(n, Node::Union(..)))
@@ -40,7 +42,11 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     let bounds = context.bounds();
     let roots = roots(scene, &live_nodes(scene));
-    let unions = Unions::new(scene, bounds, &roots);
+    let left_out = match scene.render {
+        Some(render) => unseen::find(scene, render.root).left_out,
+        None => LeftOut::default(),
+    };
+    let unions = Unions::new(scene, bounds, &roots, &left_out);
     let mut search = Search::new(scene, &unions, bounds);
     let mut found = search.all();
     if found.is_empty() {

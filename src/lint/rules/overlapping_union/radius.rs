@@ -1,14 +1,94 @@
 //! Spheres that overlap other parts, and may have their radius first.
 
+use rustc_hash::FxHashSet;
+
 use super::search::{MIN_REL_DEPTH, Overlap};
 use super::unions::{UnionOperand, Unions};
-use crate::diagnostics::{Applicability, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::geometry::{Aabb, Matrix};
-use crate::lint::Context;
+use crate::lint::{Context, live_nodes, roots};
 use crate::scene::Node;
 use crate::scene::record::Params;
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, ShapeKind};
+use crate::trace::plan::unseen::LeftOut;
+
+/// Unions of more parts are not looked at for opaque spheres: each sphere is held against all parts.
+const MAX_PARTS: usize = 1000;
+
+/// So many overlaps that another reading undoes are no chance.
+const MIN_OVERLAPS: usize = 2;
+
+/// The share of its radius that a sphere reaches into what has no end, at least, for a deep cut.
+const DEEP_REL: f64 = 0.25;
+
+/// The findings about opaque spheres that overlap several other parts deeply, and with their radius first would overlap none
+/// and touch one.
+pub(super) fn opaque(context: &Context) -> Vec<Diagnostic> {
+    let scene = context.scene;
+    let is_sphere = |kind| kind == RecordKind::Shape(ShapeKind::Sphere);
+    if !context.records().any(|r| is_sphere(r.kind)) {
+        return Vec::new();
+    }
+    let all = roots(scene, &live_nodes(scene));
+    // What a sphere swallows counts, too.
+    let unions = Unions::new(scene, context.bounds(), &all, &LeftOut::default());
+    if unions.parts.len() > MAX_PARTS {
+        return Vec::new();
+    }
+    let parts = unions.parts.iter().enumerate();
+    let mut told = FxHashSet::default();
+    let found = parts.filter_map(|(i, ball)| {
+        let is_clear = unions.media[ball.medium as usize].transmits();
+        let p = sphere(context, ball).filter(|_| !is_clear && ball.cut.is_none())?;
+        let others = (unions.parts.iter().enumerate()).filter(|(j, _)| *j != i);
+        let others: Vec<&UnionOperand> = others.map(|(_, other)| other).collect();
+        let overlapped: Vec<&UnionOperand> = (others.iter().copied())
+            .filter(|other| is_deep_in(&p, &other.bounds))
+            .collect();
+        let is_touching = |other: &&UnionOperand| touches(context, &p, ball, &other.bounds);
+        let is_better = overlapped.len() >= MIN_OVERLAPS
+            && (others.iter()).all(|other| gap(&p, &other.bounds) >= -MIN_REL_DEPTH)
+            && others.iter().any(is_touching)
+            && told.insert(p.span());
+        is_better.then(|| finding(&p, &overlapped))
+    });
+    found.collect()
+}
+
+fn finding(p: &Params, overlapped: &[&UnionOperand]) -> Diagnostic {
+    let d = Diagnostic::new(Code::W307, p.span())
+        .case("radius")
+        .with("one-id", p.id.to_string())
+        .with("count", Value::Count(overlapped.len() as u64));
+    let spans = overlapped.iter().map(|part| part.named.span);
+    let d = spans.take(MIN_OVERLAPS).fold(d, |d, s| d.label(s, "other"));
+    d.fix(moved(p, false))
+}
+
+/// Whether a sphere as it is written overlaps another part by much: it holds the middle of that, or cuts deep into what has
+/// no end.
+fn is_deep_in(p: &Params, other: &Aabb) -> bool {
+    let [centre @ .., radius]: [f64; 4] = p.numbers(0);
+    match other.is_finite() {
+        true => {
+            let off = |i: usize| (other.min[i] + other.max[i]) / 2.0 - centre[i];
+            (0..3).map(|i| off(i).powi(2)).sum::<f64>().sqrt() < radius
+        }
+        false => distance(centre, other) < radius * (1.0 - DEEP_REL),
+    }
+}
+
+/// How far a sphere with its radius first is from the box of another part, as a share of the radius.
+fn gap(p: &Params, other: &Aabb) -> f64 {
+    let [radius, centre @ ..]: [f64; 4] = p.numbers(0);
+    (distance(centre, other) - radius) / radius
+}
+
+fn distance(point: [f64; 3], other: &Aabb) -> f64 {
+    let off = |i: usize| point[i] - point[i].max(other.min[i]).min(other.max[i]);
+    (0..3).map(|i| off(i).powi(2)).sum::<f64>().sqrt()
+}
 
 /// The fix of a sphere that is one of two parts: its first number as the radius, where spaces set that apart, or where the
 /// sphere then touches the other part instead of overlapping it.
@@ -44,10 +124,7 @@ fn is_set_apart(p: &Params) -> bool {
 fn touches(context: &Context, p: &Params, ball: &UnionOperand, other: &Aabb) -> bool {
     // What is moved or scaled is where nobody reads it from the record.
     let is_there = context.scene.core(ball.node, ball.matrix).1 == Matrix::IDENTITY;
-    let [radius, centre @ ..]: [f64; 4] = p.numbers(0);
-    let off = |i: usize| centre[i] - centre[i].max(other.min[i]).min(other.max[i]);
-    let distance = (0..3).map(|i| off(i).powi(2)).sum::<f64>().sqrt();
-    is_there && (distance - radius).abs() <= MIN_REL_DEPTH * radius
+    is_there && gap(p, other).abs() <= MIN_REL_DEPTH
 }
 
 fn moved(p: &Params, is_apart: bool) -> Fix {

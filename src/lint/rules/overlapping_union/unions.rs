@@ -9,7 +9,7 @@ use crate::solids::ancestry::{Ancestry, NONE};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::shapes::facts::Facts;
 use crate::solids::{Named, named};
-use crate::trace::plan::unseen::{self, LeftOut};
+use crate::trace::plan::unseen::LeftOut;
 
 /// Most nodes gone through more often than once, in scenes that share parts.
 const MAX_REPEATED_NODES: usize = 200_000;
@@ -55,12 +55,13 @@ pub(super) struct Unions {
 impl Unions {
     /// The operands of all unions, as far as their properties show.
     ///
-    /// Operands that cannot be seen are left out: nothing in the picture depends on them.
-    pub(super) fn new(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Unions {
-        let left_out = match scene.render {
-            Some(render) => unseen::find(scene, render.root).left_out,
-            None => LeftOut::default(),
-        };
+    /// Operands that cannot be seen may be left out: nothing in the picture depends on them.
+    pub(super) fn new(
+        scene: &Scene,
+        bounds: &[NodeBounds],
+        roots: &[NodeId],
+        left_out: &LeftOut,
+    ) -> Unions {
         let mut all = Unions {
             places: Vec::new(),
             ancestry: Ancestry::default(),

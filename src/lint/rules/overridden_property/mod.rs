@@ -1,6 +1,8 @@
-//! W334: a property that a later record of the same kind, an assignment, or a texture overrides before anything uses it.
+//! W334: a property that a later record of the same kind, an assignment, or a texture overrides before anything uses it;
+//! and one of a whole object that overrides several of its parts.
 
 mod taken_back;
+mod whole;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -27,6 +29,7 @@ const PROPOSALS: usize = 2;
 pub(super) const MAX_PROPOSED: usize = 16;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    whole::check(context, out);
     let pairs = pairs(context);
     let titles = match pairs.is_empty() {
         true => return,
