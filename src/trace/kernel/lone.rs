@@ -3,9 +3,11 @@
 use super::expand::Leaves;
 use super::leaf::{Kind, Leaf};
 use crate::geometry::aabb::Aabb;
+use crate::geometry::array::each;
 use crate::geometry::bvh::Bvh;
 use crate::geometry::vec::Vec3;
 use crate::trace::graph::Graph;
+use crate::trace::shapes::Primitive;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::ControlFlow;
 
@@ -64,7 +66,8 @@ impl Neighbours {
         let leaf = |number: u32| &leaves.all[number as usize];
         let boxes = leaves.boxes.clone();
         let flat = |&i: &u32| (i, Flat::new(graph, leaf(i)));
-        let ball = |(i, bounds): &(u32, Aabb)| Some((*i, Ball::new(graph, leaf(*i), bounds)?));
+        let chain = |i: u32| &leaves.chains[leaf(i).chain as usize];
+        let ball = |(i, _): &(u32, Aabb)| Some((*i, Ball::new(graph, chain(*i), leaf(*i))?));
         let of = |clear: bool| {
             let like = boxes.iter().filter(|(i, _)| !clear || leaf(*i).is_clear);
             Bvh::new(like.copied().collect())
@@ -118,14 +121,11 @@ impl Neighbours {
 
     /// Whether a leaf with bounds is near another one with bounds, and room around them.
     fn is_near(&self, (own, bounds): (u32, &Aabb), other: u32, around: &Aabb) -> bool {
-        match (self.balls.get(&own), self.balls.get(&other)) {
-            (Some(a), Some(b)) => {
-                let room = ROOM * bounds.reach();
-                let is_apart = (a.centre - b.centre).length() > a.radius + b.radius + room;
-                !is_apart
-            }
-            _ => self.bounds[&other].overlaps(around),
-        }
+        let room = ROOM * bounds.reach();
+        let balls = self.balls.get(&own).zip(self.balls.get(&other));
+        let is_apart =
+            balls.is_some_and(|(a, b)| (a.centre - b.centre).length() > a.radius + b.radius + room);
+        !is_apart && self.bounds[&other].overlaps(around)
     }
 }
 
@@ -139,22 +139,52 @@ fn widened(bounds: &Aabb) -> Aabb {
     Aabb::new(Vec3(bounds.min) - room, Vec3(bounds.max) + room)
 }
 
-/// A sphere in the scene's space, roughly.
+/// A ball in the scene's space that holds a shape, roughly.
 struct Ball {
     centre: Vec3,
     radius: f64,
 }
 
 impl Ball {
-    /// `None` for what is no sphere, or is turned or stretched.
-    fn new(graph: &Graph, leaf: &Leaf, bounds: &Aabb) -> Option<Ball> {
-        let rows = &graph.placements[leaf.placement as usize].out.rows;
-        let is_moved = (0..3).all(|i| (0..3).all(|j| rows[i].0[j] == f64::from(u8::from(i == j))));
-        (leaf.kind == Kind::Sphere && is_moved).then(|| Ball {
+    /// `None` for intersections and differences.
+    fn new(graph: &Graph, chain: &[u32], leaf: &Leaf) -> Option<Ball> {
+        if leaf.kind == Kind::Csg {
+            return None;
+        }
+        let primitive = &graph.primitives[leaf.primitive as usize];
+        let bounds = primitive.shape().bounds();
+        let extent = Vec3(bounds.extent());
+        let is_round = matches!(
+            primitive,
+            Primitive::Sphere(_) | Primitive::Ellipsoid(_) | Primitive::Torus(_)
+        );
+        let width = match is_round {
+            true => extent.max_component(),
+            false => extent.length(),
+        };
+        let ball = Ball {
             centre: Vec3(bounds.centre()),
-            radius: bounds.extent()[0] / 2.0,
-        })
+            radius: width / 2.0,
+        };
+        let outwards = |ball: Ball, &placement: &u32| {
+            let out = &graph.placements[placement as usize].out;
+            Ball {
+                centre: out.point(ball.centre),
+                radius: ball.radius * stretch(&out.rows),
+            }
+        };
+        Some(chain.iter().rev().fold(ball, outwards))
     }
+}
+
+/// A bound on how much longer a map makes a vector, and how much longer it does where its columns are at right angles.
+fn stretch(rows: &[Vec3; 3]) -> f64 {
+    let column = |i: usize| Vec3(each([0, 1, 2], |row: usize| rows[row][i]));
+    let squares = each([0, 1, 2], |i: usize| {
+        let products = each([0, 1, 2], |j: usize| column(i).dot(column(j)));
+        Vec3(products).abs().dot(Vec3::ONE)
+    });
+    Vec3(squares).max_component().sqrt()
 }
 
 /// A plane in the scene's space, roughly.
