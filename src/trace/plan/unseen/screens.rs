@@ -23,9 +23,9 @@ pub struct Screened {
     pub plane: Named,
 }
 
-/// The parts that have an end and lie behind an opaque plane, or are balls that touch it in a point, as seen from every camera that is written. There are none
-/// where something mirrors or lets light through, where a camera is automatic or projects in its own way, or where the
-/// render record cuts planes open.
+/// The parts that have an end and lie behind an opaque plane, or are balls that touch it in a point, as seen from every
+/// camera that is written. There are none where something mirrors or lets light through, where a camera is automatic or
+/// projects in its own way, or where the render record cuts planes open.
 pub fn screened(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Screened> {
     let eyes: Vec<Vec3> = scene.cameras.iter().map(|c| c.position).collect();
     let is_sure = scene.view != View::Automatic
