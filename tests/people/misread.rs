@@ -1,0 +1,95 @@
+//! Slips in IDs, types and numbers that looked like something else: each first guess is what was meant, and no other
+//! finding speaks of the line.
+
+use zpg::internals::analysis::repair;
+use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, Language};
+
+use super::{fixed, guessed, read};
+
+/// A lamp and a camera.
+const REST: &str = "50 -402 0.8\n50 -1 4 6 5\n90 -501 0 3 9 0 -0.25 -1 0 1 0 40\n";
+/// A box and a ball in it, from which others are made.
+const TWO: &str = "8 12 -1 0 -1 1 2 1\n9 11 0 2 0 0.9\n";
+
+fn errors(text: &str) -> Vec<Diagnostic> {
+    let all = repair::proposals(&read(text)).into_iter();
+    all.filter(Diagnostic::is_error).collect()
+}
+
+/// The only error of a text, and the scene that each guess makes.
+#[track_caller]
+fn only(text: &str, code: Code) -> (Diagnostic, Vec<String>) {
+    let codes: Vec<Code> = errors(text).iter().map(|d| d.code).collect();
+    assert_eq!(codes, [code], "{text}");
+    guessed(text, code)
+}
+
+/// A text with one slip, the code of its only error, and what is written in place of what.
+struct Slip {
+    text: String,
+    code: Code,
+    written: &'static str,
+    meant: &'static str,
+}
+
+#[track_caller]
+fn holds(slip: Slip) {
+    let Slip {
+        text,
+        code,
+        written,
+        meant,
+    } = slip;
+    let (_, made) = only(&text, code);
+    let right = text.replacen(written, meant, 1);
+    assert_ne!(right, text);
+    assert_eq!(made.first(), Some(&right));
+    assert_eq!(fixed(&text), right);
+    assert!(errors(&right).is_empty(), "{right}");
+}
+
+/// A letter or a point in an ID, whose object has properties below.
+#[test]
+fn ids_with_a_letter_or_a_point() {
+    let properties = "10 -2 30 2\n10 -701 0.8 0.2 0.2\n";
+    for written in ["1O", "1o"] {
+        holds(Slip {
+            text: format!("{TWO}{written} -103 8 9\n{properties}{REST}1 9999 10 0\n"),
+            code: Code::E003,
+            written,
+            meant: "10",
+        });
+    }
+    let ball = "1O 11 0 3 0 0.9\n10 -701 0.8 0.2 0.2\n11 -101 9 10\n";
+    holds(Slip {
+        text: format!("9 11 0 2 0 0.9\n{ball}{REST}1 9999 11 0\n"),
+        code: Code::E003,
+        written: "1O",
+        meant: "10",
+    });
+    // Only the render record has the ID 1.
+    holds(Slip {
+        text: format!("{TWO}1.0 -103 8 9\n{REST}1 9999 10 0\n"),
+        code: Code::E010,
+        written: "1.0",
+        meant: "10",
+    });
+    let render = format!("{TWO}{REST}1.0 9999 8 0\n");
+    assert_eq!(
+        only(&render, Code::E010).0.fixes[0].applicability,
+        Applicability::Safe
+    );
+}
+
+/// A record behind a sign as of Python's comments, whose properties stand below.
+#[test]
+fn a_record_behind_a_sign_of_other_languages() {
+    let below = "10 -2 30 2\n10 -701 0.8 0.2 0.2\n10 -201 0.1 0.1 0.8\n";
+    let text = format!("{TWO}#10 -103 8 9\n{below}{REST}1 9999 10 0\n");
+    let (finding, made) = guessed(&text, Code::E103);
+    assert_eq!(made, [text.replace('#', "")]);
+    assert_eq!(finding.fixes[0].applicability, Applicability::Choice);
+    let all = errors(&text);
+    let guesses = all.iter().filter(|d| d.code != Code::E002);
+    assert_eq!(guesses.map(|d| d.fixes.len()).sum::<usize>(), 1);
+}
