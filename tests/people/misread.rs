@@ -93,3 +93,58 @@ fn a_record_behind_a_sign_of_other_languages() {
     let guesses = all.iter().filter(|d| d.code != Code::E002);
     assert_eq!(guesses.map(|d| d.fixes.len()).sum::<usize>(), 1);
 }
+
+/// ID and type in each other's place, where the ID is a type, too, and the same in the render record.
+#[test]
+fn ids_and_types_swapped() {
+    for id in ["20", "21", "24"] {
+        let text = format!("11 {id} -2 1 0 0.9\n{id} -701 0.9 0.2 0.1\n{REST}1 9999 {id} 0\n");
+        let (finding, made) = only(&text, Code::E005);
+        assert_eq!(finding.case, "exchanged");
+        assert_eq!(
+            made,
+            [text.replacen(&format!("11 {id}"), &format!("{id} 11"), 1)]
+        );
+    }
+    // A sound hyperboloid stays.
+    assert!(errors(&format!("11 20 1 1 1 1\n{REST}1 9999 11 0\n")).is_empty());
+    let ball = "20 11 -2 1 0 1\n35 11 2 1 0 1\n36 -101 20 35\n12 -701 0.1 0.1 0.1\n";
+    for (written, meant) in [
+        ("1 20 9999 0", "1 9999 20 0"),
+        ("1 36 9999 12", "1 9999 36 12"),
+    ] {
+        let text = format!("{ball}{REST}{written}\n");
+        let (finding, made) = only(&text, Code::E005);
+        assert_eq!(made, [text.replace(written, meant)]);
+        for (language, said, guess) in [
+            (
+                Language::English,
+                "the render record begins with `1 9999`; the ID of what is drawn follows",
+                "write `",
+            ),
+            (
+                Language::Czech,
+                "renderovací záznam začíná `1 9999`; ID toho, co se vykreslí, stojí až za tím",
+                "napsat `",
+            ),
+        ] {
+            let words = finding.wording(language);
+            assert_eq!(words.message, said);
+            assert!(
+                words.fixes[0].contains(&format!("{guess}{meant}`")),
+                "{:?}",
+                words.fixes
+            );
+        }
+    }
+    // A type behind its numbers.
+    holds(Slip {
+        text: format!(
+            "20 9 1\n{}1 9999 20 0\n",
+            REST.replace("-402 0.8", "0.8 -402")
+        ),
+        code: Code::E010,
+        written: "0.8 -402",
+        meant: "-402 0.8",
+    });
+}

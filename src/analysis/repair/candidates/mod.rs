@@ -251,6 +251,7 @@ impl<'a> LineContext<'a> {
                     .map(|(_, candidate)| candidate),
             );
             out.extend(self.torn_type());
+            out.extend(self.type_behind());
             out.extend(self.glued(&[undefined, taken].concat()));
             self.lost_spaces(&mut out);
             out.extend(self.own_name());
