@@ -148,3 +148,39 @@ fn ids_and_types_swapped() {
         meant: "-402 0.8",
     });
 }
+
+/// The ID of the next object in a record of the one above.
+#[test]
+fn ids_of_the_next_object() {
+    let next = "21 11 0 1 0 1\n21 -701 0.9 0.2 0.1\n30 -101 20 21\n";
+    holds(Slip {
+        text: format!(
+            "20 14 0.8 0.25\n20 -2 90 1\n21 -1 -2 1.05 0\n20 -701 0.2 0.6 0.3\n{next}{REST}1 9999 30 0\n"
+        ),
+        code: Code::E107,
+        written: "21 -1",
+        meant: "20 -1",
+    });
+    let glass = |optics: &str, below: &str| {
+        let two = format!("20 11 -2 1 0 1\n20 -201 {optics}\n21 -203 1.5 1.5 1.5\n");
+        format!("{two}21 11 1 1 0 1\n{below}30 -101 20 21\n{REST}1 9999 30 0\n")
+    };
+    holds(Slip {
+        text: glass("0.05 0.05 0.9", "21 -701 0.9 0.2 0.1\n"),
+        code: Code::E102,
+        written: "21 -203",
+        meant: "20 -203",
+    });
+    // Both let light through, or neither: it is the one's with its ID.
+    for text in [
+        glass("0.05 0.05 0.9", "21 -201 0.1 0.1 0.8\n"),
+        glass("0.8 0.2 0", ""),
+    ] {
+        let (_, made) = only(&text, Code::E102);
+        assert!(
+            made.iter()
+                .all(|made| made.contains("\n21 11 1 1 0 1\n21 -203")),
+            "{made:?}"
+        );
+    }
+}

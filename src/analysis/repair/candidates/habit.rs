@@ -53,6 +53,8 @@ pub(in crate::analysis::repair) enum Habit {
     Shifted,
     /// A single reference names something else.
     Reference,
+    /// The record stands between those of another ID, and has that one.
+    Between,
     /// The finding itself proposes the fix.
     Proposed,
     /// The record has another ID.
@@ -100,6 +102,7 @@ impl Habit {
             | Habit::Shifted
             | Habit::Reference
             | Habit::Id
+            | Habit::Between
             | Habit::Type
             | Habit::Proposed => true,
         }

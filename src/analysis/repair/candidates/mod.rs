@@ -423,6 +423,7 @@ impl<'a> LineContext<'a> {
             | Habit::Shifted
             | Habit::Reference
             | Habit::Id
+            | Habit::Between
             | Habit::Type
             | Habit::Proposed => None,
             Habit::Direction | Habit::Point | Habit::Up => None,
