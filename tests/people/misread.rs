@@ -184,3 +184,51 @@ fn ids_of_the_next_object() {
         );
     }
 }
+
+/// Spaces, points and ends of lines that are lost or stand beside their place.
+#[test]
+fn lost_spaces_and_points() {
+    let balls = "20 11 -2 1 0 1\n21 110 1 0.2 1\n22 11 2 1 0 1\n30 -101 20 21\n31 -101 30 22\n";
+    holds(Slip {
+        text: format!("{balls}{REST}1 9999 31 0\n"),
+        code: Code::E003,
+        written: "110",
+        meant: "11 0",
+    });
+    let ball = |line: &str| format!("20 11 -2 1 0 1\n{line}\n{REST}1 9999 20 0\n");
+    holds(Slip {
+        text: ball("20 -701 .9 .2. 1"),
+        code: Code::E003,
+        written: ".2. 1",
+        meant: ".2 .1",
+    });
+    // No other number has a point, so the second one has none either.
+    holds(Slip {
+        text: ball("20 -1 1 .2. 1"),
+        code: Code::E003,
+        written: ".2.",
+        meant: ".2",
+    });
+    let text = ball("20 -701 0.9 02. 0.1");
+    assert_eq!(guessed(&text, Code::W301).1, [text.replace("02.", "0.2")]);
+    for dash in ["-", "–"] {
+        let text =
+            format!("20 11 -2 1 0 1\n21 11 2 1 0 1\n30 -101 20{dash}21\n{REST}1 9999 30 0\n");
+        let (_, made) = only(&text, Code::E003);
+        assert_eq!(made, [text.replace(&format!("20{dash}21"), "20 21")]);
+    }
+    holds(Slip {
+        text: format!(
+            "20 11 -2 1 0 1\n20 -701 0.9 0.2 0.121 11 2 1 0 1\n30 -101 20 21\n{REST}1 9999 30 0\n"
+        ),
+        code: Code::E009,
+        written: "0.121 11",
+        meant: "0.1\n21 11",
+    });
+    // The second record lacks a number: which one, the next finding asks.
+    let text = ball("20 -701 0.9 0.2 0.1 20 -201 0.7 0.3");
+    let (finding, made) = only(&text, Code::E009);
+    assert_eq!(made, [text.replace("0.1 20", "0.1\n20")]);
+    assert_eq!(finding.fixes[0].applicability, Applicability::Choice);
+    assert_eq!(only(&made[0], Code::E008).0.code, Code::E008);
+}

@@ -308,7 +308,7 @@ impl<'a> LineContext<'a> {
             self.flat(finding, &mut out);
             self.by_sizes(finding, &mut out);
             self.by_centre(finding, &mut out);
-            out.extend(self.lost_line_end(finding));
+            out.extend(self.lost_line_end(finding, undefined));
             out.extend(self.moved_copy(finding));
             let behind = self.records_behind().or_else(|| self.changes_behind());
             // A record is no comment.
@@ -387,7 +387,7 @@ impl<'a> LineContext<'a> {
             }
             Habit::NoType => with_type(Diagnostic::new(Code::E006, edit.span).case("lost")),
             Habit::Characters => Some(Diagnostic::new(Code::E003, edit.span).with("text", written)),
-            Habit::Glued => self.several_numbers(candidate),
+            Habit::Glued | Habit::GluedAsBeside => self.several_numbers(candidate),
             Habit::Exchanged => Some(self.exchange()?.0),
             Habit::Word | Habit::Keyword => {
                 let name = words::explained(&self.text[edit.span.range()]);
