@@ -232,3 +232,35 @@ fn lost_spaces_and_points() {
     assert_eq!(finding.fixes[0].applicability, Applicability::Choice);
     assert_eq!(only(&made[0], Code::E008).0.code, Code::E008);
 }
+
+/// Three numbers behind the type of a rotation: a lamp that nothing moved is moved, and so is what a comment says so of.
+#[test]
+fn rotations_that_are_moves() {
+    let lamp = |line: &str| {
+        let rest = REST.replace("50 -1 4 6 5", line);
+        format!("20 11 -1 0 0 1\n{rest}1 9999 20 0\n")
+    };
+    let text = lamp("50 -2 -4 7 6");
+    assert_eq!(only(&text, Code::E009).1, [text.replace("-2", "-1")]);
+    assert_eq!(fixed(&text), text.replace("-2", "-1"));
+    let turned = |text: &str, turns: &str| text.replace("20 -2 1 0.5 0", turns);
+    let ball =
+        |comment: &str| format!("20 12 -1 0 -1 1 1 1\n20 -2 1 0.5 0{comment}\n{REST}1 9999 20 0\n");
+    for comment in ["", " # moved #", " # posunutá koule #"] {
+        let text = ball(comment);
+        let (finding, made) = only(&text, Code::E009);
+        let turns = turned(&text, "20 -2 1 1\n20 -2 0.5 2");
+        assert_eq!(made, [text.replace("20 -2", "20 -1"), turns]);
+        let is_told = finding.fixes[0].applicability == Applicability::Unsafe;
+        assert_eq!(is_told, !comment.is_empty());
+    }
+    // Angles as people write them.
+    for angles in ["30 0 45", "15 0 0", "-90 20 0"] {
+        let text = ball("").replace("1 0.5 0", angles);
+        let (_, made) = only(&text, Code::E009);
+        assert!(
+            made.iter().all(|made| made.contains("\n20 -2 ")),
+            "{made:?}"
+        );
+    }
+}

@@ -292,7 +292,7 @@ impl<'a> LineContext<'a> {
             self.spaced_commas(&mut out);
             out.extend(self.spaced_points());
             self.surplus(finding, &mut out);
-            out.extend(self.angles());
+            self.three_numbers(&mut out);
             self.about_vector(&mut out);
             self.turns_of_quaternion(&mut out);
             out.extend(self.per_cent(finding));
