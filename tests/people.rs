@@ -12,6 +12,7 @@ mod left_out;
 mod meant;
 mod messages;
 mod misplaced;
+mod misread;
 mod mistaken;
 mod mug;
 mod newcomers;

@@ -26,9 +26,10 @@ pub fn calculated(text: &str) -> Option<String> {
     value.is_finite().then(|| shown.to_string())
 }
 
-/// A number below 1 whose decimal point is lost: `08` is 0.8, `085` is 0.85.
+/// A number below 1 whose decimal point is lost or stands at its end: `08` and `08.` are 0.8, `085` is 0.85.
 pub fn with_point(text: &str) -> Option<String> {
     let rest = text.strip_prefix('0')?;
+    let rest = rest.strip_suffix('.').unwrap_or(rest);
     let is_one = !rest.is_empty() && rest.bytes().all(|c| c.is_ascii_digit());
     is_one.then(|| format!("0.{rest}"))
 }

@@ -2,6 +2,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::switched_off;
 use super::whole::{Matter, records};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Span};
@@ -24,7 +25,8 @@ pub(super) fn is_told(d: &Diagnostic) -> bool {
 /// several findings speak of that ID. The findings are told as one.
 pub(super) fn slips(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Matter> {
     let is_wrong = |d: &&Diagnostic| {
-        matches!(d.code, Code::E101 | Code::E103) && matches!(d.case, "" | "changed")
+        let is_open = matches!(d.case, "" | "changed") && !switched_off::is_told(d);
+        matches!(d.code, Code::E101 | Code::E103) && is_open
     };
     let mut wrong: FxHashMap<u32, Vec<&Diagnostic>> = FxHashMap::default();
     for d in findings.iter().filter(is_wrong) {

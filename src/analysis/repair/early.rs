@@ -85,7 +85,7 @@ pub(super) fn properties(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Ma
     let blocks = Blocks::new(analysis);
     let slips: Vec<Option<Slip>> = early.iter().map(|d| blocks.slip(d)).collect();
     // Who writes properties first does so more than once.
-    let is_habit = early.len() > 1 && slips.iter().flatten().all(|slip| !slip.has_own);
+    let is_habit = early.len() > 1 && slips.iter().flatten().all(|slip| !slip.is_sure);
     let matters = early.into_iter().zip(moved).zip(slips);
     let matters = matters.filter_map(|((d, moved), slip)| {
         let (mut fix, mut spans) = moved?;
@@ -95,7 +95,7 @@ pub(super) fn properties(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Ma
             None => finding.fix(fix),
             Some(mut slip) => {
                 fix.applicability = Applicability::Choice;
-                if !slip.has_own {
+                if !slip.is_sure {
                     slip.fix.applicability = Applicability::Choice;
                 }
                 finding.fix(slip.fix).fix(fix)
@@ -110,8 +110,8 @@ pub(super) fn properties(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Ma
 struct Slip {
     /// The fix that writes the ID of that object.
     fix: Fix,
-    /// Whether the object that it has the ID of gets such a property below.
-    has_own: bool,
+    /// Whether the object that it has the ID of gets such a property below, or has no use for it.
+    is_sure: bool,
 }
 
 /// The records of a scene in order, and those that give an ID something.
@@ -185,8 +185,33 @@ impl<'a> Blocks<'a> {
             .partition_point(|t| t.start < finding.span.start) as u32;
         let last = self.given.get(&(property.id, kind));
         let has_own = last.is_some_and(|&last| last > defined);
+        // Only what lets light through has a use for an index.
+        let is_index = kind == Given::Index;
+        let is_for_above = is_index && self.is_clear(above.id) && !self.is_clear(property.id);
+        let is_sure = has_own || is_for_above;
         // Between the two, and with the ID of the one below, it is rather that one's.
         let is_right_above = next.id == property.id;
-        (has_own || !is_right_above).then_some(Slip { fix, has_own })
+        (is_sure || !is_right_above).then_some(Slip { fix, is_sure })
+    }
+
+    /// Whether records give an ID optics that let light through.
+    fn is_clear(&self, id: u32) -> bool {
+        let parts = |kind: RecordKind| match kind {
+            RecordKind::Optics => Some(3),
+            RecordKind::OpticsRgb => Some(9),
+            _ => None,
+        };
+        let own = self.records.iter().filter(|r| r.id == id);
+        own.filter_map(|r| Some((r, parts(r.kind)?)))
+            .any(|(r, parts)| {
+                let values = self.analysis.document.values(r);
+                // Of each three parts the last one.
+                values
+                    .iter()
+                    .take(parts)
+                    .skip(2)
+                    .step_by(3)
+                    .any(|kt| *kt > 0.0)
+            })
     }
 }

@@ -30,6 +30,7 @@ pub(super) fn suspects(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Susp
     let mut all: Vec<Suspect> = taking(analysis).take(MAX_SUSPECTS).collect();
     all.extend(without_ids(analysis, findings));
     all.extend(exchanged(analysis, findings).into_iter().take(MAX_SUSPECTS));
+    all.extend(render_exchanged(analysis, findings));
     all.extend(exchanged_shapes(analysis, findings).take(MAX_SUSPECTS));
     all.extend(copies(analysis, findings).into_iter().take(MAX_SUSPECTS));
     all
@@ -128,6 +129,25 @@ fn exchanged(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
         }
     }
     out
+}
+
+/// The render record with its type behind the ID of what is drawn.
+fn render_exchanged(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Suspect> {
+    let suspect = |d: &Diagnostic| {
+        let place = LineContext::both(analysis, d.span.start)
+            .into_iter()
+            .next()?;
+        let (finding, candidate) = place.render_exchanged()?;
+        Some(Suspect {
+            finding,
+            candidates: vec![candidate],
+            misread: place.line(),
+            least: 1,
+        })
+    };
+    // It is mostly the last record.
+    let errors = findings.iter().rev().filter(|d| d.is_error());
+    errors.take(MAX_SUSPECTS).find_map(suspect)
 }
 
 /// Shapes that are right either way, as `11 3 0 1 0 1`: the type is an ID that is used and is no object's, and the ID is

@@ -420,8 +420,10 @@ impl Engine<'_> {
             });
         }
         // A mere change of sign or of a digit, or a space, wins over another type.
-        let is_slight =
-            |t: &Trial| matches!(t.candidate.habit, Habit::Sign | Habit::Digit | Habit::Glued);
+        let is_slight = |t: &Trial| {
+            use Habit::*;
+            matches!(t.candidate.habit, Sign | Digit | Glued | GluedAsBeside)
+        };
         if trials.iter().any(is_slight) {
             trials.retain(is_slight);
         }

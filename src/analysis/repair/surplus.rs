@@ -1,4 +1,5 @@
-//! Numbers too many that other programs have: a quaternion, points of a profile in space.
+//! Numbers too many that other programs have: a quaternion, points of a profile in space. They may be a record that lacks
+//! numbers itself.
 
 use super::TRIALS;
 use super::candidates::LineContext;
@@ -14,6 +15,8 @@ pub(super) fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
                 d.notes.push("quaternion");
             } else if let Some(in_space) = place.points_in_space() {
                 *d = in_space;
+            } else if let Some(fix) = place.incomplete_behind() {
+                d.fixes.push(fix);
             } else {
                 continue;
             }

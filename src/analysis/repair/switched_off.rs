@@ -119,10 +119,11 @@ impl<'a> Off<'a> {
 
     /// The guesses for an ID, none of which is taken: both that the record is wanted and that it is not may be meant.
     fn guesses(&self, id: u32) -> Vec<Fix> {
-        let all = [
-            Some(self.on(id)),
-            self.operand(id).or_else(|| self.without(id)),
-        ];
+        // Where the comment lacks its end, its sign may be any mark before the record, and that is wanted.
+        let line = &self.lines[self.defined[&id]];
+        let is_closed = self.analysis.source.text[line.span.range()].ends_with('#');
+        let operand = || self.operand(id).filter(|_| is_closed);
+        let all = [Some(self.on(id)), operand().or_else(|| self.without(id))];
         let choice = |fix: Fix| Fix {
             applicability: Applicability::Choice,
             ..fix

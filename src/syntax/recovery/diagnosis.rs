@@ -3,7 +3,7 @@
 use super::super::ast::{self, Broken, Item, Record};
 use super::super::signature::Reading;
 use super::super::table::{RecordKind, RecordType};
-use super::heads::{integral, spoiled};
+use super::heads::{integral, spoiled, with_letters, without_point};
 use super::slips::is_slip;
 use super::stretch::Stretch;
 
@@ -84,6 +84,7 @@ impl RecordCandidate {
             first: sig(self.start).token,
             last: sig(self.end - 1).token,
             id: (sig(self.start).int.map(i64::from))
+                .or_else(|| without_point(stretch, self.start).map(i64::from))
                 .or_else(|| integral(stretch, self.start))
                 .and_then(|id| u32::try_from(id).ok())
                 .filter(|&id| id > 0),
@@ -135,7 +136,9 @@ impl RecordCandidate {
                 Item::Broken(broken)
             }
             Diagnosis::BadId { ty } => {
-                let spoiled = spoiled(stretch, self.start).and_then(|id| u32::try_from(id).ok());
+                let spoiled = with_letters(stretch, self.start)
+                    .or_else(|| spoiled(stretch, self.start))
+                    .and_then(|id| u32::try_from(id).ok());
                 broken.id = spoiled.or(broken.id).filter(|&id| id > 0);
                 broken.kind = ty.map(|ty| ty.kind);
                 if broken.id.is_none() {

@@ -1,7 +1,7 @@
 //! The head of a record, spelled right or not: its type, its number of points, its expected end.
 
 use super::super::lexer::TokenKind;
-use super::super::table::RecordType;
+use super::super::table::{RecordKind, RecordType};
 use super::stretch::Stretch;
 
 /// The type that a token stands for, also where it is spelled as a real (`9.0`) or with a sign or
@@ -22,6 +22,31 @@ pub(super) fn spoiled(stretch: &Stretch, i: usize) -> Option<i64> {
         .or_else(|| text.strip_suffix(glue))?
         .parse()
         .ok()
+}
+
+/// The integer in a token with letters for the digits that they look like: `1O` is 10, `2l` is 21.
+pub(super) fn with_letters(stretch: &Stretch, i: usize) -> Option<i64> {
+    let word = |k| matches!(k, TokenKind::MalformedNumber | TokenKind::Word);
+    stretch.sigs.get(i).filter(|s| word(s.kind))?;
+    let text = stretch.token(i).text(stretch.text());
+    let digit = |c: char| match c {
+        'O' | 'o' => Some('0'),
+        'l' | 'I' | '|' => Some('1'),
+        c => c.is_ascii_digit().then_some(c),
+    };
+    let has_digit = text.contains(|c: char| c.is_ascii_digit());
+    let digits: Option<String> = text.chars().map(digit).collect();
+    digits.filter(|_| has_digit)?.parse().ok()
+}
+
+/// The digits of a number in the place of an ID that would be 1 without its point, which only the render record has:
+/// `1.0` is rather 10.
+pub(super) fn without_point(stretch: &Stretch, i: usize) -> Option<u32> {
+    let is_render = type_at(stretch, i + 1).is_some_and(|ty| ty.kind == RecordKind::Render);
+    integral(stretch, i).filter(|&id| id == 1 && !is_render)?;
+    let text = stretch.token(i).text(stretch.text());
+    let digits = text.replacen(['.', ','], "", 1);
+    digits.parse().ok().filter(|&id| id > 1)
 }
 
 /// The type at token i + 1, if token i is a stray that stands in the type's place: a word or an invalid token in a free

@@ -2,6 +2,7 @@
 
 use super::super::quote::quote;
 use super::super::table::{Param, ParamKind};
+use super::heads::without_point;
 use super::report::{Reporter, write};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Value};
 
@@ -21,6 +22,22 @@ impl Reporter<'_, '_> {
             }
             None => d,
         }
+    }
+
+    /// The same of what begins a record. Without its point it may be one's ID.
+    pub(super) fn no_integer_for_id(&self, i: usize) -> Diagnostic {
+        let d = self.not_an_integer(i, "an ID");
+        let Some(id) = without_point(self.stretch, i) else {
+            return d;
+        };
+        let (span, id) = (self.stretch.token(i).span(), id.to_string());
+        let mut d = Diagnostic {
+            fixes: Vec::new(),
+            ..d
+        };
+        d.values.retain(|v| v.0 != "number");
+        d.with("number", quote(&id))
+            .fix(write(Applicability::Unsafe, span, id))
     }
 
     /// The same of a parameter, which may be an ID.

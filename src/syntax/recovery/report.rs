@@ -133,7 +133,7 @@ impl Reporter<'_, '_> {
                 | Diagnosis::CutOff { .. }
         );
         if is_record && self.stretch.sigs[start].kind == TokenKind::Real {
-            out.push(self.not_an_integer(start, "an ID"));
+            out.push(self.no_integer_for_id(start));
         }
         match piece.verdict {
             Diagnosis::Void | Diagnosis::Whole(_) | Diagnosis::CutOff { .. } => {}
@@ -544,7 +544,7 @@ impl Reporter<'_, '_> {
             }
             TokenKind::Integer => new(Code::E005).case("negative"),
             TokenKind::Real => match self.stretch.token(i).number(self.stretch.text()) {
-                Some(x) if x.fract() == 0.0 && x > 0.0 => self.not_an_integer(i, "an ID"),
+                Some(x) if x.fract() == 0.0 && x > 0.0 => self.no_integer_for_id(i),
                 _ => new(Code::E005),
             },
             _ => {

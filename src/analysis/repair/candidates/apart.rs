@@ -153,19 +153,49 @@ impl LineContext<'_> {
         Some(Candidate::new(Habit::Apart, fix))
     }
 
-    /// The line of a record and the next one of the same ID, without the end of a line between them.
-    pub(super) fn lost_line_end(&self, finding: &Diagnostic) -> Option<Candidate> {
+    /// A record of the same ID behind a record, which lacks numbers: it goes to a line of its own. What it lacks is another
+    /// matter.
+    pub(in crate::analysis::repair) fn incomplete_behind(&self) -> Option<Fix> {
+        let ty = self.ty().filter(|ty| !ty.is_counted())?;
+        let at = 2 + ty.params.len();
+        let behind = self.tokens.get(at..)?;
+        let (id, code) = (behind.first()?, behind.get(1)?);
+        let next = RecordType::by_code(code.integer(self.text)?)?;
+        let is_own = id.integer(self.text).is_some() && id.integer(self.text) == self.int(0);
+        let count = behind.len() - 2;
+        let changes = !matches!(next.effect, Effect::Defines(_)) && !next.is_counted();
+        let is_short = changes && (1..next.params.len()).contains(&count);
+        let gap = Span::new(self.tokens[at - 1].end(), id.start);
+        if !is_own || !is_short || !self.is_gap(gap) {
+            return None;
+        }
+        let text = self.spaced(behind)?;
+        let fix = Fix::replace("fix-apart", Applicability::Choice, gap, "\n");
+        let fix = fix.with("type", Value::Term(next.title));
+        Some(fix.with("text", quote(&text)))
+    }
+
+    /// The line of a record and the next one, without the end of a line between them. That one changes the same object, or
+    /// defines an ID that is used and defined nowhere.
+    pub(super) fn lost_line_end(&self, finding: &Diagnostic, used: &[u32]) -> Option<Candidate> {
         let is_surplus = finding.code == Code::E009;
         let ty =
             (self.ty()).filter(|ty| is_surplus && !ty.is_counted() && !ty.params.is_empty())?;
         let (own, behind) = self.params().split_at_checked(ty.params.len())?;
-        let (last, id) = (own.last()?, self.tokens[0].text(self.text));
-        let number = last.text(self.text).strip_suffix(id)?;
-        let is_number = number.parse::<f64>().is_ok() && !number.ends_with('.');
-        let (head, params) = behind.split_first().filter(|_| is_number)?;
+        let last = own.last()?;
+        let (head, params) = behind.split_first()?;
         let next = RecordType::by_code(head.integer(self.text)?)?;
-        let changes = !matches!(next.effect, Effect::Defines(_));
-        if !changes || !self.fit(next, params) {
+        let written = last.text(self.text);
+        let defines = matches!(next.effect, Effect::Defines(_));
+        let ids: &[u32] = if defines { used } else { &[self.id()?] };
+        let split = |id: &u32| {
+            let id = id.to_string();
+            let number = written.strip_suffix(id.as_str())?;
+            let is_number = number.parse::<f64>().is_ok() && !number.ends_with('.');
+            is_number.then(|| (number.to_owned(), id))
+        };
+        let (number, id) = ids.iter().find_map(split)?;
+        if !self.fit(next, params) {
             return None;
         }
         let text = format!("{id} {}", self.spaced(behind)?);

@@ -9,6 +9,8 @@ pub(in crate::analysis::repair) enum Habit {
     Sign,
     /// The camera of one eye is left out, and but one other camera is there.
     Eye,
+    /// A space is lost behind a type that the record above or below has.
+    GluedAsBeside,
     /// A digit of a type is lost, doubled or wrong, or two are exchanged.
     Digit,
     /// Several numbers stand in one token.
@@ -53,6 +55,8 @@ pub(in crate::analysis::repair) enum Habit {
     Shifted,
     /// A single reference names something else.
     Reference,
+    /// The record stands between those of another ID, and has that one.
+    Between,
     /// The finding itself proposes the fix.
     Proposed,
     /// The record has another ID.
@@ -78,7 +82,7 @@ impl Habit {
                 finding.code,
                 E001 | E002 | E003 | E004 | E006 | E007 | E010 | E011 | E012
             ),
-            Habit::Glued => finding.case == "glued",
+            Habit::Glued | Habit::GluedAsBeside => finding.case == "glued",
             Habit::Exchanged => finding.case == "exchanged",
             Habit::Word | Habit::Keyword => finding.code == E006,
             Habit::Comment => matches!(finding.code, E001 | E002 | E003 | E007 | E009 | E012),
@@ -100,6 +104,7 @@ impl Habit {
             | Habit::Shifted
             | Habit::Reference
             | Habit::Id
+            | Habit::Between
             | Habit::Type
             | Habit::Proposed => true,
         }

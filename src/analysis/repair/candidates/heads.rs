@@ -13,7 +13,7 @@ use crate::scene::Entity;
 use crate::syntax::LEAST_HEAD;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
-use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
+use crate::syntax::table::{Effect, Family, Kind, Param, ParamKind, RecordKind, RecordType};
 use crate::syntax::words;
 use crate::syntax::{Item, Record};
 
@@ -97,7 +97,16 @@ impl LineContext<'_> {
 
     /// ID and type in each other's place, as a finding and what puts it right. The ID is used elsewhere.
     pub(crate) fn exchange(&self) -> Option<(Diagnostic, Candidate)> {
-        let is_right = self.ty().is_some_and(|ty| self.fits(ty)) && self.id().is_some();
+        // The number of sheets of a hyperboloid, as in `11 20 -2 1 0 0.9`.
+        let is_odd = |t: &Token, param: &Param| {
+            param.kind == ParamKind::Integer && t.integer(self.text).is_none()
+        };
+        let takes = |ty: &RecordType| {
+            let mut params = self.params().iter().zip(0..);
+            !params.any(|(t, i)| ty.param(i, 0).is_some_and(|param| is_odd(t, param)))
+        };
+        let is_right =
+            self.ty().is_some_and(|ty| self.fits(ty) && takes(ty)) && self.id().is_some();
         (!is_right).then(|| self.exchanged_heads())?
     }
 
@@ -125,6 +134,30 @@ impl LineContext<'_> {
             .with("text", quote(&code.to_string()))
             .with("number", quote(&number.to_string()));
         Some((finding, self.beginning(Habit::Exchanged, edits)))
+    }
+
+    /// A render record whose type stands behind the ID of what is drawn, `1 20 9999 0`, as a finding and what puts it
+    /// right.
+    pub(crate) fn render_exchanged(&self) -> Option<(Diagnostic, Candidate)> {
+        let &[head, root, ty, behind] = self.tokens.as_slice() else {
+            return None;
+        };
+        let render = RecordType::of(RecordKind::Render);
+        let is_head = self.id() == Some(RENDER) && self.int(2) == Some(render.code.into());
+        let is_object = self.kind_of(root.integer(self.text)?) == Some(Kind::Object);
+        if !is_head || !is_object {
+            return None;
+        }
+        let begin = format!("{RENDER} {}", render.code);
+        let finding = Diagnostic::new(Code::E005, head.span().to(ty.span()))
+            .case("drawn")
+            .with("number", quote(&begin));
+        let text = format!("{begin} {}", root.text(self.text));
+        let whole = format!("{text} {}", behind.text(self.text));
+        let span = head.span().to(ty.span());
+        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text);
+        let fix = fix.with("number", quote(&whole));
+        Some((finding, Candidate::new(Habit::Exchanged, fix)))
     }
 
     /// The shape that the record is, if its ID is lost.

@@ -2,6 +2,7 @@
 
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Code, Diagnostic};
+use crate::syntax::Item;
 use crate::syntax::allows;
 use crate::syntax::lexer::Token;
 use crate::syntax::quote;
@@ -40,7 +41,13 @@ impl LineContext<'_> {
             if let Some(ty) = code.and_then(RecordType::by_code).filter(is_type)
                 && self.is_record(ty, &[&parts[1..], &rest].concat())
             {
-                out.extend(self.glued_apart(token, &parts));
+                let mut apart = self.glued_apart(token, &parts);
+                if parts.len() == 2 && self.is_type_beside(ty) {
+                    apart
+                        .iter_mut()
+                        .for_each(|c| c.habit = Habit::GluedAsBeside);
+                }
+                out.extend(apart);
             }
         }
         let Some(ty) = self.ty() else { return };
@@ -50,13 +57,28 @@ impl LineContext<'_> {
             if !(is_double_zero || ty.param(i, 0).is_some_and(is_reference)) {
                 continue;
             }
-            for parts in split_glued(token.text(self.text)) {
+            for parts in (split_glued(token.text(self.text)).into_iter())
+                .chain(dashed(token.text(self.text)))
+            {
                 let params = [&rest[..i], &parts, &rest[i + 1..]].concat();
                 if self.is_record(ty, &params) {
                     out.extend(self.glued_apart(token, &parts));
                 }
             }
         }
+    }
+
+    /// Whether the record above or below is of a type.
+    fn is_type_beside(&self, ty: &RecordType) -> bool {
+        let document = &self.analysis.document;
+        let at = (document.items)
+            .partition_point(|item| document.item_span(item).start < self.line.start);
+        let above = document.items[..at].iter().rev().find_map(Item::record);
+        let below = document.items[at..].iter().skip(1).find_map(Item::record);
+        [above, below]
+            .into_iter()
+            .flatten()
+            .any(|r| r.kind == ty.kind)
     }
 
     /// A number that is two, or stands for two, in a record with too few.
@@ -194,6 +216,13 @@ fn split_glued(text: &str) -> Vec<Vec<&str>> {
         }
     }
     out
+}
+
+/// Two IDs with a dash between them, `20-21`.
+fn dashed(text: &str) -> Option<Vec<&str>> {
+    let (a, b) = text.split_once(['-', '–'])?;
+    let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
+    (is_digits(a) && is_digits(b)).then(|| vec![a, b])
 }
 
 /// Whether a text is a number as people write it: digits on both sides of a point, and no zero before other digits.

@@ -3,6 +3,7 @@
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::colours;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
+use crate::syntax::LEAST_HEAD;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
 use crate::syntax::words;
@@ -121,6 +122,24 @@ impl LineContext<'_> {
         let called: Vec<&RecordType> = fitting.iter().copied().filter(is_called).collect();
         let all = if called.is_empty() { fitting } else { called };
         all.into_iter().map(|ty| self.with_type(head, ty)).collect()
+    }
+
+    /// A record whose type stands behind its numbers: `50 0.8 -402`.
+    pub(super) fn type_behind(&self) -> Option<Candidate> {
+        let (code, before) = self.tokens.split_last()?;
+        let (_, numbers) = before.split_first().filter(|_| self.id().is_some())?;
+        let ty = code
+            .integer(self.text)
+            .filter(|&code| code <= LEAST_HEAD.into());
+        let ty = RecordType::by_code(ty?).filter(|ty| self.fit(ty, numbers))?;
+        let (first, last) = (numbers.first()?, numbers.last()?);
+        let span = first.span().to(code.span());
+        let written = &self.text[first.span().to(last.span()).range()];
+        let candidate = Candidate::writing(Habit::Type, span, format!("{} {written}", ty.code));
+        Some(Candidate {
+            ty: Some(ty),
+            ..candidate
+        })
     }
 
     fn is_defined_elsewhere(&self, id: u32) -> bool {

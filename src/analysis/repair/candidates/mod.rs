@@ -251,6 +251,7 @@ impl<'a> LineContext<'a> {
                     .map(|(_, candidate)| candidate),
             );
             out.extend(self.torn_type());
+            out.extend(self.type_behind());
             out.extend(self.glued(&[undefined, taken].concat()));
             self.lost_spaces(&mut out);
             out.extend(self.own_name());
@@ -291,7 +292,7 @@ impl<'a> LineContext<'a> {
             self.spaced_commas(&mut out);
             out.extend(self.spaced_points());
             self.surplus(finding, &mut out);
-            out.extend(self.angles());
+            self.three_numbers(&mut out);
             self.about_vector(&mut out);
             self.turns_of_quaternion(&mut out);
             out.extend(self.per_cent(finding));
@@ -307,7 +308,7 @@ impl<'a> LineContext<'a> {
             self.flat(finding, &mut out);
             self.by_sizes(finding, &mut out);
             self.by_centre(finding, &mut out);
-            out.extend(self.lost_line_end(finding));
+            out.extend(self.lost_line_end(finding, undefined));
             out.extend(self.moved_copy(finding));
             let behind = self.records_behind().or_else(|| self.changes_behind());
             // A record is no comment.
@@ -386,7 +387,7 @@ impl<'a> LineContext<'a> {
             }
             Habit::NoType => with_type(Diagnostic::new(Code::E006, edit.span).case("lost")),
             Habit::Characters => Some(Diagnostic::new(Code::E003, edit.span).with("text", written)),
-            Habit::Glued => self.several_numbers(candidate),
+            Habit::Glued | Habit::GluedAsBeside => self.several_numbers(candidate),
             Habit::Exchanged => Some(self.exchange()?.0),
             Habit::Word | Habit::Keyword => {
                 let name = words::explained(&self.text[edit.span.range()]);
@@ -422,6 +423,7 @@ impl<'a> LineContext<'a> {
             | Habit::Shifted
             | Habit::Reference
             | Habit::Id
+            | Habit::Between
             | Habit::Type
             | Habit::Proposed => None,
             Habit::Direction | Habit::Point | Habit::Up => None,

@@ -127,6 +127,11 @@ impl LineContext<'_> {
                     continue;
                 }
             }
+            if let Some(moved) = self.point_behind(&on_line, i) {
+                new.push(moved);
+                i += 2;
+                continue;
+            }
             let token = on_line[i];
             let is_word = matches!(
                 token.kind(),
@@ -169,6 +174,22 @@ impl LineContext<'_> {
             }
             written
         }));
+    }
+
+    /// Two numbers of which the first has the point of the second one at its end, `.2. 1`, where all others of the record
+    /// have points.
+    fn point_behind(&self, on_line: &[Token], i: usize) -> Option<(Token, String)> {
+        let text = |t: &Token| t.text(self.text);
+        let (first, second) = (on_line.get(i)?, on_line.get(i + 1)?);
+        let number = text(first).strip_suffix('.').filter(|n| n.contains('.'))?;
+        let is_plain = number.parse().is_ok_and(f64::is_finite);
+        let digits = Some(text(second)).filter(|t| t.bytes().all(|c| c.is_ascii_digit()))?;
+        let is_between = self.is_gap(Span::new(first.end(), second.start));
+        let others = (on_line.iter().enumerate().skip(2)).filter(|(j, _)| *j != i && *j != i + 1);
+        let mut others = others.map(|(_, t)| text(t).contains('.')).peekable();
+        let have_points = others.peek().is_some() && others.all(|has| has);
+        let is_one = i > 1 && is_plain && is_between && have_points;
+        is_one.then(|| (self.joined(first, second), format!("{number} .{digits}")))
     }
 
     /// Whether a number may be what stands on the line at a place, with the ID and the type counted. The parts of colours

@@ -430,7 +430,11 @@ impl LineContext<'_> {
                 all.any(|r| r.kind == ty.kind)
             };
             let before = self.id_before(kinds).filter(|&id| !is_such(id));
-            out.extend(before.and_then(|id| self.write(Habit::Id, &[(head, id.to_string())])));
+            let habit = match before.is_some() && before == self.id_behind() {
+                true => Habit::Between,
+                false => Habit::Id,
+            };
+            out.extend(before.and_then(|id| self.write(habit, &[(head, id.to_string())])));
             return;
         }
         out.extend(self.as_lamp(finding, id, kinds));

@@ -2,14 +2,22 @@
 //! letter of an axis.
 
 use super::{Candidate, Habit, LineContext};
+use crate::analysis::repair::whole::records;
 use crate::diagnostics::{Applicability, Fix, Span};
 use crate::lint::spelling::decimal;
 use crate::syntax::lexer::Token;
 use crate::syntax::quote;
-use crate::syntax::table::RecordKind;
+use crate::syntax::table::{Kind, RecordKind, RecordType};
 
 /// Words before the letter of an axis.
 const AXIS: [&str; 4] = ["axis", "osa", "osy", "ose"];
+
+/// Beginnings of words for a move, without accents.
+const MOVED: [&str; 4] = ["move", "moving", "shift", "posun"];
+/// The size in degrees below which an angle is small.
+const SMALL_ANGLE: f64 = 20.0;
+/// Most angles are a multiple of so many degrees.
+const ANGLE_STEP: f64 = 15.0;
 
 /// The squares of a quaternion's parts add up to 1 as nearly as this, where they are written with few digits.
 const NORM_OFF_MAX: f64 = 1e-3;
@@ -49,6 +57,41 @@ fn turn(parts: [f64; 4], w: usize) -> Option<(f64, usize)> {
 }
 
 impl LineContext<'_> {
+    /// A rotation with three numbers: a move of a lamp that has none, else a rotation by an angle for each axis. Numbers that
+    /// are hardly angles may be either, as a comment may say.
+    pub(super) fn three_numbers(&self, out: &mut Vec<Candidate>) {
+        let Some(mut angles) = self.angles() else {
+            return;
+        };
+        let translation = RecordType::of(RecordKind::Translation);
+        let mut translation = Candidate {
+            habit: Habit::Doubled,
+            ..self.write_type(Habit::Doubled, translation)
+        };
+        let id = self.id();
+        let is_moved = || {
+            let mut own = records(self.analysis).filter(|r| Some(r.id) == id);
+            own.any(|r| r.kind == RecordKind::Translation)
+        };
+        let kind = id.and_then(|id| self.kind_of(id.into()));
+        if kind == Some(Kind::PointLight) && !is_moved() {
+            out.push(translation);
+            return;
+        }
+        let is_called = self.is_called(&MOVED);
+        let numbers = || self.params().iter().filter_map(|t| t.number(self.text));
+        let is_small = numbers().all(|x| x.abs() < SMALL_ANGLE);
+        let is_either = is_small && numbers().any(|x| x % ANGLE_STEP != 0.0);
+        if is_called || is_either {
+            if !is_called {
+                translation.fix.applicability = Applicability::Choice;
+                angles.fix.applicability = Applicability::Choice;
+            }
+            out.push(translation);
+        }
+        out.push(angles);
+    }
+
     /// A rotation with an angle for each axis, as other programs have it: one about each axis whose angle is not 0, about
     /// x first.
     pub(super) fn angles(&self) -> Option<Candidate> {
