@@ -5,7 +5,7 @@ mod phrases;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use phrases::{HOLE, SIGN, is_reverse, is_without};
+use phrases::{SIGN, is_cut, is_hole, is_reverse, is_without};
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
@@ -20,18 +20,10 @@ use crate::syntax::words::{self, plain};
 /// The cases of operations that are a difference by their comments.
 const UNION: &str = "union";
 const INTERSECTION: &str = "intersection";
-/// Words for what is taken away, without accents.
-const TAKEN: [&str; 6] = [
-    "subtracted",
-    "odecte",
-    "odecita",
-    "odectena",
-    "odecteny",
-    "odectene",
-];
 /// Before a hole or what is taken away: that it is something else.
-const OF_ANOTHER: [&str; 12] = [
-    "with", "having", "s", "in", "v", "ve", "for", "pro", "from", "od", "of", "not",
+const OF_ANOTHER: [&str; 16] = [
+    "with", "having", "s", "in", "into", "v", "ve", "do", "for", "pro", "from", "od", "z", "ze",
+    "of", "not",
 ];
 /// Behind a hole: that it is in this.
 const IN: [&str; 7] = ["in", "into", "through", "v", "ve", "do", "skrz"];
@@ -243,9 +235,8 @@ impl Operand<'_> {
     /// Whether a comment says that it is a hole or is taken away.
     fn is_taken(&self) -> bool {
         self.comments.iter().any(|said| {
-            let is_hole = |w: &String| begins(w, &HOLE);
-            let is_taken = |w: &String| is_hole(w) || TAKEN.contains(&w.as_str());
-            let Some(at) = said.iter().position(is_taken) else {
+            let is_taken = |&at: &usize| is_hole(&said[at]) || is_cut(said, at);
+            let Some(at) = (0..said.len()).find(is_taken) else {
                 return false;
             };
             let has =

@@ -12,7 +12,32 @@ const AND: [&str; 4] = ["a", "and", "i", "plus"];
 /// Before a hole: what has it.
 const WITH: [&str; 5] = ["with", "having", "s", "se", "ma"];
 /// Beginnings of words for a hole, without accents.
-pub(super) const HOLE: [&str; 7] = ["hole", "dira", "diry", "dire", "dirou", "dirami", "otvor"];
+const HOLE: [&str; 14] = [
+    "hole", "cavity", "cavities", "dira", "diry", "dire", "dirou", "dirami", "dera", "dery",
+    "deru", "derou", "dutin", "otvor",
+];
+/// Words for a hole by themselves, without accents; a participle that begins so is longer.
+const NOTCH: [&str; 5] = ["notch", "recess", "dent", "vyrez", "zarez"];
+/// The longest ending of such a word.
+const MAX_ENDING: usize = 2;
+/// Behind `with`: what else is a hole.
+const HOLLOW: [&str; 6] = ["hollow", "groove", "slot", "prohlub", "vyhloub", "drazk"];
+/// Words for what is taken away, without accents.
+const TAKEN: [&str; 7] = [
+    "subtracted",
+    "removed",
+    "odecte",
+    "odecita",
+    "odectena",
+    "odecteny",
+    "odectene",
+];
+/// Before a verb of taking away: that it is done to the object.
+const DONE: [&str; 9] = [
+    "what", "that", "which", "to", "se", "bude", "bylo", "byla", "je",
+];
+/// Behind a verb that may also mean what remains: that it is taken away.
+const AWAY: [&str; 4] = ["away", "out", "off", "from"];
 /// Beginnings of words for a difference, without accents; the first thing behind it is what remains.
 const DIFFERENCE: [&str; 2] = ["difference", "rozdil"];
 /// So many words are between a name and what is said of it at most.
@@ -54,9 +79,37 @@ const PARTICIPLE: [&str; 6] = ["ny", "na", "ne", "ty", "ta", "te"];
 /// Endings of instrumentals, without accents.
 const INSTRUMENTAL: [&str; 4] = ["i", "ou", "em", "y"];
 
+/// Whether a word is one for a hole.
+pub(super) fn is_hole(word: &str) -> bool {
+    let mut endings = NOTCH.iter().filter_map(|notch| word.strip_prefix(notch));
+    begins(word, &HOLE) || endings.any(|ending| ending.len() <= MAX_ENDING)
+}
+
+/// Whether a word of a comment on an operand says that the operand is taken away.
+pub(super) fn is_cut(said: &[String], at: usize) -> bool {
+    let word = said[at].as_str();
+    if TAKEN.contains(&word) {
+        return true;
+    }
+    let before = &said[at.saturating_sub(MAX_WORDS_BETWEEN)..at];
+    let is_done = before.iter().any(|w| DONE.contains(&w.as_str()));
+    let [english, czech] = &TAKING;
+    let behind = said.get(at + 1).map(String::as_str);
+    let is_away = behind.is_some_and(|w| AWAY.contains(&w));
+    match word {
+        // `the cut`, but not `cut ball`.
+        "cut" if at + 1 == said.len() && at < MAX_WORDS_BETWEEN => {
+            is_done || before.iter().all(|w| words::shapes(w).is_empty())
+        }
+        "cutter" | "cutout" => true,
+        _ if begins(word, czech.verbs) => is_done && !word.ends_with("ni"),
+        _ => is_done && is_away && begins(word, english.verbs),
+    }
+}
+
 /// Whether a comment on a difference says that its first operand is taken from the second one.
 pub(super) fn is_reverse(said: &[String], one: &Operand, two: &Operand) -> bool {
-    let is_hole = |w: &String| begins(w, &HOLE);
+    let is_hole = |w: &String| is_hole(w) || begins(w, &HOLLOW);
     // A shape that is cut out of something else than one shape may be of any kind.
     let is_with_hole = |at: usize| {
         let mut behind = said[at + 1..].iter().take(MAX_WORDS_BETWEEN + 1);
