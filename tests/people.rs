@@ -20,6 +20,7 @@ mod operands;
 mod order;
 mod pasted;
 mod rules;
+mod said;
 mod scenes;
 mod shell;
 mod slips;

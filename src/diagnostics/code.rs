@@ -169,6 +169,8 @@ codes! {
     W339 "normals-in-plane" of rule "normals_in_plane";
     W340 "swapped-difference" of rule "swapped_difference";
     W341 "bounds-by-size" of rule "bounds_by_size";
+    W342 "optics-by-comment" of rule "optics_by_comment";
+    W343 "standing-floor" of rule "standing_floor";
     N601 "not-utf8";
     N602 "no-camera" of rule "no_camera";
     N603 "no-light" of rule "no_light";

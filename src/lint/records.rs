@@ -1,6 +1,6 @@
 //! Queries that rules make of a file, following IDs from record to record.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::Context;
 use crate::diagnostics::{Applicability, Fix, Span};
@@ -33,6 +33,19 @@ impl<'a> Context<'a> {
     /// The IDs that a record refers to, without those that are 0.
     pub fn references(&self, record: &'a Record) -> impl Iterator<Item = u32> + use<'a> {
         names::references(self.document, record)
+    }
+
+    /// The IDs of the records that meet a condition, and of all that these are made of.
+    pub fn with_parts(&self, is: impl Fn(&Record) -> bool) -> FxHashSet<u32> {
+        let mut out = FxHashSet::default();
+        let records: Vec<&Record> = self.records().collect();
+        for record in records.into_iter().rev() {
+            if out.contains(&record.id) || is(record) {
+                out.insert(record.id);
+                out.extend(self.references(record));
+            }
+        }
+        out
     }
 
     /// An ID that is free: one above the largest of the file, if there is one.

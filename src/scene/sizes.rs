@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::record::Params;
 use crate::diagnostics::{Applicability, Edit, Fix};
-use crate::syntax::quote;
+use crate::syntax::{quote, words};
 
 /// Beginnings of words for a centre, without accents.
 const CENTRE: [&str; 3] = ["centr", "center", "stred"];
@@ -117,9 +117,71 @@ fn sum(a: f64, b: f64) -> String {
 /// Comments of more words without any number are about something else.
 const MAX_LABEL_WORDS: usize = 6;
 
-/// The first choice for bounds that may be bounds, where a comment speaks of a size, and of a centre or a corner: the numbers
-/// in it are those of the record, and not the place and the size of the bounds.
-pub(crate) fn by_comment(p: &Params, n: usize) -> Option<Fix> {
+/// Words for a box whose edges are equal, without accents.
+const CUBE: [&str; 2] = ["cube", "krychl"];
+
+/// The choices for bounds that may be bounds, where a comment speaks of a size.
+pub(crate) fn by_comment(p: &Params, n: usize) -> Vec<Fix> {
+    match by_name(p, n) {
+        Some(fix) => vec![fix],
+        None => by_size(p, n),
+    }
+}
+
+/// The choices where a comment gives the upper bounds as edges, as `2 x 2 x 2`, or says that all edges are equal, which the
+/// upper bounds are: the size of the bounds is another one.
+fn by_size(p: &Params, n: usize) -> Vec<Fix> {
+    let near = |a: f64, b: f64| (a - b).abs() <= SIZE_EPS;
+    let edge = |i: usize| p.number(i + n) - p.number(i);
+    let said = p.comments().find_map(|text| edges(text, n));
+    let is_cube = n == 3 && p.is_called(&CUBE);
+    let all_equal = |x: &dyn Fn(usize) -> f64| (1..n).all(|i| near(x(i), x(0)));
+    let upper = |i: usize| p.number(i + n);
+    let is_symmetric = |i: usize| p.number(i) == -p.number(i + n);
+    let is_meant = match said {
+        Some(said) => {
+            (0..n).all(|i| near(said[i], upper(i))) && !(0..n).all(|i| near(said[i], edge(i)))
+        }
+        // Edges of a cube that differ.
+        None => is_cube && all_equal(&upper) && !all_equal(&edge) && !(0..n).any(is_symmetric),
+    };
+    let mut fixes = match is_meant {
+        true => readings(p, 0, n).fixes,
+        false => Vec::new(),
+    };
+    if p.is_called(&CORNER) {
+        fixes.truncate(1);
+    }
+    fixes
+        .iter_mut()
+        .for_each(|fix| fix.applicability = Applicability::Choice);
+    fixes
+}
+
+/// Differences of sizes that decimals leave.
+const SIZE_EPS: f64 = 1e-9;
+
+/// The edges in a text as `2 x 2 x 2`.
+fn edges(text: &str, n: usize) -> Option<Vec<f64>> {
+    let is_part = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
+    let text = text.to_lowercase().replace(['×', '*', '·', 'х'], "x");
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let joined = words
+        .join(" ")
+        .replace(" x ", "x")
+        .replace(" x", "x")
+        .replace("x ", "x");
+    let all = joined.split_whitespace().map(|word| {
+        let parts = word.trim_matches(|c: char| !is_part(c)).split('x');
+        let numbers = parts.map(|part| part.trim_end_matches(',').replace(',', ".").parse().ok());
+        numbers.collect::<Option<Vec<f64>>>()
+    });
+    all.flatten().find(|numbers| numbers.len() == n && n > 1)
+}
+
+/// The choice where a comment speaks of a size, and of a centre or a corner: the numbers in it are those of the record, and
+/// not the place and the size of the bounds.
+fn by_name(p: &Params, n: usize) -> Option<Fix> {
     let kind = meant(p).filter(|_| p.is_called(&SIZE))?;
     if kind == Meant::Centre && !p.is_called(&CENTRE) {
         return None;
@@ -153,4 +215,55 @@ fn numbers(text: &str) -> impl Iterator<Item = f64> {
     let words = text.split(move |c: char| !is_part(c));
     let words = words.map(|word| word.trim_end_matches(['.', ',', '-']).replace(',', "."));
     words.filter_map(|word| word.parse().ok())
+}
+
+/// Beginnings of words for a radius and a diameter, without accents.
+const RADIUS: [&str; 3] = ["radius", "radii", "polomer"];
+const DIAMETER: [&str; 3] = ["diameter", "prumer", "across"];
+
+/// The choice for a sphere whose comment gives the radius that stands first, or as its diameter what stands as its radius;
+/// with the case of the finding.
+pub(crate) fn sphere_by_comment(p: &Params) -> Option<(&'static str, Fix)> {
+    let last = p.len().checked_sub(1)?;
+    let said = |any: &[&str]| p.comments().find_map(|text| number_of(text, any));
+    let radius = said(&RADIUS);
+    if p.is_called(&RADIUS) {
+        let is_first = last == 3 && radius? == p.number(0) && radius? != p.number(last);
+        let order = [1, 2, 3, 0].map(|i| p.text_of(i).to_owned());
+        let number = quote(&order.join(" "));
+        let edits = order
+            .into_iter()
+            .enumerate()
+            .filter(|(i, text)| p.text_of(*i) != text);
+        let edits = edits.map(|(i, text)| Edit {
+            span: p.span_of(i, 1),
+            text,
+        });
+        let fix = Fix::guess("fix-radius", edits.collect()).with("number", number);
+        return is_first.then_some(("radius", fix));
+    }
+    let diameter = said(&DIAMETER)?;
+    (diameter > 0.0 && diameter == p.number(last)).then(|| {
+        let text = sum(diameter / 2.0, 0.0);
+        let number = quote(&text);
+        let edits = vec![Edit {
+            span: p.span_of(last, 1),
+            text,
+        }];
+        (
+            "diameter",
+            Fix::guess("fix-diameter", edits).with("number", number),
+        )
+    })
+}
+
+/// The number that a text gives for a word: the first one behind it, or else the last one before it.
+fn number_of(text: &str, beginnings: &[&str]) -> Option<f64> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let at = words.iter().position(|word| words::has(word, beginnings))?;
+    let mut behind = words[at..].iter().flat_map(|word| numbers(word));
+    behind.next().or_else(|| {
+        let before = words[..at].iter().rev();
+        before.flat_map(|word| numbers(word)).next()
+    })
 }

@@ -102,12 +102,51 @@ const REVERSED: &[[&str; 3]] = &[
     ["", " # koule, která se odečte #", ""],
     ["", " # sphere, to be subtracted #", ""],
     ["", " # díra #", ""],
+    ["", " # kulatý výřez #", ""],
+    ["", " # co se odečte #", ""],
+    ["", " # co bude vyříznuto #", ""],
+    [" # block #", " # what is cut from it #", ""],
+    ["", " # what is taken away #", ""],
+    ["", " # the cut #", ""],
+    ["", "", " # block with a hollow #"],
+    ["", "", " # kvádr s dírou #"],
+    ["", "", " # kvádr se zářezem #"],
     [" # podstavec #", " # jamka #", " # podstavec bez jamky #"],
+];
+
+/// Comments of a difference that say the same in other words.
+const TAKEN_FROM: &[&str] = &[
+    "kvádr - koule",
+    "box – sphere",
+    "od kvádru odečtu kouli",
+    "z kvádru ubereme kouli",
+    "kouli odečteme od kvádru",
+    "koule vyříznutá z kvádru",
+    "koule, která se odečte od kvádru",
+    "odečtení koule od kvádru",
+    "rozdíl kvádru a koule",
+    "rozdíl mezi kvádrem a koulí",
+    "koulí vydlabaný kvádr",
+    "kvádr vydlabaný koulí",
+    "kvádr s odečtenou koulí",
+    "13 - 14",
+    "13-14",
+    "13 bez 14",
+    "13 minus 14",
+    "block - ball",
+    "subtract the ball from the block",
+    "ball cut out of the block",
+    "block with a ball taken away",
+    "block cut by a ball",
+    "ball removed from block",
+    "difference of block and ball",
 ];
 
 #[test]
 fn a_difference_that_a_comment_reverses() {
-    for comments in REVERSED {
+    let phrases: Vec<String> = TAKEN_FROM.iter().map(|s| format!(" # {s} #")).collect();
+    let phrases = phrases.iter().map(|said| ["", "", said.as_str()]);
+    for comments in &REVERSED.iter().copied().chain(phrases).collect::<Vec<_>>() {
         let text = cut(*comments, "14 13");
         let (finding, made) = guessed(&text, Code::W340);
         assert_eq!(made, [cut(*comments, "13 14")]);
@@ -190,11 +229,31 @@ fn a_difference_that_no_comment_reverses() {
         ["", "", " # without a box, the ball #"],
         ["", "", " # box and ball #"],
         ["", "", " # koule (kostka bez barvy) #"],
+        ["", "", " # koule - první, kvádr - druhý #"],
+        ["", "", " # koule – tu kvádr protíná #"],
+        ["", "", " # 14 - 13 #"],
+        ["", "", " # 13 - 24 #"],
+        ["", "", " # rozdíl koule a kvádru #"],
+        ["", "", " # kvádr odečtu od koule #"],
+        ["", "", " # koule, od které se odečte kvádr #"],
+        ["", "", " # koule vydlabaná kvádrem #"],
+        ["", "", " # koule a také kvádr #"],
+        ["", "", " # kvádr se také dotýká koule #"],
+        ["", "", " # subtract the block from the ball #"],
+        ["", "", " # ball with a block taken away #"],
+        ["", "", " # the block cuts the ball #"],
         ["", " # koule, od které se odečte kostka #", ""],
         ["", " # sphere with a hole #", ""],
         ["", " # subtract the cube from this #", ""],
         [" # díra #", " # díra v kouli #", ""],
         ["", " # díra v kouli #", ""],
+        ["", " # hollow ball #", ""],
+        ["", " # cut ball #", ""],
+        ["", " # the ball that is cut by the cube #", ""],
+        ["", " # vyřezaná koule #", ""],
+        ["", " # koule s výřezem #", ""],
+        ["", " # z ní se odečte díra #", ""],
+        ["", "", " # ball with a hollow #"],
         ["", " # odečtení #", ""],
         [" # díl #", " # důl #", " # důl bez dílu #"],
     ] {

@@ -39,6 +39,7 @@ mod not_a_rotation;
 mod notation_separator;
 mod nothing_in_view;
 mod nothing_lit;
+mod optics_by_comment;
 mod overlapping_union;
 mod overridden_property;
 mod pointless_index;
@@ -51,6 +52,7 @@ mod several_cameras;
 mod several_records_per_line;
 mod smaller_than_a_pixel;
 mod stale_operand;
+mod standing_floor;
 mod stereo_pair;
 mod surface_operand;
 mod swapped_difference;
@@ -86,8 +88,14 @@ const ROTATIONS: &[RecordKind] = &[R::Rotation];
 const INTERSECTIONS: &[RecordKind] = &[R::Intersection];
 const SOLID_OPERATIONS: &[RecordKind] = &[R::Intersection, R::Difference, R::Complement];
 const BOUNDS: &[RecordKind] = &[R::BoundingBox, R::BoundingSphere];
-/// Shapes by their bounds.
-const BOUNDED: &[RecordKind] = &[R::Shape(S::Box), R::Shape(S::Rectangle)];
+/// Shapes by their bounds or a radius.
+const SIZED: &[RecordKind] = &[
+    R::Shape(S::Box),
+    R::Shape(S::Rectangle),
+    R::Shape(S::Sphere),
+    R::Shape(S::SphereAtOrigin),
+];
+const RECTANGLES: &[RecordKind] = &[R::Shape(S::Rectangle)];
 const RENDER: &[RecordKind] = &[R::Render];
 const OPTICS: &[RecordKind] = &[R::Optics, R::OpticsRgb];
 const INDICES: &[RecordKind] = &[R::RefractiveIndex];
@@ -357,7 +365,7 @@ pub(super) const RULES: &[Rule] = &[
     Rule {
         code: Code::W341,
         check: bounds_by_size::check,
-        asks_for: &[BOUNDED],
+        asks_for: &[SIZED],
     },
     Rule {
         code: Code::W339,
@@ -368,6 +376,16 @@ pub(super) const RULES: &[Rule] = &[
         code: Code::W340,
         check: swapped_difference::check,
         asks_for: &[OPERATIONS],
+    },
+    Rule {
+        code: Code::W342,
+        check: optics_by_comment::check,
+        asks_for: &[RENDER],
+    },
+    Rule {
+        code: Code::W343,
+        check: standing_floor::check,
+        asks_for: &[RECTANGLES],
     },
     Rule {
         code: Code::S505,
@@ -393,6 +411,8 @@ pub(super) const OF_PICTURES: &[Code] = &[
     Code::W335,
     Code::W337,
     Code::W338,
+    Code::W342,
+    Code::W343,
     Code::N606,
     Code::N608,
 ];

@@ -1,7 +1,11 @@
 //! W340: a difference whose operands are in each other's place, or another operation that is a difference, by what
 //! comments say.
 
+mod phrases;
+
 use rustc_hash::{FxHashMap, FxHashSet};
+
+use phrases::{SIGN, is_cut, is_hole, is_reverse, is_without};
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
@@ -16,31 +20,13 @@ use crate::syntax::words::{self, plain};
 /// The cases of operations that are a difference by their comments.
 const UNION: &str = "union";
 const INTERSECTION: &str = "intersection";
-/// Between `cube` and what it is without: words as these.
-const WITHOUT: [&str; 4] = ["without", "minus", "less", "bez"];
-/// Between things of which only the first one is without something; the first word may be an article, too.
-const AND: [&str; 4] = ["a", "and", "i", "plus"];
-/// Before a hole: what has it.
-const WITH: [&str; 5] = ["with", "having", "s", "se", "ma"];
-/// Beginnings of words for a hole, without accents.
-const HOLE: [&str; 7] = ["hole", "dira", "diry", "dire", "dirou", "dirami", "otvor"];
-/// Words for what is taken away, without accents.
-const TAKEN: [&str; 6] = [
-    "subtracted",
-    "odecte",
-    "odecita",
-    "odectena",
-    "odecteny",
-    "odectene",
-];
 /// Before a hole or what is taken away: that it is something else.
-const OF_ANOTHER: [&str; 12] = [
-    "with", "having", "s", "in", "v", "ve", "for", "pro", "from", "od", "of", "not",
+const OF_ANOTHER: [&str; 16] = [
+    "with", "having", "s", "in", "into", "v", "ve", "do", "for", "pro", "from", "od", "z", "ze",
+    "of", "not",
 ];
 /// Behind a hole: that it is in this.
 const IN: [&str; 7] = ["in", "into", "through", "v", "ve", "do", "skrz"];
-/// So many words are between a name and what is said of it at most.
-const MAX_WORDS_BETWEEN: usize = 3;
 /// Words of a comment that are looked at.
 const MAX_COMMENT_WORDS: usize = 64;
 /// Comments on the records of one object that are looked at.
@@ -119,8 +105,7 @@ fn said<'c>(context: &'c Context) -> Vec<(Params<'c>, NodeId, &'static str)> {
         let is_tool = tools.contains(&i64::from(p.id));
         let own = p
             .comments()
-            .map(split)
-            .any(|said| is_reverse(&said, one, two));
+            .any(|said| is_reverse(&split_all(said, [one.id, two.id]), one, two));
         let case = match one.is_taken() && !two.is_taken() && !is_tool {
             _ if own => "",
             true => "taken",
@@ -169,8 +154,35 @@ fn split(comment: &str) -> Vec<String> {
     words.take(MAX_COMMENT_WORDS).collect()
 }
 
+/// The words of a comment without accents, its signs of subtraction, and the IDs of the operands where it has both.
+fn split_all(comment: &str, ids: [i64; 2]) -> Vec<String> {
+    let is_open = |c: Option<char>| c.is_none_or(|c| c.is_whitespace() || c.is_ascii_digit());
+    let mut before = None;
+    let mut chars = comment.chars().peekable();
+    let mut text = String::with_capacity(comment.len());
+    while let Some(c) = chars.next() {
+        match c {
+            '-' | '–' | '−' if is_open(before) && is_open(chars.peek().copied()) => {
+                text.extend([" ", SIGN, " "]);
+            }
+            c if c.is_alphanumeric() => text.push(c),
+            _ => text.push(' '),
+        }
+        before = Some(c);
+    }
+    let words = text.split_whitespace().map(|w| match w {
+        SIGN => w.to_owned(),
+        w => plain(w),
+    });
+    let mut words: Vec<String> = words.take(MAX_COMMENT_WORDS).collect();
+    let has_both = ids.iter().all(|id| words.contains(&id.to_string()));
+    words.retain(|w| has_both || !w.starts_with(|c: char| c.is_ascii_digit()));
+    words
+}
+
 /// An operand of a difference.
 struct Operand<'a> {
+    id: i64,
     /// The type of the shape that it is, or is cut out of.
     ty: Option<&'static RecordType>,
     is_complement: bool,
@@ -195,6 +207,7 @@ fn operand<'a>(
     };
     let own = u32::try_from(id).ok().and_then(|id| comments.get(&id));
     Operand {
+        id,
         ty,
         is_complement,
         comments: own.into_iter().flatten().map(Vec::as_slice).collect(),
@@ -204,6 +217,9 @@ fn operand<'a>(
 impl Operand<'_> {
     /// Whether a word names the operand: its shape or, if the word is no shape, what a comment calls it.
     fn is_called(&self, word: &str) -> bool {
+        if let Ok(id) = word.parse::<i64>() {
+            return id == self.id;
+        }
         let shapes = words::shapes(word);
         match shapes.is_empty() {
             false => self
@@ -219,9 +235,8 @@ impl Operand<'_> {
     /// Whether a comment says that it is a hole or is taken away.
     fn is_taken(&self) -> bool {
         self.comments.iter().any(|said| {
-            let is_hole = |w: &String| begins(w, &HOLE);
-            let is_taken = |w: &String| is_hole(w) || TAKEN.contains(&w.as_str());
-            let Some(at) = said.iter().position(is_taken) else {
+            let is_taken = |&at: &usize| is_hole(&said[at]) || is_cut(said, at);
+            let Some(at) = (0..said.len()).find(is_taken) else {
                 return false;
             };
             let has =
@@ -232,51 +247,6 @@ impl Operand<'_> {
             !is_another && !said.iter().any(is_other)
         })
     }
-}
-
-/// Whether a comment on a difference says that its first operand is taken from the second one.
-fn is_reverse(said: &[String], one: &Operand, two: &Operand) -> bool {
-    let is_hole = |w: &String| begins(w, &HOLE);
-    // A shape that is cut out of something else than one shape may be of any kind.
-    let is_with_hole = |at: usize| {
-        let mut behind = said[at + 1..].iter().take(MAX_WORDS_BETWEEN + 1);
-        one.ty.is_some()
-            && WITH.contains(&said[at].as_str())
-            && behind.any(is_hole)
-            && named_before(said, at, two, one).is_some()
-    };
-    is_without(said, two, one) || (1..said.len()).any(is_with_hole)
-}
-
-/// Whether a comment says that one operand is there without another one.
-fn is_without(said: &[String], whole: &Operand, taken: &Operand) -> bool {
-    (1..said.len())
-        .filter(|&at| WITHOUT.contains(&said[at].as_str()))
-        .any(|at| {
-            let mut behind = said[at + 1..].iter().take(MAX_WORDS_BETWEEN + 1);
-            let first = behind.next().into_iter();
-            let behind = behind.take_while(|w| !AND.contains(&w.as_str()));
-            let named = first.chain(behind).find(|w| is_name(w, whole, taken));
-            named.is_some_and(|w| taken.is_called(w) && !whole.is_called(w))
-                && named_before(said, at, whole, taken).is_some_and(|what| what.len() > 1)
-        })
-}
-
-/// The nearest name before a place in a comment, if it is that of the first operand alone.
-fn named_before<'s>(
-    said: &'s [String],
-    at: usize,
-    first: &Operand,
-    second: &Operand,
-) -> Option<&'s String> {
-    let mut before = said[..at].iter().rev().take(MAX_WORDS_BETWEEN + 1);
-    let name = before.find(|w| is_name(w, first, second))?;
-    (first.is_called(name) && !second.is_called(name)).then_some(name)
-}
-
-/// Whether a word is a name of a shape, or of one of two operands.
-fn is_name(word: &str, one: &Operand, two: &Operand) -> bool {
-    !words::shapes(word).is_empty() || one.is_called(word) || two.is_called(word)
 }
 
 fn begins(word: &str, beginnings: &[&str]) -> bool {

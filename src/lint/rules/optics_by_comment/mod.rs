@@ -1,0 +1,190 @@
+//! W342: an object that a comment calls a mirror or glass, whose optics (-201) are none, or that has none.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::lint::Context;
+use crate::scene::record::Params;
+use crate::syntax::table::{Family, RecordKind};
+use crate::syntax::words::{self, plain};
+use crate::syntax::{Record, quote};
+
+/// A kind of optics by the words for it, without accents.
+struct Look {
+    /// Words behind which the object is named, or nothing.
+    nouns: &'static [&'static str],
+    /// Beginnings of adjectives.
+    adjectives: &'static [&'static str],
+    /// The part of the light that is the greatest one: its place in the record.
+    part: usize,
+    /// The cases: the optics are others, and there are none.
+    cases: [&'static str; 2],
+    /// Records that give it.
+    lines: &'static [&'static str],
+}
+
+const LOOKS: [Look; 2] = [
+    Look {
+        nouns: &["mirror", "zrcadlo"],
+        adjectives: &["zrcadlov", "zrcadlic"],
+        part: 1,
+        cases: ["", "none"],
+        lines: &["-201 0.1 0.85 0"],
+    },
+    Look {
+        nouns: &["glass", "sklo"],
+        adjectives: &["sklenen"],
+        part: 2,
+        cases: ["glass", "glass-none"],
+        lines: &["-201 0.05 0.1 0.85", "-203 1.5 1.5 1.5"],
+    },
+];
+
+/// Comments of more words are about something else.
+const MAX_COMMENT_WORDS: usize = 5;
+/// Words by which a comment speaks of something beside a mirror or glass, without accents.
+const BESIDE: [&str; 27] = [
+    "in", "on", "under", "behind", "for", "of", "with", "without", "and", "or", "not", "no",
+    "looking", "like", "v", "ve", "na", "pod", "za", "u", "pro", "bez", "s", "se", "nebo", "neni",
+    "jako",
+];
+/// Optics have a part from here on, and lack one up to here.
+const LEAST_PART: f64 = 0.5;
+const MAX_LACKED_PART: f64 = 0.1;
+/// The parts of a colour that may be optics add up to 1, but for rounding.
+const SUM_EPS: f64 = 1e-9;
+
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    if !context.document.contents.comments {
+        return;
+    }
+    let mut called: Vec<(&Record, &Look)> = Vec::new();
+    let mut told: FxHashSet<u32> = FxHashSet::default();
+    let mut optics: FxHashMap<u32, Vec<&Record>> = FxHashMap::default();
+    let mut colours: FxHashMap<u32, Vec<&Record>> = FxHashMap::default();
+    for record in context.records() {
+        let is_optics = gives_optics(record);
+        match record.kind {
+            RecordKind::Colour => colours.entry(record.id).or_default().push(record),
+            _ if is_optics => optics.entry(record.id).or_default().push(record),
+            _ => {}
+        }
+        let is_solid =
+            record.ty().family == Family::Shape || super::OPERATIONS.contains(&record.kind);
+        if !is_solid && !super::OPTICS.contains(&record.kind) {
+            continue;
+        }
+        let p = context.record_params(record);
+        let look = p.comments().find_map(|text| look(text, &p));
+        if let Some(look) = look
+            && told.insert(record.id)
+        {
+            called.push((record, look));
+        }
+    }
+    if called.is_empty() {
+        return;
+    }
+    let given = context.with_parts(gives_optics);
+    for (record, look) in called {
+        match optics.get(&record.id).map(Vec::as_slice) {
+            Some(&[only]) if only.kind == RecordKind::Optics => {
+                out.extend(other(&context.record_params(only), look));
+            }
+            None if record.ty().family == Family::Shape && !given.contains(&record.id) => {
+                let colour = match colours.get(&record.id).map(Vec::as_slice) {
+                    Some(&[only]) => Some(context.record_params(only)),
+                    _ => None,
+                };
+                out.push(none(context, record, colour.as_ref(), look));
+            }
+            _ => {}
+        }
+    }
+}
+
+fn gives_optics(record: &Record) -> bool {
+    super::OPTICS.contains(&record.kind) || record.kind == RecordKind::Assignment
+}
+
+/// What a comment calls the object of a record.
+fn look(comment: &str, p: &Params) -> Option<&'static Look> {
+    let words = comment.split(|c: char| !c.is_alphabetic());
+    let words = words.filter(|w| !w.is_empty()).map(plain);
+    let words: Vec<String> = words.take(MAX_COMMENT_WORDS + 1).collect();
+    let is_beside = |w: &String| BESIDE.contains(&w.as_str());
+    let is_shape = |w: &String| {
+        let shapes = words::shapes(w);
+        (!shapes.is_empty()).then(|| shapes.iter().any(|s| s.code == p.ty.code))
+    };
+    if words.len() > MAX_COMMENT_WORDS || words.iter().any(is_beside) {
+        return None;
+    }
+    if p.ty.family == Family::Shape && words.iter().filter_map(is_shape).any(|is_own| !is_own) {
+        return None;
+    }
+    let is_called = |look: &Look| {
+        (0..words.len()).any(|i| {
+            let word = words[i].as_str();
+            let names = || words.get(i + 1).is_none_or(|next| is_shape(next).is_some());
+            look.adjectives.iter().any(|a| word.starts_with(a))
+                || look.nouns.contains(&word) && names()
+        })
+    };
+    match [is_called(&LOOKS[0]), is_called(&LOOKS[1])] {
+        [true, false] => Some(&LOOKS[0]),
+        [false, true] => Some(&LOOKS[1]),
+        _ => None,
+    }
+}
+
+/// The finding about optics whose greatest part is another one.
+fn other(p: &Params, look: &Look) -> Option<Diagnostic> {
+    let greatest = (0..3).max_by(|&i, &j| p.number(i).total_cmp(&p.number(j)))?;
+    if p.number(greatest) < LEAST_PART || p.number(look.part) > MAX_LACKED_PART {
+        return None;
+    }
+    let mut texts = [0, 1, 2].map(|i| p.text_of(i).to_owned());
+    texts.swap(greatest, look.part);
+    let mut places = [greatest, look.part];
+    places.sort_unstable();
+    let edits = places.map(|i| Edit {
+        span: p.span_of(i, 1),
+        text: texts[i].clone(),
+    });
+    let fix = Fix::guess("fix", edits.into()).with("number", quote(&texts.join(" ")));
+    let d = Diagnostic::new(Code::W342, p.span_of(0, 3)).case(look.cases[0]);
+    Some(d.with("id", p.id.to_string()).fix(fix))
+}
+
+/// The finding about a shape without optics.
+fn none(context: &Context, record: &Record, colour: Option<&Params>, look: &Look) -> Diagnostic {
+    let span = context.document.span(record.first, record.last);
+    let d = Diagnostic::new(Code::W342, span)
+        .case(look.cases[1])
+        .with("id", record.id.to_string());
+    let is_parts = |p: &&Params| {
+        let parts: [f64; 3] = p.numbers(0);
+        p.len() == 3
+            && (parts.iter().sum::<f64>() - 1.0).abs() <= SUM_EPS
+            && parts[look.part] >= LEAST_PART
+    };
+    let code = "-201";
+    let typed = colour.filter(is_parts).map(|p| {
+        let fix = Fix::replace(
+            "fix-type",
+            Applicability::Choice,
+            p.type_span(),
+            code.to_owned(),
+        );
+        fix.with("number", quote(code))
+    });
+    let lines: Vec<String> = look
+        .lines
+        .iter()
+        .map(|l| format!("{} {l}", record.id))
+        .collect();
+    let added = context.add_behind(span, "fix", Applicability::Choice, &lines);
+    let added = added.with("line", lines.join(", "));
+    typed.into_iter().chain([added]).fold(d, Diagnostic::fix)
+}

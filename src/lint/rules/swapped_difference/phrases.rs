@@ -1,0 +1,225 @@
+//! How comments say which of two operands is taken from the other one.
+
+use super::{Operand, begins};
+use crate::syntax::words;
+
+/// The sign of a subtraction among the words of a comment.
+pub(super) const SIGN: &str = "-";
+/// Between `cube` and what it is without: words as these.
+const WITHOUT: [&str; 5] = ["without", "minus", "less", "bez", SIGN];
+/// Between things of which only the first one is without something; the first word may be an article, too.
+const AND: [&str; 4] = ["a", "and", "i", "plus"];
+/// Before a hole: what has it.
+const WITH: [&str; 5] = ["with", "having", "s", "se", "ma"];
+/// Beginnings of words for a hole, without accents.
+const HOLE: [&str; 14] = [
+    "hole", "cavity", "cavities", "dira", "diry", "dire", "dirou", "dirami", "dera", "dery",
+    "deru", "derou", "dutin", "otvor",
+];
+/// Words for a hole by themselves, without accents; a participle that begins so is longer.
+const NOTCH: [&str; 5] = ["notch", "recess", "dent", "vyrez", "zarez"];
+/// The longest ending of such a word.
+const MAX_ENDING: usize = 2;
+/// Behind `with`: what else is a hole.
+const HOLLOW: [&str; 6] = ["hollow", "groove", "slot", "prohlub", "vyhloub", "drazk"];
+/// Words for what is taken away, without accents.
+const TAKEN: [&str; 7] = [
+    "subtracted",
+    "removed",
+    "odecte",
+    "odecita",
+    "odectena",
+    "odecteny",
+    "odectene",
+];
+/// Before a verb of taking away: that it is done to the object.
+const DONE: [&str; 9] = [
+    "what", "that", "which", "to", "se", "bude", "bylo", "byla", "je",
+];
+/// Behind a verb that may also mean what remains: that it is taken away.
+const AWAY: [&str; 4] = ["away", "out", "off", "from"];
+/// Beginnings of words for a difference, without accents; the first thing behind it is what remains.
+const DIFFERENCE: [&str; 2] = ["difference", "rozdil"];
+/// So many words are between a name and what is said of it at most.
+const MAX_WORDS_BETWEEN: usize = 3;
+
+/// Words of one language for taking away, without accents.
+struct Taking {
+    /// Beginnings of the verbs.
+    verbs: &'static [&'static str],
+    /// Before what remains.
+    from: &'static [&'static str],
+    /// Behind a participle and before what is taken.
+    by: &'static [&'static str],
+    /// Between what remains and what is taken.
+    with: &'static [&'static str],
+}
+
+const TAKING: [Taking; 2] = [
+    Taking {
+        verbs: &[
+            "subtract", "remov", "cut", "carv", "drill", "scoop", "take", "taking", "took",
+        ],
+        from: &["from", "of"],
+        by: &["by", "with"],
+        with: &["with", "having"],
+    },
+    Taking {
+        verbs: &[
+            "odect", "odecit", "odecet", "ubra", "uber", "ubir", "odebr", "odeber", "odebir",
+            "odstran", "vyriz", "vyrez", "vydlab", "vyvrt", "vyhloub", "vykroj", "odriz", "odrez",
+        ],
+        from: &["od", "z", "ze"],
+        by: &[],
+        with: &["s", "se"],
+    },
+];
+/// Endings of participles, without accents.
+const PARTICIPLE: [&str; 6] = ["ny", "na", "ne", "ty", "ta", "te"];
+/// Endings of instrumentals, without accents.
+const INSTRUMENTAL: [&str; 4] = ["i", "ou", "em", "y"];
+
+/// Whether a word is one for a hole.
+pub(super) fn is_hole(word: &str) -> bool {
+    let mut endings = NOTCH.iter().filter_map(|notch| word.strip_prefix(notch));
+    begins(word, &HOLE) || endings.any(|ending| ending.len() <= MAX_ENDING)
+}
+
+/// Whether a word of a comment on an operand says that the operand is taken away.
+pub(super) fn is_cut(said: &[String], at: usize) -> bool {
+    let word = said[at].as_str();
+    if TAKEN.contains(&word) {
+        return true;
+    }
+    let before = &said[at.saturating_sub(MAX_WORDS_BETWEEN)..at];
+    let is_done = before.iter().any(|w| DONE.contains(&w.as_str()));
+    let [english, czech] = &TAKING;
+    let behind = said.get(at + 1).map(String::as_str);
+    let is_away = behind.is_some_and(|w| AWAY.contains(&w));
+    match word {
+        // `the cut`, but not `cut ball`.
+        "cut" if at + 1 == said.len() && at < MAX_WORDS_BETWEEN => {
+            is_done || before.iter().all(|w| words::shapes(w).is_empty())
+        }
+        "cutter" | "cutout" => true,
+        _ if begins(word, czech.verbs) => is_done && !word.ends_with("ni"),
+        _ => is_done && is_away && begins(word, english.verbs),
+    }
+}
+
+/// Whether a comment on a difference says that its first operand is taken from the second one.
+pub(super) fn is_reverse(said: &[String], one: &Operand, two: &Operand) -> bool {
+    let is_hole = |w: &String| is_hole(w) || begins(w, &HOLLOW);
+    // A shape that is cut out of something else than one shape may be of any kind.
+    let is_with_hole = |at: usize| {
+        let mut behind = said[at + 1..].iter().take(MAX_WORDS_BETWEEN + 1);
+        one.ty.is_some()
+            && WITH.contains(&said[at].as_str())
+            && behind.any(is_hole)
+            && named_before(said, at, two, one).is_some()
+    };
+    is_without(said, two, one)
+        || (1..said.len()).any(is_with_hole)
+        || is_taken_from(said, two, one) && !is_taken_from(said, one, two)
+}
+
+/// Whether a comment says that one operand is there without another one.
+pub(super) fn is_without(said: &[String], whole: &Operand, taken: &Operand) -> bool {
+    (1..said.len())
+        .filter(|&at| WITHOUT.contains(&said[at].as_str()))
+        .any(|at| {
+            // A dash between other words joins sentences.
+            let between = match said[at] == SIGN {
+                true => 0,
+                false => MAX_WORDS_BETWEEN,
+            };
+            let mut behind = said[at + 1..].iter().take(between + 1);
+            let first = behind.next().into_iter();
+            let behind = behind.take_while(|w| !AND.contains(&w.as_str()));
+            let named = first.chain(behind).find(|w| is_name(w, whole, taken));
+            let before = &said[at.saturating_sub(between + 1)..at];
+            named.is_some_and(|w| taken.is_called(w) && !whole.is_called(w))
+                && named_before(before, before.len(), whole, taken)
+                    .is_some_and(|what| what.len() > 1 || is_number(what))
+        })
+}
+
+/// Whether a comment that names nothing but two operands says that one is taken from the other, or calls them a
+/// difference in that order.
+fn is_taken_from(said: &[String], whole: &Operand, taken: &Operand) -> bool {
+    let is = |o: &Operand, other: &Operand, w: &str| o.is_called(w) && !other.is_called(w);
+    let is_whole = |w: &String| is(whole, taken, w);
+    let is_taken = |w: &String| is(taken, whole, w);
+    let names: Vec<usize> = (0..said.len())
+        .filter(|&i| is_name(&said[i], whole, taken))
+        .collect();
+    let &[first, last] = &names[..] else {
+        return false;
+    };
+    let order = [is_whole(&said[first]), is_taken(&said[last])];
+    let (is_in_order, is_against) = (
+        order == [true; 2],
+        is_taken(&said[first]) && is_whole(&said[last]),
+    );
+    if !is_in_order && !is_against {
+        return false;
+    }
+    let is_difference = |w: &String| begins(w, &DIFFERENCE);
+    if is_in_order && said[..first].iter().any(is_difference) {
+        return true;
+    }
+    let remains = if is_in_order { first } else { last };
+    TAKING.iter().any(|taking| {
+        let is_verb = |w: &String| begins(w, taking.verbs);
+        let Some(verb) = said.iter().position(is_verb) else {
+            return false;
+        };
+        let reach = remains.saturating_sub(MAX_WORDS_BETWEEN + 1)..remains;
+        // `koule, od které se odečte kostka` takes the cube.
+        let from = said[reach].iter().rev().take_while(|w| !is_verb(w));
+        if from.into_iter().any(|w| taking.from.contains(&w.as_str())) {
+            return true;
+        }
+        let between = first < verb && verb < last;
+        let is_by = |w: &String| taking.by.contains(&w.as_str());
+        let is_participle = PARTICIPLE.iter().any(|end| said[verb].ends_with(end));
+        let is_instrumental = |i: usize| INSTRUMENTAL.iter().any(|end| said[i].ends_with(end));
+        let has_from = said.iter().any(|w| taking.from.contains(&w.as_str()));
+        match is_in_order {
+            // `block with a ball taken away`, `block cut by a ball`, `kvádr s odečtenou koulí`.
+            true => {
+                let behind = &said[first + 1..last];
+                let is_with = |w: &String| taking.with.contains(&w.as_str());
+                !has_from
+                    && (behind.iter().any(is_with) && verb > first
+                        || between && said[verb..last].iter().any(is_by)
+                        || between && is_participle && is_instrumental(last))
+            }
+            // `koulí vydlabaný kvádr`.
+            false => {
+                !has_from && between && is_participle && first + 1 == verb && is_instrumental(first)
+            }
+        }
+    })
+}
+
+/// The nearest name before a place in a comment, if it is that of the first operand alone.
+fn named_before<'s>(
+    said: &'s [String],
+    at: usize,
+    first: &Operand,
+    second: &Operand,
+) -> Option<&'s String> {
+    let mut before = said[..at].iter().rev().take(MAX_WORDS_BETWEEN + 1);
+    let name = before.find(|w| is_name(w, first, second))?;
+    (first.is_called(name) && !second.is_called(name)).then_some(name)
+}
+
+/// Whether a word is a name of a shape, or of one of two operands.
+fn is_name(word: &str, one: &Operand, two: &Operand) -> bool {
+    !words::shapes(word).is_empty() || one.is_called(word) || two.is_called(word)
+}
+
+fn is_number(word: &str) -> bool {
+    word.starts_with(|c: char| c.is_ascii_digit())
+}
