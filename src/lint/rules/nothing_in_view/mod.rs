@@ -145,7 +145,7 @@ fn turned(
     [swapped, fixes].concat()
 }
 
-/// The fixes with those that give one coordinate of the place the other sign, where the camera sees something then: first
+/// The fixes with those that give one coordinate of the place the other sign, where the camera sees something then: second
 /// where it then looks at the middle, last otherwise.
 fn with_other_places(
     context: &Context,
@@ -177,11 +177,7 @@ fn with_other_places(
         let fix = fix.with("axis", ["x", "y", "z"][axis]);
         let way = unit(sub(middle, there.position)).zip(unit(there.direction));
         if way.is_some_and(|(a, b)| dot(a, b) >= AIMED_AT_MIDDLE) {
-            // The place and the direction are as likely.
-            fixes
-                .iter_mut()
-                .for_each(|f| f.applicability = Applicability::Choice);
-            fixes.insert(0, fix);
+            fixes.insert(fixes.len().min(1), fix);
         } else {
             fixes.push(fix);
         }
