@@ -5,6 +5,7 @@ mod agreement;
 mod blocks;
 mod called;
 mod commas;
+mod doubted;
 mod eyes;
 mod forgotten;
 mod guesses;

@@ -67,6 +67,9 @@ impl From<&Path> for Value {
     }
 }
 
+/// The note of a finding that a number with a leading zero explains.
+pub const EXPLAINED: &str = "leading-zero";
+
 /// The texts of a finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wording {
@@ -103,7 +106,8 @@ impl Diagnostic {
             notes: (own("note").into_iter())
                 .chain(self.notes.iter().map(|n| speaker.phrase(n)))
                 .collect(),
-            help: own("help"),
+            // What a number explains asks for nothing else.
+            help: own("help").filter(|_| !self.notes.contains(&EXPLAINED)),
             fixes: (self.fixes.iter())
                 .map(|f| match f.values.is_empty() {
                     true => speaker.phrase(f.title),

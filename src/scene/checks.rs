@@ -1,5 +1,6 @@
 //! Checks of a record that concern several parameters at once.
 
+use super::misread::{Misread, misread};
 use super::record::Params;
 use super::sizes::{Readings, readings};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
@@ -84,7 +85,12 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
         out.push(inverted_range(p, &inverted, n));
         return None;
     }
+    // A corner or a centre says enough.
+    let other = (sizes.is_empty() && !is_sorted).then(|| misread(p, first, n));
+    let is_doubted = (other.as_ref())
+        .is_some_and(|m| m.equal.is_some() || !m.points.is_empty() || !m.signs.is_empty());
     let proposed = match (in_turn, is_sorted) {
+        _ if is_doubted => fix("fix", &swapped, Applicability::Choice),
         _ if said => fix("fix", &swapped, Applicability::Choice),
         (_, true) => fix("fix-order", &sorted, Applicability::Unsafe),
         (true, false) if !sizes.is_empty() => fix("fix", &swapped, Applicability::Choice),
@@ -93,7 +99,7 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
         (false, false) => fix("fix", &swapped, Applicability::Safe),
     };
     out.push(inverted_range(p, &inverted, n).fix(proposed));
-    let other =
+    let in_order =
         (!said && in_turn && !is_sorted).then(|| fix("fix-order", &sorted, Applicability::Choice));
     let fixes = &mut out.last_mut()?.fixes;
     match in_turn || said {
@@ -101,7 +107,16 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
         true => drop(fixes.splice(0..0, sizes)),
         false => fixes.extend(sizes),
     }
-    fixes.extend(other);
+    fixes.extend(in_order);
+    if let Some(Misread {
+        equal,
+        points,
+        signs,
+    }) = other
+    {
+        fixes.splice(0..0, equal.into_iter().chain(points));
+        fixes.extend(signs);
+    }
     None
 }
 

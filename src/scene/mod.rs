@@ -15,6 +15,7 @@ mod entity;
 pub mod geometry;
 pub(crate) mod image_file;
 mod matrices;
+mod misread;
 pub mod model;
 pub mod names;
 mod proposals;

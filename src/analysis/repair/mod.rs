@@ -15,6 +15,7 @@ mod heads;
 mod in_comments;
 mod judge;
 mod lamp_operand;
+mod leading_zeros;
 mod missing;
 mod retell;
 mod slashes;
@@ -58,6 +59,7 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
         postponed: None,
     };
     if analysis.is_records() && engine.findings.iter().any(is_tried) {
+        engine.leading_zeros();
         heads::retell(engine.analysis, &mut engine.findings);
         in_comments::retell(engine.analysis, &mut engine.findings);
         engine.switched_off();
@@ -77,7 +79,7 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
 
 /// Whether something may be proposed for a finding that has to be tried.
 pub fn is_tried(d: &Diagnostic) -> bool {
-    d.is_error() || d.code == Code::W319
+    d.is_error() || matches!(d.code, Code::W319 | Code::S505)
 }
 
 /// Whether it is proved that nothing of the scene is drawn.
@@ -237,6 +239,8 @@ impl Engine<'_> {
             let finding = &self.findings[at];
             let done = mended.is_some_and(|line| line.touches(finding.span));
             let settled = has_safe_fix(finding)
+                || finding.code == Code::S505
+                || leading_zeros::is_told(finding)
                 || whole::is_of_many(finding)
                 || in_comments::is_told(finding)
                 || switched_off::is_told(finding)
@@ -524,6 +528,12 @@ impl Engine<'_> {
             c.habit != Habit::Comment || comments == 1
         });
         let best: Vec<&Candidate> = best.take(PROPOSALS).collect();
+        // What is cut from may be no hole, or the hole has a length too large.
+        let is_doubted = finding.code == Code::W319
+            && (place.cuts_what_is_no_hole()
+                || best
+                    .iter()
+                    .any(|c| c.fix.title == candidates::smaller::TITLE));
         let finding = &mut self.findings[at];
         retell::retell(finding, &best, place);
         if is_open || places > 1 {
@@ -534,7 +544,7 @@ impl Engine<'_> {
         if is_lost {
             finding.notes.push("lost");
         }
-        if is_open || places > 1 || is_hidden || is_lost || is_either {
+        if is_open || places > 1 || is_hidden || is_lost || is_either || is_doubted {
             (finding.fixes.iter_mut()).for_each(|f| f.applicability = Applicability::Choice);
         }
         true

@@ -57,6 +57,7 @@ mod stereo_pair;
 mod surface_operand;
 mod swapped_difference;
 mod too_bright;
+mod turned_about_origin;
 mod unseen_glass;
 mod unseen_texture;
 pub(super) mod unused_definition;
@@ -85,6 +86,7 @@ const UNIONS: &[RecordKind] = &[R::Union];
 const DOUBLED: &[RecordKind] = &[R::Union, R::Intersection, R::Checkerboard, R::PointLight];
 const DIFFERENCES: &[RecordKind] = &[R::Difference];
 const ROTATIONS: &[RecordKind] = &[R::Rotation];
+const TRANSLATIONS: &[RecordKind] = &[R::Translation];
 const INTERSECTIONS: &[RecordKind] = &[R::Intersection];
 const SOLID_OPERATIONS: &[RecordKind] = &[R::Intersection, R::Difference, R::Complement];
 const BOUNDS: &[RecordKind] = &[R::BoundingBox, R::BoundingSphere];
@@ -316,6 +318,11 @@ pub(super) const RULES: &[Rule] = &[
         code: Code::N608,
         check: beside_picture::check,
         asks_for: &[CAMERA_RECORDS, RENDER, UNIONS],
+    },
+    Rule {
+        code: Code::N609,
+        check: turned_about_origin::check,
+        asks_for: &[TRANSLATIONS, ROTATIONS],
     },
     Rule {
         code: Code::S501,

@@ -26,6 +26,7 @@ mod references;
 mod rotations;
 mod settings;
 mod sizes;
+pub(super) mod smaller;
 mod solids;
 mod types;
 
@@ -343,6 +344,7 @@ impl<'a> LineContext<'a> {
             out.extend(self.type_before_zero(finding));
             self.one_too_few(finding, &mut out);
         } else if finding.code == Code::W319 {
+            out.extend(self.smaller_cut());
             self.swapped(&mut out);
         }
         let is_keyword = |c: &Candidate| matches!(c.habit, Habit::Keyword | Habit::Unnamed);

@@ -14,26 +14,22 @@ W335-half-space = { W335 }
     .label = { W335.label }
     .solid = { W335.solid }
     .help = posuňte ho ven, nebo opravte poloprostor: jeho vnitřek je ax + by + cz + d ≤ 0
-    .fix-lay = položit podlahu kolmo k ose y: napsat { $number }
     .fix-move = { W325-half-space.fix-move }
 W335-half-space-several = { W335-several }
     .label = { W335-several.label }
     .solid = { W335.solid }
     .help = vnitřek poloprostoru je ax + by + cz + d ≤ 0: zkontrolujte jeho normálu a znaménko d
-    .fix-lay = { W335-half-space.fix-lay }
     .fix-move = { W335-half-space.fix-move }
 W335-half-space-order = { W335 }
     .label = { W335.label }
     .solid = { W335.solid }
     .help = rotace otáčí kolem počátku i to, co už je posunuté: otočte objekt dřív, než se posune
     .fix-order = prohodit oba řádky: nejdřív otočit, potom posunout
-    .fix-lay = { W335-half-space.fix-lay }
     .fix-move = { W335-half-space.fix-move }
 W335-plane = { $object } { $object-id } není z žádné kamery vidět: v cestě je rovina { $solid-id }
     .label = { W335.label }
     .solid = kamery jsou na jedné straně této roviny, objekt na druhé
     .help = posuňte rovinu nebo objekt: rovina je tam, kde ax + by + cz + d = 0
-    .fix-lay = { W335-half-space.fix-lay }
     .fix-move = { W335-half-space.fix-move }
 W335-plane-several = { $count ->
     [one] { $count } objekt není
@@ -43,5 +39,4 @@ W335-plane-several = { $count ->
     .label = { W335-several.label }
     .solid = kamery jsou na jedné straně této roviny, objekty na druhé
     .help = rovina je tam, kde ax + by + cz + d = 0: zkontrolujte její normálu a znaménko d
-    .fix-lay = { W335-half-space.fix-lay }
     .fix-move = { W335-half-space.fix-move }

@@ -13,26 +13,22 @@ W335-half-space = { W335 }
     .label = { W335.label }
     .solid = { W335.solid }
     .help = move the { $object } out of it, or mend the half-space: its inside is ax + by + cz + d ≤ 0
-    .fix-lay = lay the floor across the y axis: write { $number }
     .fix-move = { W325-half-space.fix-move }
 W335-half-space-several = { W335-several }
     .label = { W335-several.label }
     .solid = { W335.solid }
     .help = the inside of a half-space is ax + by + cz + d ≤ 0: look at its normal and at the sign of d
-    .fix-lay = { W335-half-space.fix-lay }
     .fix-move = { W335-half-space.fix-move }
 W335-half-space-order = { W335 }
     .label = { W335.label }
     .solid = { W335.solid }
     .help = a rotation turns about the origin, and what has been moved with it: turn the { $object } before it is moved
     .fix-order = swap the two lines: turn it first, then move it
-    .fix-lay = { W335-half-space.fix-lay }
     .fix-move = { W335-half-space.fix-move }
 W335-plane = no camera sees the { $object } { $object-id }: the plane { $solid-id } lies between them
     .label = { W335.label }
     .solid = the cameras are on one side of this, the { $object } is on the other
     .help = move the plane or the { $object }: the plane is where ax + by + cz + d = 0
-    .fix-lay = { W335-half-space.fix-lay }
     .fix-move = { W335-half-space.fix-move }
 W335-plane-several = { $count ->
     [one] one object is
@@ -41,5 +37,4 @@ W335-plane-several = { $count ->
     .label = { W335-several.label }
     .solid = the cameras are on one side of this, the objects are on the other
     .help = a plane is where ax + by + cz + d = 0: look at its normal and at the sign of d
-    .fix-lay = { W335-half-space.fix-lay }
     .fix-move = { W335-half-space.fix-move }

@@ -13,7 +13,7 @@ use crate::solids::Named;
 use crate::solids::shapes::facts::Facts;
 use crate::syntax::Record;
 use crate::syntax::quote;
-use crate::syntax::table::{Family, RecordKind};
+use crate::syntax::table::{Family, RecordKind, ShapeKind};
 use crate::trace::plan::unseen::sides::{Sides, placed};
 
 /// Beginnings of words for what things stand on, without accents.
@@ -45,11 +45,7 @@ pub(super) fn mended(
         case = order.is_some().then_some("half-space-order");
         fixes.extend(order);
     }
-    let frees = |then: [f64; 4]| {
-        let cameras = chosen_cameras(context).into_iter().map(|(c, _)| c.position);
-        let lamps = scene.point_lights.iter().map(|l| l.position);
-        !sides.buries(then) && !cameras.chain(lamps).any(|place| sides.holds(then, place))
-    };
+    let frees = |then: [f64; 4]| frees(context, &sides, then);
     fixes.extend(
         laid_down(p, now, &sides)
             .filter(|(then, _)| frees(*then))
@@ -60,6 +56,24 @@ pub(super) fn mended(
         fixes.push(moved(p));
     }
     (case, fixes)
+}
+
+/// Whether a half-space with these numbers holds nothing that is drawn, no camera and no lamp.
+fn frees(context: &Context, sides: &Sides, then: [f64; 4]) -> bool {
+    let cameras = chosen_cameras(context).into_iter().map(|(c, _)| c.position);
+    let lamps = context.scene.point_lights.iter().map(|l| l.position);
+    !sides.buries(then) && !cameras.chain(lamps).any(|place| sides.holds(then, place))
+}
+
+/// The fix of a half-space that stands upright, and is a floor by its comment, where it then holds nothing.
+pub(in crate::lint::rules) fn laid(context: &Context, solid: Named) -> Option<Fix> {
+    let scene = context.scene;
+    let own = RecordKind::Shape(ShapeKind::HalfSpace);
+    let p = (context.params(solid.span)).filter(|p| p.id == solid.id && p.ty.kind == own)?;
+    let sides = Sides::new(scene, context.bounds(), scene.render?.root, solid)?;
+    let laid = laid_down(&p, p.numbers(0), &sides);
+    let (_, fix) = laid.filter(|(then, _)| frees(context, &sides, *then))?;
+    Some(fix)
 }
 
 /// The fixes of a plane that hides parts from all cameras: none that hides a part, or brings a lamp behind it.

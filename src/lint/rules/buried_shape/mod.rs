@@ -1,6 +1,6 @@
 //! W335: a part of what is drawn that lies wholly inside of an opaque solid, or behind an opaque plane.
 
-mod mended;
+pub(super) mod mended;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 

@@ -1,18 +1,21 @@
 //! W325: a camera inside of something that lets no light through.
 
-use rustc_hash::FxHashSet;
+use std::cell::LazyCell;
+
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::geometry::array::length;
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
+use crate::lint::rules::buried_shape::mended::laid;
 use crate::lint::rules::nothing_in_view::{LONGEST_WRITTEN, is_moved, sees, to_be_seen};
 use crate::lint::signs::sign_that_frees;
 use crate::lint::spelling::{decimal, opposite};
 use crate::scene::record::Params;
 use crate::scene::{Camera, NodeId, Scene, Vec3};
-use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, ShapeKind};
+use crate::syntax::{Record, quote};
 use crate::trace::plan::unseen::sides::Sides;
 use crate::trace::plan::unseen::view::{Held, held};
 
@@ -49,6 +52,7 @@ pub(super) fn solids(context: &Context) -> FxHashSet<Span> {
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let Some(render) = scene.render else { return };
+    let scalings = LazyCell::new(|| scalings_in_per_cent(context));
     for ((camera, camera_record), held) in &within(context) {
         let finding = Diagnostic::new(Code::W325, camera_record.span_of(0, 3))
             .with("id", camera.id.to_string())
@@ -73,12 +77,43 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         };
         let swapped = swapped(context, render.root, camera, camera_record);
         finding.fixes.splice(0..0, swapped);
+        finding.fixes.splice(0..0, laid(context, held.solid));
+        let scaling = scalings.get(&held.solid.id);
+        finding
+            .fixes
+            .splice(0..0, scaling.map(|scaling| from_per_cent(context, scaling)));
         if finding.fixes.is_empty() {
             let freed = freed(context, render.root, (camera, camera_record), held);
             finding.fixes.extend(freed);
         }
         out.push(finding);
     }
+}
+
+/// The scaling of each ID that has one alone, where its factors look like per cent: whole numbers of which none is small.
+fn scalings_in_per_cent<'c>(context: &'c Context) -> FxHashMap<u32, &'c Record> {
+    /// People scale by less, and write per cent of more.
+    const MIN_PER_CENT: f64 = 10.0;
+    let is_per_cent = |x: f64| x > MIN_PER_CENT && x.fract() == 0.0;
+    let mut all = FxHashMap::default();
+    for record in context.records().filter(|r| r.kind == RecordKind::Scaling) {
+        let factors: Vec3 = context.record_params(record).numbers(0);
+        let is_one = factors.into_iter().all(is_per_cent) && !all.contains_key(&record.id);
+        all.insert(record.id, is_one.then_some(record));
+    }
+    let all = all.into_iter();
+    all.filter_map(|(id, record)| Some((id, record?))).collect()
+}
+
+/// The scaling with its factors as parts of 1.
+fn from_per_cent(context: &Context, scaling: &Record) -> Fix {
+    let p = context.record_params(scaling);
+    let factors: Vec3 = p.numbers(0);
+    let parts = factors.map(|x| decimal(x / 100.0)).join(" ");
+    let text = quote(&context.text[p.span().range()]);
+    let span = p.span_of(0, 3);
+    let fix = Fix::replace("fix-per-cent", Applicability::Choice, span, parts.clone());
+    fix.with("text", text).with("number", quote(&parts))
 }
 
 /// The place of a camera with the other sign of a coordinate, where it then sees something.

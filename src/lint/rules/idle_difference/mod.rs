@@ -1,13 +1,20 @@
-//! W332: a difference that takes nothing away for certain: what is taken away lies apart.
+//! W332: a difference that takes nothing away for certain: what is taken away lies apart, or merely touches.
 
-use crate::diagnostics::{Code, Diagnostic, Value};
+mod touching;
+
+use rustc_hash::FxHashSet;
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::geometry::array::length;
 use crate::lint::Context;
 use crate::lint::operations::{Proof, Proven};
 use crate::lint::spelling::near;
+use crate::scene::record::Params;
 use crate::scene::{Node, NodeId};
 use crate::solids::named;
 use crate::solids::proofs::Reason;
+use crate::syntax::quote;
+use crate::syntax::table::{RecordKind, RecordType};
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for Proven { node, what } in context.proven() {
@@ -17,14 +24,58 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             out.extend(finding(context, *node, (*a, *b), reason));
         }
     }
+    let proven: FxHashSet<NodeId> = context.proven().iter().map(|p| p.node).collect();
+    for (node, made) in (0..).zip(&context.scene.nodes) {
+        if let Node::Difference(a, b) = *made
+            && !proven.contains(&node)
+            && touching::touch(context, a, b)
+        {
+            out.extend(touch(context, node, (a, b)));
+        }
+    }
+}
+
+/// The finding about operands that merely touch: rather a union is meant.
+fn touch(context: &Context, operation: NodeId, operands: (NodeId, NodeId)) -> Option<Diagnostic> {
+    let (d, p) = about(context, operation, operands)?;
+    let union = RecordType::of(RecordKind::Union).code.to_string();
+    let fix = Fix::replace(
+        "fix-union",
+        Applicability::Choice,
+        p.type_span(),
+        union.clone(),
+    );
+    let fix = fix.with("number", quote(&union));
+    (p.ty.kind == RecordKind::Difference).then(|| d.case("touch").fix(fix))
 }
 
 fn finding(
     context: &Context,
     operation: NodeId,
-    (a, b): (NodeId, NodeId),
+    operands: (NodeId, NodeId),
     reason: &Reason,
 ) -> Option<Diagnostic> {
+    let (d, _) = about(context, operation, operands)?;
+    // What is within something that was taken away already may touch what is left.
+    let gap = match reason {
+        Reason::Within | Reason::Same => return None,
+        Reason::Apart { end, begin, .. } => Some(begin - end),
+        Reason::Balls { between, radii } => Some(between - radii),
+        Reason::Plane { normal, end, begin } => Some((begin - end) / length(*normal)),
+        Reason::Beyond | Reason::Parts => None,
+    };
+    Some(match gap {
+        Some(gap) => d.case("gap").with("gap", Value::Decimal(near(gap, gap))),
+        None => d,
+    })
+}
+
+/// A finding about a difference, with its operands, and the record of the difference.
+fn about<'c>(
+    context: &'c Context,
+    operation: NodeId,
+    (a, b): (NodeId, NodeId),
+) -> Option<(Diagnostic, Params<'c>)> {
     let scene = context.scene;
     let (one, two) = (named(scene, a)?, named(scene, b)?);
     let record = scene.origins[operation as usize];
@@ -35,19 +86,7 @@ fn finding(
         .with("one-id", one.id.to_string())
         .with("two", Value::Term(two.title))
         .with("two-id", two.id.to_string());
-    // What is within something that was taken away already may touch what is left.
-    let gap = match reason {
-        Reason::Within | Reason::Same => return None,
-        Reason::Apart { end, begin, .. } => Some(begin - end),
-        Reason::Balls { between, radii } => Some(between - radii),
-        Reason::Plane { normal, end, begin } => Some((begin - end) / length(*normal)),
-        Reason::Beyond | Reason::Parts => None,
-    };
-    let d = match gap {
-        Some(gap) => d.case("gap").with("gap", Value::Decimal(near(gap, gap))),
-        None => d,
-    };
     let same = one.span == two.span;
     let d = d.label(one.span, "one");
-    Some(if same { d } else { d.label(two.span, "two") })
+    Some((if same { d } else { d.label(two.span, "two") }, p))
 }

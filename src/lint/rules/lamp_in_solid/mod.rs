@@ -5,6 +5,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
+use crate::lint::rules::buried_shape::mended::laid;
 use crate::lint::signs::sign_that_frees;
 use crate::scene::record::Params;
 use crate::scene::{Entity, PointLight, Vec3};
@@ -56,6 +57,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         .map(|e| (e.id, e.span))
         .collect();
     let mut turns_left = MAX_TURNED;
+    // Each floor is tried once.
+    let mut floors: FxHashMap<Span, Option<Fix>> = FxHashMap::default();
     let mut moves: Option<FxHashMap<u32, Option<&Record>>> = None;
     for (lamp, held) in all {
         let Some(span) = places.get(&lamp.id) else {
@@ -71,6 +74,14 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             out.push(finding.note("lamp-at-origin"));
             continue;
         }
+        let floor = match held.on_surface {
+            true => None,
+            false => {
+                let floor = floors.entry(held.solid.span);
+                floor.or_insert_with(|| laid(context, held.solid)).clone()
+            }
+        };
+        let finding = floor.into_iter().fold(finding, Diagnostic::fix);
         let moved = moves.get_or_insert_with(|| only_moves(context));
         let moved = moved.get(&lamp.id).copied().flatten();
         let mirrored = moved

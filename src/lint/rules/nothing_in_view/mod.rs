@@ -5,15 +5,17 @@ use crate::geometry::array::{cross, dot, length, sub, unit};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
 use crate::lint::rules::{angle_in_radians, camera_in_solid};
-use crate::lint::spelling::{decimal, near};
+use crate::lint::spelling::{decimal, near, opposite};
 use crate::scene::record::Params;
 use crate::scene::{Camera, Node, NodeId, Scene, Vec3};
 use crate::syntax::quote;
 use crate::syntax::table::RecordKind;
-use crate::trace::plan::unseen::view::{OutOfView, Parts, USUAL, out_of_view};
+use crate::trace::plan::unseen::view::{OutOfView, Parts, USUAL, held, out_of_view};
 
 /// The cosine of the angle between two directions that are meant as one.
 const AIMED: f64 = 0.9;
+/// The cosine of the angle between a direction and that to the middle, where the camera is aimed at it.
+const AIMED_AT_MIDDLE: f64 = 0.97;
 /// The length up to which people write directions: most have the length 1, or a 1 and a part of it.
 pub(super) const LONGEST_WRITTEN: f64 = 1.5;
 
@@ -53,6 +55,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         if unseen.is_none() && (is_inside || may_be_meant) {
             continue;
         }
+        let fixes = match is_written && !is_inside {
+            true => with_other_places(context, render.root, camera, &p, fixes),
+            false => fixes,
+        };
         let finding = match unseen.is_none() && fixes.is_empty() {
             true => {
                 (finding.case("unbounded-elsewhere")).with("way", way(context, render.root, camera))
@@ -137,6 +143,46 @@ fn turned(
         fixes.extend((fixes.iter().all(|f| f.edits != other.edits)).then_some(other));
     }
     [swapped, fixes].concat()
+}
+
+/// The fixes with those that give one coordinate of the place the other sign, where the camera sees something then: second
+/// where it then looks at the middle, last otherwise.
+fn with_other_places(
+    context: &Context,
+    root: NodeId,
+    camera: &Camera,
+    p: &Params,
+    mut fixes: Vec<Fix>,
+) -> Vec<Fix> {
+    let of = to_be_seen(context, root);
+    let middle = context.bounds()[root as usize].bounded().centre();
+    for axis in (0..3).filter(|&i| camera.position[i] != 0.0) {
+        let mut there = *camera;
+        there.position[axis] = -there.position[axis];
+        let holders = held(context.scene, context.bounds(), root, &[there.position]);
+        if is_moved(camera, p)
+            || holders.iter().any(Option::is_some)
+            || !sees(context, root, &there, there.direction, of)
+        {
+            continue;
+        }
+        let numbers = [0, 1, 2].map(|i| match i == axis {
+            true => opposite(p, i),
+            false => p.text_of(i).to_owned(),
+        });
+        let span = p.span_of(axis, 1);
+        let title = "fix-sign-of-place";
+        let fix = Fix::replace(title, Applicability::Choice, span, numbers[axis].clone());
+        let fix = fix.with("number", quote(&numbers.join(" ")));
+        let fix = fix.with("axis", ["x", "y", "z"][axis]);
+        let way = unit(sub(middle, there.position)).zip(unit(there.direction));
+        if way.is_some_and(|(a, b)| dot(a, b) >= AIMED_AT_MIDDLE) {
+            fixes.insert(fixes.len().min(1), fix);
+        } else {
+            fixes.push(fix);
+        }
+    }
+    fixes
 }
 
 /// The fix that swaps the direction, which is an axis as most up vectors are, and the up vector, if the camera sees

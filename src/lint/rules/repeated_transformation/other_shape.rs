@@ -1,4 +1,5 @@
-//! The move of a shape that has a place of its own, right behind another shape that stays at the origin.
+//! The move of a shape or a camera that has a place of its own, right behind another shape or a lamp that stays at the
+//! origin.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -16,7 +17,9 @@ const ORIGIN: Vec3 = [0.0; 3];
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let shapes = context.scene.shapes.iter();
     let shapes: FxHashMap<u32, &Shape> = shapes.map(|s| (s.id, s)).collect();
-    let changes = context.records().filter(|r| is_change(r));
+    // What is only turned or scaled stays at the origin.
+    let places = [RecordKind::Translation, RecordKind::RotationMatrix];
+    let changes = (context.records()).filter(|r| places.contains(&r.kind));
     let changed: FxHashSet<u32> = changes.map(|r| r.id).collect();
     let copied: FxHashSet<u32> = (context.records())
         .filter(|r| r.kind == RecordKind::Copy)
@@ -35,12 +38,12 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             && own.first < other.first
             && !changed.contains(&other.id)
             && !copied.contains(&other.id)
-            && has_place(&shapes, own.id)
-            && is_about_origin(&shapes, other.id)
+            && has_place(context, &shapes, own)
+            && is_about_origin(&shapes, other)
         {
             out.push(finding(context, record, other));
         }
-        if is_shape {
+        if is_shape || matches!(record.kind, RecordKind::PointLight | RecordKind::Camera) {
             defined.entry(record.id).or_insert(record);
         }
         above = Some(record);
@@ -51,13 +54,18 @@ fn is_change(record: &Record) -> bool {
     TRANSFORMATIONS.contains(&record.kind)
 }
 
-/// Whether a shape's own numbers say where it is.
-fn has_place(shapes: &FxHashMap<u32, &Shape>, id: u32) -> bool {
-    bounds(shapes, id).is_some_and(|b| b.is_bounded() && !b.contains(ORIGIN))
+/// Whether the own numbers of a shape or a camera say where it is.
+fn has_place(context: &Context, shapes: &FxHashMap<u32, &Shape>, own: &Record) -> bool {
+    match own.kind {
+        RecordKind::Camera => context.record_params(own).numbers(0) != ORIGIN,
+        _ => bounds(shapes, own.id).is_some_and(|b| b.is_bounded() && !b.contains(ORIGIN)),
+    }
 }
 
-fn is_about_origin(shapes: &FxHashMap<u32, &Shape>, id: u32) -> bool {
-    bounds(shapes, id).is_some_and(|b| b.is_bounded() && b.contains(ORIGIN))
+/// Whether a shape is around the origin, or something else is a lamp.
+fn is_about_origin(shapes: &FxHashMap<u32, &Shape>, other: &Record) -> bool {
+    let is_around = |b: Aabb| b.is_bounded() && b.contains(ORIGIN);
+    other.kind == RecordKind::PointLight || bounds(shapes, other.id).is_some_and(is_around)
 }
 
 fn bounds(shapes: &FxHashMap<u32, &Shape>, id: u32) -> Option<Aabb> {

@@ -1,0 +1,64 @@
+//! What a difference takes away, with a length that has lost its point.
+
+use super::{Candidate, Habit, LineContext};
+use crate::diagnostics::{Applicability, Fix};
+use crate::scene::record::Params;
+use crate::syntax::table::{Constraint, RecordKind};
+use crate::syntax::{Item, Record, quote};
+
+/// The title of the fix.
+pub(in crate::analysis::repair) const TITLE: &str = "fix-ten-times-smaller";
+/// Beginnings of words for what is taken away, without accents.
+const HOLE: [&str; 6] = ["hole", "dira", "diry", "dire", "dirou", "otvor"];
+/// Lengths of a shape that are tried.
+const MAX_LENGTHS: usize = 3;
+
+impl LineContext<'_> {
+    /// The shape that is taken away with one of its lengths, a whole number, ten times smaller: `6` may be `0.6`.
+    pub(super) fn smaller_cut(&self) -> Vec<Candidate> {
+        let is_difference = self
+            .ty()
+            .is_some_and(|ty| ty.kind == RecordKind::Difference);
+        let cut = self.int(3).filter(|_| is_difference);
+        let Some(p) = cut.and_then(|id| self.shape(id)) else {
+            return Vec::new();
+        };
+        let is_length = |&i: &usize| {
+            let is_positive =
+                |q: &crate::syntax::table::Param| q.constraint == Constraint::Positive;
+            let is_whole = p.text_of(i).bytes().all(|c| c.is_ascii_digit());
+            is_whole && p.number(i) > 0.0 && p.param(i).is_some_and(is_positive)
+        };
+        let lengths = (0..p.len()).filter(is_length).take(MAX_LENGTHS);
+        let candidates = lengths.map(|i| {
+            let text = tenth(p.text_of(i));
+            let all = (0..p.len()).map(|j| if i == j { &text[..] } else { p.text_of(j) });
+            let all = quote(&all.collect::<Vec<_>>().join(" "));
+            let fix = Fix::replace(TITLE, Applicability::Choice, p.span_of(i, 1), text);
+            let fix = fix.with("id", p.id.to_string()).with("number", all);
+            Candidate::new(Habit::Swapped, fix)
+        });
+        candidates.collect()
+    }
+
+    /// Whether the record that defines the first operand has a comment, and no word of it is a hole.
+    pub(in crate::analysis::repair) fn cuts_what_is_no_hole(&self) -> bool {
+        let first = self.int(2).and_then(|id| self.shape(id));
+        first.is_some_and(|p| p.comments().next().is_some() && !p.is_called(&HOLE))
+    }
+
+    /// The record of the shape with an ID.
+    fn shape(&self, id: i64) -> Option<Params<'_>> {
+        let document = &self.analysis.document;
+        let is_it = |r: &&Record| i64::from(r.id) == id && matches!(r.kind, RecordKind::Shape(_));
+        let record = document.items.iter().filter_map(Item::record).find(is_it)?;
+        Some(Params::new(document, self.text, record))
+    }
+}
+
+/// A whole number divided by ten.
+fn tenth(digits: &str) -> String {
+    let (whole, last) = digits.split_at(digits.len() - 1);
+    let whole = if whole.is_empty() { "0" } else { whole };
+    format!("{whole}.{last}")
+}

@@ -1,0 +1,100 @@
+//! N609: a single shape that is moved and then turned about an axis through the origin, which takes it elsewhere.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
+use crate::geometry::Matrix;
+use crate::geometry::array::{length, sub};
+use crate::lint::Context;
+use crate::lint::rules::TRANSFORMATIONS;
+use crate::lint::spelling::near;
+use crate::scene::{Shape, Vec3, transformation};
+use crate::solids::shapes::facts::Facts as _;
+use crate::syntax::table::{Effect, Family, Kind, RecordKind};
+use crate::syntax::{Record, quote};
+
+/// The distance between two places that are the same but for rounding, as a share of how far away they are.
+const PLACE_REL_GAP: f64 = 1e-9;
+
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let mut chains: FxHashMap<u32, Vec<&Record>> = FxHashMap::default();
+    let (mut objects, mut parts) = (FxHashSet::default(), FxHashSet::default());
+    for record in context.records() {
+        if TRANSFORMATIONS.contains(&record.kind) {
+            chains.entry(record.id).or_default().push(record);
+            continue;
+        }
+        if matches!(record.ty().effect, Effect::Defines(Kind::Object)) {
+            objects.insert(record.id);
+        }
+        if record.ty().family == Family::Operation && record.kind != RecordKind::Union {
+            parts.extend(context.references(record));
+        }
+    }
+    let is_turned = |chain: &[&Record]| {
+        let of = |kind| chain.iter().position(|r| r.kind == kind);
+        let pair = of(RecordKind::Translation).zip(of(RecordKind::Rotation));
+        pair.is_some_and(|(moved, turned)| moved < turned)
+    };
+    let mut turned = chains
+        .iter()
+        .filter(|(id, chain)| objects.contains(*id) && is_turned(chain));
+    // Several objects make an arrangement around the origin.
+    let (Some((id, chain)), None) = (turned.next(), turned.next()) else {
+        return;
+    };
+    // Of an arm of a group, the group is moved or copied.
+    let is_group = context.records().any(|r| {
+        let is_other = r.id != *id && (r.kind == RecordKind::Copy || chains.contains_key(&r.id));
+        is_other && context.references(r).any(|part| part == *id)
+    });
+    if is_group || parts.contains(id) || context.has_broken() {
+        return;
+    }
+    let shape = context.scene.shapes.iter().find(|s| s.id == *id);
+    out.extend(shape.and_then(|shape| finding(context, shape, chain)));
+}
+
+/// The finding about a shape with a translation and a rotation behind it, and no more.
+fn finding(context: &Context, shape: &Shape, chain: &[&Record]) -> Option<Diagnostic> {
+    let [moved, turned] = *chain else {
+        return None;
+    };
+    if (moved.kind, turned.kind) != (RecordKind::Translation, RecordKind::Rotation) {
+        return None;
+    }
+    let [first, second] = [moved, turned].map(|r| context.record_params(r));
+    let [place, turn] = [&first, &second].map(|p| transformation(p, &mut Vec::new()));
+    let (place, turn) = (place?, turn?);
+    let bounds = shape.geometry.bounds(&Matrix::IDENTITY);
+    if !bounds.is_bounded() {
+        return None;
+    }
+    let before = place.point(bounds.centre());
+    let after = turn.point(before);
+    if length(sub(before, after)) <= PLACE_REL_GAP * length(before) {
+        return None;
+    }
+    let said = |place: Vec3| {
+        let size = length(before);
+        quote(&place.map(|x| near(x, size)).join(" "))
+    };
+    let [one, two] = [first.span(), second.span()];
+    let edits = [(one, two), (two, one)].map(|(span, other)| Edit {
+        span,
+        text: context.text[other.range()].to_owned(),
+    });
+    let fix = Fix {
+        applicability: Applicability::Choice,
+        ..Fix::guess("fix", edits.into())
+    };
+    Some(
+        Diagnostic::new(Code::N609, two)
+            .with("type", Value::Term(shape.ty().title))
+            .with("id", shape.id.to_string())
+            .with("from", said(before))
+            .with("to", said(after))
+            .label(one, "move")
+            .fix(fix),
+    )
+}

@@ -1,0 +1,82 @@
+//! Bounds out of order of which one number may be written wrongly: its sign or its point is lost.
+
+use super::record::Params;
+use crate::diagnostics::{Applicability, Fix};
+use crate::syntax::{quote, with_point};
+
+/// Beginnings of words for what has equal edges, without accents.
+const EQUAL: [&str; 5] = ["cube", "krychl", "kostk", "square", "ctver"];
+/// The gap between two edges that are equal but for rounding, as a share of their length.
+const EDGE_REL_GAP: f64 = 1e-9;
+
+/// The choices that bring `n` lower bounds from `first` on and as many upper ones into order by one number each.
+pub(super) struct Misread {
+    /// The one that makes all edges equal, where a comment says that they are.
+    pub equal: Option<Fix>,
+    /// Numbers that begin with a zero, with a point.
+    pub points: Vec<Fix>,
+    /// The other sign of a number.
+    pub signs: Vec<Fix>,
+}
+
+/// The readings of the bounds with one other number.
+pub(super) fn misread(p: &Params, first: usize, n: usize) -> Misread {
+    let says_equal = p.is_called(&EQUAL);
+    let mut all = Misread {
+        equal: None,
+        points: Vec::new(),
+        signs: Vec::new(),
+    };
+    for i in first..first + 2 * n {
+        let points = with_points(p.text_of(i)).into_iter().map(|t| (t, true));
+        for (text, is_point) in points.chain([(opposite(p.text_of(i)), false)]) {
+            let Some(edges) = edges(p, (first, n), (i, &text)) else {
+                continue;
+            };
+            let fix = Fix::replace(
+                "fix-number",
+                Applicability::Choice,
+                p.span_of(i, 1),
+                text.clone(),
+            );
+            let fix = (fix.with("text", quote(p.text_of(i)))).with("number", quote(&text));
+            let is_equal = (edges.iter()).all(|e| (e - edges[0]).abs() <= EDGE_REL_GAP * edges[0]);
+            match is_point {
+                _ if says_equal && is_equal && all.equal.is_none() => all.equal = Some(fix),
+                true => all.points.push(fix),
+                false => all.signs.push(fix),
+            }
+        }
+    }
+    all
+}
+
+/// The lengths of the edges with one number written so, if all bounds are in order then.
+fn edges(p: &Params, (first, n): (usize, usize), (at, text): (usize, &str)) -> Option<Vec<f64>> {
+    let written: f64 = text.parse().ok()?;
+    let number = |i: usize| if i == at { written } else { p.number(i) };
+    let edges = (first..first + n).map(|i| number(i + n) - number(i));
+    edges.map(|e| (e > 0.0).then_some(e)).collect()
+}
+
+fn opposite(text: &str) -> String {
+    match text.strip_prefix('-') {
+        Some(rest) => rest.to_owned(),
+        None => format!("-{}", text.trim_start_matches('+')),
+    }
+}
+
+/// A number that begins with a zero, with a point behind that, and with one in the place of that behind the next digit:
+/// `015` may be `0.15` or `1.5`.
+fn with_points(text: &str) -> Vec<String> {
+    let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let sign = if text.starts_with('-') { "-" } else { "" };
+    let Some(point) = with_point(unsigned) else {
+        return Vec::new();
+    };
+    let digits = unsigned.trim_start_matches('0');
+    let later = (digits.len() > 1).then(|| format!("{sign}{}.{}", &digits[..1], &digits[1..]));
+    std::iter::once(format!("{sign}{point}"))
+        .chain(later)
+        .collect()
+}
