@@ -1,6 +1,6 @@
 //! W332: a difference that takes nothing away for certain: what is taken away lies apart, or merely touches.
 
-mod touching;
+pub(in crate::lint::rules) mod touching;
 
 use rustc_hash::FxHashSet;
 

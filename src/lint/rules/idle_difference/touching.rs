@@ -2,6 +2,7 @@
 
 use crate::geometry::{Aabb, Matrix};
 use crate::lint::Context;
+use crate::lint::operations::Proof;
 use crate::scene::{Node, NodeId};
 use crate::solids::distance;
 use crate::solids::extent::ball;
@@ -10,8 +11,8 @@ use crate::solids::within::{CLEARANCE_REL, far};
 /// Parts of an operand that are looked at.
 const MAX_PARTS: usize = 64;
 
-/// Whether what two solids have in common has no thickness for certain.
-pub(super) fn touch(context: &Context, a: NodeId, b: NodeId) -> bool {
+/// Whether what two solids have in common has no thickness for certain. Other rules speak of surfaces and of what is empty.
+pub(in crate::lint::rules) fn touch(context: &Context, a: NodeId, b: NodeId) -> bool {
     let (Some(first), Some(second)) = (parts(context, a), parts(context, b)) else {
         return false;
     };
@@ -19,13 +20,14 @@ pub(super) fn touch(context: &Context, a: NodeId, b: NodeId) -> bool {
     first.iter().all(is_thin)
 }
 
-/// The parts of a union; `None` where they are too many.
+/// The parts of a union; `None` where they are too many, or another rule speaks of one.
 fn parts(context: &Context, node: NodeId) -> Option<Vec<NodeId>> {
     let (mut all, mut open) = (Vec::new(), vec![node]);
     while let Some(node) = open.pop() {
         match context.scene.nodes[node as usize] {
             Node::Union(a, b) => open.extend([a, b]),
             Node::Paint { child, .. } | Node::Copy { child, .. } => open.push(child),
+            _ if is_silent(context, node) => return None,
             _ => all.push(node),
         }
         if all.len() + open.len() > MAX_PARTS {
@@ -33,6 +35,19 @@ fn parts(context: &Context, node: NodeId) -> Option<Vec<NodeId>> {
         }
     }
     Some(all)
+}
+
+/// Whether a part is a surface, or empty for certain.
+fn is_silent(context: &Context, node: NodeId) -> bool {
+    let scene = context.scene;
+    let (core, _) = scene.core(node, Matrix::IDENTITY);
+    match scene.nodes[core as usize] {
+        Node::Shape(shape) => !scene.shapes[shape as usize].geometry.is_solid(),
+        _ => {
+            let at = context.proven().binary_search_by_key(&core, |p| p.node);
+            at.is_ok_and(|at| matches!(context.proven()[at].what, Proof::Empty(..)))
+        }
+    }
 }
 
 fn is_thin(context: &Context, x: NodeId, y: NodeId) -> bool {

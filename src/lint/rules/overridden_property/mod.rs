@@ -218,10 +218,19 @@ fn pairs<'a>(context: &Context<'a>) -> Vec<Pair<'a>> {
 pub(super) fn neighbours(context: &Context, second: &Record) -> Vec<Fix> {
     let head = context.document.id_token(second).span();
     let is_light = |kind: Option<Kind>| matches!(kind, Some(Kind::PointLight | Kind::AmbientLight));
-    let gives_colour = |r: &Record| super::TEXTURES_AND_COLOURS.contains(&r.kind);
-    let is_other = |r: &Record| match gives_colour(second) {
-        true => gives_colour(r) || r.kind == RecordKind::Assignment,
-        false => r.kind == second.kind,
+    let gives = |r: &Record| {
+        let is_assignment = r.kind == RecordKind::Assignment;
+        let of = [
+            super::TEXTURES_AND_COLOURS.contains(&r.kind),
+            matches!(r.kind, RecordKind::Optics | RecordKind::OpticsRgb),
+            r.kind == RecordKind::RefractiveIndex,
+        ];
+        of.map(|gives| gives || is_assignment)
+    };
+    let own = gives(second);
+    let is_other = |r: &Record| {
+        let of = gives(r);
+        r.kind == second.kind || (0..own.len()).any(|i| own[i] && of[i])
     };
     let given = context.records().filter(|r| is_other(r));
     let mut taken: FxHashSet<u32> = given.map(|r| r.id).collect();

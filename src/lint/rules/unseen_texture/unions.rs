@@ -2,6 +2,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::super::idle_difference::touching::touch;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
 use crate::lint::Context;
 use crate::scene::{Node, NodeId, Scene};
@@ -43,6 +44,11 @@ pub(super) fn unions(
         if !is_many && !is_in_chain {
             continue;
         }
+        told.extend(colours);
+        // The rule about what takes nothing away speaks of it.
+        if touch(context, a, tool) {
+            continue;
+        }
         let origin = scene.origins[difference as usize];
         let Some(p) = context.params(origin.span) else {
             continue;
@@ -53,7 +59,6 @@ pub(super) fn unions(
         let d = d.with("id", origin.id.to_string());
         let d = d.with("tool", p.integer(1).to_string());
         findings.push(d.fix(fix.with("number", quote(&union))));
-        told.extend(colours);
     }
     (told, findings)
 }
