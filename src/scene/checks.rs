@@ -87,8 +87,8 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
     }
     // A corner or a centre says enough.
     let other = (sizes.is_empty() && !is_sorted).then(|| misread(p, first, n));
-    let is_doubted = (other.as_ref())
-        .is_some_and(|m| m.equal.is_some() || !m.points.is_empty() || !m.signs.is_empty());
+    let is_doubted = (other.as_ref()).is_some_and(|m| m.equal.is_some() || !m.points.is_empty());
+    let has_signs = other.as_ref().is_some_and(|m| !m.signs.is_empty());
     let proposed = match (in_turn, is_sorted) {
         _ if is_doubted => fix("fix", &swapped, Applicability::Choice),
         _ if said => fix("fix", &swapped, Applicability::Choice),
@@ -96,6 +96,7 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
         (true, false) if !sizes.is_empty() => fix("fix", &swapped, Applicability::Choice),
         (true, false) => fix("fix", &swapped, Applicability::Unsafe),
         (false, false) if !sizes.is_empty() => fix("fix", &swapped, Applicability::Choice),
+        (false, false) if has_signs => fix("fix", &swapped, Applicability::Unsafe),
         (false, false) => fix("fix", &swapped, Applicability::Safe),
     };
     out.push(inverted_range(p, &inverted, n).fix(proposed));

@@ -528,12 +528,8 @@ impl Engine<'_> {
             c.habit != Habit::Comment || comments == 1
         });
         let best: Vec<&Candidate> = best.take(PROPOSALS).collect();
-        // What is cut from may be no hole, or the hole has a length too large.
-        let is_doubted = finding.code == Code::W319
-            && (place.cuts_what_is_no_hole()
-                || best
-                    .iter()
-                    .any(|c| c.fix.title == candidates::smaller::TITLE));
+        // By its comment, what is cut from is no hole.
+        let is_doubted = finding.code == Code::W319 && place.cuts_what_is_no_hole();
         let finding = &mut self.findings[at];
         retell::retell(finding, &best, place);
         if is_open || places > 1 {

@@ -6,20 +6,20 @@ use crate::scene::record::Params;
 use crate::syntax::table::{Constraint, RecordKind};
 use crate::syntax::{Item, Record, quote};
 
-/// The title of the fix.
-pub(in crate::analysis::repair) const TITLE: &str = "fix-ten-times-smaller";
 /// Beginnings of words for what is taken away, without accents.
 const HOLE: [&str; 6] = ["hole", "dira", "diry", "dire", "dirou", "otvor"];
 /// Lengths of a shape that are tried.
 const MAX_LENGTHS: usize = 3;
 
 impl LineContext<'_> {
-    /// The shape that is taken away with one of its lengths, a whole number, ten times smaller: `6` may be `0.6`.
+    /// The shape that is taken away with one of its lengths, a whole number, ten times smaller: `6` may be `0.6`. Only where a
+    /// comment says that the operands are in order.
     pub(super) fn smaller_cut(&self) -> Vec<Candidate> {
         let is_difference = self
             .ty()
             .is_some_and(|ty| ty.kind == RecordKind::Difference);
-        let cut = self.int(3).filter(|_| is_difference);
+        let is_in_order = is_difference && self.cuts_what_is_no_hole();
+        let cut = self.int(3).filter(|_| is_in_order);
         let Some(p) = cut.and_then(|id| self.shape(id)) else {
             return Vec::new();
         };
@@ -34,7 +34,12 @@ impl LineContext<'_> {
             let text = tenth(p.text_of(i));
             let all = (0..p.len()).map(|j| if i == j { &text[..] } else { p.text_of(j) });
             let all = quote(&all.collect::<Vec<_>>().join(" "));
-            let fix = Fix::replace(TITLE, Applicability::Choice, p.span_of(i, 1), text);
+            let fix = Fix::replace(
+                "fix-ten-times-smaller",
+                Applicability::Choice,
+                p.span_of(i, 1),
+                text,
+            );
             let fix = fix.with("id", p.id.to_string()).with("number", all);
             Candidate::new(Habit::Swapped, fix)
         });

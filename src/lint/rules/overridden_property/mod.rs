@@ -218,16 +218,16 @@ fn pairs<'a>(context: &Context<'a>) -> Vec<Pair<'a>> {
 pub(super) fn neighbours(context: &Context, second: &Record) -> Vec<Fix> {
     let head = context.document.id_token(second).span();
     let is_light = |kind: Option<Kind>| matches!(kind, Some(Kind::PointLight | Kind::AmbientLight));
+    let is_assignment = |r: &Record| r.kind == RecordKind::Assignment;
     let gives = |r: &Record| {
-        let is_assignment = r.kind == RecordKind::Assignment;
-        let of = [
-            super::TEXTURES_AND_COLOURS.contains(&r.kind),
-            matches!(r.kind, RecordKind::Optics | RecordKind::OpticsRgb),
+        [
+            super::TEXTURES_AND_COLOURS.contains(&r.kind) || is_assignment(r),
+            matches!(r.kind, RecordKind::Optics | RecordKind::OpticsRgb) || is_assignment(r),
             r.kind == RecordKind::RefractiveIndex,
-        ];
-        of.map(|gives| gives || is_assignment)
+        ]
     };
-    let own = gives(second);
+    // An assignment takes back an index that stands before it, and none that follows.
+    let own = gives(second).map(|gives| gives || is_assignment(second));
     let is_other = |r: &Record| {
         let of = gives(r);
         r.kind == second.kind || (0..own.len()).any(|i| own[i] && of[i])
