@@ -1,7 +1,7 @@
 //! Slips in IDs, types and numbers that looked like something else: each first guess is what was meant, and no other
 //! finding speaks of the line.
 
-use zpg::internals::analysis::repair;
+use zpg::internals::analysis::{Analysis, fixing, repair};
 use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, Language};
 
 use super::{fixed, guessed, read};
@@ -262,5 +262,38 @@ fn rotations_that_are_moves() {
             made.iter().all(|made| made.contains("\n20 -2 ")),
             "{made:?}"
         );
+    }
+}
+
+/// A 0 too many behind the numbers of a record, before a comment: no safe fix makes a record of it, and what is certain
+/// elsewhere is mended.
+#[test]
+fn a_zero_too_many_is_no_record() {
+    let safely = |text: &str| {
+        let mended = fixing::to_fixed_point(read(text), false, Analysis::of);
+        (mended.analysis.source.text, mended.count)
+    };
+    let cube = "2 12 -1 0 -1 1 2 1 # krychle #\n";
+    for (record, meant) in [
+        ("2 -2 0 45 0   # otočit okolo y #", "45 2 "),
+        ("2 -2 0 20 0 # about y #", "20 2 "),
+    ] {
+        let whole = format!("{cube}{record}\n3 9 0.5\n9 -101 2 3\n{REST}1 9999 9 0\n");
+        let (_, made) = only(&whole, Code::E009);
+        let wrong = record.split(" #").next().unwrap().trim_end();
+        let right = whole.replace(wrong, &format!("2 -2 {}", meant.trim_end()));
+        assert_eq!(made, [right]);
+        assert_eq!(safely(&whole), (whole.clone(), 0));
+        let text = whole.replace("0.5", "0,5");
+        assert_eq!(safely(&text), (whole, 1));
+    }
+    for comment in ["koule", "ball"] {
+        let ball = format!("21 11 -2 1 0 1 0 # {comment} #\n");
+        let whole = format!("{ball}3 9 0.5\n9 -101 21 3\n{REST}1 9999 9 0\n");
+        assert_eq!(safely(&whole), (whole.clone(), 0));
+        let text = whole.replace("0.5", "0,5");
+        let codes: Vec<Code> = errors(&text).iter().map(|d| d.code).collect();
+        assert_eq!(codes, [Code::E009, Code::E003]);
+        assert_eq!(safely(&text), (whole, 1));
     }
 }
