@@ -297,3 +297,55 @@ fn a_zero_too_many_is_no_record() {
         assert_eq!(safely(&text), (whole, 1));
     }
 }
+
+/// A shape whose type has lost a digit, which reads as a profile with a wrong number of points: a comment names it.
+#[test]
+fn shapes_that_lost_a_digit() {
+    for (numbers, meant, comments) in [
+        (
+            "1 0 1 0 1",
+            "11",
+            ["koule", "koule vlevo", "a ball", "sphere"],
+        ),
+        (
+            "1 -2 1 0 1",
+            "11",
+            ["koule", "koule vlevo", "a ball", "sphere"],
+        ),
+        ("1 0.6 0.2", "14", ["torus", "prsten", "ring", "a torus"]),
+        ("1 1 0.3", "14", ["torus", "prsten", "ring", "a torus"]),
+        (
+            "1 -1 0 -1 1 2 1",
+            "12",
+            ["krychle", "kostka", "box", "cube"],
+        ),
+        (
+            "2 -1 0 -1 1 2 1",
+            "12",
+            ["krychle", "kostka", "box", "cube"],
+        ),
+        ("1 2 0.5", "16", ["kužel", "cone", "a cone", "modrý kužel"]),
+    ] {
+        for comment in comments {
+            let text = format!("21 {numbers} # {comment} #\n{REST}1 9999 21 0\n");
+            let all = errors(&text);
+            assert_eq!(all.len(), 1, "{text}");
+            let behind = numbers.split_once(' ').unwrap().1;
+            let right = text.replacen(numbers, &format!("{meant} {behind}"), 1);
+            assert_eq!(guessed(&text, all[0].code).1, [right.clone()]);
+            assert_eq!(fixed(&text), right);
+        }
+    }
+    for comment in ["válec", "a cylinder"] {
+        let text = format!("21 1 1 2 # {comment} #\n{REST}1 9999 21 0\n");
+        let right = text.replacen("1 1 2", "1 2 1 0 1 2", 1);
+        assert_eq!(guessed(&text, Code::E206).1.first(), Some(&right));
+    }
+    // The profile of one is none.
+    for comment in ["profil koule", "profile of a ball"] {
+        let text = format!("21 1 0 1 1 2 # {comment} #\n{REST}1 9999 21 0\n");
+        let (_, made) = guessed(&text, errors(&text)[0].code);
+        assert!(made.contains(&text.replacen("1 0 1 1", "1 2 0 1 1", 1)));
+        assert!(made.iter().all(|made| !made.starts_with("21 11 ")));
+    }
+}

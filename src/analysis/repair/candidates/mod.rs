@@ -342,6 +342,7 @@ impl<'a> LineContext<'a> {
             }
             self.lost_shape_type(&mut out);
             out.extend(self.type_before_zero(finding));
+            self.called_shape(&mut out);
             self.one_too_few(finding, &mut out);
         } else if finding.code == Code::W319 {
             out.extend(self.smaller_cut());
