@@ -349,3 +349,25 @@ fn shapes_that_lost_a_digit() {
         assert!(made.iter().all(|made| !made.starts_with("21 11 ")));
     }
 }
+
+/// A box by three numbers and an edge: a comment says whether they are its corner or its centre.
+#[test]
+fn cubes_by_a_corner_or_a_centre() {
+    let cube = |comment: &str| format!("2 12 0 0 0 2{comment}\n{REST}1 9999 2 0\n");
+    let [corner, centre] = ["0 0 0 2 2 2", "-1 -1 -1 1 1 1"];
+    for (comment, meant) in [
+        (" # krychle, roh v počátku, hrana 2 #", &[corner][..]),
+        (" # cube, corner at the origin, edge 2 #", &[corner]),
+        (" # krychle se středem v počátku #", &[centre]),
+        (" # cube about the centre #", &[centre]),
+        (" # krychle #", &[centre, corner]),
+        (" # cube #", &[centre, corner]),
+    ] {
+        let text = cube(comment);
+        let with = |numbers: &&str| text.replace("0 0 0 2", numbers);
+        let right: Vec<String> = meant.iter().map(with).collect();
+        assert_eq!(only(&text, Code::E008).1, right);
+        let is_told = meant.len() == 1;
+        assert_eq!(fixed(&text), if is_told { right[0].clone() } else { text });
+    }
+}
