@@ -44,7 +44,8 @@ fn weight_of(findings: &[Diagnostic]) -> Vec<usize> {
 
 /// Whether there is an error on a line that is as it was, which it did not have. On a line that was
 /// changed there may be one in place of another that hid it, and so there may on a line that names the ID of a record
-/// which could not be read: that ID may be defined twice.
+/// which could not be read: that ID may be defined twice. On a line with a number too many, a 0, that number is a record
+/// once all can be read: what is wrong with the rest takes the place of that error.
 pub(super) fn has_new_errors(before: &Analysis, after: &Analysis) -> bool {
     let mut numbers: FxHashMap<&str, usize> = FxHashMap::default();
     let before_lines = lines(before).map(|line| {
@@ -56,10 +57,15 @@ pub(super) fn has_new_errors(before: &Analysis, after: &Analysis) -> bool {
         .map(|line| numbers.get(line).copied())
         .collect();
     let old = errors(before, &before_lines);
-    let new = errors(after, &after_lines).into_iter();
-    let mut more = new
-        .filter(|(error, count)| old.get(error).is_none_or(|old| count > old))
-        .map(|(error, _)| error)
+    let new = errors(after, &after_lines);
+    let is_more = |error: &(Code, usize)| new.get(error) > old.get(error);
+    let is_in_place = |error: &(Code, usize)| {
+        let surplus = (Code::E009, error.1);
+        old.get(&surplus) > new.get(&surplus)
+    };
+    let all = new.keys().copied();
+    let mut more = all
+        .filter(|error| is_more(error) && !is_in_place(error))
         .peekable();
     if more.peek().is_none() {
         return false;

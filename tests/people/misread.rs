@@ -1,7 +1,7 @@
 //! Slips in IDs, types and numbers that looked like something else: each first guess is what was meant, and no other
 //! finding speaks of the line.
 
-use zpg::internals::analysis::repair;
+use zpg::internals::analysis::{Analysis, fixing, repair};
 use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, Language};
 
 use super::{fixed, guessed, read};
@@ -262,5 +262,112 @@ fn rotations_that_are_moves() {
             made.iter().all(|made| made.contains("\n20 -2 ")),
             "{made:?}"
         );
+    }
+}
+
+/// A 0 too many behind the numbers of a record, before a comment: no safe fix makes a record of it, and what is certain
+/// elsewhere is mended.
+#[test]
+fn a_zero_too_many_is_no_record() {
+    let safely = |text: &str| {
+        let mended = fixing::to_fixed_point(read(text), false, Analysis::of);
+        (mended.analysis.source.text, mended.count)
+    };
+    let cube = "2 12 -1 0 -1 1 2 1 # krychle #\n";
+    for (record, meant) in [
+        ("2 -2 0 45 0   # otočit okolo y #", "45 2 "),
+        ("2 -2 0 20 0 # about y #", "20 2 "),
+    ] {
+        let whole = format!("{cube}{record}\n3 9 0.5\n9 -101 2 3\n{REST}1 9999 9 0\n");
+        let (_, made) = only(&whole, Code::E009);
+        let wrong = record.split(" #").next().unwrap().trim_end();
+        let right = whole.replace(wrong, &format!("2 -2 {}", meant.trim_end()));
+        assert_eq!(made, [right]);
+        assert_eq!(safely(&whole), (whole.clone(), 0));
+        let text = whole.replace("0.5", "0,5");
+        assert_eq!(safely(&text), (whole, 1));
+    }
+    for comment in ["koule", "ball"] {
+        let ball = format!("21 11 -2 1 0 1 0 # {comment} #\n");
+        let whole = format!("{ball}3 9 0.5\n9 -101 21 3\n{REST}1 9999 9 0\n");
+        assert_eq!(safely(&whole), (whole.clone(), 0));
+        let text = whole.replace("0.5", "0,5");
+        let codes: Vec<Code> = errors(&text).iter().map(|d| d.code).collect();
+        assert_eq!(codes, [Code::E009, Code::E003]);
+        assert_eq!(safely(&text), (whole, 1));
+    }
+}
+
+/// A shape whose type has lost a digit, which reads as a profile with a wrong number of points: a comment names it.
+#[test]
+fn shapes_that_lost_a_digit() {
+    for (numbers, meant, comments) in [
+        (
+            "1 0 1 0 1",
+            "11",
+            ["koule", "koule vlevo", "a ball", "sphere"],
+        ),
+        (
+            "1 -2 1 0 1",
+            "11",
+            ["koule", "koule vlevo", "a ball", "sphere"],
+        ),
+        ("1 0.6 0.2", "14", ["torus", "prsten", "ring", "a torus"]),
+        ("1 1 0.3", "14", ["torus", "prsten", "ring", "a torus"]),
+        (
+            "1 -1 0 -1 1 2 1",
+            "12",
+            ["krychle", "kostka", "box", "cube"],
+        ),
+        (
+            "2 -1 0 -1 1 2 1",
+            "12",
+            ["krychle", "kostka", "box", "cube"],
+        ),
+        ("1 2 0.5", "16", ["kužel", "cone", "a cone", "modrý kužel"]),
+    ] {
+        for comment in comments {
+            let text = format!("21 {numbers} # {comment} #\n{REST}1 9999 21 0\n");
+            let all = errors(&text);
+            assert_eq!(all.len(), 1, "{text}");
+            let behind = numbers.split_once(' ').unwrap().1;
+            let right = text.replacen(numbers, &format!("{meant} {behind}"), 1);
+            assert_eq!(guessed(&text, all[0].code).1, [right.clone()]);
+            assert_eq!(fixed(&text), right);
+        }
+    }
+    for comment in ["válec", "a cylinder"] {
+        let text = format!("21 1 1 2 # {comment} #\n{REST}1 9999 21 0\n");
+        let right = text.replacen("1 1 2", "1 2 1 0 1 2", 1);
+        assert_eq!(guessed(&text, Code::E206).1.first(), Some(&right));
+    }
+    // The profile of one is none.
+    for comment in ["profil koule", "profile of a ball"] {
+        let text = format!("21 1 0 1 1 2 # {comment} #\n{REST}1 9999 21 0\n");
+        let (_, made) = guessed(&text, errors(&text)[0].code);
+        assert!(made.contains(&text.replacen("1 0 1 1", "1 2 0 1 1", 1)));
+        assert!(made.iter().all(|made| !made.starts_with("21 11 ")));
+    }
+}
+
+/// A box by three numbers and an edge: a comment says whether they are its corner or its centre.
+#[test]
+fn cubes_by_a_corner_or_a_centre() {
+    let cube = |comment: &str| format!("2 12 0 0 0 2{comment}\n{REST}1 9999 2 0\n");
+    let [corner, centre] = ["0 0 0 2 2 2", "-1 -1 -1 1 1 1"];
+    for (comment, meant) in [
+        (" # krychle, roh v počátku, hrana 2 #", &[corner][..]),
+        (" # cube, corner at the origin, edge 2 #", &[corner]),
+        (" # krychle se středem v počátku #", &[centre]),
+        (" # cube about the centre #", &[centre]),
+        (" # krychle #", &[centre, corner]),
+        (" # cube #", &[centre, corner]),
+    ] {
+        let text = cube(comment);
+        let with = |numbers: &&str| text.replace("0 0 0 2", numbers);
+        let right: Vec<String> = meant.iter().map(with).collect();
+        assert_eq!(only(&text, Code::E008).1, right);
+        let is_told = meant.len() == 1;
+        assert_eq!(fixed(&text), if is_told { right[0].clone() } else { text });
     }
 }

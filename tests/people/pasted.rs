@@ -188,3 +188,46 @@ fn vectors_along_an_axis() {
     assert_eq!(fixed(&part("4 y 1")), part("4 y 1"));
     assert_eq!(fixed(&scene("2 -3 2*y")), scene("2 -3 2*y"));
 }
+
+/// A comment of C behind a block stays a comment, and hides nothing of the block.
+#[test]
+fn blocks_with_a_comment_of_c() {
+    let part = |line: &str| {
+        let line = format!("{line}\n21 -101 2 3");
+        scene(&line).replace("9999 2", "9999 21")
+    };
+    for (line, meant) in [
+        ("sphere { <-2.5,1,0>, 1 }", "3 11  -2.5 1 0  1 "),
+        ("box { <-1,0,-1>, <1,2,1> }", "3 12  -1 0 -1  1 2 1 "),
+        ("torus { 1, 0.3 }", "3 14  1 0.3 "),
+        ("cylinder { <0,0,0>, <0,2,0>, 1 }", "3 1 2 1 0 1 2"),
+        ("plane { y, -1 }", "3 4 0 1 0 1"),
+        (
+            "sphere { <-2.5,1,0>, 1 pigment { color Red } }",
+            "3 11 -2.5 1 0 1\n3 -701 1 0 0",
+        ),
+    ] {
+        for words in ["mirror ball", "zrcadlová koule"] {
+            let text = part(&format!("{line} // {words}"));
+            becomes(&text, &part(&format!("{meant} # {words} #")));
+        }
+    }
+    for (line, meant) in [
+        (
+            "light_source { <4,6,5> rgb 0.8 }",
+            "51 -402 0.8\n51 -1 4 6 5",
+        ),
+        (
+            "light_source { <4,6,5> color rgb <1,0.9,0.8> }",
+            "51 -402 1\n51 -1 4 6 5\n51 -701 1 0.9 0.8",
+        ),
+    ] {
+        let text = scene(&format!("{line} // a warm lamp"));
+        becomes(&text, &scene(&format!("{meant} # a warm lamp #")));
+    }
+    // The comment is no part of what the error speaks of.
+    let text = part("sphere { <-2.5,1,0>, 1 } // mirror ball");
+    let (error, _) = guessed(&text, Code::E005);
+    let said = &text[error.span.range()];
+    assert_eq!(said, "sphere { <-2.5,1,0>, 1 }");
+}

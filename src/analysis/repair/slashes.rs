@@ -61,14 +61,9 @@ pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<M
             let behind = line.partition_point(|t| t.start < end);
             let is_last = is_trivia(&line[behind..]);
             is_before |= !is_last;
-            let words = words.replace('#', " ");
-            let words: Vec<&str> = words.split_whitespace().collect();
-            let comment = match words.is_empty() {
-                true => String::new(),
-                false => format!("# {} #", words.join(" ")),
-            };
+            let comment = as_comment(words);
             let is_alone = is_last && is_trivia(&line[..at]);
-            let void = if is_alone && !words.is_empty() {
+            let void = if is_alone && !comment.is_empty() {
                 "0 "
             } else {
                 ""
@@ -93,6 +88,16 @@ pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<M
         .with("count", Value::Count(count as u64))
         .fix(Fix::guess("fix", edits));
     Some(Matter { finding, spans })
+}
+
+/// Words behind the sign of a comment of C, as a comment.
+pub(super) fn as_comment(words: &str) -> String {
+    let words = words.replace('#', " ");
+    let words: Vec<&str> = words.split_whitespace().collect();
+    match words.is_empty() {
+        true => String::new(),
+        false => format!("# {} #", words.join(" ")),
+    }
 }
 
 /// A comment from `/*` to `*/` over several lines.

@@ -1,9 +1,14 @@
 //! Words that were meant as a comment.
 
+use super::clauses::is_word;
 use super::{Candidate, Habit, LineContext};
-use crate::diagnostics::{Applicability, Fix, Span};
+use crate::analysis::repair::slashes;
+use crate::diagnostics::{Applicability, Diagnostic, Edit, Fix, Span};
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{RecordKind, RecordType};
+
+/// The beginning of a comment in C.
+const SLASHES: &str = "//";
 
 impl LineContext<'_> {
     /// Words behind a record that were meant as a comment.
@@ -92,6 +97,56 @@ impl LineContext<'_> {
             );
             out.push(Candidate::new(Habit::Comment, fix));
         }
+    }
+
+    /// The line without a comment as C has it behind a name and numbers, `sphere { <0,1,0>, 1 } // ball`, and that comment
+    /// as one of zpg.
+    fn before_slashes(&self) -> Option<(LineContext<'_>, Edit)> {
+        let is_begin = |t: &Token| {
+            !t.kind().is_comment() && self.text[t.start as usize..].starts_with(SLASHES)
+        };
+        let at = self.all.iter().position(is_begin).filter(|&at| at > 0)?;
+        let (all, behind) = self.all.split_at(at);
+        // A comment that goes on behind the line is not cut.
+        let span = Span::new(behind[0].start, self.line.end);
+        if behind.last()?.end() > span.end {
+            return None;
+        }
+        let before = self.text[..span.start as usize].trim_end().len() as u32;
+        let tokens = all.iter().filter(|t| !t.kind().is_trivia());
+        let line = LineContext {
+            line: Span::new(self.line.start, before),
+            all,
+            tokens: tokens.copied().collect(),
+            ..*self
+        };
+        let words = self.text[span.range()].trim_start_matches('/');
+        let text = slashes::as_comment(words);
+        Some((line, Edit { span, text }))
+    }
+
+    /// Records for what other programs write with names, and the comment as C has it behind that.
+    pub(super) fn with_slashes(
+        &self,
+        finding: &Diagnostic,
+        undefined: &[u32],
+        taken: &[u32],
+        out: &mut Vec<Candidate>,
+    ) {
+        let Some((line, comment)) = self.before_slashes() else {
+            return;
+        };
+        let mut records = line.candidates(finding, undefined, taken);
+        records.retain(|c| {
+            matches!(
+                c.habit,
+                Habit::Keyword | Habit::Unnamed | Habit::Word | Habit::Apart
+            ) && line.tokens.iter().any(is_word)
+        });
+        for candidate in &mut records {
+            candidate.fix.edits.push(comment.clone());
+        }
+        out.extend(records);
     }
 
     /// How many parameters a record of this type takes of those that stand here.

@@ -1,5 +1,6 @@
 //! Records whose type is lost: `34 32 33`, or a shape whose first number stands in the place of its type.
 
+use super::types::is_slip;
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::colours;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
@@ -13,6 +14,9 @@ const OFTEN: &[i32] = &[
     11, 12, -1, -701, -101, -103, -102, -299, -2, -201, -402, -501, -105, 9, 10, 5, 6, -3, 4, 14,
     16,
 ];
+
+/// Beginnings of words for surfaces of revolution, without accents.
+const PROFILES: [&str; 4] = ["profil", "lathe", "revol", "rotacn"];
 
 /// Words of the comments on a line that are looked at.
 const MAX_COMMENT_WORDS: usize = 64;
@@ -106,13 +110,7 @@ impl LineContext<'_> {
         let often =
             (OFTEN.iter().chain(&[12])).filter_map(|&code| RecordType::by_code(code.into()));
         let fitting: Vec<&'static RecordType> = often.filter(fits).collect();
-        let comments = self.all.iter().filter(|t| t.kind().is_comment());
-        let is_letter = |c: char| c.is_alphabetic();
-        let words = comments.flat_map(|t| t.text(self.text).split(move |c| !is_letter(c)));
-        let words: Vec<&str> = words
-            .filter(|w| !w.is_empty())
-            .take(MAX_COMMENT_WORDS)
-            .collect();
+        let words = self.comment_words();
         let shapes: Vec<&RecordType> = words.iter().flat_map(|w| words::shapes(w)).collect();
         let is_coloured = words.iter().any(|w| colours::numbers(w).is_some());
         let is_called = |ty: &&RecordType| {
@@ -122,6 +120,38 @@ impl LineContext<'_> {
         let called: Vec<&RecordType> = fitting.iter().copied().filter(is_called).collect();
         let all = if called.is_empty() { fitting } else { called };
         all.into_iter().map(|ty| self.with_type(head, ty)).collect()
+    }
+
+    /// The first words of the comments on the line.
+    fn comment_words(&self) -> Vec<&str> {
+        let comments = self.all.iter().filter(|t| t.kind().is_comment());
+        let is_letter = |c: char| c.is_alphabetic();
+        let words = comments.flat_map(|t| t.text(self.text).split(move |c| !is_letter(c)));
+        let words = words.filter(|w| !w.is_empty());
+        words.take(MAX_COMMENT_WORDS).collect()
+    }
+
+    /// A shape that a comment on the line names, where the type of another one is written by a slip: `2 1 0 1 0 1 # ball #`
+    /// for `2 11 0 1 0 1`.
+    pub(super) fn called_shape(&self, out: &mut Vec<Candidate>) {
+        let is_other =
+            |ty: &&RecordType| ty.family == Family::Shape && self.id().is_some() && !self.fits(ty);
+        let Some(own) = self.ty().filter(is_other) else {
+            return;
+        };
+        let written = self.tokens[1].text(self.text);
+        let shapes: Vec<_> = (self.comment_words().into_iter())
+            .map(words::shapes)
+            .collect();
+        let is_own = |ty: &&RecordType| ty.code == own.code;
+        if shapes.iter().flatten().any(|ty| is_own(&ty)) || self.is_called(&PROFILES) {
+            return;
+        }
+        let is_meant =
+            |ty: &&'static RecordType| self.fits(ty) && is_slip(written, &ty.code.to_string());
+        let called = shapes.into_iter().filter_map(|of| of.first().copied());
+        let called = called.filter(is_meant);
+        out.extend(called.map(|ty| self.write_type(Habit::Digit, ty)));
     }
 
     /// A record whose type stands behind its numbers: `50 0.8 -402`.

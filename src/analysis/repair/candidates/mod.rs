@@ -287,6 +287,7 @@ impl<'a> LineContext<'a> {
             self.profile(&mut out);
             self.axis(&mut out);
             self.comments(&mut out);
+            self.with_slashes(finding, undefined, taken, &mut out);
             self.signs(&mut out);
             self.count(&mut out);
             self.doubled(&mut out);
@@ -342,6 +343,7 @@ impl<'a> LineContext<'a> {
             }
             self.lost_shape_type(&mut out);
             out.extend(self.type_before_zero(finding));
+            self.called_shape(&mut out);
             self.one_too_few(finding, &mut out);
         } else if finding.code == Code::W319 {
             out.extend(self.smaller_cut());
@@ -383,7 +385,9 @@ impl<'a> LineContext<'a> {
             Habit::Sign => with_type(Diagnostic::new(Code::E007, edit.span).case("sign")),
             Habit::Unnamed => {
                 let ty = candidate.ty?;
-                let end = candidate.fix.edits.last()?.span.end;
+                // A comment behind it is none of it.
+                let own = |e: &&Edit| !e.text.starts_with('#');
+                let end = edits().rfind(own)?.span.end;
                 let d = Diagnostic::new(Code::E005, Span::new(edit.span.start, end)).case("name");
                 with_type(d).map(|d| d.with("header", header(ty)))
             }

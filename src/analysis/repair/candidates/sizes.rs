@@ -11,6 +11,10 @@ use crate::syntax::words;
 const BOX: [&str; 6] = ["box", "cube", "cuboid", "krychl", "kvadr", "kost"];
 /// The same for a ball.
 const BALL: [&str; 4] = ["ball", "sphere", "koul", "kulic"];
+/// The same for a centre.
+const CENTRE: [&str; 4] = ["cent", "middle", "stred", "prostred"];
+/// The same for a corner.
+const CORNER: [&str; 3] = ["corner", "roh", "vrchol"];
 
 impl LineContext<'_> {
     /// A cone of a height and two radii, of which one is zero or the profile has both; a box of three edges, about the
@@ -49,8 +53,8 @@ impl LineContext<'_> {
         }
     }
 
-    /// A box by its centre and its edge, a sphere at the origin by its radius and its centre: four numbers, which may be
-    /// those of a sphere, too. A comment may say which it is.
+    /// A box by its centre or its least corner and its edge, a sphere at the origin by its radius and its centre: four
+    /// numbers, which may be those of a sphere, too. A comment may say which it is.
     pub(super) fn by_centre(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let written: Option<Vec<f64>> = (self.params().iter())
             .map(|t| t.number(self.text))
@@ -63,18 +67,27 @@ impl LineContext<'_> {
         match (ty.kind, finding.code) {
             (RecordKind::Shape(ShapeKind::Box), Code::E008) if d > 0.0 => {
                 let corner = |by: f64| [a, b, c].map(|x| decimal(x + by)).join(" ");
-                let new = format!("{} {} {}", ty.code, corner(-d / 2.0), corner(d / 2.0));
-                let applicability = match (self.is_called(&BOX), self.is_called(&BALL)) {
-                    (true, false) => {
-                        out.retain(|c| !is_sphere(c));
-                        Applicability::Unsafe
-                    }
-                    (false, true) => return,
-                    _ => Applicability::Choice,
+                let new = |from: f64, to: f64| {
+                    let (from, to) = (corner(from), corner(to));
+                    format!("{} {from} {to}", ty.code)
                 };
+                let centred = new(-d / 2.0, d / 2.0);
+                let beside = new(0.0, d);
+                let [is_box, is_ball, is_centre, is_corner] =
+                    [&BOX[..], &BALL, &CENTRE, &CORNER].map(|words| self.is_called(words));
+                let (all, applicability) = match (is_centre, is_corner) {
+                    _ if is_ball && !is_box => return,
+                    (true, false) if is_box => (vec![centred], Applicability::Unsafe),
+                    (false, true) => (vec![beside], Applicability::Unsafe),
+                    _ if is_box => (vec![centred, beside], Applicability::Choice),
+                    _ => (vec![centred], Applicability::Choice),
+                };
+                if is_box || is_corner {
+                    out.retain(|c| !is_sphere(c));
+                }
                 let spheres = out.iter_mut().filter(|c| is_sphere(c));
                 spheres.for_each(|c| c.fix.applicability = Applicability::Choice);
-                out.push(self.anew(&new, applicability));
+                out.extend(all.iter().map(|new| self.anew(new, applicability)));
             }
             (RecordKind::Shape(ShapeKind::SphereAtOrigin), Code::E009) if a > 0.0 => {
                 let [r, x, y, z] = [0, 1, 2, 3].map(|i| self.params()[i].text(self.text));

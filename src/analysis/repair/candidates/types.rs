@@ -66,7 +66,7 @@ impl LineContext<'_> {
         let is_cylinder = match self.params() {
             all if is_geodesic => all.len() == CYLINDER,
             all if is_parabolic => matches!(all.len(), 2 | CYLINDER),
-            [a, _] => is_profile && a.integer(self.text).is_none(),
+            [a, _] => is_profile && (a.integer(self.text).is_none() || self.is_called(&CYLINDERS)),
             all if is_cone => matches!(all.len(), CYLINDER | CONE),
             all => is_profile && all.len() == CYLINDER,
         };
@@ -543,7 +543,7 @@ impl LineContext<'_> {
 
 /// Whether one number is written for another by a slip: a digit is lost or stands there twice, or two are exchanged. In a
 /// number of three digits one may be another, too; of two most are.
-fn is_slip(written: &str, meant: &str) -> bool {
+pub(super) fn is_slip(written: &str, meant: &str) -> bool {
     let digits = |text: &'_ str| text.bytes().filter(u8::is_ascii_digit).count();
     let sorted = |text: &str| {
         let mut all = text.as_bytes().to_vec();

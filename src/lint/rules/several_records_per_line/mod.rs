@@ -102,13 +102,18 @@ fn report(context: &Context, line: &Line, ends: bool, places: &Places, out: &mut
         .with("count", Value::Count(line.more.len() as u64));
     // What could not be read is read by its lines: with others it may be something else. So beside it only a line is
     // cut that is whole records. And a record that may have taken another one's numbers must not look as if all were
-    // well. Nor must a lamp stay at the origin whose place may have been read as a shape.
+    // well. Nor must a lamp stay at the origin whose place may have been read as a shape. And a 0 behind a record may be
+    // a number too many of it.
+    let has_zero = line
+        .more
+        .iter()
+        .any(|item| matches!(item, Item::Void { .. }));
     let is_doubted =
         |item: &Item| context.document.is_doubted(item.ends().0) || places.contains(&item.ends().0);
     let mut items = line.first.into_iter().chain(line.more.iter().copied());
     let is_whole = line.torn.is_none() && !line.more.last().is_some_and(|l| is_torn(context, l));
     let is_sure = !context.document.contents.broken || is_whole && !line.broken;
-    out.push(match is_sure && !items.any(is_doubted) {
+    out.push(match is_sure && !has_zero && !items.any(is_doubted) {
         true => finding.fix(fix),
         false => finding,
     });
