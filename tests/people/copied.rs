@@ -1,0 +1,75 @@
+//! Lines that were copied with their ID, and what a comment or a place says of them otherwise.
+
+use zpg::internals::analysis::repair;
+use zpg::internals::diagnostics::{Code, Language};
+
+use super::{fixed, guessed, read};
+
+const REST: &str = "60 -501 0 2 9 0 -0.2 -1 0 1 0 40\n50 -402 0.8\n50 -1 4 6 5\n1 9999 9 0\n";
+
+fn scene(records: &str) -> String {
+    format!("{records}\n{REST}")
+}
+
+fn codes(text: &str) -> Vec<Code> {
+    let all = repair::proposals(&read(text));
+    all.iter().map(|d| d.code).collect()
+}
+
+/// The texts have one finding each, whose first guess is taken and leaves no finding.
+#[track_caller]
+fn mends(code: Code, slips: &[(&str, &str)]) {
+    for (written, meant) in slips {
+        let text = scene(written);
+        assert_eq!(codes(&text), [code], "{text}");
+        let (finding, made) = guessed(&text, code);
+        assert_eq!(made[0], scene(meant));
+        assert_eq!(fixed(&text), scene(meant));
+        assert!(codes(&fixed(&text)).is_empty(), "{text}");
+        for language in [Language::English, Language::Czech] {
+            assert_eq!(finding.wording(language).fixes.len(), made.len());
+        }
+    }
+}
+
+#[track_caller]
+fn helps(text: &str, code: Code, meant: [&str; 2]) {
+    let (finding, _) = guessed(text, code);
+    let said = [Language::English, Language::Czech].map(|l| finding.wording(l).help.unwrap());
+    assert_eq!(said, meant);
+}
+
+/// Of a mirror that lets all light through its comment speaks, and no index is proposed.
+#[test]
+fn a_mirror_by_its_comment_needs_no_index() {
+    let floor = "3 4 0 1 0 0\n9 -101 2 3";
+    for lines in [
+        "2 11 0 1 0 1 # zrcadlová koule #\n2 -201 0 0 1",
+        "2 11 0 1 0 1\n2 -201 0 0 1 # mirror #",
+        "21 -201 0 0 1 # zrcadlo #\n2 11 0 1 0 1\n2 -299 0 21",
+    ] {
+        let written = [lines, floor].join("\n");
+        let meant = written.replace("-201 0 0 1", "-201 0 1 0");
+        mends(Code::W342, &[(&written, &meant)]);
+    }
+    // Glass is that of which the index is forgotten.
+    let glass = "2 11 0 1 0 1 # skleněná koule #\n2 -201 0 0 1\n";
+    assert_eq!(codes(&scene(&[glass, floor].concat())), [Code::W337]);
+}
+
+/// Clear glass cuts no hole into what is apart from it, though the boxes of the two overlap.
+#[test]
+fn glass_apart_from_a_ball_cuts_no_hole() {
+    let with = |x: f64| {
+        scene(&format!(
+            "2 11 0 1 0 1\n2 -201 0 0 1 # sklo #\n4 11 {x} 1 {x} 1\n\
+             5 4 0 1 0 0\n6 -101 2 4\n9 -101 6 5"
+        ))
+    };
+    // The centres are 2.4 apart, and 1.84: √2 times as much.
+    assert_eq!(codes(&with(1.7)), [Code::W337]);
+    assert!(!codes(&with(1.3)).contains(&Code::W337));
+    // Both moved alike.
+    let moved = with(1.7).replace("9 -101 6 5", "6 -1 0 1 0\n9 -101 6 5");
+    assert_eq!(codes(&moved), [Code::W337]);
+}
