@@ -73,3 +73,27 @@ fn glass_apart_from_a_ball_cuts_no_hole() {
     let moved = with(1.7).replace("9 -101 6 5", "6 -1 0 1 0\n9 -101 6 5");
     assert_eq!(codes(&moved), [Code::W337]);
 }
+
+/// One lost sign in the normal of a floor.
+#[test]
+fn a_floor_above_its_height() {
+    let lines = |ball: &str, floor: &str| format!("{ball}\n{floor}\n9 -101 2 3");
+    let ball = "2 11 0 1 0 1 # koule #";
+    for word in ["podlaha", "floor", "zem"] {
+        let floor = |numbers| lines("2 9 1 # koule #", &format!("3 4 {numbers} # {word} #"));
+        mends(Code::W325, &[(&floor("0 -1 0 1"), &floor("0 1 0 1"))]);
+    }
+    let text = scene(&lines(ball, "3 4 0 -1 0 0.5 # podlaha #"));
+    let (finding, made) = guessed(&text, Code::W325);
+    // Turned round it would hold the lower part of the ball.
+    assert_eq!(made[0], scene(&lines(ball, "3 4 0 1 0 0.5 # podlaha #")));
+    assert_eq!(made[1], scene(&lines(ball, "3 4 0 1 0 -0.5 # podlaha #")));
+    assert_eq!(
+        finding.wording(Language::Czech).fixes[0],
+        "změnit znaménko normály: napsat `0 1 0 0.5`"
+    );
+    // The height is right: both signs are wrong.
+    let text = scene(&lines(ball, "3 4 0 -1 0 -1 # podlaha #"));
+    let (_, made) = guessed(&text, Code::W325);
+    assert_eq!(made, [scene(&lines(ball, "3 4 0 1 0 1 # podlaha #"))]);
+}

@@ -190,6 +190,7 @@ fix-turns = napsat pro každou osu jedno otočení, nejdřív kolem x
 fix-quaternion = je-li to kvaternion { $order }, napsat { $number }: úhel ve stupních a osu
 fix-up = napsat vektor „nahoru“ { $number }
 fix-lay = položit podlahu kolmo k ose y: napsat { $number }
+fix-normal-sign = změnit znaménko normály: napsat { $number }
 fix-per-cent = jsou-li čísla v { $text } procenta, napsat { $number }
 leading-zero = číslo v záznamu začíná nulou: s { $number } toto hlášení zmizí
 fix-ten-times-smaller = má-li být odečítaný objekt desetkrát menší, napsat { $number } pro { $id }
