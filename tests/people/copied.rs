@@ -97,3 +97,77 @@ fn a_floor_above_its_height() {
     let (_, made) = guessed(&text, Code::W325);
     assert_eq!(made, [scene(&lines(ball, "3 4 0 1 0 1 # podlaha #"))]);
 }
+
+/// A colour or optics that were copied with their ID, where the other ID is used.
+#[test]
+fn properties_copied_with_their_id() {
+    let tiles = |id: u32| {
+        format!(
+            "20 -701 0.9 0.9 0.85 # cream #\n{id} -701 0.25 0.3 0.35 # slate #\n\
+             22 -701 0.9 0.2 0.1 # red #\n40 -399 1 1 20 21 # tiles #\n2 4 0 1 0 0\n\
+             2 -299 40 0\n3 11 0 1 0 1\n3 -299 22 0\n9 -101 2 3"
+        )
+    };
+    mends(Code::E101, &[(&tiles(20), &tiles(21))]);
+    helps(
+        &scene(&tiles(20)),
+        Code::E101,
+        [
+            "20 is defined twice: the second is rather 21",
+            "20 je definováno dvakrát: druhá definice patří spíš k 21",
+        ],
+    );
+    // The index behind the copy goes with it.
+    let both = |id: u32| glass([30, id, id]);
+    mends(Code::E101, &[(&both(30), &both(31))]);
+    // Used in between, the first is none that was copied.
+    let used = tiles(20).replace(
+        "\n20 -701 0.25",
+        "\n23 11 0 0 0 9\n23 -701 1 1 1\n20 -701 0.25",
+    );
+    let used = used.replace("23 -701 1 1 1", "23 -299 20 0");
+    let (_, made) = guessed(&scene(&used), Code::E101);
+    assert!(
+        made.iter().all(|text| !text.contains("\n21 -701")),
+        "{made:?}"
+    );
+}
+
+/// A mirror and glass, with these IDs of their optics and of the index.
+fn glass([mirror, glass, index]: [u32; 3]) -> String {
+    format!(
+        "{mirror} -201 0.1 0.9 0 # mirror #\n{glass} -201 0.05 0.1 0.85 # glass #\n\
+         {index} -203 1.5 1.5 1.5\n2 4 0 1 0 0\n3 11 -2 1 0 1\n3 -299 0 30\n\
+         4 11 2 1 0 1\n4 -299 0 31\n5 -101 3 4\n9 -101 5 2"
+    )
+}
+
+/// Optics with an index alone lack the parts that others are given twice.
+#[test]
+fn optics_copied_beside_their_index() {
+    let (written, meant) = (glass([30, 30, 31]), glass([30, 31, 31]));
+    mends(Code::W334, &[(&written, &meant)]);
+    helps(
+        &scene(&written),
+        Code::W334,
+        [
+            "31 has a refractive index and no kd, ks and kt: the second is rather meant for it",
+            "31 má index lomu, ale ne kd, ks a kt: druhý záznam patří spíš k němu",
+        ],
+    );
+}
+
+/// The index of the mirror is that of the glass.
+#[test]
+fn an_index_with_the_id_of_other_optics() {
+    let (written, meant) = (glass([30, 31, 30]), glass([30, 31, 31]));
+    mends(Code::W318, &[(&written, &meant)]);
+    helps(
+        &scene(&written),
+        Code::W318,
+        [
+            "31 lets light through and has no index",
+            "31 propouští světlo a index nemá",
+        ],
+    );
+}

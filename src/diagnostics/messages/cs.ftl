@@ -520,6 +520,9 @@ write-lost-id = napsat `{ $lost }`
 
 E101 = { $id } není definováno
     .label = žádný záznam v souboru toto ID nemá
+E101-copied = { E101 }
+    .label = { E101.label }
+    .help = { $other-id } je definováno dvakrát: druhá definice patří spíš k { $id }
 E101-hidden = { E101 }
     .label = { E101.label }
     .help = ID { $id } je definováno uvnitř komentáře, který začíná na řádku { $line }

@@ -509,6 +509,9 @@ write-lost-id = write `{ $lost }`
 
 E101 = { $id } is not defined
     .label = nothing in this file has this ID
+E101-copied = { E101 }
+    .label = { E101.label }
+    .help = { $other-id } is defined twice: the second is rather { $id }
 E101-hidden = { E101 }
     .label = { E101.label }
     .help = ID { $id } is defined inside the comment that begins on line { $line }
