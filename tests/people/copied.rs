@@ -171,3 +171,23 @@ fn an_index_with_the_id_of_other_optics() {
         ],
     );
 }
+
+/// A difference or an intersection is one object, and a union several.
+#[test]
+fn an_operation_that_is_moved_and_then_turned() {
+    let of = |code: i32| {
+        scene(&format!(
+            "2 12 -1 0 -1 1 1 1\n4 11 0 1 0 0.8\n5 {code} 2 4\n5 -1 1.5 0 -1.5\n\
+             5 -2 20 2\n3 4 0 1 0 0\n9 -101 5 3"
+        ))
+    };
+    let swapped =
+        |code| of(code).replace("5 -1 1.5 0 -1.5\n5 -2 20 2", "5 -2 20 2\n5 -1 1.5 0 -1.5");
+    for code in [-102, -103] {
+        assert_eq!(codes(&of(code)), [Code::N609]);
+        let (_, made) = guessed(&of(code), Code::N609);
+        assert_eq!(made, [swapped(code)]);
+        assert!(codes(&swapped(code)).is_empty());
+    }
+    assert!(codes(&of(-101)).is_empty());
+}
