@@ -5,6 +5,7 @@ mod agreement;
 mod blocks;
 mod called;
 mod commas;
+mod copied;
 mod doubted;
 mod eyes;
 mod forgotten;

@@ -1,9 +1,10 @@
-//! A definition with a slip of its ID: the records right below have another ID, which is used and defined nowhere.
+//! A definition with a slip of its ID: the records right below have another ID, which is used and defined nowhere; or a
+//! property is defined twice.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::switched_off;
 use super::whole::{Matter, records};
+use super::{Engine, switched_off};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Span};
 use crate::scene::names;
@@ -18,7 +19,7 @@ const TITLE: &str = "fix-defined";
 
 /// Whether a finding proposes another ID for a definition above.
 pub(super) fn is_told(d: &Diagnostic) -> bool {
-    d.fixes.first().is_some_and(|f| f.title == TITLE)
+    d.case == COPIED || d.fixes.first().is_some_and(|f| f.title == TITLE)
 }
 
 /// The definitions of objects that no record names or changes, each with the ID of the records right below it, where
@@ -74,4 +75,77 @@ pub(super) fn slips(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Matter>
         Some(Matter { finding, spans })
     };
     all.windows(2).filter_map(slip).take(MAX_TRIED).collect()
+}
+
+impl Engine<'_> {
+    /// Settles a property that was copied with its ID.
+    pub(super) fn copied(&mut self) {
+        if let Some(matter) = copied(self.analysis, &self.findings) {
+            self.settle(matter);
+        }
+    }
+}
+
+/// The title of the fix that writes another ID in the second definition of a property.
+const COPIED_TITLE: &str = "fix-write";
+/// The case of a finding about an ID whose property has that of another one.
+const COPIED: &str = "copied";
+
+/// The findings about an ID of a property that nothing defines, where one property is defined twice before anything uses
+/// it: the second line was copied with its ID.
+fn copied(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
+    let is_open = |d: &&Diagnostic| d.code == Code::E101 && d.case.is_empty();
+    let wrong: Vec<&Diagnostic> = findings
+        .iter()
+        .filter(is_open)
+        .filter(|d| !switched_off::is_told(d))
+        .collect();
+    let id = super::named(wrong.first()?)?;
+    if wrong.iter().any(|d| super::named(d) != Some(id)) {
+        return None;
+    }
+    let document = &analysis.document;
+    let all: Vec<&Record> = records(analysis).collect();
+    // The place of the record that defines a property nobody has used yet.
+    let mut unused: FxHashMap<u32, usize> = FxHashMap::default();
+    let mut seen: FxHashSet<u32> = FxHashSet::default();
+    let mut twice: Vec<usize> = Vec::new();
+    for (at, record) in all.iter().enumerate() {
+        for named in names::references(document, record) {
+            unused.remove(&named);
+        }
+        let is_first = seen.insert(record.id);
+        let is_property = matches!(
+            record.ty().effect,
+            Effect::DefinesOrChanges(Kind::Colour | Kind::Texture | Kind::Optics, _)
+        );
+        match unused.get(&record.id) {
+            Some(&first) if all[first].kind == record.kind => twice.push(at),
+            None if is_first && is_property => {
+                unused.insert(record.id, at);
+            }
+            _ => {}
+        }
+    }
+    let [second] = *twice else {
+        return None;
+    };
+    let own = all[second].id;
+    // What is said of the second behind it goes with it.
+    let behind = all[second..].iter().take_while(|r| r.id == own);
+    let text = id.to_string();
+    let number = quote(&text);
+    let edit = |r: &&Record| Edit {
+        span: document.id_token(r).span(),
+        text: text.clone(),
+    };
+    let fix = Fix::guess(COPIED_TITLE, behind.map(edit).collect()).with("number", number);
+    let first = (**wrong.first()?).clone();
+    let finding = Diagnostic {
+        fixes: vec![fix],
+        ..first
+    };
+    let finding = finding.case(COPIED).with("other-id", own.to_string());
+    let spans: Vec<Span> = wrong.iter().map(|d| d.span).collect();
+    Some(Matter { finding, spans })
 }

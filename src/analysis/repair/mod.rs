@@ -63,6 +63,7 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
         heads::retell(engine.analysis, &mut engine.findings);
         in_comments::retell(engine.analysis, &mut engine.findings);
         engine.switched_off();
+        engine.copied();
         engine.lamp_operands();
         missing::retell(engine.analysis, &mut engine.findings);
         unused_operand::add(engine.analysis, &mut engine.findings);

@@ -190,6 +190,7 @@ fix-turns = napsat pro každou osu jedno otočení, nejdřív kolem x
 fix-quaternion = je-li to kvaternion { $order }, napsat { $number }: úhel ve stupních a osu
 fix-up = napsat vektor „nahoru“ { $number }
 fix-lay = položit podlahu kolmo k ose y: napsat { $number }
+fix-normal-sign = změnit znaménko normály: napsat { $number }
 fix-per-cent = jsou-li čísla v { $text } procenta, napsat { $number }
 leading-zero = číslo v záznamu začíná nulou: s { $number } toto hlášení zmizí
 fix-ten-times-smaller = má-li být odečítaný objekt desetkrát menší, napsat { $number } pro { $id }
@@ -519,6 +520,9 @@ write-lost-id = napsat `{ $lost }`
 
 E101 = { $id } není definováno
     .label = žádný záznam v souboru toto ID nemá
+E101-copied = { E101 }
+    .label = { E101.label }
+    .help = { $other-id } je definováno dvakrát: druhá definice patří spíš k { $id }
 E101-hidden = { E101 }
     .label = { E101.label }
     .help = ID { $id } je definováno uvnitř komentáře, který začíná na řádku { $line }

@@ -181,6 +181,7 @@ fix-turns = write one rotation for each axis, about x first
 fix-quaternion = as the quaternion { $order } it is { $number }: an angle in degrees, and an axis
 fix-up = write the up vector { $number }
 fix-lay = lay the floor across the y axis: write { $number }
+fix-normal-sign = change the sign of the normal: write { $number }
 fix-per-cent = if the factors of { $text } are in per cent, write { $number }
 leading-zero = a number of the record begins with a zero: with { $number } this is said no more
 fix-ten-times-smaller = if what is taken away is ten times smaller, write { $number } for { $id }
@@ -508,6 +509,9 @@ write-lost-id = write `{ $lost }`
 
 E101 = { $id } is not defined
     .label = nothing in this file has this ID
+E101-copied = { E101 }
+    .label = { E101.label }
+    .help = { $other-id } is defined twice: the second is rather { $id }
 E101-hidden = { E101 }
     .label = { E101.label }
     .help = ID { $id } is defined inside the comment that begins on line { $line }

@@ -47,7 +47,7 @@ pub(super) fn mended(
     }
     let frees = |then: [f64; 4]| frees(context, &sides, then);
     fixes.extend(
-        laid_down(p, now, &sides)
+        (laid_down(p, now, &sides).or_else(|| with_normal_up(p, now, &sides)))
             .filter(|(then, _)| frees(*then))
             .map(|(_, fix)| fix),
     );
@@ -65,13 +65,15 @@ fn frees(context: &Context, sides: &Sides, then: [f64; 4]) -> bool {
     !sides.buries(then) && !cameras.chain(lamps).any(|place| sides.holds(then, place))
 }
 
-/// The fix of a half-space that stands upright, and is a floor by its comment, where it then holds nothing.
+/// The fix of a half-space that is a floor by its comment, and stands upright or is all above a height, where it then holds
+/// nothing.
 pub(in crate::lint::rules) fn laid(context: &Context, solid: Named) -> Option<Fix> {
     let scene = context.scene;
     let own = RecordKind::Shape(ShapeKind::HalfSpace);
     let p = (context.params(solid.span)).filter(|p| p.id == solid.id && p.ty.kind == own)?;
     let sides = Sides::new(scene, context.bounds(), scene.render?.root, solid)?;
-    let laid = laid_down(&p, p.numbers(0), &sides);
+    let now = p.numbers(0);
+    let laid = laid_down(&p, now, &sides).or_else(|| with_normal_up(&p, now, &sides));
     let (_, fix) = laid.filter(|(then, _)| frees(context, &sides, *then))?;
     Some(fix)
 }
@@ -120,6 +122,25 @@ fn laid_down(p: &Params, now: [f64; 4], sides: &Sides) -> Option<([f64; 4], Fix)
     );
     let fix = fix.with("number", quote(&normal));
     Some(([0.0, now[axis].abs(), 0.0, now[3]], fix))
+}
+
+/// A floor by its comment that is all above a height, with its numbers and record where its normal alone has the other sign,
+/// which is then lower than the half-space turned round.
+fn with_normal_up(p: &Params, now: [f64; 4], sides: &Sides) -> Option<([f64; 4], Fix)> {
+    let [a, b, c, d] = now;
+    let is_above = [a, c] == [0.0; 2] && b < 0.0 && d > 0.0;
+    if !is_above || !sides.is_untouched || !p.is_called(&FLOOR) {
+        return None;
+    }
+    let up = opposite(p, 1);
+    let all = [p.text_of(0), &up, p.text_of(2), p.text_of(3)].join(" ");
+    let fix = Fix::replace(
+        "fix-normal-sign",
+        Applicability::Unsafe,
+        p.span_of(1, 1),
+        up,
+    );
+    Some(([a, -b, c, d], fix.with("number", quote(&all))))
 }
 
 /// A rotation of an object and a translation above it in each other's place, where the middle of the object is then out of

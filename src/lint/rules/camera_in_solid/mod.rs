@@ -77,7 +77,11 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         };
         let swapped = swapped(context, render.root, camera, camera_record);
         finding.fixes.splice(0..0, swapped);
-        finding.fixes.splice(0..0, laid(context, held.solid));
+        let laid = laid(context, held.solid);
+        if laid.is_some() && finding.case == "half-space-kept" {
+            finding.case = "half-space";
+        }
+        finding.fixes.splice(0..0, laid);
         let scaling = scalings.get(&held.solid.id);
         finding
             .fixes

@@ -54,53 +54,91 @@ const MAX_LACKED_PART: f64 = 0.1;
 /// The parts of a colour that may be optics add up to 1, but for rounding.
 const SUM_EPS: f64 = 1e-9;
 
+/// Objects and optics that a comment calls a mirror or glass.
+struct Called<'a> {
+    /// The first record of each ID with such a comment.
+    looks: Vec<(&'a Record, &'static Look)>,
+    /// All records of each ID that give optics, or a colour.
+    optics: FxHashMap<u32, Vec<&'a Record>>,
+    colours: FxHashMap<u32, Vec<&'a Record>>,
+}
+
+impl<'a> Called<'a> {
+    fn of(context: &Context<'a>) -> Called<'a> {
+        let mut called = Called {
+            looks: Vec::new(),
+            optics: FxHashMap::default(),
+            colours: FxHashMap::default(),
+        };
+        if !context.document.contents.comments {
+            return called;
+        }
+        let mut told: FxHashSet<u32> = FxHashSet::default();
+        for record in context.records() {
+            let of_kind = match record.kind {
+                RecordKind::Colour => Some(&mut called.colours),
+                _ => gives_optics(record).then_some(&mut called.optics),
+            };
+            if let Some(all) = of_kind {
+                all.entry(record.id).or_default().push(record);
+            }
+            let is_solid =
+                record.ty().family == Family::Shape || super::OPERATIONS.contains(&record.kind);
+            if !is_solid && !super::OPTICS.contains(&record.kind) {
+                continue;
+            }
+            let p = context.record_params(record);
+            let look = p.comments().find_map(|text| look(text, &p));
+            if let Some(look) = look
+                && told.insert(record.id)
+            {
+                called.looks.push((record, look));
+            }
+        }
+        called
+    }
+
+    /// The only optics of an ID, if they are written in one record (-201).
+    fn only(&self, id: u32) -> Option<&'a Record> {
+        match self.optics.get(&id).map(Vec::as_slice) {
+            Some(&[only]) if only.kind == RecordKind::Optics => Some(only),
+            _ => None,
+        }
+    }
+}
+
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    if !context.document.contents.comments {
-        return;
-    }
-    let mut called: Vec<(&Record, &Look)> = Vec::new();
-    let mut told: FxHashSet<u32> = FxHashSet::default();
-    let mut optics: FxHashMap<u32, Vec<&Record>> = FxHashMap::default();
-    let mut colours: FxHashMap<u32, Vec<&Record>> = FxHashMap::default();
-    for record in context.records() {
-        let is_optics = gives_optics(record);
-        match record.kind {
-            RecordKind::Colour => colours.entry(record.id).or_default().push(record),
-            _ if is_optics => optics.entry(record.id).or_default().push(record),
-            _ => {}
-        }
-        let is_solid =
-            record.ty().family == Family::Shape || super::OPERATIONS.contains(&record.kind);
-        if !is_solid && !super::OPTICS.contains(&record.kind) {
-            continue;
-        }
-        let p = context.record_params(record);
-        let look = p.comments().find_map(|text| look(text, &p));
-        if let Some(look) = look
-            && told.insert(record.id)
-        {
-            called.push((record, look));
-        }
-    }
-    if called.is_empty() {
+    let called = Called::of(context);
+    if called.looks.is_empty() {
         return;
     }
     let given = context.with_parts(gives_optics);
-    for (record, look) in called {
-        match optics.get(&record.id).map(Vec::as_slice) {
-            Some(&[only]) if only.kind == RecordKind::Optics => {
-                out.extend(other(&context.record_params(only), look));
-            }
-            None if record.ty().family == Family::Shape && !given.contains(&record.id) => {
-                let colour = match colours.get(&record.id).map(Vec::as_slice) {
-                    Some(&[only]) => Some(context.record_params(only)),
-                    _ => None,
-                };
-                out.push(none(context, record, colour.as_ref(), look));
-            }
-            _ => {}
+    for &(record, look) in &called.looks {
+        if let Some(only) = called.only(record.id) {
+            out.extend(other(&context.record_params(only), look));
+            continue;
+        }
+        let has_none = !called.optics.contains_key(&record.id) && !given.contains(&record.id);
+        if has_none && record.ty().family == Family::Shape {
+            let colour = match called.colours.get(&record.id).map(Vec::as_slice) {
+                Some(&[only]) => Some(context.record_params(only)),
+                _ => None,
+            };
+            out.push(none(context, record, colour.as_ref(), look));
         }
     }
+}
+
+/// The IDs whose optics are others than a comment says: an index for them is no matter.
+pub(super) fn with_other_optics(context: &Context) -> FxHashSet<u32> {
+    let called = Called::of(context);
+    let looks = called.looks.iter();
+    let is_other = |record: &Record, look| {
+        let only = called.only(record.id)?;
+        other(&context.record_params(only), look)
+    };
+    let others = looks.filter(|(record, look)| is_other(record, look).is_some());
+    others.map(|(record, _)| record.id).collect()
 }
 
 fn gives_optics(record: &Record) -> bool {

@@ -35,6 +35,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         true => return,
         false => context.titles(),
     };
+    let lacking = without_parts(context, &pairs);
     for (i, pair) in pairs.into_iter().enumerate() {
         let Pair {
             first,
@@ -49,7 +50,13 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .with("id", first.id.to_string())
             .case(case)
             .label(span(second), "second");
-        if i < MAX_PROPOSED {
+        if let Some(id) = lacking.filter(|_| case.is_empty() && gives_parts(second)) {
+            let text = id.to_string();
+            let number = quote(&text);
+            let head = context.document.id_token(second).span();
+            let fix = Fix::guess("fix", vec![Edit { span: head, text }]).with("number", number);
+            d = d.case("index").with("other-id", id.to_string()).fix(fix);
+        } else if i < MAX_PROPOSED {
             d.fixes = neighbours(context, second);
             if case == TAKEN_BACK {
                 taken_back::propose(context, first, second, &mut d.fixes);
@@ -94,6 +101,36 @@ pub(super) fn with_two_optics(context: &Context) -> FxHashSet<u32> {
     let pairs = pairs(context).into_iter();
     let of_optics = pairs.filter(|pair| pair.first.ty().gives_optics());
     of_optics.map(|pair| pair.first.id).collect()
+}
+
+/// Whether a record says what part of the light is reflected, and what goes through.
+fn gives_parts(record: &Record) -> bool {
+    matches!(record.kind, RecordKind::Optics | RecordKind::OpticsRgb)
+}
+
+/// The only optics that have an index and no parts, where exactly one pair gives other optics parts twice: the second are
+/// rather theirs.
+fn without_parts(context: &Context, pairs: &[Pair]) -> Option<u32> {
+    let is_twice = |pair: &&Pair| pair.case.is_empty() && gives_parts(pair.second);
+    let mut twice = pairs.iter().filter(is_twice);
+    let (one, None) = (twice.next()?, twice.next()) else {
+        return None;
+    };
+    let with_parts = |r: &&Record| gives_parts(r);
+    let given: FxHashSet<u32> = context.records().filter(with_parts).map(|r| r.id).collect();
+    let is_optics = |e: &&Entity| e.kind == Some(Kind::Optics);
+    let entities = || context.scene.entities.iter().filter(is_optics);
+    entities().find(|e| e.id == one.second.id)?;
+    let mut meant = entities().filter(|e| !given.contains(&e.id));
+    let (only, None) = (meant.next()?, meant.next()) else {
+        return None;
+    };
+    Some(only.id)
+}
+
+/// The optics whose parts are given to others by a slip of an ID: what their index lacks is said there.
+pub(super) fn with_lost_parts(context: &Context) -> Option<u32> {
+    without_parts(context, &pairs(context))
 }
 
 /// The records about an ID since the ID was used, the last one of each kind.

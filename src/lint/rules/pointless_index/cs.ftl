@@ -1,6 +1,9 @@
 W318 = tento index lomu nemá žádný vliv: { $object } { $object-id } nepropouští světlo
     .label = všude, kde index platí, je kt 0
     .help = světlo se láme jen tam, kde objekt část světla propouští: dejte mu optickou vlastnost s kt > 0, například `{ $object-id } -201 0 0.1 0.9`
+W318-other = { W318 }
+    .label = { W318.label }
+    .help = { $other-id } propouští světlo a index nemá
 W318-covered = tento index lomu nemá žádný vliv: { $object } { $object-id } světlo propouští, ale { $cover } { $cover-id }, do kterého patří, má optickou vlastnost, která ho nepropouští
     .label = všude, kde index platí, je kt 0
     .cover = toto platí pro všechny části objektu { $cover-id }

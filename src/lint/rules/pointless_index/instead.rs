@@ -9,6 +9,54 @@ use crate::scene::{Entity, Node, Paint, fold_up};
 use crate::syntax::table::{Kind, RecordKind};
 use crate::syntax::{Record, quote};
 
+/// The index with the ID of the only optics that let light through and have no index, where it has that of other optics,
+/// with that ID. What is used above it is left out, as that would not change, and what nothing uses.
+pub(super) fn of_clear_optics(context: &Context, index: &Params) -> Option<(u32, Fix)> {
+    let is_optics = |e: &&Entity| e.kind == Some(Kind::Optics);
+    let start = index.id_span().start;
+    let mut entities = context.scene.entities.iter().filter(is_optics);
+    entities.find(|e| e.id == index.id)?;
+    let mut clear: FxHashSet<u32> = FxHashSet::default();
+    let mut without: FxHashSet<u32> = FxHashSet::default();
+    let mut used: FxHashSet<u32> = FxHashSet::default();
+    for record in context.records() {
+        let is_above = context.document.span(record.first, record.last).start < start;
+        let parts = match record.kind {
+            RecordKind::Optics => 3,
+            RecordKind::OpticsRgb => 9,
+            RecordKind::RefractiveIndex => {
+                without.insert(record.id);
+                0
+            }
+            _ => 0,
+        };
+        match is_above {
+            true => without.extend(context.references(record)),
+            false => used.extend(context.references(record)),
+        }
+        let p = context.record_params(record);
+        // Of each three parts the last one.
+        if is_above && (0..parts).skip(2).step_by(3).any(|i| p.number(i) > 0.0) {
+            clear.insert(record.id);
+        }
+    }
+    let entities = context.scene.entities.iter().filter(is_optics);
+    let mut meant = entities
+        .filter(|e| clear.contains(&e.id) && !without.contains(&e.id) && used.contains(&e.id));
+    let (only, None) = (meant.next()?, meant.next()) else {
+        return None;
+    };
+    Some((only.id, written(index, only.id)))
+}
+
+/// The index with another ID.
+fn written(index: &Params, id: u32) -> Fix {
+    let text = id.to_string();
+    let number = quote(&text);
+    let fix = Fix::replace("fix-write", Applicability::Unsafe, index.id_span(), text);
+    fix.with("number", number)
+}
+
 /// The index with the ID of the object that lets light through and has no index: the one whose record stands right
 /// above, or the only one. None of those `without` it: their optics may be meant for another object themselves.
 pub(super) fn of_glass(context: &Context, index: &Params, without: &FxHashSet<u32>) -> Option<Fix> {
@@ -52,12 +100,5 @@ pub(super) fn of_glass(context: &Context, index: &Params, without: &FxHashSet<u3
     if without.contains(&id) {
         return None;
     }
-    let text = id.to_string();
-    let fix = Fix::replace(
-        "fix-write",
-        Applicability::Unsafe,
-        index.id_span(),
-        text.clone(),
-    );
-    Some(fix.with("number", quote(&text)))
+    Some(written(index, id))
 }

@@ -117,12 +117,13 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
     let is_one = silent.len() == 1;
     let mut covers: Option<Covers> = None;
     let twice = super::overridden_property::with_two_optics(context);
+    let told = super::overridden_property::with_lost_parts(context);
     for (span, object) in silent {
         let Some(p) = context.params(span) else {
             continue;
         };
-        // An index below 1 has been reported.
-        if below_one(&p).is_some() {
+        // An index below 1 has been reported, and W334 says where the optics of this one are.
+        if below_one(&p).is_some() || told == Some(p.id) {
             continue;
         }
         let title = |id: u32| Value::Term(titles.get(&id).copied().unwrap_or("object"));
@@ -143,6 +144,12 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
                     .with("number", quote(&format!("{} {}", head.id, head.ty.code)))
                     .label(written, "cover"),
             );
+            continue;
+        }
+        let of_optics = is_one.then(|| instead::of_clear_optics(context, &p));
+        if let Some((meant, fix)) = of_optics.flatten() {
+            let d = d.case("other").with("other-id", meant.to_string());
+            out.push(d.fix(fix));
             continue;
         }
         let fix = (is_one.then(|| instead::of_glass(context, &p, &twice))).flatten();

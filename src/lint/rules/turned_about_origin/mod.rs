@@ -1,14 +1,14 @@
-//! N609: a single shape that is moved and then turned about an axis through the origin, which takes it elsewhere.
+//! N609: a single shape, difference or intersection that is moved and then turned about an axis through the origin, which takes it elsewhere.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
-use crate::geometry::Matrix;
 use crate::geometry::array::{length, sub};
+use crate::geometry::{Aabb, Matrix};
 use crate::lint::Context;
 use crate::lint::rules::TRANSFORMATIONS;
 use crate::lint::spelling::near;
-use crate::scene::{Shape, Vec3, transformation};
+use crate::scene::{Node, Vec3, transformation};
 use crate::solids::shapes::facts::Facts as _;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind};
 use crate::syntax::{Record, quote};
@@ -51,12 +51,29 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if is_group || parts.contains(id) || context.has_broken() {
         return;
     }
-    let shape = context.scene.shapes.iter().find(|s| s.id == *id);
-    out.extend(shape.and_then(|shape| finding(context, shape, chain)));
+    out.extend(solid(context, *id).and_then(|solid| finding(context, *id, solid, chain)));
 }
 
-/// The finding about a shape with a translation and a rotation behind it, and no more.
-fn finding(context: &Context, shape: &Shape, chain: &[&Record]) -> Option<Diagnostic> {
+/// The title of a shape, a difference or an intersection, and its bounds as it is defined.
+fn solid(context: &Context, id: u32) -> Option<(&'static str, Aabb)> {
+    let scene = context.scene;
+    if let Some(shape) = scene.shapes.iter().find(|s| s.id == id) {
+        return Some((shape.ty().title, shape.geometry.bounds(&Matrix::IDENTITY)));
+    }
+    let is_one = |node: &Node| matches!(node, Node::Difference(..) | Node::Intersection(..));
+    let mut nodes = scene.nodes.iter().zip(&scene.origins);
+    let node = nodes.position(|(node, origin)| origin.id == id && is_one(node))?;
+    let title = context.titles().get(&id).copied()?;
+    Some((title, context.bounds()[node].all))
+}
+
+/// The finding about a solid with a translation and a rotation behind it, and no more.
+fn finding(
+    context: &Context,
+    id: u32,
+    (title, bounds): (&'static str, Aabb),
+    chain: &[&Record],
+) -> Option<Diagnostic> {
     let [moved, turned] = *chain else {
         return None;
     };
@@ -66,7 +83,6 @@ fn finding(context: &Context, shape: &Shape, chain: &[&Record]) -> Option<Diagno
     let [first, second] = [moved, turned].map(|r| context.record_params(r));
     let [place, turn] = [&first, &second].map(|p| transformation(p, &mut Vec::new()));
     let (place, turn) = (place?, turn?);
-    let bounds = shape.geometry.bounds(&Matrix::IDENTITY);
     if !bounds.is_bounded() {
         return None;
     }
@@ -90,8 +106,8 @@ fn finding(context: &Context, shape: &Shape, chain: &[&Record]) -> Option<Diagno
     };
     Some(
         Diagnostic::new(Code::N609, two)
-            .with("type", Value::Term(shape.ty().title))
-            .with("id", shape.id.to_string())
+            .with("type", Value::Term(title))
+            .with("id", id.to_string())
             .with("from", said(before))
             .with("to", said(after))
             .label(one, "move")

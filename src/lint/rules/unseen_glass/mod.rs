@@ -13,7 +13,9 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::geometry::{Aabb, Matrix};
 use crate::lint::Context;
 use crate::lint::parts::{Parts, parts};
+use crate::lint::rules::optics_by_comment::with_other_optics;
 use crate::scene::{DEFAULT_INDEX, Node, NodeId, Optics, Origin, Paint, Rgb, Scene, fold_up};
+use crate::solids::proofs::Proofs;
 use crate::solids::shapes::facts::Facts;
 use crate::solids::within::CLEARANCE_REL;
 use crate::solids::{Named, named};
@@ -23,6 +25,8 @@ use crate::syntax::table::RecordKind;
 /// Nodes gone through, and pairs of parts compared: some hundredths of a second.
 const NODES: usize = 200_000;
 const PAIRS: usize = 1_000_000;
+/// Pairs of parts whose boxes overlap, and which are looked at more closely: some hundredths of a second.
+const CLOSE_PAIRS: usize = 20_000;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -58,6 +62,8 @@ fn invisible(context: &Context, root: NodeId, kinds: &[Parts]) -> Option<Diagnos
     let scene = context.scene;
     let all = members(context, root, is_clear)?;
     let mut left = PAIRS;
+    let mut proofs: Option<Proofs> = None;
+    let mut close_left = CLOSE_PAIRS;
     let mut told = FxHashSet::default();
     let mut unseen = Vec::new();
     for (i, part) in all.iter().enumerate().filter(|(_, part)| part.is_plain()) {
@@ -65,7 +71,16 @@ fn invisible(context: &Context, root: NodeId, kinds: &[Parts]) -> Option<Diagnos
             Some(rest) => left = rest,
             None => break,
         }
-        let cuts = |other: &Member| !other.is_plain() && !is_apart(&part.bounds, &other.bounds);
+        let cuts = |other: &Member| {
+            let is_near = !other.is_plain() && !is_apart(&part.bounds, &other.bounds);
+            if !is_near || close_left == 0 || part.moved != other.moved {
+                return is_near;
+            }
+            close_left -= 1;
+            let [one, two] = [part, other].map(|m| [(m.node, false)]);
+            let proofs = proofs.get_or_insert_with(|| Proofs::new(scene, context.bounds()));
+            proofs.nothing(&one, &two, None).is_none()
+        };
         if !part.is_solid(kinds) || all[i + 1..].iter().any(cuts) {
             continue;
         }
@@ -86,6 +101,24 @@ fn finding(
     [one, several]: [&'static str; 2],
     index: &str,
 ) -> Option<Diagnostic> {
+    // Of optics that are others than a comment says, W342 speaks.
+    let others = match objects.is_empty() {
+        true => return None,
+        false => with_other_optics(context),
+    };
+    let is_told = |object: &Named, record: &Origin| {
+        let optics = context
+            .params(record.span)
+            .filter(|p| p.ty.kind == RecordKind::Assignment)
+            .and_then(|p| u32::try_from(p.integer(1)).ok());
+        let ids = [Some(object.id), Some(record.id), optics];
+        ids.into_iter().flatten().any(|id| others.contains(&id))
+    };
+    let objects: Vec<(Named, Origin)> = objects
+        .iter()
+        .filter(|(object, record)| !is_told(object, record))
+        .copied()
+        .collect();
     let &(object, record) = objects.first()?;
     let line = |id: u32| format!("{id} -203 {index}");
     let edits = objects.iter().flat_map(|(_, record)| {
@@ -110,6 +143,8 @@ type Test = fn(&Optics) -> bool;
 /// A part of the outermost union.
 struct Member {
     node: NodeId,
+    /// What moves it with the union that it is a part of.
+    moved: Matrix,
     bounds: Aabb,
     /// Whether the optics of all of it meet the condition.
     meets: bool,
@@ -144,13 +179,18 @@ fn members(context: &Context, root: NodeId, test: Test) -> Option<Vec<Member>> {
     let scene = context.scene;
     let owns = owns(scene, test);
     let mut out = Vec::new();
-    let mut todo = vec![(root, root, Matrix::IDENTITY, Above::default())];
+    let mut todo = vec![(
+        (root, Matrix::IDENTITY),
+        root,
+        Matrix::IDENTITY,
+        Above::default(),
+    )];
     let mut left = NODES;
     while let Some((operand, node, matrix, mut above)) = todo.pop() {
         left = left.checked_sub(1)?;
         match scene.nodes[node as usize] {
             Node::Union(a, b) => {
-                todo.extend([b, a].map(|child| (child, child, matrix, above)));
+                todo.extend([b, a].map(|child| ((child, matrix), child, matrix, above)));
             }
             Node::Transform { child, matrix: m } => {
                 let moved = matrix.after(&scene.matrices[m as usize]);
@@ -171,7 +211,8 @@ fn members(context: &Context, root: NodeId, test: Test) -> Option<Vec<Member>> {
                     None => (own.paint.is_some(), own.paint),
                 };
                 out.push(Member {
-                    node: operand,
+                    node: operand.0,
+                    moved: operand.1,
                     bounds: match scene.nodes[node as usize] {
                         Node::Shape(s) => scene.shapes[s as usize].geometry.bounds(&matrix),
                         _ => context.bounds()[node as usize].all.transformed(&matrix),
