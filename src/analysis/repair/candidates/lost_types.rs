@@ -144,7 +144,7 @@ impl LineContext<'_> {
             .map(words::shapes)
             .collect();
         let is_own = |ty: &&RecordType| ty.code == own.code;
-        if shapes.iter().flatten().any(|ty| is_own(ty)) || self.is_called(&PROFILES) {
+        if shapes.iter().flatten().any(is_own) || self.is_called(&PROFILES) {
             return;
         }
         let is_meant =
