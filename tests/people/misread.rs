@@ -332,7 +332,7 @@ fn shapes_that_lost_a_digit() {
             assert_eq!(all.len(), 1, "{text}");
             let behind = numbers.split_once(' ').unwrap().1;
             let right = text.replacen(numbers, &format!("{meant} {behind}"), 1);
-            assert_eq!(guessed(&text, all[0].code).1, [right.clone()]);
+            assert_eq!(guessed(&text, all[0].code).1, std::slice::from_ref(&right));
             assert_eq!(fixed(&text), right);
         }
     }
