@@ -92,38 +92,45 @@ fn a_lost_point_explains_what_else_is_said() {
     assert_eq!(made, [text.replace("0.2 08", "08 0.2")]);
 }
 
-/// A ball that is taken away holds all that it is taken away from: both are in each other's place, or, where a comment says
-/// what it is cut from, the ball may be too large.
+/// A ball that is taken away holds all that it is taken away from: both are in each other's place, or, where comments say
+/// what is cut, the ball may be too large.
 #[test]
 fn a_cut_that_is_too_large() {
-    let of = |cuboid: &str| {
-        let cuboid = format!("20 12 -1 0 -1 1 2 1{cuboid}");
-        scene(&format!("{cuboid}\n21 11 0 2 0 6\n22 -103 20 21"), 22)
+    let of = |cuboid: &str, ball: &str| {
+        let records = format!("20 12 -1 0 -1 1 2 1{cuboid}\n21 11 0 2 0 6{ball}\n22 -103 20 21");
+        scene(&records, 22)
     };
-    let text = of("");
-    let (_, made) = guessed(&text, Code::W319);
-    assert_eq!(made, [text.replace("20 21", "21 20")]);
-    for comment in [" # cube #", " # what it is cut from #"] {
-        let text = of(comment);
+    for cuboid in ["", " # cube #"] {
+        let text = of(cuboid, "");
         let (finding, made) = guessed(&text, Code::W319);
-        let meant = [("21 11 0 2 0 6", "21 11 0 2 0 0.6"), ("20 21", "21 20")];
+        assert_eq!(made, [text.replace("20 21", "21 20")]);
+        assert_eq!(is_choice(&finding), !cuboid.is_empty());
+    }
+    let smaller = [
+        "if what is taken away is ten times smaller, write `0 2 0 0.6` for 21",
+        "má-li být odečítaný objekt desetkrát menší, napsat `0 2 0 0.6` pro 21",
+    ];
+    for (cuboid, ball) in [
+        (" # cube #", " # what is cut from it #"),
+        (" # krychle #", " # díra #"),
+    ] {
+        let text = of(cuboid, ball);
+        let (finding, made) = guessed(&text, Code::W319);
+        let meant = [("0 2 0 6", "0 2 0 0.6"), ("20 21", "21 20")];
+        assert_eq!(
+            [Language::English, Language::Czech].map(|l| titles(&finding, l)[0].clone()),
+            smaller
+        );
         assert_eq!(made, meant.map(|(from, to)| text.replace(from, to)));
         assert!(is_choice(&finding));
         assert_eq!(fixed(&text), text);
-        assert_eq!(
-            [Language::English, Language::Czech].map(|l| titles(&finding, l)[0].clone()),
-            [
-                "if what is taken away is ten times smaller, write `0 2 0 0.6` for 21",
-                "má-li být odečítaný objekt desetkrát menší, napsat `0 2 0 0.6` pro 21"
-            ]
-        );
     }
     // A tenth of it would lie apart.
-    let text = of("").replace("0 2 0 6", "4 5 0 9");
+    let text = of("", "").replace("0 2 0 6", "4 5 0 9");
     let (_, made) = guessed(&text, Code::W319);
     assert_eq!(made, [text.replace("20 21", "21 20")]);
     assert_eq!(fixed(&text), made[0]);
-    let called = of(" # cube #").replace("0 2 0 6", "4 5 0 9");
+    let called = of(" # cube #", "").replace("0 2 0 6", "4 5 0 9");
     assert_eq!(fixed(&called), called);
 }
 

@@ -7,20 +7,22 @@ use crate::syntax::table::{Constraint, RecordKind};
 use crate::syntax::{Item, Record, quote};
 
 /// Beginnings of words for what is taken away, without accents.
-const HOLE: [&str; 6] = ["hole", "dira", "diry", "dire", "dirou", "otvor"];
+const HOLE: [&str; 8] = [
+    "hole", "cut", "dira", "diry", "dire", "dirou", "otvor", "vyrez",
+];
 /// Lengths of a shape that are tried.
 const MAX_LENGTHS: usize = 3;
 
 impl LineContext<'_> {
     /// The shape that is taken away with one of its lengths, a whole number, ten times smaller: `6` may be `0.6`. Only where a
-    /// comment says that the operands are in order.
+    /// comment says that it is what is cut.
     pub(super) fn smaller_cut(&self) -> Vec<Candidate> {
         let is_difference = self
             .ty()
             .is_some_and(|ty| ty.kind == RecordKind::Difference);
-        let is_in_order = is_difference && self.cuts_what_is_no_hole();
-        let cut = self.int(3).filter(|_| is_in_order);
-        let Some(p) = cut.and_then(|id| self.shape(id)) else {
+        let cut = self.int(3).filter(|_| is_difference);
+        let cut = cut.and_then(|id| self.shape(id));
+        let Some(p) = cut.filter(|p| p.is_called(&HOLE)) else {
             return Vec::new();
         };
         let is_length = |&i: &usize| {
