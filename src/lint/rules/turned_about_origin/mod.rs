@@ -48,7 +48,12 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let is_other = r.id != *id && (r.kind == RecordKind::Copy || chains.contains_key(&r.id));
         is_other && context.references(r).any(|part| part == *id)
     });
-    if is_group || parts.contains(id) || context.has_broken() {
+    // Of what is not drawn another rule speaks.
+    let is_used = || {
+        let mut records = context.records();
+        records.any(|r| context.references(r).any(|used| used == *id))
+    };
+    if is_group || parts.contains(id) || context.has_broken() || !is_used() {
         return;
     }
     out.extend(solid(context, *id).and_then(|solid| finding(context, *id, solid, chain)));
