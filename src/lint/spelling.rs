@@ -1,6 +1,7 @@
 //! Numbers in what findings say.
 
 use crate::scene::record::Params;
+use crate::syntax;
 use crate::trace::bitmap::linear;
 use crate::trace::film::srgb8;
 
@@ -29,10 +30,7 @@ pub fn decimal(x: f64) -> String {
 pub fn opposite(p: &Params, i: usize) -> String {
     match p.text_of(i) {
         text if p.number(i) == 0.0 => text.to_owned(),
-        text => match text.strip_prefix('-') {
-            Some(rest) => rest.to_owned(),
-            None => format!("-{}", text.trim_start_matches('+')),
-        },
+        text => syntax::opposite(text),
     }
 }
 

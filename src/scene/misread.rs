@@ -1,11 +1,10 @@
 //! Bounds out of order of which one number may be written wrongly: its sign or its point is lost.
 
 use super::record::Params;
+use super::sizes::EQUAL;
 use crate::diagnostics::{Applicability, Fix};
-use crate::syntax::{quote, with_point};
+use crate::syntax::{opposite, quote, with_point};
 
-/// Beginnings of words for what has equal edges, without accents.
-const EQUAL: [&str; 5] = ["cube", "krychl", "kostk", "square", "ctver"];
 /// The gap between two edges that are equal but for rounding, as a share of their length.
 const EDGE_REL_GAP: f64 = 1e-9;
 
@@ -57,13 +56,6 @@ fn edges(p: &Params, (first, n): (usize, usize), (at, text): (usize, &str)) -> O
     let number = |i: usize| if i == at { written } else { p.number(i) };
     let edges = (first..first + n).map(|i| number(i + n) - number(i));
     edges.map(|e| (e > 0.0).then_some(e)).collect()
-}
-
-fn opposite(text: &str) -> String {
-    match text.strip_prefix('-') {
-        Some(rest) => rest.to_owned(),
-        None => format!("-{}", text.trim_start_matches('+')),
-    }
 }
 
 /// A number that begins with a zero, with a point behind that, and with one in the place of that behind the next digit:

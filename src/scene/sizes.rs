@@ -7,13 +7,13 @@ use crate::diagnostics::{Applicability, Edit, Fix};
 use crate::syntax::{quote, words};
 
 /// Beginnings of words for a centre, without accents.
-const CENTRE: [&str; 3] = ["centr", "center", "stred"];
+pub(crate) const CENTRE: [&str; 5] = ["centr", "center", "middle", "stred", "prostred"];
 /// The same for a size. A prism, `hranol`, is none.
 const SIZE: [&str; 8] = [
     "size", "edge", "hrana", "hrany", "hrane", "hranou", "velikost", "rozmer",
 ];
 /// The same for a corner.
-const CORNER: [&str; 3] = ["corner", "roh", "vrchol"];
+pub(crate) const CORNER: [&str; 3] = ["corner", "roh", "vrchol"];
 /// The same for half of a size.
 const HALF: [&str; 3] = ["half", "pul", "polovi"];
 
@@ -117,8 +117,8 @@ fn sum(a: f64, b: f64) -> String {
 /// Comments of more words without any number are about something else.
 const MAX_LABEL_WORDS: usize = 6;
 
-/// Words for a box whose edges are equal, without accents.
-const CUBE: [&str; 2] = ["cube", "krychl"];
+/// Beginnings of words for what has equal edges, without accents.
+pub(super) const EQUAL: [&str; 5] = ["cube", "krychl", "kostk", "square", "ctver"];
 
 /// The choices for bounds that may be bounds, where a comment speaks of a size.
 pub(crate) fn by_comment(p: &Params, n: usize) -> Vec<Fix> {
@@ -131,10 +131,10 @@ pub(crate) fn by_comment(p: &Params, n: usize) -> Vec<Fix> {
 /// The choices where a comment gives the upper bounds as edges, as `2 x 2 x 2`, or says that all edges are equal, which the
 /// upper bounds are: the size of the bounds is another one.
 fn by_size(p: &Params, n: usize) -> Vec<Fix> {
-    let near = |a: f64, b: f64| (a - b).abs() <= SIZE_EPS;
+    let near = |a: f64, b: f64| (a - b).abs() <= SIZE_REL_GAP * a.abs().max(b.abs());
     let edge = |i: usize| p.number(i + n) - p.number(i);
     let said = p.comments().find_map(|text| edges(text, n));
-    let is_cube = n == 3 && p.is_called(&CUBE);
+    let is_cube = n == 3 && p.is_called(&EQUAL);
     let all_equal = |x: &dyn Fn(usize) -> f64| (1..n).all(|i| near(x(i), x(0)));
     let upper = |i: usize| p.number(i + n);
     let is_symmetric = |i: usize| p.number(i) == -p.number(i + n);
@@ -158,8 +158,8 @@ fn by_size(p: &Params, n: usize) -> Vec<Fix> {
     fixes
 }
 
-/// Differences of sizes that decimals leave.
-const SIZE_EPS: f64 = 1e-9;
+/// The gap between two sizes that are the same but for rounding, as a share of the greater.
+const SIZE_REL_GAP: f64 = 1e-9;
 
 /// The edges in a text as `2 x 2 x 2`.
 fn edges(text: &str, n: usize) -> Option<Vec<f64>> {
@@ -226,9 +226,9 @@ const DIAMETER: [&str; 3] = ["diameter", "prumer", "across"];
 pub(crate) fn sphere_by_comment(p: &Params) -> Option<(&'static str, Fix)> {
     let last = p.len().checked_sub(1)?;
     let said = |any: &[&str]| p.comments().find_map(|text| number_of(text, any));
-    let radius = said(&RADIUS);
     if p.is_called(&RADIUS) {
-        let is_first = last == 3 && radius? == p.number(0) && radius? != p.number(last);
+        let radius = said(&RADIUS)?;
+        let is_first = last == 3 && radius == p.number(0) && radius != p.number(last);
         let order = [1, 2, 3, 0].map(|i| p.text_of(i).to_owned());
         let number = quote(&order.join(" "));
         let edits = order
@@ -241,6 +241,9 @@ pub(crate) fn sphere_by_comment(p: &Params) -> Option<(&'static str, Fix)> {
         });
         let fix = Fix::guess("fix-radius", edits.collect()).with("number", number);
         return is_first.then_some(("radius", fix));
+    }
+    if !p.is_called(&DIAMETER) {
+        return None;
     }
     let diameter = said(&DIAMETER)?;
     (diameter > 0.0 && diameter == p.number(last)).then(|| {

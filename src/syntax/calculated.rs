@@ -34,6 +34,23 @@ pub fn with_point(text: &str) -> Option<String> {
     is_one.then(|| format!("0.{rest}"))
 }
 
+/// A whole number with a point before its last digit: `30` is `3.0`, `6` is `0.6`. `None` for other texts.
+pub fn tenth(text: &str) -> Option<String> {
+    let digits = text.trim_start_matches(['-', '+']);
+    let is_whole = !digits.is_empty() && digits.bytes().all(|c| c.is_ascii_digit());
+    let (most, last) = text.split_at(text.len().checked_sub(1).filter(|_| is_whole)?);
+    let zero = if digits.len() == 1 { "0" } else { "" };
+    Some(format!("{most}{zero}.{last}"))
+}
+
+/// A number with the other sign.
+pub fn opposite(text: &str) -> String {
+    match text.strip_prefix('-') {
+        Some(rest) => rest.to_owned(),
+        None => format!("-{}", text.trim_start_matches('+')),
+    }
+}
+
 /// Two numbers and what is between them.
 fn operation(text: &str) -> Option<f64> {
     let parts = |sign: &str| {
@@ -66,7 +83,7 @@ fn number(text: &str) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::calculated;
+    use super::{calculated, opposite, tenth, with_point};
 
     #[test]
     fn arithmetic_and_points() {
@@ -89,5 +106,23 @@ mod tests {
         for text in ["2:5", "2·5", "3-4", "√", "2^", "0:8:1", "12", "a*b"] {
             assert_eq!(calculated(text), None, "{text}");
         }
+    }
+    #[test]
+    fn points_and_signs() {
+        for (text, meant) in [
+            ("30", "3.0"),
+            ("6", "0.6"),
+            ("-6", "-0.6"),
+            ("-125", "-12.5"),
+        ] {
+            assert_eq!(tenth(text).as_deref(), Some(meant), "{text}");
+        }
+        for text in ["", "-", "0.5", "1e3"] {
+            assert_eq!(tenth(text), None, "{text}");
+        }
+        for (text, meant) in [("2", "-2"), ("+2", "-2"), ("-0.5", "0.5")] {
+            assert_eq!(opposite(text), meant);
+        }
+        assert_eq!(with_point("08.").as_deref(), Some("0.8"));
     }
 }

@@ -47,7 +47,7 @@ pub mod table;
 pub mod words;
 
 pub use ast::{Document, Item, Record};
-pub use calculated::{calculated, with_point};
+pub use calculated::{calculated, opposite, tenth, with_point};
 pub use captions::Captions;
 pub use directive::is_directive;
 pub use parser::parse;

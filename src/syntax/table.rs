@@ -234,6 +234,15 @@ impl RecordType {
         matches!(self.effect, Effect::DefinesOrChanges(Kind::Optics, _))
     }
 
+    /// The parameters of optics that say how much light goes through: of each three the last one.
+    pub fn transmitted(&self) -> impl Iterator<Item = usize> {
+        let count = match self.kind {
+            RecordKind::Optics | RecordKind::OpticsRgb => self.params.len(),
+            _ => 0,
+        };
+        (2..count).step_by(3)
+    }
+
     /// Whether the record's length depends on a count.
     pub fn is_counted(&self) -> bool {
         !self.repeats.is_empty()

@@ -375,6 +375,12 @@ pub fn other_endings(word: &str) -> impl Iterator<Item = String> {
     forms.into_iter().flatten()
 }
 
+/// Beginnings of words for a hole, without accents.
+pub const HOLE: [&str; 14] = [
+    "hole", "cavity", "cavities", "dira", "diry", "dire", "dirou", "dirami", "dera", "dery",
+    "deru", "derou", "dutin", "otvor",
+];
+
 /// Whether a text has a word that begins so, accents left out.
 pub fn has(text: &str, beginnings: &[&str]) -> bool {
     let mut words = text.split(|c: char| !c.is_alphabetic()).map(plain);

@@ -301,30 +301,18 @@ fn a_zero_too_many_is_no_record() {
 /// A shape whose type has lost a digit, which reads as a profile with a wrong number of points: a comment names it.
 #[test]
 fn shapes_that_lost_a_digit() {
+    let ball = ["koule", "koule vlevo", "a ball", "sphere"];
+    let ring = ["torus", "prsten", "ring", "a torus"];
+    let cuboid = ["krychle", "kostka", "box", "cube"];
+    let cone = ["kužel", "cone", "a cone", "modrý kužel"];
     for (numbers, meant, comments) in [
-        (
-            "1 0 1 0 1",
-            "11",
-            ["koule", "koule vlevo", "a ball", "sphere"],
-        ),
-        (
-            "1 -2 1 0 1",
-            "11",
-            ["koule", "koule vlevo", "a ball", "sphere"],
-        ),
-        ("1 0.6 0.2", "14", ["torus", "prsten", "ring", "a torus"]),
-        ("1 1 0.3", "14", ["torus", "prsten", "ring", "a torus"]),
-        (
-            "1 -1 0 -1 1 2 1",
-            "12",
-            ["krychle", "kostka", "box", "cube"],
-        ),
-        (
-            "2 -1 0 -1 1 2 1",
-            "12",
-            ["krychle", "kostka", "box", "cube"],
-        ),
-        ("1 2 0.5", "16", ["kužel", "cone", "a cone", "modrý kužel"]),
+        ("1 0 1 0 1", "11", ball),
+        ("1 -2 1 0 1", "11", ball),
+        ("1 0.6 0.2", "14", ring),
+        ("1 1 0.3", "14", ring),
+        ("1 -1 0 -1 1 2 1", "12", cuboid),
+        ("2 -1 0 -1 1 2 1", "12", cuboid),
+        ("1 2 0.5", "16", cone),
     ] {
         for comment in comments {
             let text = format!("21 {numbers} # {comment} #\n{REST}1 9999 21 0\n");

@@ -196,22 +196,11 @@ impl<'a> Blocks<'a> {
 
     /// Whether records give an ID optics that let light through.
     fn is_clear(&self, id: u32) -> bool {
-        let parts = |kind: RecordKind| match kind {
-            RecordKind::Optics => Some(3),
-            RecordKind::OpticsRgb => Some(9),
-            _ => None,
-        };
-        let own = self.records.iter().filter(|r| r.id == id);
-        own.filter_map(|r| Some((r, parts(r.kind)?)))
-            .any(|(r, parts)| {
-                let values = self.analysis.document.values(r);
-                // Of each three parts the last one.
-                values
-                    .iter()
-                    .take(parts)
-                    .skip(2)
-                    .step_by(3)
-                    .any(|kt| *kt > 0.0)
-            })
+        let mut own = self.records.iter().filter(|r| r.id == id);
+        own.any(|r| {
+            let values = self.analysis.document.values(r);
+            let mut parts = r.ty().transmitted().filter_map(|i| values.get(i));
+            parts.any(|kt| *kt > 0.0)
+        })
     }
 }

@@ -188,13 +188,14 @@ impl LineContext<'_> {
         let written = last.text(self.text);
         let defines = matches!(next.effect, Effect::Defines(_));
         let ids: &[u32] = if defines { used } else { &[self.id()?] };
-        let split = |id: &u32| {
-            let id = id.to_string();
-            let number = written.strip_suffix(id.as_str())?;
+        let digits = written.bytes().rev().take_while(u8::is_ascii_digit);
+        let split = |count: usize| {
+            let (number, id) = written.split_at(written.len() - count);
             let is_number = number.parse::<f64>().is_ok() && !number.ends_with('.');
-            is_number.then(|| (number.to_owned(), id))
+            let is_id = !id.starts_with('0') && id.parse().is_ok_and(|id| ids.contains(&id));
+            (is_number && is_id).then_some((number, id))
         };
-        let (number, id) = ids.iter().find_map(split)?;
+        let (number, id) = (1..=digits.count()).rev().find_map(split)?;
         if !self.fit(next, params) {
             return None;
         }

@@ -3,6 +3,7 @@
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
 use crate::lint::spelling::decimal;
+use crate::scene::sizes::{CENTRE, CORNER};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType, ShapeKind};
 use crate::syntax::words;
@@ -11,10 +12,6 @@ use crate::syntax::words;
 const BOX: [&str; 6] = ["box", "cube", "cuboid", "krychl", "kvadr", "kost"];
 /// The same for a ball.
 const BALL: [&str; 4] = ["ball", "sphere", "koul", "kulic"];
-/// The same for a centre.
-const CENTRE: [&str; 4] = ["cent", "middle", "stred", "prostred"];
-/// The same for a corner.
-const CORNER: [&str; 3] = ["corner", "roh", "vrchol"];
 
 impl LineContext<'_> {
     /// A cone of a height and two radii, of which one is zero or the profile has both; a box of three edges, about the

@@ -4,12 +4,10 @@ use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Fix};
 use crate::scene::record::Params;
 use crate::syntax::table::{Constraint, RecordKind};
-use crate::syntax::{Item, Record, quote};
+use crate::syntax::{Item, Record, quote, tenth, words};
 
-/// Beginnings of words for what is taken away, without accents.
-const HOLE: [&str; 8] = [
-    "hole", "cut", "dira", "diry", "dire", "dirou", "otvor", "vyrez",
-];
+/// Beginnings of words for what is taken away, beside those for holes, without accents.
+const CUT: [&str; 2] = ["cut", "vyrez"];
 /// Lengths of a shape that are tried.
 const MAX_LENGTHS: usize = 3;
 
@@ -22,18 +20,15 @@ impl LineContext<'_> {
             .is_some_and(|ty| ty.kind == RecordKind::Difference);
         let cut = self.int(3).filter(|_| is_difference);
         let cut = cut.and_then(|id| self.shape(id));
-        let Some(p) = cut.filter(|p| p.is_called(&HOLE)) else {
+        let Some(p) = cut.filter(is_cut) else {
             return Vec::new();
         };
-        let is_length = |&i: &usize| {
-            let is_positive =
-                |q: &crate::syntax::table::Param| q.constraint == Constraint::Positive;
-            let is_whole = p.text_of(i).bytes().all(|c| c.is_ascii_digit());
-            is_whole && p.number(i) > 0.0 && p.param(i).is_some_and(is_positive)
+        let length = |i: usize| {
+            let is_length = p.number(i) > 0.0 && p.param(i)?.constraint == Constraint::Positive;
+            Some((i, tenth(p.text_of(i)).filter(|_| is_length)?))
         };
-        let lengths = (0..p.len()).filter(is_length).take(MAX_LENGTHS);
-        let candidates = lengths.map(|i| {
-            let text = tenth(p.text_of(i));
+        let lengths = (0..p.len()).filter_map(length).take(MAX_LENGTHS);
+        let candidates = lengths.map(|(i, text)| {
             let all = (0..p.len()).map(|j| if i == j { &text[..] } else { p.text_of(j) });
             let all = quote(&all.collect::<Vec<_>>().join(" "));
             let fix = Fix::replace(
@@ -51,7 +46,7 @@ impl LineContext<'_> {
     /// Whether the record that defines the first operand has a comment, and no word of it is a hole.
     pub(in crate::analysis::repair) fn cuts_what_is_no_hole(&self) -> bool {
         let first = self.int(2).and_then(|id| self.shape(id));
-        first.is_some_and(|p| p.comments().next().is_some() && !p.is_called(&HOLE))
+        first.is_some_and(|p| p.comments().next().is_some() && !is_cut(&p))
     }
 
     /// The record of the shape with an ID.
@@ -63,9 +58,7 @@ impl LineContext<'_> {
     }
 }
 
-/// A whole number divided by ten.
-fn tenth(digits: &str) -> String {
-    let (whole, last) = digits.split_at(digits.len() - 1);
-    let whole = if whole.is_empty() { "0" } else { whole };
-    format!("{whole}.{last}")
+/// Whether a comment says that a shape is taken away.
+fn is_cut(p: &Params) -> bool {
+    p.is_called(&words::HOLE) || p.is_called(&CUT)
 }

@@ -9,8 +9,8 @@ use crate::lint::spelling::opposite;
 use crate::scene::record::Params;
 use crate::scene::{Node, Vec3};
 use crate::solids::named_core;
-use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, ShapeKind};
+use crate::syntax::{quote, tenth};
 use crate::trace::plan::unseen::view::USUAL;
 use crate::trace::plan::unseen::views::{Aside, Views};
 
@@ -113,19 +113,12 @@ fn readings(views: &Views, part: &Aside, p: &Params, map: &Matrix) -> Vec<(Span,
     let mut out = Vec::new();
     for axis in 0..3 {
         let number = p.number(axis);
-        let text = with_point(p.text_of(axis)).filter(|_| brings(axis, number / 10.0));
+        let is_long = number.abs() >= 10.0;
+        let text = tenth(p.text_of(axis)).filter(|_| is_long && brings(axis, number / 10.0));
         out.extend(text.map(|text| fix(axis, "fix-decimal", text)));
         if number != 0.0 && brings(axis, -number) {
             out.push(fix(axis, "fix-sign", opposite(p, axis)));
         }
     }
     out
-}
-
-/// A whole number of two digits or more with a point before the last one.
-fn with_point(text: &str) -> Option<String> {
-    let digits = text.trim_start_matches(['-', '+']);
-    let is_whole = digits.len() >= 2 && digits.bytes().all(|b| b.is_ascii_digit());
-    let (most, last) = text.split_at_checked(text.len().checked_sub(1)?)?;
-    is_whole.then(|| format!("{most}.{last}"))
 }

@@ -3,6 +3,7 @@
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
+use crate::scene::record::Params;
 use crate::scene::sizes::{by_comment, sphere_by_comment};
 use crate::syntax::table::ShapeKind;
 
@@ -10,37 +11,34 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if !context.document.contents.comments {
         return;
     }
-    for (shape, span) in (context.scene.written_shapes())
-        .filter(|(s, _)| matches!(s.kind, ShapeKind::Sphere | ShapeKind::SphereAtOrigin))
-    {
-        let Some(p) = context.params(span) else {
+    for (shape, span) in context.scene.written_shapes() {
+        let is_sphere = matches!(shape.kind, ShapeKind::Sphere | ShapeKind::SphereAtOrigin);
+        if !is_sphere && !matches!(shape.kind, ShapeKind::Box | ShapeKind::Rectangle) {
             continue;
-        };
-        if let Some((case, fix)) = sphere_by_comment(&p) {
-            out.push(
-                Diagnostic::new(Code::W341, p.span_of(p.len() - 1, 1))
-                    .case(case)
-                    .with("id", shape.id.to_string())
-                    .fix(fix),
-            );
+        }
+        if let Some(p) = context.params(span) {
+            out.extend(match is_sphere {
+                true => sphere(&p),
+                false => bounds(&p),
+            });
         }
     }
-    let shapes = context.scene.written_shapes();
-    for (shape, span) in
-        shapes.filter(|(s, _)| matches!(s.kind, ShapeKind::Box | ShapeKind::Rectangle))
-    {
-        let Some(p) = context.params(span) else {
-            continue;
-        };
-        let half = p.len() / 2;
-        // Of what holds nothing W305 speaks.
-        let is_flat = (0..half).any(|i| p.number(i) == p.number(i + half));
-        let fixes = by_comment(&p, half);
-        if !fixes.is_empty() && !is_flat {
-            let finding = Diagnostic::new(Code::W341, p.span_of(half, half))
-                .with("type", Value::Term(shape.ty().title))
-                .with("id", shape.id.to_string());
-            out.push(fixes.into_iter().fold(finding, Diagnostic::fix));
-        }
-    }
+}
+
+fn sphere(p: &Params) -> Option<Diagnostic> {
+    let (case, fix) = sphere_by_comment(p)?;
+    let finding = Diagnostic::new(Code::W341, p.span_of(p.len() - 1, 1)).case(case);
+    Some(finding.with("id", p.id.to_string()).fix(fix))
+}
+
+fn bounds(p: &Params) -> Option<Diagnostic> {
+    let half = p.len() / 2;
+    // Of what holds nothing W305 speaks.
+    let is_flat = (0..half).any(|i| p.number(i) == p.number(i + half));
+    let fixes = by_comment(p, half);
+    let finding = Diagnostic::new(Code::W341, p.span_of(half, half))
+        .with("type", Value::Term(p.ty.title))
+        .with("id", p.id.to_string());
+    let all = || fixes.into_iter().fold(finding, Diagnostic::fix);
+    (!is_flat).then(all).filter(|d| !d.fixes.is_empty())
 }

@@ -155,12 +155,6 @@ fn look(comment: &str, p: &Params) -> Option<&'static Look> {
         let shapes = words::shapes(w);
         (!shapes.is_empty()).then(|| shapes.iter().any(|s| s.code == p.ty.code))
     };
-    if words.len() > MAX_COMMENT_WORDS || words.iter().any(is_beside) {
-        return None;
-    }
-    if p.ty.family == Family::Shape && words.iter().filter_map(is_shape).any(|is_own| !is_own) {
-        return None;
-    }
     let is_called = |look: &Look| {
         (0..words.len()).any(|i| {
             let word = words[i].as_str();
@@ -169,11 +163,17 @@ fn look(comment: &str, p: &Params) -> Option<&'static Look> {
                 || look.nouns.contains(&word) && names()
         })
     };
-    match [is_called(&LOOKS[0]), is_called(&LOOKS[1])] {
-        [true, false] => Some(&LOOKS[0]),
-        [false, true] => Some(&LOOKS[1]),
-        _ => None,
+    let look = match [is_called(&LOOKS[0]), is_called(&LOOKS[1])] {
+        [true, false] => &LOOKS[0],
+        [false, true] => &LOOKS[1],
+        _ => return None,
+    };
+    if words.len() > MAX_COMMENT_WORDS || words.iter().any(is_beside) {
+        return None;
     }
+    let mut shapes = words.iter().filter_map(is_shape);
+    let is_another = p.ty.family == Family::Shape && shapes.any(|is_own| !is_own);
+    (!is_another).then_some(look)
 }
 
 /// The finding about optics whose greatest part is another one.

@@ -27,7 +27,7 @@ const DEEP_REL: f64 = 0.25;
 pub(super) fn opaque(context: &Context) -> Vec<Diagnostic> {
     let scene = context.scene;
     let is_sphere = |kind| kind == RecordKind::Shape(ShapeKind::Sphere);
-    if !context.records().any(|r| is_sphere(r.kind)) {
+    if scene.shapes.len() > MAX_PARTS || !context.records().any(|r| is_sphere(r.kind)) {
         return Vec::new();
     }
     let all = roots(scene, &live_nodes(scene));

@@ -1,6 +1,6 @@
 //! A property of a whole object that overrides several different ones of its parts: none of them has an effect.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::{MAX_PROPOSED, neighbours};
 use crate::diagnostics::{Code, Diagnostic, Span, Value};
@@ -27,7 +27,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(render) = scene.render else { return };
     let above = Above::new(scene, render.root);
     let given = given(scene);
-    let mut told: Vec<Span> = Vec::new();
+    let mut told: FxHashSet<Span> = FxHashSet::default();
     for (aspect, case) in CASES.into_iter().enumerate() {
         for (cover, parts) in above.taken_away(scene, aspect) {
             let span = given[&cover][aspect];
@@ -41,7 +41,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             let Some(d) = finding(context, span, &spans, told.len() < MAX_PROPOSED) else {
                 continue;
             };
-            told.push(span);
+            told.insert(span);
             out.push(d.case(case));
         }
     }

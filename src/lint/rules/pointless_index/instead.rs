@@ -21,22 +21,15 @@ pub(super) fn of_clear_optics(context: &Context, index: &Params) -> Option<(u32,
     let mut used: FxHashSet<u32> = FxHashSet::default();
     for record in context.records() {
         let is_above = context.document.span(record.first, record.last).start < start;
-        let parts = match record.kind {
-            RecordKind::Optics => 3,
-            RecordKind::OpticsRgb => 9,
-            RecordKind::RefractiveIndex => {
-                without.insert(record.id);
-                0
-            }
-            _ => 0,
-        };
+        if record.kind == RecordKind::RefractiveIndex {
+            without.insert(record.id);
+        }
         match is_above {
             true => without.extend(context.references(record)),
             false => used.extend(context.references(record)),
         }
         let p = context.record_params(record);
-        // Of each three parts the last one.
-        if is_above && (0..parts).skip(2).step_by(3).any(|i| p.number(i) > 0.0) {
+        if is_above && record.ty().transmitted().any(|i| p.number(i) > 0.0) {
             clear.insert(record.id);
         }
     }

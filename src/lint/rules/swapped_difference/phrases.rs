@@ -1,7 +1,7 @@
 //! How comments say which of two operands is taken from the other one.
 
 use super::{Operand, begins};
-use crate::syntax::words;
+use crate::syntax::words::{self, HOLE};
 
 /// The sign of a subtraction among the words of a comment.
 pub(super) const SIGN: &str = "-";
@@ -11,11 +11,6 @@ const WITHOUT: [&str; 5] = ["without", "minus", "less", "bez", SIGN];
 const AND: [&str; 4] = ["a", "and", "i", "plus"];
 /// Before a hole: what has it.
 const WITH: [&str; 5] = ["with", "having", "s", "se", "ma"];
-/// Beginnings of words for a hole, without accents.
-const HOLE: [&str; 14] = [
-    "hole", "cavity", "cavities", "dira", "diry", "dire", "dirou", "dirami", "dera", "dery",
-    "deru", "derou", "dutin", "otvor",
-];
 /// Words for a hole by themselves, without accents; a participle that begins so is longer.
 const NOTCH: [&str; 5] = ["notch", "recess", "dent", "vyrez", "zarez"];
 /// The longest ending of such a word.
