@@ -252,12 +252,31 @@ fn the_printer_of_pov_ray_sees_no_scene() {
     }
 }
 
+fn page(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
+    fs::read_to_string(path).unwrap()
+}
+
+/// ARCHITECTURE draws the layers in the order of `src/lib.rs`: a floor's name, then its modules, then what they do.
+#[test]
+fn the_page_draws_the_same_floors() {
+    let page = page("ARCHITECTURE.md");
+    let drawing = page.split("```").nth(1).unwrap();
+    // The columns where the modules of a floor begin and end.
+    const FLOOR: usize = 13;
+    const WHAT: usize = 39;
+    let drawn: Vec<&str> = (drawing.lines())
+        .flat_map(|line| line.get(FLOOR..WHAT.min(line.len())))
+        .flat_map(str::split_whitespace)
+        .collect();
+    assert_eq!(drawn, layers());
+}
+
 /// CONTRIBUTING names the layers in the order of `src/lib.rs`.
 #[test]
 fn the_page_draws_the_same_picture() {
     let line = layers().join(" → ");
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("CONTRIBUTING.md");
-    let text = fs::read_to_string(path).unwrap();
+    let text = page("CONTRIBUTING.md");
     let plain = text
         .split_whitespace()
         .filter(|word| *word != ">")

@@ -359,3 +359,105 @@ fn cubes_by_a_corner_or_a_centre() {
         assert_eq!(fixed(&text), if is_told { right[0].clone() } else { text });
     }
 }
+
+/// A quadric takes sixteen numbers: with the type of one, a torus, a box or a ball would take the next records for its
+/// rows.
+#[test]
+fn quadrics_that_are_other_shapes() {
+    let ring = "15 -2 60 1\n15 -1 0 0.8 0.8\n15 -701 0.9 0.2 0.1";
+    let cuboid = "15 -1 0 0.8 0.8\n15 -701 0.9 0.2 0.1";
+    let ball = "15 -1 0 0.8 0.8\n15 -701 0.9 0.2 0.1\n15 -201 0.1 0.8 0";
+    for (numbers, behind, comment, meant) in [
+        ("0.6 0.2", ring, "ring", "14"),
+        ("0.6 0.2", ring, "prsten", "14"),
+        ("-1 0 -1 1 1.2 1", cuboid, "box", "12"),
+        ("-1 0 -1 1 1.2 1", cuboid, "krychle", "12"),
+        ("0 1 0 1", cuboid, "ball", "11"),
+        ("0.8", ball, "", ""),
+    ] {
+        let text = format!("15 15 {numbers} # {comment} #\n{behind}\n{REST}1 9999 15 0\n");
+        let (finding, made) = only(&text, Code::E008);
+        assert_eq!(read(&text).source.position(finding.span.start).line, 1);
+        if meant.is_empty() {
+            assert!(made.is_empty(), "{made:?}");
+            assert_eq!(fixed(&text), text);
+            continue;
+        }
+        let right = text.replacen("15 15", &format!("15 {meant}"), 1);
+        assert_eq!(made, std::slice::from_ref(&right));
+        assert_eq!(fixed(&text), right);
+    }
+    // Rows that begin with the same number are rows where they are no records of the object.
+    let rows = "15 15 1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 -1\n15 -1 0 1 0";
+    let text = format!("{rows}\n{REST}1 9999 15 0\n");
+    assert_eq!(repair::proposals(&read(&text)), []);
+}
+
+/// The cone goes down, which a double cone cannot.
+#[test]
+fn double_cones_that_are_cones() {
+    let text = |comment: &str| format!("15 17 -1.5 0.5 # {comment} #\n{REST}1 9999 15 0\n");
+    for (comment, is_cone) in [
+        ("cone, apex up", true),
+        ("kužel", true),
+        ("double cone", false),
+        ("dvojitý kužel", false),
+        ("hat", false),
+    ] {
+        let text = text(comment);
+        let (_, made) = only(&text, Code::E201);
+        let cone = text.replacen("15 17", "15 16", 1);
+        assert_eq!(made.contains(&cone), is_cone, "{text}");
+    }
+}
+
+#[test]
+fn pictures_behind_another_texture() {
+    for written in ["-302", "-399"] {
+        let slip = Slip {
+            text: format!("8 12 -1 0 -1 1 2 1\n8 {written} wood.png\n{REST}1 9999 8 0\n"),
+            code: Code::E012,
+            written,
+            meant: "-301",
+        };
+        let (_, made) = only(&slip.text, slip.code);
+        let right = slip.text.replacen(slip.written, slip.meant, 1);
+        assert_eq!(made.first(), Some(&right));
+    }
+}
+
+/// A digit of the ID is lost, and the ID that is left is the render record's.
+#[test]
+fn properties_with_the_id_1() {
+    for property in ["-701 0.9 0.2 0.1", "-1 0 1 0", "-201 0.1 0.8 0"] {
+        let lines = format!("15 11 0 1 0 1 # ball #\n1 {property}");
+        let text = format!("2 4 0 1 0 0\n{lines}\n4 -101 2 15\n{REST}1 9999 4 0\n");
+        let (_, made) = only(&text, Code::E105);
+        let right = text.replacen("\n1 -", "\n15 -", 1);
+        assert_eq!(made.first(), Some(&right));
+        assert_eq!(fixed(&text), right);
+    }
+    // What has that property already is not meant.
+    let text = format!("15 11 0 1 0 1\n15 -701 1 0 0\n1 -701 0.9 0.2 0.1\n{REST}1 9999 15 0\n");
+    let (_, made) = only(&text, Code::E105);
+    assert!(made.first().unwrap().contains("\n91 -701 0.9 0.2 0.1\n"));
+}
+
+/// The last numbers of a union of many may be read as a torus; nothing is said of the objects that are left over then.
+#[test]
+fn unions_of_many_are_one_mistake() {
+    for last in [13, 14, 15, 16, 17] {
+        let ids = (12..=last).map(|id| id.to_string()).collect::<Vec<_>>();
+        let balls: String = (ids.iter().enumerate())
+            .map(|(i, id)| format!("{id} 11 {} 1 0 1\n", 2 * i))
+            .collect();
+        let text = format!(
+            "2 4 0 1 0 0\n{balls}20 -101 2 {}\n{REST}1 9999 20 0\n",
+            ids.join(" ")
+        );
+        let all = repair::proposals(&read(&text));
+        let codes: Vec<Code> = all.iter().map(|d| d.code).collect();
+        assert_eq!(codes, [Code::E009], "{text}");
+        assert!(errors(&fixed(&text)).is_empty());
+    }
+}

@@ -181,13 +181,20 @@ impl Engine<'_> {
     /// Drops what is said of the text as it was misread: what is no error, and is not said of the scene that a fix
     /// makes.
     fn keep_what_stays(&mut self, scene: &Analysis) {
-        let line = |a: &Analysis, d: &Diagnostic| a.source.line_index(a.source.floor(d.span.start));
-        if scene.source.line_count() != self.analysis.source.line_count() {
-            return;
+        // Lines are the same by their numbers or, where the fix adds some, by their texts.
+        let is_longer = scene.source.line_count() != self.analysis.source.line_count();
+        fn key<'a>(a: &'a Analysis, d: &Diagnostic, is_longer: bool) -> (Code, usize, &'a str) {
+            let line = a.source.line_index(a.source.floor(d.span.start));
+            match is_longer {
+                true => (d.code, 0, &a.source.text[a.source.line_span(line).range()]),
+                false => (d.code, line, ""),
+            }
         }
-        let key = |a: &Analysis, d: &Diagnostic| (d.code, line(a, d));
-        let said: FxHashSet<_> = (scene.findings().iter()).map(|d| key(scene, d)).collect();
-        (self.findings).retain(|d| d.is_error() || said.contains(&key(self.analysis, d)));
+        let said: FxHashSet<_> = (scene.findings().iter())
+            .map(|d| key(scene, d, is_longer))
+            .collect();
+        (self.findings)
+            .retain(|d| d.is_error() || said.contains(&key(self.analysis, d, is_longer)));
     }
 
     /// Settles what is wrong with lines whose errors are on others.

@@ -6,10 +6,11 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use super::{characters, slashes};
 use crate::analysis::Analysis;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
-use crate::syntax::Item;
+use crate::scene::Entity;
 use crate::syntax::ast::Record;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Effect, ParamKind, RecordKind, RecordType};
+use crate::syntax::{Item, quote};
 
 /// A finding about many lines, and the places of those that it stands for.
 pub(super) struct Matter {
@@ -177,6 +178,17 @@ fn reserved(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let first = findings.iter().find(is_other)?.clone();
     // What is used and defined nowhere may be just that object, or what is used as an object and is a colour only.
     let (undefined, misused) = (super::undefined(findings), misused(analysis, findings));
+    if undefined.is_empty()
+        && misused.is_empty()
+        && let Some((head, id)) = change_of_object_above(analysis)
+    {
+        let (span, id) = (head.span(), id.to_string());
+        let fix = Fix::replace("fix-write", Applicability::Unsafe, span, id.clone());
+        return Some(Matter {
+            finding: first.fix(fix.with("number", quote(&id))),
+            spans: vec![span],
+        });
+    }
     let new = match (&undefined[..], &misused[..]) {
         (&[id], _) | ([], &[id]) => id,
         _ => largest(analysis).checked_add(1)?.max(2),
@@ -204,6 +216,26 @@ fn reserved(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     });
     finding.case = "objects";
     Some(Matter { finding, spans })
+}
+
+/// The ID token of the only record but the render record that has the ID 1, if nothing names that ID, and the ID of the
+/// object whose records stand right above: the record gives the object something that it has not yet.
+fn change_of_object_above(analysis: &Analysis) -> Option<(Token, u32)> {
+    let all: Vec<&Record> = records(analysis).collect();
+    let is_stray = |r: &&Record| r.id == 1 && r.kind != RecordKind::Render;
+    let mut strays = all.iter().enumerate().filter(|(_, r)| is_stray(r));
+    let ((at, stray), None) = (strays.next()?, strays.next()) else {
+        return None;
+    };
+    let (Effect::Changes(kinds) | Effect::DefinesOrChanges(_, kinds)) = stray.ty().effect else {
+        return None;
+    };
+    let above = all[at.checked_sub(1)?].id;
+    let is_object = |e: &Entity| e.id == above && e.kind.is_some_and(|kind| kinds.contains(&kind));
+    let is_named = || (all.iter()).any(|r| references(analysis, r).any(|named| named.1 == 1));
+    let has_such = || all.iter().any(|r| r.id == above && r.kind == stray.kind);
+    let fits = analysis.scene.entities.iter().any(is_object) && !is_named() && !has_such();
+    fits.then(|| (*analysis.document.id_token(stray), above))
 }
 
 /// The IDs that are used as objects, and that only a colour defines, which would have changed an object.

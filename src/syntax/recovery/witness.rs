@@ -256,6 +256,16 @@ impl<'a> Witnesses<'a> {
         }
         let length = |l: usize| stretch.line_end(l) - stretch.line_start(l);
         !(last > first + 1 && length(last) == length(last - 1))
+            || self.is_change_of(stretch, stretch.sigs[start].int, last)
+    }
+
+    /// Whether a line is a complete record that changes the object with an ID, which a row of numbers hardly is by chance.
+    fn is_change_of(&self, stretch: &Stretch, id: Option<i32>, line: usize) -> bool {
+        let [own, code] = stretch.head(line);
+        let ty = code.and_then(|code| RecordType::by_code(code.into()));
+        own == id
+            && self.is_complete_line(stretch, line)
+            && ty.is_some_and(|ty| !matches!(ty.effect, Effect::Defines(_)))
     }
 }
 

@@ -18,6 +18,9 @@ const OFTEN: &[i32] = &[
 /// Beginnings of words for surfaces of revolution, without accents.
 const PROFILES: [&str; 4] = ["profil", "lathe", "revol", "rotacn"];
 
+/// Beginnings of words for a double cone, without accents.
+const DOUBLE: [&str; 2] = ["doubl", "dvoj"];
+
 /// Words of the comments on a line that are looked at.
 const MAX_COMMENT_WORDS: usize = 64;
 
@@ -131,27 +134,41 @@ impl LineContext<'_> {
         words.take(MAX_COMMENT_WORDS).collect()
     }
 
-    /// A shape that a comment on the line names, where the type of another one is written by a slip: `2 1 0 1 0 1 # ball #`
-    /// for `2 11 0 1 0 1`.
-    pub(super) fn called_shape(&self, out: &mut Vec<Candidate>) {
-        let is_other =
-            |ty: &&RecordType| ty.family == Family::Shape && self.id().is_some() && !self.fits(ty);
-        let Some(own) = self.ty().filter(is_other) else {
+    /// A shape that a comment on the line names, where another type is written: `2 1 0 1 0 1 # ball #` for
+    /// `2 11 0 1 0 1`, and `2 17 -1.5 0.5 # cone #` for `2 16 -1.5 0.5`.
+    pub(super) fn called_shape(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
+        let is_shape = |ty: &&RecordType| ty.family == Family::Shape && self.id().is_some();
+        let Some(own) = self.ty().filter(is_shape) else {
             return;
         };
-        let written = self.tokens[1].text(self.text);
-        let shapes: Vec<_> = (self.comment_words().into_iter())
-            .map(words::shapes)
-            .collect();
         let is_own = |ty: &&RecordType| ty.code == own.code;
-        if shapes.iter().flatten().any(is_own) || self.is_called(&PROFILES) {
+        let shapes = self.comment_words().into_iter().map(words::shapes);
+        let called: Vec<_> = match finding.code {
+            // Its numbers are as many, and no other name is a better one.
+            Code::E201 if self.fits(own) && !self.is_called(&DOUBLE) => {
+                shapes.filter_map(|of| of.first().copied()).collect()
+            }
+            _ if self.fits(own) => return,
+            _ => {
+                let shapes: Vec<_> = shapes.collect();
+                if shapes.iter().flatten().any(is_own) || self.is_called(&PROFILES) {
+                    return;
+                }
+                shapes.into_iter().flatten().collect()
+            }
+        };
+        if called.iter().any(is_own) {
             return;
         }
-        let is_meant =
-            |ty: &&'static RecordType| self.fits(ty) && is_slip(written, &ty.code.to_string());
-        let called = shapes.into_iter().filter_map(|of| of.first().copied());
-        let called = called.filter(is_meant);
-        out.extend(called.map(|ty| self.write_type(Habit::Digit, ty)));
+        let written = self.tokens[1].text(self.text);
+        let meant = called.into_iter().find(|ty| self.fits(ty));
+        out.extend(meant.map(|ty| {
+            let habit = match is_slip(written, &ty.code.to_string()) {
+                true => Habit::Digit,
+                false => Habit::Type,
+            };
+            self.write_type(habit, ty)
+        }));
     }
 
     /// A record whose type stands behind its numbers: `50 0.8 -402`.

@@ -276,6 +276,7 @@ impl<'a> LineContext<'a> {
             out.extend(self.setting(&[undefined, taken].concat()));
             out.extend(self.vectors());
             out.extend(self.named_picture());
+            out.extend(self.image_type());
             self.spaced_name(&mut out);
             if !is_block {
                 self.words(&mut out);
@@ -343,7 +344,7 @@ impl<'a> LineContext<'a> {
             }
             self.lost_shape_type(&mut out);
             out.extend(self.type_before_zero(finding));
-            self.called_shape(&mut out);
+            self.called_shape(finding, &mut out);
             self.one_too_few(finding, &mut out);
         } else if finding.code == Code::W319 {
             out.extend(self.smaller_cut());

@@ -259,6 +259,15 @@ impl LineContext<'_> {
         [".png", ".jpg", ".jpeg"].iter().any(|e| name.ends_with(e))
     }
 
+    /// The type of an image texture where the name of a picture is all that stands behind another type of texture.
+    pub(super) fn image_type(&self) -> Option<Candidate> {
+        let [name] = self.params() else { return None };
+        let image = RecordType::of(RecordKind::ImageTexture);
+        let is_other =
+            (self.ty()).is_some_and(|ty| ty.effect == image.effect && ty.code != image.code);
+        (is_other && self.ends_picture(name)).then(|| self.write_type(Habit::Digit, image))
+    }
+
     /// The name of a picture without the words that POV-Ray has before it: `image_map { png "moon.png" }`.
     pub(super) fn named_picture(&self) -> Option<Candidate> {
         let all = self
