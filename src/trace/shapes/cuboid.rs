@@ -196,7 +196,7 @@ impl Cuboid {
     /// in two, and `None` where it lies in none.
     #[cold]
     fn along<R: Traced>(&self, line: &Line<R>, drift: R) -> Option<Vec3> {
-        // Any weights will do that are not equal: between two faces at right angles lies no third.
+        // Any unequal weights will do: between two faces at right angles lies no third face.
         const WEIGHTS: [f64; 3] = [1.0, 0.75, 0.5];
         let mut normal = Vec3::ZERO;
         for i in 0..3 {

@@ -10,8 +10,7 @@ pub(super) fn is_final<R: Real>() -> bool {
     R::ROUNDOFF < R::of(f64::EPSILON / 4.0)
 }
 
-/// A bound on the relative error of a shape's own numbers, which are doubles, in this kind of
-/// number.
+/// A bound on the relative error that a shape's own numbers, which are doubles, have in this kind of number.
 pub(super) fn parameter_error<R: Real>() -> R {
     if R::ROUNDOFF > R::of(f64::EPSILON) {
         R::ROUNDOFF

@@ -129,7 +129,7 @@ pub(super) struct Passage<R> {
     pub depth: R,
 }
 
-/// What is sure about a line's passage through a facet in one of the two directions.
+/// Whether a line may pass, and surely passes, through a facet in one of the two directions.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Certainty {
     /// Whether the line may pass through, within the rounding errors.

@@ -99,8 +99,7 @@ impl<R: Traced> Stretch<R> {
 
 /// The middle of an edge, pushed out to the sphere.
 ///
-/// Six roundings: the sum, half of the squared length's three, the root, the quotient and the
-/// product.
+/// The result has six roundings: the sum, half of the squared length's three, the root, the quotient and the product.
 fn middle<R: Traced>(a: Vec3<R>, b: Vec3<R>) -> Vec3<R> {
     let sum = a + b;
     sum * sum.dot(sum).sqrt().recip()
@@ -342,7 +341,7 @@ impl<R: Traced> Met<R> {
             PassageDirection::In => (0, R::ONE),
             PassageDirection::Out => (1, -R::ONE),
         };
-        // Of facets at one depth the one with the lowest number counts, so that their order does not matter.
+        // The facet with the lowest number counts among those at one depth, so that their order does not matter.
         let is_first =
             |(z, other): (R, u32)| depth * sign < z * sign || depth == z && number < other;
         if self.passages[side].is_none_or(is_first) {
@@ -496,10 +495,10 @@ impl Shape for GeodesicSphere {
 }
 
 impl<R: Traced> Intersect<R> for GeodesicSphere {
-    /// The facets met on the way in and on the way out: one of each, or several that share the edge
-    /// or corner where the line passes, of which the outermost counts. The projected facets cover
-    /// each point of the plane as often one way as the other, whatever the rounding of their common
-    /// corners, so a way in never lacks its way out.
+    /// Finds the facets met on the way in and on the way out: one of each, or several that share the edge or corner
+    /// where the line passes, of which the outermost counts. The projected facets cover each point of the plane as
+    /// often one way as the other, whatever the rounding of their common corners, so a line that goes in always goes
+    /// out.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         let view = match View::of(line, R::of(self.record.radius)) {
             Sight::Passes => return,

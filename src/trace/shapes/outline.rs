@@ -25,7 +25,7 @@ pub struct ProfilePoint {
     pub is_joined: bool,
 }
 
-/// The points where a polynomial is negative, in the bounds of a shape.
+/// A region that contains a shape: the points in the shape's bounds where a polynomial is negative.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
     pub form: Form,

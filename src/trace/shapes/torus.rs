@@ -7,9 +7,9 @@
 //! g₋ = (ρ − R)² + y² − r²,    g₊ = (ρ + R)² + y² − r² = g₋ + 4Rρ.
 //! ```
 //!
-//! Their product is the quartic (x² + y² + z² + R² − r²)² − 4R²(x² + z²). With r > R the tube runs
-//! through itself, and g₊ ≤ 0 in the lemon around the axis: that is inside twice, hence outside by
-//! the even-odd rule, and there the quartic is positive too. The solid is where it is not.
+//! Their product is the quartic (x² + y² + z² + R² − r²)² − 4R²(x² + z²). With r > R the tube runs through itself, and
+//! g₊ ≤ 0 in the lemon around the axis. The lemon is inside twice, hence outside by the even-odd rule, and the quartic
+//! is positive there, too. The solid is where the quartic is not positive.
 
 use super::error_bound::is_final;
 use super::outline::{Form, Outline};
@@ -332,7 +332,7 @@ impl<R: Traced> Intersect<R> for Torus {
             y.abs() * R::gamma(6),
             across * sin.abs() + point[2].abs() * R::gamma(6),
         );
-        // Of unit size, since a tube may be so thin that the square of its radius is zero.
+        // The normal is scaled to unit size, since a tube may be so thin that the square of its radius is zero.
         let normal = Vec3::new(h * cos, y, h * sin).unit();
         let normal = if normal.any() {
             normal
@@ -373,8 +373,8 @@ impl<R: Traced> Flatness<'_, R> {
     /// slope does not: between t′ and the inflection point the slope is at most 3e. The same holds between t′ and its
     /// own point, where it has one.
     ///
-    /// So nothing hides near a point where the slope exceeds 8e. Where the curvature κ is enough to change the slope
-    /// by 16e within w = 16e/κ, with half of the third derivative and the fourth taking away less than a quarter, the
+    /// Nothing hides near a point where the slope exceeds 8e. Where the curvature κ is enough to change the slope by
+    /// 16e within w = 16e/κ, with half of the third derivative and the fourth taking away less than a quarter, the
     /// curvature keeps its sign over that stretch: there is one extremum, at most (|slope| + e) / ¾κ away, and the
     /// slope only falls on the way to it. Elsewhere, the slope is a cubic that is at most 3e over the stretch w
     /// between: 4c₄ · 2(w/4)³ ≤ 3e (Chebyshev), hence w < 3∛(e/c₄).

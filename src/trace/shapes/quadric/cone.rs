@@ -17,8 +17,8 @@ use crate::trace::shapes::quick_reject::{Ball, POLYNOMIAL_MARGIN, Pass, is_above
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 
-/// The part of x² + z² ≤ y² between the apex and y = 1, or between y = ±1, scaled by the base
-/// radius across and by the height along its axis, which may be negative.
+/// The part of x² + z² ≤ y² between the apex and y = 1, or, for a double cone, between y = −1 and y = 1. It is scaled
+/// by the base radius across the axis, and along the axis by the height, which may be negative.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cone {
     form: QuadricForm,

@@ -434,8 +434,8 @@ fn closest<R: Traced>(form: &QuadricForm, o: Vec3<R>, d: Vec3<R>) -> R {
     if second.is_finite() { second } else { first }
 }
 
-/// A vector divided by a power of two not below `least`, so that its largest component is in
-/// [1, 2), or below 2 where `least` holds it back; and that power. Exact.
+/// A vector divided by a power of two, and that power, which is not below `least`. The largest component is then in
+/// [1, 2), or below 2 where `least` bounds the power. The division is exact.
 #[inline]
 fn normalised<R: Traced>(v: Vec3<R>, least: f64) -> (Vec3<R>, R) {
     let scale = power_of_two(v.abs().max_component().to_f64()).max(least);

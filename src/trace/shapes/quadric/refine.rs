@@ -74,7 +74,7 @@ impl<R: Traced> Sum<R> {
         noise * self.size
     }
 
-    /// The value, off by at most 2u of it and the [noise](Self::noise).
+    /// The value and its error bound: 2u of the value plus the [noise](Self::noise).
     fn bounded(&self) -> Bounded<R> {
         let value = self.value();
         Bounded {
@@ -92,7 +92,8 @@ impl QuadricForm {
         self.cancels && !is_final::<R>() && parameter_error::<R>() == R::ZERO
     }
 
-    /// Moves the crossings onto the surface, and doubts those that cannot be brought [near](MAX_CROSSING_ROUNDOFFS) enough.
+    /// Moves the crossings onto the surface. Marks them as uncertain if one cannot be brought
+    /// [near](MAX_CROSSING_ROUNDOFFS) enough.
     #[inline(never)]
     pub(super) fn refine<R: Traced>(&self, line: &Line<R>, roots: &mut Roots<R>) {
         if roots.uncertain {
