@@ -1,5 +1,5 @@
-//! Lines that pass spheres, boxes, planes and rectangles so closely that rounding decides, against
-//! the same in double-double: what doubles are sure of is so.
+//! Lines that pass spheres, boxes, planes and rectangles so closely that rounding decides: whatever doubles are sure
+//! of, double-double finds as well.
 
 mod by_hand;
 

@@ -1,18 +1,20 @@
-//! Convex solids of second degree, for tests of several at once.
+//! Convex solids of second degree, in a form in which several are tested at once.
 
-/// The points between two heights where a polynomial of second degree is not positive. They are convex.
+/// A convex solid: the points between two heights where a polynomial of second degree is not positive.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConvexPiece {
-    /// See [`Form::Quadric`](super::outline::Form::Quadric).
+    /// The coefficients, in the order of [`Form::Quadric`](super::outline::Form::Quadric).
     pub polynomial: [f64; 10],
-    /// The ends along the y axis; infinite where there is no end.
+    /// The lower and the upper end along the y axis; infinite where there is no end.
     pub heights: [f64; 2],
-    /// The apex's height, of a part of a cone: a piece of a polynomial whose second degree has both signs.
+    /// The height of the apex, if the piece is a part of a cone: the polynomial's quadratic part then has both signs.
+    /// `None` for other pieces.
     pub apex: Option<f64>,
 }
 
 impl ConvexPiece {
-    /// The piece of a whole quadric, if that is convex: its matrix of second degree has no negative eigenvalue.
+    /// A whole quadric as a piece; `None` if it is not convex, that is, if its matrix of second degree has a negative
+    /// eigenvalue or is zero.
     pub fn all_of(&polynomial: &[f64; 10]) -> Option<ConvexPiece> {
         let [xx, yy, zz, xy, xz, yz, ..] = polynomial;
         let [xy, xz, yz] = [xy, xz, yz].map(|x| 0.5 * x);
@@ -33,8 +35,8 @@ impl ConvexPiece {
         })
     }
 
-    /// The frustum or cylinder that a segment between two points (x, y) surrounds as it is turned about the y axis; `None`
-    /// for a disc, or a segment on the axis.
+    /// The frustum or cylinder that a segment between two points (x, y) surrounds as it is turned about the y axis;
+    /// `None` for a disc, or a segment on the axis.
     pub fn turned([[r, y], [s, z]]: [[f64; 2]; 2]) -> Option<ConvexPiece> {
         let slope = (s - r) / (z - y);
         let at_zero = r - slope * y;

@@ -14,7 +14,7 @@ use crate::trace::shapes::support::Support;
 pub struct Cuboid {
     min: Vec3,
     max: Vec3,
-    /// No coordinate of a point of the box is larger.
+    /// The largest coordinate of a point of the box, by size.
     reach: f64,
     /// Whether the cuboid has no thickness along some axis, hence no inside.
     flat: bool,
@@ -88,9 +88,9 @@ impl Shape for Cuboid {
 impl<R: Traced> Intersect<R> for Cuboid {
     /// A line in a face does not cross the box: see [`Roots::along`].
     ///
-    /// Each t is rounded twice, t = (m − o)/d, so that near and far are off by at most γ₂ of
-    /// themselves, and by 1/|d| of the drift for the greatest such factor of an axis. If they are
-    /// farther apart than this their order is certain; twice the roundings pay for the rest.
+    /// Each t = (m − o)/d is rounded twice, so that near and far are off by at most γ₂ of themselves, and by the drift
+    /// times 1/|d|, for the axis where that factor is greatest. If near and far are farther apart than this, their
+    /// order is certain. Twice the roundings pay for the rest.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         if self.flat {
             return;
@@ -146,13 +146,13 @@ impl<R: Traced> Intersect<R> for Cuboid {
         }
         if meets && within && drift == R::ZERO {
             roots.along = self.along(line, drift);
-            // Only where decisions are final it is asked what lies against the face.
+            // The faces that lie against this one are looked at only where decisions are final.
             roots.uncertain = !is_final::<R>();
             return;
         }
         if meets {
             roots.chord(near, far);
-            // Ends that are the same number, or none.
+            // A chord whose ends are equal or not finite was dropped.
             roots.uncertain |= roots.list.is_empty();
         }
     }
@@ -185,17 +185,18 @@ impl<R: Traced> Intersect<R> for Cuboid {
 }
 
 impl Cuboid {
-    /// How far along each axis a line may be from the one that is meant, relative to the box. Where
-    /// numbers are coarser than the doubles that the box is made of, its corners are off, too.
+    /// Bound on how far a line may be, along each axis, from the one that is meant, relative to the box. Where numbers
+    /// are coarser than doubles, the box's corners are rounded, too.
     fn drift<R: Traced>(&self, line: &Line<R>) -> R {
         let reach = R::of(self.reach);
         line.drift(reach) + parameter_error::<R>() * reach
     }
 
-    /// The normal of the face that a line lies in; a normal between the two faces' where it lies in both.
+    /// The normal of the face that a line lies in, within `drift`; a normal between those of both faces where it lies
+    /// in two, and `None` where it lies in none.
     #[cold]
     fn along<R: Traced>(&self, line: &Line<R>, drift: R) -> Option<Vec3> {
-        // Any weights will do that are not equal: between two faces at right angles lies no third.
+        // Any unequal weights will do: between two faces at right angles lies no third face.
         const WEIGHTS: [f64; 3] = [1.0, 0.75, 0.5];
         let mut normal = Vec3::ZERO;
         for i in 0..3 {
@@ -212,10 +213,10 @@ impl Cuboid {
         normal.any().then_some(normal)
     }
 
-    /// Whether the line as it is meets the box moved outwards by `by` on every side, or inwards, and
-    /// as much farther as t is rounded: γ₂ of the distance from the origin to a side, which is γ₄
-    /// with the rounding of the sum. Lines that are at most this far off meet the box itself if
-    /// this one meets the smaller box, and do not if this one does not meet the larger.
+    /// Whether the line, taken as exact, meets the box with every side moved outwards by `by`, which may be negative.
+    /// Each side is moved farther, outwards or inwards, by what t is rounded: γ₂ of the distance from the origin to
+    /// the side, which is γ₄ with the rounding of the sum. A true line within the drift meets the box itself if this
+    /// line meets the smaller box, and misses the box if this line misses the larger one.
     #[cold]
     fn meets<R: Traced>(&self, line: &Line<R>, by: R, outwards: bool) -> bool {
         let (mut near, mut far) = (-R::INFINITY, R::INFINITY);

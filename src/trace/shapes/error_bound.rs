@@ -2,15 +2,15 @@
 
 use crate::geometry::number::Real;
 
-/// Whether there is no finer number to ask, but for shapes that go on [`quad_double`](super::quad_double): what
-/// this one cannot tell from a touch is one. That is double-double, whose products and sums are not
-/// fused and rounded once as those of the others.
+/// Whether this kind of number is final: true for double-double and quad-double. What a final number cannot tell from
+/// a touch counts as a touch. Only the shapes that use [`quad_double`](super::quad_double) have a finer number to ask
+/// after double-double. Products and sums of double-double are not fused and rounded once, as those of coarser kinds
+/// are.
 pub(super) fn is_final<R: Real>() -> bool {
     R::ROUNDOFF < R::of(f64::EPSILON / 4.0)
 }
 
-/// A bound on the relative error of a shape's own numbers, which are doubles, in this kind of
-/// number.
+/// A bound on the relative error that a shape's own numbers, which are doubles, have in this kind of number.
 pub(super) fn parameter_error<R: Real>() -> R {
     if R::ROUNDOFF > R::of(f64::EPSILON) {
         R::ROUNDOFF
@@ -19,8 +19,8 @@ pub(super) fn parameter_error<R: Real>() -> R {
     }
 }
 
-/// The least size of a sum of products, u⁴, for which what its products lose by underflow is far
-/// below a unit in its last place: the least normal number of every kind is below u⁵.
+/// The size u⁴ of a sum of products above which underflow does not matter: what the products lose by it is far below a
+/// unit in the sum's last place, since the least normal number of every kind is below u⁵.
 pub(super) fn least<R: Real>() -> R {
     R::ROUNDOFF.square().square()
 }
@@ -30,8 +30,7 @@ pub(super) fn fits<R: Real>(size: R) -> bool {
     size >= least() && size <= least::<R>().recip()
 }
 
-/// How far a place is on the way from the lower to the upper end, as a share of all of it; 0 where
-/// there is no way.
+/// The position of `x` between two ends, from 0 at `min` to 1 at `max`; 0 if `min` is not below `max`.
 pub(super) fn share(x: f64, min: f64, max: f64) -> f64 {
     if min >= max {
         return 0.0;

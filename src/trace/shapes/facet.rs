@@ -23,13 +23,13 @@ pub(super) fn narrow<R: Traced>(x: Dd) -> R {
     R::of(high) + R::of(low)
 }
 
-/// How far the projection of a point may be off because the line is, where `drift` bounds that
-/// along each axis near the point; infinite where the direction is hardly known.
+/// Bound on the error of a point's projection that comes from the error of the line, for points with coordinates up to
+/// `reach`. Infinite where the direction is hardly known.
 ///
-/// The point is seen relative to the line's at the same depth: off by δ across, and by as much as a
-/// slope up to 1 makes of δ in depth. Where the direction's components are off by a sixteenth of
-/// the longest at most, the slope is up to (1 + 1/16) / (1 − 1/16) and the time to that depth up to
-/// 1 / (1 − 1/16) times what `drift` is reckoned with: in all (1 + 1.134) · 1.067 < 2.5.
+/// The point is projected relative to the line's point at the same depth. That point is off by the drift δ across, and
+/// a slope up to 1 adds what it makes of δ in depth. Where the direction's components are off by a sixteenth of the
+/// longest at most, the slope is up to (1 + 1/16) / (1 − 1/16), and t at that depth up to 1 / (1 − 1/16) times the t
+/// that the drift is computed for: in all (1 + 1.134) · 1.067 < 2.5.
 pub(super) fn drift_across<R: Traced>(line: &Line<R>, reach: R) -> R {
     let drift = line.drift(reach);
     if drift == R::ZERO {
@@ -78,7 +78,7 @@ impl<R: Traced> Shear<R> {
         }
     }
 
-    /// A point given relative to one on the line, which becomes the origin.
+    /// Projects a point, given relative to a point of the line. The line's point becomes the origin.
     #[inline]
     pub(super) fn project(&self, p: Vec3<R>) -> Projected<R> {
         let [x, y, z] = self.axes;
@@ -101,20 +101,21 @@ impl<R: Traced> Projected<R> {
 /// Twice the signed area of the triangle of the origin and two projected points: which side of the
 /// edge from p to q the line passes.
 ///
-/// The rounded products' difference, plus the difference of their rounding errors, which `mul_add`
-/// gives exactly: off by one rounding of the result and a rounding of the errors, so that weights
-/// keep their digits where a facet is seen at a flat angle. Rounding keeps the order of numbers, so
-/// the sign is never the wrong one, and swapping p and q turns each step into its exact negative.
+/// The result is the rounded products' difference, plus the difference of their rounding errors, which `mul_add` gives
+/// exactly. It is off by one rounding of the result and a rounding of the errors, so that weights keep their digits
+/// where a facet is seen at a flat angle. Rounding keeps the order of numbers, so the sign is never the wrong one, and
+/// swapping p and q turns each step into its exact negative.
 #[inline]
 fn edge<R: Traced>(p: Projected<R>, q: Projected<R>) -> R {
     let (a, b) = (p.x * q.y, p.y * q.x);
     (a - b) + (p.x.mul_add(q.y, -a) - p.y.mul_add(q.x, -b))
 }
 
-/// The direction in which a line goes through a facet whose corners run counter-clockwise around its normal.
+/// The direction in which a line, taken along its [slope](Shear::slope), goes through a facet whose corners run
+/// counter-clockwise around its normal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum PassageDirection {
-    /// Along slope and normal against each other.
+    /// The slope points against the normal.
     In,
     Out,
 }
@@ -128,12 +129,12 @@ pub(super) struct Passage<R> {
     pub depth: R,
 }
 
-/// How a line passes a facet, for either way through it.
+/// Whether a line may pass, and surely passes, through a facet in one of the two directions.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Certainty {
-    /// Whether rounding may make it a passage.
+    /// Whether the line may pass through, within the rounding errors.
     pub possible: bool,
-    /// Whether rounding cannot undo the passage.
+    /// Whether the line surely passes through, whatever the rounding errors.
     pub certain: bool,
 }
 
@@ -154,8 +155,8 @@ impl<R: Traced> Facet<R> {
         }
     }
 
-    /// The passage of the line through the facet, its edges and corners included. None for a facet that is seen
-    /// edge-on, and where numbers overflow: every comparison with NaN fails.
+    /// The passage of the line through the facet, whose edges and corners are a part of it. `None` for a facet that is
+    /// seen edge-on, and where numbers overflow: every comparison with NaN fails.
     #[inline]
     pub(super) fn passage(&self) -> Option<Passage<R>> {
         let e = self.edges;

@@ -1,9 +1,9 @@
 //! The geodesic sphere: an icosahedron whose facets are split in four again and again, with the new
 //! vertices pushed out onto the sphere.
 //!
-//! The splitting is itself the hierarchy that lines are traced through: the corners of a facet are found on the way down
-//! to it. A new vertex depends on the two ends of its edge alone, and not on their order, so that neighbours have equal
-//! corners, bit for bit. Everything is computed for radius 1 and scaled at the end.
+//! The splitting is itself the hierarchy that lines are traced through: the corners of a facet are found on the way
+//! down to it. A new vertex depends on the two ends of its edge alone, and not on their order, so that neighbours have
+//! equal corners, bit for bit. Everything is computed for radius 1 and scaled at the end.
 //!
 //! The cone of a facet lies between the planes through its edges and the centre. All parts that the facet is split into
 //! are in that cone. A line meets facets on two stretches alone, where it enters the sphere and where it leaves it. So
@@ -35,18 +35,18 @@ pub struct GeodesicSphere {
     coordinates: [Dd; 2],
     /// The number √5 − 2: see [`GeodesicSphere::facets`].
     share: Dd,
-    /// No point of a facet is nearer to the centre.
+    /// The distance from the centre, in radii, that no point of a facet is below.
     inner: f64,
 }
 
-/// A line as the unit sphere's facets see it.
+/// A line as the facets of the unit sphere see it. All lengths are in radii.
 struct View<R> {
     shear: Shear<R>,
     /// The line's point closest to the centre.
     nearest: Vec3<R>,
-    /// The depth of that point, from the line's origin; in radii, as all lengths here.
+    /// The depth of `nearest`, from the line's origin.
     depth: R,
-    /// Bound on the error of projected coordinates.
+    /// Bound on the error of the facets' projected coordinates.
     noise: R,
 }
 
@@ -59,7 +59,7 @@ enum Sight<R> {
     Near(View<R>),
 }
 
-/// A facet on the way down, and those of its quarters that are still to be seen to: a bit for each.
+/// A facet on the way down through the hierarchy. Each bit of `near` stands for a quarter that is still to be visited.
 #[derive(Clone, Copy, Default)]
 struct PendingFacet<R> {
     corners: [Vec3<R>; 3],
@@ -77,16 +77,17 @@ struct Stretch<R> {
 }
 
 impl<R: Traced> Stretch<R> {
-    /// Whether the stretch reaches the side that a normal points to, and the other side.
+    /// Whether the stretch reaches the side that `normal` points to, of a plane through the centre; and whether it
+    /// reaches the other side.
     #[inline]
     fn sides(&self, normal: Vec3<R>) -> [bool; 2] {
         let [a, b] = each(self.ends, |end| normal.dot(end));
         [a.max(b) >= -self.tolerance, a.min(b) <= self.tolerance]
     }
 
-    /// The quarters of a facet, whose cone the line meets, of which it may meet the cones: a bit for each. A plane
-    /// through two of the middles and the centre cuts off the quarter at a corner; the last quarter is on the other
-    /// side of all three.
+    /// The quarters of a facet whose cones the stretch may meet: a bit for each. The arguments are the middles of the
+    /// facet's edges; the stretch meets the cone of the facet. A plane through two of the middles and the centre cuts
+    /// off the quarter at a corner; the last quarter is on the other side of all three.
     #[inline]
     fn quarters(&self, [bc, ca, ab]: [Vec3<R>; 3]) -> u32 {
         let normals = [ab.cross(ca), bc.cross(ab), ca.cross(bc)];
@@ -98,8 +99,7 @@ impl<R: Traced> Stretch<R> {
 
 /// The middle of an edge, pushed out to the sphere.
 ///
-/// Six roundings: the sum, half of the squared length's three, the root, the quotient and the
-/// product.
+/// The result has six roundings: the sum, half of the squared length's three, the root, the quotient and the product.
 fn middle<R: Traced>(a: Vec3<R>, b: Vec3<R>) -> Vec3<R> {
     let sum = a + b;
     sum * sum.dot(sum).sqrt().recip()
@@ -111,12 +111,12 @@ fn middles<R: Traced>([a, b, c]: [Vec3<R>; 3]) -> [Vec3<R>; 3] {
     [middle(b, c), middle(c, a), middle(a, b)]
 }
 
-/// Facets of so many levels have their middles in a table. Those of the sixth level take 1.5 MB and 2 ms.
+/// The number of levels whose facets have their middles in a table. Those of the sixth level take 1.5 MB and 2 ms.
 const LEVELS: u32 = 6;
 static TABLES: [OnceLock<Vec<[Vec3; 3]>>; LEVELS as usize + 1] =
     [const { OnceLock::new() }; LEVELS as usize + 1];
 
-/// The middles of facets, those of the first levels from a table.
+/// The middles of facets: from a table for the first levels, computed for the others.
 #[derive(Clone, Copy)]
 struct Middles<'t> {
     /// The middles in doubles, of the facets of all levels that are in the table, level by level. Empty for other
@@ -167,7 +167,7 @@ fn quarter<T: Copy>([a, b, c]: [T; 3], [bc, ca, ab]: [T; 3], index: u32) -> [T; 
 }
 
 impl GeodesicSphere {
-    /// `splits` up to [`MAX_SPLITS`].
+    /// A sphere with at most [`MAX_SPLITS`] splits.
     pub fn new(radius: f64, splits: u32) -> GeodesicSphere {
         let phi = (Dd::ONE + Dd::of(5.0).sqrt()) / Dd::of(2.0);
         let short = Dd::ONE / (Dd::ONE + phi * phi).sqrt();
@@ -214,8 +214,9 @@ impl GeodesicSphere {
         near
     }
 
-    /// How far from the line, coordinate by coordinate in the sheared space, facets are looked at. `None` for noise of the
-    /// order of the facets, which are about 2^−splits across: it says nothing about a line, and would have it look at all.
+    /// The distance from the line, coordinate by coordinate in the sheared space, within which facets are looked at.
+    /// `None` for noise of the order of the facets, which are about 2^−splits across: nothing would be known about the
+    /// line, and all facets would be looked at.
     fn slack<R: Traced>(&self, view: &View<R>) -> Option<R> {
         let finest = R::of(1.0 / 16.0 / f64::from(1 << self.record.splits));
         let slack = R::of(SEARCH_ROUNDOFFS) * R::ROUNDOFF + view.noise;
@@ -223,7 +224,7 @@ impl GeodesicSphere {
         (view.noise <= finest).then_some(slack)
     }
 
-    /// The crossing at a passage.
+    /// The t and the face of a crossing, from the depth and the face of a passage.
     fn root<R: Traced>(&self, view: &View<R>, (depth, face): (R, u32)) -> (R, u32) {
         let radius = R::of(self.record.radius);
         ((view.depth + depth) * radius / view.shear.pace, face)
@@ -245,7 +246,7 @@ impl GeodesicSphere {
         self.facet(face, self.record.splits, Middles::new::<R>(self))
     }
 
-    /// The corners of facet `face` after so many splits.
+    /// The corners of facet `face` after `splits` splits.
     fn facet<R: Traced>(&self, face: u32, splits: u32, known: Middles) -> [Vec3<R>; 3] {
         let vertices = self.icosahedron();
         let base = (face >> (2 * splits)) as usize % FACES.len();
@@ -258,7 +259,7 @@ impl GeodesicSphere {
         corners
     }
 
-    /// The facets that the line passes on some stretches. A facet that both stretches reach counts twice.
+    /// Finds the facets that the line passes on some stretches. A facet that both stretches reach counts twice.
     fn meet<R: Traced>(&self, view: &View<R>, stretches: &[Stretch<R>]) -> Met<R> {
         let mut met = Met::default();
         for stretch in stretches {
@@ -318,7 +319,7 @@ impl GeodesicSphere {
 /// The facets that a line passes.
 #[derive(Default)]
 struct Met<R> {
-    /// The places where the line goes in and where it goes out, and the numbers of the facets.
+    /// The depths at which the line goes in and goes out, each with the number of the facet.
     passages: [Option<(R, u32)>; 2],
     /// Whether the line may pass some facet.
     possible: bool,
@@ -340,7 +341,7 @@ impl<R: Traced> Met<R> {
             PassageDirection::In => (0, R::ONE),
             PassageDirection::Out => (1, -R::ONE),
         };
-        // Of facets at one depth the one of the lowest number, in whatever order they come.
+        // The facet with the lowest number counts among those at one depth, so that their order does not matter.
         let is_first =
             |(z, other): (R, u32)| depth * sign < z * sign || depth == z && number < other;
         if self.passages[side].is_none_or(is_first) {
@@ -349,7 +350,8 @@ impl<R: Traced> Met<R> {
     }
 }
 
-/// No point of a facet is nearer to the centre than this, after so many splits of an icosahedron with such edges.
+/// The distance from the centre that no point of a facet is below, after some splits of an icosahedron on the unit
+/// sphere with edges of length `edge`.
 ///
 /// A facet with corners on the unit sphere and edges up to L long: where its point with barycentric
 /// weights α, β, γ lies at distance q from the centre, 1 − q² = αβ|ab|² + βγ|bc|² + γα|ca|² ≤ L²/3.
@@ -393,8 +395,8 @@ impl<R: Traced> View<R> {
             + drift_across(line, radius) / radius;
         let beyond = R::ONE + noise;
         let distance = nearest.dot(nearest);
-        // The square rounds by γ₄. The nearest point is off along the line by less than the noise,
-        // and so the more in distance: by less than half of noise².
+        // The square rounds by γ₄. The nearest point is off along the line by less than the noise, which adds less
+        // than half of noise² to its distance.
         let passes = distance > beyond * beyond * (R::ONE + R::gamma(4)) + noise * noise;
         // The radius may be too large for f32, or too small for what is divided by it.
         if !(radius.is_finite() && distance.is_finite() && depth.is_finite()) {
@@ -415,14 +417,15 @@ impl<R: Traced> View<R> {
         self.shear.project(at - self.nearest)
     }
 
-    /// The two stretches of the line, on the way in and on the way out, on which it may come within `slack` of a facet in
-    /// the sheared space, coordinate by coordinate. No facet is nearer to the centre than `inner`.
+    /// The two stretches of the line, on the way in and on the way out, on which it may come within `slack` of a facet
+    /// in the sheared space, coordinate by coordinate; `None` if it stays farther away. No facet is nearer to the
+    /// centre than `inner`.
     ///
     /// A point P of a facet and the line's point Q at the same depth are √2 slack apart at most. The slack is 160 units
     /// of roundoff or more, the facet's corners are off by 76 units, and what is computed here by 20.
     ///
-    /// So Q is between the radii inner − 2 slack and 1 + 2 slack. The squares of the radii are given more than three times
-    /// what that makes of them.
+    /// So Q is between the radii inner − 2 slack and 1 + 2 slack. The squares of the radii are widened by more than
+    /// three times what these differences make of them.
     ///
     /// The true corners of the facet are on the inner side of the planes of all cones that it is in. Corners that are
     /// off by 76 units make normals, of length 1 at most, that are off by 160. Along such a normal P is above
@@ -492,10 +495,10 @@ impl Shape for GeodesicSphere {
 }
 
 impl<R: Traced> Intersect<R> for GeodesicSphere {
-    /// The facets met on the way in and on the way out: one of each, or several that share the edge
-    /// or corner where the line passes, of which the outermost counts. The projected facets cover
-    /// each point of the plane as often one way as the other, whatever the rounding of their common
-    /// corners, so a way in never lacks its way out.
+    /// Finds the facets met on the way in and on the way out: one of each, or several that share the edge or corner
+    /// where the line passes, of which the outermost counts. The projected facets cover each point of the plane as
+    /// often one way as the other, whatever the rounding of their common corners, so a line that goes in always goes
+    /// out.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         let view = match View::of(line, R::of(self.record.radius)) {
             Sight::Passes => return,
@@ -521,12 +524,12 @@ impl<R: Traced> Intersect<R> for GeodesicSphere {
         } else {
             roots.chord(far, near);
         }
-        // A chord too short for the numbers.
+        // A chord too short for the numbers was dropped.
         roots.uncertain |= roots.list.is_empty();
     }
 
-    /// The two crossings of a line that goes through the ball within all facets, which it enters at one place and
-    /// leaves at another.
+    /// Finds the first crossing alone for a line that goes through the ball within all facets. Such lines enter the
+    /// solid on one stretch and leave it on another, and only the first stretch is searched.
     fn first_crossings(&self, line: &Line<R>, near: R, roots: &mut Roots<R>) {
         let radius = R::of(self.record.radius);
         if let Sight::Near(view) = View::of(line, radius)

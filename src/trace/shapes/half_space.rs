@@ -9,7 +9,7 @@ use crate::solids::shapes as solids;
 use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::support::Support;
 
-/// ax + by + cz + d ≤ 0.
+/// The solid ax + by + cz + d ≤ 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HalfSpace {
     face: Plane,
@@ -29,7 +29,7 @@ impl HalfSpace {
 }
 
 impl Shape for HalfSpace {
-    /// The flat box of the face, reaching to infinity against the normal.
+    /// The flat box of the face, extended to infinity on the side opposite to the normal.
     fn bounds(&self) -> Aabb {
         let mut bounds = self.face.bounds();
         for i in 0..3 {

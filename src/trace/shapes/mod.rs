@@ -1,4 +1,5 @@
-//! The shapes: where a line crosses them, and what is to be known at such a point.
+//! The shapes: where a line crosses each of them, and the normal, the surface coordinates and the colour at the
+//! crossing.
 //!
 //! A shape is one file here that implements [`Shape`] and [`Intersect`], one variant of [`Primitive`]
 //! and one arm in each of its functions.
@@ -38,22 +39,22 @@ use outline::Outline;
 use quick_reject::Pass;
 use support::Support;
 
-/// Set in a face of a surface of revolution where the outward normal is the opposite of the segment's own: of
-/// (h, −w) for a segment that rises by h over w, and of (0, 1) for a flat one. In a profile that crosses itself
-/// both sides of one segment may be the outer one in different places.
+/// The bit that is set in a face of a surface of revolution where the outward normal is opposite to the segment's own.
+/// The segment's own normal is (h, −w) if the segment rises by h over the width w, and (0, 1) if it is flat. In a
+/// profile that crosses itself either side of a segment may be the outer one, in different places.
 pub const FLIPPED: u32 = 1 << 31;
 
-/// Number of unit roundoffs by which the bound on a line's displacement through maps may exceed the size of its numbers
-/// before a finer number is asked. The bound of one turn reaches 30; what lines are really moved by is a tenth of
-/// theirs.
+/// The largest displacement by maps with which a crossing is trusted, in unit roundoffs of the line's coordinates.
+/// Beyond it a finer kind of number is asked. The bound for one rotation reaches 30; lines really move by a tenth of
+/// their bounds.
 pub const BLURRED: f64 = 32.0;
 
 /// A crossing of a line with a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root<R = f64> {
-    /// Finite.
+    /// The line's parameter at the crossing; finite.
     pub t: R,
-    /// The part of the surface, for shapes that have several; the shape alone reads it.
+    /// The number of the part of the surface, for shapes that have several parts. Only the shape can interpret it.
     pub face: u32,
 }
 
@@ -61,15 +62,16 @@ pub struct Root<R = f64> {
 /// inside before the first one exactly if `inside` says so, and changes sides at each.
 #[derive(Debug, Clone, Default)]
 pub struct Roots<R = f64> {
-    /// Whether the line comes from inside, at t = −∞.
+    /// Whether the line is inside the solid at t = −∞.
     pub inside: bool,
     /// Whether a decision was closer than the rounding errors behind it: the number of the crossings, or their order,
     /// may be wrong.
     pub uncertain: bool,
-    /// Whether the crossings are uncertain for the reason alone that one may be farther from the surface than 4 ε.
+    /// Whether `uncertain` is set for one reason only: a crossing may be farther from the surface than 4 ε of the
+    /// largest coordinate.
     pub coarse: bool,
-    /// The normal of a flat face that the line lies in. Such a line does not cross the solid; but
-    /// where another solid's face lies against this one, the line may be within the two together.
+    /// The normal of a flat face that the line lies in. Such a line does not cross the solid; but where the face of
+    /// another solid lies against this face, the line may be inside the union of the two solids.
     pub along: Option<Vec3>,
     pub list: Vec<Root<R>>,
 }
@@ -83,8 +85,9 @@ impl<R: Traced> Roots<R> {
         self.list.clear();
     }
 
-    /// Doubts crossings where the maps of the line's way here may have moved the line by far more than a turn
-    /// does: the line's direction has nearly vanished in a space that is pressed flat. Final numbers do not ask.
+    /// Marks the crossings as uncertain if the maps into this space may have displaced the line at a crossing by more
+    /// than [`BLURRED`] allows. That happens in a space that is pressed flat, where the line's direction nearly
+    /// vanishes. Double-double and quad-double are never marked: there is no finer number to ask.
     #[inline]
     pub fn doubt_blurred(&mut self, line: &Line<R>) {
         let is_blurred = |root: &Root<R>| line.is_blurred_at(root.t, BLURRED);
@@ -100,7 +103,7 @@ impl<R: Traced> Roots<R> {
         roots
     }
 
-    /// Takes what was found in another kind of number.
+    /// Copies roots from another kind of number, rounded; all but `coarse`.
     pub fn copy_from<S: Traced>(&mut self, other: &Roots<S>) {
         (self.inside, self.uncertain, self.along) = (other.inside, other.uncertain, other.along);
         self.list.clear();
@@ -114,7 +117,8 @@ impl<R: Traced> Roots<R> {
         self.list.push(Root { t, face });
     }
 
-    /// A chord of a convex solid. One of no length, a touch, has no inside and is dropped.
+    /// Appends both ends of a convex solid's chord, a t and a face each. A chord of no length is a touch without an
+    /// inside, and is dropped.
     fn chord(&mut self, (t0, face0): (R, u32), (t1, face1): (R, u32)) {
         if t0 < t1 && t0.is_finite() && t1.is_finite() {
             self.push(t0, face0);
@@ -127,8 +131,7 @@ impl<R: Traced> Roots<R> {
 #[derive(Debug, Clone, Copy)]
 pub struct Located<R = f64> {
     pub point: Vec3<R>,
-    /// Bounds on the error of the point, component by component: somewhere in this box around it
-    /// is the true surface.
+    /// Bounds on the error of the point, component by component: the true surface meets this box around the point.
     pub error: Vec3<R>,
     /// The geometric normal, outwards for a solid, of any length but zero.
     pub normal: Vec3<R>,
@@ -140,54 +143,55 @@ pub trait Intersect<R: Traced = f64> {
     /// Appends all crossings to the cleared `roots`.
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>);
 
-    /// The same for a search that needs only the first crossing clearly after the start of a ray, and all crossings
-    /// before it. A crossing is clearly after the start if its t exceeds `near` by a hundredth of (|o| + extent) / |d|,
-    /// with the largest components of the line's origin and direction. Crossings after that one may be left out.
+    /// Like [`crossings`](Self::crossings), for a search that needs only the first crossing clearly after the start of
+    /// a ray, and all crossings before it. A crossing is clearly after the start if its t exceeds `near` by a
+    /// hundredth of (|o| + extent) / |d|, where |o| and |d| are the largest components of the line's origin and
+    /// direction. Later crossings may be left out.
     fn first_crossings(&self, line: &Line<R>, _near: R, roots: &mut Roots<R>) {
         self.crossings(line, roots);
     }
 
-    /// The point of one of the line's crossings.
+    /// The point and the normal at one of the line's crossings.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R>;
 
-    /// How fast a point that runs along the line with t passes through the surface at a crossing:
-    /// |n·d| with the unit normal, or not more than twice less. `None` for shapes that bend away from
-    /// all of their tangents: where they are met for certain it is not so slow as to matter.
+    /// The speed, per unit of t, at which a point of the line passes through the surface at a crossing: |n·d| with the
+    /// unit normal n, or as little as half of that. `None` for shapes that curve away from all their tangents: a line
+    /// that surely crosses one is never so slow that it matters.
     fn speed(&self, line: &Line<R>, root: Root<R>) -> Option<R> {
         let normal = self.locate(line, root).normal;
         Some(normal.unit().dot(line.direction).abs())
     }
 }
 
-/// A shape, whatever the rays are made of.
+/// The questions about a shape that do not depend on the kind of number that rays are made of.
 pub trait Shape {
     /// A box that holds the shape, rounded outwards.
     fn bounds(&self) -> Aabb;
 
-    /// How far the numbers reach, in the shape's space, that a crossing is computed from, besides
-    /// those of the line and of the crossing itself; infinite where that is not known.
+    /// The largest length, in the shape's space, that a crossing is computed from, besides the numbers of the line and
+    /// of the crossing itself. Infinite where that is not known.
     fn extent(&self) -> f64 {
         self.bounds().reach()
     }
 
-    /// How a line passes the shape for t in a stretch, where that is clear by far more than any rounding. Cheaper than
-    /// to find the crossings, or else nothing is said.
+    /// How a line passes the shape for t between the ends of a stretch, if that is clear by far more than any
+    /// rounding. A shape that cannot tell this at less cost than finding the crossings answers [`Pass::Perhaps`].
     fn pass(&self, _line: &Line, _stretch: [f64; 2]) -> Pass {
         Pass::Perhaps
     }
 
-    /// The outline that holds the shape, within its bounds.
+    /// A simple region that contains the shape, within the shape's bounds.
     fn outline(&self) -> Outline {
         Outline::BOUNDS
     }
 
-    /// The solid as a convex one of second degree, if it is one.
+    /// The solid as a convex piece of a surface of second degree; `None` if it is no such solid.
     fn convex_piece(&self) -> Option<ConvexPiece> {
         None
     }
 
-    /// Whether a line whose origin is on the surface, and which goes out there, may cross the surface again, as
-    /// [`pass`](Self::pass) says it.
+    /// Whether a line that leaves the shape at its origin, a point of the surface, may cross the surface again ahead.
+    /// A `false` is as certain as [`Pass::Beside`].
     fn is_met_again(&self, _line: &Line) -> bool {
         !self.is_convex()
     }
@@ -195,13 +199,12 @@ pub trait Shape {
     /// Surface coordinates of a point on the surface.
     fn uv(&self, point: Vec3, face: u32) -> [f64; 2];
 
-    /// The normal that light is reckoned with, where it differs from the geometric one: of any
-    /// length, on either side.
+    /// The normal for shading, of any length and on either side of the surface; `None` if it is the geometric normal.
     fn shading_normal(&self, _point: Vec3, _face: u32) -> Option<Vec3> {
         None
     }
 
-    /// The colour that the shape itself gives a point.
+    /// The colour that the shape itself gives a point; `None` if it has no colours of its own.
     fn colour(&self, _point: Vec3, _face: u32) -> Option<Rgb> {
         None
     }
@@ -210,18 +213,19 @@ pub trait Shape {
     /// shape's numbers: see [`Facts::holds`](crate::solids::shapes::facts::Facts::holds).
     fn holds(&self, point: Vec3) -> bool;
 
-    /// Whether no straight line between two points outside that starts away from the shape, from a
-    /// point on its surface, meets it again.
+    /// Whether a ray that starts on the surface and goes away from the shape can never meet the shape again.
     fn is_convex(&self) -> bool;
 
-    /// The surface that a face is a part of, of kinds that faces of other shapes may be parts of too.
+    /// The unbounded surface that a face is a part of, for comparison with faces of other shapes; `None` for kinds of
+    /// surface that are not compared.
     fn support(&self, face: u32) -> Option<Support>;
 
-    /// Feeds the numbers that make the shape what it is; equal shapes feed equal numbers.
+    /// Passes the numbers that define the shape to `sink`; equal shapes pass equal numbers.
     fn feed(&self, sink: &mut dyn FnMut(f64));
 }
 
-/// A shape of the language. Those that hold many numbers are kept apart: there may be millions of the others.
+/// A shape of the language. Large shapes are boxed, so that the small ones, of which there may be millions, stay
+/// small.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Primitive {
     Revolution(Box<revolution::Revolution>),
@@ -238,7 +242,7 @@ pub enum Primitive {
     Cone(Box<quadric::cone::Cone>),
 }
 
-/// The shape in any variant, as something that every shape is.
+/// The shape in any variant, as a reference to a trait object.
 macro_rules! each {
     ($primitive:expr) => {
         match $primitive {
@@ -295,7 +299,7 @@ impl Primitive {
         }
     }
 
-    /// The intersection with lines of one kind of number.
+    /// The shape's answers about lines in one kind of number.
     pub fn intersect<R: Traced>(&self) -> &dyn Intersect<R> {
         each!(self)
     }

@@ -1,15 +1,15 @@
-//! Outlines that hold shapes, for tests of several lines at once.
+//! Simple regions that contain shapes, for tests of several lines at once.
 
 use crate::geometry::vec::Vec3;
 
-/// A polynomial of points that is negative in a solid or where more than the solid is.
+/// A polynomial of a point's coordinates that is negative inside a solid, and perhaps in a larger region around it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Form {
     /// Negative everywhere.
     Constant,
     /// A form of second degree: the coefficients of x², y², z², xy, xz, yz, x, y, z and 1.
     Quadric([f64; 10]),
-    /// (|p|² + R² − r²)² − 4R²(x² + z²), with R and r.
+    /// The torus (|p|² + R² − r²)² − 4R²(x² + z²); the numbers are R and r.
     Torus([f64; 2]),
     /// The solid inside of a profile that is turned about the y axis. No polynomial.
     Profile(Vec<ProfilePoint>),
@@ -18,14 +18,14 @@ pub enum Form {
 /// An end of a piece of a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProfilePoint {
-    /// How far it is from the axis.
+    /// The distance from the axis.
     pub radius: f64,
     pub height: f64,
     /// Whether a piece leads here from the point before it in the list.
     pub is_joined: bool,
 }
 
-/// The points where a polynomial is negative, in the bounds of a shape.
+/// A region that contains a shape: the points in the shape's bounds where a polynomial is negative.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
     pub form: Form,
@@ -34,7 +34,7 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// The bounds alone.
+    /// The outline that fills the shape's bounds.
     pub const BOUNDS: Outline = Outline {
         form: Form::Constant,
         is_exact: false,
@@ -48,7 +48,7 @@ impl Outline {
         }
     }
 
-    /// The outline of a shape that may be smaller.
+    /// The outline around a shape that may be smaller.
     pub fn around(form: Form) -> Outline {
         Outline {
             form,
@@ -58,7 +58,7 @@ impl Outline {
 }
 
 impl Form {
-    /// Negative in a sphere.
+    /// The form that is negative inside a sphere.
     pub fn sphere(centre: Vec3, radius: f64) -> Form {
         let [x, y, z] = (centre * -2.0).0;
         let constant = centre.dot(centre) - radius * radius;

@@ -10,7 +10,7 @@ use crate::geometry::vec::Vec3;
 use crate::trace::shapes::support::Support;
 use std::cmp::Ordering;
 
-/// ax + by + cz + d = 0.
+/// The surface ax + by + cz + d = 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plane {
     normal: Vec3,
@@ -31,15 +31,14 @@ impl Plane {
         [a, b, c, self.d]
     }
 
-    /// (a, b, c), of any length.
+    /// The normal (a, b, c), of any length.
     pub fn normal(&self) -> Vec3 {
         self.normal
     }
 }
 
 impl Shape for Plane {
-    /// Flat where the normal is along an axis; all of space otherwise, and where the plane is beyond
-    /// the numbers.
+    /// A flat box where the normal is along an axis. All of space otherwise, and where the plane's position overflows.
     fn bounds(&self) -> Aabb {
         let mut bounds = Aabb::ALL;
         for i in 0..3 {
@@ -52,15 +51,15 @@ impl Shape for Plane {
         bounds.padded()
     }
 
-    /// The distance from the origin, but for a factor up to √3.
+    /// The plane's distance from the origin, or up to √3 times as much.
     fn extent(&self) -> f64 {
         (self.d / self.normal.abs().max_component()).abs()
     }
 
-    /// Scene units from the point nearest the origin.
+    /// Distances from the plane's point nearest to the origin, along two directions in the plane.
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
         let n = self.normal.unit();
-        // Beyond this the y axis is too close to the normal to say which way is up (the language).
+        // Where |n·y| exceeds this, the y axis is too close to the normal to say which way is up (the language).
         const UPRIGHT: f64 = 0.999;
         let up = if n[1].abs() > UPRIGHT {
             Vec3::new(0.0, 0.0, -1.0)
@@ -94,7 +93,7 @@ impl Shape for Plane {
 /// How a line runs with respect to a plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PlaneRelation<R> {
-    /// The line crosses the plane at t, maybe to the side that the normal points to.
+    /// The line crosses the plane at t; `outwards` if it goes to the side that the normal points to.
     Across { t: R, outwards: bool },
     /// The line is parallel to the plane: behind it (less), in it or in front; `close` if rounding may have decided
     /// which.
@@ -108,7 +107,7 @@ pub(super) struct Meeting<R> {
     pub uncertain: bool,
 }
 
-/// n·v + c, the sum of the sizes of its terms, and whether they are all zero exactly.
+/// The sum n·v + c, the sum of the sizes of its terms, and whether all terms are exactly zero.
 struct Sum<R> {
     value: R,
     size: R,
@@ -126,7 +125,7 @@ impl<R: Traced> Sum<R> {
         }
     }
 
-    /// Whether nothing in it has left the numbers.
+    /// Whether no term has overflowed or underflowed.
     fn fits(&self) -> bool {
         self.zero || fits(self.size)
     }
@@ -135,8 +134,8 @@ impl<R: Traced> Sum<R> {
 impl Plane {
     /// How a line runs with respect to the plane.
     ///
-    /// Nearly all lines are steep enough for a slope that is certain, see [`judge`], at a distance
-    /// within the numbers; that of the others takes a closer look.
+    /// For nearly all lines the slope is surely not zero, see [`judge`], and nothing overflows or underflows. The
+    /// other lines take a closer look.
     #[inline]
     pub(super) fn meet<R: Traced>(&self, line: &Line<R>) -> Meeting<R> {
         let n = self.normal.cast::<R>();
@@ -198,26 +197,27 @@ impl Plane {
     }
 }
 
-/// Whether no component has become zero.
+/// Whether no component that was not zero before has become zero.
 fn same_zeros<R: Traced, S: Traced>(before: Vec3<R>, after: Vec3<S>) -> bool {
     (0..3).all(|i| (before[i] == R::ZERO) == (after[i] == S::ZERO))
 }
 
-/// How far a slope may be off whose terms add up to `size`. It has three roundings, and changes by
-/// at most Σ|nᵢ| times what the line's direction is off. One rounding more pays for those of the
-/// bound. Where numbers are coarser than the doubles of the plane, each of its own is off by one.
+/// Error bound of a slope n·d whose terms add up to `size`. The slope has three roundings, and changes by at most
+/// Σ|nᵢ| times `slack`, the error of the line's direction. One rounding more pays for those of the bound. Where
+/// numbers are coarser than doubles, each number of the plane is off by one rounding more.
 fn tilt<R: Traced>(size: R, n: Vec3<R>, slack: R) -> R {
     let spread = n.abs().dot(Vec3::ONE) * (R::ONE + R::gamma(4));
     (R::gamma(4) + parameter_error()) * size + spread * slack
 }
 
-/// Error bound of the plane's equation at the origin: [`tilt`] with one rounding more.
+/// Error bound of the plane's equation at the line's origin: [`tilt`] with one rounding more.
 fn offset<R: Traced>(size: R, n: Vec3<R>, slack: R) -> R {
     tilt(size, n, slack) + R::gamma(1) * size
 }
 
-/// The crossing of a line along which the plane's equation is value + t·2⁻ᵏ slope. A slope that
-/// is zero or may be is that of a parallel line; for certain only where all its terms are zero.
+/// Decides how a line runs, if the plane's equation along it is value + t·2⁻ᵏ slope. A slope that may be zero is in
+/// doubt; final kinds of number take it for zero, and the line for parallel. A line is surely parallel only where all
+/// terms of the slope are zero.
 fn judge<R: Traced>(
     slope: &Sum<R>,
     value: &Sum<R>,
@@ -263,17 +263,17 @@ impl<R: Traced> Intersect<R> for Plane {
         }
     }
 
-    /// The speed across the plane by the greatest component of the normal, whose length is up to √3 of it.
+    /// The speed across the plane, with 1.75 times the normal's greatest component for its length, which is up to √3
+    /// times that component.
     fn speed(&self, line: &Line<R>, _: Root<R>) -> Option<R> {
         let across = self.normal.cast::<R>().dot(line.direction).abs();
         Some(across / (R::of(1.75 * self.normal.abs().max_component())))
     }
 
-    /// The point on the line, moved along the normal by the distance it is found to be off. What
-    /// remains is the rounding of that distance, γ₅(Σ|nᵢ pᵢ| + |d|) / |n|² along n, and of the
-    /// point itself.
+    /// The line's point, moved along the normal onto the plane. The remaining error is the rounding of the distance
+    /// moved, γ₅(Σ|nᵢ pᵢ| + |d|) / |n|² along n, and of the point itself.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
-        // Of unit size, since |n|² may overflow or underflow.
+        // The normal is scaled to unit size, since |n|² may overflow or underflow.
         let steep = exponent(self.normal.abs().max_component());
         let n = shifted_vector(self.normal, -steep).cast::<R>();
         let c = R::of(shifted(self.d, -steep));

@@ -1,8 +1,8 @@
 //! Decisions that are too close for double-double.
 //!
-//! Where a surface turns back on itself, as at a corner of a profile or where a torus is pinched,
-//! a line may pass at a distance whose square, or the square of that, decides what it crosses.
-//! Squares of what two doubles can be apart by are below the digits of double-double.
+//! Where a surface turns back on itself, as at a corner of a profile or where a torus is pinched, a line may pass at a
+//! distance whose square, or fourth power, decides what the line crosses. The square of the least distance between
+//! doubles is below the digits of double-double.
 
 use super::{Root, Roots};
 use crate::geometry::dd::Dd;
@@ -10,16 +10,17 @@ use crate::geometry::line::{Line, Traced};
 use crate::geometry::number::Real;
 use crate::geometry::qd::Qd;
 
-/// Whether there is no finer number to ask even here: what this one cannot tell from a touch is
-/// one.
+/// Whether R is quad-double, after which there is no finer number to ask. What quad-double cannot tell from a touch
+/// counts as a touch.
 pub(super) fn is_last<R: Traced>() -> bool {
     R::ROUNDOFF <= R::of(Qd::ROUNDOFF.to_f64())
 }
 
-/// Decides what double-double could not in quad-double.
+/// Replaces uncertain crossings in double-double by those that `decide` finds in quad-double. Crossings that are
+/// certain, or in other kinds of number, stay.
 ///
-/// Crossings farther apart than no rounding, but closer than the digits of t, are told apart by
-/// their order: at neighbouring numbers.
+/// Crossings that are in order in quad-double may have the same t in double-double. They get neighbouring numbers, and
+/// so keep their order.
 pub(super) fn decide_closer<R: Traced>(
     line: &Line<R>,
     roots: &mut Roots<R>,
@@ -47,7 +48,7 @@ pub(super) fn decide_closer<R: Traced>(
 /// A number greater than `t` by little more than the rounding error of `t`.
 fn after<R: Traced>(t: R) -> R {
     let step = t.abs() * R::ROUNDOFF;
-    // Double-double has a place for the least double beside every number.
+    // A double-double number can add the least double to any number.
     t + (step + step).max(R::of(f64::from_bits(1)))
 }
 

@@ -1,15 +1,17 @@
-//! Cheap tests that find most lines which miss a shape, and no others; and many that go right through a solid.
+//! Cheap tests that recognise most lines that miss a shape, and many lines that go right through a solid.
 //!
-//! They compute in doubles, and leave to the shape whatever is closer than a margin beside which all roundings, and
-//! what a line may be off by, are nothing: a line that is said to miss crosses nothing in any precision, and nobody
-//! who asks the shape would be in doubt about that.
+//! The tests compute in doubles, and leave every case to the shape that is closer than a margin. Rounding errors and
+//! the error of the line itself are negligible beside the margin. So a line that is said to miss crosses nothing in
+//! any precision, and the shape itself would answer this without doubt.
 
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 
-/// Largest error of a line's points, as a share of a shape's size, with which anything is said about the line.
+/// The largest error of a line's points, as a share of the shape's size, with which the tests say anything about the
+/// line.
 pub const LINE_REL_ERROR: f64 = 1e-9;
-/// Factor by which a ball around a shape is wider, and a slab too.
+/// Factor by which the ball around a shape is enlarged. A slab is widened by the same share of its thickness, on each
+/// side.
 const BALL_WIDENING: f64 = 1.0 + 1.0 / 1024.0;
 /// Values of polynomials that are nearer to zero than this count as zero. The polynomials are of first to fourth degree
 /// in a line's points, in units of the shape's size. Their errors are less than a fiftieth of this.
@@ -26,20 +28,20 @@ pub enum Pass {
     Through,
 }
 
-/// A line in a ball around a shape: its points are `point` + t·`direction`.
+/// A line that meets the ball around a shape. Its points, relative to the ball's centre, are `point` + t·`direction`.
 #[derive(Debug, Clone, Copy)]
 pub struct Approach {
-    /// The point of the line that is nearest to the centre, from the centre.
+    /// The line's point nearest to the centre.
     pub point: Vec3,
     /// A unit vector.
     pub direction: Vec3,
-    /// The range of t in which the line is in the ball and in the stretch that is asked for.
+    /// The range of t in which the line is in the ball and in the stretch that is asked for; t is a length here.
     pub stretch: [f64; 2],
-    /// The parameter of the line's origin.
+    /// The t of the line's own origin.
     pub origin: f64,
     /// Whether the line leaves the ball in the stretch that is asked for.
     leaves: bool,
-    /// Places on the line are known to this length.
+    /// Bound on the error of places along the line, a length.
     slack: f64,
 }
 
@@ -47,14 +49,14 @@ pub struct Approach {
 #[derive(Debug, Clone, Copy)]
 pub enum Ball {
     Misses,
-    /// The line's numbers do not tell.
+    /// The line's numbers are too inexact, too large or too small to tell.
     Unknown,
     Meets(Approach),
 }
 
 impl Ball {
-    /// The ball around a shape that is in `radius` of `centre`, and the line for t from `from` to `to`, or a little
-    /// more.
+    /// How a line meets the ball of radius `radius` about `centre`, which holds a shape. Only the line from t = `from`
+    /// to t = `to` counts, and a little beyond.
     #[inline(always)]
     pub fn meets(line: &Line, [from, to]: [f64; 2], centre: Vec3, radius: f64) -> Ball {
         let start = line.origin - centre;
@@ -62,12 +64,12 @@ impl Ball {
             line.direction.dot(line.direction),
             start.dot(line.direction),
         );
-        // On the line whatever the quotient is.
+        // The point is on the line, however the quotient is rounded.
         let point = start - line.direction * (along / square);
         let off = 8.0 * f64::EPSILON * start.abs().max_component() + line.drift(2.0 * radius);
         let reach = BALL_WIDENING * radius;
         let reach2 = reach * reach;
-        // Written so that what is no number is unknown.
+        // Written so that NaN is unknown.
         if !(off <= LINE_REL_ERROR * radius
             && square.is_normal()
             && reach2.is_normal()
@@ -100,8 +102,9 @@ impl Ball {
 }
 
 impl Approach {
-    /// Whether the line goes through: where a polynomial of the line's points, which is negative in the solid, is
-    /// negative by its value in one place, on the stretch.
+    /// Tells whether the line goes through the solid, by the value in one place of a polynomial of the line's points
+    /// that is negative in the solid. `at` is a t in the stretch. The line goes through if `at` is ahead of its
+    /// origin, the value there is below −`margin`, and the line leaves the ball later.
     #[inline]
     pub fn through(&self, at: f64, margin: f64, value: impl FnOnce(f64) -> f64) -> Pass {
         let is_told = self.leaves && at > self.origin + self.slack && margin.is_normal();
@@ -111,13 +114,14 @@ impl Approach {
         }
     }
 
-    /// The part of the stretch in which a coordinate is between two numbers; `None` where there is none. They are at
-    /// least a thousandth of the ball's radius apart, or all of the stretch is.
+    /// The part of the stretch in which the coordinate along `axis`, from the centre, is between `low` and `high`;
+    /// `None` if there is no such part. For a slab thinner than about a thousandth of the stretch it is the whole
+    /// stretch.
     pub fn between(&self, axis: usize, low: f64, high: f64) -> Option<[f64; 2]> {
         let (p, d) = (self.point[axis], self.direction[axis]);
         let [from, to] = self.stretch;
         let slack = (BALL_WIDENING - 1.0) * (high - low);
-        // What the point is off by counts beside so thin a slab.
+        // The error of the point is not negligible beside so thin a slab.
         if slack < POLYNOMIAL_MARGIN * (to - from) {
             return Some(self.stretch);
         }
@@ -131,11 +135,11 @@ impl Approach {
     }
 }
 
-/// Whether a t² + 2b t + c is more than a margin on a stretch: so are the coefficients of Bernstein's polynomials on
-/// both halves of it.
+/// Whether a t² + 2b t + c is found to be more than `margin` on a whole stretch: all its coefficients in Bernstein's
+/// basis, on both halves of the stretch, are.
 #[inline]
 pub fn is_above([a, b, c]: [f64; 3], [from, to]: [f64; 2], margin: f64) -> bool {
-    // The polar form, whose values at the ends and between are the coefficients.
+    // The polar form: its values at pairs of ends are the coefficients in Bernstein's basis.
     let polar = |s: f64, t: f64| a * s * t + b * (s + t) + c;
     let middle = 0.5 * (from + to);
     let all = [
@@ -148,12 +152,12 @@ pub fn is_above([a, b, c]: [f64; 3], [from, to]: [f64; 2], margin: f64) -> bool 
     margin.is_normal() && all.iter().all(|&x| x > margin)
 }
 
-/// The same of a polynomial of fourth degree, the leading coefficient first.
+/// Like [`is_above`], for a polynomial of fourth degree. The leading coefficient comes first.
 #[inline]
 pub fn is_quartic_above(c: [f64; 5], [from, to]: [f64; 2], margin: f64) -> bool {
     let [c4, c3, c2, c1, c0] = c;
     let h = to - from;
-    // Its derivatives at `from`, over the factorials and in units of the stretch.
+    // The derivatives at `from`, divided by the factorials and in units of the stretch.
     let d0 = (((c4 * from + c3) * from + c2) * from + c1) * from + c0;
     let d1 = (((4.0 * c4 * from + 3.0 * c3) * from + 2.0 * c2) * from + c1) * h;
     let d2 = ((6.0 * c4 * from + 3.0 * c3) * from + c2) * (h * h);
@@ -166,7 +170,7 @@ pub fn is_quartic_above(c: [f64; 5], [from, to]: [f64; 2], margin: f64) -> bool 
         d0 + 0.75 * d1 + d2 / 2.0 + d3 / 4.0,
         d0 + d1 + d2 + d3 + d4,
     ];
-    // De Casteljau, at the middle.
+    // De Casteljau's algorithm at the middle gives the coefficients on both halves.
     let mut row = ends;
     let mut least = ends[0].min(ends[4]);
     for last in (1..5).rev() {
@@ -175,6 +179,6 @@ pub fn is_quartic_above(c: [f64; 5], [from, to]: [f64; 2], margin: f64) -> bool 
         }
         least = least.min(row[0]).min(row[last - 1]);
     }
-    // What is no number loses here, but not in `min`.
+    // NaN fails these comparisons, but `min` drops it.
     margin.is_normal() && least > margin && row[0] > margin && ends[4] > margin
 }

@@ -12,7 +12,7 @@ use crate::trace::shapes::support::Support;
 pub struct Rectangle {
     min: [f64; 2],
     max: [f64; 2],
-    /// No coordinate of a point of the rectangle is larger.
+    /// The largest coordinate of a point of the rectangle, by size.
     reach: f64,
 }
 
@@ -71,7 +71,7 @@ impl<R: Traced> Intersect<R> for Rectangle {
         let (o, d) = (line.origin[2], line.direction[2]);
         let drift = self.drift(line);
         if d == R::ZERO {
-            // Parallel, and maybe not quite.
+            // The line is parallel to the rectangle, or nearly so within the drift.
             roots.uncertain = drift > R::ZERO && o.abs() <= drift;
             return;
         }
@@ -93,7 +93,7 @@ impl<R: Traced> Intersect<R> for Rectangle {
         Some(line.direction[2].abs())
     }
 
-    /// z = 0 exactly; x and y as in the box.
+    /// The point has z = 0 exactly; x and y are computed as for the cuboid.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let step = line.direction * root.t;
         let mut point = line.origin + step;
@@ -109,15 +109,15 @@ impl<R: Traced> Intersect<R> for Rectangle {
 }
 
 impl Rectangle {
-    /// How far along each axis a line may be from the one that is meant, relative to the rectangle.
-    /// Where numbers are coarser than the doubles that it is made of, its corners are off, too.
+    /// Bound on how far a line may be, along each axis, from the one that is meant, relative to the rectangle. Where
+    /// numbers are coarser than doubles, the rectangle's corners are rounded, too.
     fn drift<R: Traced>(&self, line: &Line<R>) -> R {
         let reach = R::of(self.reach);
         line.drift(reach) + parameter_error::<R>() * reach
     }
 
-    /// How far the crossing with the plane at t is from the lower and the upper border along an
-    /// axis, on the inside, and how far that may be off.
+    /// The distances from the lower and from the upper border, along axis `i`, of the crossing with the plane at t:
+    /// positive on the inside. The third number is a bound on the error of both.
     ///
     /// t is rounded once, t d and the sum once more each, so that the point is off by at most
     /// γ₃|t d| + u|p|, and by a little where a product underflows. A drift of σ moves it by σ along
@@ -136,9 +136,9 @@ impl Rectangle {
         [p - R::of(self.min[i]), R::of(self.max[i]) - p, error]
     }
 
-    /// A line that crosses the plane at t, at the border or nearly so, or where t is so small that
-    /// it is not rounded by a share of itself. Across an axis and not adrift, a line is exactly
-    /// where its origin is.
+    /// Decides about a line that crosses the plane at t, at the border or nearly so, or where t is so small that its
+    /// rounding is not a share of itself. A line perpendicular to an axis, and without drift, keeps its origin's
+    /// coordinate on that axis exactly.
     #[cold]
     fn close_call<R: Traced>(&self, line: &Line<R>, t: R, drift: R, roots: &mut Roots<R>) {
         let (mut meets, mut inside, mut outside) = (t.is_finite(), true, false);

@@ -16,7 +16,7 @@ use std::f64::consts::{PI, TAU};
 pub struct Sphere {
     centre: Vec3,
     radius: f64,
-    /// No coordinate of a point within two radii of the centre is larger.
+    /// A bound on the coordinates of points within two radii of the centre.
     reach: f64,
 }
 
@@ -77,10 +77,9 @@ impl Shape for Sphere {
 }
 
 impl<R: Traced> Intersect<R> for Sphere {
-    /// Most lines pass the sphere clearly, or meet it clearly: by more than η of the squares
-    /// compared, |r² − p²| > 2η(r² + p²), and more than 4e²/η, which together exceed the bound in
-    /// [`Ball::chord`] whatever p is (2|p|₁e ≤ ηp² + 3e²/η, and the rest is below ηr² and 7e²),
-    /// with e² ≤ 2(3γ₄²f² + 3.1 drift²).
+    /// Most lines clearly pass or clearly meet the sphere: |r² − p²| > 2η(r² + p²) + 4e²/η. That exceeds the bound in
+    /// [`Ball::chord`] whatever p is (2|p|₁e ≤ ηp² + 3e²/η, and the rest is below ηr² and 7e²), with
+    /// e² ≤ 2(3γ₄²f² + 3.1 drift²). The other lines are close calls.
     #[inline]
     fn crossings(&self, line: &Line<R>, roots: &mut Roots<R>) {
         const ETA: f64 = 1.0 / 1024.0;
@@ -115,13 +114,12 @@ impl<R: Traced> Intersect<R> for Sphere {
         None
     }
 
-    /// The point on the line, pushed along the radius onto the sphere: off by at most γ₅|p|
-    /// whatever t was (pbrt-v4, section 6.8.4), plus the rounding of adding the centre.
+    /// The line's point, pushed along the radius onto the sphere: off by at most γ₅|p| whatever t was (pbrt-v4,
+    /// section 6.8.4), plus the rounding of adding the centre.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let (centre, radius) = (self.centre.cast(), R::of(self.radius));
         let from = (line.origin - centre) + line.direction * root.t;
-        // Of unit size first, so that a line that has come to the centre by rounding does not
-        // overflow.
+        // Scaled to unit size first, so that a point that rounding has put close to the centre does not overflow.
         let normal = if from.is_finite() && from.any() {
             from / from.abs().max_component()
         } else {
@@ -138,15 +136,15 @@ impl<R: Traced> Intersect<R> for Sphere {
 }
 
 impl Sphere {
-    /// How far along each axis a line may be, near the sphere, from the one that is meant. Where
-    /// numbers are coarser than the double that the centre is made of, that is off, too.
+    /// Bound on how far a line may be, along each axis near the sphere, from the one that is meant. Where numbers are
+    /// coarser than doubles, the centre is rounded, too.
     fn drift<R: Traced>(&self, line: &Line<R>) -> R {
         let reach = R::of(self.reach);
         line.drift(reach) + parameter_error::<R>() * reach
     }
 
-    /// A line close to the sphere's rim, or numbers whose squares overflow or underflow: those in
-    /// units of the largest length.
+    /// Decides about a line close to the sphere's rim, or about numbers whose squares overflow or underflow. The
+    /// latter are computed in units of the largest length.
     #[cold]
     fn close_call<R: Traced>(&self, line: &Line<R>, drift: R, roots: &mut Roots<R>) {
         let ball = Ball {
@@ -177,7 +175,7 @@ impl Sphere {
     }
 }
 
-/// A sphere, and how far along each axis lines near it may be from the ones that are meant.
+/// A sphere, and `drift`: how far, along each axis, lines near the sphere may be from the ones that are meant.
 struct Ball<R> {
     centre: Vec3<R>,
     radius: R,
@@ -186,7 +184,7 @@ struct Ball<R> {
 
 /// The stretch of a line in a ball.
 struct Chord<R> {
-    /// Whether no square behind it can have left the numbers.
+    /// Whether no square that the chord comes from can have overflowed or underflowed.
     fits: bool,
     /// Whether rounding may have decided if there is a chord.
     uncertain: bool,
@@ -194,38 +192,36 @@ struct Chord<R> {
 }
 
 impl<R: Traced> Chord<R> {
-    /// The ends times 2ᵏ.
+    /// Appends the ends, times 2ᵏ, to the crossings.
     fn append(self, roots: &mut Roots<R>, k: i32) {
         roots.uncertain = self.uncertain;
         if let Some((near, far)) = self.ends {
             roots.chord((shifted(near, k), 0), (shifted(far, k), 0));
-            // Ends that are the same number, or none.
+            // A chord whose ends are equal or not finite was dropped.
             roots.uncertain |= roots.list.is_empty();
         }
     }
 }
 
 impl<R: Traced> Ball<R> {
-    /// The discriminant comes from the part of the centre's offset that is perpendicular to the
-    /// line, which is where the origin would be at its closest approach (Haines, Günther and
-    /// Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
-    /// chapter 7); the root near the origin from the product of the roots, so that it does not
-    /// lose its digits to the far one. `None` where it leaves the numbers.
+    /// The chord of a line in the sphere; `None` where numbers overflow. The discriminant comes from the part of the
+    /// centre's offset that is perpendicular to the line, which is where the origin would be at its closest approach
+    /// (Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
+    /// chapter 7). The root near the origin comes from the product of the roots, so that it does not lose its digits
+    /// to the far one.
     ///
-    /// Aabb, with f = o − c and p = f + k d, k = −f·d/|d|²: f, k d and p are rounded once each
-    /// and none is longer than f, so that p is off by at most e = γ₄|f|, besides the drift, √3 of
-    /// it by length. It is also off along the line by the rounding of k, less than γ₁₀|f|; that
-    /// is perpendicular to p and adds its square to p² only. So the discriminant r² − p² is off
-    /// by at most
+    /// The error bound, with f = o − c and p = f + k d, k = −f·d/|d|²: f, k d and p are rounded once each and none is
+    /// longer than f, so that p is off by at most e = γ₄|f|, plus the drift, √3 of it by length. p is also off along
+    /// the line by the rounding of k, less than γ₁₀|f|; that error is perpendicular to p and adds its square to p²
+    /// only. So the discriminant r² − p² is off by at most
     ///
     /// ```text
     /// 2(|p| + e)e + e² + (γ₁₀|f|)² + γ₄ p² + γ₂ r²
     /// ```
     ///
-    /// with γ₃ of p² from its own operations and the rest from the subtraction. Sums of sizes of
-    /// components stand for lengths, which they exceed. Where numbers are coarser than the double
-    /// that r is, that is 2u r² more. It holds unless both squares are so small that what they lose
-    /// by underflow counts.
+    /// with γ₃ of p² from its own operations and the rest from the subtraction. Sums of sizes of components stand for
+    /// lengths, which they exceed. Where numbers are coarser than the double that r is, the bound is 2u r² more. The
+    /// bound holds unless both squares are so small that what they lose by underflow counts.
     fn chord(&self, origin: Vec3<R>, d: Vec3<R>) -> Option<Chord<R>> {
         let two = R::of(2.0);
         let f = origin - self.centre;
@@ -262,8 +258,8 @@ impl<R: Traced> Ball<R> {
         let (c, close) = self.power(origin, f);
         let (mut near, far) = (c / q, q / a);
         if close {
-            // t is small, and c more exact than the discriminant: of a t² − 2bt + c it is b that
-            // has the greatest error now, with a weight of t. A step of Newton's method.
+            // t is small, and c is more exact than the discriminant. In a t² − 2bt + c the error of b is now the
+            // greatest, with a weight of t, and a step of Newton's method corrects the root.
             let two = R::of(2.0);
             let step = (c - near * (two * b - a * near)) / (two * (a * near - b));
             if step.is_finite() {
@@ -273,8 +269,8 @@ impl<R: Traced> Ball<R> {
         (near.min(far), near.max(far))
     }
 
-    /// |o − c|² − r², the product of the roots times |d|², and whether the origin is so close to the
-    /// sphere that it is far less than either.
+    /// The power of the origin, |o − c|² − r², which is the product of the roots times |d|². The flag is true if the
+    /// origin is so close to the sphere that the power is far less than either square.
     ///
     /// Close to the surface the terms cancel and the rounding of f = o − c shows; there the sum is
     /// done in twice the working precision (Ogita, Rump and Oishi, "Accurate Sum and Dot Product",

@@ -1,7 +1,7 @@
 //! The surface in space that a face is a part of.
 //!
-//! Solids that fill each other, or stand on each other, have faces in one place. Where the numbers of
-//! the scene say so, no ray has to be followed in double-double to find out.
+//! Solids that fill each other, or stand on each other, have faces in one place. Where the numbers of the scene show
+//! this, no ray has to be followed in double-double to find it out.
 
 use crate::geometry::Matrix;
 use crate::geometry::array::each;
@@ -13,12 +13,12 @@ use crate::geometry::vec::Vec3;
 pub enum Support {
     /// The plane where the coordinate along an axis is `at`.
     Level { axis: u8, at: f64 },
-    /// ax + by + cz + d = 0 with the first of a, b, c that is not 0 above 0.
+    /// The plane ax + by + cz + d = 0, signed so that the first nonzero number of a, b and c is positive.
     Plane([f64; 4]),
     /// The cylinder of this radius about the line along y through (x, z).
     Cylinder { axis: [f64; 2], radius: f64 },
-    /// A segment, turned about the line along y through (x, z): the distances from that and the
-    /// heights of its ends, the lower one first.
+    /// A segment turned about the line along y through (x, z). Each end is its distance from that line and its height;
+    /// the lower end comes first.
     Frustum { axis: [f64; 2], ends: [[f64; 2]; 2] },
     /// The sphere of this centre and radius.
     Sphere { centre: [f64; 3], radius: f64 },
@@ -29,19 +29,20 @@ pub enum Support {
 pub struct Placed {
     /// The support in the space of its shape.
     pub own: Support,
-    /// A number for the chain of maps out of that space.
+    /// A number that identifies the chain of maps from the shape's space to the scene's.
     pub chain: u64,
-    /// The support as far up in the scene as the maps are simple.
+    /// The support in the outermost space that simple maps carry it to.
     pub carried: Support,
-    /// How far the numbers that carried it may be rounded, as such maps are where records were
-    /// combined into one.
+    /// Bound on the error of the numbers in `carried`. Maps are rounded where several records were combined into one.
     pub off: f64,
-    /// A number for the chain of maps that are left; 0: it is in the scene's space.
+    /// A number that identifies the chain of maps from the space of `carried` to the scene's; 0 if `carried` is in the
+    /// scene's space.
     pub above: u64,
 }
 
 impl Placed {
-    /// A place in the space of its shape, which a chain of maps leads out of.
+    /// A support in the space of its shape, not carried yet. `chain` identifies the maps from there to the scene's
+    /// space.
     pub fn new(own: Support, chain: u64) -> Placed {
         Placed {
             own,
@@ -52,8 +53,8 @@ impl Placed {
         }
     }
 
-    /// Carries the support up by the next map, if that map and all before it are simple. `chain` numbers the maps from
-    /// there on.
+    /// Carries the support outwards by the next map, if that map and all before it are simple. Otherwise `chain` gives
+    /// the number of the chain of maps that begins with the first map that is not simple.
     pub fn carry(&mut self, map: &Matrix, chain: impl FnOnce() -> u64) {
         if self.above != 0 {
             return;
@@ -69,7 +70,7 @@ impl Placed {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Passage {
     pub placed: Placed,
-    /// Out of what is bent, which it may pass twice; `None` for what is flat.
+    /// Whether the line goes outwards through a curved support, which a line may cross twice; `None` for a flat one.
     pub outwards: Option<bool>,
 }
 
@@ -101,13 +102,14 @@ impl Support {
         }
     }
 
-    /// The support that a map takes this one to, and by how much more that may be off; `None` if the map is not as
-    /// simple as that.
+    /// The image of the support under a map, and a bound on the error of its numbers; `off` is the bound before the
+    /// map. `None` if the map is not simple. For a level, a map is simple if one new coordinate depends on the old one
+    /// alone; for a curved support, if it is a translation; for other planes, never.
     pub fn moved(self, map: &Matrix, off: f64) -> Option<(Support, f64)> {
         let rows = &map.0;
         let rounded = |size: f64| f64::EPSILON * size;
         if let Support::Level { axis, at } = self {
-            // The coordinate that depends on this one alone.
+            // The new coordinate that depends on the level's coordinate alone.
             let from = axis as usize;
             let only = |to: &usize| (0..3).all(|j| (rows[*to][j] != 0.0) == (j == from));
             let to = (0..3).find(only)?;
@@ -144,7 +146,8 @@ impl Support {
         })
     }
 
-    /// Whether the support is in the place of another one, which may be off by so much.
+    /// Whether two supports are in one place. Their positions may differ by `off`; radii, and planes of any slope,
+    /// have to be equal.
     pub fn is(&self, other: &Support, off: f64) -> bool {
         let near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= off);
         match (self, other) {
@@ -200,7 +203,7 @@ impl Support {
     }
 }
 
-/// Whether two segments lie in one line, as far as the digits of their ends tell.
+/// Whether two segments lie in one line, but for `off` and the rounding of their ends.
 fn in_one_line(a: &[[f64; 2]; 2], b: &[[f64; 2]; 2], off: f64) -> bool {
     let step = |[p, q]: &[[f64; 2]; 2]| [q[0] - p[0], q[1] - p[1]];
     let length = |ends| {
@@ -225,7 +228,7 @@ impl Placed {
     /// Whether two supports are in one place, as far as the numbers of the scene tell.
     pub fn is(&self, other: &Placed) -> bool {
         if self.chain == other.chain {
-            // Whatever the maps are rounded to, they are off together.
+            // The same maps move both, so that their rounding cancels.
             return self.own.is(&other.own, 0.0);
         }
         self.above == other.above && self.carried.is(&other.carried, self.off + other.off)
@@ -233,12 +236,12 @@ impl Placed {
 }
 
 impl Passage {
-    /// Whether the passage is one crossing with another one that is near.
+    /// Whether two passages that are near each other are one crossing: through the same surface in the same direction.
     pub fn is(&self, other: &Passage) -> bool {
         self.outwards == other.outwards && self.placed.is(&other.placed)
     }
 
-    /// The same passage, or the way back.
+    /// The passage; with `back`, the one in the opposite direction.
     pub fn turned(self, back: bool) -> Passage {
         Passage {
             outwards: self.outwards.map(|outwards| outwards != back),

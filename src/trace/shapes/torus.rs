@@ -7,9 +7,9 @@
 //! g₋ = (ρ − R)² + y² − r²,    g₊ = (ρ + R)² + y² − r² = g₋ + 4Rρ.
 //! ```
 //!
-//! Their product is the quartic (x² + y² + z² + R² − r²)² − 4R²(x² + z²). With r > R the tube runs
-//! through itself, and g₊ ≤ 0 in the lemon around the axis: that is inside twice, hence outside by
-//! the even-odd rule, and there the quartic is positive too. The solid is where it is not.
+//! Their product is the quartic (x² + y² + z² + R² − r²)² − 4R²(x² + z²). With r > R the tube runs through itself, and
+//! g₊ ≤ 0 in the lemon around the axis. The lemon is inside twice, hence outside by the even-odd rule, and the quartic
+//! is positive there, too. The solid is where the quartic is not positive.
 
 use super::error_bound::is_final;
 use super::outline::{Form, Outline};
@@ -39,11 +39,11 @@ const LEMON: u32 = 1;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Torus {
     record: solids::torus::Torus,
-    /// The exponent of the greater of the two: rays are scaled by two to minus this.
+    /// The binary exponent of the greater radius. Lines are scaled by 2 to the power −`size`.
     size: i32,
 }
 
-/// The side of the two circles that a point is on.
+/// The region, bounded by the two circles, that a point is in.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum TorusRegion {
     Outside,
@@ -65,8 +65,8 @@ struct Scaled<R> {
     near: Vec3<R>,
     /// The direction, whose largest component is in [1, 2).
     direction: Vec3<R>,
-    /// Bound on the error of each component of a point near the torus, from all but the last
-    /// rounding of the point itself: that of moving the origin, and the line's own slack.
+    /// Bound on the error of each component of a point near the torus, without the last rounding of the point itself:
+    /// the error of moving the origin, and the line's own slack.
     error: R,
 }
 
@@ -78,7 +78,7 @@ impl Torus {
         }
     }
 
-    /// The unit of [`Torus::radii`] and its reciprocal, if the numbers are of no unusual size.
+    /// The unit of [`Torus::radii`] and its reciprocal; `None` if the radii are extremely large or small.
     pub fn unit(&self) -> Option<[f64; 2]> {
         const MOST: i32 = 100;
         let is_usual = self.size.abs() <= MOST;
@@ -92,8 +92,8 @@ impl Torus {
         })
     }
 
-    /// The polynomial of a line's points that is negative in the tube, beside or in the lemon positive:
-    /// (at² + 2bt + k)² − 4R²(x² + z²).
+    /// The quartic of a line's points, the leading coefficient first: (at² + 2bt + k)² − 4R²(x² + z²). It is negative
+    /// in the tube, and positive outside and in the lemon.
     fn quartic(&self, approach: &Approach) -> [f64; 5] {
         let (p, d) = (approach.point, approach.direction);
         let flat = |v: Vec3, w: Vec3| v[0] * w[0] + v[2] * w[2];
@@ -110,13 +110,13 @@ impl Torus {
         ]
     }
 
-    /// The stretch of the line in the bounding sphere falls apart where the quartic may turn
-    /// ([`Quartic::pieces`]). On which side these points are is read off g₋ and g₊, whose rounding
-    /// errors shrink with the tube as those of the quartic's coefficients do not. Where two
-    /// neighbours differ is one root: the quartic's, polished by Newton's method on the g that
-    /// changes sign. A point too close to the surface to tell is taken for a touch.
+    /// Appends the crossings. The stretch of the line in the bounding sphere is cut where the quartic may turn
+    /// ([`Quartic::pieces`]). The regions that these points are in come from g₋ and g₊, whose rounding errors shrink
+    /// with the tube, as those of the quartic's coefficients do not. Between neighbours in and out of the tube is one
+    /// root: the quartic's, polished by Newton's method on the g that changes sign. A point too close to the surface
+    /// to tell is taken for a touch.
     ///
-    /// Goes no farther than to the first crossing after `enough`.
+    /// Stops after the first crossing beyond `enough`.
     fn decide<R: Traced>(&self, line: &Line<R>, enough: R, roots: &mut Roots<R>) {
         let longest = line.direction.abs().max_component();
         let unit = exponent(longest.to_f64());
@@ -131,7 +131,7 @@ impl Torus {
         let t1 = -(first.dot(direction) / a);
         let near = direction.zip(first, |d, o| d.mul_add(t1, o));
         if !near.is_finite() {
-            // So far away, or so small, that it cannot be told.
+            // The line is too far away, or the torus too small, to tell.
             roots.uncertain = true;
             return;
         }
@@ -153,7 +153,7 @@ impl Torus {
             direction,
             error: R::ROUNDOFF * rounded + shifted(drift, -self.size),
         };
-        // In units of the direction given.
+        // Shifting by this many bits gives t in units of the given direction.
         let units = self.size - unit;
         scaled
             .crossings(|t, face| {
@@ -185,7 +185,8 @@ impl Shape for Torus {
         Aabb::new(-corner, corner).padded()
     }
 
-    /// The quartic is positive where the line is in the slab and the ball around the torus.
+    /// The line is beside the torus if the quartic is positive wherever the line is in the slab and the ball around
+    /// the torus.
     fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
         let approach = match Ball::meets(
             line,
@@ -213,8 +214,9 @@ impl Shape for Torus {
         Outline::exact(Form::Torus([self.record.major, self.record.minor]))
     }
 
-    /// A plane that touches the outer half has all of the torus on one side, so a ray that goes out there does not come
-    /// back. Elsewhere what is left of the quartic is positive, without the root at the origin.
+    /// A tangent plane of the outer half has all of the torus on one side, so a ray that leaves there does not come
+    /// back. A ray that leaves elsewhere does not come back if the quartic without its root at the origin is positive
+    /// ahead.
     fn is_met_again(&self, line: &Line) -> bool {
         let size = self.record.major + self.record.minor;
         let [x, _, z] = line.origin.0;
@@ -231,7 +233,7 @@ impl Shape for Torus {
             return true;
         };
         let [c4, c3, c2, c1, _] = self.quartic(&approach);
-        // The quartic less its value at s, over t − s.
+        // The quartic minus its value at s, divided by t − s.
         let s = approach.origin;
         let a = c4 * s + c3;
         let b = a * s + c2;
@@ -282,7 +284,7 @@ impl<R: Traced> Intersect<R> for Torus {
             line.origin.abs().max_component() + R::of(self.record.major + self.record.minor);
         let size = reach / line.direction.abs().max_component();
         let slack = line.slack.origin + line.slack.direction * size;
-        // Written so that NaN is no bound. Single precision does not know so well where a line is.
+        // Written so that NaN fails. Single precision does not know well enough where a line is.
         if R::ROUNDOFF <= R::of(f64::EPSILON) && slack <= R::of(LINE_REL_ERROR) * reach {
             self.decide(line, near + size * R::of(0.01), roots);
             if !roots.uncertain {
@@ -297,7 +299,7 @@ impl<R: Traced> Intersect<R> for Torus {
         None
     }
 
-    /// The point on the line, pushed onto the circle in its half-plane.
+    /// The line's point, pushed onto the circle in the point's half-plane.
     ///
     /// (h, y) = (ρ ∓ R, y), scaled to the length r, has components off by γ₆ of themselves from a
     /// point of the circle whatever t was: one half of the three roundings below the root, one for
@@ -330,7 +332,7 @@ impl<R: Traced> Intersect<R> for Torus {
             y.abs() * R::gamma(6),
             across * sin.abs() + point[2].abs() * R::gamma(6),
         );
-        // Of unit size, since a tube may be so thin that the square of its radius is zero.
+        // The normal is scaled to unit size, since a tube may be so thin that the square of its radius is zero.
         let normal = Vec3::new(h * cos, y, h * sin).unit();
         let normal = if normal.any() {
             normal
@@ -340,43 +342,42 @@ impl<R: Traced> Intersect<R> for Torus {
         Located {
             point: shifted_vector(point, self.size),
             error: shifted_vector(error, self.size),
-            // The solid is on the other side of the lemon's surface.
+            // The solid is outside of the circle at the lemon's surface.
             normal: if root.face == LEMON { -normal } else { normal },
         }
     }
 }
 
-/// Points are known to this part of R + r, or nothing is decided about the line: products of errors
-/// are then far below the errors, and the ends of the sphere outside of the torus.
+/// The largest error of points, as a share of R + r, with which anything is decided about a line. Products of errors
+/// are then far below the errors, and the ends of the stretch in the sphere are outside of the torus.
 pub const MOST_ERROR: f64 = 1.0 / 256.0;
 
-/// How far from its true extremum the quartic may be at the point taken for it.
+/// A bound on how far the quartic at one of the points of [`Quartic::pieces`] is from its true extremum nearby.
 struct Flatness<'a, R> {
     quartic: &'a Quartic<R>,
     /// Bound on the error of the slope: e.
     slope_error: R,
-    /// A bound that holds anywhere, since an extremum is not further away than the ends.
+    /// A bound that holds for every point, since an extremum is not farther away than the ends.
     most: R,
 }
 
 impl<R: Traced> Flatness<'_, R> {
-    /// Whether a value of the quartic at t, one of the points of [`Quartic::pieces`], is above it.
+    /// Whether the bound at t, one of the points of [`Quartic::pieces`], is below a value of the quartic there.
     #[inline]
     fn is_below(&self, value: R, t: R) -> bool {
         value > self.most || value > self.at(t)
     }
 
-    /// The points are exact for a quartic whose slope is off by e. A true extremum t′ without a
-    /// point of its own is part of a pair around an inflection point, where that slope does not
-    /// change its sign and the true one does: between t′ and the point of the inflection the slope
-    /// is at most 3e. Equally for t′ and the point of its own, where it has one.
+    /// The bound at t. The points are exact for a quartic whose slope is off by e. A true extremum t′ without a point
+    /// of its own is one of a pair around an inflection point, where the true slope changes its sign and the computed
+    /// slope does not: between t′ and the inflection point the slope is at most 3e. The same holds between t′ and its
+    /// own point, where it has one.
     ///
-    /// So nothing hides near a point where the slope exceeds 8e. Where the curvature κ is enough to
-    /// change the slope by 16e within w = 16e/κ, with half of the third derivative and the fourth
-    /// taking away less than a quarter, it keeps its sign over that stretch: there is one extremum,
-    /// at most (|slope| + e) / ¾κ away, and the slope only falls on the way to it. Elsewhere, the
-    /// slope is a cubic that is at most 3e over the stretch w between: 4c₄ · 2(w/4)³ ≤ 3e
-    /// (Chebyshev), hence w < 3∛(e/c₄).
+    /// Nothing hides near a point where the slope exceeds 8e. Where the curvature κ is enough to change the slope by
+    /// 16e within w = 16e/κ, with half of the third derivative and the fourth taking away less than a quarter, the
+    /// curvature keeps its sign over that stretch: there is one extremum, at most (|slope| + e) / ¾κ away, and the
+    /// slope only falls on the way to it. Elsewhere, the slope is a cubic that is at most 3e over the stretch w
+    /// between: 4c₄ · 2(w/4)³ ≤ 3e (Chebyshev), hence w < 3∛(e/c₄).
     #[cold]
     fn at(&self, t: R) -> R {
         let e = self.slope_error;
@@ -396,8 +397,8 @@ impl<R: Traced> Flatness<'_, R> {
 }
 
 impl<R: Traced> Scaled<R> {
-    /// Passes on the t of all crossings, ascending, and their faces, until it is broken off; returns
-    /// whether there may be others up to there, or fewer.
+    /// Calls `crossing` with the t and the face of each crossing, in ascending order, until `crossing` breaks off.
+    /// Returns whether rounding may have added or lost a crossing up to there.
     fn crossings(&self, mut crossing: impl FnMut(R, u32) -> ControlFlow<()>) -> bool {
         let (two, four) = (R::of(2.0), R::of(4.0));
         let (p, d) = (self.near, self.direction);
@@ -405,8 +406,8 @@ impl<R: Traced> Scaled<R> {
         let b = p.dot(d);
         let c = p.dot(p);
 
-        // A sphere around the torus, a sixteenth wider: its ends are outside by far more than what
-        // is off by here, and the quartic is far from zero there.
+        // The sphere around the torus is a sixteenth wider: the ends of the stretch in it are outside of the torus by
+        // far more than any error here, and the quartic is far from zero there.
         let size = self.major + self.minor;
         let reach = size * R::of(1.0625);
         // The point nearest to the centre is off along the line by less than 16 errors.
@@ -474,13 +475,13 @@ impl<R: Traced> Scaled<R> {
         uncertain
     }
 
-    /// The point at t with its ρ, and the slopes of both.
+    /// The point at t and its distance ρ from the axis.
     fn at(&self, t: R) -> (Vec3<R>, R) {
         let point = self.direction.zip(self.near, |d, o| d.mul_add(t, o));
         (point, length_near_one(point[0], point[2]))
     }
 
-    /// g₋ or g₊ at t, and its slope.
+    /// The value and the slope at t of g₋ (`centre` is R) or of g₊ (`centre` is −R).
     fn distance(&self, t: R, centre: R) -> (R, R) {
         let (point, rho) = self.at(t);
         let h = rho - centre;
@@ -496,14 +497,14 @@ impl<R: Traced> Scaled<R> {
         (value, R::of(2.0) * (h * outwards + y * d[1]))
     }
 
-    /// The side that the point at t is on; `None` where rounding may have decided it.
+    /// The region that the point at t is in; `None` where rounding may have decided it.
     ///
     /// Each component of the point is off by at most ε = u|p| + the error of the line, hence ρ by
     /// √2 ε + 3uρ and h = ρ ∓ R by u|h| more; then h² + (y − r)(y + r) by 2|h|Δh + 2|y|ε and by
     /// the rounding of the terms, γ₃(h² + y² + r²). All of it twice, for the products of errors.
     ///
-    /// The quartic, the product of both, must also be further from zero than its extremum close to
-    /// the point may be from it.
+    /// The quartic, the product of both, must also be farther from zero than it may be from its extremum nearby: the
+    /// bound of [`Flatness`].
     fn side(&self, t: R, flatness: &Flatness<R>) -> Option<TorusRegion> {
         let (point, rho) = self.at(t);
         let (u, two) = (R::ROUNDOFF, R::of(2.0));
@@ -546,7 +547,7 @@ impl<R: Traced> Scaled<R> {
         R::of(64.0) * a.sqrt() * size.square() * (R::gamma(20) * size + self.error)
     }
 
-    /// The only crossing in a bracket between two sides.
+    /// The only crossing in a bracket whose ends are in different regions.
     fn root(&self, quartic: &Quartic<R>, bracket: (R, R), enters: bool, lemon: bool) -> R {
         let (low, high) = bracket;
         // One end, the one inside if the line grazes the torus, is where the quartic turns: a
@@ -554,18 +555,18 @@ impl<R: Traced> Scaled<R> {
         let (inner, outer) = if enters { (high, low) } else { (low, high) };
         let (depth, height) = (quartic.at(inner).0.abs(), quartic.at(outer).0.abs());
         let start = inner + (outer - inner) * (depth / (depth + height)).sqrt();
-        // What the quartic is good for is half of the digits; two Newton steps make the rest.
+        // The quartic gives half of the digits; two Newton steps on g give the rest.
         let coarse = R::ROUNDOFF.sqrt() * (high - low);
         let start = root_between(|t| quartic.at(t), bracket, !enters, start, coarse);
-        // Leaving the tube into the lemon, g₊ falls.
+        // On the way from the tube into the lemon g₊ falls.
         let (centre, rising) = if lemon {
             (-self.major, enters)
         } else {
             (self.major, !enters)
         };
         let precision = R::ROUNDOFF * low.abs().max(high.abs());
-        // The least that rounding a point on the surface, where |h| and |y| are up to r, does to
-        // its g: nothing is to be gained below it.
+        // The least that rounding a point on the surface, where |h| and |y| are up to r, changes g by: nothing is to
+        // be gained below it.
         let noise = R::ROUNDOFF * self.minor * (self.major + self.minor);
         let g = |t| {
             let (value, slope) = self.distance(t, centre);

@@ -16,13 +16,13 @@ use crate::trace::shapes::support::Support;
 pub struct Triangle {
     vertices: [Vec3; 3],
     normals: TriangleNormals,
-    /// A unit vector; `None` where the vertices lie on one line.
+    /// The unit normal; `None` where the vertices lie on one line.
     normal: Option<Vec3<Dd>>,
     /// The largest coordinate of a vertex, by size.
     reach: f64,
 }
 
-/// A triangle and a line in the sheared space.
+/// A triangle as a line sees it, in the sheared space.
 struct View<R> {
     facet: Facet<R>,
     /// Bound on the error of its projected coordinates.
@@ -44,11 +44,11 @@ impl Triangle {
         }
     }
 
-    /// The projection is scaled by a power of two where its products could leave the range of the
-    /// numbers: exact, and so of no influence on the sign of an edge function.
+    /// Projects the triangle along the line. The projection is scaled by a power of two where its products could leave
+    /// the range of the numbers: that is exact, and does not change the sign of an edge function.
     ///
-    /// The line's origin is not moved: what is shared with neighbours must not depend on this
-    /// triangle alone. Nor would it help, for the rounding of v − o is that of moving o.
+    /// The line's origin is not moved: neighbouring triangles share edges, and their decisions must not depend on one
+    /// triangle alone. Moving the origin would not help either, since it rounds as much as v − o does.
     fn view<R: Traced>(&self, line: &Line<R>) -> View<R> {
         let shear = Shear::along(line.direction);
         let offsets = each(self.vertices, |v| lift::<R>(v) - line.origin);
@@ -63,7 +63,7 @@ impl Triangle {
         // Products of two such numbers, and their rounding errors, are normal even in f32.
         const COMFORTABLE: std::ops::Range<f64> = 1.0 / 4294967296.0..4294967296.0;
         if widest > 0.0 && widest.is_finite() && !COMFORTABLE.contains(&widest) {
-            // In two steps, as the factor of a subnormal number is itself out of range.
+            // The scaling takes two steps, as the factor for a subnormal number is itself out of range.
             let half = shifted(R::ONE, -exponent(widest) / 2);
             for c in &mut corners {
                 c.x = c.x * half * half;
@@ -114,8 +114,8 @@ impl Triangle {
     }
 }
 
-/// The unit normal of the triangle that runs counter-clockwise around it. Vertices so close to one
-/// line that even 32 digits cannot tell them from it have none.
+/// The unit normal around which the vertices run counter-clockwise. `None` if the vertices are so close to one line
+/// that even 32 digits cannot tell them from points of the line.
 fn normal([a, b, c]: [Vec3; 3]) -> Option<Vec3<Dd>> {
     // Halved first, so that the difference of finite vertices is finite.
     let half = |v: Vec3| lift::<Dd>(v * 0.5);
@@ -201,9 +201,9 @@ impl<R: Traced> Intersect<R> for Triangle {
         }
     }
 
-    /// The point of the line, moved along the normal into the plane, where it stays also if the line
-    /// runs nearly along the triangle. Off by the rounding of its distance from the first vertex's
-    /// plane, γ₆ Σ|nᵢ|(|pᵢ| + |aᵢ|) with that of the normal, and by its own.
+    /// The line's point, moved along the normal into the triangle's plane, also if the line runs nearly along the
+    /// plane. The error is the rounding of the point's distance from the plane through the first vertex, γ₆
+    /// Σ|nᵢ|(|pᵢ| + |aᵢ|) with the rounding of the normal, and the rounding of the point itself.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let normal = match self.normal {
             Some(n) => Vec3(each(n.0, narrow)),

@@ -1,4 +1,5 @@
-//! Forms whose axes are those of their space, as numbers for those who compute with several at once.
+//! Quadric forms whose axes are those of their space, as plain numbers for code that computes with several forms at
+//! once.
 
 use super::QuadricForm;
 use crate::trace::shapes::Primitive;
@@ -10,16 +11,18 @@ pub struct Axial {
     pub linear: [f64; 3],
     pub constant: f64,
     pub unit: [f64; 3],
-    /// 1 for axes along which it curves, 0 for the others.
+    /// 1 for axes along which the polynomial curves, 0 for the others.
     pub curves: [f64; 3],
-    /// A bound on the sum of the slopes along the axes, for coordinates and w up to 1.
+    /// A bound on the sum of the slopes of w²·F(x/w) along the axes, for coordinates and w up to 1; F is the
+    /// polynomial.
     pub weight: f64,
-    /// The height of a cone, whose base is there; 0 of what is no cone.
+    /// The height at which a cone has its base; 0 for shapes that are no cones.
     pub height: f64,
 }
 
 impl Axial {
-    /// Of a shape that is such a polynomial, or one half of such a cone. No coordinate is in its first power alone.
+    /// The polynomial of a quadric, an ellipsoid or a single cone. `None` for other shapes, for polynomials with mixed
+    /// terms or with terms that may cancel, and where a coordinate occurs in its first power alone.
     pub fn new(primitive: &Primitive) -> Option<Axial> {
         let (form, height) = match primitive {
             Primitive::Quadric(quadric) => (&quadric.form, 0.0),

@@ -17,8 +17,8 @@ use crate::trace::shapes::quick_reject::{Ball, POLYNOMIAL_MARGIN, Pass, is_above
 use crate::trace::shapes::support::Support;
 use crate::trace::shapes::{Intersect, Located, Root, Roots, Shape};
 
-/// The part of x² + z² ≤ y² between the apex and y = 1, or between y = ±1, scaled by the base
-/// radius across and by the height along its axis, which may be negative.
+/// The part of x² + z² ≤ y² between the apex and y = 1, or, for a double cone, between y = −1 and y = 1. It is scaled
+/// by the base radius across the axis, and along the axis by the height, which may be negative.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cone {
     form: QuadricForm,
@@ -26,7 +26,7 @@ pub struct Cone {
     bounds: Aabb,
 }
 
-/// The faces: the lateral surface, the base disc at the height, and the one opposite.
+/// The faces: the lateral surface, the base disc at y = height, and a double cone's other disc at y = −height.
 const SIDE: u32 = 0;
 const BASE: u32 = 1;
 const OPPOSITE: u32 = 2;
@@ -45,13 +45,13 @@ impl Cone {
         &self.form
     }
 
-    /// Its height if it is no double cone.
+    /// The height of a single cone; `None` for a double cone.
     pub fn single_height(&self) -> Option<f64> {
         (!self.record.double).then_some(self.record.height)
     }
 
-    /// How a line passes what of the cone is between two heights. The form is positive where the line is in that slab
-    /// and the ball around the cone.
+    /// How a line passes the part of the cone between two heights. The line is beside that part if the form is
+    /// positive wherever the line is in the slab between the heights and in the ball around the cone.
     fn pass_between(&self, line: &Line, stretch: [f64; 2], [low, high]: [f64; 2]) -> Pass {
         let (height, radius) = (self.record.height.abs(), self.record.radius);
         let size = (height * height + radius * radius).sqrt();
@@ -72,7 +72,8 @@ impl Cone {
         if is_above(coefficients, stretch, margin) {
             return Pass::Beside;
         }
-        // From the middle towards where it is deepest inside, but not to the very end: that is on the base.
+        // Goes from the stretch's middle towards the deepest place inside, but not to the very end, which is on the
+        // base.
         let [middle, half] = [
             0.5 * (stretch[0] + stretch[1]),
             0.45 * (stretch[1] - stretch[0]),
@@ -81,7 +82,7 @@ impl Cone {
         let deepest = if a > 0.0 { (slope / a).abs() } else { half };
         let at = middle - deepest.min(half).copysign(slope);
         approach.through(at, margin, |t| {
-            // As far inside of the slab as the margin asks for.
+            // The place also has to be as far inside of the slab as the margin asks for.
             let y = approach.point[1] + t * approach.direction[1];
             let outside = (low - y).max(y - high) / size;
             (outside * margin / POLYNOMIAL_MARGIN).max((a * t + b + b) * t + c)
@@ -107,7 +108,7 @@ impl Shape for Cone {
         self.pass_between(line, stretch, [self.bounds.min[1], self.bounds.max[1]])
     }
 
-    /// Each half is convex: a line that goes out of one may meet the other one only.
+    /// Each half is convex: a line that leaves one half may meet only the other half.
     fn is_met_again(&self, line: &Line) -> bool {
         let other = match line.origin[1] > 0.0 {
             true => [self.bounds.min[1], 0.0],
@@ -164,10 +165,10 @@ struct Stretch<R> {
 impl Cone {
     /// Cuts a stretch where it passes the base disc of its half, and appends it.
     ///
-    /// What is left of it is decided at its ends, by how far they are below the disc's plane: no
-    /// more than a touch, where both are not. At a finite end that is the difference of three terms
-    /// with at most six roundings, off by what the end, the origin and the direction are. An
-    /// infinite end is above it: a line that has one is no less steep than the cone.
+    /// The part that is left is decided by how far the stretch's ends are below the disc's plane. If neither end is
+    /// below, no more than a touch is left. At a finite end that distance is the difference of three terms with at
+    /// most six roundings, and has the errors of the end, the origin and the direction as well. An infinite end is
+    /// above the plane: a line that has one is no less steep than the cone.
     fn cut<R: Traced>(&self, chord: &Chord<R>, stretch: Stretch<R>, roots: &mut Roots<R>) {
         let Stretch { from, to, half } = stretch;
         if half < R::ZERO && !self.record.double {
@@ -214,13 +215,13 @@ impl Cone {
         push_all(roots, each(ends, |(tau, face)| (chord.t(tau), face)));
     }
 
-    /// The stretches of the line in the infinite double cone each lie in one half of it. Which one
-    /// is the sign of y in the middle of a bounded stretch, and at the infinite end of another;
-    /// the apex is never compared with a plane through it.
+    /// Appends the crossings. Each stretch of the line in the infinite double cone lies in one half of it. The half is
+    /// given by the sign of y in the middle of a bounded stretch, and at the infinite end of an unbounded one. The
+    /// apex is never compared with a plane through it.
     ///
-    /// In the space of the form of x² + z² − y², a plane that holds the origin and a line steeper
-    /// than the cone has signature (1, 1), so the discriminant of such a line is never negative,
-    /// and zero only where it meets the apex: what is inside everywhere goes through the apex.
+    /// In the space of the form x² + z² − y², the plane through the origin and a line steeper than the cone has
+    /// signature (1, 1). So the discriminant of such a line is never negative, and zero only where the line meets the
+    /// apex: a line that is inside everywhere goes through the apex.
     fn append<R: Traced>(&self, chord: &Chord<R>, roots: &mut Roots<R>) {
         roots.uncertain |= chord.uncertain;
         let up = if chord.direction[1] < R::ZERO {
@@ -256,8 +257,8 @@ impl Cone {
         }
     }
 
-    /// The half of the double cone that a bounded stretch is in: the sign of y in its middle.
-    /// `None` where it may be the apex.
+    /// The half of the double cone that a bounded stretch is in: the sign of y in the stretch's middle. `None` where
+    /// the middle may be the apex.
     fn half<R: Traced>(chord: &Chord<R>, roots: &mut Roots<R>) -> Option<R> {
         let (y, slope) = (chord.origin[1], chord.direction[1]);
         let Bounded { value, error } = chord.middle();

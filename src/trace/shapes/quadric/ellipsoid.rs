@@ -54,7 +54,7 @@ impl Shape for Ellipsoid {
         self.bounds
     }
 
-    /// The least of the form on the line is positive.
+    /// The line is beside the ellipsoid if the form is positive even at its minimum on the line.
     fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
         let [least, .., most] = sorted(self.record.semi_axes);
         let approach = match Ball::meets(line, stretch, Vec3::ZERO, most) {
@@ -67,12 +67,12 @@ impl Shape for Ellipsoid {
         });
         let (a, b) = (d.dot(d), p.dot(d));
         let form = p.dot(p) - 1.0 - b * b / a;
-        // In units of the shortest axis.
+        // The form counts in semi-axes, so the margin grows with the square of their ratio.
         let margin = POLYNOMIAL_MARGIN * (most / least).powi(2);
         if margin.is_normal() && form > margin {
             return Pass::Beside;
         }
-        // Where it is deepest inside.
+        // The place where the line is deepest inside.
         let [from, to] = approach.stretch;
         let deepest = (-b / a).max(from).min(to);
         let value = |t: f64| (a * t + b + b) * t + p.dot(p) - 1.0;
@@ -80,7 +80,7 @@ impl Shape for Ellipsoid {
     }
 
     fn uv(&self, point: Vec3, _: u32) -> [f64; 2] {
-        // The sphere's, at the same place: y over its own semi-axis, the angle as it is.
+        // The coordinates of the sphere: y is divided by its semi-axis, and the angle about the y axis stays as it is.
         let v = libm::acos((-point[1] / self.record.semi_axes[1]).clamp(-1.0, 1.0)) / PI;
         [turn(point), v]
     }

@@ -9,8 +9,8 @@ use crate::geometry::vec::Vec3;
 use crate::trace::shapes::Located;
 use crate::trace::shapes::error_bound::is_final;
 
-/// F(x) = Σ squareᵢ xᵢ² + mixed·(xy, xz, yz) + linear·x + constant, where xᵢ is a coordinate divided
-/// by unitᵢ: semi-axes stay as they were given, and the coefficients of canonical forms exact.
+/// F(x) = Σ squareᵢ xᵢ² + mixed·(xy, xz, yz) + linear·x + constant, where xᵢ is a coordinate divided by unitᵢ. So
+/// semi-axes stay as they were given, and the coefficients of canonical forms are exact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct QuadricForm {
     pub(super) square: [f64; 3],
@@ -24,19 +24,20 @@ pub struct QuadricForm {
     pub(super) degree: [u8; 3],
     /// The largest coefficient of the second degree.
     pub(super) second: f64,
-    /// A bound on the sum of the slopes along the axes, for coordinates and w up to 1.
+    /// A bound on the sum of the slopes of w²·F(x/w) along the axes, for coordinates and w up to 1.
     pub(super) weight: f64,
     /// 1 / |unit|.
     pub(super) inverse: [f64; 3],
-    /// Whether its terms may cancel at crossings by more than the usual rounding leaves room for.
+    /// Whether the terms may cancel at crossings more strongly than the usual error bounds allow.
     pub(super) cancels: bool,
 }
 
 /// The pairs of axes of `mixed`.
 pub(super) const PAIRS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 
-/// Ten terms of three factors each: products (two), sums (nine) and roundings of coordinates (two
-/// each), with five to spare for the coefficients' own sums and roundings.
+/// The number of roundings in a value of F, for error bounds. A value has ten terms of three factors each. A term
+/// passes through two products, nine sums and the roundings of its coordinates (two each); five roundings are to spare
+/// for the coefficients' own sums and roundings.
 pub const OPERATIONS: u32 = 20;
 
 /// The largest power of two that does not exceed |x|, kept among the normal numbers; 1 for zero.
@@ -57,7 +58,8 @@ pub(super) fn reciprocal(x: f64) -> f64 {
     f64::from_bits(EXPONENTS - x.to_bits())
 }
 
-/// The sum of a double and the rest of it, where there is room for that.
+/// The sum of a double and its rounding error `rest`, if this kind of number has digits for both; else the double
+/// alone.
 fn whole<R: Traced>(x: f64, rest: f64) -> R {
     if !is_final::<R>() {
         R::of(x)
@@ -125,17 +127,19 @@ impl QuadricForm {
         form
     }
 
-    /// Whether the quadric has axes that are much longer than others, or is far from the origin beside its size. With
-    /// units of their own the axes do not matter, and canonical forms are at the origin.
+    /// Whether some axes of the quadric are much longer than others, or the quadric is far from the origin beside its
+    /// size. Canonical forms are not asked: each of their axes has a unit of its own, and they are at the origin.
     fn may_cancel(&self) -> bool {
-        /// A product of three eigenvalues, in units of the sum of all squares to the 3/2: axes four to eight times as long as others.
+        /// The bound below which a product of the three eigenvalues, in units of the sum of all squares to the 3/2, is
+        /// that of a stretched quadric. Axes four to eight times as long as others are at the bound.
         const STRETCHED: f64 = 5e-3;
-        /// The square of the centre's distance, beside that of the size.
+        /// The square of the centre's distance from the origin, in units of the squared size, above which a quadric is
+        /// far away.
         const AWAY: f64 = 10.0;
         if self.second == 0.0 {
             return false;
         }
-        // Axes without a second power do not count: as if theirs were the largest.
+        // Axes without a second power do not count: they get the coefficient 1, as the largest one.
         let is_curved = each(self.degree, |n| n == 2);
         let square = each([0, 1, 2], |i| match is_curved[i] {
             true => self.square[i] / self.second,
@@ -204,8 +208,8 @@ impl QuadricForm {
         sink(*constant);
     }
 
-    /// The greatest distance at which terms of different degrees are equal in size: much farther out
-    /// only those of the second count, and what is lost to the others is small beside a point.
+    /// The greatest distance at which terms of different degrees are equal in size. Much farther out only the terms of
+    /// second degree count, and the digits lost by the others are small beside a point's coordinates.
     pub(super) fn extent(&self) -> f64 {
         let of = |list: &[f64]| list.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let linear = of(&self.linear);
@@ -223,19 +227,20 @@ impl QuadricForm {
         unit * by_linear.max(by_square)
     }
 
-    /// The coefficient of a pair of axes, as exact as the number can have it.
+    /// The coefficient of the pair of axes `k`, as exact as this kind of number can hold it.
     #[inline]
     pub(super) fn mixed<R: Traced>(&self, k: usize) -> R {
         whole(self.mixed[k], self.rest[0][k])
     }
 
-    /// The coefficient of an axis, as exact as the number can have it.
+    /// The linear coefficient of axis `i`, as exact as this kind of number can hold it.
     #[inline]
     pub(super) fn linear<R: Traced>(&self, i: usize) -> R {
         whole(self.linear[i], self.rest[1][i])
     }
 
-    /// Whether a coefficient of the second degree, the square's or the pair's, is rounded.
+    /// Whether this kind of number rounds a coefficient of second degree: that of pair `i`, or of the square of axis
+    /// `i`.
     #[inline]
     pub(super) fn is_rounded<R: Traced>(&self, i: usize, pair: bool) -> bool {
         let (x, rest) = match pair {
@@ -278,8 +283,8 @@ impl QuadricForm {
         [a, self.gradient(p).dot(d), c]
     }
 
-    /// The sizes of the terms of second, first and no degree together, for coordinates up to 1 that are not divided by
-    /// their units.
+    /// The summed sizes of the terms of second, of first and of no degree, for coordinates up to 1 before the division
+    /// by their units.
     pub(super) fn sizes(&self) -> [f64; 3] {
         let inverse = self.inverse;
         let (mut second, mut first) = (0.0, 0.0);
@@ -307,7 +312,8 @@ impl QuadricForm {
         g
     }
 
-    /// F at a point near the surface, and what its error is γₙ of: the sum of the sizes of its terms, or less.
+    /// F at a point near the surface, and its error bound divided by γₙ, where n is [`OPERATIONS`]: the sum of the
+    /// sizes of its terms, or less.
     #[inline]
     fn value_at<R: Traced>(&self, x: Vec3<R>) -> (R, R) {
         if !self.is_summed_closely::<R>() {
@@ -331,8 +337,8 @@ impl QuadricForm {
         Vec3(each(self.unit, R::of))
     }
 
-    /// The speed at which a line goes through the surface at t ([`Intersect::speed`]), by the gradient
-    /// where the line is there; zero where that says nothing.
+    /// The speed at which a line goes through the surface at t ([`Intersect::speed`]), computed from the gradient at
+    /// the line's point; zero where the gradient does not give a number.
     ///
     /// [`Intersect::speed`]: crate::trace::shapes::Intersect::speed
     #[inline]
@@ -345,13 +351,13 @@ impl QuadricForm {
         if speed.is_finite() { speed } else { R::ZERO }
     }
 
-    /// The point at t, moved along the gradient onto the surface by two steps of Newton's method.
+    /// The line's point at t, moved along the gradient onto the surface by two steps of Newton's method.
     ///
-    /// What remains is the rounding in the value F, at most γₙ times the sizes of its terms, over
-    /// the length of the gradient, twice for the steps' own rounding; and of the point. Where the
-    /// gradient is so small that a step could leave the neighbourhood in which Newton's method
-    /// converges (4·|F|·|A| > |∇F|², Kantorovich's condition, |A| a bound on the second
-    /// derivatives) the surface turns within √(|F|/|A|) of the point: it stays, with that error.
+    /// The remaining error is the rounding in the value F, at most γₙ times the sizes of its terms, over the length of
+    /// the gradient, twice for the steps' own rounding; and the rounding of the point. Where the gradient is so small
+    /// that a step could leave the neighbourhood in which Newton's method converges (4·|F|·|A| > |∇F|², Kantorovich's
+    /// condition, |A| a bound on the second derivatives) the surface turns within √(|F|/|A|) of the point. The point
+    /// then stays where it is, with that error.
     pub(super) fn locate<R: Traced>(&self, line: &Line<R>, t: R) -> Located<R> {
         let unit = self.units::<R>();
         let start = line.at(t);

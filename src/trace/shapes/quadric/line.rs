@@ -16,25 +16,26 @@ pub(super) struct Bounded<R> {
     pub error: R,
 }
 
-/// Squares and products of coefficients below this have lost digits, or all of them, in doubles
-/// and in their pairs: where products reach below 2⁻¹⁰²²⁺⁵³, their errors are not normal numbers.
+/// The size below which squares and products of coefficients have lost digits, or all of them, in doubles and in pairs
+/// of doubles: where products reach below 2⁻¹⁰²²⁺⁵³, their errors are not normal numbers.
 const UNDERFLOW: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 
 impl<R: Traced> Bounded<R> {
-    /// Whether the sign may be another than the value's.
+    /// Whether the true number may have another sign than the value.
     #[inline]
     pub(super) fn is_doubtful(self) -> bool {
         self.error > R::ZERO && self.value.abs() <= self.error
     }
 
-    /// Whether to take it for zero: where it is, and, where decisions are final, where it may be.
+    /// Whether the number counts as zero: where the value is zero, and, in final kinds of number, where the true
+    /// number may be zero.
     #[inline]
     pub(super) fn is_zero(self) -> bool {
         self.value == R::ZERO || (is_final::<R>() && self.is_doubtful())
     }
 }
 
-/// x/y. Its error is computed only where it is asked for.
+/// The quotient x/y. Its error is computed only on demand.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Quotient<R> {
     pub value: R,
@@ -53,8 +54,8 @@ impl<R: Traced> Quotient<R> {
         }
     }
 
-    /// The quotient with its error: the error of x over y, and y's relative one, both by the least that y may be; where
-    /// that is zero there is no bound.
+    /// The quotient with a bound on its error: the error of x plus the quotient times the error of y, both over the
+    /// least size that y may have. The bound is infinite where that size is zero.
     pub(super) fn bounded(self) -> Bounded<R> {
         let Quotient { value, error, y } = self;
         let least = y.value.abs() - y.error;
@@ -80,8 +81,8 @@ pub(super) enum Inside<R> {
     Above(Quotient<R>),
 }
 
-/// A line in the units of a form, from its closest approach to the origin there on; its points are
-/// (origin + τ·direction) / w. All of it is near 1 in size.
+/// A line in the units of a form, with its origin moved close to the form's origin. Its points are
+/// (origin + τ·direction) / w. The origin, the direction and w are near 1 in size.
 #[derive(Debug)]
 pub(super) struct Chord<R> {
     pub origin: Vec3<R>,
@@ -92,10 +93,10 @@ pub(super) struct Chord<R> {
     pub moved: Vec3<R>,
     pub turned: Vec3<R>,
     pub inside: Inside<R>,
-    /// The a and b of the parabola's vertex; `None` where a is zero.
+    /// The coefficients a and b, which give the parabola's vertex; `None` where a is zero.
     vertex: Option<[Bounded<R>; 2]>,
     pub uncertain: bool,
-    /// Whether all errors are bounded by the rough ones of what the line strays.
+    /// Whether the coefficients' errors are rough bounds, which [`Chord::sharpen`] can improve.
     rough: bool,
     /// t = (start + τ/(w·stretch)) / length.
     start: R,
@@ -104,7 +105,7 @@ pub(super) struct Chord<R> {
 }
 
 impl<R: Traced> Chord<R> {
-    /// The quadratic a τ² + b τ + c of the line.
+    /// The chord of a line, with the quadratic a τ² + b τ + c solved.
     ///
     /// The origin is moved with one rounding (a fused multiply-add), so that it is as exact as if
     /// the line had started there. The leading coefficient decides what is inside at infinity and
@@ -116,11 +117,11 @@ impl<R: Traced> Chord<R> {
         let (direction, stretch) = normalised(d.zip(unit, |x, s| x / s), 0.0);
         let offset = line.origin.zip(unit, |x, s| x / s);
         let back = closest(form, offset, direction * stretch);
-        // As a double, so that its product with another one is exact in double-double, too.
+        // `back` is rounded to a double, so that its product with another double is exact in double-double, too.
         let back = R::of(back.to_f64());
         let moved = line.origin.zip(d, |o, d| d.mul_add(back, o));
-        // Along a line whose direction in the form's own coordinates is nothing but slack there is no
-        // closest approach to speak of, and looking for it would lose where the line is.
+        // If the line's direction in the form's own coordinates is nothing but slack, the closest approach means
+        // nothing, and a move there would lose the line's place.
         let astray = line.slack.direction * (back / length).abs();
         let near = astray <= line.origin.abs().max_component();
         let (start, moved) = if near && moved.is_finite() && back.is_finite() {
@@ -161,7 +162,8 @@ impl<R: Traced> Chord<R> {
         chord
     }
 
-    /// Solves it once more, with bounds on errors that cost more; no if that has been done.
+    /// Solves the quadratic once more, with closer bounds on errors, which cost more. Returns `false` if that has been
+    /// done.
     pub(super) fn sharpen(&mut self, form: &QuadricForm) -> bool {
         if !self.rough {
             return false;
@@ -171,9 +173,9 @@ impl<R: Traced> Chord<R> {
         true
     }
 
-    /// How far the line in hand is from the one that is meant: at t = start/length, where the
-    /// origin is moved to, by the line's slack. Where that move is not fused, its product is
-    /// rounded, too, unless it is exact.
+    /// Sets the bounds on how far the computed line is from the one that is meant. At t = start/length, where the
+    /// origin is moved to, that is the line's slack. Where that move is not fused, its product is rounded, too, unless
+    /// it is exact.
     fn stray(&mut self, form: &QuadricForm, line: &Line<R>, d: Vec3<R>) {
         let Slack {
             origin,
@@ -196,8 +198,8 @@ impl<R: Traced> Chord<R> {
         }
     }
 
-    /// The errors of the coefficients: a's from [`leading`]; b and c have at most γₙ of the sizes
-    /// of their terms. What the line strays comes on top.
+    /// The coefficients a, b and c with their rounding errors: that of a is from [`leading`], and those of b and c are
+    /// at most γₙ of the sizes of their terms. The errors that the line's displacement causes are not included.
     fn coefficients(&self, form: &QuadricForm) -> [Bounded<R>; 3] {
         let (p, d, w) = (self.origin, self.direction, self.w);
         let a = leading(form, d);
@@ -214,8 +216,8 @@ impl<R: Traced> Chord<R> {
         [a, b, c]
     }
 
-    /// The coefficients with the errors that the strays e and f, of origin and direction, make:
-    /// with g and h the slopes of F along the axes at p and of its second degree at d, they change
+    /// Adds to the coefficients' errors those that the displacements e of the origin and f of the direction cause.
+    /// With g and h, the slopes of F along the axes at p and of its second degree at d, the coefficients change
     ///
     ///   a by h·f + A(f, f),  b by h·e + g·f + 2A(e, f),  c by g·e + A(e, e).
     fn strayed(
@@ -233,8 +235,8 @@ impl<R: Traced> Chord<R> {
         [a, b, c]
     }
 
-    /// The same with larger errors at less cost: all coordinates are below 2, so that the slopes
-    /// add up to at most twice the form's weight.
+    /// Like [`Chord::strayed`], with larger bounds at less cost: all coordinates are below 2, so that the slopes add
+    /// up to at most twice the form's weight.
     fn strayed_roughly(
         &self,
         form: &QuadricForm,
@@ -249,12 +251,12 @@ impl<R: Traced> Chord<R> {
         [a, b, c]
     }
 
-    /// The discriminant's error follows from those of the coefficients to first and second order,
-    /// with 2u of its own rounding (u of all its terms where products are not fused); a root's from
-    /// those of its two factors.
+    /// Solves the quadratic. The discriminant's error follows from those of the coefficients to first and second
+    /// order, with 2u of its own rounding (u of all its terms where products are not fused). A root's error follows
+    /// from those of its two factors.
     ///
-    /// In double-double numbers the decision is final: what cannot be told from zero is zero, so
-    /// that a chord that cannot be told from a touch is one.
+    /// In double-double numbers the decision is final: a number that cannot be told from zero counts as zero, so that
+    /// a chord that cannot be told from a touch counts as a touch.
     fn solve(&mut self, form: &QuadricForm, [a, b, c]: [Bounded<R>; 3]) {
         let two = R::of(2.0);
         let four = R::of(4.0);
@@ -267,7 +269,7 @@ impl<R: Traced> Chord<R> {
             self.uncertain |= a.is_doubtful() || b.is_doubtful();
             let t = -(cv / bv);
             self.inside = if b.is_zero() || !t.is_finite() {
-                // A line in the surface has no inside, unless everything is.
+                // A line in the surface has no inside, unless F is zero everywhere.
                 self.uncertain |= c.is_doubtful();
                 if (cv < R::ZERO && !c.is_zero()) || form.is_zero() {
                     Inside::Everywhere
@@ -341,7 +343,7 @@ impl<R: Traced> Chord<R> {
         (self.start + tau / self.w / self.stretch) / self.length
     }
 
-    /// The vertex of the parabola, −b/2a; zero where a is.
+    /// The τ of the parabola's vertex, −b/2a; zero where a is zero.
     pub(super) fn middle(&self) -> Bounded<R> {
         let Some([a, b]) = self.vertex else {
             return Bounded {
@@ -361,7 +363,7 @@ impl<R: Traced> Chord<R> {
         Quotient::new(b, twice).bounded()
     }
 
-    /// The crossings of the whole solid.
+    /// Appends the crossings with the whole solid F ≤ 0.
     pub(super) fn append(&self, roots: &mut Roots<R>) {
         roots.uncertain |= self.uncertain;
         match self.inside {
@@ -381,9 +383,8 @@ impl<R: Traced> Chord<R> {
     }
 }
 
-/// Appends crossings, ascending. Two at the same t are a touch and cancel, though another number
-/// might tell them apart; one beyond the finite numbers is at infinity, which changes what is
-/// inside there or is never reached.
+/// Appends crossings, ascending. Two at the same t are a touch and cancel, in doubt, since a finer number might tell
+/// them apart. A crossing at t = −∞ swaps inside and outside there, and one at t = +∞ is never reached.
 #[inline]
 pub(super) fn push_all<R: Traced, const N: usize>(roots: &mut Roots<R>, list: [(R, u32); N]) {
     for (t, face) in list {
@@ -400,10 +401,10 @@ pub(super) fn push_all<R: Traced, const N: usize>(roots: &mut Roots<R>, list: [(
     }
 }
 
-/// Where o + τ·d is so close to the origin that the terms of F are small there: as far as the
-/// coordinates with a second power go. Others would only lead away, but for those with a first
-/// power: with the terms s·x² and l·y, of which T is the largest at the first place, their sum is
-/// about (s·x² + (l·y)²/T), so that y weighs l²/sT times as much as x.
+/// The τ at which o + τ·d is so close to the origin that the terms of F are small there. Coordinates with a second
+/// power weigh 1, and coordinates that are not in F weigh nothing. With the terms s·x² and l·y, of which T is the
+/// largest at a first approach, their sum is about (s·x² + (l·y)²/T), so that a coordinate y with only a first power
+/// weighs l²/sT times as much as x.
 fn closest<R: Traced>(form: &QuadricForm, o: Vec3<R>, d: Vec3<R>) -> R {
     let (o, shrink) = normalised(o, 1.0);
     let (d, stretch) = normalised(d, 0.0);
@@ -433,8 +434,8 @@ fn closest<R: Traced>(form: &QuadricForm, o: Vec3<R>, d: Vec3<R>) -> R {
     if second.is_finite() { second } else { first }
 }
 
-/// A vector divided by a power of two not below `least`, so that its largest component is in
-/// [1, 2), or below 2 where `least` holds it back; and that power. Exact.
+/// A vector divided by a power of two, and that power, which is not below `least`. The largest component is then in
+/// [1, 2), or below 2 where `least` bounds the power. The division is exact.
 #[inline]
 fn normalised<R: Traced>(v: Vec3<R>, least: f64) -> (Vec3<R>, R) {
     let scale = power_of_two(v.abs().max_component().to_f64()).max(least);
@@ -447,8 +448,9 @@ fn normalised<R: Traced>(v: Vec3<R>, least: f64) -> (Vec3<R>, R) {
     (shrunk, scale)
 }
 
-/// dᵀAd in twice the working precision. The error is that of the [sum](Sum), plus 3u of the sizes of the terms where
-/// two coordinates were rounded in a division by their units or the coefficient was. Where nothing was lost it is zero.
+/// The leading coefficient dᵀAd, summed in twice the working precision. The error is that of the [sum](Sum), plus 3u
+/// of the sizes of the terms whose coefficient was rounded, or a coordinate by the division by its unit. Where nothing
+/// was rounded the error is zero.
 pub(super) fn leading<R: Traced>(form: &QuadricForm, d: Vec3<R>) -> Bounded<R> {
     let (mut sum, mut divided) = (Sum::new(), R::ZERO);
     let mut add = |k: R, rounded: bool, i: usize, j: usize| {
@@ -478,7 +480,7 @@ pub(super) fn leading<R: Traced>(form: &QuadricForm, d: Vec3<R>) -> Bounded<R> {
     }
 }
 
-/// The derivative at p along d, times w: the coefficient of τ; and the sizes of its terms.
+/// The coefficient of τ, which is the derivative at p along d, times w; and the sum of the sizes of its terms.
 fn cross<R: Traced>(form: &QuadricForm, p: Vec3<R>, d: Vec3<R>, w: R) -> (R, R) {
     let (mut sum, mut size) = (R::ZERO, R::ZERO);
     let mut add = |term: R| {
@@ -519,7 +521,7 @@ impl QuadricForm {
         Vec3(each([0, 1, 2], |i| value[i].abs() + R::gamma(8) * size[i]))
     }
 
-    /// 2A(e, f) with A the second degree's matrix, all by their sizes; e and f are not negative.
+    /// 2A(e, f), where A is the matrix of second degree with its numbers' absolute values; e and f are not negative.
     fn twice<R: Traced>(&self, e: Vec3<R>, f: Vec3<R>) -> R {
         let mut sum = R::ZERO;
         for i in 0..3 {

@@ -43,7 +43,7 @@ pub struct Quadric {
 }
 
 impl Quadric {
-    /// The quadric of a record, which the shape is as well.
+    /// The quadric of a record; `geometry` is the same shape.
     pub fn new(geometry: &Geometry, record: &Record) -> Quadric {
         let form = match *record {
             Record::General(q) => QuadricForm::symmetric_part(q),
@@ -81,8 +81,8 @@ impl Quadric {
 
     /// Whether F is positive on the whole line, by more than rounding and the line's slack can change.
     ///
-    /// It is a t² + b t + c. The sizes of the terms of a, b and c, where all coordinates are as large as the
-    /// largest one, bound what rounding and the line's slack make of the three.
+    /// Along the line F is a t² + b t + c. The sizes of the terms of a, b and c, where all coordinates are as large as
+    /// the largest one, bound the errors that rounding and the line's slack cause in the three.
     fn is_missed(&self, line: &Line) -> bool {
         let [reach, pace] = each([line.origin, line.direction], |v| v.abs().max_component());
         let slack = line.slack;
@@ -134,7 +134,7 @@ impl Shape for Quadric {
         }
     }
 
-    /// Without bounds, a line is beside the solid if F is positive on all of it. An ellipsoid is judged by the least
+    /// A line is beside an unbounded solid if F is positive on the whole line. An ellipsoid is judged by the least
     /// value of F on the stretch.
     fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
         let Some((centre, radius, size)) = self.ball else {

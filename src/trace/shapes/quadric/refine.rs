@@ -1,8 +1,8 @@
 //! Crossings with quadrics whose terms cancel: needles, sheets, and what is small and far from the origin.
 //!
-//! Where F is small beside its terms, their rounding moves a crossing by much more than that of the line does. Near the
-//! crossing F is a quadratic of three coefficients, here summed in twice the working precision, whose smaller root is
-//! the rest of the way.
+//! Where F is small beside its terms, their rounding moves a crossing by much more than the rounding of the line does.
+//! From a computed crossing on, F along the line is a quadratic in t. Its three coefficients are summed in twice the
+//! working precision here. Its smaller root is the step to the true crossing.
 
 use super::form::{OPERATIONS, PAIRS, QuadricForm};
 use super::line::{Bounded, leading};
@@ -24,7 +24,7 @@ pub(super) struct Sum<R> {
     lost: R,
     /// The sizes of the terms, added up.
     size: R,
-    /// Whether nothing was lost.
+    /// Whether no addition has had a rounding error.
     pub exact: bool,
 }
 
@@ -61,7 +61,8 @@ impl<R: Traced> Sum<R> {
         self.sum + self.lost
     }
 
-    /// γₙ² of the sizes of the terms, or γₙ of them where products are not fused.
+    /// The error bound: γₙ² of the sizes of the terms, or γₙ of them where products are not fused; n is
+    /// [`OPERATIONS`].
     #[inline(always)]
     pub(super) fn noise(&self) -> R {
         let gamma = R::gamma(OPERATIONS);
@@ -73,7 +74,7 @@ impl<R: Traced> Sum<R> {
         noise * self.size
     }
 
-    /// The value, off by at most 2u of it and the [noise](Self::noise).
+    /// The value and its error bound: 2u of the value plus the [noise](Self::noise).
     fn bounded(&self) -> Bounded<R> {
         let value = self.value();
         Bounded {
@@ -84,14 +85,15 @@ impl<R: Traced> Sum<R> {
 }
 
 impl QuadricForm {
-    /// Whether F is to be summed in twice the working precision. Double-double has digits enough, and single precision
-    /// has lost some of the coefficients'.
+    /// Whether F is to be summed in twice the working precision. Double-double has digits enough without that, and
+    /// single precision has lost digits of the coefficients.
     #[inline]
     pub(super) fn is_summed_closely<R: Traced>(&self) -> bool {
         self.cancels && !is_final::<R>() && parameter_error::<R>() == R::ZERO
     }
 
-    /// Moves the crossings onto the surface, and doubts those that cannot be brought [near](MAX_CROSSING_ROUNDOFFS) enough.
+    /// Moves the crossings onto the surface. Marks them as uncertain if one cannot be brought
+    /// [near](MAX_CROSSING_ROUNDOFFS) enough.
     #[inline(never)]
     pub(super) fn refine<R: Traced>(&self, line: &Line<R>, roots: &mut Roots<R>) {
         if roots.uncertain {
@@ -127,7 +129,7 @@ impl QuadricForm {
             false => -(two * c.value / sum),
         };
         let way = step.abs();
-        // The step's own rounding is as if c were another by a few units in its last place.
+        // The rounding of the step has the effect of a change of c by a few units in its last place.
         let off = c.error + R::gamma(4) * c.value.abs() + (error + a.error * way) * way;
         let slope = Vec3(each(gradient, |g| g.value.abs() - g.error)).max_component();
         let reach = (line.origin.abs().max_component()).max(p.abs().max_component());

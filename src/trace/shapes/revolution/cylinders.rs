@@ -1,4 +1,4 @@
-//! A cheap test that tells most lines which miss the solid, and many that go right through it.
+//! A cheap test that recognises most lines that miss the solid, and many that go right through it.
 
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
@@ -16,17 +16,17 @@ pub(super) struct Cylinders {
     centre: Vec3,
     /// Half of the cylinder's height.
     half: f64,
-    /// The radius of the ball: the unit of what follows.
+    /// The radius of the ball, which is the unit of `outer` and `inner`.
     size: f64,
     /// The square of the bounding cylinder's radius.
     outer: f64,
-    /// For each layer, from the lowest, the square of the radius up to which all of it is in the solid. The outermost
-    /// layers have none, since the profile begins and ends on the axis there.
+    /// For each layer, from the lowest, the square of the radius up to which all of the layer is in the solid. The
+    /// number is 0 for the outermost layers, since the profile begins and ends on the axis there.
     inner: [f64; LAYERS],
 }
 
 impl Cylinders {
-    /// The cylinders of a solid in its bounds, with its closed profile, which is `scale` times as large.
+    /// The cylinders of a solid, from its bounds and its closed profile, whose points are `scale` times as large.
     pub(super) fn new(bounds: &Aabb, points: &[[f64; 2]], scale: f64) -> Cylinders {
         let (radius, half) = (bounds.max[0], 0.5 * (bounds.max[1] - bounds.min[1]));
         let size = (half * half + radius * radius).sqrt();
@@ -37,7 +37,7 @@ impl Cylinders {
             outer: 0.0,
             inner: [0.0; LAYERS],
         };
-        // Of a solid without numbers nothing is said.
+        // The test says nothing about a solid whose size is zero, overflows or underflows.
         if (size * size).is_normal() && size.is_finite() {
             cylinders.centre = Vec3(bounds.centre());
             (cylinders.half, cylinders.size) = (half, size);
@@ -53,8 +53,8 @@ impl Cylinders {
         ((share * LAYERS as f64) as usize).min(LAYERS - 1)
     }
 
-    /// For each layer the square of a radius. Nearer to the axis the profile has no point, so all of the layer in there is in
-    /// the solid if the axis is.
+    /// For each layer the square of the radius up to which the layer is in the solid; 0 if its part at the axis is
+    /// not. Nearer to the axis the profile has no point, so that part of the layer is in the solid if the axis is.
     fn layers(&self, points: &[[f64; 2]], scale: f64) -> [f64; LAYERS] {
         let mut least = [f64::INFINITY; LAYERS];
         let mut inside = [false; LAYERS];
@@ -91,8 +91,8 @@ impl Cylinders {
         })
     }
 
-    /// Beside: the line is outside of the bounding cylinder wherever it is in the cylinder's slab. Through: where it is
-    /// nearest to the axis it is inside of an inscribed cylinder.
+    /// The line is beside the solid if it is outside of the bounding cylinder wherever it is in the cylinder's slab.
+    /// It goes through if its place nearest to the axis is inside of an inscribed cylinder.
     pub(super) fn pass(&self, line: &Line, stretch: [f64; 2]) -> Pass {
         let approach = match Ball::meets(line, stretch, self.centre, self.size) {
             Ball::Misses => return Pass::Beside,

@@ -29,12 +29,13 @@ use std::f64::consts::TAU;
 use std::ops::Deref;
 use tree::Run;
 
-/// A profile with more pieces than this is quicker to cross than to look at piece by piece.
+/// The number of pieces up to which the outline is the profile. A line's crossings with a longer profile are found
+/// more quickly than the pieces are looked at one by one.
 const MAX_OUTLINE_PIECES: usize = 64;
 
-/// Points (x, y) with x ≥ 0 turned about the y axis. Inside is what the closed profile surrounds
-/// by the even-odd rule. It closes with a flat disc from each end point to the axis, unless the
-/// ends are the same point; the axis itself is no surface.
+/// A profile of points (x, y) with x ≥ 0, turned about the y axis. The solid is what the closed profile surrounds by
+/// the even-odd rule. A flat disc from each end point to the axis closes the profile, unless the ends are the same
+/// point; the axis itself is no surface.
 ///
 /// Faces: segment i, from point i to point i + 1 of n points, is face i; the disc at the first
 /// point is face n − 1 and the one at the last point face n.
@@ -138,7 +139,7 @@ impl Revolution {
         }
     }
 
-    /// How far along its segment a point on the surface is, from 0 to 1; scaled coordinates.
+    /// The position along its segment of a point on the surface, from 0 to 1; all coordinates are scaled.
     fn share<R: Traced>(&self, segment: usize, radius: R, y: R) -> R {
         let (p, q) = (self.points[segment], self.points[segment + 1]);
         let (w, h) = (R::of(q[0]) - R::of(p[0]), R::of(q[1]) - R::of(p[1]));
@@ -151,8 +152,8 @@ impl Revolution {
         (along / (a * a + b * b)).max(R::ZERO).min(R::ONE)
     }
 
-    /// The profile point before a point on the surface, and how far it is to the next; a disc
-    /// belongs to the end point it closes.
+    /// The index of the profile point before a point on the surface, and the share of the way to the next one. A disc
+    /// belongs to the end point that it closes, with a share of 0.
     fn place(&self, point: Vec3, face: u32) -> (usize, f64) {
         let n = self.arc.len();
         let p = point * self.scale;
@@ -168,7 +169,7 @@ impl Revolution {
 }
 
 impl Shape for Revolution {
-    /// The convex piece of a segment: its closed profile has two points on the axis besides.
+    /// The convex piece of a profile that is one segment: closed, it has two more points on the axis.
     fn convex_piece(&self) -> Option<ConvexPiece> {
         match self.points[..] {
             [_, a, b, _] if !self.ring => {
@@ -178,7 +179,7 @@ impl Shape for Revolution {
         }
     }
 
-    /// A cylinder around a long profile.
+    /// The profile itself; for a long profile, a cylinder around it.
     fn outline(&self) -> Outline {
         if self.pieces.len() <= MAX_OUTLINE_PIECES {
             let points = overlap_removal::outline(&self.points, &self.pieces, self.scale);
@@ -198,7 +199,8 @@ impl Shape for Revolution {
         self.cylinders.pass(line, stretch)
     }
 
-    /// The line crosses no piece ahead but that of its origin. If it crossed that once more, it would stay inside.
+    /// A leaving line is not met again if it may cross no piece ahead but that of its origin. If it crossed that piece
+    /// once more, it would stay inside of the solid for ever.
     fn is_met_again(&self, line: &Line) -> bool {
         let Some(passing) = self.beside.passing(line, true) else {
             return true;
@@ -220,7 +222,7 @@ impl Shape for Revolution {
         [u, (self.arc[i] + share * step) / length]
     }
 
-    /// Linear between the profile's points; discs have the colour of theirs.
+    /// Linear between the profile's points; a disc has the colour of the point that it closes.
     fn colour(&self, point: Vec3, face: u32) -> Option<Rgb> {
         let (i, share) = self.place(point, face);
         let a = self.colours.get(i)?;
@@ -258,8 +260,8 @@ impl<R: Traced> Intersect<R> for Revolution {
         decide_closer(line, roots, |line, roots| self.decide(line, roots));
     }
 
-    /// The speed across the surface by the segment's normal (h, −w) in the half-plane of the point; on the axis only
-    /// the component along it counts.
+    /// The speed across the surface by the segment's normal (h, −w) in the half-plane of the point; for a point on the
+    /// axis only the direction's component along the axis counts.
     fn speed(&self, line: &Line<R>, root: Root<R>) -> Option<R> {
         let segment = self.segment(root.face);
         let (p, q) = (self.points[segment], self.points[segment + 1]);
@@ -277,11 +279,11 @@ impl<R: Traced> Intersect<R> for Revolution {
         Some(across / (R::of(1.5) * h.abs().max(w.abs())))
     }
 
-    /// The point of the segment nearest to that of the line, turned to where that is.
+    /// The segment's point nearest to the line's point, turned about the axis to where the line's point is.
     ///
-    /// Along the segment it is reckoned from the nearer end, so that the radius is at least half
-    /// of either summand. Seven roundings lie behind the radius and each of (x, z) / ρ, the
-    /// product included, two of them twice over for the summands; four behind the height.
+    /// The place along the segment is measured from the nearer end, so that the radius is at least half of either
+    /// summand. Seven roundings lie behind the radius and each of (x, z) / ρ, the product included, two of them twice
+    /// over for the summands; four lie behind the height.
     fn locate(&self, line: &Line<R>, root: Root<R>) -> Located<R> {
         let segment = self.segment(root.face);
         let (mut p, mut q) = (self.points[segment], self.points[segment + 1]);
@@ -320,7 +322,7 @@ impl<R: Traced> Intersect<R> for Revolution {
             on[2].abs() * R::gamma(16),
         );
 
-        // (h, −w) of the segment seen from below.
+        // The normal (h, −w) of the segment, which is taken from its lower end.
         let k = w.abs().max(h.abs());
         let (mut slope, mut rise) = (-w / k, h / k);
         if h < R::ZERO {
@@ -359,9 +361,9 @@ fn order<R: Traced>(a: R, b: R) -> std::cmp::Ordering {
     a.partial_cmp(&b).unwrap_or(std::cmp::Ordering::Equal)
 }
 
-/// The crossings with what two solids have in common, from those with either. Where both are in one
-/// place, as far as doubles can tell, it is the first one's surface: a seam belongs to one segment.
-/// A common part without thickness has no crossings. For lines that do not climb.
+/// The crossings with the intersection of two solids, from the crossings with each, for lines that do not climb. Where
+/// crossings of both are in one place, as far as doubles can tell, the face is the first solid's: a seam belongs to
+/// one segment. A common part without thickness has no crossings.
 fn common<R: Traced>(a: &[Close<R>], b: &[Close<R>]) -> Vec<Root<R>> {
     let mut found = Vec::new();
     let (mut i, mut j) = (0, 0);
@@ -390,7 +392,8 @@ fn common<R: Traced>(a: &[Close<R>], b: &[Close<R>]) -> Vec<Root<R>> {
     found
 }
 
-/// Turns "against the segment's normal" into "the outward normal is flipped".
+/// Changes the meaning of [`FLIPPED`] from "the line goes against the segment's normal" to "the outward normal is
+/// opposite to the segment's".
 fn turn_outwards<R>(list: &mut [Root<R>]) {
     // Where the line enters, the outward normal is the one it goes against.
     for root in list.iter_mut().step_by(2) {
@@ -398,7 +401,7 @@ fn turn_outwards<R>(list: &mut [Root<R>]) {
     }
 }
 
-/// A crossing with a piece of the profile between two heights.
+/// A crossing with a piece of the profile, and the rings at the ends of the piece.
 struct Close<R> {
     cut: Cut<R>,
     root: Root<R>,
@@ -409,11 +412,11 @@ struct Close<R> {
 impl<R: Traced> Close<R> {
     /// Whether two crossings may be in one place.
     ///
-    /// The two ends of a chord are not, nor are those of pieces of which one is above the other, if
-    /// the line `climbs`: each stays on its own side of the ring that the two may have in common.
-    /// And two pieces with a point in common, not being in one line, meet nowhere else: if the line
-    /// surely misses that ring, they are crossed in two places, however close. In which order is
-    /// left to the numbers that are final.
+    /// Two crossings of one piece are the ends of a chord, and never in one place. Quad-double knows two more such
+    /// cases. If the line `climbs` and one piece is above the other, each crossing stays on its own side of the ring
+    /// that the pieces may have in common. If two pieces have a point in common and are not in one line, they meet
+    /// nowhere else: a line that surely misses the ring of that point crosses them in two places, however close. The
+    /// order of the two is left to the final numbers.
     fn meets(&self, other: &Close<R>, climbs: bool) -> bool {
         let span = |[a, b]: [Ring<R>; 2]| (a.y.min(b.y), a.y.max(b.y));
         let ((low, high), (bottom, top)) = (span(self.ends), span(other.ends));
@@ -423,15 +426,15 @@ impl<R: Traced> Close<R> {
         let apart = is_last::<R>() && (corner || (climbs && beside));
         let known = self.piece == other.piece || apart;
         let gap = (self.cut.tau - other.cut.tau).abs();
-        // Written so that NaN is none.
+        // Written so that NaN is not clear.
         let clear = gap > self.cut.error + other.cut.error;
         !known && !clear
     }
 }
 
 impl Revolution {
-    /// Decided ring by ring as [`path`] explains, so that the list is even, hence alternates. Two
-    /// crossings at the same t are a layer without thickness and cancel.
+    /// Finds the crossings, deciding ring by ring as [`path`] explains, so that the list is even, hence alternates.
+    /// Two crossings at the same t are a layer without thickness and cancel.
     fn decide<R: Traced>(&self, line: &Line<R>, roots: &mut Roots<R>) {
         // Single precision has its own idea of where a line is.
         let passing = match R::ROUNDOFF > R::of(f64::EPSILON) {
@@ -439,7 +442,7 @@ impl Revolution {
             false => self.beside.passing(&R::coarse(line), false),
         };
         let passing = passing.as_ref();
-        // Most lines that come so far miss all the same.
+        // The path is made on demand, since most lines that get here miss all the same.
         let path = LazyCell::new(|| Path::new(line, self.scale, self.centre));
         self.append(&path, passing, roots);
         if is_last::<R>()
@@ -447,8 +450,8 @@ impl Revolution {
             && let Some(path) = path.as_ref()
             && !path.climbs()
         {
-            // A line in the plane of a seam may lie in a surface, and inside is only what is so
-            // just above and just below.
+            // A line in the plane of a seam may lie in a surface. Only what is inside both just above and just below
+            // the seam counts as inside.
             let above = self.closely(path, passing, &mut roots.uncertain);
             let below = self.closely(&path.seams_below(), passing, &mut roots.uncertain);
             roots.list = common(&above, &below);
@@ -467,7 +470,7 @@ impl Revolution {
         })
     }
 
-    /// Appends the crossings, in order; their faces say whether the line goes against them.
+    /// Appends the crossings, in order. [`FLIPPED`] in a face means that the line goes against the segment's normal.
     fn append<R: Traced>(
         &self,
         path: &impl Deref<Target = Option<Path<R>>>,
@@ -542,8 +545,8 @@ impl Revolution {
         self.face(piece.segment) | if cut.against { FLIPPED } else { 0 }
     }
 
-    /// The crossings once more, compared one by one. Two in one place are a layer without thickness
-    /// and cancel, as do, where decisions are final, two that cannot be told from such.
+    /// Finds the crossings once more and compares them one by one. Two in one place are a layer without thickness and
+    /// cancel. In quad-double, two that cannot be told from such a layer cancel as well.
     fn closely<R: Traced>(
         &self,
         path: &Path<R>,

@@ -1,8 +1,8 @@
 //! The profile without the stretches where it goes back over itself.
 //!
-//! By the even-odd rule two segments that lie in each other are a layer without thickness, which is
-//! no surface. No line can be told from one that passes between the two, in whatever precision, so
-//! they go before any line comes. Only exact overlaps are looked for: a layer one ulp thick is one.
+//! By the even-odd rule two segments that lie in each other are a layer without thickness, which is no surface. In no
+//! precision can a line in that layer be told from a line that passes between the two segments, so the layer is
+//! removed before any line comes. Only exact overlaps are looked for: a layer one ulp thick is a layer.
 
 use crate::geometry::array::each;
 use crate::geometry::dd::Dd;
@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 pub(super) struct Subsegment {
     pub from: u32,
     pub to: u32,
-    /// The segment begins at this point and ends at the next.
+    /// The number of the segment, which begins at the point of that number and ends at the next.
     pub segment: u32,
 }
 
@@ -24,8 +24,8 @@ pub(super) struct Subsegment {
 /// origin, below 3, five. Segments that differ by less are compared exactly.
 const LINE_ABS_EPS: f64 = 64.0 * f64::EPSILON;
 
-/// The segments between neighbouring points with what lies in each other taken out in pairs; all
-/// coordinates must be below 2. In the order of the profile.
+/// The segments between neighbouring points, without the stretches that lie in each other, which are removed in pairs.
+/// The pieces are in the order of the profile; all coordinates must be below 2.
 pub(super) fn pieces(points: &[[f64; 2]]) -> Vec<Subsegment> {
     let mut all = Vec::new();
     for line in lines(points) {
@@ -51,13 +51,14 @@ pub(super) fn pieces(points: &[[f64; 2]]) -> Vec<Subsegment> {
     all
 }
 
-/// A coordinate that changes along a segment, of a point in its line.
+/// The coordinate of `point` that changes along a segment: its height, or its radius for a flat segment. The point
+/// lies in the segment's line.
 fn height(points: &[[f64; 2]], segment: u32, point: u32) -> f64 {
     let axis = usize::from(points[segment as usize][1] != points[segment as usize + 1][1]);
     points[point as usize][axis]
 }
 
-/// Change of that coordinate from one point to another.
+/// The change of the coordinate of [`height`] from one point to another, along the segment that begins at `from`.
 fn along(points: &[[f64; 2]], from: u32, to: u32) -> f64 {
     height(points, from, to) - height(points, from, from)
 }
@@ -73,9 +74,9 @@ fn ends(points: &[[f64; 2]], segment: u32) -> [(f64, u32); 2] {
     ends
 }
 
-/// The segments of some length by the straight line they lie in, each line's from below.
+/// The segments that have a length, grouped by the straight line that they lie in. Each group is ordered from below.
 fn lines(points: &[[f64; 2]]) -> Vec<Vec<u32>> {
-    // The angle in [0, π) and the distance of the origin from the line.
+    // For each segment its angle in [0, π), the distance of the origin from its line, and its number.
     let mut all: Vec<(f64, f64, u32)> = Vec::new();
     for (i, pair) in points.windows(2).enumerate() {
         let (p, q) = (pair[0], pair[1]);
@@ -123,8 +124,8 @@ fn lines(points: &[[f64; 2]]) -> Vec<Vec<u32>> {
     found
 }
 
-/// Whether three points lie in a straight line, exactly but for underflow: whether the sum of
-/// p × q, q × r and r × p is zero.
+/// Whether three points lie in a straight line, exactly but for underflow: whether the sum of p × q, q × r and r × p
+/// is zero.
 fn is_straight(p: [f64; 2], q: [f64; 2], r: [f64; 2]) -> bool {
     // Parts that do not overlap (Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997):
     // their sum is zero only if all are.
@@ -194,7 +195,7 @@ fn thin_out(points: &[[f64; 2]], line: &[u32], all: &mut Vec<Subsegment>) {
     }
 }
 
-/// The ends of pieces, of points that are `scale` times as large.
+/// The ends of pieces as points of an outline. The given points are `scale` times as large.
 pub(super) fn outline(points: &[[f64; 2]], pieces: &[Subsegment], scale: f64) -> Vec<ProfilePoint> {
     let point = |number: u32, is_joined: bool| {
         let [radius, height] = each(points[number as usize], |x| x / scale);

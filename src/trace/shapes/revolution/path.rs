@@ -25,8 +25,8 @@ use crate::trace::shapes::quad_double::is_last;
 /// A line relative to the axis, in scaled coordinates.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Path<R> {
-    /// The line's own parameter at τ = 0, as a multiple of `unit`, a power of two; τ is in units of
-    /// length, of which one of `unit` holds `length`.
+    /// The line's own parameter t at τ = 0, as a multiple of `unit`, which is a power of two. τ counts in units of
+    /// length: while t grows by `unit`, τ grows by `length`.
     start: R,
     unit: R,
     length: R,
@@ -38,16 +38,16 @@ pub(super) struct Path<R> {
     along: R,
     /// Bound on what rounding does to s₀, y₀ and δ.
     rounded: R,
-    /// How far, at most, the point and the unit direction are from those of the line that is meant,
-    /// whatever the way.
+    /// Bounds on how far the point and the unit direction are from those of the line that is meant, in any direction.
     moved: R,
     turned: R,
-    /// Bound on the effect of these three on along times a point's distance from the axis, at the height of p.
+    /// Bound on the effect of `rounded`, `moved` and `turned` on along times a point's distance from the axis, at the
+    /// height of `point`.
     fuzz: R,
     /// Whether a chord level with a seam belongs to the segment below it, not above.
     below: bool,
-    /// Bound on the error of s₀, y₀ and δ from all three, where the plane of the line turns with
-    /// its direction.
+    /// Bound on the error of s₀, y₀ and δ from `rounded`, `moved` and `turned`, where the plane of the line turns with
+    /// the line's direction.
     error: R,
 }
 
@@ -72,12 +72,12 @@ pub(super) struct Ring<R> {
     offset: R,
     inside: bool,
     uncertain: bool,
-    /// along²(ρ² − r²) is at least this.
+    /// A lower bound on along²(ρ² − r²).
     least: R,
 }
 
-/// The power of two 2⁻ᵉ that brings a finite number |x| with 2ᵉ ≤ |x| < 2ᵉ⁺¹ into [1, 2), as far
-/// as it and its inverse are normal numbers.
+/// The power of two 2⁻ᵉ that brings a finite number |x| with 2ᵉ ≤ |x| < 2ᵉ⁺¹ into [1, 2), as far as the power and its
+/// inverse are normal numbers.
 pub(super) fn normaliser(x: f64) -> f64 {
     const EXPONENTS: u64 = 2046;
     let exponent = (x.abs().to_bits() >> 52).clamp(1, EXPONENTS - 1);
@@ -90,7 +90,7 @@ impl<R: Traced> ClosestApproach<R> {
     #[inline(always)]
     pub(super) fn new(line: &Line<R>, scale: f64, centre: f64) -> ClosestApproach<R> {
         let origin = line.origin * R::of(scale);
-        // In two steps, since the inverse of a subnormal length is no number.
+        // The scaling takes two steps, since the inverse of a subnormal length is no number.
         let first = normaliser(line.direction.abs().max_component().to_f64());
         let exact = line.direction * R::of(first);
         let second = normaliser(exact.abs().max_component().to_f64());
@@ -98,10 +98,10 @@ impl<R: Traced> ClosestApproach<R> {
         let length = exact.length();
         let unit = R::of(first) / R::of(scale) * R::of(second);
         let direction = exact / length;
-        // The point is exact for the parameter that came out, but for one rounding, however far
-        // away the origin is and whatever the parameter's error: the direction is not rounded yet
-        // and the parameter a double, whose product with another one is exact in double-double,
-        // too. A second pass brings it to where the first one should have got.
+        // The point is exact for the computed parameter, but for one rounding, however far away the origin is and
+        // whatever the parameter's error. For the direction is not rounded yet and the parameter is a double, whose
+        // product with another double is exact in double-double, too. A second pass brings the point to where the
+        // first one should have got.
         let square = exact.dot(exact);
         let mut start = R::ZERO;
         let mut point = origin;
@@ -129,8 +129,8 @@ impl<R: Traced> ClosestApproach<R> {
 }
 
 impl<R: Traced> Path<R> {
-    /// The path of a line past a shape with the centre (0, `centre`, 0) in coordinates scaled by
-    /// the power of two `scale`. `None` where the line is out of the numbers' reach.
+    /// The path of a line past a shape with the centre (0, `centre`, 0) in coordinates scaled by the power of two
+    /// `scale`. `None` where numbers overflow.
     pub(super) fn new(line: &Line<R>, scale: f64, centre: f64) -> Option<Path<R>> {
         let ClosestApproach {
             start,
@@ -175,9 +175,9 @@ impl<R: Traced> Path<R> {
         (finite && path.error.is_finite()).then_some(path)
     }
 
-    /// Adds the line's slack: √3 ≤ 7/4 times a component's, for the direction over its length; the point is at
-    /// |start·unit| on the line's own scale. Where the move to the closest approach is not fused, its product is
-    /// rounded, too, unless it is exact.
+    /// Adds the line's slack to the bounds. A length is at most √3 ≤ 7/4 times its largest component. The slack of the
+    /// direction is divided by the direction's length. The point is at |start·unit| on the line's own scale. Where the
+    /// move to the closest approach is not fused, its product is rounded, too, unless it is exact.
     ///
     /// A direction that turns in the plan moves s₀ and δ by at most the chord between the two unit
     /// vectors times their size: less than twice the sine of the angle, and never more than two.
@@ -221,9 +221,9 @@ impl<R: Traced> Path<R> {
         (self.s0 * self.along).abs() + (self.point[1] - y).abs() * self.across
     }
 
-    /// How the line passes a ring: along² (ρ² − r²) = offset² − along² (r − δ)(r + δ), which needs
-    /// no division, is negative inside. A line that is level with the ring is outside, and so is,
-    /// where decisions are final, one that cannot be told from a touch.
+    /// How the line passes the ring of a point (radius, y). The line is inside where along²
+    /// (ρ² − r²) = offset² − along² (r − δ)(r + δ), which needs no division, is negative. A line that is level with
+    /// the ring is outside. In quad-double a line that cannot be told from a touch is outside, too.
     pub(super) fn ring(&self, [radius, y]: [f64; 2]) -> Ring<R> {
         let (radius, y) = (R::of(radius), R::of(y));
         let offset = self.offset(y);
@@ -238,14 +238,14 @@ impl<R: Traced> Path<R> {
             y,
             offset,
             inside: power < -touch,
-            // A point on the axis has nothing inside, nor has the line where it never comes close.
+            // A ring on the axis has no inside, and a line that never comes close to the ring is outside.
             uncertain: radius > R::ZERO && power.abs() <= bound && !self.is_beyond(radius),
             least: power - bound,
         }
     }
 
-    /// Whether all of the line is surely farther than this from the axis. `ring` adds two squares
-    /// then, which cannot come out negative.
+    /// Whether all of the line is surely farther than `radius` from the axis. `ring` then adds two squares, whose sum
+    /// cannot come out negative.
     fn is_beyond(&self, radius: R) -> bool {
         self.delta - self.error > radius
     }
@@ -254,12 +254,12 @@ impl<R: Traced> Path<R> {
     /// its terms are at most `size`, the height is at most `low` above or below the path's point,
     /// and the radius is r.
     ///
-    /// along·ρ is the length of the vector along·(x, z) in the ring's plane, whose parts are the
-    /// offset and along·δ, and along·r another one. Off by e, the square of a length v changes by at
-    /// most (2v + e)e. Rounding adds the errors of the offset, two rounded factors in either product
-    /// and their difference, and of δ. What is meant for the point p + m and the direction d + f is,
-    /// in the plan, (along + f₁)(p + m) − (y₀ − y + m₁)(d + f), and along + f₁ times r. Then there
-    /// are three factors and a difference.
+    /// along·ρ is the length of the vector along·(x, z) in the ring's plane, whose parts are the offset and along·δ;
+    /// along·r is another length. If a vector of length v is off by e, its square changes by at most (2v + e)e.
+    /// Rounding adds the errors of the offset, two rounded factors in either product and their difference, and of δ.
+    /// For the point p + m and the direction d + f of the line that is meant, the vector is, in the plan,
+    /// (along + f₁)(p + m) − (y₀ − y + m₁)(d + f), and the other length is along + f₁ times r. The last term is for
+    /// three factors and a difference.
     fn power_error(&self, offset: R, size: R, low: R, radius: R) -> R {
         let across = self.along.abs() * (self.delta + radius);
         let (length, size) = (offset + across, size + across);
@@ -274,8 +274,8 @@ impl<R: Traced> Path<R> {
             + self.turned * (self.s0.abs() + (self.point[1] - y).abs())
     }
 
-    /// Whether the line surely passes all rings of a run on the same side, and so crosses none of
-    /// its segments. Sure is here: [`Path::ring`] says so too.
+    /// Whether the line surely passes all rings of a run on the same side, and so crosses none of its segments. In
+    /// that case [`Path::ring`] says so too.
     pub(super) fn misses(&self, run: &Run) -> bool {
         let [inner, outer] = each(run.radius, R::of);
         if self.is_beyond(outer) {
@@ -295,9 +295,9 @@ impl<R: Traced> Path<R> {
         if outside <= R::ZERO && inside <= R::ZERO {
             return false;
         }
-        // An error in either of the two numbers that are compared, here and in `ring`, and once
-        // more what `ring` takes for a touch. The bound grows with all that it is made of, and
-        // heights between have no more of it than one end or the other.
+        // Twice the bound is for the errors of the two numbers that are compared, here and in `ring`; a third one is
+        // for what `ring` takes for a touch. The bound grows with all that it is made of, and at heights between the
+        // ends it is no larger than at one end or the other.
         let size = self.offset_size(low).max(self.offset_size(high));
         let far = (self.point[1] - low)
             .abs()
@@ -307,7 +307,7 @@ impl<R: Traced> Path<R> {
         outside > slack || inside > slack
     }
 
-    /// The same path, with what is level with a seam counted to the segment below it.
+    /// The same path, with a chord level with a seam counted to the segment below the seam.
     pub(super) fn seams_below(self) -> Path<R> {
         Path {
             below: true,
@@ -320,7 +320,7 @@ impl<R: Traced> Path<R> {
         (self.point[1] - R::of(y)).abs() <= self.rounded + self.moved
     }
 
-    /// Whether it is known which of two heights the line reaches first.
+    /// Whether the line surely rises or surely falls, so that it is known which of two heights it reaches first.
     pub(super) fn climbs(&self) -> bool {
         self.along.abs() > self.turned
     }

@@ -7,8 +7,8 @@
 //! rings it is inside of the frustum between them.
 //!
 //! The test computes in doubles, in units of the solid's size, from a line that
-//! [`Ball::meets`](super::super::quick_reject::Ball::meets) knows well enough. A piece that is closer than a margin counts as
-//! met, and the path decides.
+//! [`Ball::meets`](super::super::quick_reject::Ball::meets) knows well enough. A piece that is closer than a margin
+//! counts as met, and the path decides.
 
 use super::overlap_removal::Subsegment;
 use super::tree::{self, Run};
@@ -58,16 +58,16 @@ pub(super) struct Beside {
     boxes: Vec<[f64; 4]>,
 }
 
-/// A line in units of the solid's size, from the centre.
+/// A line in units of the solid's size, relative to the solid's centre. [`path`](super::path) explains its numbers.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Passing {
-    /// along · s₀, where the height is y₀.
+    /// along · s₀, where s₀ is the line's s at the height `height`.
     turn: f64,
     height: f64,
     across: f64,
     along2: f64,
     delta2: f64,
-    /// The heights that matter.
+    /// The lowest and the highest height that matter.
     within: [f64; 2],
 }
 
@@ -104,7 +104,7 @@ impl Beside {
             if run.is_leaf() {
                 let pieces = &pieces[run.first as usize..run.end as usize];
                 blocks.extend(pieces.chunks(LANES).map(|four| {
-                    // The last one again where there are fewer.
+                    // Lanes without a piece of their own repeat the last one.
                     let piece = |lane: usize| &four[lane.min(four.len() - 1)];
                     let ends = each([0, 1, 2, 3], |lane| [piece(lane).from, piece(lane).to]);
                     let of = |end: usize, axis: usize, unit: fn(&Units, f64) -> f64| {
@@ -144,7 +144,7 @@ impl Beside {
         };
         let (p, d) = (approach.point / self.size, approach.direction);
         let across = (d[0] * d[0] + d[2] * d[2]).sqrt();
-        // In the plan: along the way, and beside it.
+        // In the plan: the place along the line, and the line's distance from the axis with a sign.
         let (s, delta) = match across > 0.0 {
             true => (
                 (p[0] * d[0] + p[2] * d[2]) / across,
@@ -168,8 +168,8 @@ impl Beside {
         })
     }
 
-    /// The runs of a tree that are leaves, with those of their pieces that a line may cross: a bit each, from the
-    /// lowest.
+    /// The leaves of a tree that a line may meet, each with a mask of the pieces that the line may cross: a bit each,
+    /// from the lowest.
     #[inline]
     pub(super) fn met<'a>(
         &'a self,

@@ -11,7 +11,7 @@ pub(super) struct Run {
     /// The pieces `first .. end`.
     pub first: u32,
     pub end: u32,
-    /// The run to go on with if none of the pieces matters: the first run that begins at `end` or later.
+    /// The run to go on with if no piece of this run matters: the first run that begins at `end` or later.
     pub next: u32,
     /// Lowest and highest distance from the axis.
     pub radius: [f64; 2],
@@ -35,7 +35,7 @@ impl Run {
     }
 }
 
-/// The leaves of a tree with their numbers, without those in runs that are missed.
+/// The leaves of a tree with their indices, without the leaves in runs for which `misses` holds.
 pub(super) fn leaves(
     tree: &[Run],
     mut misses: impl FnMut(usize, &Run) -> bool,

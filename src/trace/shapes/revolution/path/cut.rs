@@ -26,9 +26,9 @@ impl<R: Traced> Path<R> {
     /// The crossings with the segment between two rings.
     ///
     /// Between the heights of its ends a segment with the direction (w, h) in (ρ, y) is the set of
-    /// h²(s² + δ²) = (h·r + w(y − y₁))², a quadratic aτ² + 2bτ + c once the line is put in. Moved
-    /// to the line's closest approach to (0, y₁), N away, where s = N·along and
-    /// y = y₁ − N·across, it has
+    /// h²(s² + δ²) = (h·r + w(y − y₁))². With the line's s and y this is a quadratic aτ² + 2bτ + c. If τ is counted
+    /// from the line's closest approach to (0, y₁), at the distance N, where s = N·along and y = y₁ − N·across, the
+    /// quadratic has
     ///
     ///   a = (h·across − w·along)(h·across + w·along)
     ///   b = along (N·across (h² + w²) − r·h·w)
@@ -45,7 +45,7 @@ impl<R: Traced> Path<R> {
             cuts.list[0] = self.level(first, second);
             return cuts;
         }
-        // From below, so that a segment is the same in both directions.
+        // The segment is taken from its lower end, so that it is the same in both directions.
         let (low, high) = if first.y < second.y {
             (first, second)
         } else {
@@ -69,9 +69,9 @@ impl<R: Traced> Path<R> {
 
         let both = low.inside == high.inside;
         if both {
-            // Outside of both rings. As a function of the height along²(ρ² − r²) has the second
-            // derivative 2a/h²: on the way from one ring to the other, h/k high, it falls no lower
-            // than a/4k² below the lesser of its values there. And where a is negative, not at all.
+            // The line is outside of both rings. As a function of the height along²(ρ² − r²) has the second derivative
+            // 2a/h²: on the way from one ring to the other, h/k high, it falls no lower than a/4k² below the lesser of
+            // its values at the rings. Where a is negative, it does not fall below that value at all.
             let dip = a + a_error;
             if dip <= R::ZERO || dip < R::of(4.0) * k * k * low.least.min(high.least) {
                 return cuts;
@@ -81,10 +81,10 @@ impl<R: Traced> Path<R> {
         let delta2 = self.delta.square();
         let d = R::difference_of_products(e, e, a * self.delta, self.delta);
         if both {
-            // The frustum is convex: there is a chord between the rings if the line meets the cone
-            // at all and the chord's middle, s = w·along·E / a, lies between the two heights.
-            // Half-open, and in offsets, which neighbours share: what one of them leaves to the
-            // other the other takes.
+            // The frustum is convex: there is a chord between the rings if the line meets the cone at all and the
+            // chord's middle, s = w·along·E / a, lies between the two heights. The interval of heights is half-open
+            // and is compared in offsets, which neighbours share, so that a middle on a seam belongs to exactly one of
+            // them.
             let middle = z.square() * w * e;
             let (bottom, top) = (low.offset * a, high.offset * a);
             // E's two products have three and two roundings, N its own error.
@@ -141,7 +141,8 @@ impl<R: Traced> Path<R> {
         let s = n * z;
         let radius = R::difference_of_products(r, h, w, n * x);
         let c = R::difference_of_products(h.square(), s.square() + delta2, radius, radius);
-        // Both are zero in a line through the apex: the point that all is reckoned from.
+        // For a line through the apex q and c may both be zero: the root is then at the place that roots are measured
+        // from.
         let near = |q: R| if q == R::ZERO { q } else { c / q };
         let (enter, leave) = if b < R::ZERO {
             let q = root - b;
@@ -166,13 +167,12 @@ impl<R: Traced> Path<R> {
                 tau = self.polished([w, h], low, tau, (from, to), against);
             }
             let local = (tau - base).abs();
-            // The quadratic is a difference of two squares with at most sixteen roundings; its
-            // slope at a root is twice the root of the discriminant, and less than that up to where
-            // an error takes it only while the discriminant stays positive: the root moves by at
-            // most error/√ then. If it may not, the vertex is within √(error/|a|), the other root
-            // as far beyond it, and another such step takes the quadratic out of its error; one
-            // more is for what the error grows by on the way. And the root never moves by more
-            // than from one ring to the other.
+            // The quadratic is a difference of two squares with at most sixteen roundings. Its slope at a root is
+            // twice the root √ of the discriminant. While the discriminant stays positive within the error, the slope
+            // is on average at least √ up to where the error takes the root: the root moves by at most error/√. Where
+            // the discriminant may not stay positive, the vertex is within √(error/|a|), the other root as far beyond
+            // the vertex, and another such step takes the quadratic out of its error; one more step is for what the
+            // error grows by on the way. The root never moves by more than from one ring to the other.
             let size = (r * h).abs()
                 + (w * n).abs()
                 + h * (s.abs() + x * local + self.delta)
@@ -195,7 +195,7 @@ impl<R: Traced> Path<R> {
         if both {
             cuts.list = [Some(cut(enter, true)), Some(cut(leave, false))];
         } else {
-            // Upwards, it goes in where the lower ring is the one that is passed outside.
+            // A rising line goes in if it passes the lower ring outside.
             let against = high.inside == (z > R::ZERO);
             cuts.list[0] = Some(cut(if against { enter } else { leave }, against));
         }
@@ -205,9 +205,9 @@ impl<R: Traced> Path<R> {
     /// A closer bound on the error of a crossing between two rings, from f = h(ρ − r) − w(y − y₁)
     /// at the line's own points.
     ///
-    /// The line that is meant has an f that is off by `noise` at most. Where f keeps half of its
-    /// slope as far as 2·noise/|slope|, it has a root no farther than that. The slope changes with
-    /// ρ″ = across²·δ²/ρ³, and with the direction.
+    /// The line that is meant has an f that differs by at most `noise`. Where f keeps half of its slope as far as
+    /// 2·noise/|slope|, that line has a root no farther away. The slope changes with ρ″ = across²·δ²/ρ³, and with the
+    /// direction.
     pub(crate) fn closer_error(&self, cut: Cut<R>, first: &Ring<R>, second: &Ring<R>) -> R {
         let (low, high) = if first.y < second.y {
             (first, second)
@@ -226,7 +226,7 @@ impl<R: Traced> Path<R> {
         let y = self.point[1] + tau * z;
         let f = h * (rho - low.radius) - w * (y - low.y);
         let slope = (h * x * (s / rho) - w * z).abs();
-        // Five roundings of a term or less, and of its own terms.
+        // Five roundings of a term or less, and those of the terms themselves.
         let terms = rho + low.radius + y.abs() + low.y.abs() + self.s0.abs() + tau.abs();
         let shift = self.rounded + self.moved + self.turned * tau.abs() + R::gamma(8) * terms;
         let noise = (h + w.abs()) * shift + f.abs();
@@ -245,9 +245,9 @@ impl<R: Traced> Path<R> {
 
     /// The root of h(ρ − r) − w(y − y₁) between two places, by Newton's method from `start`.
     ///
-    /// The quadratic is reckoned from the ring below, which may be far from where the line meets
-    /// the segment, and the roots of lines along its slope suffer from that; this is reckoned from
-    /// the line's own points.
+    /// The quadratic is computed from the lower ring, which may be far from where the line meets the segment, and that
+    /// makes the roots of lines along the segment's slope inexact. This function is computed from the line's own
+    /// points.
     fn polished(&self, [w, h]: [R; 2], low: &Ring<R>, start: R, ends: (R, R), against: bool) -> R {
         let off = |tau: R| {
             let s = self.s0 + tau * self.across;
@@ -260,7 +260,7 @@ impl<R: Traced> Path<R> {
             )
         };
         let start = start.max(ends.0).min(ends.1);
-        // Eight roundings of its terms are as good as it gets.
+        // A value within eight roundings of its terms cannot be improved.
         let (value, size) = (off(start).0.abs(), low.radius + low.y.abs());
         let size = size + (start - ends.0).abs().min((start - ends.1).abs());
         if value <= (h + w.abs()) * (self.rounded + R::gamma(8) * size) {
@@ -293,7 +293,7 @@ impl<R: Traced> Path<R> {
         })
     }
 
-    /// A bound on the error of a crossing's t, with a division, a sum and a product.
+    /// A bound on the error of a crossing's t, with the roundings of a division, a sum and a product.
     pub(crate) fn t_error(&self, cut: Cut<R>) -> R {
         let rounded = R::gamma(4) * (self.start.abs() + cut.tau.abs() / self.length);
         (cut.error / self.length + rounded) * self.unit.abs()
