@@ -5,8 +5,9 @@
 //! placed anywhere. The arbiter draws pictures by a camera in a solid, and of a scene that a render box cuts open; it
 //! also follows camera rays that start in a solid. At most four solids may share a place.
 //!
-//! - A **wave** is one generation of the rays of a tile of pixels. The first wave holds the camera rays; each next wave
-//!   holds all rays that were mirrored or refracted where the rays of the wave before ended ([`wave`]).
+//! - A **wave** is one generation of the rays of a tile: of up to 64 samples of neighbouring pixels. The first wave
+//!   holds the camera rays; each next wave holds all rays that were mirrored or refracted where the rays of the wave
+//!   before ended ([`wave`]).
 //! - A ray is **in doubt** where rounding may have decided something about it. The kernel finds such rays by bounds on
 //!   its errors, and asks the arbiter about them ([`Arbiter`](super::arbiter::Arbiter), [`provenance`]). The cases are
 //!   listed below.
@@ -97,5 +98,5 @@ mod way_in;
 pub use stage::Stage;
 pub use wave::{Scene, Tile};
 
-/// The columns and rows of pixels that a tile draws together.
+/// The columns and rows of pixels that a tile draws together, with one sample each.
 pub const TILE: [usize; 2] = [16, 4];
