@@ -18,19 +18,20 @@ use crate::geometry::vec::Vec3;
 #[derive(Debug, Clone)]
 pub struct Block {
     pub shapes: Shapes,
-    /// Of all of them; see [`Leaf::placement`].
+    /// The placement that all its leaves share: see [`Leaf::placement`].
     pub placement: u32,
     /// Numbers of the leaves in the lanes.
     pub leaves: [u32; 4],
     /// The greatest extent of its leaves.
     pub extent: f64,
-    /// Of all of them, if it is in a tree.
+    /// A box around all its leaves, if the block is in a tree; otherwise everything.
     pub bounds: Aabb,
-    /// Of what is not in an intersection: each of its leaves with lanes in all four, for four rays at once.
+    /// Each of its leaves by itself, in all four lanes, to be tested for four rays at once. Empty for operands of an
+    /// intersection and for leaves without lanes.
     pub apart: Box<[Shapes]>,
-    /// Whether light that meets some of its leaves gets no farther.
+    /// Whether light gets no farther where it meets some of its leaves: see [`Leaf::is_dark`].
     pub is_dark: bool,
-    /// Of a leaf without lanes: which of four rays miss it.
+    /// For a leaf without lanes, the test which of four rays miss it, if there is such a test.
     pub cull: Option<Box<Cull>>,
 }
 
@@ -40,13 +41,13 @@ pub enum Shapes {
     Cuboids(Cuboids),
     Planes(Planes),
     Rectangles(Rectangles),
-    /// In the scene's space: each has a space of its own besides.
+    /// The lines are in the scene's space; each quadric has its own map into the space of its shape.
     Quadrics(Box<Quadrics>),
     /// A single leaf, without lanes.
     Single,
 }
 
-/// Puts shapes of one kind in one space into a block.
+/// Puts leaves into new blocks: up to four of one kind and one placement share a block.
 pub fn in_blocks(leaves: &[Leaf], items: &[u32], blocks: &mut Vec<Block>) {
     let mut rest: Vec<u32> = items.to_vec();
     while let Some(&first) = rest.first() {
@@ -64,7 +65,7 @@ pub fn in_blocks(leaves: &[Leaf], items: &[u32], blocks: &mut Vec<Block>) {
     }
 }
 
-/// Of up to four leaves of one kind.
+/// A block of up to four leaves of one kind and one placement.
 fn block(leaves: &[Leaf], numbers: &[u32]) -> Block {
     let all: Vec<&Leaf> = numbers.iter().map(|&i| &leaves[i as usize]).collect();
     let mut own = [u32::MAX; 4];
@@ -81,7 +82,7 @@ fn block(leaves: &[Leaf], numbers: &[u32]) -> Block {
     }
 }
 
-/// Up to four shapes of one kind.
+/// Packs up to four shapes of one kind into lanes.
 pub fn shapes(all: &[&Leaf]) -> Shapes {
     let four = |leaf: &&Leaf| {
         let [a, b, c, d, ..] = leaf.numbers;
@@ -112,7 +113,7 @@ pub fn shapes(all: &[&Leaf]) -> Shapes {
 }
 
 impl Block {
-    /// The chords of its shapes, which have lanes.
+    /// The chords of one line in the shapes of the block, for t between `from` and `to`. The shapes have lanes.
     #[inline(always)]
     pub fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {
         (self.shapes).chords(probe, Lanes::splat(from), Lanes::splat(to))
@@ -120,7 +121,7 @@ impl Block {
 }
 
 impl Shapes {
-    /// The chords of shapes with lanes: of each on the line in its lane.
+    /// The chords in shapes with lanes: each lane holds a shape and a line, or all lanes share one line.
     #[inline(always)]
     pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
         match self {
@@ -135,7 +136,8 @@ impl Shapes {
 }
 
 impl Leaf {
-    /// A place where a ray meets it, with a bound on its error.
+    /// The place `t` where a ray meets the leaf, with a bound on its error. `is_near`: whether it is the near end of
+    /// the chord.
     #[inline(always)]
     pub fn rough(&self, probe: &Probe, t: f64, is_near: bool) -> End {
         End {
@@ -144,7 +146,8 @@ impl Leaf {
         }
     }
 
-    /// Bounds on the errors of places where lines meet it.
+    /// Bounds on the errors of the places `t` where lines meet the leaf. `is_near`: whether they are the near ends of
+    /// chords.
     #[inline(always)]
     pub fn errors<N: Number>(&self, probe: &Probe<N>, t: N, is_near: bool) -> N {
         let number = N::splat;
@@ -169,11 +172,12 @@ impl Leaf {
                 number(cuboid::SHARE) * size / probe.direction[2].abs()
             }
         };
-        // Of what is never met nothing is rounded.
+        // An infinite t, for a place that is never met, has no error.
         number(f64::MAX).if_less(t.abs(), number(0.0), error)
     }
 
-    /// Where a ray that starts in it comes out of it.
+    /// The place where a ray that starts in the leaf comes out. `None` if the place is too near the start, or if the
+    /// leaf is of a kind that is not solved here.
     #[inline(always)]
     pub fn way_out(&self, probe: &Probe, skin: f64) -> Option<End> {
         let t = match self.kind {
@@ -193,7 +197,7 @@ impl Leaf {
                 };
                 far(0).min(far(1)).min(far(2))
             }
-            // Nothing goes through these, there is no way out, or the shape itself finds it.
+            // These kinds let nothing through, have no way out, or leave it to the shape to find it.
             Kind::Plane
             | Kind::HalfSpace
             | Kind::Rectangle

@@ -1,4 +1,4 @@
-//! Blocks that many rays may meet that go nearly the same way.
+//! Bundles: the blocks that many rays may meet if they go nearly the same way.
 
 use super::lanes::LANES;
 use super::packet::REL_ROOM;
@@ -11,7 +11,7 @@ use crate::geometry::wide_bvh::{Child, Is, WIDTH as CHILDREN};
 /// A block that some ray of a bundle may meet.
 #[derive(Debug, Clone, Copy)]
 pub struct Candidate {
-    /// A bound from below on the t at which a ray meets it.
+    /// A lower bound on the t at which any ray of the bundle meets the block.
     pub near: f64,
     pub block: u32,
     pub bounds: Aabb,
@@ -21,14 +21,15 @@ pub struct Candidate {
 #[derive(Debug, Default)]
 pub struct Along {
     pub candidates: Vec<Candidate>,
-    /// Box tests that have been made.
+    /// The number of box tests that the walk through the tree has made.
     pub boxes: u32,
-    /// For each of four rays to a lamp, the numbers of those that are left: see [`Stage::shadows_of_four`].
+    /// For each of four rays to a lamp, the numbers of the blocks that the ray may meet: see
+    /// [`Stage::shadows_of_four`].
     pub blocks: [Vec<u32>; LANES],
     pending: Vec<Child>,
 }
 
-/// Fewer rays are no bundle.
+/// The least number of rays that are treated as a bundle.
 pub const BUNDLE_MIN_RAYS: usize = 8;
 
 /// The least box around some points.
@@ -52,7 +53,7 @@ impl Around {
         }
     }
 
-    /// The greatest side.
+    /// The length of the longest side.
     #[inline(always)]
     pub fn spread(&self) -> f64 {
         (0..3).fold(0.0, |most, i| f64::max(most, self.max[i] - self.min[i]))
@@ -66,13 +67,13 @@ impl Around {
     }
 }
 
-/// With more blocks than this on the way, or more nodes, each ray is quicker by itself.
+/// The most blocks on the way, and the most nodes of the tree. With more, each ray is quicker by itself.
 const MAX_BUNDLE_BLOCKS: usize = 24;
 const MAX_BUNDLE_NODES: u32 = 48;
 
 impl Along {
-    /// Finds the blocks that rays of a bundle may meet up to some t; whether that pays. The rays start in a box, whose
-    /// corners move by these steps with t: see [`Shaft::new`].
+    /// Finds the blocks that the rays of a bundle may meet before t = `to`; `false` if it does not pay to share them.
+    /// All rays start in the box `start`, whose two corners move by `steps` as t grows by 1: see [`Shaft::new`].
     pub fn find(&mut self, stage: &Stage, start: &Aabb, steps: [Vec3; 2], to: f64) -> bool {
         let forest = &stage.all;
         let Some(shaft) = Shaft::new(start, steps, &forest.frame) else {

@@ -1,6 +1,7 @@
-//! Chains of placements: into the spaces of four shapes, and out of them again. Each chain may have another length.
+//! Chains of placements: they take four rays into the spaces of four shapes, and points out of these spaces. The chains
+//! may differ in length.
 //!
-//! Points, directions and normals have the bits that one ray at a time has. Bounds are greater ones that cost less.
+//! Points, directions and normals have the same bits as for one ray at a time. Bounds on errors are wider and cheaper.
 
 use super::lanes::{LANES, Lanes, V3, either, is_at_most, is_greater, lanes_where, mask};
 use super::leaf::Leaf;
@@ -12,20 +13,20 @@ use crate::geometry::line::Line;
 use crate::geometry::vec::{UNIT_ROUNDOFF, Vec3, gamma};
 use crate::trace::shapes::BLURRED;
 
-/// Bounds are wider by this: they are rounded themselves.
+/// The factor that widens bounds, since bounds are rounded, too.
 const ROOM: f64 = 1.01;
-/// Normals that maps make smaller than this are not for lanes.
+/// The least size of a mapped normal: smaller normals count as unknown.
 const LEAST_NORMAL: f64 = 1e-60;
 
 /// The chains of four leaves.
 pub struct Chains<'s> {
     ways: [&'s [u32]; LANES],
     placements: &'s [Placement],
-    /// The length of the longest.
+    /// The length of the longest chain.
     depth: usize,
 }
 
-/// Rays in the spaces of their leaves, and bounds on how far their origins and directions are off; see
+/// Four rays in the spaces of their leaves. `slack` bounds the errors of their origins and of their directions: see
 /// [`Slack`].
 pub struct Local {
     pub origin: V3,
@@ -38,12 +39,12 @@ pub struct Located {
     pub point: V3,
     pub error: V3,
     pub normal: V3,
-    /// Where these are known.
+    /// A mask: the lanes in which the point, its error and the normal are known.
     pub known: Lanes,
 }
 
 impl<'s> Chains<'s> {
-    /// Of leaves, from the list of all chains and that of all placements.
+    /// The chains of four leaves, out of the list of all chains and the list of all placements.
     pub fn of(
         leaves: [&Leaf; LANES],
         chains: &'s [Vec<u32>],
@@ -57,7 +58,8 @@ impl<'s> Chains<'s> {
         }
     }
 
-    /// The placements at a depth, and a mask of the chains that are so long. Others have some placement there.
+    /// The placements at a depth of the chains, and a mask of the chains that reach the depth. The lanes of shorter
+    /// chains hold an arbitrary placement.
     #[inline(always)]
     fn level(&self, depth: usize) -> ([&Placement; LANES], Lanes) {
         let any = self.ways.iter().find_map(|way| way.get(depth));
@@ -69,7 +71,7 @@ impl<'s> Chains<'s> {
         (each([0, 1, 2, 3], place), mask(goes))
     }
 
-    /// Four rays in the spaces of the leaves.
+    /// Takes four rays into the spaces of the leaves.
     #[inline(always)]
     pub fn enter(&self, origin: V3, direction: V3) -> Local {
         let mut line = Local {
@@ -84,7 +86,7 @@ impl<'s> Chains<'s> {
         line
     }
 
-    /// Points of the leaves in the scene's space. The normals are unit vectors where they are known.
+    /// Takes points of the leaves into the scene's space. The normals are unit vectors in the lanes that are known.
     #[inline(always)]
     pub fn leave(&self, located: Located) -> Located {
         let mut located = located;
@@ -105,7 +107,7 @@ impl<'s> Chains<'s> {
 }
 
 impl Local {
-    /// Through maps, where a mask is set.
+    /// Takes the rays into the spaces of placements, in the lanes of the mask `goes`.
     #[inline(always)]
     fn through(&self, places: &[&Placement; LANES], goes: Lanes) -> Local {
         let maps = Maps::gathered(*places, |place| &place.back);
@@ -137,7 +139,7 @@ impl Local {
         self.origin + self.direction * t
     }
 
-    /// Whether the maps on the way here have surely not moved the line by more than a little at t: see
+    /// A mask: the lanes in which the maps into this space have surely moved the line no more than a little at t. See
     /// [`Line::is_blurred_at`](crate::geometry::line::Line::is_blurred_at).
     #[inline(always)]
     pub fn is_sharp(&self, t: Lanes) -> Lanes {
@@ -150,7 +152,7 @@ impl Local {
         )
     }
 
-    /// Bounds on the errors of crossings with a shape of some extent that bends away from its tangents: see
+    /// Bounds on the errors of crossings at t with a curved shape of this extent: see
     /// [`rough`](crate::trace::search::root_order::rough).
     #[inline(always)]
     pub fn bent_error(&self, extent: f64, t: Lanes) -> Lanes {
@@ -182,7 +184,7 @@ impl Local {
 }
 
 impl Located {
-    /// Out of the spaces of placements, where a mask is set.
+    /// Takes the points out of the spaces of placements, in the lanes of the mask `goes`.
     #[inline(always)]
     fn out(&self, places: &[&Placement; LANES], goes: Lanes) -> Located {
         let splat = Lanes::splat;
@@ -191,7 +193,7 @@ impl Located {
         let before = self.error * splat(1.0 + gamma(3)) + self.point.abs() * splat(gamma(4));
         let error = out.sizes(before.abs()) + out.offset.abs() * splat(gamma(4));
         let normal = back.transposed(self.normal);
-        // What products lose by underflow is nothing beside this.
+        // Beside normals of this size, underflow in the products does not count.
         let is_usual = is_greater(normal.abs().max_component(), splat(LEAST_NORMAL));
         Located {
             point: V3::either(goes, out.point(self.point), self.point),

@@ -1,5 +1,5 @@
-//! Intersections and differences, of shapes or of other operations: the places where a ray crosses any of the shapes are
-//! put in order, and at each one it is told whether the whole begins or ends there.
+//! Intersections and differences, of shapes or of other operations. The places where a ray crosses the shapes are put
+//! in order; at each place the counts of the gates tell whether the whole begins or ends there.
 
 use super::block::{Block, Shapes, in_blocks};
 use super::expand::{Gate, Operands};
@@ -15,32 +15,33 @@ use super::stage::{Forest, Stage};
 use crate::geometry::wide_bvh::{Beam, Child, Is, WIDTH as CHILDREN};
 use crate::trace::shapes::Root;
 
-/// An intersection as a ray walks it.
+/// An intersection or a difference, as a ray walks through it.
 ///
-/// Each gate counts its unmet operands: a first one is unmet where the place is not in it, a cut where the place is in it.
-/// Where the count is zero the place is in the gate. A union is kept as its complement: what is in none of its operands,
-/// which are cuts of it. So its count is zero outside of the union, and `is_union` turns the result round.
+/// Each operation is a gate, and each gate counts its unmet operands. A first operand is unmet at a place outside of
+/// it; a cut is unmet at a place inside of it. A place is in the gate if the count is zero. A union is stored as its
+/// complement, with all its operands as cuts. So its count is zero outside of the union, and `is_union` reverses the
+/// result.
 #[derive(Debug)]
 pub struct Csg {
-    /// Blocks of shapes that all of it is in.
+    /// Blocks of the first operands that are shapes: they contain the whole.
     firsts: Vec<u32>,
-    /// The other shapes.
+    /// The blocks of the other shapes.
     others: Forest,
-    /// The gate of the whole first, and each one before its operands.
+    /// All gates: the gate of the whole comes first, and each gate before the gates that are its operands.
     gates: Vec<Gate>,
     /// How many operands of each gate are unmet at a place outside of all shapes.
     unmet: Vec<u32>,
-    /// The greatest extent of its shapes.
+    /// The greatest extent of the shapes.
     extent: f64,
-    /// A quicker way to the first place, if there are few shapes.
+    /// A quicker way to find the first place, if there are only a few shapes, all with lanes.
     pub spans: Option<Spans>,
 }
 
-/// With more crossings than this all that a ray may cross is quicker to list than to stop early: each block that is looked
-/// at goes through the list again.
+/// The most crossings with which a sweep stops early. Each block of a sweep goes through all crossings again, so with
+/// more it is quicker to list all that the ray may cross.
 const MAX_SWEPT_CROSSINGS: usize = 64;
 
-/// So few operands are asked without a look at their boxes.
+/// The most operands with boxes that are asked without a test of their boxes.
 const MAX_LOOSE: usize = 4;
 
 impl Csg {
@@ -73,7 +74,7 @@ impl Csg {
         }
     }
 
-    /// Counts that a place goes into a shape, or out of it.
+    /// Updates the counts `unmet` for a place that moves into a leaf (`goes_in`) or out of it.
     #[inline]
     fn enter_or_leave(&self, leaf: &Leaf, goes_in: bool, unmet: &mut [u32]) {
         let (mut gate, mut is_cut, mut goes_in) = (leaf.gate as usize, leaf.is_cut, goes_in);
@@ -97,7 +98,7 @@ impl Csg {
 /// Rounding may have decided something.
 struct Doubt;
 
-/// A ray in the space of the last operands.
+/// The ray in the space of the operands that were asked last.
 struct Space {
     placement: u32,
     probe: Probe,
@@ -110,14 +111,15 @@ impl Space {
     };
 }
 
-/// More than a crossing with shapes of some extent may be off.
+/// A bound, in t, on the error of crossings with shapes of this extent, together with the skin at the ray's start.
 #[inline(always)]
 fn hair(query: &Query, probe: &Probe, extent: f64) -> f64 {
     query.skin + BENT * ((probe.reach + extent) * probe.per_pace + 1.0)
 }
 
-/// A place behind which a difference surely begins or ends, or never does, if there are no other cuts before it. The first
-/// crossings are those with first operands, so many; those with each cut stand together, in order.
+/// The t by which a difference has surely begun, or is over, provided that no other cut begins before it: the ray has
+/// come into all first operands and out of all cuts. Infinite if it never comes out of some cut. The first `firsts`
+/// events are crossings with first operands; crossings with cuts follow, cut by cut, each in order.
 fn uncovered(events: &[Crossing], firsts: usize) -> f64 {
     let (firsts, cuts) = events.split_at(firsts);
     let ways_in = firsts.iter().filter(|event| !event.is_exit);
@@ -149,7 +151,7 @@ fn uncovered(events: &[Crossing], firsts: usize) -> f64 {
 }
 
 impl Stage<'_> {
-    /// The operands of a leaf that is an intersection of a few shapes.
+    /// The spans of a leaf that is an intersection of a few shapes with lanes; `None` for other leaves.
     #[inline(always)]
     pub fn spans(&self, leaf: &Leaf) -> Option<&Spans> {
         match leaf.kind {
@@ -158,8 +160,8 @@ impl Stage<'_> {
         }
     }
 
-    /// Finds where a ray crosses the boundary of an intersection ahead of its start, up to some t: the first place, or all
-    /// of them.
+    /// Finds where a ray crosses the boundary of intersection `number`, ahead of its start and before t = `to`: the
+    /// first place, or all places, in `scratch.ahead`.
     #[inline(never)]
     pub fn boundary(
         &self,
@@ -232,7 +234,7 @@ impl Stage<'_> {
             t = t.min(event.end.t - event.end.error);
             *least = t;
         }
-        // Whether one is before another and all behind that, whatever the errors.
+        // Whether `end` is before crossing `other` and all crossings behind that, whatever the errors.
         let is_before = |end: End, other: usize| {
             (least.get(other)).is_none_or(|&least| end.t + end.error < least)
         };
@@ -243,7 +245,7 @@ impl Stage<'_> {
             }
             let leaf = &self.leaves[event.surface as usize];
             if let Some(next) = events.get(i + 1).filter(|_| !is_before(event.end, i + 1)) {
-                // Two in one place: what each of them does must not depend on which comes first.
+                // Two crossings in one place: the effect of each must not depend on which of them comes first.
                 let other = &self.leaves[next.surface as usize];
                 let mut after = |leaf: &Leaf, goes_in| {
                     csg.enter_or_leave(leaf, goes_in, unmet);
@@ -253,7 +255,7 @@ impl Stage<'_> {
                 let [two, before] = [after(leaf, event.is_exit), after(other, next.is_exit)];
                 let is_free = (before != one) == (two != both) && (one != both) == (before != two);
                 let are_two = is_before(event.end, i + 2) && is_before(next.end, i + 2);
-                // Of faces in one plane neither comes first.
+                // Two faces in one plane are crossed together, so neither comes first.
                 let cancel = || before == both && self.are_flush(query, [event, next]);
                 match are_two {
                     true if is_free => {}
@@ -281,8 +283,8 @@ impl Stage<'_> {
         }
     }
 
-    /// Lists where a ray crosses operands, and goes into those that it starts in. Of a difference that is swept, crossings
-    /// behind the first place of its boundary may be missing.
+    /// Lists the crossings of a ray with operands in `scratch.events`, and counts the operands that the ray starts in.
+    /// If `is_swept`, crossings behind the first place of the boundary may be missing.
     fn events(
         &self,
         query: &Query,
@@ -301,7 +303,7 @@ impl Stage<'_> {
             self.operands((query, &mut space), block, stretch, csg, scratch)?;
             let met = &scratch.events[before.1..];
             if (scratch.unmet[0], scratch.events.len()) == before {
-                // Neither in it nor before it.
+                // The ray neither starts in these first operands nor meets them: it misses the whole.
                 scratch.events.clear();
                 return Ok(());
             }
@@ -325,7 +327,7 @@ impl Stage<'_> {
             &self.line_through(&query.line, whole.chain),
             &csg.others.frame,
         );
-        // All cuts that begin before this are looked at: up to where the first operands are first uncovered.
+        // The sweep looks at all cuts that begin before the first uncovered place of the first operands.
         let is_swept = is_swept && csg.gates.len() == 1;
         let margin = 2.0 * hair(query, &query.probe, csg.extent);
         let needed = |events: &[Crossing]| match is_swept && events.len() <= MAX_SWEPT_CROSSINGS {
@@ -377,7 +379,7 @@ impl Stage<'_> {
         result
     }
 
-    /// Lists where a ray crosses an operand, as the arbiter finds it.
+    /// Lists the crossings of a ray with one operand, as the arbiter's formulas find them.
     fn operand(
         &self,
         query: &Query,
@@ -388,7 +390,7 @@ impl Stage<'_> {
     ) -> Result<(), Doubt> {
         let leaf = &self.leaves[surface as usize];
         let mut roots = std::mem::take(&mut scratch.roots);
-        // All of the line: a way out that is far away may mean that the start is inside.
+        // The whole line is asked: a way out that is far away may mean that the start is inside.
         let everywhere = [from, f64::INFINITY];
         let crossed = self.cross(query, surface, everywhere, Ask::All, &mut roots);
         let listed = match crossed {
@@ -414,7 +416,7 @@ impl Stage<'_> {
         listed
     }
 
-    /// Lists where a ray crosses the operands in a block.
+    /// Lists the crossings of a ray with the operands in a block.
     #[inline(always)]
     fn operands(
         &self,
@@ -461,7 +463,7 @@ impl Stage<'_> {
                     self.operand(query, surface, from, csg, scratch)?;
                 } else if start.goes_in {
                     csg.enter_or_leave(leaf, true, &mut scratch.unmet);
-                    // There is no way out of a half-space for what has come in.
+                    // A ray that goes into a half-space never comes out of it.
                     if leaf.kind != Kind::HalfSpace {
                         let out = leaf.way_out(probe, skin).ok_or(Doubt)?;
                         note(out, true, scratch);

@@ -1,5 +1,5 @@
-//! Axis-aligned boxes: which of several a line meets, and where several lines meet one each, as
-//! [`shapes::cuboid`](crate::trace::shapes) computes it.
+//! Axis-aligned boxes: which of several boxes a line meets, and where each of several lines meets its box, computed as
+//! in [`shapes::cuboid`](crate::trace::shapes).
 
 use super::lanes::{ALL, LANES, Lanes, Number, V3, either, is_greater, is_less, mask};
 use super::leaf::Leaf;
@@ -17,11 +17,11 @@ pub struct Cuboids {
     present: u32,
 }
 
-/// A chord that is shorter than this share of its parameters is in doubt: far above what rounding does to them.
+/// A chord is in doubt if it is shorter than this share of the t of its ends. Rounding changes them by far less.
 const RIM: f64 = 1e-12;
 
 impl Cuboids {
-    /// Of lower and upper corners.
+    /// Packs up to four boxes: the lower corner of each, and then the upper corner.
     pub fn new(boxes: &[[f64; 6]]) -> Cuboids {
         let column = |i: usize| {
             let number = |k: usize| boxes.get(k).map_or(0.0, |b| b[i]);
@@ -34,7 +34,7 @@ impl Cuboids {
         }
     }
 
-    /// The boxes that lines may meet after `from` and before `to`.
+    /// The chords in the boxes that lines may meet after t = `from` and before t = `to`.
     #[inline(always)]
     pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
         let splat = Lanes::splat;
@@ -54,7 +54,7 @@ impl Cuboids {
         self.within(near, far, slack.wide(), [from, to])
     }
 
-    /// The chords with these ends.
+    /// The chords between these ends. `slack` is a bound on the errors of the ends besides rounding.
     #[inline(always)]
     fn within(&self, near: Lanes, far: Lanes, slack: Lanes, [from, to]: [Lanes; 2]) -> Chords {
         let splat = Lanes::splat;
@@ -68,8 +68,8 @@ impl Cuboids {
         }
     }
 
-    /// As [`chords`](Self::chords), of lines some of whose numbers are zero. Boxes in whose faces one may lie are in
-    /// doubt.
+    /// Like [`chords`](Self::chords), for lines whose directions are zero along some axis. A box is in doubt if such a
+    /// line may lie in one of its faces.
     #[cold]
     #[inline(never)]
     fn chords_along_an_axis<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
@@ -100,7 +100,7 @@ impl Cuboids {
     }
 }
 
-/// Bounds on the errors of where lines meet a box, as the search for crossings sees it: see
+/// Bounds on the errors of the places `t` where lines meet a box, as in the arbiter's search: see
 /// [`Walker::rough`](crate::trace::search::walk::Walker::rough).
 #[inline(always)]
 pub fn rough<N: Number>(
@@ -112,7 +112,7 @@ pub fn rough<N: Number>(
 ) -> N {
     let (zero, tiny) = (N::splat(0.0), N::splat(f64::MIN_POSITIVE));
     let mut speed = N::splat(f64::INFINITY);
-    // The least speed of all faces that a line is as near to as this.
+    // The least speed across any of the faces that a line crosses at about t.
     for i in 0..3 {
         let (inverse, pace) = (probe.inverse[i], probe.direction[i].abs());
         let [low, high] = [N::splat(bounds[i]), N::splat(bounds[3 + i])];
@@ -126,16 +126,17 @@ pub fn rough<N: Number>(
     N::splat(SHARE) * (probe.reach + N::splat(extent) + t.abs() * probe.pace) / speed
 }
 
-/// A little more than the share of [`Walker::rough`](crate::trace::search::walk::Walker::rough).
+/// The error of a crossing with a flat face, as a share of the numbers that it is computed from: a little more than in
+/// [`Walker::rough`](crate::trace::search::walk::Walker::rough).
 pub const SHARE: f64 = 4e-14;
 
-/// Where lines meet a box each: at the far end of the chord where `exit` is set.
+/// The point where each line meets its box: at the far end of the chord where `exit` is set, elsewhere at the near end.
 #[inline(always)]
 pub fn resolve(origin: V3, d: V3, min: V3, max: V3, exit: Lanes) -> Resolved {
     let splat = Lanes::splat;
     let zero = Lanes::ZERO;
     let (mut near, mut far) = (splat(f64::NEG_INFINITY), splat(f64::INFINITY));
-    // The axis across the face, as a mask for each.
+    // For each axis a mask: the lanes whose end of the chord is on a face across that axis.
     let mut entered = [zero; 3];
     let mut exited = [zero; 3];
     for i in 0..3 {
@@ -161,7 +162,7 @@ pub fn resolve(origin: V3, d: V3, min: V3, max: V3, exit: Lanes) -> Resolved {
     let mut normal = V3([zero; 3]);
     for i in 0..3 {
         let across = either(exit, exited[i], entered[i]);
-        // The upper face is entered by lines that fall, and left by those that rise.
+        // Lines that fall along the axis enter by the upper face; lines that rise leave by it.
         let upper = is_less(d.0[i], zero) ^ exit;
         let side = either(upper, max.0[i], min.0[i]);
         let p = point.0[i];

@@ -1,10 +1,10 @@
-//! A test for four rays at once: which of them surely miss a shape, and which surely go through it. The shape itself, which
-//! takes rays one by one, is asked only about the others.
+//! A test for four rays at once: which of them surely miss a shape, and which surely go through it. Only about the
+//! others the shape itself is asked, ray by ray.
 //!
-//! In the shape's space the box around it cuts a piece out of each ray. The polynomial of its [`Outline`] is taken there in
-//! Bernstein's form: where no coefficient of either half is below a margin, the ray misses the shape. The margins are those
-//! of [`quick_reject`](crate::trace::shapes::quick_reject), beside which all that is rounded is nothing. Of a profile that is
-//! turned [`profile`] tells which pieces are crossed.
+//! In the shape's space the box around the shape cuts a piece out of each ray. On this piece the polynomial of the
+//! shape's [`Outline`] is written in Bernstein's form. If no coefficient of either half is below a margin, the ray
+//! misses the shape. The margins are those of [`quick_reject`](crate::trace::shapes::quick_reject), far above all
+//! rounding. For a solid of revolution [`profile`] tells which pieces of the profile are crossed.
 
 use super::lanes::{ALL, LANES, Lanes, V3, either, is_at_most, is_greater, is_less};
 use super::maps::Maps;
@@ -21,14 +21,14 @@ use crate::trace::shapes::quick_reject::{LINE_REL_ERROR, POLYNOMIAL_MARGIN};
 #[derive(Debug, Clone)]
 pub struct Cull {
     way: WayIn,
-    /// The box around the shape, with some room.
+    /// The bounds of the shape, made larger by some room.
     around: Aabb,
-    /// The box made smaller by as much.
+    /// The bounds of the shape, made smaller by the same room.
     within: Aabb,
     outline: Outline,
-    /// The largest coordinate in the box.
+    /// The largest coordinate in the bounds, in size.
     reach: f64,
-    /// Values of the polynomial that are nearer to zero are not told from it.
+    /// A value of the polynomial that is nearer to zero than this may have either sign.
     margin: f64,
 }
 
@@ -52,7 +52,8 @@ impl Passing {
 }
 
 impl Cull {
-    /// `None` for what has no bounds, or numbers beyond the usual.
+    /// Sets up the test for a shape below a chain of placements. `None` for a shape without bounds, and for unusual
+    /// numbers.
     pub fn new(graph: &Graph, chain: &[u32], bounds: &Aabb, outline: Outline) -> Option<Cull> {
         let way = WayIn::new(graph, chain);
         let reach = bounds.reach();
@@ -82,7 +83,7 @@ impl Cull {
         })
     }
 
-    /// Of four rays, from a little before their starts to some t.
+    /// Tells how four rays pass the shape, from t = −`before` to t = `to`.
     #[inline(never)]
     pub fn passing(&self, origin: V3, direction: V3, before: Lanes, to: Lanes) -> Passing {
         let splat = Lanes::splat;
@@ -93,7 +94,7 @@ impl Cull {
         let [start, pace] = each([origin, direction], |v| v.abs().max_component());
         let size = splat(self.way.sizes[0]) * (start + pace * near.abs().fast_max(far.abs()));
         let error = splat(REL_ROUNDED) * (size + splat(self.way.sizes[1]));
-        // All is written so that nothing is said where a number is NaN.
+        // The comparisons are written so that NaN leaves a ray undecided.
         let known = is_at_most(error, splat(LINE_REL_ERROR * self.reach));
         let misses = is_greater(near, far);
         let missed = (known & misses).to_bitmask();
@@ -152,7 +153,7 @@ impl Cull {
         }
     }
 
-    /// Whether places on a torus are on its outer half, which has all of the torus on one side of the plane that touches it.
+    /// Whether points on a torus are on its outer half: there the whole torus is on one side of the tangent plane.
     fn is_outer_half([major, minor]: [f64; 2], at: V3) -> Lanes {
         let size = major + minor;
         let most = match minor <= major {
@@ -164,7 +165,8 @@ impl Cull {
     }
 }
 
-/// From where to where four rays are in a box, of a stretch of each; the reciprocals of their directions are given.
+/// The t at which each of four rays enters a box, and the t at which it leaves, both cut to the stretch between `from`
+/// and `to`. A ray misses the box if the first exceeds the second. `inverse` holds the reciprocals of the directions.
 #[inline(always)]
 pub fn in_box(bounds: &Aabb, origin: V3, inverse: V3, [from, to]: [Lanes; 2]) -> [Lanes; 2] {
     let (mut near, mut far) = (from, to);
@@ -177,12 +179,13 @@ pub fn in_box(bounds: &Aabb, origin: V3, inverse: V3, [from, to]: [Lanes; 2]) ->
     [near, far]
 }
 
-/// The least of Bernstein's coefficients of both halves of a piece, and the value in its middle.
+/// The least Bernstein coefficient of a quadric on the two halves of the piece from p to q, and the value in the middle
+/// of the piece.
 #[inline(always)]
 fn of_quadric(c: &[f64; 10], p: V3, q: V3) -> (Lanes, Lanes) {
     let [xx, yy, zz, xy, xz, yz, x, y, z, one] = each(*c, Lanes::splat);
     let half = Lanes::splat(0.5);
-    // The polar form.
+    // The polar form of the polynomial gives Bernstein's coefficients.
     let polar = |[a, b, c]: [Lanes; 3], [u, v, w]: [Lanes; 3]| {
         let square = xx * a * u + yy * b * v + zz * c * w;
         let mixed = xy * (a * v + b * u) + xz * (a * w + c * u) + yz * (b * w + c * v);
@@ -200,7 +203,7 @@ fn of_quadric(c: &[f64; 10], p: V3, q: V3) -> (Lanes, Lanes) {
     (numbers(least, ends[0] + ends[1] + ends[2]), middle)
 }
 
-/// The same of the quartic of a torus.
+/// Like [`of_quadric`], for the quartic of a torus.
 #[inline(always)]
 fn of_torus([major, minor]: [f64; 2], p: V3, q: V3) -> (Lanes, Lanes) {
     let splat = Lanes::splat;
@@ -219,7 +222,7 @@ fn of_torus([major, minor]: [f64; 2], p: V3, q: V3) -> (Lanes, Lanes) {
         s[2] * s[2] - four * e[2],
     ];
     let sum = row[0] + row[1] + row[2] + row[3] + row[4];
-    // De Casteljau, at the middle.
+    // De Casteljau's algorithm splits the piece in the middle.
     let mut least = row[0].fast_min(row[4]);
     for last in (1..5).rev() {
         for i in 0..last {
@@ -230,7 +233,7 @@ fn of_torus([major, minor]: [f64; 2], p: V3, q: V3) -> (Lanes, Lanes) {
     (numbers(least, sum), row[0])
 }
 
-/// Lanes that are no numbers where a sum is none.
+/// The lanes, with NaN in place of those where `sum` is NaN or infinite.
 #[inline(always)]
 fn numbers(lanes: Lanes, sum: Lanes) -> Lanes {
     either(
@@ -298,8 +301,8 @@ mod tests {
         geometries.iter().map(Primitive::new).collect()
     }
 
-    /// Answers about rays are what the shape itself finds. Most rays that miss a shape get one, and most that go through
-    /// one with an exact outline.
+    /// Answers about rays are what the shape itself finds. Most rays that miss a shape get one, and most that go
+    /// through one with an exact outline.
     #[test]
     fn rays_that_are_told_apart_are_told_right() {
         let mut number = numbers();

@@ -7,18 +7,23 @@ use crate::trace::stats::{Cost, Counts};
 /// A drawn sample: its light, and counts of the work on it.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Drawn {
-    /// Whether the kernel could not draw it; then nothing else here means anything.
+    /// Whether the kernel could not draw the sample; then the other fields mean nothing.
     pub is_lost: bool,
     /// The cost of the arbiter's answers.
     pub(super) asked: Cost,
     pub light: Vec3,
     pub(super) tests: Tests,
+    /// The number of rays to lamps.
     pub(super) shadow: u32,
+    /// The number of rays to lamps that have passed something transparent.
     pub(super) transparent: u32,
     pub(super) reflection: u32,
     pub(super) refraction: u32,
+    /// The number of total reflections.
     pub(super) total: u32,
+    /// The number of ways by which light was to be bent into another medium.
     pub(super) media: u32,
+    /// The number of rays that dispersion has added.
     pub(super) parted: u32,
 }
 
@@ -33,7 +38,8 @@ impl Drawn {
         }
     }
 
-    /// Adds what it has cost the kernel, but for the work on surfaces: see [`Tile::take_work`](super::Tile::take_work).
+    /// Adds the kernel's work on the sample to `all`, except the work on surfaces: see
+    /// [`Tile::take_work`](super::Tile::take_work).
     #[inline]
     pub fn count(&self, all: &mut Counts) {
         all.rays.camera += 1;

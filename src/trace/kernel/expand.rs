@@ -18,20 +18,21 @@ pub struct Leaves {
     pub all: Vec<Leaf>,
     /// Leaves without bounds in the scene's union.
     pub loose: Vec<u32>,
-    /// The others in it, with their boxes.
+    /// The other leaves of the scene's union, with their boxes.
     pub boxes: Vec<(u32, Aabb)>,
-    /// Chains of placements, the outermost first; the first one is empty.
+    /// Chains of placements, the outermost placement first. Chain 0 is empty.
     pub chains: Vec<Vec<u32>>,
+    /// The index of each chain in `chains`.
     numbers: FxHashMap<Vec<u32>, u32>,
-    /// For each shape and each chain, the first leaf that is that shape placed so.
+    /// The first leaf for each pair of a shape and a chain.
     twins: FxHashMap<(u32, u32), u32>,
     /// The operands of intersections and differences.
     pub operands: Vec<Operands>,
-    /// Beside `all`: from the scene down, which operand each leaf is in.
+    /// For each leaf of `all`, the parts on the way from the scene down to the leaf.
     paths: Vec<Vec<u32>>,
 }
 
-/// The path to the parts of an object: placements and paint above them.
+/// The way down to the parts of an object: the placements, the parts and the paint above them.
 #[derive(Clone, Default)]
 struct Above {
     /// The placements, the outermost first.
@@ -53,7 +54,7 @@ impl Above {
         )
     }
 
-    /// The path to the parts of a part under it.
+    /// The way down to the parts of part `number`, which is a part of the object.
     fn and(&self, graph: &Graph, number: u32) -> Above {
         let part = &graph.parts[number as usize];
         let coat: &Coat = &graph.paints[part.paint as usize];
@@ -76,7 +77,8 @@ impl Above {
 }
 
 impl Leaves {
-    /// `None` where something in the scene is not for the kernel, or where there are more than so many leaves.
+    /// Takes a scene apart. `None` where the kernel cannot draw some part of the scene, or where there are more than
+    /// `most` leaves.
     pub fn new(graph: &Graph, most: usize) -> Option<Leaves> {
         let mut leaves = Leaves {
             chains: vec![Vec::new()],
@@ -127,7 +129,7 @@ impl Leaves {
         }
     }
 
-    /// The earlier operands get the smaller numbers.
+    /// Numbers the leaves in the order of the scene's union: earlier operands get smaller numbers.
     fn number_operands(&mut self) {
         let mut order: Vec<u32> = (0..self.all.len() as u32).collect();
         order.sort_by(|&a, &b| self.paths[a as usize].cmp(&self.paths[b as usize]));
@@ -136,7 +138,7 @@ impl Leaves {
         }
     }
 
-    /// The number of a chain.
+    /// The index of a chain in `chains`, to which a new chain is added.
     fn chain(&mut self, chain: &[u32]) -> u32 {
         if let Some(&number) = self.numbers.get(chain) {
             return number;
@@ -147,8 +149,8 @@ impl Leaves {
         number
     }
 
-    /// Adds a part that is a shape, if it is for the kernel; returns its number. If it is a tool whose faces
-    /// look like what is cut, it takes these `looks`.
+    /// Adds a part that is a shape, and returns the number of its leaf; `None` for a part that is no shape. A cutting
+    /// tool whose faces look like the solid that it cuts takes the paint of `looks`.
     fn leaf(
         &mut self,
         graph: &Graph,
@@ -244,7 +246,7 @@ impl Leaves {
     }
 }
 
-/// A box around what is in a box, in the space that a chain leads from, with room for what maps round.
+/// A box around the box `bounds`, taken out of the space of a chain, with room for the rounding of the maps.
 fn moved(graph: &Graph, bounds: &Aabb, chain: &[u32]) -> Aabb {
     let out = |bounds: Aabb, &m: &u32| bounds.image(&graph.placements[m as usize].out).padded();
     chain.iter().rev().fold(*bounds, out)

@@ -10,15 +10,15 @@ pub trait Number:
 {
     fn splat(x: f64) -> Self;
 
-    /// In all lanes.
+    /// The number as lanes: a double is put in all four.
     fn wide(self) -> Lanes;
 
     fn abs(self) -> Self;
 
-    /// The lesser of two that are numbers.
+    /// The lesser of two numbers; neither may be NaN.
     fn lesser(self, other: Self) -> Self;
 
-    /// The greater of two that are numbers.
+    /// The greater of two numbers; neither may be NaN.
     fn greater(self, other: Self) -> Self;
 
     /// Selects `then` where this is less than `than`, and `or` elsewhere.
@@ -89,12 +89,12 @@ impl Number for Lanes {
     }
 }
 
-/// Lanes in one go.
+/// The number of lanes.
 pub const LANES: usize = 4;
 /// All lanes, as bits.
 pub const ALL: u32 = (1 << LANES) - 1;
 
-/// A number of each of four things.
+/// Packs a number of each of four things into lanes.
 #[inline(always)]
 pub fn gathered<T>(of: [&T; LANES], number: impl Fn(&T) -> f64) -> Lanes {
     let [a, b, c, d] = of;
@@ -116,13 +116,13 @@ pub fn is_at_most(a: Lanes, b: Lanes) -> Lanes {
     a.simd_le(b)
 }
 
-/// The lanes of which something holds, as bits.
+/// The lanes for which `holds` is true, as bits.
 #[inline(always)]
 pub fn lanes_where(holds: impl Fn(usize) -> bool) -> u32 {
     (0..LANES).fold(0, |bits, lane| bits | u32::from(holds(lane)) << lane)
 }
 
-/// Where the bits of a mask are set, all bits of the lane.
+/// The mask of a set of lanes: all bits of a lane are set if its bit is set in `bits`, and none otherwise.
 #[inline(always)]
 pub fn mask(bits: u32) -> Lanes {
     MASKS[(bits & ALL) as usize]
@@ -172,7 +172,7 @@ impl V3 {
         V3([Lanes::splat(v[0]), Lanes::splat(v[1]), Lanes::splat(v[2])])
     }
 
-    /// A vector of each of four things.
+    /// Packs a vector of each of four things into lanes.
     #[inline(always)]
     pub fn gathered<T>(of: [&T; LANES], vector: impl Fn(&T) -> &[f64; 3]) -> V3 {
         let [a, b, c, d] = [vector(of[0]), vector(of[1]), vector(of[2]), vector(of[3])];
@@ -183,7 +183,7 @@ impl V3 {
         ])
     }
 
-    /// The components, an array each.
+    /// The x, y and z components, each as an array of the four lanes.
     #[inline(always)]
     pub fn columns(self) -> [[f64; LANES]; 3] {
         [
@@ -227,20 +227,20 @@ impl V3 {
         V3([self.0[0].abs(), self.0[1].abs(), self.0[2].abs()])
     }
 
-    /// The greatest component, of vectors that are numbers.
+    /// The greatest component; no component may be NaN.
     #[inline(always)]
     pub fn max_component(self) -> Lanes {
         self.0[0].fast_max(self.0[1]).fast_max(self.0[2])
     }
 
-    /// The vectors of length 1; no numbers for those without direction.
+    /// The vectors scaled to length 1; NaN for vectors of length 0.
     #[inline(always)]
     pub fn unit(self) -> V3 {
         let v = self.over(self.abs().max_component());
         v.over(v.dot(v).sqrt())
     }
 
-    /// In which lanes some component differs from zero, as bits.
+    /// The lanes in which some component differs from zero, as bits.
     #[inline(always)]
     pub fn any(self) -> u32 {
         let is_zero = |x: Lanes| is_at_most(x.abs(), Lanes::ZERO);

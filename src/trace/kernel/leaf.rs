@@ -10,25 +10,26 @@ use crate::trace::graph::Graph;
 use crate::trace::shapes::Primitive;
 use crate::trace::shapes::quadric::Axial;
 
-/// Kinds of shapes.
+/// Kinds of shapes. Each kind says what [`Leaf::numbers`] holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// x, y, z of the centre and the radius.
     Sphere,
     /// The lower corner and the upper one.
     Cuboid,
-    /// a, b, c and d as written, and in units of the normal.
+    /// a, b, c and d of the plane as written; then the four scaled by a power of two, so that the greatest of a, b and
+    /// c is between 1 and 2.
     Plane,
-    /// The same, of what has something behind it.
+    /// The numbers are those of a plane. The shape has an inside.
     HalfSpace,
-    /// The least x and y, and the greatest.
+    /// The least x and y, and the greatest x and y.
     Rectangle,
-    /// A unit vector across the flat ends, or zeros, and how much more the map stretches along one axis than along another;
-    /// see [`Leaf::quadric`].
+    /// A vector across the flat ends, with a largest component of 1, or zeros; then how much more the map stretches
+    /// along one axis than along another. See [`Leaf::quadric`].
     Quadric,
-    /// Any shape, as the arbiter sees it: one ray at a time.
+    /// A shape without lanes, which is asked one ray at a time by the arbiter's formulas.
     Other,
-    /// No shape, but an intersection or a difference of some.
+    /// An intersection or a difference of shapes.
     Csg,
 }
 
@@ -51,19 +52,19 @@ pub enum Colour {
     Plain,
     /// The shape may have colours of its own.
     Own,
-    /// Index into [`Graph::textures`](crate::trace::graph::Graph::textures), and the chain of the space that the texture is
-    /// painted in: see [`Leaf::chain`].
+    /// `texture` is an index into [`Graph::textures`](crate::trace::graph::Graph::textures); `chain` is the chain of
+    /// the space that the texture is painted in: see [`Leaf::chain`].
     Texture { texture: u32, chain: u32 },
 }
 
-/// Channels that are refracted in the same way.
+/// A way of light through a surface: the colour channels that are refracted alike.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Way {
-    /// The share of light that goes through; none of the other channels.
+    /// The share of light that goes through; 0 for channels that go another way.
     pub kt: [f64; 3],
-    /// The refractive index before the surface over the one behind it, on the way in and on the way out.
+    /// The refractive index before the surface divided by the index behind it: on the way in, and on the way out.
     pub ratios: [f64; 2],
-    /// Whether the two are one number.
+    /// Whether both indices are equal, so that light goes straight on.
     pub is_straight: bool,
 }
 
@@ -74,12 +75,13 @@ impl Way {
         is_straight: true,
     };
 
-    /// The ways through a surface with `around` before it and `own` behind it, the first channel's first, and how many
-    /// there are. If channels may not part, all go the way of the first that gets through.
+    /// The ways through a surface with the refractive index `around` before it and `own` behind it, and the number of
+    /// ways. The way of the first channel comes first. Unless channels `may_part`, all go the way of the first channel
+    /// that gets through.
     pub fn through(kt: [f64; 3], around: Rgb, own: Rgb, may_part: bool) -> ([Way; 3], u32) {
         let (mut ways, mut count, mut todo) = ([Way::NONE; 3], 0, kt);
         while let Some(first) = (0..3).find(|&c| todo[c] != 0.0) {
-            // Straight on is one way, whatever the index.
+            // All channels that go straight on share one way, whatever their index.
             let bend =
                 |c: usize| Some([around[c], own[c]]).filter(|[before, behind]| before != behind);
             let is_along = |c: usize| !may_part || bend(c) == bend(first);
@@ -102,48 +104,50 @@ pub struct Leaf {
     pub kind: Kind,
     /// The parameters of its kind: see [`Kind`].
     pub numbers: [f64; 8],
-    /// Of a convex solid of second degree, what else makes it what it is.
+    /// The form of a convex solid of second degree; `None` for other kinds.
     pub quadric: Option<Box<Quadric>>,
     /// Index into [`Graph::primitives`](crate::trace::graph::Graph::primitives), or into
     /// [`Stage::csgs`](super::stage::Stage::csgs).
     pub primitive: u32,
     /// Index into [`Stage::chains`](super::stage::Stage::chains).
     pub chain: u32,
-    /// The only placement of the chain, of a leaf with lanes: an index into
-    /// [`Graph::placements`](crate::trace::graph::Graph::placements); 0 stays where it is.
+    /// For a leaf with lanes, the only placement of its chain: an index into
+    /// [`Graph::placements`](crate::trace::graph::Graph::placements). 0 if its numbers are in the scene's space.
     pub placement: u32,
-    /// The leaf that it bounds: itself, or what it is an operand of.
+    /// The leaf whose boundary this surface belongs to: itself, or the intersection that has this leaf as an operand.
     pub solid: u32,
-    /// Of an operand: which of the gates of that it is an operand of, and whether it is a cut there. See
-    /// [`Gate`](super::expand::Gate).
+    /// For an operand of an intersection, the index of its gate there: see [`Gate`](super::expand::Gate).
     pub gate: u32,
+    /// For an operand of an intersection, whether it is a cut of its gate.
     pub is_cut: bool,
-    /// The number of the first leaf with the same shape and placement, which copies in one place share.
+    /// The number of the first leaf with the same shape and chain of placements: copies in one place share it.
     pub twin: u32,
     /// See [`Graph::extents`](crate::trace::graph::Graph::extents).
     pub extent: f64,
-    /// The place of its operand in the scene's union: of two solids the lower one owns what both are in.
+    /// The place of the leaf in the order of the scene's union. Of two solids the one with the lower number owns the
+    /// points that both hold.
     pub operand: u32,
     /// Whether it has an inside.
     pub is_solid: bool,
     pub is_convex: bool,
     pub colour: Colour,
     pub kd: [f64; 3],
-    /// The share of diffuse light in the shape's colour, if that is plain.
+    /// The share of diffuse light in each channel, if the colour is plain: `kd` times the colour.
     pub albedo: [f64; 3],
     pub ks: [f64; 3],
     pub kt: [f64; 3],
-    /// The numbers of its optics and of its refractive index, and the index itself for each channel.
+    /// The numbers of its optics and of its refractive index: leaves with the same two numbers are of one medium.
     pub medium: [u32; 2],
+    /// The refractive index in each channel.
     pub index: Rgb,
     /// The ways on which light goes through, the first `way_count` of them: see [`Way`].
     pub ways: [Way; 3],
     pub way_count: u32,
-    /// Whether something goes through it.
+    /// Whether some light goes through the leaf.
     pub is_clear: bool,
-    /// Whether it is transparent and nothing is near it, or opaque and near nothing transparent, nor hidden in something
-    /// opaque that is. So from inside of glass its other side comes next, and light gets to what is opaque through the open
-    /// alone.
+    /// For a transparent leaf, whether no other leaf is near it. For an opaque leaf, whether no transparent leaf is
+    /// near it, and it is not hidden in an opaque leaf that is near a transparent one. So a ray in lone glass meets the
+    /// other side next, and light gets to a lone opaque leaf only through the open.
     pub is_lone: bool,
 }
 
@@ -173,7 +177,7 @@ impl Leaf {
     }
 }
 
-/// Three of the numbers.
+/// Three of the numbers, from index `from` on.
 #[inline(always)]
 fn three(numbers: &[f64; 8], from: usize) -> &[f64; 3] {
     numbers[from..].first_chunk().unwrap_or(&[0.0; 3])
@@ -184,7 +188,7 @@ const LEAST: f64 = 1e-30;
 /// Maps that stretch by more than this along one axis, compared with another, are not for lanes.
 const STRETCH: f64 = 100.0;
 
-/// The kind and the numbers of a shape that has lanes.
+/// The kind and the numbers of a shape that has lanes; `None` for other shapes and for unusual numbers.
 pub fn with_lanes(primitive: &Primitive, is_clear: bool) -> Option<(Kind, [f64; 8])> {
     let (kind, numbers, sizes) = match primitive {
         Primitive::Sphere(sphere) => {
@@ -203,7 +207,7 @@ pub fn with_lanes(primitive: &Primitive, is_clear: bool) -> Option<(Kind, [f64; 
             (Kind::Rectangle, numbers, vec![x - a, y - b])
         }
         Primitive::Plane(plane) => (Kind::Plane, of_plane(plane.abcd()), Vec::new()),
-        // There may be no way out of it.
+        // A ray in a transparent half-space may find no way out.
         Primitive::HalfSpace(solid) if !is_clear => {
             (Kind::HalfSpace, of_plane(solid.abcd()), Vec::new())
         }
@@ -214,7 +218,8 @@ pub fn with_lanes(primitive: &Primitive, is_clear: bool) -> Option<(Kind, [f64; 
     (are_usual && sizes.iter().all(usual)).then_some((kind, numbers))
 }
 
-/// A convex solid of second degree below a chain of placements, with its numbers and its extent.
+/// A convex solid of second degree below a chain of placements, with its numbers and its extent. `None` for other
+/// shapes and for unusual numbers.
 pub fn quadric(
     graph: &Graph,
     chain: &[u32],
@@ -232,14 +237,14 @@ pub fn quadric(
     is_usual(&Placement { out, back }).then(|| (Box::new(quadric), numbers, extent))
 }
 
-/// a, b, c and d as written, and in units of the normal.
+/// The numbers of a plane: a, b, c and d as written, and the four scaled by a power of two: see [`Kind::Plane`].
 fn of_plane([a, b, c, d]: [f64; 4]) -> [f64; 8] {
     let steep = exponent(a.abs().max(b.abs()).max(c.abs()));
     let [x, y, z, w] = [a, b, c, d].map(|number| shifted(number, -steep));
     [a, b, c, d, x, y, z, w]
 }
 
-/// Whether a map neither stretches much along one axis, nor takes numbers far.
+/// Whether a map stretches along no axis much more than along another, and makes no number unusually large.
 pub fn is_usual(placement: &Placement) -> bool {
     let spread = |map: &Affine| {
         let rows = map.rows.map(|row| row.abs().dot(Vec3::ONE));

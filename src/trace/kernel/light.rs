@@ -16,7 +16,7 @@ use crate::trace::tracer;
 /// Four places that lamps may shine on.
 #[derive(Debug)]
 pub struct Lit {
-    /// Lanes that count, as bits.
+    /// The lanes that hold a place, as bits.
     live: u32,
     point: V3,
     /// The normals on the sides where the rays come from.
@@ -25,7 +25,7 @@ pub struct Lit {
     starts: [Start; LANES],
     albedo: V3,
     weight: V3,
-    /// The light that has come so far.
+    /// The light that has been added up: the ambient light and the lamps that are done.
     light: V3,
     pixels: [u32; LANES],
     nodes: [u32; LANES],
@@ -63,7 +63,7 @@ impl Tile {
         });
     }
 
-    /// kd·C·(Σ ambient + Σ I·max(0, n·l)·V) for all places of the wave.
+    /// Computes kd·C·(Σ ambient + Σ I·max(0, n·l)·V), the diffuse light, for all places of the wave.
     #[inline(never)]
     pub(super) fn illuminate(&mut self, scene: &Scene, arbiter: &mut dyn Arbiter) {
         let mut lit = std::mem::take(&mut self.lit);
@@ -97,7 +97,7 @@ impl Tile {
         self.lit = lit;
     }
 
-    /// Finds what is between a lamp and all places in a box, if that pays.
+    /// Finds the blocks between a lamp and all places in the box `around`; `false` if it does not pay to share them.
     fn find_shaft(&mut self, scene: &Scene, around: &Aabb, lamp: &tracer::Light) -> bool {
         let steps = each([around.min, around.max], |corner| {
             lamp.position - Vec3(corner)
@@ -105,7 +105,7 @@ impl Tile {
         self.along.find(scene.stage, around, steps, 1.0)
     }
 
-    /// Adds the light of a lamp to four places.
+    /// Adds the light of a lamp to four places. `is_known`: whether `along` holds the blocks between them and the lamp.
     #[inline(always)]
     fn shine(
         &mut self,

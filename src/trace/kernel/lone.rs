@@ -19,7 +19,8 @@ pub fn find_lone(graph: &Graph, leaves: &mut Leaves) {
     let mut lone: FxHashSet<u32> = each()
         .filter(|&i| !near.any(i, !leaf(i).is_clear, |_| true))
         .collect();
-    // Light gets into something opaque where an earlier operand hides its face, and a later one is hidden in that in turn.
+    // Light gets into an opaque solid where an earlier transparent operand hides its face. The opaque solid may hide a
+    // later one in turn.
     let is_entered = |own: &Leaf, i: u32| {
         own.is_solid
             && !own.is_clear
@@ -51,12 +52,12 @@ pub fn find_lone(graph: &Graph, leaves: &mut Leaves) {
 
 /// The leaves of the scene's union, as neighbours of each other.
 struct Neighbours {
-    /// Those without bounds.
+    /// The leaves without bounds, with a plane for those that are planes or half-spaces.
     flats: Vec<(u32, Option<Flat>)>,
     boxes: Vec<(u32, Aabb)>,
     bounds: FxHashMap<u32, Aabb>,
     balls: FxHashMap<u32, Ball>,
-    /// Those with bounds: all, and the transparent ones.
+    /// Two trees of leaves with bounds: all of them, and the transparent ones.
     hierarchies: [Bvh; 2],
     clear: FxHashSet<u32>,
 }
@@ -92,7 +93,7 @@ impl Neighbours {
         boxes.chain(self.flats.iter().map(|(i, _)| *i))
     }
 
-    /// Whether some leaf near another is as wanted: of all, or of the transparent ones.
+    /// Whether some leaf near leaf `own` is `wanted`. If `is_clear`, only transparent leaves are asked.
     fn any(&self, own: u32, is_clear: bool, mut wanted: impl FnMut(u32) -> bool) -> bool {
         let mut is_wanted =
             |i: u32| i != own && (!is_clear || self.clear.contains(&i)) && wanted(i);
@@ -119,7 +120,7 @@ impl Neighbours {
         (self.flats.iter()).any(|(i, flat)| is_near(flat) && is_wanted(*i))
     }
 
-    /// Whether a leaf with bounds is near another one with bounds, and room around them.
+    /// Whether leaf `own` is near leaf `other`, both with bounds; `around` is the box of `own` with room.
     fn is_near(&self, (own, bounds): (u32, &Aabb), other: u32, around: &Aabb) -> bool {
         let room = ROOM * bounds.reach();
         let balls = self.balls.get(&own).zip(self.balls.get(&other));
@@ -129,11 +130,11 @@ impl Neighbours {
     }
 }
 
-/// Shapes that are apart by more than this share of the numbers behind their bounds are far from each other: rays leave
-/// them by far more than what makes them doubt.
+/// Shapes are far from each other if the gap exceeds this share of the largest coordinate of their bounds. Such a gap
+/// is far longer than the distances at which a ray is in doubt.
 const ROOM: f64 = 1e-4;
 
-/// A box, and room around it.
+/// The box with room around it.
 fn widened(bounds: &Aabb) -> Aabb {
     let room = Vec3::ONE * (ROOM * bounds.reach());
     Aabb::new(Vec3(bounds.min) - room, Vec3(bounds.max) + room)
@@ -177,7 +178,7 @@ impl Ball {
     }
 }
 
-/// A bound on how much longer a map makes a vector, and how much longer it does where its columns are at right angles.
+/// A bound on the factor by which a map lengthens vectors; exact for a map whose columns are at right angles.
 fn stretch(rows: &[Vec3; 3]) -> f64 {
     let column = |i: usize| Vec3(each([0, 1, 2], |row: usize| rows[row][i]));
     let squares = each([0, 1, 2], |i: usize| {
@@ -209,7 +210,7 @@ impl Flat {
         })
     }
 
-    /// Whether all of a box is on one side, and outside.
+    /// Whether the whole box is on one side of the plane, and outside of a half-space.
     fn is_apart(&self, bounds: &Aabb) -> bool {
         let value = self.normal.dot(Vec3(bounds.centre())) + self.d;
         let reach = self.normal.abs().dot(Vec3(bounds.extent())) / 2.0;

@@ -33,14 +33,14 @@ impl Maps {
         self.vector(p) + self.offset
     }
 
-    /// The sizes of the terms of `vector`, of sizes.
+    /// For each component of [`vector`](Self::vector), the sum of the sizes of its terms; `v` holds sizes, too.
     #[inline(always)]
     pub fn sizes(&self, v: V3) -> V3 {
         let size = |i: usize| self.rows[i].abs().dot(v);
         V3([size(0), size(1), size(2)])
     }
 
-    /// See [`Affine::transposed`].
+    /// Multiplies vectors by the transposed matrices: see [`Affine::transposed`].
     #[inline(always)]
     pub fn transposed(&self, n: V3) -> V3 {
         self.rows[0] * n.0[0] + self.rows[1] * n.0[1] + self.rows[2] * n.0[2]

@@ -1,6 +1,6 @@
-//! Four rays that are held against one shape after the other.
+//! Packets: four rays that are tested against one shape after the other.
 //!
-//! The lanes are the rays, not the shapes as in [`search`](super::search). What is said of a ray here is what is said there,
+//! Lanes are rays here; in [`search`](super::search) they are shapes. The answers about a ray are the same in both,
 //! with the same formulas and the same bounds.
 
 use super::block::{Block, Shapes};
@@ -13,20 +13,20 @@ use super::query::{BENT, SKINS, Start};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::affine::Placement;
 
-/// Boxes are wider by this part of all coordinates: far more than what is rounded.
+/// The room around boxes, as a share of all coordinates: far more than what is rounded.
 pub const REL_ROOM: f64 = 1e-12;
 
 /// Four rays.
 pub struct Packet<'w> {
     pub starts: [&'w Start; LANES],
     pub probe: Probe<Lanes>,
-    /// In t, how far from a start a place is that cannot be taken for it.
+    /// The t beyond which a place cannot be taken for the ray's start.
     pub skin: Lanes,
     /// The rays that are asked for, as bits.
     pub live: u32,
-    /// The rays that start outside of everything.
+    /// The rays that start outside of everything, as bits.
     pub outside: u32,
-    /// The rays that go against the normal of the surface that they start on.
+    /// The rays that go against the normal of the surface that they start on, as bits.
     pub goes_in: u32,
 }
 
@@ -45,7 +45,7 @@ impl<'w> Packet<'w> {
         }
     }
 
-    /// The rays in the space of a placement, kept in `moved` where that is another one.
+    /// The rays in the space of a placement. Unless that is the scene's space, the rays are kept in `moved`.
     #[inline(always)]
     pub fn in_space<'p>(
         &'p self,
@@ -62,7 +62,7 @@ impl<'w> Packet<'w> {
         )
     }
 
-    /// The rays among some that may be in a box up to some t.
+    /// The rays among `rays` that may be in a box before t = `to`, as bits.
     #[inline(always)]
     pub fn in_box(&self, bounds: &Aabb, to: Lanes, rays: u32) -> u32 {
         let (origin, inverse) = (V3(self.probe.origin), V3(self.probe.inverse));
@@ -71,7 +71,7 @@ impl<'w> Packet<'w> {
         rays & !is_greater(near, far * Lanes::splat(1.0 + REL_ROOM)).to_bitmask()
     }
 
-    /// The rays that start on a leaf.
+    /// The rays that start on a leaf, as bits.
     #[inline(always)]
     pub fn on(&self, leaf: &Leaf) -> u32 {
         lanes_where(|lane| self.starts[lane].left == leaf.twin)
@@ -83,12 +83,13 @@ impl<'w> Packet<'w> {
         chains.enter(V3(self.probe.origin), V3(self.probe.direction))
     }
 
-    /// The rays that surely miss a leaf without lanes up to some t, and those that surely go through it.
+    /// The rays that surely miss a leaf without lanes before t = `to`, and the rays that surely go through it, both as
+    /// bits.
     #[inline(always)]
     pub fn passing(&self, block: &Block, leaf: &Leaf, to: Lanes) -> (u32, u32) {
         let here = self.on(leaf);
         let out = here & !self.goes_in;
-        // What is convex is not met again by a ray that leaves it.
+        // A ray that leaves a convex leaf does not meet it again.
         let is_left = if leaf.is_convex { out } else { 0 };
         let Some(cull) = &block.cull else {
             return (is_left, 0);
@@ -99,7 +100,8 @@ impl<'w> Packet<'w> {
         (passing.beside | is_left, passing.through & !here)
     }
 
-    /// Where some rays, which start outside of everything, meet a leaf with lanes; `probe` has them in the leaf's space.
+    /// Finds where `rays` meet a leaf with lanes before t = `to`. They start outside of everything; `probe` holds them
+    /// in the leaf's space.
     #[inline(always)]
     pub fn meet(
         &self,
@@ -141,9 +143,9 @@ impl<'w> Packet<'w> {
 
 /// Where four rays meet a leaf ahead of their starts.
 pub struct Ahead {
-    /// The rays that meet it, as bits.
+    /// The rays that surely meet the leaf, as bits.
     pub met: u32,
-    /// The rays of which that is not known.
+    /// The rays that are in doubt, as bits.
     pub doubt: u32,
     pub t: Lanes,
     /// A bound on the error of t.

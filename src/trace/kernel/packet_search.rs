@@ -1,4 +1,4 @@
-//! The first surfaces that four rays of a bundle meet, and shapes between them and a lamp.
+//! The first surfaces that four rays of a bundle meet, and the shapes between four places and a lamp.
 
 use super::block::{Block, Shapes};
 use super::bundle::Along;
@@ -15,12 +15,12 @@ use super::stage::Stage;
 use super::torus;
 use crate::trace::shapes::{Primitive, Root};
 
-/// The nearest crossings so far.
+/// The nearest crossings of four rays among those that have been found.
 struct Nearest {
     crossings: [Crossing; LANES],
     t: Lanes,
     error: Lanes,
-    /// The least t of all that is not the nearest.
+    /// A lower bound on the t of all other crossings.
     second: Lanes,
     /// The largest t at which a crossing may be as near as the nearest.
     limit: Lanes,
@@ -42,7 +42,7 @@ impl Nearest {
         }
     }
 
-    /// Takes places where some rays meet something; returns those to which it is the nearest.
+    /// Takes in the places where some rays meet a leaf. Returns, as bits, the rays whose nearest crossing is there.
     #[inline(always)]
     fn consider(&mut self, ahead: &Ahead) -> u32 {
         let &Ahead { t, error, .. } = ahead;
@@ -57,7 +57,7 @@ impl Nearest {
         is_nearer.to_bitmask()
     }
 
-    /// Takes what a leaf without lanes says of one ray.
+    /// Takes in the answer of a leaf without lanes about the ray in one lane.
     #[inline(always)]
     fn consider_single(&mut self, lane: usize, crossed: Crossed, ahead: &[Crossing]) {
         match (crossed, ahead.first()) {
@@ -78,7 +78,7 @@ impl Nearest {
     }
 }
 
-/// The lanes of some bits.
+/// The indices of the lanes whose bits are set.
 #[inline(always)]
 fn lanes(mut bits: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
@@ -89,7 +89,7 @@ fn lanes(mut bits: u32) -> impl Iterator<Item = usize> {
 }
 
 impl Stage<'_> {
-    /// The surfaces that four rays meet first. Those that start inside of something are in doubt.
+    /// The surfaces that four rays meet first. Rays that start inside of a solid are said to be in doubt.
     #[inline(never)]
     pub fn first_of_four(
         &self,
@@ -155,7 +155,7 @@ impl Stage<'_> {
         all
     }
 
-    /// Looks for the first surface of four rays in a block with one leaf, which some of them may meet.
+    /// Looks for nearer crossings in a block with one leaf without lanes, which `rays` may meet.
     #[inline(never)]
     fn nearer_of_four(
         &self,
@@ -186,7 +186,7 @@ impl Stage<'_> {
         }
         lanes(rays).for_each(|lane| tests[lane].shapes += 1);
         let mut lines = None;
-        // Those that start on it have more to be asked.
+        // Rays that start on the leaf are asked more, by `meet_single`.
         let plain = rays & !packet.on(leaf);
         if leaf.kind == Kind::Other && plain != 0 {
             let local = packet.enter(&self.chains_of([leaf; LANES]));
@@ -225,7 +225,8 @@ impl Stage<'_> {
         }
     }
 
-    /// Where rays meet a torus ahead of their starts, of those of which that is known, and those that do not meet it.
+    /// Finds where `rays` meet a torus ahead of their starts, and, as bits, the rays that surely miss it. Rays in
+    /// neither set have to be asked one by one. `None` if the leaf is no torus.
     #[inline(always)]
     fn meet_torus(
         &self,
@@ -250,8 +251,8 @@ impl Stage<'_> {
         Some((ahead, found.known & !found.met))
     }
 
-    /// Finds what four rays to a lamp may meet, into [`Along::blocks`]. Returns those that surely meet something opaque that
-    /// is near nothing transparent, as bits; what these may meet is not complete.
+    /// Lists in [`Along::blocks`] the blocks that four rays to a lamp may meet. Returns, as bits, the rays that surely
+    /// meet an opaque leaf near which nothing is transparent; their lists are not complete.
     #[inline(never)]
     pub fn shadows_of_four(&self, along: &mut Along, packet: &Packet) -> u32 {
         let (one, end) = (Lanes::splat(1.0), Lanes::splat(TO));
@@ -260,7 +261,7 @@ impl Stage<'_> {
             candidates, blocks, ..
         } = along;
         blocks.iter_mut().for_each(Vec::clear);
-        // What is in the way of these is likely in the way of the next ones: it comes first then.
+        // A block in the way of these rays is likely in the way of the next ones: it is moved to the front.
         let mut foremost = 0;
         for (i, candidate) in candidates.iter().enumerate() {
             let open = packet.live & !dark;

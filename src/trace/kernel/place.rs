@@ -1,4 +1,4 @@
-//! Into the spaces of shapes and out of them, four rays at once.
+//! Placed shapes: four rays at once into the spaces of the shapes, and the points out of them.
 
 use super::lanes::{LANES, Lanes, V3, is_greater};
 use super::maps::Maps;
@@ -6,11 +6,12 @@ use super::resolved::Resolved;
 use crate::geometry::affine::Placement;
 use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
 
-/// By how many unit roundoffs a direction may be off: see `Roots::doubt_blurred` of
-/// [`shapes`](crate::trace::shapes).
+/// The most unit roundoffs by which maps may move a line before it is in doubt, a little less than the arbiter allows:
+/// see `Roots::doubt_blurred` of [`shapes`](crate::trace::shapes).
 const BLURRED: f64 = 31.0;
 
-/// Where rays meet shapes that are placed, in the scene's space; `resolve` says where in theirs.
+/// The points in the scene's space where rays meet placed shapes. `resolve` finds them for rays in the spaces of the
+/// shapes.
 #[inline(always)]
 pub fn placed(
     places: [&Placement; LANES],

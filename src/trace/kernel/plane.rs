@@ -1,5 +1,5 @@
-//! Planes and half-spaces: where a line meets several, and where several lines meet one each, as
-//! [`shapes::plane`](crate::trace::shapes) computes it.
+//! Planes and half-spaces: where a line meets several of them, and where each of several lines meets its own, computed
+//! as in [`shapes::plane`](crate::trace::shapes).
 
 use super::lanes::{
     LANES, Lanes, Number, V3, either, gathered, is_at_most, is_greater, is_less, mask,
@@ -14,16 +14,19 @@ use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
 pub struct Planes {
     normal: [Lanes; 3],
     d: Lanes,
-    /// The half-spaces among them, and all, as bits.
+    /// The lanes with half-spaces, as bits.
     solid: u32,
+    /// The lanes with a plane or a half-space, as bits.
     present: u32,
 }
 
-/// A line that is closer to the plane's own direction than this, as a share of the numbers behind that, is in doubt.
+/// A line is in doubt if it is nearly parallel to a plane: its slope against the plane is at most this share of the
+/// sizes of the slope's terms.
 const RIM: f64 = 1e-10;
 
 impl Planes {
-    /// Of a, b, c and d, and whether there is something behind.
+    /// Packs up to four planes ax + by + cz + d = 0. The flag is true for the face of a half-space, false for a plane
+    /// without an inside.
     pub fn new(planes: &[([f64; 4], bool)]) -> Planes {
         let column = |i: usize| {
             let number = |k: usize| planes.get(k).map_or(1.0, |p| p.0[i]);
@@ -38,7 +41,7 @@ impl Planes {
         }
     }
 
-    /// The planes that lines may meet after `from` and before `to`.
+    /// The chords of the planes and half-spaces that lines may meet after t = `from` and before t = `to`.
     #[inline(always)]
     pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
         let splat = Lanes::splat;
@@ -58,7 +61,7 @@ impl Planes {
         let rises = is_greater(slope, zero);
         let near = either(solid & rises, -infinity, t);
         let far = either(solid & !rises, infinity, t);
-        // A line that is exactly parallel to the plane meets nothing in front of it.
+        // A line that is exactly parallel to the plane does not meet it, nor the half-space that it is in front of.
         let still = is_at_most(steep, zero) & (is_greater(value, splat(RIM) * size) | !solid);
         let still = still & !is_greater(probe.slack.wide(), zero);
         let flat = !is_greater(slope.abs(), splat(RIM) * steep);
@@ -72,7 +75,7 @@ impl Planes {
     }
 }
 
-/// Bounds on the errors of where lines meet a plane: see
+/// Bounds on the errors of the places `t` where lines meet a plane: see
 /// [`Walker::rough`](crate::trace::search::walk::Walker::rough).
 #[inline(always)]
 pub fn rough<N: Number>(probe: &Probe<N>, normal: [f64; 3], extent: f64, t: N) -> N {
@@ -84,7 +87,8 @@ pub fn rough<N: Number>(probe: &Probe<N>, normal: [f64; 3], extent: f64, t: N) -
     N::splat(super::cuboid::SHARE * length) * size / across
 }
 
-/// A plane as written, and in units of its normal.
+/// Four planes: `normal` and `d` as written, `unit` and `c` scaled by a power of two: see
+/// [`Kind::Plane`](super::leaf::Kind::Plane).
 pub struct Plane {
     pub normal: V3,
     pub d: Lanes,
@@ -92,7 +96,7 @@ pub struct Plane {
     pub c: Lanes,
 }
 
-/// Where lines meet a plane each.
+/// The point where each line meets its plane.
 #[inline(always)]
 pub fn resolve(origin: V3, direction: V3, plane: &Plane) -> Resolved {
     let splat = Lanes::splat;

@@ -1,4 +1,4 @@
-//! A ray as blocks of shapes see it.
+//! Probes: rays that are set up for tests against blocks of shapes.
 
 use super::lanes::{LANES, Lanes, Number, V3};
 use super::maps::Maps;
@@ -7,7 +7,7 @@ use crate::geometry::array::{dot, each};
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 
-/// A line from t = 0 on, with what several tests ask of it: or four, one in each lane of all numbers.
+/// A line from t = 0 on, with the numbers that several tests need; or four lines, one in each lane of the numbers.
 #[derive(Debug, Clone, Copy)]
 pub struct Probe<N = f64> {
     pub origin: [N; 3],
@@ -22,12 +22,12 @@ pub struct Probe<N = f64> {
     /// The largest component of the direction, in size, and its reciprocal.
     pub pace: N,
     pub per_pace: N,
-    /// More than how far its points may be off along each axis, in units of the numbers behind them, because it was
-    /// moved into another space; 0 where it was not.
+    /// A bound on how far points of the line may be off along each axis, since the map into this space rounds; 0 in the
+    /// scene's space.
     pub slack: N,
 }
 
-/// More than a map rounds, as a share of the numbers behind a point.
+/// A bound on the rounding of a map, as a share of the sizes of the terms of a point.
 const ROUNDED: f64 = 1e-13;
 
 /// The largest component, in size.
@@ -38,7 +38,7 @@ fn largest(v: [f64; 3]) -> f64 {
 }
 
 impl Probe {
-    /// Of no ray.
+    /// A probe in place of a ray.
     pub const NONE: Probe = Probe {
         origin: [0.0; 3],
         direction: [0.0; 3],
@@ -139,7 +139,7 @@ impl<N: Number> Probe<N> {
 pub struct Chords {
     /// The solids that the line may meet in the stretch that was asked for, as bits.
     pub maybe: u32,
-    /// The solids that it surely meets: rounding has nothing to do with it.
+    /// The solids that the line surely meets if it may meet them, whatever is rounded, as bits.
     pub sure: u32,
     pub near: Lanes,
     pub far: Lanes,

@@ -1,21 +1,22 @@
 //! Crossings of four rays with the pieces of a solid of revolution's profile.
 //!
-//! A ray passes the ring of a profile's point inside of it or outside: with the point p and the direction d of the ray, and
-//! with the height y above p of a ring of radius r, |d_y (p_x, p_z) + y (d_x, d_z)|² − (d_y r)² is negative inside. A piece
-//! between two rings that are passed on two sides is crossed. It is not crossed if the ray passes inside of both, nor if the
-//! three coefficients in Bernstein's basis say that the ray is outside all the way. `profile_cull` of
-//! `shapes::revolution` says the same of one ray and four pieces.
+//! A point of the profile turns about the axis in a ring. Let p be a point of the ray and d its direction, r the radius
+//! of the ring and y its height above p. Then |d_y (p_x, p_z) + y (d_x, d_z)|² − (d_y r)² is negative if the ray passes
+//! inside of the ring, and positive if it passes outside. If the ray passes inside of one ring and outside of the next
+//! one, it crosses the piece between them. It does not cross the piece if it passes inside of both, or if the three
+//! coefficients in Bernstein's basis show that it is outside all the way. `profile_cull` of `shapes::revolution` does
+//! the same for one ray and four pieces.
 
 use super::lanes::{ALL, Lanes, V3, either, is_greater, is_less};
 use crate::trace::shapes::outline::ProfilePoint;
 use crate::trace::shapes::quick_reject::POLYNOMIAL_MARGIN;
 
-/// Sets of four rays by how many pieces of a profile they cross, as bits.
+/// Four rays, sorted by how many pieces of a profile they cross. Each set of rays is a number of bits.
 #[derive(Debug, Clone, Copy)]
 pub struct Crossed {
-    /// The rays that surely cross no piece up to where they end.
+    /// The rays that surely cross no piece before they end.
     pub none: u32,
-    /// The rays that surely cross no more than one, perhaps twice, however far they go.
+    /// The rays that surely cross at most one piece, perhaps that one twice, however far they go.
     pub at_most_one: u32,
     /// The rays that surely cross some piece.
     pub some: u32,
@@ -27,10 +28,13 @@ struct Ring {
     x: Lanes,
     z: Lanes,
     radius: Lanes,
+    /// The rays that surely pass inside of the ring, as a mask.
     inside: Lanes,
+    /// The rays that surely pass outside of the ring, as a mask.
     outside: Lanes,
-    /// Whether it is before the rays' starts, or beyond their ends.
+    /// The rays that pass the height of the ring before they start, as a mask.
     is_before: Lanes,
+    /// The rays that pass the height of the ring after they end, as a mask.
     is_beyond: Lanes,
 }
 
@@ -46,8 +50,9 @@ impl Ring {
     };
 }
 
-/// Of rays from p on, which end at q. The largest component of d is 1 or −1. Heights and powers that are nearer to zero than a margin, in
-/// units of `reach` and of its square, are not told from it.
+/// Sorts four rays from p to q by the pieces of a profile that they cross. The largest component of their direction d
+/// is 1 or −1. A height within a margin of zero, in units of `reach`, may have either sign; so may a power of a point,
+/// in units of the square of `reach`.
 #[inline(always)]
 pub fn crossed(points: &[ProfilePoint], [p, q]: [V3; 2], d: V3, reach: f64) -> Crossed {
     let splat = Lanes::splat;

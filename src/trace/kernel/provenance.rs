@@ -1,4 +1,4 @@
-//! Rays that the kernel is in doubt about, as the arbiter sees them, and faces in one plane, as the arbiter knows them.
+//! Doubtful rays of the kernel in the arbiter's form, and the arbiter's knowledge of faces in one plane.
 
 use super::leaf::{Kind, Leaf};
 use super::query::{Crossing, NONE, Query, Start, UNKNOWN_FACE};
@@ -11,7 +11,7 @@ use crate::trace::shapes::support::{Passage, Placed};
 use crate::trace::shapes::{Root, Roots};
 
 impl Stage<'_> {
-    /// A ray of the kernel.
+    /// Turns a ray of the kernel into a ray of the arbiter.
     #[cold]
     pub fn ray(&self, start: &Start) -> Ray {
         let line = Line::new(Vec3(start.origin), Vec3(start.direction));
@@ -22,7 +22,7 @@ impl Stage<'_> {
         }
     }
 
-    /// The surface that a ray starts on.
+    /// The surface that a ray starts on, in the arbiter's form.
     fn left(&self, start: &Start, line: &Line) -> Left {
         let leaf = &self.leaves[start.left as usize];
         let keys = self.keys(leaf.chain);
@@ -36,7 +36,8 @@ impl Stage<'_> {
         }
     }
 
-    /// Numbers for the beginnings of a chain of placements, with one placement, with two and so on.
+    /// The arbiter's keys for a chain of placements: a key for its first placement alone, a key for its first two, and
+    /// so on.
     fn keys(&self, chain: u32) -> Vec<u64> {
         let below = |key: &mut u64, &placement: &u32| {
             *key = placed_key(*key, placement);
@@ -45,7 +46,8 @@ impl Stage<'_> {
         self.chains[chain as usize].iter().scan(0, below).collect()
     }
 
-    /// How a ray passes the support of the face that it starts on.
+    /// How a ray passes the support of the face that it starts on; `None` if no other shape may have a face in the
+    /// support.
     fn passage(&self, start: &Start, line: &Line, keys: &[u64]) -> Option<Passage> {
         let leaf = &self.leaves[start.left as usize];
         let shape = self.graph.primitives[leaf.primitive as usize].intersect();
@@ -60,7 +62,7 @@ impl Stage<'_> {
         })
     }
 
-    /// Where the support of a face is, if other shapes may have faces in it.
+    /// The support of a face in the scene's space; `None` if no other shape may have a face in the support.
     fn placed_support(&self, leaf: &Leaf, face: u32, keys: &[u64]) -> Option<Placed> {
         let primitive = &self.graph.primitives[leaf.primitive as usize];
         let own = primitive.shape().support(face)?;
@@ -93,7 +95,8 @@ impl Stage<'_> {
     }
 }
 
-/// The face that a point is on, in the space of the shape, where that has to be found out.
+/// The face of a leaf that a point in the space of the shape is on. A box finds its face from the point; other leaves
+/// know `face`, or have a single face.
 fn face_at(leaf: &Leaf, face: u32, point: Vec3) -> u32 {
     match leaf.kind {
         Kind::Cuboid => nearest_face([*leaf.first(), *leaf.upper()], point),
@@ -102,7 +105,7 @@ fn face_at(leaf: &Leaf, face: u32, point: Vec3) -> u32 {
     }
 }
 
-/// The face of a box, between its corners, that a point on it is on.
+/// The face of a box, given by its corners, that is nearest to a point on the box.
 fn nearest_face(corners: [[f64; 3]; 2], point: Vec3) -> u32 {
     let distance = |face: &u32| {
         let axis = *face as usize / 2;

@@ -1,10 +1,11 @@
-//! Convex solids of second degree, with flat ends or without: where a line goes into them and out of them, about. Each has a
-//! space of its own, so that those that are placed in different ways share a test.
+//! Convex solids of second degree, with or without flat ends: roughly where a line goes into them and out of them. Each
+//! solid has its own map into its space, so that solids with different placements share a test.
 //!
-//! With the line's point nearest to the middle of a solid, q, the polynomial along the line is a t² + 2 b t + c. It is known
-//! to a margin of a millionth of the sizes of its terms, which is far more than all that is rounded, here or by the arbiter
-//! ([`POLYNOMIAL_MARGIN`]). A line is told to meet a solid where the least value is below −margin; so it passes through the
-//! surface at a slope of more than a millionth, and [`BENT`](super::query::BENT) bounds the errors.
+//! Let q be the point of a line that is nearest to the middle of a solid. Along the line, from q on, the polynomial is
+//! a t² + 2 b t + c. Its values are taken to be known to a margin of a millionth of the sizes of the terms
+//! ([`POLYNOMIAL_MARGIN`]): far more than what is rounded, here or by the arbiter. A line is said to meet a solid if
+//! the least value is below −margin. So the line passes through the surface at a slope of more than a millionth, and
+//! [`BENT`](super::query::BENT) bounds the errors.
 
 use super::lanes::{ALL, Lanes, Number, V3, either, gathered, is_at_most, is_greater, is_less};
 use super::probe::{Chords, Probe};
@@ -21,27 +22,28 @@ use crate::trace::shapes::quick_reject::{LINE_REL_ERROR, POLYNOMIAL_MARGIN};
 #[derive(Debug, Clone)]
 pub struct Quadric {
     way: WayIn,
-    /// Its middle, and the square of the radius of a ball around it; infinite where there is none.
+    /// The middle of the solid's bounds; zero for a solid without bounds.
     middle: Vec3,
+    /// The square of the radius of a ball around the solid; infinite for a solid without bounds.
     ball: f64,
     /// The polynomial about the middle: see [`Form::Quadric`](crate::trace::shapes::outline::Form::Quadric).
     polynomial: [f64; 10],
-    /// Relative to the middle.
+    /// The heights of the flat ends, relative to the middle; infinite where there is no end.
     heights: [f64; 2],
-    /// 1 where it is above the apex of a cone, -1 where below.
+    /// For a part of a cone: 1 if the part is above the apex, −1 if it is below. 1 for other solids.
     side: f64,
-    /// The size of the solid, beside which roundings count.
+    /// The size of the solid, which roundings are compared with.
     reach: f64,
     /// The form that its crossings are computed from, which some quadrics have.
     pub axial: Option<Axial>,
 }
 
-/// The slope of a direction beside a generator of a cone, or the axis of a cylinder, about which nothing is said: as a share
-/// of the coefficients.
+/// A line is nearly along a generator of a cone, or the axis of a cylinder, if |a| is at most this share of the
+/// coefficients. Only the flat ends can tell how such a line passes the solid.
 const LEAST_CURVE: f64 = 1e-6;
 
 impl Quadric {
-    /// `None` for numbers beyond the usual.
+    /// Sets up a piece with these bounds; `way` leads into its space. `None` for unusual numbers.
     pub fn new(piece: &ConvexPiece, bounds: &Aabb, way: WayIn) -> Option<Quadric> {
         let (middle, ball, reach) = match bounds.is_bounded() {
             true => {
@@ -79,20 +81,20 @@ impl Quadric {
         (are_usual && reach.is_normal() && ball > 0.0).then_some(quadric)
     }
 
-    /// How far the numbers reach in the scene's space that a crossing is computed from, and how much more a map stretches
-    /// along one axis than along another.
+    /// Two numbers: how far the solid reaches in the scene's space, and how much more its map stretches along one axis
+    /// than along another. The map `out` leads into the scene's space.
     pub fn extent(&self, out: &Affine) -> [f64; 2] {
         let spread = |map: &Affine| {
             let sums = map.rows.map(|row| row.abs().dot(Vec3::ONE));
             sums.into_iter().fold(0.0, f64::max)
         };
         let size = out.point(self.middle).abs().max_component() + spread(out) * self.reach;
-        // A turn alone makes three of it.
+        // For a mere turn the product may be 3.
         [size, (spread(out) * spread(&self.way.back) / 3.0).max(1.0)]
     }
 
-    /// The direction across the flat ends, in the space that it is placed in, with a largest component of 1; zero where
-    /// there are none.
+    /// The direction across the flat ends, in the scene's space, with a largest component of 1; zero for a solid
+    /// without flat ends.
     pub fn across(&self) -> Vec3 {
         let row = self.way.back.rows[1];
         match self.heights[0].is_finite() {
@@ -101,14 +103,14 @@ impl Quadric {
         }
     }
 
-    /// The sizes of the coefficients of second degree, of first and of none.
+    /// The sums of the sizes of the coefficients of second degree, of first degree, and of degree zero.
     fn degrees(&self) -> [f64; 3] {
         let sum = |from: usize, to: usize| self.polynomial[from..to].iter().map(|x| x.abs()).sum();
         [sum(0, 6), sum(6, 9), sum(9, 10)]
     }
 }
 
-/// A polynomial of p as one of p − m.
+/// Turns the coefficients of a polynomial of p into those of the same polynomial, written in p − m.
 fn about(c: &[f64; 10], m: Vec3) -> [f64; 10] {
     let [xx, yy, zz, xy, xz, yz, x, y, z, one] = *c;
     let Vec3([a, b, d]) = m;
@@ -123,7 +125,7 @@ fn about(c: &[f64; 10], m: Vec3) -> [f64; 10] {
     [xx, yy, zz, xy, xz, yz, x, y, z, value]
 }
 
-/// Up to four of them.
+/// Up to four convex solids of second degree.
 #[derive(Debug, Clone)]
 pub struct Quadrics {
     rows: [V3; 3],
@@ -139,7 +141,7 @@ pub struct Quadrics {
 }
 
 impl Quadrics {
-    /// Of one or more; where there are fewer than four the rest are met by no line.
+    /// Packs one to four solids. No line meets the lanes without a solid.
     pub fn new(all: &[&Quadric]) -> Quadrics {
         let at = |k: usize| all[k.min(all.len() - 1)];
         let four = [at(0), at(1), at(2), at(3)];
@@ -163,7 +165,7 @@ impl Quadrics {
         }
     }
 
-    /// The solids that lines may meet after `from` and before `to`.
+    /// The chords in the solids that lines may meet after t = `from` and before t = `to`.
     #[inline(always)]
     pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
         let splat = Lanes::splat;
@@ -200,12 +202,12 @@ impl Quadrics {
         let c = at_q.dot(q) + linear.dot(q) + one;
         let discriminant = b * b - a * c;
         let root = discriminant.fast_max(zero).sqrt();
-        // The root that adds sizes, and the other one by their product.
+        // One root is a sum of two sizes; the other root follows from the product of both.
         let sum = either(is_less(b, zero), root - b, -root - b);
         let (one_root, other_root) = (sum / a, c / sum);
         let (low, high) = (one_root.fast_min(other_root), one_root.fast_max(other_root));
         let opens = is_less(a, zero);
-        // Of the two halves of a cone the one that it is in.
+        // Where the line meets both halves of a double cone, only the half with the solid counts.
         let rises = is_greater(d.0[1] * self.side, zero);
         let infinite = splat(f64::INFINITY);
         let near = either(opens, either(rises, high, -infinite), low);
@@ -335,8 +337,8 @@ mod tests {
         }
     }
 
-    /// Answers about lines are what the shape itself finds, and nearly all lines get one. Lines are aimed anywhere, along
-    /// axes and generators, and at points of the surface.
+    /// Answers about lines are what the shape itself finds, and nearly all lines get one. Lines are aimed anywhere,
+    /// along axes and generators, and at points of the surface.
     #[test]
     fn lines_that_are_told_apart_are_told_right() {
         let mut number = numbers();

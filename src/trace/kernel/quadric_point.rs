@@ -1,8 +1,8 @@
-//! Where exactly four rays meet a convex solid of second degree each: the numbers that
-//! [`shapes::quadric`](crate::trace::shapes::quadric) computes, in its order.
+//! The exact places where each of four rays meets its convex solid of second degree: the same numbers as in
+//! [`shapes::quadric`](crate::trace::shapes::quadric), computed in the same order.
 //!
-//! Bounds on errors are not its own, but greater ones that cost less. Where they do not tell that no rounding has decided
-//! anything, nothing is said, and the shape itself is asked.
+//! Bounds on errors are wider and cheaper than in the shape. Where rounding may have decided something by these bounds,
+//! the place counts as unknown, and the shape itself is asked.
 
 use super::chain::{Local, Located};
 use super::lanes::{
@@ -19,7 +19,7 @@ use crate::trace::shapes::quadric::{Axial, OPERATIONS};
 
 /// Where four rays meet their leaves.
 pub struct Found {
-    /// The rays of which that is known, as bits.
+    /// A bit for each ray whose meeting point was found with certainty.
     pub known: u32,
     /// The rays that meet a flat end, as bits.
     pub flat: u32,
@@ -28,7 +28,7 @@ pub struct Found {
     pub local: V3,
 }
 
-/// A ray, and where it meets its leaf, about.
+/// A ray, and its crossing with its leaf, known roughly.
 pub type Met<'w> = (&'w Start, &'w Crossing);
 
 /// Four polynomials; see [`Axial`].
@@ -42,7 +42,8 @@ struct Forms {
     height: Lanes,
 }
 
-/// Where lines are in solids, with the flat ends among the two as masks.
+/// The stretches of four lines in their solids: the t of both ends, and for each end a mask of the lanes where it is on
+/// a flat end of the solid.
 struct Chords {
     known: Lanes,
     t: [Lanes; 2],
@@ -56,12 +57,13 @@ struct Bounded {
     error: Lanes,
 }
 
-/// Bounds are wider by this: they are rounded themselves.
+/// The factor that widens bounds, since bounds are rounded, too.
 const ROOM: f64 = 1.01;
-/// Powers of two that lines are divided by are between this and its reciprocal.
+/// The least power of two that lines are divided by; its reciprocal is the greatest. Other lines count as unknown.
 const LEAST_SCALE: f64 = 1e-100;
 
-/// Where four rays meet their leaves: at the far ends of chords where they come out.
+/// Finds the exact places where four rays meet their leaves: the far end of the chord for a ray that comes out, the
+/// near end for others. `None` unless each leaf has an [`Axial`] form.
 #[inline(never)]
 pub fn meet(stage: &Stage, leaves: [&Leaf; LANES], met: [Met<'_>; LANES]) -> Option<Found> {
     let axial = |lane: usize| leaves[lane].quadric.as_ref()?.axial.as_ref();
@@ -89,7 +91,8 @@ pub fn meet(stage: &Stage, leaves: [&Leaf; LANES], met: [Met<'_>; LANES]) -> Opt
     let own = either(exit, chords.t[1], chords.t[0]);
     let other = either(exit, chords.t[0], chords.t[1]);
     let is_near = is_at_most((own - rough).abs(), error + error);
-    // The other end may be the start.
+    // The other end of the chord may be the ray's start: it must be clearly elsewhere, unless the ray starts on the
+    // leaf.
     let skin = gathered(starts, |start| start.skin * SKINS);
     let left = lanes_where(|lane| starts[lane].left == leaves[lane].twin);
     let splat = Lanes::splat;
@@ -120,7 +123,8 @@ pub fn meet(stage: &Stage, leaves: [&Leaf; LANES], met: [Met<'_>; LANES]) -> Opt
     })
 }
 
-/// Vectors divided by a power of two not below `least`, so that the largest component is below 2, and that power.
+/// Divides vectors by a power of two, at least `least`, so that the largest component is below 2. Returns the vectors
+/// and the powers.
 #[inline(always)]
 fn normalised(v: V3, least: f64) -> (V3, Lanes) {
     let exponent = v.abs().max_component() & Lanes::splat(f64::INFINITY);
@@ -129,7 +133,7 @@ fn normalised(v: V3, least: f64) -> (V3, Lanes) {
 }
 
 impl Bounded {
-    /// x/y, if y is known to be no zero.
+    /// x/y, for a y that is surely not zero.
     #[inline(always)]
     fn quotient(x: Bounded, y: Bounded) -> Bounded {
         let value = x.value / y.value;
@@ -141,7 +145,7 @@ impl Bounded {
         }
     }
 
-    /// Where the sign is surely the value's.
+    /// A mask: the lanes in which the sign of the value is surely right.
     #[inline(always)]
     fn is_sure(self) -> Lanes {
         is_greater(self.value.abs(), self.error + self.error)
@@ -191,7 +195,8 @@ impl Forms {
         }))
     }
 
-    /// See `Chord` of [`shapes::quadric`](crate::trace::shapes::quadric).
+    /// The stretches of lines in their solids, computed as in `Chord` of
+    /// [`shapes::quadric`](crate::trace::shapes::quadric).
     #[inline(always)]
     fn chords(&self, line: &Local) -> Chords {
         let splat = Lanes::splat;
@@ -214,7 +219,7 @@ impl Forms {
         let usual = usual(length) & usual(stretch) & usual(shrink) & usual(scale) & usual(again);
         let usual = usual & is_at_most(away, line.origin.abs().max_component());
 
-        // How far the line in hand may be from the one that is meant.
+        // How far the rounded line may be from the exact one.
         let inverse = V3(each(self.unit.0, |unit| splat(ROOM) / unit.abs())).max_component();
         let strays = (line.slack[0] + away) * inverse * w;
         let turns = line.slack[1] / length / stretch * inverse;
@@ -293,7 +298,7 @@ impl Forms {
         Chords { known, t, flat }
     }
 
-    /// dᵀAd in twice the working precision, and the sizes of its terms.
+    /// dᵀAd in twice the working precision, and the sum of the sizes of its terms.
     #[inline(always)]
     fn leading(&self, d: V3) -> (Lanes, Lanes) {
         let (mut sum, mut lost, mut size) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
@@ -313,8 +318,9 @@ impl Forms {
         (sum + lost, size)
     }
 
-    /// The parts of the stretches inside of the polynomials that are in the solids, which of the ends are flat, and where
-    /// that is known: of cones what is between the apex and the base, of all others everything.
+    /// Cuts the stretches in which the polynomials are negative down to the stretches in the solids: for a cone to the
+    /// part between apex and base, for other solids not at all. Returns the ends, masks of the ends that are flat, and
+    /// a mask of the lanes where all this is known.
     #[inline(always)]
     fn cut(
         &self,
@@ -330,8 +336,8 @@ impl Forms {
         if !is_cone.any() {
             return ([first.value, last.value], [zero; 2], closed);
         }
-        // The half of the double cone where y is positive: a bounded stretch is in the one of its middle, and of two others
-        // the one that the line rises into.
+        // The solid is the half of the double cone where y is positive. A bounded stretch is in the half that its
+        // middle is in. Of two unbounded stretches, the solid has the one that the line rises into.
         let two = splat(2.0);
         let middle = Bounded::quotient(
             Bounded {
@@ -382,7 +388,8 @@ impl Forms {
         (ends, flat, either(is_cone, known, closed))
     }
 
-    /// The points of lines at t, moved onto the surfaces, and where they are known; `flat` ends are planes.
+    /// The points of lines at t, moved onto the surfaces. In the lanes of the mask `flat` the surface is the plane of a
+    /// flat end.
     #[inline(always)]
     fn locate(&self, line: &Local, t: Lanes, flat: Lanes) -> Located {
         let splat = Lanes::splat;

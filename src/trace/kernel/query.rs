@@ -5,7 +5,7 @@ use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
 use crate::trace::shapes::Root;
 
-/// No leaf.
+/// The number that stands for no leaf.
 pub const NONE: u32 = u32::MAX;
 
 /// A ray, and what it knows about where it starts.
@@ -13,11 +13,12 @@ pub const NONE: u32 = u32::MAX;
 pub struct Start {
     pub origin: [f64; 3],
     pub direction: [f64; 3],
-    /// A bound on the distance of the origin from the surface that it is on.
+    /// A bound on the distance of the origin from the surface that the ray starts on.
     pub skin: f64,
-    /// The first leaf with that surface, or [`NONE`]: see [`Leaf::twin`](super::leaf::Leaf::twin).
+    /// The first leaf with the surface that the ray starts on, or [`NONE`]: see
+    /// [`Leaf::twin`](super::leaf::Leaf::twin).
     pub left: u32,
-    /// The face that it starts on, of a leaf without lanes.
+    /// The face of that leaf that the ray starts on, for a leaf without lanes.
     pub face: u32,
     /// Whether the ray goes against the normal of that surface.
     pub goes_in: bool,
@@ -40,12 +41,12 @@ impl Start {
     }
 }
 
-/// The solids around a place, numbers of leaves: up to [`DEEPEST`], and then [`NONE`]. The earlier operands are first; the
-/// first one owns the place.
+/// The solids that hold a place, as numbers of leaves: up to [`DEEPEST`] of them, filled up with [`NONE`]. Earlier
+/// operands come first; the first solid owns the place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Within(pub [u32; DEEPEST]);
 
-/// Solids that a place may be in at most.
+/// The most solids that may hold one place.
 pub const DEEPEST: usize = 4;
 
 impl Within {
@@ -58,7 +59,7 @@ impl Within {
         within
     }
 
-    /// The one that owns the place, or [`NONE`].
+    /// The solid that owns the place, or [`NONE`] where there is no solid.
     #[inline(always)]
     pub fn owner(self) -> u32 {
         self.0[0]
@@ -74,7 +75,7 @@ impl Within {
         solid != NONE && self.0.contains(&solid)
     }
 
-    /// All but one.
+    /// All solids but `solid`.
     #[inline(always)]
     pub fn without(self, solid: u32) -> Within {
         let mut within = self;
@@ -98,12 +99,12 @@ impl Within {
     }
 }
 
-/// Crossings nearer to the start than this many skins cannot be told from it: one over the root of the unit roundoff, and a
-/// little.
+/// A crossing that is nearer to the start than this many skins cannot be told from the start. The number is a little
+/// more than one over the root of the unit roundoff.
 pub const SKINS: f64 = 1.2e8;
 
-/// A bound on the error of t as a share of the numbers behind it, of any surface: a little more than what
-/// [`rough`](crate::trace::search::root_order::rough) says of curved ones.
+/// A bound on the error of t for any surface, as a share of the numbers that t is computed from: a little more than the
+/// bound of [`rough`](crate::trace::search::root_order::rough) for curved surfaces.
 pub const BENT: f64 = 9e-7;
 
 /// A ray, set up for a search.
@@ -112,7 +113,7 @@ pub struct Query<'r> {
     pub start: &'r Start,
     pub line: Line,
     pub probe: Probe,
-    /// In t, how far from the start a place is that cannot be taken for the start.
+    /// The t beyond which a place cannot be taken for the ray's start.
     pub skin: f64,
 }
 
@@ -121,7 +122,7 @@ impl Query<'_> {
     pub fn new(start: &Start) -> Query<'_> {
         let line = Line::new(Vec3(start.origin), Vec3(start.direction));
         let probe = Probe::new(&line);
-        // The way is as long as its largest component, or 1.8 times that.
+        // The length of the direction is between its largest component and 1.8 times that component.
         let skin = start.skin * SKINS * probe.per_pace;
         Query {
             start,
@@ -140,13 +141,13 @@ pub struct End {
 }
 
 impl End {
-    /// Beyond everything.
+    /// A place that is never reached.
     pub const NEVER: End = End {
         t: f64::INFINITY,
         error: 0.0,
     };
 
-    /// Whether one is before another, whatever the errors.
+    /// Whether this place is before `other`, whatever the errors.
     #[inline(always)]
     pub fn is_before(&self, other: End) -> bool {
         self.t + self.error < other.t - other.error
@@ -158,18 +159,18 @@ impl End {
 pub struct Crossing {
     /// The leaf whose surface it is.
     pub surface: u32,
-    /// Of a leaf with lanes, about where it is.
+    /// The crossing as the arbiter finds it; for a leaf with lanes a rough place.
     pub root: Root,
     pub end: End,
     /// Whether the ray comes out of the leaf.
     pub is_exit: bool,
 }
 
-/// The face of a place that is known about.
+/// The face of a crossing whose place is known only roughly.
 pub const UNKNOWN_FACE: u32 = u32::MAX;
 
 impl Crossing {
-    /// With nothing.
+    /// The crossing of a ray that meets nothing.
     pub const NONE: Crossing = Crossing {
         surface: NONE,
         root: Root { t: 0.0, face: 0 },
@@ -183,7 +184,7 @@ impl Crossing {
 pub enum Ask {
     First,
     All,
-    /// Whether there is one.
+    /// Nothing but whether there is a crossing.
     Any,
 }
 
@@ -194,11 +195,11 @@ pub enum Crossed {
     Somewhere,
     /// Rounding may have decided something.
     Doubt,
-    /// At the places in [`Scratch::ahead`](super::scratch::Scratch::ahead).
+    /// The ray crosses at the places in [`Scratch::ahead`](super::scratch::Scratch::ahead).
     Ahead,
 }
 
-/// Tests, counted.
+/// The numbers of tests that were made against boxes and shapes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Tests {
     pub boxes: u32,
@@ -206,7 +207,7 @@ pub struct Tests {
 }
 
 impl Tests {
-    /// Counts more of them.
+    /// Adds the numbers of `more`.
     #[inline(always)]
     pub fn add(&mut self, more: Tests) {
         self.boxes += more.boxes;

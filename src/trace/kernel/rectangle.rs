@@ -1,5 +1,5 @@
-//! Rectangles in the plane z = 0: which of several a line meets, and where several lines meet one each, as
-//! [`shapes::rectangle`](crate::trace::shapes) computes it.
+//! Rectangles in the plane z = 0: which of several rectangles a line meets, and where each of several lines meets its
+//! own, computed as in [`shapes::rectangle`](crate::trace::shapes).
 
 use super::lanes::{ALL, LANES, Lanes, Number, V3, is_at_most, is_greater, is_less};
 use super::leaf::Leaf;
@@ -19,7 +19,7 @@ pub struct Rectangles {
 const RIM: f64 = 1e-12;
 
 impl Rectangles {
-    /// Of the least and the greatest x and y.
+    /// Packs up to four rectangles: the least x and y of each, and then the greatest x and y.
     pub fn new(rectangles: &[[f64; 4]]) -> Rectangles {
         let column = |i: usize| {
             let number = |k: usize| rectangles.get(k).map_or(0.0, |r| r[i]);
@@ -32,7 +32,8 @@ impl Rectangles {
         }
     }
 
-    /// The rectangles that lines may meet after `from` and before `to`.
+    /// The crossings with the rectangles that lines may meet after t = `from` and before t = `to`; near and far ends
+    /// are equal.
     #[inline(always)]
     pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
         let splat = Lanes::splat;
@@ -41,7 +42,7 @@ impl Rectangles {
         let [x, y, z] = probe.origins().0;
         let per_dz = probe.inverses().0[2];
         let t = -z * per_dz;
-        // A line in the plane, or nearly so, which may be elsewhere than where it is said to be.
+        // A line in the plane, or nearly in it, may cross the plane far from the computed place.
         let is_parallel = !is_less(t.abs(), splat(f64::INFINITY))
             | is_at_most(dz.abs(), splat(RIM) * probe.pace.wide());
         let is_apart = is_greater(z.abs(), splat(RIM) * probe.reach.wide())
@@ -71,7 +72,7 @@ impl Rectangles {
     }
 }
 
-/// Where lines meet the plane z = 0.
+/// The points where lines meet the plane z = 0.
 #[inline(always)]
 pub fn resolve(origin: V3, direction: V3) -> Resolved {
     let (zero, splat) = (Lanes::ZERO, Lanes::splat);

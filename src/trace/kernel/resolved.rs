@@ -4,22 +4,23 @@ use super::lanes::{LANES, Lanes, V3};
 use super::leaf::Leaf;
 use crate::geometry::vec::Vec3;
 
-/// Points of surfaces, in the scene's space.
+/// The points where four rays meet their shapes, in the space of the rays.
 #[derive(Debug, Clone, Copy)]
 pub struct Resolved {
-    /// A mask: where no rounding has decided that the shape is met.
+    /// A mask: the lanes that surely meet the shape, whatever is rounded.
     pub clear: Lanes,
     pub t: Lanes,
     pub point: V3,
     /// Bounds on the error of the point, component by component.
     pub error: V3,
-    /// Unit, outwards.
+    /// The outward normal, of any length.
     pub normal: V3,
 }
 
-/// A kind of shape, as four rays meet four of it.
+/// A kind of shape of which four rays meet one each.
 pub trait Meet {
-    /// Where rays meet leaves in the space of these: at the far ends of chords where `exit` is set.
+    /// The points where rays meet their leaves, for rays in the spaces of the leaves: at the far ends of chords where
+    /// `exit` is set, elsewhere at the near ends.
     fn meet(leaves: [&Leaf; LANES], origin: V3, direction: V3, exit: Lanes) -> Resolved;
 
     /// The face with this normal: see [`Root::face`](crate::trace::shapes::Root::face).

@@ -26,7 +26,8 @@ pub enum Raw {
     Somewhere,
     /// Rounding may have decided something.
     Doubt,
-    /// At the roots, on this line in the shape's space; whether the ray starts inside.
+    /// The ray crosses at the roots. `line` is the ray in the shape's space; `inside`: whether the ray starts inside of
+    /// the shape.
     Ahead {
         line: Line,
         inside: bool,
@@ -34,7 +35,7 @@ pub enum Raw {
 }
 
 impl Stage<'_> {
-    /// A line in the space at the end of a chain.
+    /// Takes a line into the space at the end of a chain of placements.
     #[inline]
     pub fn line_through(&self, line: &Line, chain: u32) -> Line {
         let placements = &self.graph.placements;
@@ -46,8 +47,8 @@ impl Stage<'_> {
         }
     }
 
-    /// Finds where a ray crosses a leaf without lanes ahead of its start: what is asked for is in
-    /// `scratch.ahead`. Places outside of a stretch may be missing.
+    /// Finds where a ray crosses a leaf without lanes ahead of its start. The crossings that `ask` asks for are listed
+    /// in `scratch.ahead`; those outside of `stretch` may be missing.
     #[inline]
     pub fn meet_single(
         &self,
@@ -67,7 +68,8 @@ impl Stage<'_> {
         self.listed(query, number, raw, ask, scratch)
     }
 
-    /// The same, of a ray that does not start on the leaf and may well meet it, whose line in the leaf's space is known.
+    /// Like [`meet_single`](Self::meet_single), for the first crossing of a ray that does not start on the leaf and
+    /// that cheap tests have not ruled out. `line` is the ray in the leaf's space.
     #[inline]
     pub fn meet_on_line(
         &self,
@@ -87,7 +89,8 @@ impl Stage<'_> {
         self.listed(query, number, raw, ask, scratch)
     }
 
-    /// Lists what has been found of a leaf in `scratch.ahead`.
+    /// Lists the crossings that were found with a leaf in `scratch.ahead`. A ray is in doubt if they contradict what it
+    /// knows about where it starts.
     #[inline(always)]
     fn listed(
         &self,
@@ -122,7 +125,8 @@ impl Stage<'_> {
         }
     }
 
-    /// Finds where exactly a ray crosses a convex solid of second degree; `false` where that is not known.
+    /// Replaces a rough crossing with a convex solid of second degree by the exact one; `false` if the exact one is not
+    /// known.
     #[inline(never)]
     pub fn sharpen(&self, start: &Start, crossing: &mut Crossing, roots: &mut Roots) -> bool {
         let query = Query::new(start);
@@ -154,8 +158,8 @@ impl Stage<'_> {
         }
     }
 
-    /// Finds where a ray crosses a leaf without lanes ahead of its start. Crossings outside of a stretch may be missing, and
-    /// those behind the first one, unless all are asked for.
+    /// Finds where a ray crosses a leaf without lanes ahead of its start, and puts the crossings into `roots`.
+    /// Crossings outside of `stretch` may be missing; so may those behind the first one, unless `ask` is [`Ask::All`].
     #[inline(never)]
     pub fn cross(
         &self,
@@ -190,7 +194,8 @@ impl Stage<'_> {
         self.solve(query, number, &line, stretch, ask, roots)
     }
 
-    /// Finds where a ray crosses a leaf without lanes that it may well cross, on its line in the leaf's space.
+    /// Finds where a ray crosses a leaf without lanes that cheap tests have not ruled out. `line` is the ray in the
+    /// leaf's space.
     #[inline]
     fn solve(
         &self,
@@ -239,7 +244,7 @@ impl Stage<'_> {
         }
     }
 
-    /// Where four rays have met leaves without lanes, those of some lanes.
+    /// The points where four rays have met leaves without lanes, for the lanes in `live`.
     #[inline(never)]
     pub fn locate(
         &self,
@@ -305,7 +310,8 @@ impl Stage<'_> {
         }
     }
 
-    /// The share of diffuse light at a point of a leaf's surface, `point` in the scene's space and `local` in the leaf's.
+    /// The share of diffuse light at a point of a leaf's surface: `point` in the scene's space, `local` in the leaf's
+    /// space.
     #[inline(never)]
     pub fn albedo(
         &self,
@@ -334,16 +340,16 @@ impl Stage<'_> {
     }
 }
 
-/// Points of surfaces.
+/// The points where four rays have met leaves without lanes.
 pub struct Places {
     pub resolved: Resolved,
-    /// The unit normals that light is reckoned with, in the scene's space.
+    /// The unit normals for shading, in the scene's space.
     pub shading: V3,
     /// The points in the spaces of their shapes.
     pub local: [Vec3; LANES],
 }
 
-/// In no space.
+/// The point of a lane that holds no ray.
 const NOWHERE: Located = Located {
     point: Vec3::ZERO,
     error: Vec3::ZERO,

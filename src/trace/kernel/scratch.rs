@@ -16,12 +16,12 @@ pub struct Passed {
 #[derive(Debug, Clone, Copy)]
 pub struct Face {
     pub end: End,
-    /// The leaf whose surface it is; [`NONE`](super::query::NONE): none that is on the way.
+    /// The leaf whose surface it is; [`NONE`](super::query::NONE) for a face that is not on the way.
     pub surface: u32,
 }
 
-/// Children in the tree of an intersection still to be visited, with bounds from below on where they are met: next, and
-/// perhaps later.
+/// Children in the tree of an intersection still to be visited, with lower bounds on where the ray meets them:
+/// `pending` are next, `beyond` are visited if the search gets that far.
 #[derive(Debug, Default)]
 pub struct Inner {
     pub pending: Vec<(f32, Child)>,
@@ -31,28 +31,29 @@ pub struct Inner {
 /// Scratch memory kept from one search to the next.
 #[derive(Debug, Default)]
 pub struct Scratch {
-    /// Children still to be visited, with bounds from below on where they are met.
+    /// Children in the scene's tree still to be visited, with lower bounds on where the ray meets them.
     pub pending: Vec<(f32, Child)>,
     /// Transparent things on the way.
     pub passed: Vec<Passed>,
     /// Opaque things on the way that something transparent may hide, with their near faces.
     pub opaque: Vec<Passed>,
-    /// Faces of what is passed, and which of them each is of.
+    /// The faces of the things in `passed`, each with the index of its thing.
     pub faces: Vec<(Face, u32)>,
-    /// Crossings with later operands, which are not seen from within an earlier one, leaf by leaf.
+    /// Crossings with later operands, leaf by leaf: from within an earlier operand they are not seen.
     pub hidden: Vec<(u32, End)>,
-    /// Where the last leaf without lanes is met.
+    /// Where the ray meets the leaf without lanes that was asked last.
     pub ahead: Vec<Crossing>,
     pub roots: Roots,
-    /// With the operands of the last intersection.
+    /// The crossings with the operands of the intersection that was asked last.
     pub events: Vec<Crossing>,
-    /// Operands whose crossings are too near the start to say on which side of it; whether the ray goes in.
+    /// Operands with a crossing that is too near the start to say on which side of it. The flag: whether the ray goes
+    /// into the operand there.
     pub at_start: Vec<(u32, bool)>,
-    /// The least t of each of them and all behind it.
+    /// For each crossing in `events`, a lower bound on the t of it and of all behind it.
     pub least: Vec<f64>,
-    /// Of each gate of it, how many operands are unmet: see [`Csg`](super::csg::Csg).
+    /// For each gate of the intersection, the number of its unmet operands: see [`Csg`](super::csg::Csg).
     pub unmet: Vec<u32>,
     pub inner: Inner,
-    /// How many lists of crossings intersections have merged.
+    /// The number of times that intersections have merged their crossings, or found the first place without a merge.
     pub merges: u64,
 }

@@ -21,10 +21,10 @@ pub enum Met {
     Surface(Crossing, [Within; 2]),
 }
 
-/// The nearest crossing so far.
+/// The nearest crossing among those that have been found.
 struct Nearest {
     crossing: Crossing,
-    /// The least t of all that is not the nearest.
+    /// A lower bound on the t of all other crossings.
     second: f64,
     /// The largest t at which a crossing may be as near as the nearest.
     limit: f64,
@@ -88,7 +88,8 @@ impl Stage<'_> {
         }
         let found = best.crossing;
         if found.surface == NONE {
-            // The ray has crossed hidden solids and never left its own: that cannot be.
+            // A ray that crosses hidden solids has to leave the solid that hides them: without a way out something is
+            // wrong.
             return match scratch.hidden[..] {
                 [] => Met::Nothing,
                 _ => Met::Doubt,
@@ -112,8 +113,9 @@ impl Stage<'_> {
         }
     }
 
-    /// The solids before and behind a crossing, of a ray that starts in some and crosses hidden ones, leaf by leaf. `None`
-    /// where that is not known, or the medium is the same on both sides, so that there is no surface.
+    /// The solids before and behind the crossing `found`. The ray starts in the solids `within`; `hidden` are its
+    /// crossings with hidden solids, leaf by leaf. `None` where the solids are not known, or where the medium is the
+    /// same on both sides, so that there is no surface.
     fn sides(&self, within: Within, found: Crossing, hidden: &[(u32, End)]) -> Option<[Within; 2]> {
         let leaf = &self.leaves[found.surface as usize];
         let mut before = within;
@@ -132,7 +134,7 @@ impl Stage<'_> {
             return Some([before; 2]);
         }
         let behind = match self.across(before, leaf.solid) {
-            // Nothing goes into what is opaque.
+            // No ray goes on into an opaque solid, so the other solids there do not matter.
             None if !leaf.is_clear => Within::one(leaf.solid),
             behind => behind?,
         };
@@ -141,7 +143,7 @@ impl Stage<'_> {
         (!is_one_medium).then_some([before, behind])
     }
 
-    /// The solids beyond the surface of one, if they are not too many.
+    /// The solids on the other side of the surface of `solid`; `None` if they are too many.
     fn across(&self, within: Within, solid: u32) -> Option<Within> {
         let operand = |solid: u32| self.leaves[solid as usize].operand;
         match within.has(solid) {
@@ -150,7 +152,8 @@ impl Stage<'_> {
         }
     }
 
-    /// Looks for the first surface among those of a block; `false`: the kernel does not know.
+    /// Looks for a nearer surface in a block; `false` if the ray is in doubt. `within` is the leaf that owns the ray's
+    /// start.
     #[inline(always)]
     fn nearer(
         &self,
@@ -161,7 +164,7 @@ impl Stage<'_> {
         scratch: &mut Scratch,
         tests: &mut Tests,
     ) -> bool {
-        // An earlier operand hides what is in it.
+        // An earlier operand hides the later solids inside of it.
         let is_hidden =
             |leaf: &Leaf| within.is_some_and(|own| leaf.is_solid && leaf.operand > own.operand);
         let (start, skin) = (query.start, query.skin);
@@ -243,7 +246,7 @@ impl Stage<'_> {
         true
     }
 
-    /// The way out of a leaf that the ray is in, which comes next.
+    /// The way out of the lone leaf `own` that the ray is in: the ray meets nothing else before it.
     #[inline(always)]
     fn other_side(
         &self,
@@ -273,7 +276,7 @@ impl Stage<'_> {
         }
     }
 
-    /// Puts all that there is on the stack.
+    /// Begins a walk through the scene: puts the root of the tree and all blocks without bounds on the stack.
     #[inline(always)]
     pub(super) fn begin(&self, scratch: &mut Scratch) {
         scratch.pending.clear();

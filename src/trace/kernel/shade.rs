@@ -10,7 +10,8 @@ use crate::geometry::array::each;
 use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
 
 impl Tile {
-    /// Sends rays on from where four rays have met something, and adds up the light there.
+    /// Sends rays on from the points where four rays have met something, and notes the points for the light of the
+    /// lamps.
     #[inline(always)]
     pub(super) fn shade(&mut self, scene: &Scene, four: &Four, hits: &Hits) {
         if scene.features.glass || scene.features.mirrors {
@@ -19,7 +20,7 @@ impl Tile {
         self.note_lit(scene, four, hits);
     }
 
-    /// Sends on what is mirrored and what goes through.
+    /// Sends on the mirrored rays and the rays that go through.
     #[inline(always)]
     fn follow(&mut self, scene: &Scene, four: &Four, hits: &Hits) {
         let splat = Lanes::splat;
@@ -78,7 +79,8 @@ impl Tile {
         }
     }
 
-    /// The ways through surfaces with a solid on either side.
+    /// The ways of light through surfaces with a solid on both sides, and their number; no ways where a solid is
+    /// missing.
     #[cold]
     fn ways_between(&self, stage: &Stage, four: &Four) -> [([Way; 3], u32); LANES] {
         each([0, 1, 2, 3], |lane: usize| {
@@ -97,7 +99,8 @@ impl Tile {
         })
     }
 
-    /// Sends on what goes through on one of the ways of each leaf; returns, as bits, where it is totally reflected.
+    /// Sends on the rays that go through by one of the ways of each leaf, which has the index `way`. Returns, as bits,
+    /// the rays that are totally reflected.
     #[inline(always)]
     fn refract(
         &mut self,
@@ -139,7 +142,8 @@ impl Tile {
         total
     }
 
-    /// Sends rays on unless they are too deep or count for too little; returns which are sent.
+    /// Sends rays on unless they are too deep or count for too little. Returns, as bits, the rays that are sent, and
+    /// all that go straight on.
     #[inline(always)]
     fn send(
         &mut self,
@@ -195,7 +199,7 @@ impl Tile {
             });
         }
         match goes_on {
-            // Straight on is always counted.
+            // A ray that goes straight on counts as refracted, sent or not.
             Goes::Through { straight, .. } => sent | (goes & straight),
             Goes::Back => sent,
         }
@@ -205,7 +209,8 @@ impl Tile {
 /// Where rays go from a surface.
 #[derive(Clone, Copy)]
 enum Goes {
-    /// To the other side, on one of the ways of each leaf, and where the bits are set as if there were nothing.
+    /// To the other side, by the way of each leaf with the index `way`. `straight` are the rays, as bits, that go on
+    /// without being bent.
     Through {
         straight: u32,
         way: usize,
@@ -227,7 +232,7 @@ pub struct Four<'a> {
 }
 
 impl<'a> Four<'a> {
-    /// Of one to four hits.
+    /// Packs one to four hits. The lanes that are left over repeat the last hit.
     #[inline(always)]
     pub fn new(wave: &'a [Ray], leaves: &'a [Leaf], hits: &'a [Hit]) -> Four<'a> {
         let hits = each([0, 1, 2, 3], |lane: usize| &hits[lane.min(hits.len() - 1)]);
@@ -247,10 +252,10 @@ impl<'a> Four<'a> {
 
 /// Points of surfaces that four rays have met.
 pub struct Hits {
-    /// Lanes that count, as bits.
+    /// The lanes that hold a hit, as bits.
     pub live: u32,
     pub point: V3,
-    /// Unit, that light is reckoned with.
+    /// The unit normals for shading.
     pub shading: V3,
     /// The share of diffuse light.
     pub albedo: V3,

@@ -9,7 +9,7 @@ use super::stage::Stage;
 use crate::geometry::vec::Vec3;
 use crate::geometry::wide_bvh::{Beam, Is, WIDTH as CHILDREN};
 
-/// The light of a lamp behind all that is on its way.
+/// The light of a lamp that is left behind everything on its way.
 #[derive(Debug, Clone, Copy)]
 pub enum Light {
     /// The lamp is seen, with this share of its light left.
@@ -19,18 +19,20 @@ pub enum Light {
     Doubtful,
 }
 
-/// An answer about things on the way.
+/// How a block is in the way of light.
 enum Found {
     Nothing,
     Dark,
     Doubt,
 }
 
-/// The end of rays to lamps: see [`AT_LAMP`](crate::trace::precision::Precision::AT_LAMP).
+/// The t at which rays to lamps end, just before the lamp at t = 1: see
+/// [`AT_LAMP`](crate::trace::precision::Precision::AT_LAMP).
 pub const TO: f64 = 1.0 - 1.0 / (1u64 << 27) as f64;
-/// Transparent things on the way to a lamp at most.
+/// The most transparent leaves on the way to a lamp, and the most opaque leaves that may be hidden. With more, the ray
+/// is in doubt.
 const MAX_PASSED: usize = 64;
-/// Before the start of every ray.
+/// A face before the start of every ray.
 const BEFORE: Face = Face {
     end: End {
         t: -1.0,
@@ -50,8 +52,8 @@ fn is_on_the_way(end: End) -> Option<bool> {
 }
 
 impl Stage<'_> {
-    /// The share of light that gets along a ray to a lamp at t = 1. `along` are the numbers of the blocks on its way, if they are known;
-    /// `last` is the block that was in the way of the light before.
+    /// The share of light that gets along a ray to a lamp at t = 1. `along` are the numbers of the blocks on its way,
+    /// if they are known; `last` is the block that was in the way of the lamp's light last.
     #[inline(always)]
     pub fn light(
         &self,
@@ -100,7 +102,7 @@ impl Stage<'_> {
                     if let Found::Dark = self.in_the_way(&query, *last, scratch, tests) {
                         return Light::Dark;
                     }
-                    // It is met once more.
+                    // The walk meets this block once more.
                     scratch.passed.truncate(own[0]);
                     scratch.opaque.truncate(own[1]);
                 }
@@ -142,7 +144,7 @@ impl Stage<'_> {
         }
     }
 
-    /// Notes what in a block is in the way of light.
+    /// Notes the leaves of a block that are in the way of light.
     #[inline(always)]
     fn in_the_way(
         &self,
@@ -200,7 +202,7 @@ impl Stage<'_> {
         Found::Nothing
     }
 
-    /// Notes a leaf that light meets at one place and leaves at another, ahead of the ray's start.
+    /// Notes a leaf that light enters at the face `near` and leaves at `far`, both ahead of the ray's start.
     #[inline(always)]
     fn note_chord(&self, number: u32, [near, far]: [Face; 2], scratch: &mut Scratch) -> Found {
         let leaf = &self.leaves[number as usize];
@@ -254,7 +256,7 @@ impl Stage<'_> {
         found
     }
 
-    /// Notes a leaf that light meets from outside, and where it crosses that.
+    /// Notes a leaf that light meets from outside: a chord for each pair of the crossings `ahead`.
     fn note_chords(&self, number: u32, ahead: &[Crossing], scratch: &mut Scratch) -> Found {
         let note = |faces| self.note_chord(number, faces, scratch);
         chords(&self.leaves[number as usize], ahead)
@@ -263,7 +265,7 @@ impl Stage<'_> {
             .unwrap_or(Found::Nothing)
     }
 
-    /// Notes where light leaves a solid that it starts in; whether that is known.
+    /// Notes where light leaves a solid that it starts in; `false` if the place is not known.
     #[inline(always)]
     fn leaves_own(
         &self,
@@ -283,7 +285,7 @@ impl Stage<'_> {
                         surface: crossing.surface,
                     });
                     ahead.drain(..ahead.len().min(1));
-                    // It may come back.
+                    // The ray may come back into the solid.
                     let found = self.note_chords(own, &ahead, scratch);
                     scratch.ahead = ahead;
                     far.filter(|_| matches!(found, Found::Nothing))
@@ -311,8 +313,9 @@ impl Stage<'_> {
         true
     }
 
-    /// Whether the near face of something opaque may be hidden in another solid: an earlier operand owns what both are in,
-    /// and within one medium there are no faces. Light is within something opaque only where the near face of that is hidden.
+    /// Whether the near face of the leaf `opaque` may be hidden in one of the `others`: an earlier operand owns the
+    /// points that both hold, and within one medium there are no faces. Light gets into an opaque leaf only where its
+    /// near face is hidden.
     #[inline]
     fn may_be_hidden(&self, opaque: &Passed, others: &[Passed]) -> bool {
         let leaf = |passed: &Passed| &self.leaves[passed.leaf as usize];
@@ -326,7 +329,7 @@ impl Stage<'_> {
         (others.iter()).any(|other| may_hide(other) && !is_apart(other))
     }
 
-    /// The light that is left if all that is opaque begins in something transparent.
+    /// The light that is left if each opaque leaf on the way begins in something that hides its near face.
     #[cold]
     fn share_with_opaque(&self, query: &Query, scratch: &mut Scratch, tests: &mut Tests) -> Light {
         let opaque = std::mem::take(&mut scratch.opaque);
@@ -354,7 +357,8 @@ impl Stage<'_> {
         }
     }
 
-    /// Notes something that begins on the way; whether that is known.
+    /// Notes a leaf that light passes, if it begins before the lamp. `false` if that is not known, or if there are too
+    /// many.
     #[inline(always)]
     fn note_passed(&self, mut passed: Passed, scratch: &mut Scratch) -> bool {
         let is_solid = self.leaves[passed.leaf as usize].is_solid;
@@ -374,7 +378,7 @@ impl Stage<'_> {
         has_room
     }
 
-    /// The light that is left behind all that it passes.
+    /// The light that is left behind all leaves that it passes.
     #[inline(always)]
     fn share(&self, scratch: &mut Scratch) -> Light {
         match &scratch.passed[..] {
@@ -396,7 +400,7 @@ impl Stage<'_> {
         }
     }
 
-    /// The share of light that several things let through. Faces in earlier operands do not count.
+    /// The share of light that several leaves let through. Faces that are hidden in earlier operands do not count.
     #[inline(never)]
     fn share_of_many(&self, Scratch { passed, faces, .. }: &mut Scratch) -> Light {
         faces.clear();
@@ -455,7 +459,8 @@ impl Stage<'_> {
     }
 }
 
-/// Where light meets a leaf from outside and leaves it, chord by chord.
+/// The faces where light meets a leaf from outside and leaves it, chord by chord. On a surface without an inside both
+/// are one place.
 fn chords(leaf: &Leaf, ahead: &[Crossing]) -> impl Iterator<Item = [Face; 2]> {
     let is_solid = leaf.is_solid;
     let face = |crossing: &Crossing| Face {

@@ -1,8 +1,9 @@
 //! Intersections and differences of a few convex shapes with lanes: where four rays meet the whole first.
 //!
-//! A ray meets each shape in one chord. It is in all of the first operands from the last way in to the first way out. Where
-//! that place is in a cut, the whole begins where the ray comes out of the cut, and so on. Nothing is put in order: only the
-//! place that is found is compared with the others. What else happens on the way does not matter.
+//! A ray meets each shape in one chord. It is in all of the first operands from the last way in to the first way out.
+//! If the last way in is in a cut, the whole begins where the ray comes out of the cut; if that place is in another
+//! cut, the ray has to come out of that, and so on. The crossings are not sorted: only the place that is found is
+//! compared with the others.
 
 use super::block::{Shapes, shapes};
 use super::expand::Operands;
@@ -26,7 +27,8 @@ struct Operand {
     is_cut: bool,
 }
 
-/// More operands are walked one ray at a time: most of them are far from each ray.
+/// The most operands of spans. Intersections with more are walked one ray at a time: most of their operands are far
+/// from each ray.
 const MAX_OPERANDS: usize = 6;
 
 impl Spans {
@@ -35,7 +37,7 @@ impl Spans {
         self.0.len() as u32
     }
 
-    /// `None` for what is not made of a few shapes with lanes.
+    /// `None` unless the intersection consists of a few shapes with lanes, without operations inside.
     pub fn new(leaves: &[Leaf], operands: &Operands) -> Option<Spans> {
         let mut numbers: Vec<u32> = operands.all().take(MAX_OPERANDS + 1).collect();
         let leaf = |number: u32| &leaves[number as usize];
@@ -54,7 +56,8 @@ impl Spans {
     }
 }
 
-/// Where four rays are in a convex shape: from −∞ on if they start in it, and nowhere from ∞ to −∞.
+/// The stretches of four rays in a convex shape. `near` is −∞ for a ray that starts in the shape. A ray that misses it
+/// has `near` = ∞ and `far` = −∞.
 #[derive(Clone, Copy)]
 struct Chord {
     near: Lanes,
@@ -71,8 +74,8 @@ impl Chord {
         far_error: Lanes::ZERO,
     };
 
-    /// The chord of each ray of a packet up to some t, and of which of them it is known, as bits; `probe` has the rays in the
-    /// leaf's space.
+    /// The chord of each ray of a packet before t = `to`, and, as bits, the rays whose chords are known. `probe` holds
+    /// the rays in the leaf's space.
     #[inline(always)]
     fn new(
         packet: &Packet,
@@ -91,7 +94,7 @@ impl Chord {
             near,
             far,
         } = shapes.chords(probe, -(packet.skin + hair), to + hair);
-        // What is convex is not met again by a ray that leaves it.
+        // A ray that leaves a convex leaf does not meet it again.
         let maybe = maybe & !(here & !goes_in);
         if maybe == 0 {
             return (Chord::NOWHERE, ALL);
@@ -124,15 +127,15 @@ impl Chord {
 /// The places where four rays meet an intersection.
 pub struct Entry<'s> {
     pub ahead: Ahead,
-    /// The rays that do not tell it so simply, as bits.
+    /// The rays for which this simple way finds no answer, as bits.
     pub rest: u32,
     spans: &'s Spans,
-    /// The operand that each ray meets there.
+    /// The index of the operand that each ray meets there.
     operands: Lanes,
 }
 
 impl Entry<'_> {
-    /// The place where a ray meets the whole, which it does.
+    /// The place where the ray in a lane meets the whole. The ray has to be in `ahead.met`.
     #[inline(always)]
     pub fn crossing(&self, lane: usize) -> Crossing {
         let [t, error, operand] =
@@ -151,8 +154,8 @@ impl Entry<'_> {
 }
 
 impl Spans {
-    /// Where some rays, which start outside of an intersection, meet it first, up to some t: what is behind that may be
-    /// missing.
+    /// Finds where `rays` meet the intersection first, before t = `to`. They start outside of it. Places behind `to`
+    /// may be missing.
     #[inline(never)]
     pub fn entry(
         &self,
@@ -164,9 +167,9 @@ impl Spans {
         let splat = Lanes::splat;
         let (zero, infinity) = (Lanes::ZERO, splat(f64::INFINITY));
         let mut chords = [Chord::NOWHERE; MAX_OPERANDS];
-        // Surely beside the whole, and not known.
+        // The rays that surely miss the whole, and the rays that are in doubt, as bits.
         let (mut beside, mut doubt) = (0, 0);
-        // The last way in, and a place that no other one is behind.
+        // The last way in, and bounds: no last way in is before `least`, and no other way in is behind `others`.
         let (mut t, mut error, mut operands) = (-infinity, zero, splat(-1.0));
         let (mut least, mut others) = (-infinity, -infinity);
         // The first way out is between these.
@@ -207,7 +210,7 @@ impl Spans {
         doubt |= rays & !is_last.to_bitmask();
         let cuts = || self.0.iter().zip(&chords).enumerate();
         let mut open = rays & !beside & !doubt;
-        // At each turn some ray comes out of a cut for good.
+        // In each round some ray comes out of a cut for good.
         let mut has_moved = true;
         while std::mem::take(&mut has_moved) && open != 0 {
             for (i, (_, cut)) in cuts().filter(|(_, (operand, _))| operand.is_cut) {
@@ -228,7 +231,8 @@ impl Spans {
                 operands = either(goes, number, operands);
             }
         }
-        // A ray that is in no cut at its start is inside: so it is said to be elsewhere.
+        // A ray that starts in all first operands and in no cut is inside of the whole, although it is said to start
+        // outside.
         let is_ahead = !is_less(operands, zero);
         let is_met = is_less(t + error, out_least) & is_ahead;
         let is_over = is_greater(t - error, out_most);

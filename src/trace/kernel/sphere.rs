@@ -1,5 +1,5 @@
-//! Spheres: which of several a line meets, and where several lines meet one each, as
-//! [`shapes::sphere`](crate::trace::shapes) computes it.
+//! Spheres: which of several spheres a line meets, and where each of several lines meets its sphere, computed as in
+//! [`shapes::sphere`](crate::trace::shapes).
 
 use super::lanes::{
     LANES, Lanes, Number, V3, either, fused, gathered, is_at_most, is_greater, is_less,
@@ -18,12 +18,12 @@ pub struct Spheres {
     radius: Lanes,
 }
 
-/// A line that is closer to a sphere's rim than this share of the squares compared is in doubt: far above what rounding
-/// does to them, which is below 2⁻⁴⁶.
+/// A line is in doubt if it nearly touches a sphere: the two squares that are compared differ by at most this share of
+/// their sizes. Rounding changes them by far less, by a share below 2⁻⁴⁶.
 const RIM: f64 = 4e-12;
 
 impl Spheres {
-    /// Of centres and radii.
+    /// Packs up to four spheres: x, y and z of each centre, and then the radius.
     pub fn new(spheres: &[[f64; 4]]) -> Spheres {
         let column = |i: usize| {
             let number = |k: usize| spheres.get(k).map_or(0.0, |s| s[i]);
@@ -38,7 +38,7 @@ impl Spheres {
         }
     }
 
-    /// The spheres that lines may meet after `from` and before `to`.
+    /// The chords in the spheres that lines may meet after t = `from` and before t = `to`.
     #[inline(always)]
     pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {
         let f = probe.origins() - V3(self.centre);
@@ -68,7 +68,8 @@ impl Spheres {
     }
 }
 
-/// Where lines meet a sphere each: at the far end of the chord where `exit` is set.
+/// The point where each line meets its sphere: at the far end of the chord where `exit` is set, elsewhere at the near
+/// end.
 #[inline(always)]
 pub fn resolve(origin: V3, d: V3, centre: V3, radius: Lanes, exit: Lanes) -> Resolved {
     let splat = Lanes::splat;
@@ -78,7 +79,7 @@ pub fn resolve(origin: V3, d: V3, centre: V3, radius: Lanes, exit: Lanes) -> Res
     let p = f + d * (b / a);
     let (p2, r2, f2) = (p.dot(p), radius * radius, f.dot(f));
     let discriminant = r2 - p2;
-    // What leaves this much is decided by no rounding.
+    // A discriminant above this is positive, whatever was rounded.
     let clear = is_greater(discriminant, splat(RIM) * (f2 + r2));
 
     let s = (a * discriminant).sqrt();

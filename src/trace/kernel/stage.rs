@@ -17,12 +17,12 @@ use crate::trace::graph::Graph;
 use crate::trace::shapes::outline::Outline;
 use rustc_hash::FxHashMap;
 
-/// Blocks that a ray may meet.
+/// Blocks that a ray may meet: some in a tree, some without bounds.
 #[derive(Debug)]
 pub struct Forest {
     /// Numbers of blocks without bounds.
     pub loose: Vec<u32>,
-    /// Its items are numbers of the other blocks.
+    /// The tree of the other blocks; its items are their numbers.
     pub tree: Tree,
     pub frame: Frame,
 }
@@ -32,7 +32,7 @@ pub struct Forest {
 pub struct Stage<'g> {
     pub leaves: Vec<Leaf>,
     pub blocks: Vec<Block>,
-    /// The scene's union.
+    /// The blocks of the scene's union.
     pub all: Forest,
     /// Intersections and differences.
     pub csgs: Vec<Csg>,
@@ -44,7 +44,8 @@ pub struct Stage<'g> {
 }
 
 impl Stage<'_> {
-    /// `None` where something in the scene is not for the kernel, or where the scene has more than so many shapes.
+    /// Sets up a scene for the kernel. `None` where the kernel cannot draw some part of the scene, or where the scene
+    /// has more than `most` shapes.
     pub fn new(graph: &Graph, most: usize) -> Option<Stage<'_>> {
         if graph.parts.len() > most {
             return None;
@@ -105,7 +106,7 @@ impl Stage<'_> {
         (&self.leaves, &self.graph.placements)
     }
 
-    /// A ray in the space of a placement, kept in `moved` where that is another one.
+    /// The ray in the space of a placement. Unless that is the scene's space, the ray is kept in `moved`.
     #[inline(always)]
     pub fn placed<'p>(&self, probe: &'p Probe, placement: u32, moved: &'p mut Probe) -> &'p Probe {
         if placement == 0 {
@@ -115,14 +116,14 @@ impl Stage<'_> {
         moved
     }
 
-    /// The placements above four leaves.
+    /// The chains of placements above four leaves.
     pub fn chains_of(&self, leaves: [&Leaf; LANES]) -> Chains<'_> {
         Chains::of(leaves, &self.chains, &self.graph.placements)
     }
 }
 
 impl Forest {
-    /// Puts leaves into blocks, and those with boxes into a tree.
+    /// Puts leaves into new blocks, and the blocks of leaves with boxes into a tree.
     pub fn new(
         leaves: &[Leaf],
         loose: &[u32],
@@ -142,7 +143,7 @@ impl Forest {
     }
 }
 
-/// Puts shapes that are near each other into blocks. Returns the bounds of the blocks.
+/// Puts shapes that are near each other into blocks. Returns the number of each block with its bounds.
 fn clustered(
     leaves: &[Leaf],
     boxes: Vec<(u32, Aabb)>,

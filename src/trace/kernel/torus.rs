@@ -1,7 +1,8 @@
-//! Where four rays meet a torus first: the numbers of [`Torus`], in its order.
+//! Solves a torus for four rays: the first places where they meet it, the same numbers as [`Torus`] computes, in the
+//! same order.
 //!
-//! Rays of which it takes more to tell are left to the torus itself: those that come near to touching it, those that may
-//! start in it or close to it, and all rays to a torus that runs through itself.
+//! Hard rays count as unknown and are left to the torus itself: rays that nearly touch it, rays that may start in it or
+//! close to it, and all rays to a torus that runs through itself.
 
 use super::chain::Local;
 use super::lanes::{Lanes, V3, either, fused, is_at_most, is_greater, is_less, mask};
@@ -10,25 +11,25 @@ use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
 use crate::trace::shapes::quick_reject::LINE_REL_ERROR;
 use crate::trace::shapes::torus::{MOST_ERROR, Torus};
 
-/// What four rays meet first.
+/// The first places where four rays meet a torus.
 pub struct First {
-    /// The rays of which that is known, as bits.
+    /// The rays whose answer is known, as bits.
     pub known: u32,
-    /// Those of them that meet the torus, and where.
+    /// The known rays that meet the torus, as bits.
     pub met: u32,
     pub t: Lanes,
 }
 
-/// Directions are in this range, or their reciprocals.
+/// The least size of a direction's largest component; its reciprocal is the greatest. Other rays count as unknown.
 const LEAST_DIRECTION: f64 = 1e-100;
-/// Steps of Newton's method, or bisections, at most. More are left to the torus.
+/// The most steps of Newton's method or of bisection. A ray that needs more counts as unknown.
 const MAX_STEPS: usize = 40;
 
-/// c₄t⁴ + c₃t³ + c₂t² + c₁t + c₀, c₄ first.
+/// Four polynomials c₄t⁴ + c₃t³ + c₂t² + c₁t + c₀, with c₄ first in the array.
 struct Quartics([Lanes; 5]);
 
 impl Quartics {
-    /// The values and the slopes.
+    /// The values at t, and the slopes.
     #[inline(always)]
     fn at(&self, t: Lanes) -> (Lanes, Lanes) {
         let [a, b, c, d, e] = self.0;
@@ -41,7 +42,7 @@ impl Quartics {
         (fused(p, t, e), q)
     }
 
-    /// The slopes, and the slopes of these.
+    /// The slopes at t, and the second derivatives. a, b and c are the first three coefficients of the slope.
     #[inline(always)]
     fn slope_at(&self, [a, b, c]: [Lanes; 3], t: Lanes) -> (Lanes, Lanes) {
         let p = fused(a, t, b);
@@ -51,17 +52,19 @@ impl Quartics {
     }
 }
 
-/// The lines in units in which the greater radius lies in [1, 2).
+/// A torus and four lines, in units in which the greater radius lies in [1, 2).
 struct Scaled {
     major: f64,
     minor: f64,
+    /// The point of each line that is nearest to the centre, where t is 0.
     near: V3,
     direction: V3,
+    /// A bound on the errors of the points.
     error: Lanes,
 }
 
 impl Scaled {
-    /// Points, and how far they are from the axis.
+    /// The points of the lines at t, and their distances from the axis.
     #[inline(always)]
     fn at(&self, t: Lanes) -> (V3, Lanes) {
         let (d, p) = (self.direction.0, self.near.0);
@@ -70,7 +73,7 @@ impl Scaled {
         (point, (x * x + z * z).sqrt())
     }
 
-    /// (ρ − R)² + y² − r², and its slope.
+    /// (ρ − R)² + y² − r² at t, where ρ is the distance from the axis, and its slope.
     #[inline(always)]
     fn distance(&self, t: Lanes) -> (Lanes, Lanes) {
         let splat = Lanes::splat;
@@ -84,7 +87,8 @@ impl Scaled {
         (value, splat(2.0) * (h * outwards + y * d[1]))
     }
 
-    /// The points that are surely outside, and those that are surely in the tube.
+    /// Two masks: the lanes whose points at t are surely outside of the torus, and those whose points are surely in the
+    /// tube.
     #[inline(always)]
     fn sides(&self, t: Lanes, most: Lanes) -> [Lanes; 2] {
         let splat = Lanes::splat;
@@ -110,7 +114,7 @@ impl Scaled {
     }
 }
 
-/// Roots between two ends, and where they have been found; see
+/// Roots of f between two ends, and a mask of the lanes in which they were found: see
 /// [`root_between`](crate::trace::quartic::root_between).
 #[inline(always)]
 fn root_between(
@@ -151,7 +155,7 @@ fn root_between(
     (x, lanes & !open)
 }
 
-/// The roots of at² + bt + c, ascending, or twice the place of the extremum.
+/// The roots of at² + bt + c, ascending. Without two roots, both numbers are the place of the extremum.
 #[inline(always)]
 fn quadratic(a: Lanes, b: Lanes, c: Lanes) -> [Lanes; 2] {
     let b = -b * Lanes::splat(0.5);
@@ -168,7 +172,8 @@ fn quadratic(a: Lanes, b: Lanes, c: Lanes) -> [Lanes; 2] {
     ]
 }
 
-/// See [`Real::difference_of_products`](crate::geometry::number::Real::difference_of_products).
+/// ab − cd, where the rounding of cd is made good: see
+/// [`Real::difference_of_products`](crate::geometry::number::Real::difference_of_products).
 #[inline(always)]
 fn difference_of_products(a: Lanes, b: Lanes, c: Lanes, d: Lanes) -> Lanes {
     let product = c * d;
@@ -176,7 +181,8 @@ fn difference_of_products(a: Lanes, b: Lanes, c: Lanes, d: Lanes) -> Lanes {
     fused(a, b, -product) + error
 }
 
-/// Where rays in the space of a torus meet it clearly after their starts, which are known to `skin`.
+/// Finds where the rays `live` first meet a torus, clearly after their starts. `line` holds them in the space of the
+/// torus; up to t = `skin` a place may be the start.
 #[inline(never)]
 pub fn first(torus: &Torus, line: &Local, skin: Lanes, live: u32) -> First {
     let splat = Lanes::splat;
@@ -257,7 +263,7 @@ pub fn first(torus: &Torus, line: &Local, skin: Lanes, live: u32) -> First {
         splat(64.0) * a.sqrt() * splat(size * size) * (splat(gamma(20) * size) + scaled.error);
     let most = three * slope_error * (to - from);
 
-    // The last place outside, and the first one after it that is in the tube.
+    // The last place outside, and the first place after it in the tube: the root is between them.
     let [mut low, mut high] = [from, from];
     let mut found = Lanes::ZERO;
     let mut visit = |t: Lanes, lanes: Lanes, open: &mut Lanes, known: &mut Lanes| {
@@ -349,8 +355,8 @@ mod tests {
     use crate::trace::kernel::tests::numbers;
     use crate::trace::shapes::{Intersect, Roots};
 
-    /// What is known has the bits of what the torus finds, of lines from everywhere, also through the hole and along its
-    /// axis, of thin tori and thick ones, large and small.
+    /// What is known has the bits of what the torus finds, of lines from everywhere, also through the hole and along
+    /// its axis, of thin tori and thick ones, large and small.
     #[test]
     fn rays_are_met_where_the_torus_finds() {
         let mut number = numbers();

@@ -1,7 +1,8 @@
-//! Rays of a few pixels, generation by generation.
+//! Waves: the rays of a tile of pixels, generation by generation.
 //!
-//! All rays that a tile's pixels send, mirror and refract at one time are a wave. Each is traced by itself; what happens
-//! where they have met something is computed four at a time.
+//! The first wave holds the camera rays of the pixels. Each next wave holds all rays that were mirrored or refracted
+//! where the rays of the wave before ended. Rays that go nearly the same way are traced in packets of four, others one
+//! by one. The places that they meet are computed and shaded four at a time.
 
 use super::bundle::{Along, Around, BUNDLE_MIN_RAYS};
 use super::cuboid::Cuboids;
@@ -37,7 +38,7 @@ pub struct Scene<'t> {
     pub background: Vec3,
     pub limits: Limits,
     pub features: Features,
-    /// Whether what is outside of the shape is never in the way of a light: see
+    /// Whether the scene is one convex shape, so that nothing is in the way of light outside of it: see
     /// [`Plan::lone_convex`](crate::trace::plan::Plan::lone_convex).
     pub is_lone_convex: bool,
 }
@@ -46,8 +47,9 @@ pub struct Scene<'t> {
 #[derive(Debug, Clone, Copy)]
 pub struct Ray {
     pub start: Start,
-    /// How much its light counts.
+    /// The share of its light that reaches the pixel, in each channel.
     pub weight: [f64; 3],
+    /// The index of its [`RayNode`] in the tile.
     pub node: u32,
     pub pixel: u32,
     pub depth: u32,
@@ -58,11 +60,12 @@ pub struct Ray {
 pub struct Hit {
     pub ray: u32,
     pub crossing: Crossing,
-    /// The solids before and behind it.
+    /// The solids before and behind the crossing.
     pub sides: [Within; 2],
 }
 
-/// The light of a ray, and the rays that go on from where it ends: one for each way through, and the mirrored one.
+/// The light of a ray, and the nodes of the rays that go on from where it ends: one for each way through, then the
+/// mirrored ray. [`NONE`] stands for no ray.
 #[derive(Debug, Clone, Copy)]
 pub struct RayNode {
     pub light: Vec3,
@@ -73,31 +76,31 @@ pub struct RayNode {
 pub const MIRRORED: usize = 3;
 
 impl RayNode {
-    /// No light, and nothing goes on.
+    /// A node without light and without rays that go on.
     pub const DARK: RayNode = RayNode {
         light: Vec3::ZERO,
         children: [NONE; 4],
     };
 }
 
-/// The scratch of one thread.
+/// The memory in which one thread draws tiles of pixels, wave by wave.
 #[derive(Debug, Default)]
 pub struct Tile {
     pub(super) pixels: Vec<Drawn>,
     pub(super) wave: Vec<Ray>,
     pub(super) next: Vec<Ray>,
     pub(super) nodes: Vec<RayNode>,
-    /// Rays of the wave that have met a shape of each kind: see [`slot`].
+    /// The hits of the wave, by the kind of shape and by whether the shape is placed: see [`slot`].
     by_kind: [Vec<Hit>; 2 * KINDS.len()],
-    /// For each light, what was in its way last.
+    /// For each lamp, the block that was in the way of its light last, or [`NONE`].
     pub(super) last: Vec<u32>,
     pub(super) search: Scratch,
     pending: Vec<u32>,
     /// Rays of the wave that the kernel is in doubt about.
     doubtful: Vec<Ray>,
-    /// The arbiter's answer about one of them.
+    /// The arbiter's answer about one doubtful ray.
     answer: Vec<Vec3>,
-    /// Blocks that the rays of a wave may meet, if they go nearly the same way.
+    /// Blocks that the rays of a wave may meet, if the rays go nearly the same way.
     pub(super) along: Along,
     /// Places of the wave that lamps may shine on.
     pub(super) lit: Vec<Lit>,
@@ -105,7 +108,8 @@ pub struct Tile {
     pub(super) work: Work,
 }
 
-/// Where rays are kept that have met a shape of a kind, where it was defined or elsewhere.
+/// The index in `by_kind` of hits with shapes of a kind: two for each kind, for shapes in the scene's space and for
+/// placed ones.
 #[inline(always)]
 fn slot(kind: Kind, is_placed: bool) -> usize {
     2 * kind as usize + usize::from(is_placed)
@@ -114,7 +118,7 @@ fn slot(kind: Kind, is_placed: bool) -> usize {
 /// Rays whose directions differ by more than this along some axis are no bundle.
 const SPREAD: f64 = 0.3;
 
-/// More rays than this of one tile are too many to remember.
+/// The most rays of one tile. A tile with more is lost: the arbiter draws its pixels.
 const MAX_RAYS_IN_TILE: usize = 1 << 20;
 
 impl Tile {
@@ -128,9 +132,10 @@ impl Tile {
         }
     }
 
-    /// Draws pixels with a camera ray each, from outside of everything; the result is in their order.
+    /// Draws pixels with one camera ray each; the results are in the order of the rays.
     ///
-    /// Of each the origin and the direction are given, which has the length 1.
+    /// `cameras` holds the origin and the direction of each ray. Origins are outside of every solid; directions have
+    /// length 1.
     pub fn draw(
         &mut self,
         scene: &Scene,
@@ -169,7 +174,7 @@ impl Tile {
         &self.pixels
     }
 
-    /// Adds up the light of all rays of each pixel, in the order in which one ray after the other would bring it.
+    /// Adds up the light of all rays of each pixel, in the order of a tracer that follows one ray after the other.
     fn add_up(&mut self) {
         for (root, pixel) in (0..).zip(&mut self.pixels) {
             let first = self.nodes[root as usize];
@@ -230,7 +235,7 @@ impl Tile {
         self.doubtful = doubtful;
     }
 
-    /// Finds what the rays of the wave meet, which go nearly the same way.
+    /// Finds what the rays of the wave meet, in packets of four. The rays go nearly the same way.
     fn meet_in_packets(&mut self, scene: &Scene) {
         let boxes = self.along.boxes.div_ceil(self.wave.len() as u32);
         let last = self.wave.len() - 1;
@@ -255,7 +260,7 @@ impl Tile {
         }
     }
 
-    /// Finds what a ray of the wave meets.
+    /// Finds what ray `i` of the wave meets, by itself.
     #[inline(always)]
     fn meet_alone(&mut self, scene: &Scene, i: usize) {
         let ray = &self.wave[i];
@@ -264,7 +269,7 @@ impl Tile {
         self.note_met(scene, i, met);
     }
 
-    /// Notes what a ray of the wave has met.
+    /// Notes what ray `i` of the wave has met: its light if it has met nothing, a hit, or a doubtful ray.
     #[inline(always)]
     fn note_met(&mut self, scene: &Scene, i: usize, met: Met) {
         let ray = &self.wave[i];
@@ -285,14 +290,14 @@ impl Tile {
         }
     }
 
-    /// Asks the arbiter for the light of a ray, and of all that follow from it.
+    /// Asks the arbiter for the light of a ray, and of all rays that follow from it.
     #[cold]
     fn ask(&mut self, scene: &Scene, arbiter: &mut dyn Arbiter, ray: &Ray) {
         self.answer.clear();
         let start = scene.stage.ray(&ray.start);
         self.pixels[ray.pixel as usize].asked +=
             arbiter.radiance(&start, Vec3(ray.weight), ray.depth, &mut self.answer);
-        // One after the other, as they are added up.
+        // The answers become a chain of nodes, so that they are added up in their order.
         let mut node = ray.node;
         for (i, &light) in self.answer.iter().enumerate() {
             if i > 0 {
@@ -305,7 +310,8 @@ impl Tile {
         }
     }
 
-    /// Finds what the rays of the wave may meet, if they go nearly the same way.
+    /// Finds the blocks that the rays of the wave may meet. `false` if the rays do not go nearly the same way, or if it
+    /// does not pay to share the blocks.
     fn find_along(&mut self, scene: &Scene) -> bool {
         if self.wave.len() < BUNDLE_MIN_RAYS {
             return false;
@@ -323,7 +329,8 @@ impl Tile {
         (self.along).find(scene.stage, &start, steps, f64::INFINITY)
     }
 
-    /// Shades the points where four rays have met something.
+    /// Shades the points where four rays have met shapes of one kind with lanes. `is_placed`: whether placements move
+    /// the shapes.
     #[inline(never)]
     fn hits<S: Meet>(&mut self, scene: &Scene, (four, live): (&Four, u32), is_placed: bool) {
         let (origin, direction, exit) = (four.origin, four.direction, mask(four.exits_leaf));
@@ -419,8 +426,8 @@ impl Tile {
         self.shade(scene, four, &hits);
     }
 
-    /// The shares of diffuse light of four points, of which the places in the spaces of their shapes are given, and the
-    /// faces.
+    /// The shares of diffuse light at four points. `place` gives for each lane the point in the space of its shape, and
+    /// the face.
     #[inline]
     fn albedo(
         &mut self,
@@ -442,7 +449,7 @@ impl Tile {
         V3::gathered(albedo.each_ref(), |albedo| albedo)
     }
 
-    /// Notes rays that are met where rounding may have decided something; returns the others.
+    /// Notes the rays among `live` whose points are in doubt; returns the others, as bits.
     #[inline(always)]
     fn known(&mut self, four: &Four, live: u32, resolved: &Resolved) -> u32 {
         let doubtful = live & !resolved.clear.to_bitmask();

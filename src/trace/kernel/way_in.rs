@@ -8,11 +8,12 @@ use crate::trace::graph::Graph;
 #[derive(Debug, Clone)]
 pub struct WayIn {
     pub back: Affine,
-    /// Bounds on the sums of the sizes of all that is added up on the way: for coordinates of 1, and for what the maps add.
+    /// Bounds on the sums of the sizes of all terms on the way: for a point with coordinates of size 1, and for the
+    /// offsets of the maps.
     pub sizes: [f64; 2],
 }
 
-/// More than what is rounded on the way into a shape's space, as a share of the numbers behind a point.
+/// A bound on the rounding on the way into a shape's space, as a share of the sizes of the terms of a point.
 pub const REL_ROUNDED: f64 = 1e-13;
 
 impl WayIn {

@@ -6,13 +6,13 @@ use crate::trace::graph::{Graph, Object, Operation, Target};
 use crate::trace::kernel::leaf::{Kind, Leaf};
 use std::ops::Range;
 
-/// A solid within an intersection: what is in all of some operands and in none of some others, the cuts. A union is kept as
-/// the complement of what is in none of its operands.
+/// An operation within an intersection: the points that are in all of its first operands and in none of its cuts. A
+/// union has only cuts, and `is_union`: it is the complement of the points that are in none of them.
 #[derive(Debug, Clone, Copy)]
 pub struct Gate {
-    /// The gate that it is an operand of, which is an earlier one. That of the whole is its own.
+    /// The gate that has this gate as an operand; its index is smaller. The gate of the whole is its own parent.
     pub parent: u32,
-    /// Whether it is a cut there.
+    /// Whether this gate is a cut of its parent.
     pub is_cut: bool,
     pub is_union: bool,
 }
@@ -20,11 +20,11 @@ pub struct Gate {
 /// The operands of an intersection.
 #[derive(Debug)]
 pub struct Operands {
-    /// Holds all of it, in its space.
+    /// A box around the whole, in the space of the intersection.
     pub bounds: Aabb,
-    /// The whole comes first.
+    /// All gates; the gate of the whole comes first.
     pub gates: Vec<Gate>,
-    /// Shapes that all of the whole is in.
+    /// Shapes that are first operands of the whole: they contain it.
     pub firsts: Vec<u32>,
     /// Other shapes without bounds.
     pub loose: Vec<u32>,
@@ -39,14 +39,16 @@ impl Operands {
     }
 }
 
-/// Deeper operations are left to the arbiter, who skips what a ray passes level by level: a scene of forty lines may have
-/// 2⁴⁰ operands.
+/// The greatest depth of operations in an intersection. Deeper ones are left to the arbiter, which skips level by level
+/// what a ray misses: a scene of forty lines may have 2⁴⁰ operands.
 const MAX_GATE_DEPTH: u32 = 4;
-/// More operations within one intersection are left to the arbiter, too: each merged list counts in all of them.
+/// The most operations within one intersection. More are left to the arbiter, too: each merge copies the counts of all
+/// gates.
 const MAX_GATES: usize = 1000;
 
 impl Leaves {
-    /// Adds an intersection or a difference of solids, if it is for the kernel; returns its number.
+    /// Adds an intersection or a difference of solids, and returns the number of its leaf; `None` if the kernel cannot
+    /// draw it.
     pub(super) fn csg(&mut self, graph: &Graph, object: &Object, above: &Above) -> Option<u32> {
         let operands = self.operands(graph, object, above)?;
         let number = self.all.len() as u32;
@@ -54,7 +56,7 @@ impl Leaves {
             Operation::Intersection { first, .. } => foremost(graph, first.clone(), above),
             Operation::Union(_) => None,
         };
-        // What is in it is one medium: that of its foremost shape.
+        // The inside of the whole is one medium: the medium of its foremost shape.
         let is_foremost = |&leaf: &u32| {
             first
                 .as_ref()
@@ -89,7 +91,7 @@ impl Leaves {
         Some(number)
     }
 
-    /// Adds the shapes that an intersection or a difference is made of.
+    /// Adds the shapes that an intersection or a difference is made of; `None` if the kernel cannot draw them.
     fn operands(&mut self, graph: &Graph, object: &Object, above: &Above) -> Option<Operands> {
         let mut operands = Operands {
             bounds: object.bounds,
@@ -103,8 +105,8 @@ impl Leaves {
             boxes: Vec::new(),
         };
         let outer = above.chain.len();
-        // With each object its gate and how deep that is, what is above it, and what its shapes look like, if not like
-        // themselves.
+        // Each entry: an object, the index and the depth of its gate, what is above it, and the looks that its shapes
+        // take instead of their own.
         let mut pending = vec![(object, [0, 0], above.clone(), None)];
         while let Some((object, [gate, depth], above, looks)) = pending.pop() {
             let (firsts, cuts, cut_looks) = match &object.operation {
@@ -164,8 +166,8 @@ impl Leaves {
     }
 }
 
-/// The path to the shape that owns all that is in all of some parts: the first one of the first part. `None` where that is
-/// not everywhere one shape, and not all of them look alike.
+/// The way down to the shape that owns the points in all of these parts: the first shape of the first part. `None` if
+/// several shapes own points there and do not all look alike.
 fn foremost(graph: &Graph, parts: Range<u32>, above: &Above) -> Option<Above> {
     let mut pending = vec![above.and(graph, parts.clone().next()?)];
     let (mut found, mut count): (Option<Above>, usize) = (None, 0);
