@@ -1,4 +1,4 @@
-//! Bounding volumes: those that are proved to hold their objects help POV-Ray; others would cut.
+//! Bounding volumes. Those that are proved to hold their objects help POV-Ray; others would cut the objects.
 
 use std::collections::HashMap;
 
@@ -20,7 +20,7 @@ pub(super) fn proved(scene: &Scene, bounds: &[NodeBounds]) -> Volumes {
         .collect()
 }
 
-/// The IDs of the objects, among those that the predicate names, whose volumes were left out.
+/// The IDs of the objects whose volumes were left out, among those for whose nodes `drawn` is true.
 pub(super) fn left_out(
     scene: &Scene,
     volumes: &Volumes,
