@@ -1,7 +1,7 @@
 //! The account that every translation gives of itself: feature by feature, whether the target shows
 //! what the scene says.
 //!
-//! Its texts stand in the source in English, and the catalogues of other languages have them by these texts
+//! Its texts stand in the source in English, and the catalogues of other languages give a translation for each
 //! ([`Complaint::term`]). Texts with places to fill are messages.
 
 #![warn(missing_docs)]

@@ -188,7 +188,7 @@ fn sees_all_behind_near(sight: &Sight, camera: &Camera, basis: &Basis, scene: Aa
     let Some(eye) = sight.eye() else {
         return true;
     };
-    // Depths are measured from the eye along the normal of the picture plane; that of `direction` is 1.
+    // Depths are measured from the eye along the normal of the picture plane; the depth of `direction` is 1.
     let [direction, along_x, along_y] = sight.direction();
     let normal = cross(along_x, along_y);
     let pace = dot(normal, direction);

@@ -153,7 +153,7 @@ fn members(scene: &Scene, group: NodeId, budget: &Budget) -> Option<Vec<(Modific
     Some(members)
 }
 
-/// A union of a group's members, each with its modifications, in the place of the group.
+/// Adds a union of a group's members, each with its modifications, and returns it. Its origin is that of the group.
 fn joined(out: &mut Rewrite, group: NodeId, members: &[(Modifications, NodeId)]) -> NodeId {
     let mut union = None;
     for (way, member) in members {

@@ -1,4 +1,4 @@
-//! Operations and what they are made of.
+//! The objects that operations of the scene become.
 
 use super::descend::End;
 use crate::translate::pov::model::Model;

@@ -48,8 +48,8 @@ fn is_uniform(solid: &Material) -> bool {
     solid.texture.uniform && solid.optics.uniform && solid.index.uniform
 }
 
-/// Writes (A ∩ B) − C as (A − C) ∩ B, in place of `node`. `base` is A ∩ B, `tool` is C. `None` if the base is no
-/// intersection.
+/// Adds (A − C) ∩ B for (A ∩ B) − C, with the origin of `node`, and returns it. The base is A ∩ B, the tool is C.
+/// `None` if the base is no intersection.
 fn cut_first(
     out: &mut Rewrite,
     node: NodeId,

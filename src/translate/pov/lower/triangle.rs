@@ -14,7 +14,8 @@ pub(super) const BOUND: &str =
 
 /// Cuts a triangle with vertex normals into pieces. POV-Ray makes the normals of the corners equally long before it
 /// interpolates, so the normals inside are wrong where lengths differ. The pieces have the triangle's interpolated
-/// normals at their corners, which makes the error small. A triangle with equally long normals is the only piece.
+/// normals at their corners, which makes the error small. If the normals are equally long, the triangle itself is the
+/// only piece.
 pub(super) fn cut(vertices: &[Vec3; 3], normals: &[Vec3; 3], budget: &Budget) -> Vec<Geometry> {
     let parts = parts(normals);
     let parts = match budget.spend(Limit::TrianglePieces, parts) {
@@ -56,7 +57,8 @@ fn parts(normals: &[Vec3; 3]) -> usize {
     }
 }
 
-/// Whether normals are equally long within rounding, and also within that of normals written with ten digits.
+/// Whether normals are equally long within rounding, including the rounding of normals that were written with ten
+/// digits.
 pub(super) fn are_equally_long(normals: &[Vec3; 3]) -> bool {
     let lengths = normals.map(length);
     lengths

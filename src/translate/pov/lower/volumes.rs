@@ -38,7 +38,7 @@ pub(super) fn left_out(
 
 /// Whether a volume holds a box, up to the rounding of the box's own numbers.
 fn holds(volume: &Volume, b: &Aabb) -> bool {
-    // A few thousand roundings, those of the matrices on the way to the box.
+    // The bound allows for a few thousand roundings, of the matrices on the way to the box.
     const ROUNDING: f64 = 1e-12;
     let room = ROUNDING * b.radius();
     match volume {

@@ -1,5 +1,5 @@
 //! Finds solids that are equal, or certainly within each other. POV-Ray speckles faces of two solids in one place, so a
-//! solid of which an operation leaves nothing, or that is there already, is not written.
+//! solid is not written if an operation leaves nothing of it, or if it is there already.
 
 use std::collections::{HashMap, HashSet};
 

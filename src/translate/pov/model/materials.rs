@@ -46,7 +46,7 @@ pub(crate) struct Material {
     /// Whether some part of the node has been given a texture, or optics.
     pub has_texture: bool,
     pub has_optics: bool,
-    /// The texture of all faces of the node, if they have the same one; and below, their optics.
+    /// The texture of all faces of the node, if they have the same one; `face_optics` likewise has their optics.
     pub face_texture: Option<TextureUse>,
     pub face_optics: Option<u32>,
     /// Whether some part of the node lets light through.

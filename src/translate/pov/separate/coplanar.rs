@@ -13,7 +13,7 @@ use crate::translate::pov::model::displacement::Change;
 use crate::translate::pov::model::plane::Plane;
 use crate::translate::pov::model::state::{Appearance, State};
 
-/// The largest distance, in hairs, by which a face is moved out.
+/// The largest distance, in units of `Model::hair`, by which a face is moved out.
 const MAX_HAIRS: f64 = 16.0;
 
 /// A flat face, and the position of the part that it belongs to.

@@ -82,7 +82,7 @@ pub(crate) struct Meetings {
 }
 
 impl Meetings {
-    /// The groups within which the group `later` ends, so that its faces are a hair behind theirs.
+    /// The earlier groups within which the group `later` ends: its faces lie a hair behind the faces of these groups.
     fn around(&self, later: usize) -> impl Iterator<Item = usize> {
         let apart = self.of_later(later).iter().filter(|m| m.apart);
         apart.map(|m| m.earlier)

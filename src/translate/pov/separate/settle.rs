@@ -17,7 +17,7 @@ pub(crate) type Operands = Vec<(NodeId, State)>;
 /// The optics and index of a solid, if it is of one medium, and whether faces inside of it can be seen.
 pub(crate) type Kind = (Option<(u32, u32)>, bool);
 
-/// The solids that are made larger, by about a hair, where they clip later ones.
+/// The solids that are made two hairs larger where they clip later ones.
 #[derive(Default)]
 pub(crate) struct SolidExtensions {
     /// The number of the change of each such solid.
@@ -91,8 +91,8 @@ impl<'a> Model<'a> {
         opened
     }
 
-    /// Finds which solids have faces in one place. Later ones are clipped by an earlier one that is made a hair larger,
-    /// and solids of one medium that lie against each other are made to overlap.
+    /// Finds which solids have faces in one place. Later ones are clipped by an earlier one that is made two hairs
+    /// larger, and solids of one medium that lie against each other are made to overlap.
     fn settle(&mut self, solids: &mut Operands, kinds: &[Kind]) -> SolidExtensions {
         let mut reaching = SolidExtensions::default();
         let boxes: Vec<Aabb> = solids.iter().map(|s| self.box_of(s.0)).collect();
@@ -139,8 +139,8 @@ impl<'a> Model<'a> {
         reaching
     }
 
-    /// The number of the change of a solid that `others` are clipped by: it is larger, so that they lose the faces that
-    /// they have in one place with it. `None` if there are no such faces, or it cannot be made larger.
+    /// The number of the change of a solid that `others` are clipped by: two hairs larger, so that they lose the faces
+    /// that they have in one place with it. `None` if there are no such faces, or it cannot be made larger.
     pub(crate) fn reach(&mut self, node: NodeId, others: &[NodeId]) -> Option<u32> {
         let by = 2.0 * self.hair;
         let touches = others.iter().any(|o| !self.contacts(node, *o).is_empty());

@@ -9,10 +9,11 @@ use crate::translate::pov::budget::Limit;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::contacts::{Contact, Face, Orientation};
 
-/// The distance, in hairs, by which tools are made longer: more than faces are moved by for other reasons.
+/// The distance, in units of `Model::hair`, by which tools are made longer: more than faces are moved by for other
+/// reasons.
 const LONGER: f64 = 32.0;
-/// The distance, in hairs, by which tools are made longer into each other. The added part may be seen beside the other
-/// tool, so it is short.
+/// The distance, in units of `Model::hair`, by which tools are made longer into each other. The added part may be seen
+/// beside the other tool, so it is short.
 const LONGER_INTO_EACH_OTHER: f64 = 2.0;
 
 impl Model<'_> {
