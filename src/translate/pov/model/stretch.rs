@@ -30,7 +30,7 @@ pub(crate) fn stretches(scene: &Scene, root: NodeId) -> Vec<f64> {
 }
 
 /// The factor from lengths in the coordinates that `m` maps to, to lengths in those that it maps from. It is a mean if
-/// the matrix stretches by several factors; `None` if these are far apart.
+/// the matrix stretches by several factors. `None` if these are far apart, or the matrix has no inverse.
 pub(crate) fn stretched(m: &Matrix) -> Option<f64> {
     let squares = |m: &Matrix| {
         let rows = m.0.iter().take(3).flat_map(|row| &row[..3]);

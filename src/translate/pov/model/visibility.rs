@@ -6,8 +6,8 @@ use crate::geometry::vec::Vec3;
 use crate::scene::{Node, NodeId, Scene};
 use crate::trace::members;
 
-/// The largest number of nodes that are searched for one that holds a camera. Beyond it the camera is taken to be in a
-/// solid.
+/// The largest number of nodes that are searched for one that holds a camera. Beyond it the camera is taken to be in an
+/// opaque solid.
 const PARTS: usize = 256;
 
 /// Whether a camera is in an opaque solid, or may be in one: it sees faces that are inside of others.

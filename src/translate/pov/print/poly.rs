@@ -62,7 +62,7 @@ pub(super) fn quadric(q: &[f64; 16]) -> Primitive {
     Primitive::new("poly", format!("2, <{}>", list.join(", "))).scaled(unit)
 }
 
-/// The torus as a quartic with the ring's radius R and the tube's radius r: (x² + y² + z² + R² − r²)² − 4R²(x² + z²) ≤
+/// The torus with the ring's radius R and the tube's radius r, as a quartic: (x² + y² + z² + R² − r²)² − 4R²(x² + z²) ≤
 /// 0.
 pub(super) fn quartic_torus(major: f64, minor: f64) -> Primitive {
     let k = (major - minor) * (major + minor);

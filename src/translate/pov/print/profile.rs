@@ -108,7 +108,7 @@ impl Profile {
 }
 
 /// The text `function { … } color_map { … }` of a pattern over y, or a map of such maps for many entries. The function
-/// maps y from 0 to 1 to 1/4 to 3/4, away from 1, where patterns begin again.
+/// is 1/4 + y/2, which stays below 1, where patterns begin again.
 fn pattern(entries: &[(f64, String)]) -> String {
     const FUNCTION: &str = "function { 0.25 + 0.5*y }";
     let at = |y: f64| number(0.25 + 0.5 * y);
