@@ -1,5 +1,5 @@
 //! Features of a scene: every type of record of the language's table, and the effects that no record stands for alone.
-//! Every target has to say of each what becomes of it.
+//! Every target has to say what becomes of each feature.
 
 use std::collections::BTreeMap;
 
@@ -93,14 +93,14 @@ impl Feature {
     }
 }
 
-/// The features that a scene uses where they can be reached from the render record, and how often; effects count as 0
-/// times.
+/// The features that a scene uses in all that the render record reaches, and how often it uses each. The number of an
+/// effect is 0.
 pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
     let mut out = BTreeMap::new();
     let (Some(render), Some(plan)) = (&scene.render, Plan::new(scene)) else {
         return out;
     };
-    // An assignment gives the index 1, too, which nobody wrote and which matters beside other ones alone.
+    // An assignment also gives the index 1, which nobody wrote, and which matters only beside indices that bend light.
     let is_refracting = scene.paints.iter().any(is_bent);
     let mut count = |kind: RecordKind| *out.entry(Feature::Record(kind)).or_insert(0) += 1;
     for (_, node) in scene.below(render.root) {
@@ -159,7 +159,7 @@ pub fn used(scene: &Scene) -> BTreeMap<Feature, u64> {
         .for_each(|_| count(RecordKind::PointLight));
     match scene.view {
         View::Automatic => {}
-        // Of a single camera there is no choice.
+        // With a single camera there is nothing to choose.
         View::Mono(_) if scene.cameras.len() < 2 => {}
         View::Mono(_) => count(RecordKind::MonoCamera),
         View::Stereo { .. } => count(RecordKind::StereoCamera),
@@ -204,7 +204,7 @@ fn transformation(m: &Matrix) -> RecordKind {
     match (diagonal, moved) {
         (true, true) if (0..3).all(|i| r[i][i] == 1.0) => RecordKind::Translation,
         (true, false) => RecordKind::Scaling,
-        // A rotation by sine and cosine, within their rounding and that of ten digits.
+        // A rotation's determinant is 1, within the rounding of sine and cosine and that of ten digits.
         (false, false) if kept && (m.determinant3() - 1.0).abs() < 1e-9 => RecordKind::Rotation,
         _ => RecordKind::RotationMatrix,
     }

@@ -1,8 +1,8 @@
 //! The account that every translation gives of itself: feature by feature, whether the target shows
 //! what the scene says.
 //!
-//! Its words stand in the source in English, and by them in the catalogues of other languages
-//! ([`Complaint::term`]); those with places to fill are messages.
+//! Its texts stand in the source in English, and the catalogues of other languages give a translation for each
+//! ([`Complaint::term`]). Texts with places to fill are messages.
 
 #![warn(missing_docs)]
 
@@ -16,7 +16,7 @@ use crate::scene::Scene;
 /// How well one feature of the scene came through.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Fidelity {
-    /// The same in the other program.
+    /// A feature that is the same in the other program.
     Exact,
     /// A feature with a bound on the error, in words or numbers.
     Approximate(Complaint),
@@ -94,7 +94,7 @@ type Key = (u8, String, &'static str);
 /// The fate of the features that a scene uses.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Report {
-    /// The program translated for, as `--to` names it.
+    /// The name of the target, as `--to` has it.
     pub target: &'static str,
     entries: BTreeMap<Key, ReportLine>,
 }
@@ -155,12 +155,13 @@ impl Report {
             })
     }
 
-    /// Exact features first, then approximate, then dropped ones; each by name.
+    /// The lines of the report: exact features first, then approximate, then dropped ones; approximate ones by bound
+    /// and name, the others by name.
     pub fn entries(&self) -> impl Iterator<Item = &ReportLine> {
         self.entries.values()
     }
 
-    /// The report without what is exact, and how many features are.
+    /// The report without its exact features, and the number of these.
     pub fn brief(&self) -> (Report, usize) {
         let mut rest = self.clone();
         rest.entries
@@ -169,7 +170,7 @@ impl Report {
         (rest, exact)
     }
 
-    /// Whether a feature is not in the translation.
+    /// Whether any feature of the scene is not in the translation.
     pub fn has_dropped(&self) -> bool {
         self.entries().any(|e| e.fidelity == Fidelity::Dropped)
     }
@@ -225,10 +226,10 @@ impl fmt::Display for Report {
     }
 }
 
-/// How wide the first column of a report is.
+/// The width of a report's first column, in characters.
 const WIDTH: usize = 12;
 
-/// A line of a report: what becomes of it, and the rest.
+/// A line of a report: a word for the fidelity in the first column, and the rest of the line.
 pub fn row(fidelity: &Fidelity, line: &str, language: Language) -> String {
     let what = match fidelity {
         Fidelity::Exact => "fidelity-exact",

@@ -11,12 +11,12 @@ use crate::trace::camera::View;
 pub(super) enum Lens {
     /// Rays through one point.
     Pinhole(Pinhole),
-    /// Parallel rays: where the one in the middle starts, and from there to the right edge and to the
-    /// upper one; the way they go.
+    /// Parallel rays: the start of the ray in the middle, the vectors from there to the starts at the middles of the
+    /// right and the upper edge, and the unit direction of the rays.
     Parallel([Vec3; 4]),
 }
 
-/// Rays through one point, and a picture at right angles to the way it looks.
+/// Rays through one point, and a picture at right angles to the optical axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Pinhole {
     pub position: Vec3,
@@ -24,21 +24,21 @@ pub(super) struct Pinhole {
     pub right: Vec3,
     pub up: Vec3,
     pub forward: Vec3,
-    /// Vertical, in degrees.
+    /// The vertical field of view, in degrees.
     pub field_of_view: f64,
     /// The middle of the picture as seen from the optical axis, to the right and upwards, in units of half the width
     /// and height.
     pub shift: [f64; 2],
-    /// The least distance at which anything is seen, from the eye.
+    /// The distance of the near plane from the eye, along the optical axis: nothing nearer is seen.
     pub near: f64,
-    /// Width of a pixel by its height; `None` where it has no right angles.
+    /// Width of a pixel by its height; `None` where pixels have no right angles.
     pub pixel: Option<f64>,
 }
 
 impl Pinhole {
-    /// Whether its pixels are squares.
+    /// Whether the pixels are squares.
     pub(super) fn is_exact(&self) -> bool {
-        // Over thousands of pixels a hundredth of one is made of that: as exact as single precision.
+        // Over thousands of pixels, 1e-6 adds up to a hundredth of a pixel, which is as exact as single precision.
         self.pixel.is_some_and(|p| (p - 1.0).abs() < 1e-6)
     }
 }
@@ -72,12 +72,13 @@ impl Lens {
         let facing = if dot(across, centre) < 0.0 { -1.0 } else { 1.0 };
         let forward = across.map(|x| facing * x / length(across));
         let depth = dot(centre, forward);
-        // Unit vectors at right angles: more than the inverse is rounded, less than single precision.
+        // The unit vectors count as perpendicular within 1e-9: more than the rounding of the inverse, less than single
+        // precision.
         let square = dot(right, up).abs() < 1e-9;
         let out = Pinhole {
             position,
             right,
-            // Where the pixels are skewed, what comes nearest.
+            // Where the pixels are skewed, this is the perpendicular vector that is nearest.
             up: cross(forward, right).map(|x| {
                 x * if dot(cross(forward, right), up) < 0.0 {
                     -1.0

@@ -1,5 +1,5 @@
-//! The scene for other programs: one folder per target ([`target`]), and what each translation costs
-//! ([`fidelity`]) of what scenes consist of ([`feature`]).
+//! Translations of scenes for other programs, with a folder for each target ([`target`]). A report says how well a
+//! translation keeps ([`fidelity`]) the features of a scene ([`feature`]).
 
 pub mod feature;
 pub mod fidelity;
@@ -22,13 +22,14 @@ use crate::scene::Camera;
 /// A file of a translation.
 #[derive(Debug)]
 pub struct File {
-    /// The end of the file's name before its extension, which other files of the translation do not have.
+    /// The end of the file's name before its extension, which tells the file from the others of the translation.
     pub suffix: &'static str,
     /// The text of the file.
     pub text: String,
 }
 
-/// A camera that there is no other one for; `message` names it as `id`.
+/// A complaint about a camera that the target cannot have. The message with the name `message` mentions the camera's ID
+/// as `id`.
 pub fn about_camera(camera: &Camera, message: &'static str) -> Complaint {
     Complaint::new(message).with("id", camera.id.to_string())
 }
@@ -39,7 +40,8 @@ fn number(x: f64) -> String {
     if x == 0.0 {
         "0".to_owned()
     } else if (1e-5..1e15).contains(&size) {
-        // As people write it, where an exponent would not be shorter; whole numbers to 2⁵³ are exact.
+        // Numbers of this size have no exponent, as people write them, since one would not be shorter; whole numbers to
+        // 2⁵³ are exact.
         x.to_string()
     } else {
         format!("{x:e}")

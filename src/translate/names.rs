@@ -23,21 +23,23 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// The words of a comment about an entity.
+    /// The words of the scene's comment about an entity; `None` if there is none.
     pub fn words(&self, id: u32) -> Option<&str> {
         self.captions.get(id)
     }
 
-    /// An entity's type of record and what a comment says of it; nothing for an ID of no object.
+    /// The entity's type of record, and the words of the scene's comment about it. `None` for an ID that is not of an
+    /// object.
     pub fn comment(&self, id: u32) -> Option<String> {
         comment(self.scene, self.captions, *self.nodes.get(&id)?, id)
     }
 }
 
-/// The type of record that defined an entity, one of whose nodes is given, and what a comment says of it.
+/// The type of record that defined an entity, and the words of the scene's comment about it. `node` is one of the
+/// entity's nodes. `None` for the ID 0.
 pub fn comment(scene: &Scene, captions: &Captions, node: NodeId, id: u32) -> Option<String> {
-    // Only the state that the entity is in matters here, not the ones it went through: a few
-    // steps tell.
+    // The type is that of the first node below that is not merely moved or painted. A few steps tell; beyond 64 there
+    // is no description.
     let kind = scene
         .states(node)
         .take(64)

@@ -1,11 +1,11 @@
 //! File names that every program can open.
 
-/// Most characters of a name that is left as it is: what is put behind it must fit as well.
+/// The most characters of a name that is left as it is: endings that are put behind the name must fit as well.
 const MAX_NAME_CHARS: usize = 100;
 
-/// A name of letters, digits and `-_.` alone, which stands for one that other programs may not be able to
-/// open: POV-Ray opens no file whose name is not ASCII, and spaces end names in Wavefront files. A name that
-/// is not plain, or too long, is cut and ends with a number made of all of it, so that two names stay two.
+/// A name of letters, digits and `-_.` alone, for a name that other programs may not be able to open: POV-Ray opens no
+/// file whose name is not ASCII, and spaces end names in Wavefront files. A name that is not plain, or too long, is cut
+/// and ends with a number that is computed from all of it, so that different names stay different.
 pub fn plain(name: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
     if name.len() <= MAX_NAME_CHARS && name.chars().all(is_plain) {

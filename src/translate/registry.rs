@@ -21,7 +21,7 @@ pub fn named(name: &str) -> Option<&'static dyn Target> {
     TARGETS.into_iter().find(|target| target.name() == name)
 }
 
-/// The target whose files have names that end like this one.
+/// The target whose files have names with the ending of this one; the first if there are several.
 pub fn of_file(path: &Path) -> Option<&'static dyn Target> {
     let ending = path.extension()?.to_str()?;
     let is_its = |target: &&dyn Target| target.ending().eq_ignore_ascii_case(ending);

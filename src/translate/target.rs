@@ -20,7 +20,7 @@ use crate::trace::{Images, Settings, Tracer};
 
 /// A program, or a kind of file, that scenes are translated for.
 pub trait Target: fmt::Debug + Sync {
-    /// The name that `--to` has; files that are named for the target are called after it.
+    /// The name of the target, as `--to` has it; by default also the extension of its files.
     fn name(&self) -> &'static str;
 
     /// The extension of the main file's name, without the dot.
@@ -31,17 +31,17 @@ pub trait Target: fmt::Debug + Sync {
     /// The line about the target in `--help`.
     fn help(&self) -> &'static str;
 
-    /// Whether the target makes scenes such as people write.
+    /// Whether the target writes scenes in the language that people write them in.
     fn makes_scenes(&self) -> bool {
         false
     }
 
-    /// Whether the camera and the light are written out that a scene lacks.
+    /// Whether the target writes out a camera and lights for a scene that lacks them.
     fn adds_what_is_lacking(&self) -> bool {
         false
     }
 
-    /// Whether there must be something to draw.
+    /// Whether the target refuses a scene in which there is nothing to draw.
     fn draws(&self) -> bool;
 
     /// The kind of output that is written.
@@ -68,7 +68,7 @@ pub enum OutputKind {
     Files,
 }
 
-/// A scene, and what is known of it, computed once and only where a target asks.
+/// A scene, and facts about it that are computed once, when a target first asks for them.
 pub struct Prepared<'a> {
     /// The scene file with its scene.
     pub analysis: &'a Analysis,
@@ -110,7 +110,7 @@ impl<'a> Prepared<'a> {
         Ok(self.tracer.get_or_init(|| tracer))
     }
 
-    /// The pictures that lie on what is drawn.
+    /// The pictures that are laid on the objects that are drawn.
     ///
     /// # Errors
     ///
@@ -133,11 +133,11 @@ pub struct Options<'a> {
     pub viewpoint: Viewpoint,
     /// How often a ray may be mirrored or refracted.
     pub depth: u32,
-    /// How far meshes may be from curved surfaces, in scene units, if that was said.
+    /// How far meshes may be from curved surfaces, in scene units; `None` if the user did not say.
     pub tolerance: Option<f64>,
-    /// How much memory triangles may take, in bytes, if that matters.
+    /// The most memory that triangles may take, in bytes; `None` for no limit.
     pub memory: Option<u64>,
-    /// Refuses a scene in which rays find too much in one place.
+    /// A check that refuses a scene in which rays would need too much memory, since too much lies in one place.
     pub confine: &'a dyn Fn(&Scene) -> Result<(), Complaint>,
     /// The language of comments.
     pub language: Language,

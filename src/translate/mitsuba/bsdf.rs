@@ -1,4 +1,4 @@
-//! Materials: what of light is diffused, mirrored and let through, as a mixture of Mitsuba's BSDFs.
+//! Materials: the shares of light that a surface diffuses, mirrors and lets through, as a mixture of Mitsuba's BSDFs.
 
 use std::collections::{BTreeSet, HashMap};
 use std::fmt::Write as _;
@@ -11,14 +11,14 @@ use crate::translate::mesh::SurfaceLabel;
 use crate::translate::mesh::picture::file_name;
 use crate::translate::number;
 
-/// How a mesh knows its colours.
+/// The way in which a mesh has its colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) enum Colours {
     /// A single colour, the skin's.
     Plain,
     OfFaces,
     OfPoints,
-    /// A picture is laid on by surface coordinates: its texture's number.
+    /// A picture, or a checkerboard, that is laid on by surface coordinates: the number of its texture.
     Pictured(u32),
 }
 
@@ -27,9 +27,10 @@ pub(super) struct Bsdfs<'g> {
     graph: &'g Graph,
     pub text: String,
     numbers: HashMap<String, usize>,
-    /// The textures whose pictures are used.
+    /// The numbers of the textures whose pictures are used.
     pub images: BTreeSet<u32>,
-    /// The indices, of those in the graph, that differ by channel: parameters of the document.
+    /// The numbers, in the graph, of the refractive indices that differ by channel: they are parameters of the
+    /// document.
     dispersive: BTreeSet<u32>,
 }
 
@@ -44,7 +45,7 @@ impl<'g> Bsdfs<'g> {
         }
     }
 
-    /// The greatest part of a colour.
+    /// The largest component of any colour in the scene's textures, pictures excepted.
     pub(super) fn brightest(&self) -> f64 {
         let colours = self
             .graph
@@ -60,7 +61,8 @@ impl<'g> Bsdfs<'g> {
         colours.flatten().fold(0.0, f64::max)
     }
 
-    /// A reference to the material of an exact shape with an index around it.
+    /// A reference to the material of an exact shape. `around` is the number of the refractive index outside, `stem`
+    /// the beginning of the names of files.
     pub(super) fn exact(
         &mut self,
         skin: &SurfaceLabel,
@@ -76,7 +78,8 @@ impl<'g> Bsdfs<'g> {
         self.reference(skin, &colour, around)
     }
 
-    /// A reference to the material of a mesh with an index around it.
+    /// A reference to the material of a mesh. `around` is the number of the refractive index outside, `stem` the
+    /// beginning of the names of files.
     pub(super) fn mesh(
         &mut self,
         skin: &SurfaceLabel,
@@ -95,24 +98,25 @@ impl<'g> Bsdfs<'g> {
         self.reference(skin, &colour, around)
     }
 
-    /// A texture over surface coordinates that have to be scaled and moved to be ours.
+    /// A checkerboard or an image as a reflectance. `uv` has the factors and the summands that make the scene's surface
+    /// coordinates of Mitsuba's.
     fn picture(&mut self, number: u32, uv: [[f64; 2]; 2], stem: &str) -> Reflectance {
         match &self.graph.textures[number as usize] {
-            // Mitsuba's has two cells each way.
+            // Mitsuba's checkerboard has two cells in each direction.
             Texture::Checkerboard { n, m, colours } => {
                 let cells = [n, m].map(|n| f64::from(*n) / 2.0);
                 Reflectance::Board(*colours, to_uv(cells, uv))
             }
             _ => {
                 self.images.insert(number);
-                // Its pictures hang down from v = 0.
+                // Mitsuba's pictures hang down from v = 0.
                 Reflectance::Image(file_name(stem, number), to_uv([1.0, -1.0], uv))
             }
         }
     }
 
-    /// The text that makes a picture of each channel of a document whose indices differ by channel: how to ask for it,
-    /// and the parameters with the mean of the channels.
+    /// The part of a document about indices that differ by channel: a comment with the commands for a picture of each
+    /// channel, and the parameters, whose defaults are the means of the channels. `None` if no index differs.
     pub(super) fn dispersion(&self) -> Option<String> {
         let channel = |k: usize| {
             let of = |i: &u32| {
@@ -171,8 +175,8 @@ impl<'g> Bsdfs<'g> {
     }
 }
 
-/// The transformation of surface coordinates for what repeats so often in each of ours, from those that
-/// have to be scaled and moved to be ours.
+/// The transformation `to_uv` of a texture that repeats `x` times along u and `y` times along v of the scene's surface
+/// coordinates. The second argument has the factors and the summands that make these of Mitsuba's.
 fn to_uv([x, y]: [f64; 2], [[su, sv], [tu, tv]]: [[f64; 2]; 2]) -> String {
     let whole = |b: f64| b.rem_euclid(1.0);
     let [ax, ay, bx, by] = [su * x, sv * y, whole(tu * x), whole(tv * y)].map(number);
@@ -200,11 +204,11 @@ enum Reflectance {
 }
 
 impl Reflectance {
-    /// A surface that diffuses light, dimmed per channel.
+    /// The BSDF of a surface that diffuses light, dimmed by `k` per channel.
     fn diffuse(&self, k: Rgb) -> String {
         let matt = |reflectance: &str| format!("<bsdf type=\"diffuse\">{reflectance}</bsdf>");
         match self {
-            // A picture has no factor: some of it is black instead.
+            // Mitsuba's pictures have no factor, so the surface is partly black instead.
             Reflectance::Image(..) if k != [1.0; 3] => {
                 let black = matt(&rgb("reflectance", [0.0; 3]));
                 blend(mean(k), &black, &matt(&self.xml(k)))
@@ -213,7 +217,8 @@ impl Reflectance {
         }
     }
 
-    /// The XML of a reflectance as the diffuse one, dimmed per channel by `k` where that can be.
+    /// The XML of the reflectance of a diffuse surface. Colours are dimmed by `k` per channel, mesh attributes by its
+    /// mean, and pictures not at all.
     fn xml(&self, k: Rgb) -> String {
         let by = |c: Rgb| [0, 1, 2].map(|i| (c[i] * k[i]).min(1.0));
         match self {
@@ -248,14 +253,16 @@ fn blend(weight: f64, first: &str, second: &str) -> String {
     )
 }
 
-/// Each kind of light takes part as often as it is strong, and is as much stronger then. The indices
-/// are those of the two sides, within and around, where light is bent.
+/// The BSDF of a surface as a mixture: light is diffused, mirrored or let through with a probability in proportion to
+/// the strength of each, and divided by that probability. `indices` has the refractive indices within and around;
+/// `None` where light is not bent.
 fn mixture(o: &Optics, indices: Option<&[String; 2]>, colour: &Reflectance) -> String {
-    // By the strongest channel: where no light is made, what is stronger then is no more than all.
+    // The strength is that of the strongest channel: unless the surface makes light, the divided values are then at
+    // most 1.
     let strongest = |k: Rgb| k.iter().fold(0.0f64, |m, x| m.max(*x));
     let (kd, ks, kt) = (strongest(o.kd), strongest(o.ks), strongest(o.kt));
     let all = kd + ks + kt;
-    // Mitsuba knows no surface that makes light.
+    // Mitsuba has no surface that makes light, so the values are limited to 1.
     let scaled = |k: Rgb, share: f64| {
         k.map(|x| match share > 0.0 {
             true => (x / share).clamp(0.0, 1.0),
@@ -283,7 +290,7 @@ fn mixture(o: &Optics, indices: Option<&[String; 2]>, colour: &Reflectance) -> S
     if through == 0.0 {
         return opaque;
     }
-    // What does not bend light is a sheet, which knows no total reflection either.
+    // A surface that does not bend light is a thin sheet to Mitsuba, which has no total reflection either.
     let one = || number(1.0);
     let (kind, within, around) = match indices {
         Some([within, around]) => ("dielectric", within.clone(), around.clone()),

@@ -12,7 +12,8 @@ pub(super) struct Exact {
     kind: &'static str,
     body: String,
     shape: u32,
-    /// The factors and summands that make our surface coordinates of Mitsuba's; `None` where those are something else.
+    /// The factors and the summands that make the scene's surface coordinates of Mitsuba's; `None` where Mitsuba's are
+    /// something else.
     pub uv: Option<[[f64; 2]; 2]>,
 }
 
@@ -25,15 +26,15 @@ impl Exact {
     }
 }
 
-/// The place that an endless shape is seen from, and how far the shape has to reach from there.
+/// The middle of the region in which an endless shape is seen, and how far the shape has to reach from there.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RequiredExtent {
     pub centre: Vec3,
     pub far: f64,
 }
 
-/// Share of something without end that is near, by how far it reaches: that is a thousand times the scene's size, so
-/// that it holds the scene with room around.
+/// Half the side of the middle rectangle of an endless shape, as a fraction of the distance that the shape reaches.
+/// This distance is a thousand times the scene's size, so the rectangle holds the scene with room around.
 const NEAR_PART: f64 = 1.0 / 32.0;
 
 /// Whether the shape of a skin is a plane or a half-space.
@@ -43,8 +44,8 @@ pub(super) fn is_endless(scene: &Scene, graph: &Graph, skin: &SurfaceLabel) -> b
     matches!(geometry, Some(Geometry::Plane(_) | Geometry::HalfSpace(_)))
 }
 
-/// The shapes that make up the shape of a skin, if Mitsuba has them and its colours can be laid on
-/// them. Planes and half-spaces are rectangles: one, and four around it that reach very far. For
+/// The shapes of Mitsuba's that make up the shape of a skin; `None` if Mitsuba has none, or the skin's colours cannot
+/// be laid on them. Planes and half-spaces become rectangles: one, and four around it that reach very far, since
 /// Mitsuba's rectangles are as exact as they are small.
 pub(super) fn shapes(
     scene: &Scene,
@@ -58,7 +59,8 @@ pub(super) fn shapes(
     let made: Vec<Made> = match scene.shapes[record].geometry {
         Geometry::Sphere { centre, radius } => {
             let scale = m.uniform_scale()?;
-            // Its poles lie on z, ours on y; from south to north ours go.
+            // The poles of Mitsuba's sphere lie on z, those of the scene's on y; the scene's v goes from south to
+            // north.
             let turned = Matrix([
                 [1.0, 0.0, 0.0, 0.0],
                 [0.0, 0.0, 1.0, 0.0],
@@ -98,7 +100,7 @@ pub(super) fn shapes(
         }
         Geometry::Plane(plane) | Geometry::HalfSpace(plane) => match m.uniform_scale() {
             Some(scale) => around(&Facing::of(plane), m, scale, view),
-            // A plane all the same, but with other surface coordinates.
+            // The placed shape is still a plane, but with other surface coordinates.
             None => {
                 let facing = Facing::of(placed_plane(plane, m)?);
                 let plain = around(&facing, &Matrix::IDENTITY, 1.0, view);
@@ -108,7 +110,7 @@ pub(super) fn shapes(
                     .collect()
             }
         },
-        // Mitsuba may know more, but as meshes they are right.
+        // Mitsuba may have others of these shapes, too, but as meshes they are right.
         _ => return None,
     };
     let plain = skin.plain_colour(graph).is_some();
@@ -151,7 +153,7 @@ impl Facing {
     }
 }
 
-/// The plane that a matrix makes of one.
+/// The plane that a plane becomes when it is placed by `m`; `None` if `m` has no inverse.
 fn placed_plane(plane: [f64; 4], m: &Matrix) -> Option<[f64; 4]> {
     let back = m.inverse()?;
     Some(std::array::from_fn(|k| {
@@ -159,10 +161,12 @@ fn placed_plane(plane: [f64; 4], m: &Matrix) -> Option<[f64; 4]> {
     }))
 }
 
-/// A shape before it has its name: kind, body, and what its surface coordinates are.
+/// A shape before it has its name: kind, body, and the factors and summands of its surface coordinates, as in
+/// `Exact::uv`.
 type Made = (&'static str, String, Option<[[f64; 2]; 2]>);
 
-/// A plane as rectangles about where it is seen, placed by a matrix that scales.
+/// A plane as five rectangles about the place where it is seen. The matrix `m` places them and makes all lengths
+/// `scale` times as long.
 fn around(plane: &Facing, m: &Matrix, scale: f64, view: &RequiredExtent) -> Vec<Made> {
     let Facing { normal, foot, u, v } = *plane;
     let back = m.inverse().unwrap_or(Matrix::IDENTITY);
@@ -170,7 +174,7 @@ fn around(plane: &Facing, m: &Matrix, scale: f64, view: &RequiredExtent) -> Vec<
     let along = |axis: Vec3| (0..3).map(|i| (seen[i] - foot[i]) * axis[i]).sum::<f64>();
     let far = view.far / scale;
     let near = NEAR_PART * far;
-    // Near the origin there is no need to move.
+    // If the place is near the plane's foot, the rectangles are centred there.
     let from = [u, v]
         .map(along)
         .map(|x| if x.abs() < near { 0.0 } else { x });

@@ -7,11 +7,12 @@ use crate::scene::{Camera, Vec3};
 /// there.
 const MAX_ORIGIN_SIZES: f64 = 100.0;
 
-/// Sizes at which nothing is scaled. Mitsuba leaves surfaces by lengths of about 1e-4, a thousandth of the
-/// smallest; of the largest, a thousandfold, squares and their products fit single precision.
+/// Sizes at which nothing is scaled. Mitsuba starts rays at a distance of about 1e-4 from surfaces, a thousandth of the
+/// smallest size. For lengths up to a thousand times the largest size, squares and products of squares fit single
+/// precision.
 const SIZES: std::ops::RangeInclusive<f64> = 1e-1..=4e6;
 
-/// A place p of the scene is at `scale` · (p − `origin`) there.
+/// The map from the scene's coordinates to Mitsuba's: a place p of the scene is at `scale` · (p − `origin`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SceneFrame {
     pub scale: f64,
@@ -56,12 +57,12 @@ impl SceneFrame {
         Matrix::scaling(s, s, s).after(&Matrix::translation(x, y, z))
     }
 
-    /// A place of the scene there.
+    /// The place in Mitsuba's coordinates of a place `p` of the scene.
     pub fn place(&self, p: Vec3) -> Vec3 {
         std::array::from_fn(|i| self.scale * (p[i] - self.origin[i]))
     }
 
-    /// The place of the scene that is at `p` there.
+    /// The place of the scene that is at `p` in Mitsuba's coordinates.
     pub fn back(&self, p: Vec3) -> Vec3 {
         std::array::from_fn(|i| p[i] / self.scale + self.origin[i])
     }

@@ -25,7 +25,7 @@ struct Key {
     colour: [u64; 3],
 }
 
-/// Triangles by file.
+/// The triangles of each file.
 #[derive(Default)]
 pub(super) struct Collector {
     meshes: BTreeMap<Key, Mesh>,
@@ -34,7 +34,7 @@ pub(super) struct Collector {
 /// A finished file.
 pub(super) struct File {
     pub info: ShapeInfo,
-    /// A skin with the material of all its triangles.
+    /// A skin that has the material of all triangles of the file.
     pub skin: u32,
     pub colours: Colours,
     /// The medium around the surface, as in [`MeshPart`].
@@ -43,9 +43,9 @@ pub(super) struct File {
 }
 
 impl Collector {
-    /// Adds what is seen of a piece, with edges no longer than `grain` where it has a texture, and elsewhere no longer
-    /// than that or than they are from the eye: single precision mistakes places on large triangles. Where the
-    /// render box cuts it, it is open.
+    /// Adds the triangles of a piece that are seen. No edge is longer than both `grain` and its distance from the eye:
+    /// single precision mistakes places on large triangles. Where the mesh has the colours of a texture, no edge is
+    /// longer than `grain`. Where the render box cuts the piece, it is open.
     pub(super) fn add(
         &mut self,
         piece: &MeshPart,

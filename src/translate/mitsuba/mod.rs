@@ -32,7 +32,8 @@ pub use output::{Output, ShapeInfo};
 pub use scenery::{is_exact, square_size};
 use written::Written;
 
-/// The entities of a shape: its own, and the one that its properties come from.
+/// A comment on the entities of a shape: its own, and the one that its properties come from. Empty if neither is an
+/// object of the scene.
 fn described(names: &Names, shape: u32, object: u32) -> String {
     let of = |id| names.comment(id).map(|words| format!("{id}: {words}"));
     let own = of(shape);
@@ -44,12 +45,12 @@ fn described(names: &Names, shape: u32, object: u32) -> String {
     }
 }
 
-/// Pieces that are joined where they overlap.
+/// The key of pieces that are joined where they overlap.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     /// Pieces of one medium: optics and index.
     Medium(u32, u32),
-    /// Opaque ones that have surfaces in common.
+    /// Opaque pieces that have surfaces in common: the number of their group.
     Opaque(u32),
 }
 
@@ -90,10 +91,11 @@ pub fn write(
             clear: clear(skin),
         })
         .collect();
-    // What is opaque hides what overlaps in it, unless one looks into it.
+    // An opaque piece hides the parts of others within it, unless a camera looks into it.
     let within = parts.is_cut_open() || cameras.iter().any(|c| is_within(tracer, c, options.size));
     parts.carve(&media, within);
-    // One medium has no boundary in itself; and of faces in one place the first one is seen.
+    // Pieces are joined since one medium has no boundary within itself, and the first of several faces in one place is
+    // seen.
     let sharing = parts.sharing();
     parts.join_by(|i, piece| {
         let m = media.get(piece.inside as usize)?;
@@ -124,7 +126,7 @@ pub fn write(
     let (mut shapes, mut text) = (Vec::new(), String::new());
     let mut cut = meshes::Collector::default();
     let mut written = Written::new(scene, graph);
-    // Parts without end that are not cut off as meshes are.
+    // The number of parts without end that are not cut off as meshes are.
     let mut endless = 0;
     let names = Names::new(scene, &options.captions);
     for piece in &parts.pieces {
@@ -238,8 +240,8 @@ pub fn write(
 /// Numbers of rays across and down that show how near a camera is to what it sees.
 const RAYS: [u32; 2] = [64, 48];
 
-/// How far the nearest thing that a camera sees is from where its rays start, as far as a grid of rays
-/// tells.
+/// The distance from where a camera's rays start to the nearest surface that a grid of rays meets; infinite if they
+/// meet none.
 fn nearest(tracer: &Tracer, camera: &Camera, (width, height): (u32, u32)) -> f64 {
     let Some(view) = View::new(camera, width, height) else {
         return f64::INFINITY;
@@ -262,7 +264,7 @@ fn is_within(tracer: &Tracer, camera: &Camera, (width, height): (u32, u32)) -> b
         return false;
     };
     let mut walkers: Walkers<f64> = tracer.walker();
-    // Those of a projection matrix start all over the picture.
+    // The rays of a projection matrix start all over the picture.
     let (w, h) = (f64::from(width), f64::from(height));
     let mut within = |x: f64, y: f64| {
         let ray = view.ray(x * w, y * h);

@@ -30,6 +30,6 @@ pub struct Options {
     pub integrator: Integrator,
     /// The beginning of the names of meshes.
     pub stem: String,
-    /// The scene's names of its objects, which stand beside them.
+    /// The scene's names of its objects, for comments beside them.
     pub captions: Captions,
 }

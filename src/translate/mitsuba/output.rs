@@ -28,7 +28,7 @@ pub struct Output {
     pub extent: mesh::Extent,
     /// The frame that the scene was put in.
     pub frame: SceneFrame,
-    /// How far parts without end go on about the middle of the region.
+    /// The distance from the middle of the region to which parts without end go on, in the scene's units.
     pub reach: f64,
     pub report: Report,
 }

@@ -1,4 +1,4 @@
-//! Cameras, lights and what is computed.
+//! Cameras, lights and the integrator.
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -17,11 +17,11 @@ use crate::translate::number;
 /// Samples a pixel of a path-traced picture.
 const SAMPLES: u32 = 64;
 
-/// Distance that shapes without end are drawn to, by the size of the scene and its distance from the camera: the
+/// The distance that shapes without end reach, in radii of a box around the scene, its cameras and the origin. The
 /// horizon is then less than a pixel below where it should be.
 const HORIZON: f64 = 1e3;
 
-/// How far things without end reach.
+/// The distance that shapes without end reach from the middle of the region.
 pub(super) fn reach(region: &Aabb, cameras: &[Camera]) -> f64 {
     let all = cameras.iter().fold(*region, |all, c| {
         all.hull(&Aabb::new(c.position, c.position))
@@ -30,13 +30,14 @@ pub(super) fn reach(region: &Aabb, cameras: &[Camera]) -> f64 {
     HORIZON * all.hull(&origin).radius()
 }
 
-/// Distance to a camera that hides nothing, as a share of the scene's size.
+/// The distance of a near plane from the camera at which it hides nothing, as a fraction of the scene's size.
 const NEAR_PLANE_SIZES: f64 = 1e-7;
-/// Distance to a camera that hides nothing, as a share of the distance to the nearest object that is drawn.
+/// The distance of a near plane from the camera at which it hides nothing, as a fraction of the distance to the nearest
+/// surface that is seen.
 const NEAR_PLANE_SHARE: f64 = 1e-3;
 
-/// The integrator and the camera; `all` holds everything that is drawn, of which `nearest` is how near
-/// something is seen.
+/// The integrator and the camera. `all` is a box around everything that is drawn, `nearest` the distance to the nearest
+/// surface that is seen, and `reach` the distance that shapes without end reach.
 pub(super) fn view(
     scene: &Scene,
     camera: &Camera,
@@ -69,7 +70,7 @@ pub(super) fn view(
                 .to_owned()
         }
     };
-    // It must be more than 0, also as a number of single precision.
+    // The distance must be more than 0, also as a number of single precision.
     let close = (NEAR_PLANE_SHARE * nearest)
         .min(NEAR_PLANE_SIZES * reach / HORIZON)
         .max(1e-30);
@@ -87,8 +88,9 @@ pub(super) fn view(
     ))
 }
 
-/// Distance along the camera's axis at which rays start: halfway to what comes nearest to it, because of what is far
-/// from where a ray starts single precision tells less. 0 if it may be anywhere.
+/// The distance along the camera's axis at which rays start: halfway to the nearest corner of `all`, since single
+/// precision is less exact far from the start of a ray. 0 if there is no such corner, or the camera has a projection
+/// matrix.
 fn before(all: &Aabb, camera: &Camera, basis: &Basis) -> f64 {
     let depth = |i: usize| {
         let ends = [all.min[i], all.max[i]].map(|x| basis.forward[i] * (x - camera.position[i]));
@@ -101,7 +103,8 @@ fn before(all: &Aabb, camera: &Camera, basis: &Basis) -> f64 {
     }
 }
 
-/// The beginning of a sensor: where it is and what it sees, and how near.
+/// The beginning of a sensor, with its place and its field of view; and the distance of the near plane, if a projection
+/// matrix gives one. `None` if the camera is no lens.
 fn sensor(
     camera: &Camera,
     basis: &Basis,
@@ -122,7 +125,7 @@ fn sensor(
     }
     match Lens::of(camera, width, height)? {
         Lens::Parallel([origin, right, up, forward]) => {
-            // It looks along its z, and its x points to the left; it sees x from −1 to 1.
+            // Mitsuba's camera looks along its z axis, and its x axis points to the left; it sees x from −1 to 1.
             let aspect = f64::from(width) / f64::from(height);
             let mut place = Matrix::IDENTITY;
             for i in 0..3 {
@@ -151,7 +154,8 @@ fn sensor(
     }
 }
 
-/// Camera to world: Mitsuba's looks along its z, and its x points to the left.
+/// The matrix from the camera's coordinates to the world's. Mitsuba's camera looks along its z axis, and its x axis
+/// points to the left.
 fn place(pinhole: &Pinhole) -> Matrix {
     let mut out = Matrix::IDENTITY;
     for i in 0..3 {
@@ -174,7 +178,8 @@ pub fn is_exact(camera: &Camera, (width, height): (u32, u32)) -> bool {
 /// Longest side of a picture that is proposed, in pixels.
 const MAX_PICTURE_SIDE: u32 = 4096;
 
-/// The size next in height to the one given at which the pixels of all cameras are squares, if there is one.
+/// The picture size, of those at which the pixels of all cameras are squares, with the height nearest to the given one.
+/// `None` if there is none, or the pixels are squares already.
 pub fn square_size(cameras: &[Camera], (width, height): (u32, u32)) -> Option<(u32, u32)> {
     let of_no_squares = cameras.iter().find(|c| !is_exact(c, (width, height)))?;
     let Some(Lens::Pinhole(pinhole)) = Lens::of(of_no_squares, width, height) else {
@@ -195,7 +200,7 @@ struct Environment {
     hidden: bool,
 }
 
-/// Ambient light from everywhere, or else a bright background.
+/// The environment: the ambient light, or without it a background that is not black. `None` if there is neither.
 fn environment(scene: &Scene) -> Option<Environment> {
     let background = scene.render.map_or([0.0; 3], |r| r.background);
     let mut light = [0.0; 3];
@@ -215,7 +220,8 @@ fn environment(scene: &Scene) -> Option<Environment> {
     }
 }
 
-/// The lamps. They are as bright as ours at the middle of the scene: Mitsuba's fade with distance.
+/// The text of all lights. Mitsuba's point lights fade with distance; each is as bright as the scene's at the middle of
+/// the region.
 pub(super) fn lights(scene: &Scene, frame: &SceneFrame, region: &Aabb) -> String {
     let mut out = String::new();
     if let Some(e) = environment(scene) {

@@ -53,7 +53,7 @@ impl Target for Mitsuba {
                     .with("meshes", count(made.meshes.len())),
             ));
         }
-        // Meshes first: a document is there when what it names is there.
+        // Meshes are written first, so that no document names a file that is not there.
         let beside = |name: String| options.output.map(|p| p.with_file_name(name));
         let meshes = made.meshes.into_iter();
         let meshes = meshes.map(|(name, bytes)| (beside(name), bytes));

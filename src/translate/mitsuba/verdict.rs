@@ -12,7 +12,7 @@ pub(super) fn verdict(feature: Feature, tolerance: f64, written: &Written) -> Fe
     }
 }
 
-/// How many of a type of record were written as Mitsuba's own, and how many as meshes.
+/// The numbers of shapes with a type of record that were written as Mitsuba's own, and as meshes.
 type Counts = [usize; 2];
 
 fn record(kind: RecordKind, tolerance: f64, counts: Counts) -> FeatureSupport {
@@ -37,7 +37,7 @@ fn record(kind: RecordKind, tolerance: f64, counts: Counts) -> FeatureSupport {
         }
         RecordKind::Shape(ShapeKind::Rectangle) => FeatureSupport::exact(made("rectangle", counts)),
         RecordKind::Shape(ShapeKind::Box) => FeatureSupport::exact(made("cube", counts)),
-        // All that are not in the table of Mitsuba's own shapes are meshes.
+        // Every other kind of shape is written as a mesh.
         RecordKind::Shape(kind) if mesh::is_faceted(kind) => {
             FeatureSupport::exact("a mesh of the same facets")
         }
@@ -91,7 +91,7 @@ fn record(kind: RecordKind, tolerance: f64, counts: Counts) -> FeatureSupport {
 /// The fidelity of surface coordinates on a mesh.
 const STRAIGHT: &str = "straight between the points of a mesh";
 
-/// The shapes that shapes became: `2 spheres, 1 mesh`.
+/// The note on what shapes became: `2 spheres, 1 mesh`.
 fn made(own: &'static str, counts: Counts) -> Complaint {
     match counts {
         [_, 0] => Complaint::term(own),

@@ -7,7 +7,7 @@ use crate::syntax::table::RecordKind;
 use crate::trace::graph::Graph;
 use crate::translate::mesh::SurfaceLabel;
 
-/// The records of shapes that were written, by their types and those of textures on them.
+/// The shapes that were written, by type of record: their own types, and those of the textures on them.
 pub(super) struct Written<'a> {
     graph: &'a Graph,
     /// The kind of each shape, by its ID.
@@ -43,7 +43,7 @@ impl<'a> Written<'a> {
         }
     }
 
-    /// How many of a type are Mitsuba's own, and how many are meshes; some may be both.
+    /// The numbers of shapes with a type of record that are Mitsuba's own, and that are meshes. A shape may be both.
     pub(super) fn counts(&self, kind: RecordKind) -> [usize; 2] {
         [&self.exact, &self.meshes].map(|list| list.iter().filter(|(k, _)| *k == kind).count())
     }

@@ -5,7 +5,7 @@ use crate::geometry::Matrix;
 use crate::scene::Vec3;
 use crate::translate::number;
 
-/// `1, 2, 3`.
+/// The components of a vector: `1, 2, 3`.
 pub(super) fn vector(v: Vec3) -> String {
     let [x, y, z] = v.map(number);
     format!("{x}, {y}, {z}")
@@ -32,7 +32,8 @@ pub(super) fn ply(file: &str, bsdf: &str, info: &ShapeInfo, number: usize) -> St
     )
 }
 
-/// A line for readers, in which there are no two hyphens side by side.
+/// A line with a comment for readers. Spaces are put between hyphens, since XML comments must not have two side by
+/// side.
 pub(super) fn comment(text: &str) -> String {
     let mut out = String::from("  <!-- ");
     for c in text.chars() {
@@ -44,7 +45,7 @@ pub(super) fn comment(text: &str) -> String {
     out + " -->\n"
 }
 
-/// Text between quotes.
+/// Text as it may stand between quotes.
 pub(super) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

@@ -12,11 +12,12 @@ use crate::translate::number;
 use crate::translate::target::{self, Prepared};
 use crate::translate::{Fidelity, Report};
 
-/// Lights are dimmed by at most this: a 16-bit file keeps eight bits then.
+/// The smallest factor by which lights are dimmed. A file with 16 bits keeps eight of them then.
 const DIMMEST: f64 = 1.0 / 256.0;
 
-/// The power of two that keeps every value below 1. It follows from the recursion of the light:
-/// one more bounce on a surface shows at most kd·(all light) + (ks + kt)·(what was seen before).
+/// The power of two by which all light has to be multiplied so that no value of a picture is above white; at least
+/// `DIMMEST`. It follows from the recursion of the light: one more bounce on a surface shows at most kd·(all light) +
+/// (ks + kt)·(what was seen before).
 pub fn light_scale(document: &Document, depth: u32) -> f64 {
     let default = Optics::default();
     let mut brightest = 0.0f64;
@@ -38,11 +39,11 @@ pub fn light_scale(document: &Document, depth: u32) -> f64 {
     }
 }
 
-/// Numbers of rays across and down that show whether a picture is brighter than white.
+/// Width and height, in pixels, of the small picture that shows whether there is light above white.
 const PIXELS: (u32, u32) = (80, 60);
 
-/// States how bright the picture is. `dimmed` is the [light scale](super::Translation::light_scale) with which surely
-/// no pixel is brighter than white.
+/// Reports whether the picture has light above white. `dimmed` is the [light scale](super::Translation::light_scale)
+/// with which surely no pixel is brighter than white.
 pub fn state(report: &mut Report, scene: &Prepared, options: &target::Options, dimmed: f64) {
     if dimmed >= 1.0 {
         return;

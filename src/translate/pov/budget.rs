@@ -1,7 +1,8 @@
-//! Limits of what is looked at, so that no scene takes forever. What is beyond one is written otherwise, as if there were
-//! nothing to find, and the report says so.
+//! Limits of the searches that a translation makes, so that no scene takes forever. Beyond a limit the translator
+//! writes the part as if there were nothing to find, and the report says so.
 //!
-//! A limit beyond which the safe side is taken is none of these: it makes the text longer, and changes no picture.
+//! Limits beyond which the translator takes the safe side are not among these: they make the text longer, and change no
+//! picture.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -12,36 +13,38 @@ use crate::translate::fidelity::{Fidelity, Report};
 /// The kind of work that a limit applies to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Limit {
-    /// Nodes of an object of which the faces are looked for.
+    /// Nodes of an object whose faces are looked for.
     NodesWithFaces,
     /// Nodes that are looked at to find out whether a solid can be made larger or smaller.
     NodesOffset,
-    /// Points of a profile that is asked whether it crosses itself.
+    /// Points of a profile that is checked for crossing itself.
     ProfilePoints,
-    /// Parts of a union of which faces in one plane are looked for.
+    /// Parts of a union that is searched for faces in one plane.
     PartsLevelled,
-    /// Solids of a union that are searched for those that stand on each other.
+    /// Solids of a union that is searched for faces in one place.
     SolidsSettled,
-    /// Parts of a union that are searched for the same solids in them.
+    /// Parts of a union that is searched for parts made of the same solid.
     PartsShared,
-    /// Parts of a union that is written part by part, and half of those of one in which such unions are looked for.
+    /// Parts of a union that is written part by part.
     PartsSplit,
+    /// Parts of a union in which unions that may be written part by part are looked for.
     PartsAround,
-    /// Tools, or operands of an intersection, that are compared with each other.
+    /// Tools of a difference, or operands of an intersection, that are compared with each other.
     OperandsFlush,
     /// Operands of an intersection that are searched for those that hold others.
     OperandsHeld,
-    /// Groups of a union with the parts of which one more part is compared.
+    /// Groups of a union that one more part is compared with before it joins an earlier group.
     GroupsCompared,
-    /// Parts of groups that touch and are written again for each other, in all together. Nobody could read or render more.
+    /// Parts of touching groups of a union, over all pairs of groups: they are written again for each other. Nobody
+    /// could read or render a file with more of them.
     PartsRewritten,
-    /// Changes of look between the earlier groups within which one ends.
+    /// Changes of look in the sequence of earlier groups within which one group ends.
     LooksOfSkin,
-    /// Transformations, properties and copies between an operation and what it is an operand of.
+    /// Transformations, paints and copies between an operation and the shape or operation that is its operand.
     Modifications,
     /// Pieces along each side of a triangle with normals of several lengths.
     TrianglePieces,
-    /// Planes that may be mirrors in which the eye is.
+    /// Planes that may be mirrors in which the eye appears.
     Mirrors,
 }
 
@@ -50,7 +53,7 @@ impl Limit {
         self.says().0
     }
 
-    /// How much is looked at, and the message on what is done beyond that.
+    /// The largest amount within the limit, and the message on what is done beyond it.
     fn says(self) -> (usize, &'static str) {
         match self {
             Limit::NodesWithFaces => (256, "limit-nodes-with-faces"),
@@ -80,7 +83,7 @@ pub(crate) struct Budget {
 }
 
 impl Budget {
-    /// Whether so much is within a limit. The report names one that is exceeded.
+    /// Whether an amount is within a limit. A limit that is exceeded will be named in the report.
     pub(crate) fn spend(&self, limit: Limit, amount: usize) -> bool {
         let is_within = amount <= limit.most();
         if !is_within {

@@ -4,9 +4,10 @@
 //! absolute. With `assumed_gamma 1`, no attenuation and no highlights its light is that of the reference ray tracer,
 //! except at total internal reflection.
 //!
-//! From the scene to text in passes, which share a [`tree`] of values: [`lower`] makes objects of the scene, of which
-//! [`model`] knows what they ask, and asks [`separate`] what to do about faces in one place; [`simplify`] leaves out what
-//! is empty or there twice, and names the rest; [`mod@print`] writes the text. It decides nothing, and never sees the scene.
+//! The scene becomes text in passes, which share a [`tree`] of values. [`lower`] makes POV-Ray's objects from the
+//! scene: [`model`] answers its questions about nodes, and [`separate`] decides what to do about faces in one place.
+//! [`simplify`] leaves out empty objects and duplicates, and names the rest. [`mod@print`] writes the text: it decides
+//! nothing, and never sees the scene.
 
 pub mod brightness;
 mod budget;
@@ -46,7 +47,8 @@ pub struct Options {
     pub stereo: Stereo,
     /// The scene's names in comments.
     pub captions: Captions,
-    /// The name of the file to be, without its extension. One that a shell would read otherwise is not written into it.
+    /// The name of the output file, without its extension. The command at the head of the file has it, unless it has
+    /// characters that a shell would treat specially.
     pub name: String,
     /// The language of the comments at the head.
     pub language: Language,
@@ -87,8 +89,8 @@ impl Options {
 pub struct Translation {
     /// The file, or those of the left and the right eye.
     pub files: Vec<File>,
-    /// How often each file has to be rendered: with 3, `Declare=Channel=0`, 1 and 2 give a picture
-    /// each of which red, green and blue count.
+    /// The number of times that each file has to be rendered. With 3, `Declare=Channel=0`, 1 and 2 give three pictures:
+    /// the red of the first one counts, the green of the second, and the blue of the third.
     pub passes: u32,
     /// Power of two that multiplies every value of the pictures with `Declare=Light_Scale=` this number, so that none
     /// is brighter than white. Without the option no value is multiplied.
@@ -99,7 +101,7 @@ pub struct Translation {
 /// POV-Ray's own limit on `max_trace_level`.
 const MAX_TRACE_LEVEL: u32 = 256;
 
-/// Translates a scene with these bounds of its nodes.
+/// Translates a scene. `bounds` has the bounds of each node.
 ///
 /// # Errors
 /// A part of the scene has no translation.
@@ -111,7 +113,7 @@ pub fn write(
     let report = Report::of("pov", scene, |f| verdict::verdict(f, &options.pictures));
     let staged = staged(scene, options.viewpoint, options.aspect());
     let budget = Budget::default();
-    // What is staged has the same nodes.
+    // The staged scene has the same nodes, so the bounds fit it.
     let (scene, facts) =
         lower::rewritten(&staged, bounds, &budget).ok_or_else(Error::nothing_to_draw)?;
     let (mut document, lenses, mut report) = lower::lower(&scene, facts, options, &budget, report)?;
@@ -151,7 +153,8 @@ pub fn write(
     })
 }
 
-/// States what comes of what the objects make use of.
+/// Adds lines to the report about what the finished document uses: transparent parts that meet, solids that are cut
+/// open, paths of pictures, and depth.
 fn report_uses(document: &Document, options: &Options, report: &mut Report) {
     let tree = &document.tree;
     if tree.uses.unseen {

@@ -12,9 +12,10 @@ use crate::translate::plain::plain;
 /// The way in which POV-Ray finds the pictures of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Pictures {
-    /// Pictures in the scene's folder, as they are. POV-Ray decodes them, and opens no path that is not ASCII.
+    /// The scene's own picture files, in the folder with this path. POV-Ray decodes them, and opens no path that is not
+    /// ASCII.
     InPlace(PathBuf),
-    /// Pictures beside the translation: by the name that the scene has for each, the name of a PNG of its texels.
+    /// PNG copies beside the translation: from the scene's name of each picture to the name of its copy.
     Beside(BTreeMap<String, String>),
 }
 
@@ -25,7 +26,8 @@ impl Default for Pictures {
 }
 
 impl Pictures {
-    /// PNGs beside a translation of this name, without its extension: their names, and the files.
+    /// Makes a PNG copy of each image, to be put beside the translation. `stem` is the name of the translation without
+    /// its extension. Returns the pictures, and the name and content of each copy.
     pub fn beside(images: &Images, stem: &str) -> (Pictures, Vec<(String, Vec<u8>)>) {
         let stem = plain(stem);
         let mut names = BTreeMap::new();
@@ -38,8 +40,8 @@ impl Pictures {
         (Pictures::Beside(names), files)
     }
 
-    /// A picture in POV-Ray's language: the kind of file, which its content tells and not its name, and
-    /// its path.
+    /// A picture in POV-Ray's language: the kind of file, which is read from its content and not from its name, and its
+    /// path in quotes.
     pub fn named(&self, file: &str) -> String {
         let path = self.path(file);
         let kind = match self {

@@ -7,7 +7,7 @@ use super::tree::{Body, Declaration, Modifier, Object, Operation, Pattern, Textu
 use crate::scene::Geometry;
 use crate::scene::geometry::Parameter;
 
-/// The same tree without what is empty or there twice.
+/// The tree without empty objects and duplicates, and with names for its objects and textures.
 pub(super) fn simplified<'a>(tree: Tree<'a>) -> Tree<'a> {
     let mut out = Simplified::default();
     for declared in tree.objects {
@@ -48,7 +48,7 @@ pub(super) fn simplified<'a>(tree: Tree<'a>) -> Tree<'a> {
 #[derive(Default)]
 struct Simplified<'a> {
     objects: Vec<Declaration<'a>>,
-    /// The number among these of each object that was declared; `None` for empty objects.
+    /// For each object that was declared, its number in `objects`; `None` for an empty object.
     numbers: Vec<Option<usize>>,
     /// The numbers of objects by the hash of their contents.
     known: HashMap<u64, Vec<usize>>,
@@ -57,7 +57,7 @@ struct Simplified<'a> {
 }
 
 impl<'a> Simplified<'a> {
-    /// The number of an equal object, or of this one as a new one.
+    /// The number of an equal object, if there is one; otherwise the object is added, and has a new number.
     fn number(&mut self, id: u32, object: Object<'a>) -> usize {
         let mut hash = DefaultHasher::new();
         hash_object(&object, &mut hash);
@@ -82,7 +82,7 @@ impl<'a> Simplified<'a> {
         number
     }
 
-    /// An object without what is empty in it; none if nothing is left.
+    /// An object without its empty parts; `None` if nothing is left.
     fn object(&self, object: Object<'a>) -> Option<Object<'a>> {
         let Object {
             body,
@@ -115,7 +115,8 @@ impl<'a> Simplified<'a> {
         Some(simple)
     }
 
-    /// An operation without empty operands; of a single one itself.
+    /// An operation without its empty operands; `None` if nothing is left. If a single operand is left, it takes the
+    /// place of the operation.
     fn operation(&self, operation: Operation, operands: Vec<Object<'a>>) -> Option<Object<'a>> {
         let takes_away = matches!(
             operation,
@@ -135,7 +136,8 @@ impl<'a> Simplified<'a> {
     }
 }
 
-/// The items in use, in the order of their use, which gets them their new numbers.
+/// The items in use, in the order of their first use. `each` calls the function that it is given with every reference
+/// to an item, and the function sets the item's new number.
 fn used<T: Clone>(all: &[T], each: impl FnOnce(&mut dyn FnMut(&mut usize))) -> Vec<T> {
     let mut used = Vec::new();
     let mut numbers = vec![None; all.len()];
@@ -148,7 +150,7 @@ fn used<T: Clone>(all: &[T], each: impl FnOnce(&mut dyn FnMut(&mut usize))) -> V
     used
 }
 
-/// Gives textures the names of the entities that they are of.
+/// Names each texture after the entity that owns it. Textures of one entity are told apart by numbers.
 fn name(textures: &mut [Texture]) {
     let mut times: HashMap<(String, bool), u32> = HashMap::new();
     for texture in textures {
@@ -231,7 +233,7 @@ fn hash_shape(shape: &Geometry, hash: &mut DefaultHasher) {
     }
 }
 
-/// Adding zero makes one of the two zeros.
+/// Hashes a number by its bits. Adding zero turns −0 into 0, so that both have the same hash.
 fn hash_number(x: f64, hash: &mut DefaultHasher) {
     (x + 0.0).to_bits().hash(hash);
 }

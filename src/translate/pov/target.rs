@@ -36,7 +36,7 @@ impl Target for Pov {
         let stem = stem.unwrap_or("scene".into());
         let (pictures, copies) = match options.output {
             Some(_) => Pictures::beside(&scene.images()?, &stem),
-            // Nobody knows where the translation will lie.
+            // Without an output path nobody knows where the translation will lie, so pictures have their whole paths.
             None => (Pictures::InPlace(whole(scene.folder())), Vec::new()),
         };
         let own = Options {
@@ -59,7 +59,7 @@ impl Target for Pov {
             ..
         } = write(scene.scene(), scene.bounds(), &own)?;
         brightness::state(&mut report, scene, options, light_scale);
-        // Pictures first: a translation is there when what it names is there.
+        // Pictures are written first, so that no translation names a file that is not there.
         let beside = |name: String| options.output.map(|path| path.with_file_name(name));
         let copies = copies.into_iter().map(|(name, png)| (beside(name), png));
         let files = files.into_iter();
@@ -71,7 +71,7 @@ impl Target for Pov {
     }
 }
 
-/// A folder with its whole path.
+/// The absolute path of a folder, or the folder as it is if it has none.
 fn whole(folder: &Path) -> PathBuf {
     let folder = match folder.as_os_str().is_empty() {
         true => Path::new("."),

@@ -34,7 +34,7 @@ pub struct Document<'a> {
 /// The map from the scene's coordinates to those that POV-Ray works in.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
-    /// Comes to lie in the origin; the origin itself for most scenes.
+    /// The point of the scene that comes to lie in POV-Ray's origin; for most scenes the scene's own origin.
     pub centre: Vec3,
     /// Factor from the scene's lengths to POV-Ray's, a power of two.
     pub unit: f64,
@@ -46,8 +46,10 @@ impl Frame {
     }
 }
 
-/// The rays of a camera: direction + (x − ½)·right + (½ − y)·up, from the location or, if they are parallel, from
-/// the location moved by that. The vectors may be of any hand and need not be at right angles.
+/// The rays of a camera. For a point at x and y of the picture, each from 0 to 1 across and down, the offset is (x −
+/// ½)·right + (½ − y)·up. The ray starts at `location`, with the direction `direction` plus the offset; a parallel ray
+/// starts at `location` plus the offset, with the direction `direction`. The vectors may be left- or right-handed and
+/// need not be at right angles.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Lens {
     pub caption: String,
@@ -84,12 +86,12 @@ pub struct Tree<'a> {
     pub textures: Vec<Texture<'a>>,
     /// The declared objects, each behind those that it is made of.
     pub objects: Vec<Declaration<'a>>,
-    /// The number of the object that is drawn; none where there is nothing.
+    /// The number of the object that is drawn; `None` if there is nothing to draw.
     pub root: Option<usize>,
     pub uses: Uses,
 }
 
-/// The declarations that the objects make use of.
+/// The features that the objects use, as far as these need declarations or other measures in the file.
 #[derive(Default)]
 pub struct Uses {
     /// Whether some object has faces that nobody sees.
@@ -106,12 +108,12 @@ pub struct Uses {
 /// A texture with its optics.
 #[derive(Clone)]
 pub struct Texture<'a> {
-    /// The entity it is named after, 0 for none, and that of the shape that it is laid on.
+    /// The entity that the texture is named after, 0 for none, and the entity of the shape that it is laid on.
     pub owner: (u32, Option<u32>),
     pub name: String,
     pub pattern: Pattern<'a>,
     pub optics: Optics,
-    /// Whether light comes from the other side.
+    /// Whether the surface is lit by light that falls on its other side.
     pub is_behind: bool,
 }
 
@@ -119,11 +121,11 @@ pub struct Texture<'a> {
 #[derive(Clone)]
 pub enum Pattern<'a> {
     Colour(Rgb),
-    /// The colours of a profile's points, along it.
+    /// The points of a profile, and the colour at each of them.
     Profile(&'a [[f64; 2]], &'a [Rgb]),
-    /// Cubes of an edge in coordinates that a matrix leads away from.
+    /// Cubes in two colours: the matrix that maps from the cubes' coordinates, the colours, and the length of an edge.
     Cubes(Matrix, [Rgb; 2], f64),
-    /// Cells along the two surface coordinates of a shape.
+    /// A checkerboard along the surface coordinates of a shape: the numbers of cells along them, and the colours.
     Checkerboard(&'a Geometry, [u32; 2], [Rgb; 2]),
     /// An image by its number, along the surface coordinates of a shape.
     Image(&'a Geometry, usize),
@@ -131,7 +133,7 @@ pub enum Pattern<'a> {
 
 /// An object with a name of its own.
 pub struct Declaration<'a> {
-    /// The entity it is named after, 0 for none.
+    /// The entity that the object is named after, 0 for none.
     pub id: u32,
     pub name: String,
     pub object: Object<'a>,
@@ -175,16 +177,16 @@ pub enum Modifier<'a> {
     Matrix(Matrix),
     /// A texture by its number.
     Texture(usize),
-    /// A texture by its number, of the side that the normals are not on.
+    /// A texture, by its number, for the side of the surface that its normals do not point to.
     InnerTexture(usize),
-    /// All light goes through, and nothing is seen.
+    /// The texture of a face that nobody sees: all light goes through.
     Unseen,
-    /// All light goes through where it comes from inside; what is seen from outside was said before.
+    /// The texture `Unseen` for the inner side of the faces alone; the outer side keeps its own.
     UnseenWithin,
     /// The refractive index within.
     Index(Rgb),
     Inverse,
-    /// A clip: only the part inside of an object is there.
+    /// A clip: only the part of the object that is inside of another one is there.
     Clip(Box<Object<'a>>),
     /// A volume that certainly holds the object.
     Bound(Volume),
@@ -225,8 +227,9 @@ impl<'a> Object<'a> {
         self
     }
 
-    /// Calls `f` with all that an object is made of, as far as that is not declared, in the order of the text: operands, the
-    /// object itself, and what it is clipped by. Operations nest a few levels deep at most: deeper ones are declared objects.
+    /// Calls `f` with each object that this one is written with: operands, the object itself, and objects that clip it,
+    /// in the order of the text. Declared objects are not entered. Operations nest a few levels deep at most: deeper
+    /// ones are declared objects.
     pub fn each(&mut self, f: &mut dyn FnMut(&mut Object<'a>)) {
         if let Body::Operation(_, operands) = &mut self.body {
             operands.iter_mut().for_each(|operand| operand.each(f));
@@ -241,14 +244,14 @@ impl<'a> Object<'a> {
 }
 
 impl<'a> Modifier<'a> {
-    /// Keeps of an object what is inside of another one.
+    /// The modifier that keeps the part of an object inside of another one.
     pub fn inside(by: Object<'a>) -> Modifier<'a> {
         Modifier::Clip(Box::new(by))
     }
 
-    /// Keeps of an object what is outside of another one. What is turned inside out by `inverse` keeps its bounds
-    /// there, unless it is one of the simplest shapes, and POV-Ray takes them for those of something without end
-    /// that is clipped: so it is taken from all of space.
+    /// The modifier that keeps the part of an object outside of another one: it clips by all of space without the other
+    /// object. Clipping by an `inverse` object would fail: unless it is one of the simplest shapes it keeps its bounds,
+    /// and POV-Ray takes these for the bounds of an endless object that is clipped by it.
     pub fn outside(of: Object<'a>) -> Modifier<'a> {
         let operands = vec![Object::new(Body::Everything), of];
         Modifier::inside(Object::of(Operation::Difference, operands))

@@ -52,10 +52,10 @@ fn record(kind: RecordKind) -> FeatureSupport {
     }
 }
 
-/// The cost of shading normals.
+/// The inaccuracy of triangles with shading normals, for the report.
 const BEHIND: &str = "a light behind the triangle, but before its shading normal, is seen";
 
-/// How exact a shape is.
+/// How exactly POV-Ray draws a kind of shape.
 fn shape(kind: ShapeKind) -> FeatureSupport {
     match kind {
         ShapeKind::SurfaceOfRevolution => FeatureSupport::exact("lathe { linear_spline }"),

@@ -94,12 +94,12 @@ fn pinhole(camera: &Camera, basis: &Basis, aspect: f64) -> Lens {
     }
 }
 
-/// Distance in radii beyond which a scene is looked at in parallel: POV-Ray's numbers do not suffice for rays from
-/// there.
+/// The distance of the camera, in radii of the scene, beyond which its rays are written as parallel: POV-Ray's numbers
+/// do not suffice for rays from there.
 const TELESCOPE: f64 = 1e5;
 
-/// Parallel rays for a pinhole that is far from all of the scene, and how far off they are, as a part
-/// of the picture's larger side.
+/// A lens with parallel rays for a pinhole that is far from all of the scene, and the error of the picture, as a
+/// fraction of its larger side. `None` if the camera is nearer.
 fn from_far(camera: &Camera, basis: &Basis, aspect: f64, scene: Aabb) -> Option<(Lens, f64)> {
     if scene.is_empty() || !scene.is_finite() {
         return None;
@@ -162,13 +162,13 @@ fn projecting(sight: &Sight, camera: &Camera, basis: &Basis) -> Option<Lens> {
 /// The vector by which parallel rays are moved. They could all run exactly along faces and seams, where POV-Ray does
 /// not know what to do.
 fn shift(lens: &Lens) -> Vec3 {
-    // By the size of the picture: a millionth of a pixel, and a million times what is rounded.
+    // A fraction of the picture's size: a millionth of a pixel, and a million times the rounding errors.
     const CAMERA_SHIFT: f64 = 1e-9;
     let shift: Vec3 = std::array::from_fn(|i| CAMERA_SHIFT * (0.6 * lens.right[i] + lens.up[i]));
     clean(shift.map(|x| format!("{x:.1e}").parse().unwrap_or(x)))
 }
 
-/// A vector without what is but rounding.
+/// A vector whose components are 0 where they are but rounding errors.
 fn clean(v: Vec3) -> Vec3 {
     let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     v.map(|x| {
@@ -183,12 +183,12 @@ fn clean(v: Vec3) -> Vec3 {
 /// The corners of the picture.
 const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
-/// Whether nothing of the scene lies between the eye and where rays start.
+/// Whether no part of the scene lies between the eye and the near plane, where rays start.
 fn sees_all_behind_near(sight: &Sight, camera: &Camera, basis: &Basis, scene: Aabb) -> bool {
     let Some(eye) = sight.eye() else {
         return true;
     };
-    // Depths from the eye along the normal of the picture plane, in units of the direction's.
+    // Depths are measured from the eye along the normal of the picture plane; the depth of `direction` is 1.
     let [direction, along_x, along_y] = sight.direction();
     let normal = cross(along_x, along_y);
     let pace = dot(normal, direction);

@@ -1,6 +1,6 @@
-//! The way down from a node to the shape or operation it stands for, past everything that is
-//! written as a modifier or not at all: transformations, properties, copies, complements, operands
-//! without a say.
+//! The way down from a node to the shape or operation that it stands for. The nodes on the way are written as
+//! modifiers, or not at all: transformations, paints, copies, complements, and operations that only one operand counts
+//! in.
 
 use crate::scene::{Node, NodeId};
 use crate::translate::pov::budget::Limit;
@@ -17,26 +17,26 @@ pub(crate) enum End {
     /// All space.
     Everything,
     Shape(u32, State),
-    /// A node that others use too.
+    /// A node that other nodes use, too, so that it is declared by itself.
     Shared(Key),
-    /// A union of which both operands count.
+    /// A union whose operands both count.
     Union(NodeId, NodeId, State),
     Intersection(NodeId, NodeId, State),
     Difference(NodeId, NodeId, State),
-    /// The surfaces of each, where the solids of the other are.
+    /// The surfaces of each operand that lie inside the solids of the other.
     CrossedSurfaces(NodeId, NodeId, State),
     /// The node's solids and surfaces have to be written separately.
     Split(NodeId, State),
 }
 
-/// The nodes that others use too and that end the way.
+/// The nodes with several users at which the way down ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Stop {
     AtShared,
-    /// The stops of `AtShared`; and small unions that light goes through, or that touch what it goes through, are not
-    /// given their look as a whole: each part has to be seen among those of the union around it.
+    /// Like `AtShared`, but small unions do not get their look as a whole if light goes through them, or through a part
+    /// that they touch: each of their parts has to be seen among those of the union around it.
     AmongParts,
-    /// The stops of `AtShared` but for the start: that node is being declared.
+    /// Like `AtShared`, but not at the start, since that node is being declared.
     BelowStart,
     Never,
 }
@@ -48,7 +48,7 @@ pub(crate) struct Descent<'a> {
 }
 
 impl Descent<'_> {
-    /// The end, if nothing stands before it.
+    /// The end of the way if there are no modifiers on it; otherwise `None`.
     pub(crate) fn bare(&self) -> Option<End> {
         self.modifiers.is_empty().then_some(self.end)
     }
@@ -82,7 +82,7 @@ impl<'a> ModifierStack<'a> {
 }
 
 impl<'a> Model<'a> {
-    /// Goes down from a node as far as one object reaches.
+    /// Goes down from a node as far as the nodes on the way can be modifiers of one object.
     pub(crate) fn descend(&mut self, start: NodeId, state: State, stop: Stop) -> Descent<'a> {
         let (mut node, mut state) = (start, state);
         let mut way = ModifierStack::default();
@@ -94,7 +94,7 @@ impl<'a> Model<'a> {
                 return way.end(End::Nothing);
             }
             if !(f.has_solid && f.has_surface) {
-                // One name for the one part there is.
+                // A node with one layer only has the same state whichever layers are asked for.
                 state.layer = Layer::All;
             }
             let apart = stop == Stop::AmongParts && f.uses <= 1 && way.modifiers.is_empty();
@@ -125,8 +125,8 @@ impl<'a> Model<'a> {
                     node = child;
                 }
                 Node::Paint { child, paint } => {
-                    // What the paint sets was looked at in the facts about this node already, when
-                    // it was uniform; here it is handed down.
+                    // A look that is the same in the whole node was given by `settle_look` already; any other is handed
+                    // down.
                     let given = self.tables.paint(paint);
                     if let Appearance::Own { texture, optics } = &mut state.look {
                         *texture = texture.or(given.texture.map(TextureUse::here));
@@ -193,7 +193,7 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// Whether a node is a union of a few parts, and light goes through it or through what it touches.
+    /// Whether a node is a union of a few parts, and light goes through it or through a part that it touches.
     fn is_union_of_parts(&self, node: NodeId, look: Appearance) -> bool {
         let counts = self.is_transparent(node, look) || self.beside_clear.contains(&node);
         if !matches!(look, Appearance::Own { .. }) || !counts {
@@ -213,8 +213,7 @@ impl<'a> Model<'a> {
         parts > 1
     }
 
-    /// Gives the node's inside its index, where that is the same everywhere. `false` where this
-    /// would also give one to surfaces.
+    /// Gives the node's inside its index, if that is the same everywhere. `false` if surfaces would get the index, too.
     fn settle_medium(
         &mut self,
         node: NodeId,
@@ -240,8 +239,8 @@ impl<'a> Model<'a> {
         true
     }
 
-    /// Whether a node is of one index and several optics, and its parts can tell by themselves: where
-    /// they meet, each has to be an object of its own.
+    /// Whether a node of one index has several optics, and its parts give the index themselves: where they meet, each
+    /// has to be an object of its own.
     fn is_of_several(&self, node: NodeId, look: Appearance) -> bool {
         let open = matches!(look, Appearance::Own { optics: None, .. });
         let gives = match self.scene.nodes[node as usize] {

@@ -16,7 +16,8 @@ use crate::translate::pov::tree::{Modifier, Object, Operation};
 type Cut = Group<Substance, (NodeId, State)>;
 
 impl<'a> Model<'a> {
-    /// A − B, with everything that is taken from A before.
+    /// The object of A − B. If A is a difference itself, all that is taken away is taken from its base at once. `None`
+    /// if nothing is left.
     pub(crate) fn difference(&mut self, a: NodeId, b: NodeId, state: State) -> Option<Object<'a>> {
         let (base, cutters) = self.cut_chain(a, b, state);
         if self.is_within(base.0, &cutters) {
@@ -28,7 +29,7 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// ((A − B) − C) − D as A and B, C, D.
+    /// Takes a chain of differences apart: ((A − B) − C) − D gives A, and B, C, D.
     fn cut_chain(&mut self, a: NodeId, b: NodeId, state: State) -> ((NodeId, State), Vec<NodeId>) {
         let mut base = (a, state);
         let mut cutters = vec![b];
@@ -42,7 +43,8 @@ impl<'a> Model<'a> {
         (base, cutters)
     }
 
-    /// The base without the cutters; the cut faces look like `look`. `change` is that of the whole.
+    /// The base without the cutters. The cut faces have the look `look`; `change` is the number of the whole
+    /// difference's change. `None` if nothing is left.
     fn cut(
         &mut self,
         base: (NodeId, State),
@@ -58,7 +60,8 @@ impl<'a> Model<'a> {
         Some(difference(Operation::Difference, base, taken, Vec::new()))
     }
 
-    /// A base, without those parts of it that certainly go: their faces are the cutters', too.
+    /// The object of a base, without the parts of it that certainly lie within the cutters: such parts have faces in
+    /// one place with them. `None` if nothing is left.
     fn without_what_goes(
         &mut self,
         (node, state): (NodeId, State),
@@ -77,8 +80,8 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// The objects to be taken away, with the look of what they are taken from; `base` is that where
-    /// it lies in the same coordinates, and `offset` the number of a change of their shapes.
+    /// The objects to be taken away, with the look of the base. `base` is the base's node if it lies in the same
+    /// coordinates, and `offset` the number of a change of the objects' shapes.
     fn cutters(
         &mut self,
         nodes: &[NodeId],
@@ -104,8 +107,8 @@ impl<'a> Model<'a> {
             flush: offset,
         };
         let mut out = Vec::new();
-        // Nobody looks at the properties that the cutters have themselves: a look that can be said
-        // from outside is said of each of them.
+        // The looks that the cutters have themselves do not count, so a look that can be given from outside is given to
+        // each cutter as a whole.
         let (look, modifier) = match look {
             Appearance::Own {
                 texture: Some(t),
@@ -131,8 +134,8 @@ impl<'a> Model<'a> {
         out
     }
 
-    /// A − (A′ ∩ X) is A − X where A is in A′, and A − (B − A) is A: their common faces would be
-    /// speckled.
+    /// The object to be taken away for one cutter; `None` if it takes nothing away. A − (A′ ∩ X) is written as A − X if
+    /// A is in A′, and A − (B − A) as A: their common faces would be speckled.
     fn cutter(&mut self, base: NodeId, node: NodeId, state: State) -> Option<Object<'a>> {
         let longer = self.longer_tool(node, base);
         let change = match state.flush {
@@ -157,7 +160,8 @@ impl<'a> Model<'a> {
         Some(Object::of(Operation::Intersection, self.refer_all(kept)))
     }
 
-    /// A base of several substances: its parts are cut one by one.
+    /// Cuts a base of several substances: each group of parts of one substance is cut by itself. `None` if nothing is
+    /// left.
     fn cut_by_part(&mut self, base: (NodeId, State), cutters: &[NodeId]) -> Option<Object<'a>> {
         let descent = self.descend(base.0, base.1, Stop::Never);
         let moved = (descent.modifiers.iter()).try_fold(Matrix::IDENTITY, |before, m| match m {
@@ -190,7 +194,8 @@ impl<'a> Model<'a> {
         Some(Object::unless_empty(Operation::Union, pieces)?.with(descent.modifiers))
     }
 
-    /// Where parts of different substance overlap, the first one owns the overlap.
+    /// The solids of an earlier group that are taken from a later one. Where parts of different substance overlap, the
+    /// first one owns the overlap.
     fn taken_first(&mut self, earlier: &Cut, later: &Cut) -> Vec<Object<'a>> {
         let mut both = earlier.members.iter().chain(&later.members);
         if both.any(|&(node, state)| self.is_transparent(node, state.look)) {
@@ -231,7 +236,7 @@ impl<'a> Model<'a> {
                 texture: Some(t),
                 optics,
             } => Appearance::Own {
-                // The cutters lie outside the transformations that the base is in.
+                // The cutters lie outside the transformations that the base is in, so the texture is brought there.
                 texture: Some(self.tables.moved_back(t, back)),
                 optics,
             },

@@ -1,6 +1,6 @@
-//! Groups of several media, or of opaque parts, that were moved or given properties as a whole, such as a glass
-//! with its wine: written part by part where they touch other glass, since each part has to be seen among those of
-//! the union around it.
+//! Groups: unions of several media, or of opaque parts, that were moved or painted as a whole, such as a glass with its
+//! wine. A group that touches other glass is written part by part, since each part has to be seen among those of the
+//! union around it.
 
 use std::collections::{HashMap, HashSet};
 
@@ -11,7 +11,7 @@ use crate::translate::pov::budget::{Budget, Limit};
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::materials::{Facts, Material};
 
-/// The same scene with such groups spread, if there are any.
+/// The scene with such groups written part by part; `None` if there are none.
 pub(super) fn distributed(scene: &Scene, facts: &Facts, budget: &Budget) -> Option<Scene> {
     let root = scene.render?.root;
     if !facts.is_clear() {
@@ -56,7 +56,7 @@ pub(super) fn distributed(scene: &Scene, facts: &Facts, budget: &Budget) -> Opti
     Some(out.finish())
 }
 
-/// Opaque unions that touch something that light goes through in the union around them.
+/// The opaque unions that touch a part, in the union around them, that light goes through.
 pub(super) fn beside_clear(model: &Model, root: NodeId) -> HashSet<NodeId> {
     let is_clear = |node: &NodeId| model.materials[*node as usize].transparent;
     let box_of = |node: NodeId| model.box_of(node);
@@ -72,16 +72,16 @@ pub(super) fn beside_clear(model: &Model, root: NodeId) -> HashSet<NodeId> {
     beside
 }
 
-/// A union that is no part of another one.
+/// A union that is no operand of another union.
 #[derive(Default)]
 struct Whole {
-    /// The unions that it is made of, itself as well.
+    /// The union itself, and all unions among its operands, at any depth.
     unions: Vec<NodeId>,
-    /// The operands of these that are no unions.
+    /// The operands of these unions that are no unions.
     parts: Vec<NodeId>,
 }
 
-/// All unions that are no parts of unions themselves, but those of very many.
+/// All unions that are no operands of other unions, except those of too many parts.
 fn wholes(scene: &Scene, root: NodeId, budget: &Budget) -> Vec<Whole> {
     let mut is_part = vec![false; root as usize + 1];
     let mut wholes = Vec::new();
@@ -97,7 +97,7 @@ fn wholes(scene: &Scene, root: NodeId, budget: &Budget) -> Vec<Whole> {
     wholes
 }
 
-/// The operands of a union, and those of the unions among its operands.
+/// A union with all unions and parts that it is made of; `None` if there are too many.
 fn whole(scene: &Scene, union: NodeId, budget: &Budget) -> Option<Whole> {
     let mut whole = Whole::default();
     let mut todo = vec![union];
@@ -108,7 +108,7 @@ fn whole(scene: &Scene, union: NodeId, budget: &Budget) -> Option<Whole> {
         } else {
             whole.parts.push(node);
         }
-        // A union has one part more than unions in it.
+        // A whole has one part more than unions, so half of the nodes are parts.
         let nodes = whole.parts.len() + whole.unions.len();
         if !budget.spend(Limit::PartsAround, nodes.div_ceil(2)) {
             return None;
@@ -117,7 +117,8 @@ fn whole(scene: &Scene, union: NodeId, budget: &Budget) -> Option<Whole> {
     Some(whole)
 }
 
-/// The modifications of a union, the last first, and its operands; `None` for a node that is no union.
+/// The modifications of a node, the last first, and the two operands of the union that they modify. `None` if they
+/// modify no union.
 fn union(scene: &Scene, node: NodeId, budget: &Budget) -> Option<(Modifications, NodeId, NodeId)> {
     let (way, core) = below(scene, node, budget);
     match scene.nodes[core as usize] {
@@ -133,7 +134,8 @@ fn is_group(scene: &Scene, materials: &[Material], node: NodeId, budget: &Budget
     !is_one && union(scene, node, budget).is_some()
 }
 
-/// The parts of a group that are no unions themselves, each with what is done to it, the last first.
+/// The parts of a group that are no unions themselves, each with its modifications within the group, the last first.
+/// `None` if there are too many.
 fn members(scene: &Scene, group: NodeId, budget: &Budget) -> Option<Vec<(Modifications, NodeId)>> {
     let mut todo = vec![(Vec::new(), group)];
     let mut members = Vec::new();
@@ -151,7 +153,7 @@ fn members(scene: &Scene, group: NodeId, budget: &Budget) -> Option<Vec<(Modific
     Some(members)
 }
 
-/// A union of members to which is done by itself what was done to their group.
+/// Adds a union of a group's members, each with its modifications, and returns it. Its origin is that of the group.
 fn joined(out: &mut Rewrite, group: NodeId, members: &[(Modifications, NodeId)]) -> NodeId {
     let mut union = None;
     for (way, member) in members {

@@ -9,27 +9,28 @@ use crate::translate::fidelity::{Fidelity, Report};
 use crate::translate::pov::model::stretch::power_of_two_about;
 use crate::translate::pov::tree::Frame;
 
-/// The size that the scene is scaled to: POV-Ray's tolerances, 1e-6 to 1e-3, are small beside that, and its
-/// limits, 1e7, far away.
+/// The size, in POV-Ray's units, that the scene is scaled to. POV-Ray's tolerances, 1e-6 to 1e-3, are small beside it,
+/// and its limits, 1e7, are far away.
 const SIZE: f64 = 32.0;
 
-/// How far faces are moved apart that are in one place, in POV-Ray's units: a few times its tolerances.
+/// The hair in POV-Ray's units: the distance by which faces in one place are put apart. It is a few times POV-Ray's
+/// tolerances.
 const FACE_OFFSET: f64 = 1.0 / 512.0;
 
-/// Shadow rays overlook what is closer than this.
+/// The distance, in POV-Ray's units, within which shadow rays overlook surfaces.
 const OVERLOOKED: f64 = 1e-3;
 
-/// Largest distance of the camera: nothing is seen beyond 1e7.
+/// The largest distance of the camera, in POV-Ray's units: POV-Ray sees nothing beyond 1e7.
 const MAX_CAMERA_DISTANCE: f64 = 1e6;
 
-/// Largest distance that a scene is brought to so that near things have room.
+/// The largest distance, in POV-Ray's units, that a scene may reach when it is enlarged for the sake of near things.
 const FAR_FOR_NEAR: f64 = 262_144.0;
 
 /// Distance from the origin, in sizes of the scene, beyond which the coordinates are moved.
 const OFF: f64 = 16.0;
 
-/// Brings the scene to about [`SIZE`], or nearer if the camera is far away; and farther apart where what is seen would
-/// be too near for the tolerances. `seen` is a box around what the cameras see.
+/// The frame in which the scene has about the size [`SIZE`], or less if the camera is far away. The scene is larger
+/// where things that are seen would be too near for the tolerances. `seen` is a box around what the cameras see.
 pub(super) fn frame(
     seen: Aabb,
     eyes: &[Eye],
@@ -82,8 +83,8 @@ pub(super) fn frame(
     Frame { centre, unit }
 }
 
-/// Distance in the scene's coordinates that faces in one place are put apart by: less than can be seen, more than
-/// POV-Ray's tolerances.
+/// The hair in the scene's coordinates: the distance by which faces in one place are put apart. It is less than can be
+/// seen and more than POV-Ray's tolerances.
 pub(super) fn hair(frame: &Frame) -> f64 {
     FACE_OFFSET / frame.unit
 }

@@ -34,8 +34,8 @@ use crate::solids::staging::seen_box;
 use crate::translate::fidelity::Report;
 use nodes::Lower;
 
-/// The scene with operands in another order, and operations distributed over unions, where POV-Ray needs it.
-/// `None` for one of which nothing is drawn.
+/// The scene with operations in another order, and distributed over unions, where POV-Ray needs it; and the facts about
+/// its nodes. `None` if nothing is drawn.
 pub(super) fn rewritten<'a>(
     scene: &'a Scene,
     bounds: &'a [NodeBounds],
@@ -52,7 +52,7 @@ pub(super) fn rewritten<'a>(
     Some(known)
 }
 
-/// The objects that are to be printed, and the cameras that take the pictures.
+/// The document that is to be printed, the lenses that take the pictures, and the report.
 ///
 /// # Errors
 /// A part of the scene has no translation.
@@ -121,7 +121,7 @@ pub(super) fn lower<'a>(
             uses: Uses::default(),
         },
         caption: options.captions.entity(render.root_id),
-        // A face in a face of the box is drawn, too.
+        // The box is a hair larger, so that a face of the scene in a face of the box is drawn, too.
         clip: (render.clip).map(|(min, max)| (min.map(|x| x - hair), max.map(|x| x + hair))),
         cut_open,
     };

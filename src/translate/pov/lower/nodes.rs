@@ -24,9 +24,10 @@ use crate::translate::pov::tree::{Body, Declaration, Modifier, Object};
 pub(super) struct Lower<'a> {
     pub model: Model<'a>,
     captions: &'a Captions,
-    /// Bounding volumes that help.
+    /// The bounding volumes that are proved to hold their objects.
     volumes: Volumes,
-    /// Triangles whose normals turn away from the eye somewhere, and whether they are on the far side.
+    /// The triangles whose normals turn away from the eye somewhere, by shape, and whether the normals have to be
+    /// turned to the eye's side.
     backward: HashMap<u32, bool>,
     /// Shapes that were made longer.
     longer: HashSet<u32>,
@@ -91,7 +92,8 @@ impl<'a> Lower<'a> {
     fn declaration(&mut self, key: Key) -> Declaration<'a> {
         let id = self.model.ids[key.node as usize];
         let mut object = self.definition(key);
-        // What stands for nodes gives way to their objects: a shape is written out, an operation is declared before.
+        // References to nodes give way to the nodes' objects: a shape is written out, and an operation is declared
+        // before.
         object.each(&mut |part| {
             if let Body::Declared(number) = part.body {
                 let resolved = self.inline(number);
@@ -157,7 +159,8 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// A shape with what is said about it; `id` is that of the entity that it belongs to.
+    /// The object of a shape, with its texture, its modifiers and its comment. `id` is the entity that the shape
+    /// belongs to, 0 for none.
     fn shape(
         &mut self,
         shape: u32,
@@ -199,7 +202,8 @@ impl<'a> Lower<'a> {
         };
         let mut body = self.changed(shape, change);
         if let Some((by, index)) = change.and_then(|c| self.model.changes.plate(c)) {
-            // Where something around it gives it its look, both sides would have that.
+            // Where an object around it gives a plate its look, both sides would have that look, so a transparent
+            // surface stays as it is.
             if !clear || texture.is_some() {
                 body = plates::plate(geometry, by).unwrap_or(body);
             }
@@ -221,7 +225,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// Whether a change is made to a shape.
+    /// Whether a change has an effect on a shape.
     fn applies(&self, change: u32, geometry: &Geometry) -> bool {
         match geometry.is_solid() {
             true => self.model.changes.changed(change, geometry).is_some(),
@@ -229,7 +233,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// A shape, changed, as POV-Ray can have it.
+    /// The body of a shape with a change, in a form that POV-Ray can draw.
     fn changed(&mut self, shape: u32, change: Option<u32>) -> Body<'a> {
         let geometry = &self.model.scene.shapes[shape as usize].geometry;
         let other = match self.backward.get(&shape) {
@@ -250,7 +254,8 @@ impl<'a> Lower<'a> {
         Body::Shape(geometry)
     }
 
-    /// States what the scene has that the objects have not.
+    /// Reports differences between the scene and the finished objects: faces that are still in one place, solids that
+    /// were made longer, and bounding volumes that were left out.
     pub(super) fn report_what_is_left(&mut self) {
         let is_left = |pair: &[u32; 2]| !pair.iter().any(|shape| self.longer.contains(shape));
         let mut flush = contacts::pairs(self.model.scene, &self.model.bounds).into_iter();

@@ -1,4 +1,4 @@
-//! The operands of operations of one kind within each other, without those that leave nothing to see.
+//! The operands of nested operations of one kind, in one list, without operands of which nothing is seen.
 
 use std::collections::{HashMap, HashSet};
 
@@ -11,8 +11,8 @@ use crate::translate::pov::model::looks::Substance;
 use crate::translate::pov::model::state::{Layer, State};
 
 impl<'a> Model<'a> {
-    /// The operands of a union and of the unions among them, in order. What is within one that came
-    /// before is left out.
+    /// The operands of a union and of the unions among them, in order. An operand that lies within earlier ones is left
+    /// out.
     pub(crate) fn flat_union(&mut self, roots: &[NodeId], state: State) -> Vec<(NodeId, State)> {
         let mut todo: Vec<_> = roots.iter().rev().map(|&node| (node, state)).collect();
         let mut out = Vec::new();
@@ -47,7 +47,7 @@ impl<'a> Model<'a> {
         out
     }
 
-    /// Says so where members that look different are made of one and the same solid.
+    /// Reports members with different looks that are made of the same solid, so that they have faces in one place.
     fn look_for_shared_faces(&mut self, members: &[(NodeId, State)]) {
         if !self.budget.spend(Limit::PartsShared, members.len()) {
             return;
@@ -65,7 +65,8 @@ impl<'a> Model<'a> {
                 .filter(|known| known.0.is_none() || known.0 != substance)
                 .map(|&(_, owner, clear)| (owner, clear))
                 .collect();
-            // What light goes through is put a hair apart.
+            // Only opaque members are reported: faces within a member that is seen into are put a hair apart
+            // (`separate::media`).
             if differing.iter().any(|(_, clear)| !clear) {
                 self.faces_in_one_place(self.ids[node as usize]);
             }
@@ -76,7 +77,7 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// Leaves out what is within a later member of the same look and medium.
+    /// Leaves out members that lie within later members of the same look and medium.
     fn without_repeats(&mut self, members: Vec<(NodeId, State)>) -> Vec<(NodeId, State)> {
         let mut later: HashMap<_, HashSet<_>> = HashMap::new();
         let mut out = Vec::with_capacity(members.len());
@@ -98,8 +99,9 @@ impl<'a> Model<'a> {
         out
     }
 
-    /// Leaves out operands of an intersection that hold another one: they take nothing away, and have
-    /// faces where that one has. Those are the first one's, unless both are of one look and medium.
+    /// Leaves out operands of an intersection that contain another operand: they take nothing away, and may have faces
+    /// in one place with it. By right these faces are those of the first of the two. So an operand that contains a
+    /// later one stays, and is reported, unless both are of one look and medium.
     pub(crate) fn without_wider(
         &mut self,
         mut members: Vec<(NodeId, State)>,
@@ -135,7 +137,7 @@ impl<'a> Model<'a> {
         members
     }
 
-    /// Whether a node's solid is certainly part of one of others.
+    /// Whether a node's solid certainly lies within the union of the solids of `others`.
     pub(crate) fn is_within(&mut self, node: NodeId, others: &[NodeId]) -> bool {
         let mut set = HashSet::new();
         for other in others {

@@ -1,4 +1,4 @@
-//! Operations and what they are made of.
+//! The objects that operations of the scene become.
 
 use super::descend::End;
 use crate::translate::pov::model::Model;
@@ -7,7 +7,7 @@ use crate::translate::pov::model::state::{Layer, State};
 use crate::translate::pov::tree::{Body, Modifier, Object, Operation};
 
 impl<'a> Model<'a> {
-    /// The object at the end of a descent, if anything is left of it.
+    /// The object at the end of a descent. `None` if nothing is left of it, and for a shape.
     pub(crate) fn body(&mut self, end: &End) -> Option<Object<'a>> {
         if let End::Union(part, ..)
         | End::Intersection(part, ..)

@@ -1,12 +1,12 @@
-//! Differences in the order that POV-Ray can have: (A ∩ B) − C is written as (A − C) ∩ B where A is of several looks. Each
-//! of its parts is then cut by itself.
+//! Differences of intersections in the order that POV-Ray can have: (A ∩ B) − C is written as (A − C) ∩ B if A is of
+//! several looks. Each part of A is then cut by itself.
 
 use super::rewrite::{Rewrite, below};
 use crate::scene::{Node, NodeId, Scene};
 use crate::translate::pov::budget::Budget;
 use crate::translate::pov::model::materials::{Facts, Material};
 
-/// The same scene with such operations in the other order, if there are any.
+/// The scene with such operations in the other order; `None` if there are none.
 pub(super) fn reordered(scene: &Scene, facts: &Facts, budget: &Budget) -> Option<Scene> {
     let root = scene.render?.root;
     if !(0..=root).any(|node| is_candidate(scene, node, budget)) {
@@ -43,12 +43,13 @@ fn is_candidate(scene: &Scene, node: NodeId, budget: &Budget) -> bool {
     matches!(scene.nodes[core as usize], Node::Intersection(..))
 }
 
-/// Whether all of a solid has one look and one index.
+/// Whether a solid has the same look and index everywhere.
 fn is_uniform(solid: &Material) -> bool {
     solid.texture.uniform && solid.optics.uniform && solid.index.uniform
 }
 
-/// (A ∩ B) − C as (A − C) ∩ B.
+/// Adds (A − C) ∩ B for (A ∩ B) − C, with the origin of `node`, and returns it. The base is A ∩ B, the tool is C.
+/// `None` if the base is no intersection.
 fn cut_first(
     out: &mut Rewrite,
     node: NodeId,

@@ -1,15 +1,15 @@
-//! Other ways to say what a scene says: nodes that are made of others.
+//! Rewriting of scenes that leaves their meaning as it is: new nodes take the places of old ones.
 
 use std::collections::HashMap;
 
 use crate::scene::{Node, NodeId, Scene};
 use crate::translate::pov::budget::{Budget, Limit};
 
-/// The modifications of a node, the last first.
+/// The modifications of a node, which are the nodes that move or paint it: the last first.
 pub(super) type Modifications = Vec<NodeId>;
 
-/// The modifications of a node, and the node that they modify: a shape or operation unless there are more of them than is
-/// looked at.
+/// The modifications of a node, and the node that they modify. This is a shape or operation, unless there are more
+/// modifications than the limit.
 pub(super) fn below(scene: &Scene, node: NodeId, budget: &Budget) -> (Modifications, NodeId) {
     let mut modifications = Modifications::new();
     for (steps, (id, state)) in scene.states(node).enumerate() {
@@ -17,7 +17,7 @@ pub(super) fn below(scene: &Scene, node: NodeId, budget: &Budget) -> (Modificati
         if is_core || !budget.spend(Limit::Modifications, steps + 1) {
             return (modifications, id);
         }
-        // Only the names of its parts are a copy's.
+        // A copy is no modification: it only gives its parts new names.
         if state.is_change() {
             modifications.push(id);
         }
@@ -25,7 +25,7 @@ pub(super) fn below(scene: &Scene, node: NodeId, budget: &Budget) -> (Modificati
     (modifications, node)
 }
 
-/// A scene in which some nodes stand for others.
+/// A copy of a scene in which new nodes have taken the places of old ones.
 pub(super) struct Rewrite {
     pub scene: Scene,
     new: HashMap<NodeId, NodeId>,
@@ -39,14 +39,14 @@ impl Rewrite {
         }
     }
 
-    /// Adds a node, made by the record that made another one.
+    /// Adds a node, and returns its number. As its origin it has the record that made the node `like`.
     pub(super) fn push(&mut self, node: Node, like: NodeId) -> NodeId {
         self.scene.nodes.push(node);
         self.scene.origins.push(self.scene.origins[like as usize]);
         self.scene.nodes.len() as NodeId - 1
     }
 
-    /// A node with the modifications of another one.
+    /// A node to which modifications are applied. `way` has them, the last first.
     pub(super) fn done(&mut self, way: &[NodeId], mut node: NodeId) -> NodeId {
         for &step in way.iter().rev() {
             let next = self.scene.nodes[step as usize].with_children(|_| node);
@@ -55,7 +55,7 @@ impl Rewrite {
         node
     }
 
-    /// The node that stands for a node now.
+    /// The node that has taken the place of a node, or that node itself.
     pub(super) fn now(&self, node: NodeId) -> NodeId {
         self.new.get(&node).copied().unwrap_or(node)
     }
@@ -64,12 +64,12 @@ impl Rewrite {
         self.new.insert(node, by);
     }
 
-    /// The same node, made of what stands for its operands now.
+    /// The node with its operands replaced by the nodes that have taken their places.
     pub(super) fn renew(&mut self, node: NodeId) -> Node {
         self.scene.nodes[node as usize].with_children(|child| self.now(child))
     }
 
-    /// Puts a node that was renewed in its place, if anything about it has changed.
+    /// Puts a renewed node in the place of the old one, if the two differ.
     pub(super) fn settle(&mut self, node: NodeId, renewed: Node) {
         if renewed != self.scene.nodes[node as usize] {
             let by = self.push(renewed, node);

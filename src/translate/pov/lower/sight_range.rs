@@ -1,4 +1,4 @@
-//! How near and how far the things are that the picture shows, by looking at it.
+//! Distances of the things that the picture shows, found by following rays of a small picture.
 
 use super::camera::Eye;
 use crate::geometry::Aabb;
@@ -7,24 +7,25 @@ use crate::scene::Scene;
 use crate::trace::camera::View;
 use crate::trace::{Ray, Tracer, Walkers};
 
-/// The picture is looked at through so many pixels.
+/// The numbers of rays, across and down the picture, that are followed.
 const GRID: (u32, u32) = (40, 30);
-/// A ray is followed through so many surfaces.
+/// The most surfaces that a ray is followed to.
 const SURFACES: usize = 8;
 
 /// Distances in the scene's units.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SightRange {
-    /// Distance from the eye to the nearer surfaces: a tenth of what is seen is nearer.
+    /// Distance from the eye to the nearer surfaces: for a tenth of the rays the first surface is nearer.
     pub near: f64,
-    /// Distance from a surface that light goes through to the next one; for a hundredth of the picture it is less,
-    /// infinite where that is not so.
+    /// Distance from a surface that light goes through to the next one. For a hundredth of the rays it is less;
+    /// infinite if fewer rays meet such surfaces.
     pub gap: f64,
-    /// The farthest that anything seen is from the eye, or that throws a shadow on it from there.
+    /// The largest distance from the eye to a surface that is seen, or from such a surface to one that throws a shadow
+    /// on it.
     pub far: f64,
 }
 
-/// Looks through the eyes; nothing where there is nothing to be seen.
+/// The range of distances that the eyes see. `None` if nothing is seen, or the tracer cannot tell.
 pub(super) fn sight_range(scene: &Scene, eyes: &[Eye], whole: Aabb) -> Option<SightRange> {
     let tracer = Tracer::new(scene).ok()?;
     let mut sight = Sight {
@@ -39,20 +40,20 @@ pub(super) fn sight_range(scene: &Scene, eyes: &[Eye], whole: Aabb) -> Option<Si
         sight.look(eye);
     }
     if bends(scene) {
-        // What mirrors show may be anywhere.
+        // Mirrors and refracting surfaces may show things anywhere in the scene.
         for eye in eyes {
             let ends = [whole.min, whole.max];
             let away = ends
                 .iter()
                 .flat_map(|end| (0..3).map(|i| (end[i] - eye.camera.position[i]).abs()));
-            // Of what has no end there is no farthest point.
+            // An endless scene has no farthest point in some directions; these do not count.
             sight.far = away.filter(|x| x.is_finite()).fold(sight.far, f64::max);
         }
     }
     let Sight {
         firsts, gaps, far, ..
     } = sight;
-    // Where so much lies in one place nobody can tell.
+    // If a ray needed more memory than it may have, its answer is not reliable.
     if tracer.graph.room.is_exhausted() {
         return None;
     }
@@ -63,7 +64,7 @@ pub(super) fn sight_range(scene: &Scene, eyes: &[Eye], whole: Aabb) -> Option<Si
     })
 }
 
-/// Whether anything sends light another way.
+/// Whether any optics in the scene mirror or refract light.
 fn bends(scene: &Scene) -> bool {
     let optics = || scene.paints.iter().filter_map(|p| p.optics.as_ref());
     let any = |share: [f64; 3]| share.iter().any(|k| *k > 0.0);
@@ -75,7 +76,7 @@ fn bends(scene: &Scene) -> bool {
                 .any(|p| p.index.is_some_and(|i| i != [1.0; 3]))
 }
 
-/// The value that one `part`-th of the values does not exceed.
+/// The value that a fraction 1/`part` of the values does not exceed; `None` if there are no values.
 fn quantile(mut values: Vec<f64>, part: usize) -> Option<f64> {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / part).copied()
@@ -85,9 +86,9 @@ struct Sight<'a> {
     scene: &'a Scene,
     tracer: &'a Tracer,
     walkers: Walkers<'a>,
-    /// Distances along each ray that meets a surface.
+    /// For each ray that meets a surface, the distance to the first one.
     firsts: Vec<f64>,
-    /// Distances between surfaces, for each ray.
+    /// For each ray, the smallest distance from one surface to the next; infinite if the ray meets fewer than two.
     gaps: Vec<f64>,
     far: f64,
 }

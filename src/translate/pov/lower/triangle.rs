@@ -4,16 +4,18 @@ use crate::geometry::array::length;
 use crate::scene::{Geometry, TriangleNormals, Vec3};
 use crate::translate::pov::budget::{Budget, Limit};
 
-/// The normals may be off by this share of their differences: what that does to a colour is less than
-/// half a step of a picture with 8 bits.
+/// The largest error of the normals, as a fraction of their differences. Its effect on a colour is less than half a
+/// step of a picture with 8 bits.
 const OFF: f64 = 1e-3;
 
 /// The bound on the error of the cut triangle's normals, for the report.
 pub(super) const BOUND: &str =
     "off by less than a thousandth of the difference between two normals";
 
-/// POV-Ray makes the normals of the corners equally long before it interpolates. Where they are not, the triangle is cut
-/// into pieces with its own normals at their corners: triangles whose interpolated normals are those of one: itself, where its normals are equally long.
+/// Cuts a triangle with vertex normals into pieces. POV-Ray makes the normals of the corners equally long before it
+/// interpolates, so the normals inside are wrong where lengths differ. The pieces have the triangle's interpolated
+/// normals at their corners, which makes the error small. If the normals are equally long, the triangle itself is the
+/// only piece.
 pub(super) fn cut(vertices: &[Vec3; 3], normals: &[Vec3; 3], budget: &Budget) -> Vec<Geometry> {
     let parts = parts(normals);
     let parts = match budget.spend(Limit::TrianglePieces, parts) {
@@ -40,21 +42,23 @@ pub(super) fn cut(vertices: &[Vec3; 3], normals: &[Vec3; 3], budget: &Budget) ->
     all
 }
 
-/// Between two normals one of which is longer by a part ρ, equally long ones are off by up to ρ/4 of
-/// their difference; in n parts, where ρ and the differences are n times less, by ρ/4n².
+/// The number of pieces along each side. If one of two normals is longer than the other by a fraction ρ, interpolating
+/// between normals of equal length is off by up to ρ/4 of their difference. In n pieces, ρ and the difference are n
+/// times less, and the error is ρ/4n².
 fn parts(normals: &[Vec3; 3]) -> usize {
     let lengths = normals.map(length);
     let most = lengths.iter().fold(0.0f64, |m, l| m.max(*l));
     let least = lengths.iter().fold(most, |m, l| m.min(*l));
     let parts = ((most / least - 1.0) / (4.0 * OFF)).sqrt().ceil();
-    // No number, or a very large one, for a normal without length.
+    // A normal of length 0 gives NaN or a very large number.
     match parts.is_nan() {
         true => usize::MAX,
         false => (parts as usize).max(1),
     }
 }
 
-/// Whether normals are equally long within rounding, also that of normals that were written with ten digits.
+/// Whether normals are equally long within rounding, including the rounding of normals that were written with ten
+/// digits.
 pub(super) fn are_equally_long(normals: &[Vec3; 3]) -> bool {
     let lengths = normals.map(length);
     lengths

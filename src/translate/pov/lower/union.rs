@@ -1,5 +1,5 @@
-//! Unions. Opaque ones are plain: what lies inside is never seen. In transparent ones the faces
-//! inside have to go, except where two media meet; there the first medium owns the overlap.
+//! Unions. A union of opaque parts stays a plain union, since faces inside of it are never seen. In transparent parts
+//! the faces inside have to go, except where two media meet; there the first medium owns the overlap.
 
 use crate::scene::NodeId;
 use crate::translate::pov::model::Model;
@@ -11,7 +11,7 @@ use crate::translate::pov::separate::settle::{Kind, Operands};
 use crate::translate::pov::tree::{Modifier, Object, Operation};
 
 impl<'a> Model<'a> {
-    /// The union of operands that are no unions themselves.
+    /// The union of operands that are no unions themselves; `None` if there are no operands.
     pub(crate) fn union(&mut self, mut members: Vec<(NodeId, State)>) -> Option<Object<'a>> {
         let seen_into = |&(node, state): &(NodeId, State)| {
             self.materials[node as usize].has_solid
@@ -54,7 +54,7 @@ impl<'a> Model<'a> {
         Object::unless_empty(Operation::Union, pieces)
     }
 
-    /// Solids and surfaces apart: a merge has no place for surfaces.
+    /// Splits members into solids and surfaces: a merge has no place for surfaces.
     fn by_part(&self, members: &[(NodeId, State)]) -> (Operands, Operands) {
         let (mut solids, mut surfaces) = (Vec::new(), Vec::new());
         for &(node, state) in members {
@@ -86,8 +86,8 @@ impl<'a> Model<'a> {
             .collect()
     }
 
-    /// Operands of one medium as one object; its inside is one, too. `clips` are what is kept of what
-    /// is seen from both sides, `others` the rest of its surface.
+    /// Operands of one medium as one object, whose inside is one, too. `clips` keep the part of its faces that looks
+    /// the same from both sides; `others` are the pieces of the remaining faces.
     fn one_medium_union(
         &mut self,
         group: &Members,

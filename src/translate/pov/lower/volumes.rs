@@ -1,4 +1,4 @@
-//! Bounding volumes: those that are proved to hold their objects help POV-Ray; others would cut.
+//! Bounding volumes. Those that are proved to hold their objects help POV-Ray; others would cut the objects.
 
 use std::collections::HashMap;
 
@@ -20,7 +20,7 @@ pub(super) fn proved(scene: &Scene, bounds: &[NodeBounds]) -> Volumes {
         .collect()
 }
 
-/// The IDs of the objects, among those that the predicate names, whose volumes were left out.
+/// The IDs of the objects whose volumes were left out, among those for whose nodes `drawn` is true.
 pub(super) fn left_out(
     scene: &Scene,
     volumes: &Volumes,
@@ -38,7 +38,7 @@ pub(super) fn left_out(
 
 /// Whether a volume holds a box, up to the rounding of the box's own numbers.
 fn holds(volume: &Volume, b: &Aabb) -> bool {
-    // A few thousand roundings, those of the matrices on the way to the box.
+    // The bound allows for a few thousand roundings, of the matrices on the way to the box.
     const ROUNDING: f64 = 1e-12;
     let room = ROUNDING * b.radius();
     match volume {

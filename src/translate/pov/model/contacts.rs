@@ -1,5 +1,5 @@
-//! Contacts of nodes that have faces in one place: found once for each two nodes, and read by all that is done about
-//! them.
+//! Faces of two nodes that lie in one place. They are found once for each pair of nodes; all remedies for faces in one
+//! place read them here.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -17,39 +17,41 @@ use crate::solids::shapes::AnyShape;
 use crate::solids::shapes::facts::Facts as _;
 use crate::translate::pov::budget::Limit;
 
-/// Faces that are this near, as a part of the coordinates, are in one place: what a few hundred roundings may do. Thicker
-/// walls are walls.
+/// The largest distance of two faces that count as one place, as a fraction of the largest coordinate: a few hundred
+/// roundings may move faces this far. Faces that are farther apart are the two sides of a real wall.
 const FACE_GAP: f64 = 1e-13;
-/// Overlap of faces that have only an edge in common, as a part of the coordinates.
+/// The largest overlap of two faces that counts as no more than a common edge, as a fraction of the largest coordinate.
 const EDGE_REL_OVERLAP: f64 = 1e-9;
-/// Difference of normals, sizes and quadrics that are one, as a part of them: what turning may do.
+/// The largest relative difference of normals, sizes and quadrics that count as equal: rotations may round by this
+/// much.
 const SURFACE_REL_EPS: f64 = 1e-12;
 
-/// A face of a node, in the coordinates that it is placed in.
+/// A face of a shape that a node is made of, in the coordinates that the node is placed in.
 #[derive(Clone, Copy)]
 pub(crate) struct Face {
     surface: Surface,
-    /// Whether the solid lies inside of the shape that has the face; it is no hole.
+    /// Whether the node's solid lies inside of the shape that has the face. False for a hole: the shape is taken away.
     pub is_outer: bool,
-    /// Whether the face is a surface, and not that of a solid.
+    /// Whether the face belongs to a surface, which has no inside; false for a face of a solid.
     pub is_sheet: bool,
     around: Aabb,
 }
 
 #[derive(Clone, Copy)]
 enum Surface {
-    /// The normal points out of the shape that has the face; a parallelogram that holds it if it ends and its shape says
-    /// so.
+    /// A flat face. The plane's normal points out of the shape; the parallelogram holds the face. It is `None` for a
+    /// face without end, or if the shape does not tell it.
     Flat(Plane, Option<Parallelogram>),
-    /// Anchor, scale and class, as [`FaceShape::Round`] has them.
+    /// A curved face: anchor, scale and class, as in [`FaceShape::Round`]. For the class `QUADRIC` the anchor's first
+    /// number is the quadric's fingerprint.
     Round(Vec3, f64, u8),
 }
 
-/// A centre, and the ways to the middles of two sides that meet.
+/// A parallelogram: its centre, and the vectors from there to the midpoints of two sides that meet.
 type Parallelogram = [Vec3; 3];
 
-/// Whether two parallelograms in a plane with this normal have no more than an edge in common: some line in the plane along
-/// a side of one of them has each on another side of it, but for `edge`.
+/// Whether two parallelograms in a plane with this normal have at most an edge in common: a line parallel to one of the
+/// sides separates them, up to an overlap of `edge` across the line.
 fn are_beside([a, p, q]: Parallelogram, [b, r, s]: Parallelogram, normal: Vec3, edge: f64) -> bool {
     let way = sub(b, a);
     [p, q, r, s].iter().any(|side| {
@@ -59,12 +61,12 @@ fn are_beside([a, p, q]: Parallelogram, [b, r, s]: Parallelogram, normal: Vec3, 
     })
 }
 
-/// How two faces in one place lie.
+/// The sides on which the two solids of faces in one place lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Orientation {
-    /// A face with both solids on one side.
+    /// Both solids lie on the same side of the face.
     Alike,
-    /// A face at which one solid ends and the other begins.
+    /// One solid ends at the face and the other begins there.
     Opposed,
 }
 
@@ -74,10 +76,10 @@ pub(crate) struct Contact {
     pub faces: [Face; 2],
 }
 
-/// The results so far for a node and another key.
+/// Results that are already known, by a node and a second key.
 type Found<K, T> = RefCell<HashMap<(NodeId, K), Rc<[T]>>>;
 
-/// All faces and contacts that were asked for so far.
+/// The faces and contacts that were already looked for: faces by node and layer, contacts by pair of nodes.
 #[derive(Default)]
 pub(crate) struct Contacts {
     faces: Found<Layer, Face>,
@@ -92,14 +94,15 @@ impl Face {
         }
     }
 
-    /// How another face lies in this one, if it does and more than an edge is in common.
+    /// The orientation of two faces in one place. `None` if they are not in one place, or have no more than an edge in
+    /// common.
     pub(crate) fn contact(&self, other: &Face) -> Option<Orientation> {
         let ends = [&self.around, &other.around];
         let ends = ends.into_iter().flat_map(|b| [b.min, b.max]).flatten();
         let size = (ends.filter(|x| x.is_finite())).fold(0.0f64, |m, x| m.max(x.abs()));
         let (gap, edge) = (FACE_GAP * size, EDGE_REL_OVERLAP * size);
-        // Along an axis that they lie across they are as thick as nothing; along others more than an edge has to be in
-        // common.
+        // Along an axis on which both faces are flat, their extents need only meet; along any other axis they have to
+        // overlap by more than an edge.
         let over = |i: usize| {
             let [a, b] = [&self.around, &other.around];
             let common = a.max[i].min(b.max[i]) - a.min[i].max(b.min[i]);
@@ -134,7 +137,8 @@ impl Face {
 }
 
 impl Model<'_> {
-    /// The faces that the solids of two nodes have in one place, the first node's first.
+    /// The pairs of faces that the solids of nodes `a` and `b` have in one place. In each pair the face of `a` comes
+    /// first.
     pub(crate) fn contacts(&self, a: NodeId, b: NodeId) -> Rc<[Contact]> {
         if let Some(known) = self.contacts.found.borrow().get(&(a, b)) {
             return known.clone();
@@ -155,7 +159,8 @@ impl Model<'_> {
         found
     }
 
-    /// The faces of the solids that a node is made of, of its surfaces, or of both, as far as these are looked at.
+    /// The faces of the shapes that a node is made of: its solids, its surfaces, or both, as the layer says. Nodes
+    /// beyond the limit `NodesWithFaces` are not looked at.
     pub(crate) fn faces_of(&self, node: NodeId, layer: Layer) -> Rc<[Face]> {
         let known = self.contacts.faces.borrow().get(&(node, layer)).cloned();
         known.unwrap_or_else(|| {
@@ -191,7 +196,7 @@ impl Model<'_> {
         }
         for face in &mut faces {
             face.around = face.around.intersection(&own);
-            // Endless ones are thin, too.
+            // The box around an endless plane across an axis is made flat, too, like that of a bounded face.
             if let Surface::Flat(Plane { n, d }, _) = &face.surface
                 && let Some(axis) = (0..3).find(|i| n[*i].abs() == 1.0)
             {
@@ -199,7 +204,7 @@ impl Model<'_> {
                 (face.around.min[axis], face.around.max[axis]) = (at, at);
             }
         }
-        // Where a hole ends flush with what it is in, it has no end.
+        // Where a hole ends flush with the solid around it, the hole is open and has no face.
         let (outer, mut holes): (Vec<_>, Vec<_>) = faces.into_iter().partition(|f| f.is_outer);
         let is_end = |hole: &Face| {
             let mut found = outer.iter().map(|face| face.contact(hole));
@@ -224,7 +229,7 @@ impl Model<'_> {
             let normal = match AnyShape::of(geometry) {
                 AnyShape::HalfSpace(s) => Some((s.normal(), s.abcd[3])),
                 AnyShape::Rectangle(_) => Some(([0.0, 0.0, 1.0], 0.0)),
-                // Only where its normals are those of its plane.
+                // A triangle counts as flat only if its shading normals are those of its plane.
                 AnyShape::Triangle(s) if *s.normals == TriangleNormals::Flat => {
                     let [p, q, r] = s.vertices;
                     let n = cross(sub(q, p), sub(r, p));

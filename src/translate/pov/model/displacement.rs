@@ -1,4 +1,5 @@
-//! Ways to write shapes otherwise than they are where nobody sees it, by number.
+//! Small changes of shapes that nobody sees: surfaces and faces moved by a hair, and plates instead of flat surfaces.
+//! Each list of changes has a number.
 
 use super::numbered::Numbered;
 use super::plane::{Plane, with_plane_moved};
@@ -7,14 +8,14 @@ use super::stretch::stretched;
 use crate::geometry::Matrix;
 use crate::scene::Geometry;
 
-/// A change of a shape where nobody sees it.
+/// A change of a shape that nobody sees. Its distances are in the coordinates of the node that has the change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Change {
-    /// The surface lies this far outside of where it is; inside where the number is negative.
+    /// Moves the whole surface outwards by this distance; inwards if it is negative.
     Offset(f64),
-    /// A flat face in a plane lies this much farther out.
+    /// Moves the flat face in this plane outwards by this distance.
     Plane(Plane, f64),
-    /// A flat surface is a plate, so far from it on both sides, with the index of this number.
+    /// Makes a plate of a flat surface: its reach to each side of the surface, and the number of its refractive index.
     Plate(f64, u32),
 }
 
@@ -30,7 +31,8 @@ impl Change {
         }
     }
 
-    /// The same in the coordinates that a matrix leads away from.
+    /// The change in the coordinates that `m` maps from. `None` if `m` is degenerate, or stretches too unevenly for one
+    /// distance.
     fn moved_back(self, m: &Matrix) -> Option<Change> {
         Some(match self {
             Change::Offset(by) => Change::Offset(by * stretched(m)?),
@@ -43,7 +45,7 @@ impl Change {
     }
 }
 
-/// Changes, one after the other, by number.
+/// Lists of changes, by number. The changes of a list are made one after the other.
 #[derive(Debug, Default)]
 pub(crate) struct Changes {
     changes: Numbered<Vec<[u64; 6]>, Vec<Change>>,
@@ -59,14 +61,15 @@ impl Changes {
         self.changes.number(key, || changes)
     }
 
-    /// The number of the change that moves the faces in some planes out, if there are any.
+    /// The number of the change that moves the face in each of the planes out by the distance beside it. `None` if
+    /// there are no planes.
     pub(crate) fn of_planes(&mut self, planes: Vec<(Plane, f64)>) -> Option<u32> {
         let planes = planes.into_iter();
         let changes: Vec<_> = planes.map(|(plane, by)| Change::Plane(plane, by)).collect();
         (!changes.is_empty()).then(|| self.number_all(changes))
     }
 
-    /// The number of one change after another, if there is that.
+    /// The number of the changes of `first`, if it is given, followed by those of `second`.
     pub(crate) fn both(&mut self, first: Option<u32>, second: u32) -> u32 {
         let numbers = first.into_iter().chain([second]);
         let changes = numbers.flat_map(|number| self.changes.get(number)).copied();
@@ -74,21 +77,22 @@ impl Changes {
         self.number_all(changes)
     }
 
-    /// Makes changes to a solid after those that are made to it already.
+    /// Adds changes to the state of a solid, after those that it has already.
     pub(crate) fn add(&mut self, state: &mut State, changes: impl IntoIterator<Item = u32>) {
         for change in changes {
             state.flush = Some(self.both(state.flush, change));
         }
     }
 
-    /// The part of a change that moves whole surfaces, of what is taken away, too.
+    /// The number of that part of a change that moves the whole surface; `None` if no part does. If a difference is
+    /// changed, the solids that it takes away have this part only.
     pub(crate) fn offset(&mut self, number: u32) -> Option<u32> {
         let mut changes = self.changes.get(number).iter();
         let offset = *changes.find(|change| matches!(change, Change::Offset(_)))?;
         Some(self.number(offset))
     }
 
-    /// Distance by which a solid is larger all around.
+    /// The distance by which a change makes a solid larger all around; 0 if it does not.
     pub(crate) fn larger_by(&self, number: u32) -> f64 {
         let changes = self.changes.get(number).iter();
         changes.fold(0.0, |most, change| match change {
@@ -97,7 +101,8 @@ impl Changes {
         })
     }
 
-    /// How thick a sheet is to one side by a change, and of which index, if it is a plate.
+    /// The plate that a change makes of a sheet: its reach to each side, and the number of its index. `None` if the
+    /// change makes no plate.
     pub(crate) fn plate(&self, number: u32) -> Option<(f64, u32)> {
         let mut changes = self.changes.get(number).iter().rev();
         changes.find_map(|change| match change {
@@ -106,7 +111,7 @@ impl Changes {
         })
     }
 
-    /// Whether a change is more than that of a whole surface.
+    /// Whether a change is more than one offset or one plate: it moves single faces, or has several steps.
     pub(crate) fn is_longer(&self, number: u32) -> bool {
         !matches!(
             self.changes.get(number)[..],
@@ -114,7 +119,7 @@ impl Changes {
         )
     }
 
-    /// The text of a comment on a shape that is changed so.
+    /// The end of the comment that the POV-Ray file has on a shape with this change.
     pub(crate) fn note(&self, number: u32) -> &'static str {
         match self.changes.get(number)[..] {
             [Change::Offset(by)] if by < 0.0 => ": a hair smaller",
@@ -124,14 +129,14 @@ impl Changes {
         }
     }
 
-    /// The changed shape, if there is anything to change about it.
+    /// The changed shape. `None` if no part of the change applies to it.
     pub(crate) fn changed(&self, number: u32, geometry: &Geometry) -> Option<Geometry> {
         let changes = self.changes.get(number).iter();
         changes.fold(None, |out: Option<Geometry>, change| {
             let now = out.as_ref().unwrap_or(geometry);
             let next = match change {
                 Change::Offset(by) => now.offset(*by),
-                // It is no shape of the language.
+                // A plate is no shape of the scene language; `separate::plates` makes it.
                 Change::Plate(..) => None,
                 Change::Plane(plane, by) => with_plane_moved(now, plane, *by),
             };
@@ -139,14 +144,16 @@ impl Changes {
         })
     }
 
-    /// The same change in the coordinates that a matrix leads away from, if there is one.
+    /// The number of the change in the coordinates that `m` maps from. Parts that do not exist there are left out;
+    /// `None` if none is left.
     pub(crate) fn moved_back(&mut self, number: u32, m: &Matrix) -> Option<u32> {
         let changes = self.changes.get(number).iter();
         let moved: Vec<_> = changes.filter_map(|change| change.moved_back(m)).collect();
         (!moved.is_empty()).then(|| self.number_all(moved))
     }
 
-    /// The change of what something is the complement of, or what is taken from it.
+    /// The change of a complement's operand, or of a solid that is taken away, when the result has the change with this
+    /// number: offsets change their sign.
     pub(crate) fn turned(&mut self, number: u32) -> u32 {
         let changes = self.changes.get(number).iter();
         let turned = changes.map(|change| match *change {

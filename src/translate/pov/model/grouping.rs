@@ -1,4 +1,5 @@
-//! Operands that may be joined without changing who owns what; and which of them can touch.
+//! Groups of a union's operands that may be joined without changing which operand owns a point; and which groups can
+//! touch, by their bounding boxes.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -6,10 +7,10 @@ use std::hash::Hash;
 use crate::geometry::Aabb;
 use crate::translate::pov::budget::{Budget, Limit};
 
-/// Most pairs of boxes that are looked at before two sets are taken to meet.
+/// The largest number of pairs of boxes that are compared. Beyond it two sets are taken to meet.
 const MAX_BOX_PAIRS: usize = 1 << 20;
 
-/// Operands of a union with the same key, or one without any.
+/// Operands of a union with the same key, or a single operand without a key.
 pub(crate) struct Group<K, T> {
     pub key: Option<K>,
     pub members: Vec<T>,
@@ -36,7 +37,7 @@ pub(crate) fn in_order<K: Copy + Eq + Hash, T>(
         };
         let known = key.and_then(|k| newest.get(&k).copied());
         let joined = known.filter(|g| {
-            // Past a certain number of groups the answer is not worth its price.
+            // Beyond the limit the operand joins without a comparison, and the report says so.
             !budget.spend(Limit::GroupsCompared, groups.len() - g)
                 || !groups[g + 1..].iter().any(&mut meets)
         });
@@ -59,11 +60,11 @@ pub(crate) fn in_order<K: Copy + Eq + Hash, T>(
     groups
 }
 
-/// The pairs of sets of which a box of the one touches one of the other, by position: the earlier and the
-/// later one, ordered by the later.
+/// The pairs of sets with boxes that touch, as positions in `sets`: the earlier set first. The pairs are ordered by the
+/// later set.
 pub(crate) fn pairs(sets: &[&[Aabb]]) -> Vec<(usize, usize)> {
     let mut pairs = Vec::new();
-    // Sorted out now and then: many boxes may make few pairs.
+    // Duplicates are removed now and then: many boxes may make few pairs.
     let mut limit = MAX_BOX_PAIRS;
     sweep(sets, usize::MAX, |i, j| {
         pairs.push((i.max(j), i.min(j)));
@@ -80,7 +81,7 @@ pub(crate) fn pairs(sets: &[&[Aabb]]) -> Vec<(usize, usize)> {
     turned.collect()
 }
 
-/// Whether a box of one set touches one of another.
+/// Whether boxes of two different sets touch. `true`, too, if there are too many pairs to compare.
 pub(crate) fn meet(sets: &[&[Aabb]]) -> bool {
     sweep(sets, MAX_BOX_PAIRS, |_, _| true)
 }
@@ -91,8 +92,9 @@ pub(crate) fn meet_each_other(boxes: &[Aabb]) -> bool {
     meet(&alone)
 }
 
-/// Sweeps a plane along x over all sets and compares boxes of different ones that it cuts at the same time, until that was
-/// done so often, or the sets of two that touch are what is looked for. Whether it came to that.
+/// Sweeps a plane along x over all sets and compares boxes of different sets that the plane cuts at the same time.
+/// Calls `is_it` with the sets of boxes that touch. Returns `true` as soon as `is_it` does, or when more than `most`
+/// pairs were compared; `false` if the sweep gets to its end.
 fn sweep(sets: &[&[Aabb]], most: usize, mut is_it: impl FnMut(usize, usize) -> bool) -> bool {
     let tagged = |(i, set): (usize, &&'_ [Aabb])| set.iter().map(|b| (i, *b)).collect::<Vec<_>>();
     let mut all: Vec<(usize, Aabb)> = sets.iter().enumerate().flat_map(tagged).collect();
@@ -160,7 +162,7 @@ mod tests {
             groups.into_iter().map(|g| g.members).collect()
         };
         let (a, b) = (Some('a'), Some('b'));
-        // The third touches the second, which would then own what is the second's.
+        // The third operand touches the second. Joined with the first, it would own points that belong to the second.
         assert_eq!(
             grouped(&[(a, 0.0), (b, 3.0), (a, 3.5)]),
             [vec![0], vec![1], vec![2]]

@@ -1,5 +1,5 @@
-//! Solids that are the same, or certainly within each other. Faces of two solids in one place are speckled in POV-Ray:
-//! what an operation leaves nothing of, or what is there already, is not written.
+//! Finds solids that are equal, or certainly within each other. POV-Ray speckles faces of two solids in one place, so a
+//! solid is not written if an operation leaves nothing of it, or if it is there already.
 
 use std::collections::{HashMap, HashSet};
 
@@ -10,7 +10,7 @@ use crate::scene::geometry::Parameter;
 use crate::scene::{Geometry, Node, NodeId, Scene, TriangleNormals, Vec3};
 use crate::solids::shapes::facts::Facts as _;
 
-/// A solid at a place: what nodes are, whatever they look like.
+/// A solid in its placement. Nodes that hold the same points have the same occurrence, whatever they look like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Occurrence {
     core: u32,
@@ -27,14 +27,14 @@ enum Core {
     Complement(Occurrence),
 }
 
-/// The solids of a scene.
+/// The distinct solids of a scene, and the occurrence of each node.
 #[derive(Debug)]
 pub(crate) struct Interner {
-    /// The occurrences of each node.
+    /// The occurrence of each node, by its index.
     places: Vec<Occurrence>,
     cores: Numbered<Core>,
     matrices: Numbered<[u64; 16], Matrix>,
-    /// The cores that are round about the y axis.
+    /// The cores that are surfaces of revolution about the y axis.
     round: HashSet<u32>,
 }
 
@@ -44,7 +44,7 @@ const HERE: u32 = 0;
 /// Most steps to find out whether a solid is within others.
 const MAX_CONTAINMENT_STEPS: u32 = 64;
 
-/// Difference of numbers that are the same, as a part of them: a power of two about 1e-13.
+/// The relative difference up to which numbers count as equal: a power of two, about 1e-13.
 const NUMBER_REL_EPS: f64 = 1.0 / (1u64 << 43) as f64;
 
 impl Interner {
@@ -90,7 +90,7 @@ impl Interner {
         sets
     }
 
-    /// A core where it was made.
+    /// The occurrence of a core without a placement of its own.
     fn here(&mut self, core: Core) -> Occurrence {
         Occurrence {
             core: self.cores.number(core, || core),
@@ -113,7 +113,7 @@ impl Interner {
         self.places[node as usize]
     }
 
-    /// The core that a solid is made of.
+    /// The core of a solid, with the solid's placement applied to its operands.
     fn core(&mut self, place: Occurrence) -> Core {
         let core = *self.cores.get(place.core);
         if place.matrix == HERE {
@@ -130,7 +130,7 @@ impl Interner {
         }
     }
 
-    /// Adds a solid to others, and what it is the union of.
+    /// Adds a solid to a set. If the solid is a union, its operands are added, too.
     pub(crate) fn add(&mut self, place: Occurrence, to: &mut HashSet<Occurrence>) {
         let mut todo = vec![place];
         let mut steps = 0;
@@ -145,7 +145,7 @@ impl Interner {
         }
     }
 
-    /// The solid and all that it is made of, as far as patience goes.
+    /// The solid and the solids that it is made of, at any depth; about `MAX_CONTAINMENT_STEPS` of them at most.
     pub(crate) fn parts(&mut self, place: Occurrence) -> Vec<Occurrence> {
         let mut out = vec![place];
         let mut at = 0;
@@ -162,7 +162,7 @@ impl Interner {
         out
     }
 
-    /// Whether a solid is certainly part of one of others; those were [added](Self::add).
+    /// Whether a solid certainly lies within the union of others, which were [added](Self::add).
     pub(crate) fn is_within(&mut self, place: Occurrence, others: &HashSet<Occurrence>) -> bool {
         if others.is_empty() {
             return false;
@@ -171,7 +171,7 @@ impl Interner {
         self.within(place, others, &mut fuel)
     }
 
-    /// Goes down as many times as there is fuel.
+    /// Like [`is_within`](Self::is_within). `fuel` is the number of solids that may still be taken apart.
     fn within(&mut self, place: Occurrence, others: &HashSet<Occurrence>, fuel: &mut u32) -> bool {
         if others.contains(&place) {
             return true;
@@ -190,7 +190,8 @@ impl Interner {
         }
     }
 
-    /// Whether a solid is certainly apart from another: what is taken from one of them holds the other.
+    /// Whether two solids certainly have no point in common: one of them is a difference, and the other lies within
+    /// what it takes away.
     pub(crate) fn is_apart(&mut self, a: Occurrence, b: Occurrence) -> bool {
         [(a, b), (b, a)].into_iter().any(|(whole, rest)| {
             let mut taken = HashSet::new();
@@ -201,8 +202,8 @@ impl Interner {
         })
     }
 
-    /// Whether an intersection of solids is certainly empty: one is within another's opposite, or
-    /// within what is taken from another.
+    /// Whether an intersection of solids is certainly empty: one of them lies within the operand of a complement among
+    /// them, or within what a difference among them takes away.
     pub(crate) fn is_empty(&mut self, members: &[NodeId]) -> bool {
         let mut inside: Vec<Occurrence> = members.iter().map(|n| self.place(*n)).collect();
         let mut outside = HashSet::new();
@@ -224,8 +225,8 @@ impl Interner {
     }
 }
 
-/// The placement of something that is round about the y axis, without turns about that and mirror images,
-/// which change nothing about it.
+/// The placement of a solid of revolution about the y axis, without rotations about this axis and mirror images, which
+/// do not change the solid.
 fn unturned(m: &Matrix) -> Matrix {
     let column = |j: usize| -> Vec3 { std::array::from_fn(|i| m.0[i][j]) };
     let [a, axis, c] = [0, 1, 2].map(column);
@@ -237,7 +238,8 @@ fn unturned(m: &Matrix) -> Matrix {
         && near(dot(a, axis), wide * high)
         && near(dot(c, axis), deep * high);
     if upright && near(wide - deep, wide) {
-        // The coordinate axis that it is farthest from, but for its part along it.
+        // The new x direction: the coordinate axis that is farthest from the symmetry axis, less its component along
+        // that axis.
         let up = axis.map(|x| x / high);
         let least = up.iter().fold(1.0f64, |m, x| m.min(x.abs()));
         let k = up.iter().position(|x| x.abs() <= least + 1e-6).unwrap_or(0);
@@ -255,7 +257,7 @@ fn unturned(m: &Matrix) -> Matrix {
     out
 }
 
-/// A matrix without the last digits, which are what roundings leave of a placement.
+/// A matrix without its last digits, in which equal placements differ by rounding.
 fn rounded(m: &Matrix) -> Matrix {
     let largest = |from: usize, to: usize| {
         let rows = m.0.iter().take(3).flat_map(|row| &row[from..to]);
@@ -273,8 +275,8 @@ fn rounded(m: &Matrix) -> Matrix {
     out
 }
 
-/// A ball as the unit ball, a box as the unit cube, in its place: there are several records for them. All
-/// others have one, and stay what they are.
+/// A ball as the unit ball and a box as the unit cube, with the matrix of its placement: both can be written in several
+/// ways. Other shapes stay as they are.
 fn standard(geometry: &Geometry) -> (Geometry, Matrix) {
     let ball = Geometry::Sphere {
         centre: [0.0; 3],
@@ -298,9 +300,9 @@ fn standard(geometry: &Geometry) -> (Geometry, Matrix) {
     }
 }
 
-/// A shape's type and numbers.
+/// The key of the points that a shape holds: its type and numbers.
 fn bits(geometry: &Geometry) -> Vec<u64> {
-    // Which points it holds, not how they look.
+    // Colours and shading normals do not change which points a shape holds.
     let (kind, numbers) = match geometry {
         Geometry::Revolution { profile, .. } => Geometry::Revolution {
             profile: profile.clone(),

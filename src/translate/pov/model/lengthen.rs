@@ -3,35 +3,38 @@
 use crate::scene::Geometry;
 use crate::solids::shapes::AnyShape;
 
-/// Distance of faces that are in one place, as a part of the numbers: what a few hundred roundings may do.
+/// The largest distance of two faces that count as one place, as a fraction of the shape's length: a few hundred
+/// roundings may move faces this far.
 const FACE_REL_EPS: f64 = 1e-13;
-/// The largest part of its own length that a shape is made longer by.
+/// The most by which a shape is made longer, as a fraction of its length.
 const MAX_REL_STEP: f64 = 0.5;
 
-/// The move of a flat end across an axis.
+/// The move of a flat end that is perpendicular to an axis.
 pub(super) struct EndMove {
     pub axis: usize,
-    /// Whether the end looks up the axis; otherwise it looks down.
+    /// Whether the end faces in the positive direction of the axis; otherwise it faces in the negative one.
     pub upper: bool,
-    /// Outwards, where there is room.
+    /// The distance outwards. A short shape is moved by less.
     pub by: f64,
 }
 
 impl EndMove {
-    /// How far up the axis the end of something of that length goes.
+    /// The signed distance along the axis by which the end of a shape of this length moves.
     fn step(&self, length: f64) -> f64 {
         let step = (MAX_REL_STEP.copysign(self.by) * length).clamp(-self.by.abs(), self.by.abs());
         if self.upper { step } else { -step }
     }
 
-    /// A profile whose flat end is moved, if that is one of those that are `near`.
+    /// The profile with its flat end moved. `None` if no flat end lies at a height for which `near` holds, or the end
+    /// cannot be moved.
     fn profile(&self, profile: &[[f64; 2]], near: impl Fn(&f64) -> bool) -> Option<Vec<[f64; 2]>> {
         let heights = || profile.iter().map(|p| p[1]);
         let at = heights().find(near)?;
         let low = heights().fold(f64::INFINITY, f64::min);
         let high = heights().fold(f64::NEG_INFINITY, f64::max);
         let end = if self.upper { high } else { low };
-        // A ring begins anywhere: only profiles from the axis to the axis, one flat piece at each end.
+        // A ring begins anywhere, so only profiles from the axis to the axis are changed, each of whose ends is one
+        // flat piece.
         let is_ring = profile.first() == profile.last();
         if is_ring || low == high || (end - at).abs() > FACE_REL_EPS * (high - low) {
             return None;
@@ -45,11 +48,12 @@ impl EndMove {
             return None;
         }
         let beyond = |p: [f64; 2], before: Option<[f64; 2]>| match before {
-            // On along the piece that ends there: a point at this height would be one too many, since
-            // POV-Ray cannot tell on which side of the profile others at its height are.
+            // The piece that ends here is extended in its own direction. An additional point at this height would do
+            // harm: POV-Ray cannot tell on which side of the profile other points at the height of a profile's point
+            // are.
             Some(q) => {
                 let slope = (p[0] - q[0]) / (p[1] - q[1]);
-                // It becomes half as wide at least, and twice as wide at most.
+                // The end becomes half as wide at least, and twice as wide at most.
                 let most = if slope * by < 0.0 {
                     p[0] / 2.0 / -slope
                 } else if slope * by > 0.0 && p[0] > 0.0 {
@@ -81,7 +85,8 @@ impl EndMove {
 }
 
 impl Geometry {
-    /// The shape with a flat end farther out, if it has one that is `near` and can be moved.
+    /// The shape with a flat end moved outwards. `None` if no such end lies at a coordinate for which `near` holds, or
+    /// the end cannot be moved.
     pub(super) fn with_end_moved(
         &self,
         end: &EndMove,

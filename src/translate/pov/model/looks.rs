@@ -1,4 +1,4 @@
-//! Looks and materials of nodes, with the decisions from above them.
+//! Looks and media of nodes, given the decisions that nodes above them have made.
 
 use super::Model;
 use super::state::{Appearance, Medium, State};
@@ -6,11 +6,11 @@ use super::tables::{DEFAULT, TextureUse};
 use crate::scene::{Node, NodeId};
 use crate::translate::pov::tree::Modifier;
 
-/// A look that is fully known, and the index behind it.
+/// A look whose texture and optics are both known, and the number of the refractive index inside.
 pub(crate) type Substance = (Appearance, u32);
 
 impl<'a> Model<'a> {
-    /// Whether any of a node lets light through.
+    /// Whether any part of a node lets light through when the node has this look.
     pub(crate) fn is_transparent(&self, node: NodeId, look: Appearance) -> bool {
         match look {
             Appearance::Above { transparent } => transparent,
@@ -26,8 +26,8 @@ impl<'a> Model<'a> {
         self.cut_open || self.is_transparent(node, state.look)
     }
 
-    /// The optics and index of a node that is one medium. What an object around the node gives is
-    /// the same for all operands and counts as the default.
+    /// The numbers of the optics and the index of a node; `None` if the node is of several media. A property that an
+    /// object around the node gives is the same for all operands, and counts as the default.
     pub(crate) fn medium(&self, node: NodeId, state: State) -> Option<(u32, u32)> {
         let optics = match state.look {
             Appearance::Above { .. } => DEFAULT,
@@ -45,7 +45,7 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// The substance of all of a node, if it is the same everywhere.
+    /// The substance of a node; `None` if it is not the same everywhere in the node.
     pub(crate) fn substance(&self, node: NodeId, state: State) -> Option<Substance> {
         let f = &self.materials[node as usize];
         let look = match state.look {
@@ -58,8 +58,8 @@ impl<'a> Model<'a> {
         Some((look, self.own_index(node, state)?))
     }
 
-    /// The modifier that gives a node its look, where that is the same for all of it and can be
-    /// said from outside; and the look that is left to say below.
+    /// Splits a look in two: the part that is left to give below the node, and the modifier that gives the whole node
+    /// its look. Without a modifier, the look differs within the node or cannot be given from outside.
     pub(crate) fn settle_look(
         &mut self,
         node: NodeId,
@@ -71,7 +71,8 @@ impl<'a> Model<'a> {
         let f = self.materials[node as usize];
         let texture = texture.or((!f.has_texture).then_some(TextureUse::DEFAULT));
         let optics = optics.or((!f.has_optics).then_some(DEFAULT));
-        // Triangles with normals that turn away have a look for each side, and so have sheets in glass.
+        // Triangles whose normals turn away from the eye have a look for each side, and so have sheets in glass: shapes
+        // get such a look one by one.
         let holds = |holders: &[bool]| holders.get(node as usize) == Some(&true);
         let sides = |o: u32| {
             let sheets = holds(&self.holds_sheets) && self.tables.is_transparent(o);
@@ -89,7 +90,7 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// A look seen from inside a transformation.
+    /// A look in the coordinates inside a transformation: a texture in space is moved back by the matrix.
     pub(crate) fn look_below(&mut self, look: Appearance, matrix: u32) -> Appearance {
         match look {
             Appearance::Own {

@@ -8,8 +8,8 @@ use crate::scene::{Node, NodeId, Scene};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::shapes::facts::Facts as _;
 
-/// A property of the solids of a node, taken from whoever owns a point: of several operands the
-/// first.
+/// A property of the points of a node's solids. Each point has the property of its owner: the first operand that holds
+/// it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Owned<T> {
     pub first: T,
@@ -38,7 +38,7 @@ impl<T: Copy + PartialEq> Owned<T> {
     }
 }
 
-/// The facts about one node, as it is without what its parents paint over it.
+/// The facts about one node, without what nodes above it paint over it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Material {
     pub has_solid: bool,
@@ -46,7 +46,7 @@ pub(crate) struct Material {
     /// Whether some part of the node has been given a texture, or optics.
     pub has_texture: bool,
     pub has_optics: bool,
-    /// The texture of all of its faces, if they are alike.
+    /// The texture of all faces of the node, if they have the same one; `face_optics` likewise has their optics.
     pub face_texture: Option<TextureUse>,
     pub face_optics: Option<u32>,
     /// Whether some part of the node lets light through.
@@ -89,7 +89,7 @@ pub(crate) struct Facts<'a> {
 }
 
 impl<'a> Facts<'a> {
-    /// `None` where nothing is drawn.
+    /// The facts about the nodes that are drawn. `None` if the scene draws nothing.
     pub(crate) fn of(scene: &Scene, bounds: Cow<'a, [NodeBounds]>) -> Option<Facts<'a>> {
         let mut tables = Tables::of(scene);
         let materials = materials(scene, &mut tables, scene.render?.root);
@@ -100,13 +100,13 @@ impl<'a> Facts<'a> {
         })
     }
 
-    /// Whether light goes through anything.
+    /// Whether any node that is drawn lets light through.
     pub(crate) fn is_clear(&self) -> bool {
         self.materials.iter().any(|f| f.uses > 0 && f.transparent)
     }
 }
 
-/// The facts about all nodes up to the root; those that the root does not reach stay bare.
+/// The facts about all nodes up to the root. Nodes that the root does not reach have those of `BARE`.
 fn materials(scene: &Scene, tables: &mut Tables, root: NodeId) -> Vec<Material> {
     let mut out = vec![BARE; root as usize + 1];
     out[root as usize].uses = 1;
@@ -146,7 +146,7 @@ fn one(scene: &Scene, tables: &mut Tables, done: &[Material], node: &Node) -> Ma
                 has_surface: !solid,
                 has_texture: coloured,
                 texture: Owned::one(TextureUse::here(texture)),
-                // A triangle that is seen from the far side of its normals has a look of its own.
+                // The far side of a triangle with shading normals has a look of its own.
                 face_texture: (!character.is_smooth).then_some(TextureUse::here(texture)),
                 ..BARE
             }
@@ -157,7 +157,7 @@ fn one(scene: &Scene, tables: &mut Tables, done: &[Material], node: &Node) -> Ma
             Material {
                 has_solid: a.has_solid && b.has_solid,
                 has_surface: (a.has_surface && b.has_solid) || (b.has_surface && a.has_solid),
-                // One solid has one inside: the first operand's.
+                // An intersection has one inside, with the properties of the first operand.
                 texture: a.texture,
                 optics: a.optics,
                 index: a.index,

@@ -1,5 +1,5 @@
-//! The [`Model`] of the scene before and while its objects are made. Nothing in here knows how objects are made, or
-//! what is done about faces in one place.
+//! The [`Model`]: what is known of the scene before and while its objects are made. The code in here knows neither how
+//! objects are made, nor what is done about faces in one place.
 
 pub(super) mod contacts;
 pub(super) mod displacement;
@@ -43,7 +43,7 @@ use visibility::camera_is_walled_in;
 /// The report's name for faces that POV-Ray cannot tell apart.
 const FACES: &str = "faces in one place";
 
-/// The scene, what is known of its nodes, and what its objects have in common, by number.
+/// The scene, the facts about its nodes, and the values that its objects share, by number: textures, changes, keys.
 pub(super) struct Model<'a> {
     pub scene: &'a Scene,
     pub bounds: Cow<'a, [NodeBounds]>,
@@ -53,26 +53,27 @@ pub(super) struct Model<'a> {
     /// The entity each node belongs to, 0 where none does.
     pub ids: Vec<u32>,
     pub textures: Textures,
-    /// The changes of shapes where nobody sees them.
+    /// The changes of shapes that nobody sees, by number.
     pub changes: Changes,
     contacts: Contacts,
     pub budget: &'a Budget,
-    /// The keys of what is declared.
+    /// The keys of the declared objects, by number.
     keys: Numbered<Key>,
-    /// Distance that faces in one place are put apart by, in the coordinates of the operation at hand.
+    /// The hair: the distance by which faces in one place are put apart, in the coordinates of the operation at hand.
     pub hair: f64,
-    /// The same in the coordinates that each node is placed in.
+    /// The hair in the coordinates that each node is placed in.
     hairs: Vec<f64>,
     /// Whether the render box cuts through the scene, or a camera is in it: what lies inside of opaque objects can be
     /// seen.
     pub cut_open: bool,
-    /// The number of an index as large as that of any solid.
+    /// The number of an index that is, in each channel, the largest of any solid.
     pub densest: u32,
-    /// Opaque unions that touch what light goes through.
+    /// Opaque unions that touch a part, in the union around them, that light goes through.
     pub beside_clear: HashSet<NodeId>,
-    /// For each node whether a flat surface is in it; nothing where no light goes through anything.
+    /// For each node, whether it contains a flat surface. Empty if no part of the scene lets light through.
     pub holds_sheets: Vec<bool>,
-    /// For each node whether triangles are in it with normals that turn away; nothing where there are none at all.
+    /// For each node, whether it contains triangles whose shading normals turn away from the eye. Empty if there are
+    /// none.
     pub holds_backward_normals: Vec<bool>,
     pub report: Report,
 }
@@ -123,13 +124,13 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// An object that stands for a node in a state.
+    /// A reference to the declared object of a node in a state.
     pub(super) fn refer(&mut self, node: NodeId, state: State) -> Object<'a> {
         let key = Key { node, state };
         Object::new(Body::Declared(self.keys.number(key, || key) as usize))
     }
 
-    /// Objects that stand for operands.
+    /// References to the declared objects of operands.
     pub(super) fn refer_all(
         &mut self,
         operands: impl IntoIterator<Item = (NodeId, State)>,
@@ -145,7 +146,7 @@ impl<'a> Model<'a> {
         self.keys.values[number]
     }
 
-    /// For each node whether it is made of a shape of which that is true.
+    /// For each node, whether it contains a shape, given by its index, for which `holds` is true.
     pub(super) fn holders(&self, holds: impl Fn(u32) -> bool) -> Vec<bool> {
         let nodes = &self.scene.nodes[..self.materials.len()];
         fold_up(nodes, |_, node, below| match node {
@@ -154,7 +155,7 @@ impl<'a> Model<'a> {
         })
     }
 
-    /// Turns to the coordinates that a node is placed in.
+    /// Sets `hair` for the coordinates that a node is placed in.
     pub(super) fn turn_to(&mut self, node: NodeId) {
         self.hair = self.hairs[node as usize];
     }
@@ -163,13 +164,13 @@ impl<'a> Model<'a> {
         self.bounds[node as usize].all
     }
 
-    /// The modifier of an index by its number.
+    /// The modifier that gives an object the refractive index with this number.
     pub(super) fn index(&self, number: u32) -> Modifier<'a> {
         Modifier::Index(self.tables.index(number))
     }
 
-    /// Whether all shapes that a solid is made of can be moved by so much, outwards or inwards where
-    /// it is negative.
+    /// Whether the surfaces of all shapes that a solid is made of can be moved outwards by `by`, or inwards if `by` is
+    /// negative.
     pub(super) fn has_offset(&self, node: NodeId, by: f64) -> bool {
         let mut todo = vec![(node, by)];
         let mut looked_at = 0;
@@ -206,7 +207,8 @@ impl<'a> Model<'a> {
         true
     }
 
-    /// Says that faces of an object lie in those of another; 0 is nobody's object.
+    /// Reports that faces of the entity `id` lie in faces of another object. The id 0 stands for an object that belongs
+    /// to no entity.
     pub(super) fn faces_in_one_place(&mut self, id: u32) {
         let doubt = match id {
             0 => Complaint::term("which is seen is up to rounding"),

@@ -5,7 +5,7 @@ use std::hash::Hash;
 
 use crate::geometry::Matrix;
 
-/// Values by number, those with equal keys by the same one.
+/// Values by number. Values with equal keys have the same number.
 #[derive(Debug)]
 pub(crate) struct Numbered<K, T = K> {
     pub values: Vec<T>,
@@ -22,7 +22,7 @@ impl<K, T> Default for Numbered<K, T> {
 }
 
 impl<K: Eq + Hash, T> Numbered<K, T> {
-    /// The number of the value with a key, which is made where there is none yet.
+    /// The number of the value with a key. If the key is new, the value is made.
     pub(crate) fn number(&mut self, key: K, value: impl FnOnce() -> T) -> u32 {
         *self.numbers.entry(key).or_insert_with(|| {
             self.values.push(value());
@@ -35,7 +35,7 @@ impl<K: Eq + Hash, T> Numbered<K, T> {
     }
 }
 
-/// Numbers as a key. Adding zero makes one of the two zeros.
+/// Numbers as a key. Adding zero turns −0 into 0, so that both have the same key.
 pub(crate) fn bits<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> Vec<u64> {
     numbers.into_iter().map(|x| (x + 0.0).to_bits()).collect()
 }

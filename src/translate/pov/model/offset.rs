@@ -5,11 +5,11 @@ use crate::solids::shapes::AnyShape;
 use crate::solids::shapes::ball;
 use crate::solids::shapes::profile::{closed, twice_area};
 
-/// A profile may be sharper than a right angle, but not so sharp that its tip would move so many times
-/// as far as its sides.
+/// The limit on how sharp a corner of a profile may be: its tip may move at most this many times as far as its sides.
 const SHARP: f64 = 16.0;
 
-/// A profile of a surface of revolution with its sides moved outwards.
+/// A profile of a surface of revolution with its sides moved outwards by `by`. `None` if a corner is too sharp, a side
+/// would vanish, or the profile crosses itself before or after the move.
 fn offset_profile(profile: &[[f64; 2]], by: f64) -> Option<Vec<[f64; 2]>> {
     let ring = profile.first()? == profile.last()?;
     let closed = closed(profile);
@@ -17,7 +17,7 @@ fn offset_profile(profile: &[[f64; 2]], by: f64) -> Option<Vec<[f64; 2]>> {
     if n < 3 || crosses_itself(&closed) {
         return None;
     }
-    // To the right of the way if that runs counter-clockwise.
+    // The outside is to the right of the direction of travel if the profile runs counter-clockwise.
     let side = twice_area(&closed).signum();
     let direction = |p: [f64; 2], q: [f64; 2]| {
         let d = [q[0] - p[0], q[1] - p[1]];
@@ -26,7 +26,7 @@ fn offset_profile(profile: &[[f64; 2]], by: f64) -> Option<Vec<[f64; 2]>> {
     };
     let normal = |p: [f64; 2], q: [f64; 2]| {
         let d = direction(p, q);
-        // The axis is no side, and stays where it is.
+        // A piece on the axis is no side of the solid, and stays where it is.
         match p[0] == 0.0 && q[0] == 0.0 {
             true => None,
             false => Some([side * d[1], -side * d[0]]),
@@ -44,7 +44,7 @@ fn offset_profile(profile: &[[f64; 2]], by: f64) -> Option<Vec<[f64; 2]>> {
                 }
                 sum.map(|x| by * x / 2.0 / square)
             }
-            // Along the axis, as far as the side goes.
+            // A point on the axis moves along the axis, to where the moved side meets it.
             (Some(a), None) | (None, Some(a)) => {
                 if a[1].abs() * SHARP < 1.0 {
                     return None;
@@ -55,7 +55,7 @@ fn offset_profile(profile: &[[f64; 2]], by: f64) -> Option<Vec<[f64; 2]>> {
         };
         out.push([(here[0] + step[0]).max(0.0), here[1] + step[1]]);
     }
-    // A side that is shorter than that would turn round.
+    // A side that is too short for the move would be reversed.
     let same_way = |i: usize| {
         let j = (i + 1) % n;
         let [d, e] =
@@ -87,9 +87,8 @@ fn crosses_itself(polygon: &[[f64; 2]]) -> bool {
 }
 
 impl Geometry {
-    /// The shape whose surface lies so far outside of its own, or inside if the number is negative, and
-    /// nowhere on the other side of it. `None` where none of the language's shapes is that, or nothing would
-    /// be left.
+    /// The shape with its surface moved outwards by `by`, or inwards if `by` is negative; no part of the surface moves
+    /// the other way. `None` if no shape of the language is that, or nothing would be left.
     pub fn offset(&self, by: f64) -> Option<Geometry> {
         match AnyShape::of(self) {
             AnyShape::Cone(s) => {

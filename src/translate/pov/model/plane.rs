@@ -1,13 +1,13 @@
-//! Planes, and shapes with their faces in one of them farther out.
+//! Planes, and shapes with the face in a given plane moved outwards.
 
 use super::lengthen::EndMove;
 use crate::geometry::Matrix;
 use crate::geometry::array::{length, sub};
 use crate::scene::{Geometry, Vec3};
 
-/// Distance of normals that are one: what rotations may do.
+/// The largest distance of two unit normals that count as equal: rotations may round by this much.
 const NORMAL_EPS: f64 = 1e-9;
-/// Distance of planes that are one, as a part of what they are moved by.
+/// The largest distance of two planes that count as one, as a fraction of the distance by which the plane is moved.
 const OFFSET_REL_EPS: f64 = 1e-3;
 
 /// A plane n·x + d = 0 whose normal has the length 1.
@@ -27,15 +27,15 @@ impl Plane {
         (plane.n.iter().all(|x| x.is_finite()) && plane.d.is_finite()).then_some(plane)
     }
 
-    /// The plane in the coordinates that a matrix leads away from; and the factor by which lengths across it become
-    /// longer there.
+    /// The plane in the coordinates that `m` maps from, and the factor from lengths across the plane here to lengths
+    /// there. `None` if the plane has no finite normal there.
     pub(crate) fn moved_back(&self, m: &Matrix) -> Option<(Plane, f64)> {
         let n = std::array::from_fn(|j| (0..3).map(|i| self.n[i] * m.0[i][j]).sum());
         let d = self.d + (0..3).map(|i| self.n[i] * m.0[i][3]).sum::<f64>();
         Some((Plane::of(n, d)?, 1.0 / length(n)))
     }
 
-    /// The plane moved outwards.
+    /// The plane moved by `by` in the direction of its normal.
     pub(crate) fn moved(&self, by: f64) -> Plane {
         Plane {
             d: self.d - by,
@@ -44,7 +44,7 @@ impl Plane {
     }
 }
 
-/// The shape with its flat face in a plane farther out, if it has one there.
+/// The shape with its flat face in `plane` moved outwards by `by`. `None` if it has no such face that can be moved.
 pub(super) fn with_plane_moved(geometry: &Geometry, plane: &Plane, by: f64) -> Option<Geometry> {
     let near = |a: f64, b: f64| (a - b).abs() <= OFFSET_REL_EPS * by.abs();
     if let (Some([a, b, c, d]), true) = (geometry.plane(), geometry.is_solid()) {
@@ -53,7 +53,7 @@ pub(super) fn with_plane_moved(geometry: &Geometry, plane: &Plane, by: f64) -> O
         let is_it = length(sub(here.n, plane.n)) <= NORMAL_EPS && near(here.d, plane.d);
         return is_it.then(|| Geometry::HalfSpace([a, b, c, d - by * length(n)]));
     }
-    // All others have such faces across their axes only.
+    // All other shapes have movable flat faces only perpendicular to their axes.
     let axis = (0..3).find(|i| plane.n[*i].abs() > 1.0 - NORMAL_EPS)?;
     let sign = plane.n[axis].signum();
     let (upper, at) = (sign > 0.0, -plane.d * sign);

@@ -3,7 +3,8 @@
 use super::tables::TextureUse;
 use crate::scene::NodeId;
 
-/// The layer of a node that is meant: an operation treats the solids and the surfaces among its operands differently.
+/// The layers of a node: an operation treats the solids and the surfaces among its operands differently, so they may be
+/// written separately.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Layer {
     All,
@@ -14,12 +15,12 @@ pub(crate) enum Layer {
 /// The source of a node's look.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Appearance {
-    /// The node itself, except for what is painted over it from above.
+    /// The node itself, except for the texture or the optics given here, which a node above paints over it.
     Own {
         texture: Option<TextureUse>,
         optics: Option<u32>,
     },
-    /// An object around it, all of it alike.
+    /// An object around the node, which gives the same look to all of it.
     Above { transparent: bool },
 }
 
@@ -36,7 +37,7 @@ pub(crate) struct State {
     pub layer: Layer,
     pub look: Appearance,
     pub medium: Medium,
-    /// The number of the change that is made to its shapes.
+    /// The number of the change that is made to the node's shapes, which nobody sees.
     pub flush: Option<u32>,
 }
 
@@ -51,7 +52,7 @@ impl State {
         medium: Medium::Own,
         flush: None,
     };
-    /// A solid that only tells inside from outside.
+    /// The state of a solid that serves as geometry only: it tells inside from outside, and has no look or medium.
     pub(crate) const GEOMETRY: State = State {
         layer: Layer::Solid,
         look: Appearance::Above { transparent: false },
@@ -76,7 +77,7 @@ impl State {
     }
 }
 
-/// A node in a state: what one `#declare` is for.
+/// A node in a state. An object is declared for each key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Key {
     pub node: NodeId,

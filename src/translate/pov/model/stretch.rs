@@ -3,8 +3,8 @@
 use crate::geometry::Matrix;
 use crate::scene::{Node, NodeId, Scene};
 
-/// For each node by how much all lengths grow from the scene's coordinates to those that the node is placed
-/// in, as a power of two; where it is in several places, the most.
+/// For each node, the factor from lengths in the scene's coordinates to lengths in those that the node is placed in, as
+/// a power of two. If the node is in several places, the largest factor counts.
 pub(crate) fn stretches(scene: &Scene, root: NodeId) -> Vec<f64> {
     let mut out = vec![0.0; root as usize + 1];
     out[root as usize] = 1.0;
@@ -21,7 +21,7 @@ pub(crate) fn stretches(scene: &Scene, root: NodeId) -> Vec<f64> {
             out[child as usize] = below.max(out[child as usize]);
         }
     }
-    // What is a power of two but for rounding stays that.
+    // The factor 1.9 lets a number that is just below a power of two, by rounding, become this power.
     let about = |factor: f64| match factor > 0.0 {
         true => power_of_two_about(1.9 * factor),
         false => 0.0,
@@ -29,8 +29,8 @@ pub(crate) fn stretches(scene: &Scene, root: NodeId) -> Vec<f64> {
     out.into_iter().map(about).collect()
 }
 
-/// A length in the scene as one in the coordinates that a matrix leads away from: where the matrix
-/// stretches by several factors their mean, where these are far apart none.
+/// The factor from lengths in the coordinates that `m` maps to, to lengths in those that it maps from. It is a mean if
+/// the matrix stretches by several factors. `None` if these are far apart, or the matrix has no inverse.
 pub(crate) fn stretched(m: &Matrix) -> Option<f64> {
     let squares = |m: &Matrix| {
         let rows = m.0.iter().take(3).flat_map(|row| &row[..3]);
@@ -42,10 +42,11 @@ pub(crate) fn stretched(m: &Matrix) -> Option<f64> {
     (uneven < 16.0).then(|| back.sqrt())
 }
 
-/// The largest power of two that is not above `x`; 1 for a number without one.
+/// The largest power of two that is not above `x`; 1 if it is not between 2⁻⁹⁰⁰ and 2⁹⁰⁰.
 pub(crate) fn power_of_two_about(x: f64) -> f64 {
     let exponent = x.log2().floor();
-    // Far within the exponents of numbers, so that neither products with it nor its inverse leave them.
+    // The bound is far within the exponents of doubles, so that neither products with the power nor its inverse
+    // overflow.
     if exponent.abs() <= 900.0 {
         2f64.powi(exponent as i32)
     } else {

@@ -1,5 +1,5 @@
-//! Textures, optics and indices as small numbers, equal values with equal numbers; and where a
-//! texture lies.
+//! Numbers for textures, optics and refractive indices, the same for equal values; and the frame that a texture lies
+//! in.
 
 use super::numbered::{Numbered, bits};
 use crate::geometry::Matrix;
@@ -7,8 +7,8 @@ use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Optics, Rgb, Scene, Texture};
 
 /// The number of a value that nobody gave, in every table.
 pub(crate) const DEFAULT: u32 = 0;
-/// The texture of a coloured surface of revolution that nobody gave another: the colours of its own
-/// profile. Elsewhere it is the default one.
+/// The number of the texture of a coloured surface of revolution to which no other texture was given: the colours of
+/// its own profile. On other shapes it stands for the default texture.
 pub(crate) const PROFILE: u32 = 1;
 
 /// A texture and the matrix from the coordinates it was given in to those of the node at hand.
@@ -34,7 +34,7 @@ impl TextureUse {
     }
 }
 
-/// The aspects that a paint sets.
+/// The numbers of the texture, the optics and the index that a paint sets; `None` for each that it does not set.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct PaintAspects {
     pub texture: Option<u32>,
@@ -42,7 +42,7 @@ pub(crate) struct PaintAspects {
     pub index: Option<u32>,
 }
 
-/// The values of all aspects in a scene.
+/// The values of all textures, optics and refractive indices in a scene, by number.
 #[derive(Debug)]
 pub(crate) struct Tables {
     textures: Numbered<Vec<u64>, Texture>,
@@ -51,7 +51,7 @@ pub(crate) struct Tables {
     frames: Numbered<[u64; 16], Matrix>,
     /// Aspects of each paint of the scene.
     paints: Vec<PaintAspects>,
-    /// For each texture and each optics, the entity that was given it first.
+    /// For each texture the entity that was given it first, 0 for none; `optics_owners` has these entities for optics.
     texture_owners: Vec<u32>,
     optics_owners: Vec<u32>,
 }
@@ -69,7 +69,7 @@ impl Tables {
         };
         let (texture, optics) = (Texture::Colour(DEFAULT_COLOUR), Optics::default());
         (out.textures).number(texture_bits(&texture), || texture.clone());
-        // Only its number counts.
+        // The value for `PROFILE`, whose number alone counts.
         out.textures.values.push(texture);
         out.optics.number(optics_bits(&optics), || optics);
         out.indices.number(bits(&DEFAULT_INDEX), || DEFAULT_INDEX);
@@ -106,7 +106,7 @@ impl Tables {
         *self.indices.get(number)
     }
 
-    /// The number of the index that has the larger of two in each channel.
+    /// The number of the index that has, in each channel, the larger value of the indices `a` and `b`.
     pub(crate) fn denser(&mut self, a: u32, b: u32) -> u32 {
         let [a, b] = [a, b].map(|number| self.index(number));
         let most = std::array::from_fn(|i| a[i].max(b[i]));
@@ -117,7 +117,7 @@ impl Tables {
         self.frames.get(number)
     }
 
-    /// The entity after which a look is named.
+    /// The entity that a look is named after; 0 for none.
     pub(crate) fn owner(&self, texture: u32, optics: u32) -> u32 {
         match self.texture_owners[texture as usize] {
             0 => self.optics_owners[optics as usize],
@@ -138,7 +138,7 @@ impl Tables {
             )
     }
 
-    /// The use of a texture seen from coordinates that `m` leads to.
+    /// The use of a texture in the coordinates that `m` maps to.
     pub(crate) fn moved(&mut self, used: TextureUse, m: &Matrix) -> TextureUse {
         if !self.lies_in_space(used) {
             return used;
@@ -150,7 +150,7 @@ impl Tables {
         }
     }
 
-    /// The use of a texture seen from coordinates that `m` leads away from.
+    /// The use of a texture in the coordinates that `m` maps from.
     pub(crate) fn moved_back(&mut self, used: TextureUse, m: &Matrix) -> TextureUse {
         let inverse = self.lies_in_space(used).then(|| m.inverse()).flatten();
         inverse.map_or(used, |inverse| self.moved(used, &inverse))
@@ -172,7 +172,8 @@ fn texture_bits(texture: &Texture) -> Vec<u64> {
         Texture::Solid { colours, size } => {
             bits(colours.iter().flatten().chain(std::iter::once(size)))
         }
-        // One byte a number, longer than any other key, the end marked.
+        // The nine numbers at the start make the key longer than that of any other kind of texture. The bytes of the
+        // name follow.
         Texture::Image { file, .. } => {
             let mut key = vec![u64::MAX; 9];
             key.extend(file.bytes().map(u64::from));

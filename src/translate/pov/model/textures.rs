@@ -1,5 +1,5 @@
-//! The textures that a translation declares: each a texture of the scene with optics, and for one that is laid on
-//! shapes, on a shape.
+//! The textures that a translation declares. Each is a texture of the scene with optics; a texture that is laid on
+//! shapes is declared for each shape.
 
 use super::numbered::Numbered;
 use super::tables::{DEFAULT, PROFILE, Tables, TextureUse};
@@ -12,7 +12,7 @@ struct Key {
     texture: TextureUse,
     optics: u32,
     shape: Option<u32>,
-    /// Whether light comes from the other side.
+    /// Whether the surface is lit by light that falls on its other side.
     behind: bool,
 }
 
@@ -23,7 +23,8 @@ pub(crate) struct Textures {
 }
 
 impl Textures {
-    /// The number of a texture; `None` for the one that everything has by default. The shape comes as its index.
+    /// The number of a texture; `None` for the one that everything has by default. `shape` is the index of the shape
+    /// that the texture is laid on.
     pub(crate) fn number(
         &mut self,
         texture: TextureUse,
@@ -40,7 +41,7 @@ impl Textures {
         (!is_default).then(|| self.keys.number(key, || key) as usize)
     }
 
-    /// The same texture lit from the other side; nothing for one that light goes through.
+    /// The number of the texture that is lit from the other side; `None` if light goes through the texture.
     pub(crate) fn behind(&mut self, tables: &Tables, number: usize) -> Option<usize> {
         let front = self.keys.values[number];
         let behind = Key {
@@ -107,7 +108,7 @@ fn pattern<'a>(
             };
             Pattern::Image(shape, images.number(file.clone(), image) as usize)
         }
-        // Such textures are handed down to shapes.
+        // Textures that are laid on shapes are handed down to them, so these two cases are not expected.
         (scene::Texture::Checkerboard { colours, .. }, None) => Pattern::Colour(colours[0]),
         (scene::Texture::Image { .. }, None) => Pattern::Colour(scene::DEFAULT_COLOUR),
     }

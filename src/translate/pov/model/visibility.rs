@@ -6,10 +6,11 @@ use crate::geometry::vec::Vec3;
 use crate::scene::{Node, NodeId, Scene};
 use crate::trace::members;
 
-/// Most parts of a scene that are looked at for one that holds a camera.
+/// The largest number of nodes that are searched for one that holds a camera. Beyond it the camera is taken to be in an
+/// opaque solid.
 const PARTS: usize = 256;
 
-/// Whether a camera is in a solid that lets no light through: it sees faces that are inside of others.
+/// Whether a camera is in an opaque solid, or may be in one: it sees faces that are inside of others.
 pub(super) fn camera_is_walled_in(scene: &Scene, facts: &[Material], tables: &Tables) -> bool {
     let root = facts.len() as NodeId - 1;
     let is_walled_in = |point: Vec3| {

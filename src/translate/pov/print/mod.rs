@@ -20,12 +20,13 @@ const UNSEEN: &str = "\
     // Where one medium ends in another: a hair behind the face that is seen.\n\
     #declare Unseen = texture { pigment { rgbf 1 } finish { ambient 0 diffuse 0 } };\n";
 
-/// A half-space whose boundary is beyond the farthest that POV-Ray looks.
+/// The declaration of all of space: a half-space whose boundary is farther away than POV-Ray sees.
 const EVERYWHERE: &str = "\
     // All of space. What is clipped by it without something else is kept outside of that.\n\
     #declare Everywhere = plane { <0, 1, 0>, 1e9 };\n";
 
-/// Prints a file for a camera, or for two with a switch. The comments at its head are in the language.
+/// Prints a file for a camera, or for two with a switch. `name` is the file's name without its extension. The comments
+/// at the head of the file are in the language.
 ///
 /// # Errors
 /// The errors of the stream.
@@ -58,8 +59,8 @@ pub(super) fn print(
     if !document.lights_in_group {
         return picture(&mut Page::new(out), document);
     }
-    // Of other lights POV-Ray remembers what was last in their way, and asks that first: without its tolerance, so
-    // that a light may be hidden by the surface that it lies on.
+    // For lights outside of a group, POV-Ray remembers the object that was last in the way, and tests that object
+    // first, without its tolerance. So a light may be hidden by the surface that it lies on.
     out.write_str(
         "\n// A light that lies on a surface is not hidden by that in a light group.\nlight_group {\n",
     )?;
@@ -71,7 +72,8 @@ pub(super) fn print(
     out.write_str("}\n")
 }
 
-/// How to render the file so that its pixels can be compared.
+/// Writes the head of the file: the command that renders it so that its pixels can be compared, and the switches in
+/// this command.
 fn header(
     out: &mut dyn Write,
     document: &Document,
@@ -121,7 +123,7 @@ fn header(
     Ok(())
 }
 
-/// Scales, global settings, defaults, background.
+/// Writes scales, global settings, defaults and the background.
 fn settings(
     out: &mut dyn Write,
     document: &Document,
@@ -158,7 +160,7 @@ fn settings(
     )
 }
 
-/// The modifier of everything that has a place.
+/// The modifier that brings cameras, lights and objects from the scene's coordinates to POV-Ray's.
 fn place(frame: &Frame) -> &'static str {
     match frame.is_moved() {
         true => "translate -Centre scale Unit",

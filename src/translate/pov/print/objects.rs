@@ -8,7 +8,7 @@ use crate::scene::Volume;
 use crate::translate::number;
 use crate::translate::pov::tree::{Body, Modifier, Object, Operation, Tree};
 
-/// Characters of an object, without its braces, that stand on one line.
+/// The most characters of an object, without its braces, that stand on one line.
 const LINE_WIDTH: usize = 100;
 
 /// Prints the declarations of all objects.
@@ -22,7 +22,7 @@ pub(super) fn print(out: &mut dyn Write, tree: &Tree) -> Result {
     Ok(())
 }
 
-/// Prints an object and ends its line, with a comment on its first one.
+/// Prints an object and ends its line. A comment goes to the end of the object's first line.
 fn object(page: &mut Page, tree: &Tree, all: &Object, comment: Option<&str>) -> Result {
     match one_line(all, tree) {
         Some(line) => {
@@ -75,7 +75,7 @@ fn lines(page: &mut Page, tree: &Tree, all: &Object, comment: Option<&str>) -> R
     page.write("}")
 }
 
-/// An object on one line, if it is no operation and has room there.
+/// An object on one line; `None` if it is an operation, or too long.
 fn one_line(all: &Object, tree: &Tree) -> Option<String> {
     if matches!(all.body, Body::Operation(..)) {
         return None;
@@ -88,7 +88,7 @@ fn one_line(all: &Object, tree: &Tree) -> Option<String> {
     fits.then(|| format!("{keyword} {{ {} }}", lines.join(" ")))
 }
 
-/// The keyword of an object, and what it is made of apart from operands.
+/// The keyword of an object, and the lines between its braces, without operands and modifiers.
 fn plain(body: &Body, tree: &Tree) -> Primitive {
     match body {
         Body::Shape(geometry) => primitive(geometry),
@@ -110,7 +110,7 @@ fn plain(body: &Body, tree: &Tree) -> Primitive {
     }
 }
 
-/// A modifier on one line, if it has room there.
+/// A modifier on one line; `None` for a clip that has no room there.
 fn said(modifier: &Modifier, tree: &Tree) -> Option<String> {
     let texture = |number: &usize| &tree.textures[*number].name;
     Some(match modifier {

@@ -1,13 +1,13 @@
-//! Solids bounded by polynomials. POV-Ray takes a point for inside of one where the value is below
+//! Solids bounded by polynomials. POV-Ray takes a point to be inside of such a solid if the polynomial's value is below
 //! 1e-4, so the coefficients are made large.
 
 use super::shape::{Primitive, size_unit};
 use crate::translate::number;
 
-/// Largest coefficient: the tolerance is 1e-10 of it.
+/// The largest coefficient that is written. POV-Ray's tolerance is 1e-10 of it.
 const MAX_COEFFICIENT: f64 = 1e6;
 
-/// Q of xᵀQx ≤ 0: the factors of x², y², z² and y, and a constant.
+/// The matrix Q of a quadric xᵀQx ≤ 0, row by row, with these factors of x², y², z² and y, and this constant.
 pub(super) fn diagonal(x: f64, y: f64, z: f64, linear: f64, constant: f64) -> [f64; 16] {
     let mut q = [0.0; 16];
     (q[0], q[5], q[10], q[13], q[15]) = (x, y, z, linear, constant);
@@ -17,7 +17,7 @@ pub(super) fn diagonal(x: f64, y: f64, z: f64, linear: f64, constant: f64) -> [f
 pub(super) fn quadric(q: &[f64; 16]) -> Primitive {
     let largest = q.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let q = q.map(|x| x / largest);
-    // Of x² xy xz x y² yz y z² z 1.
+    // The coefficients of x², xy, xz, x, y², yz, y, z², z and 1, in this order.
     let coefficients = [
         q[0],
         q[1] + q[4],
@@ -38,7 +38,7 @@ pub(super) fn quadric(q: &[f64; 16]) -> Primitive {
     let square = most(&[0, 1, 2, 4, 5, 7]);
     let linear = most(&[3, 6, 8]);
     let constant = most(&[9]);
-    // How large the surface is, by which of its terms balance.
+    // The size of the surface follows from those of its terms that balance each other.
     let size = match (square > 0.0, linear > 0.0, constant > 0.0) {
         (true, true, _) => (linear / square).max((constant / square).sqrt()),
         (true, false, true) => (constant / square).sqrt(),
@@ -62,7 +62,8 @@ pub(super) fn quadric(q: &[f64; 16]) -> Primitive {
     Primitive::new("poly", format!("2, <{}>", list.join(", "))).scaled(unit)
 }
 
-/// (x² + y² + z² + R² − r²)² − 4R²(x² + z²) ≤ 0.
+/// The torus with the ring's radius R and the tube's radius r, as a quartic: (x² + y² + z² + R² − r²)² − 4R²(x² + z²) ≤
+/// 0.
 pub(super) fn quartic_torus(major: f64, minor: f64) -> Primitive {
     let k = (major - minor) * (major + minor);
     let ring = 4.0 * major * major;

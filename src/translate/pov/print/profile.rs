@@ -1,14 +1,14 @@
-//! Profiles of surfaces of revolution: as lathes, and as a measure along them.
+//! Profiles of surfaces of revolution: as lathes, and as patterns along the profile.
 //!
-//! A lathe knows itself where on its profile a point lies: with `uv_mapping`, y is (i + t)/n for the
-//! share t of segment i of n.
+//! A lathe itself tells where on its profile a point lies: with `uv_mapping`, y is (i + t)/n at the fraction t of
+//! segment i of n.
 
 use super::shape::{Primitive, size_unit};
 use super::text::vector;
 use crate::solids::shapes::profile::twice_area;
 use crate::translate::number;
 
-/// Most entries of one of POV-Ray's maps.
+/// The most entries that one of POV-Ray's maps may have.
 const MAP: usize = 256;
 /// Points on a line of the file.
 const PER_LINE: usize = 6;
@@ -20,7 +20,7 @@ pub(super) struct Profile {
     points: Vec<[f64; 2]>,
     /// For each point of the scene's profile its index in `points`.
     places: Vec<usize>,
-    /// The share of the profile's length up to each of its points.
+    /// For each point of the scene's profile, the fraction of the profile's length up to it.
     arc: Vec<f64>,
 }
 
@@ -88,27 +88,27 @@ impl Profile {
         .scaled(unit)
     }
 
-    /// A pattern over the profile, to follow `uv_mapping`: the lathe's own measure with the value
-    /// at each point of the scene's profile, linear between them; discs have their point's.
+    /// A pattern along the profile, to be written after `uv_mapping`. It has the given value at each point of the
+    /// scene's profile and is linear between them; the discs at the ends have the value of their point.
     pub(super) fn pattern(&self, values: impl Iterator<Item = String>) -> String {
         let segments = (self.points.len() - 1).max(1) as f64;
         let places = self.places.iter().map(|place| *place as f64 / segments);
         let mut entries: Vec<_> = places.zip(values).collect();
-        // Maps ascend.
+        // The positions in POV-Ray's maps have to ascend.
         if self.places.first() > self.places.last() {
             entries.reverse();
         }
         pattern(&entries)
     }
 
-    /// The arc length along the profile as such a pattern, in grey.
+    /// The arc length along the profile, from 0 to 1, as a [`pattern`](Self::pattern) in grey.
     pub(super) fn arc_pattern(&self) -> String {
         self.pattern(self.arc.iter().map(|a| format!("rgb {}", number(*a))))
     }
 }
 
-/// `function { … } color_map { … }` over y, which is kept away from 1 where patterns begin again; a
-/// map of maps for many entries.
+/// The text `function { … } color_map { … }` of a pattern over y, or a map of such maps for many entries. The function
+/// is 1/4 + y/2, which stays below 1, where patterns begin again.
 fn pattern(entries: &[(f64, String)]) -> String {
     const FUNCTION: &str = "function { 0.25 + 0.5*y }";
     let at = |y: f64| number(0.25 + 0.5 * y);
@@ -122,7 +122,7 @@ fn pattern(entries: &[(f64, String)]) -> String {
     if entries.len() <= MAP {
         return format!("{FUNCTION} {}", colour_map(entries));
     }
-    // Neighbouring maps share an entry; each rules from its first to its last.
+    // Neighbouring maps share an entry; each map holds from its first entry to its last.
     let mut out = format!("{FUNCTION} pigment_map {{");
     let mut from = 0;
     while from + 1 < entries.len() {

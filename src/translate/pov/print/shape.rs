@@ -30,7 +30,7 @@ impl Primitive {
         format!("{} {{ {} }}", self.keyword, self.lines.join(" "))
     }
 
-    /// Scaled at the end.
+    /// The primitive, scaled by `factor` after all its other lines.
     pub(super) fn scaled(mut self, factor: f64) -> Primitive {
         if factor != 1.0 {
             self.lines.push(format!("scale {}", number(factor)));
@@ -39,9 +39,9 @@ impl Primitive {
     }
 }
 
-/// The primitive that is the shape.
+/// The primitive that draws a shape.
 pub(super) fn primitive(geometry: &Geometry) -> Primitive {
-    // Divided twice, so that no square leaves the numbers' range.
+    // The division is done twice, since the square of `a` could overflow.
     let inverse = |a: f64| 1.0 / a / a;
     match geometry {
         Geometry::Sphere { centre, radius } => {
@@ -108,7 +108,7 @@ pub(super) fn primitive(geometry: &Geometry) -> Primitive {
     }
 }
 
-/// The surface coordinates of a point on the shape.
+/// The expressions for the surface coordinates of a point on a shape.
 pub(super) fn coordinates(geometry: &Geometry) -> uv::Coordinates {
     let [u, v] = match geometry {
         Geometry::Sphere { centre, radius } => {
@@ -131,7 +131,7 @@ pub(super) fn coordinates(geometry: &Geometry) -> uv::Coordinates {
         Geometry::Plane(p) | Geometry::HalfSpace(p) => uv::plane(p),
         Geometry::Triangle { vertices, .. } => uv::weights(vertices),
         Geometry::Torus { major, minor } => [uv::around(), uv::tube(*major, *minor)],
-        // On the side y/h is ρ/r.
+        // On the cone's side, y/h equals ρ/r.
         Geometry::Cone { radius, .. } => [uv::around(), format!("{}/{}", uv::RHO, number(*radius))],
         Geometry::DoubleCone { height, radius } => {
             [uv::around(), uv::double_cone(*height, *radius)]
@@ -143,7 +143,7 @@ pub(super) fn coordinates(geometry: &Geometry) -> uv::Coordinates {
         | Geometry::HyperbolicParaboloid { .. } => [uv::around(), "y".to_owned()],
         Geometry::Revolution { profile, .. } => {
             return uv::Coordinates {
-                // A lathe counts the other way round.
+                // A lathe's own coordinate runs round the axis the other way.
                 u: "mod(1 - x, 1)".to_owned(),
                 v: uv::Along::Pattern(Profile::of(profile).arc_pattern()),
             };
@@ -162,11 +162,11 @@ fn smooth(vertices: &[Vec3; 3], normals: &[Vec3; 3]) -> Primitive {
 
 /// A plane or half-space: n·x = distance with a unit normal, the inside where n·x is less.
 fn plane(p: &[f64; 4]) -> Primitive {
-    // Squares of the numbers could leave their range.
+    // The numbers are divided by the largest first, since their squares could overflow.
     let largest = p[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let n = [p[0] / largest, p[1] / largest, p[2] / largest];
     let length = length(n);
-    // 0 − d: never a negative zero.
+    // 0 − d is never a negative zero.
     let distance = (0.0 - p[3]) / largest / length;
     let normal = n.map(|x| x / length);
     Primitive::new(
@@ -179,10 +179,10 @@ fn cone_parameters(height: f64, radius: f64) -> String {
     format!("0, 0, <0, {}, 0>, {}", number(height), number(radius))
 }
 
-/// The primitive's inside is that of a tube wider than its ring, too, with the lemon; the quartic's
-/// is not.
+/// A torus. With a tube wider than its ring, the inside of POV-Ray's primitive includes the lemon about the centre, and
+/// that of the quartic does not, so the quartic is written.
 fn torus(major: f64, minor: f64) -> Primitive {
-    // However thin the tube, it has to be thicker than the tolerances: 1e-3, sixteen times.
+    // The tube's smallest radius in units of the primitive: sixteen times the tolerance of 1e-3.
     const MIN_TUBE_RADIUS: f64 = 1.0 / 64.0;
     let unit = match size_unit(major + minor) {
         unit if minor < MIN_TUBE_RADIUS * unit => power_of_two(minor / MIN_TUBE_RADIUS),
@@ -202,7 +202,7 @@ fn torus(major: f64, minor: f64) -> Primitive {
 /// The power of two by which something of this size is written smaller, so that POV-Ray's absolute
 /// tolerances fit; 1 where they fit anyway.
 pub(super) fn size_unit(size: f64) -> f64 {
-    // Where tolerances of 1e-6 to 1e-3 are below what is seen, and fourth powers keep their digits.
+    // The sizes at which tolerances of 1e-6 to 1e-3 are not seen, and fourth powers keep their digits.
     const FITTING: std::ops::RangeInclusive<f64> = 0.25..=64.0;
     if FITTING.contains(&size) || !(size > 0.0 && size.is_finite()) {
         return 1.0;
@@ -210,17 +210,18 @@ pub(super) fn size_unit(size: f64) -> f64 {
     power_of_two(size)
 }
 
-/// The largest power of two that is not above a number, within the range of normal numbers, as is its inverse.
+/// The largest power of two that is not above `x`, limited so that neither it nor its inverse leaves the normal
+/// numbers.
 fn power_of_two(x: f64) -> f64 {
     x.log2().floor().clamp(-1000.0, 1000.0).exp2()
 }
 
-/// The name of the geodesic sphere of radius 1 with so many splits.
+/// The name of the geodesic sphere of radius 1 with this number of splits.
 fn geodesic_name(splits: u32) -> String {
     format!("Geodesic_{splits}")
 }
 
-/// The macro that makes geodesic spheres, and those with the given numbers of splits.
+/// Writes the macro that makes geodesic spheres, and the declarations of those with the given numbers of splits.
 pub(super) fn geodesics(out: &mut dyn Write, splits: &BTreeSet<u32>) -> Result {
     if !splits.is_empty() {
         out.write_str(GEODESIC)?;

@@ -20,7 +20,8 @@ pub(crate) fn rgb(c: [f64; 3]) -> String {
     }
 }
 
-/// A matrix of ours acts on columns, POV-Ray's on rows: the transpose, without its last column.
+/// A matrix as POV-Ray reads it. The program's matrices act on columns and POV-Ray's on rows, so it is the transpose,
+/// without its last column.
 pub(crate) fn matrix(m: &Matrix) -> String {
     let r = &m.0;
     let columns: Vec<String> = (0..4)
@@ -32,7 +33,8 @@ pub(crate) fn matrix(m: &Matrix) -> String {
     format!("matrix <{}>", columns.join(", "))
 }
 
-/// A matrix as people would write it where it only scales, turns about an axis, and moves.
+/// A matrix as people would write it, with `scale`, `rotate` and `translate`, if it only scales, turns about a
+/// coordinate axis, and moves; otherwise with `matrix`.
 pub(crate) fn transformation(m: &Matrix) -> String {
     let r = &m.0;
     let way = [r[0][3], r[1][3], r[2][3]];
@@ -60,8 +62,9 @@ pub(crate) fn transformation(m: &Matrix) -> String {
     steps.join(" ")
 }
 
-/// The factors, the angle in degrees and the axis of a matrix that scales by short numbers and then turns by
-/// one, but for what that is rounded.
+/// The factors, the angle in degrees and the axis (0 to 2) of a matrix that scales and then turns about this axis. The
+/// factors and the angle have nine decimals at most. `None` if the matrix differs from these steps by more than
+/// rounding.
 fn scaled_and_turned(m: &Matrix) -> Option<([f64; 3], f64, usize)> {
     let r = &m.0;
     let short = |x: f64| (x * 1e9).round() / 1e9;
@@ -94,7 +97,7 @@ impl<'w> Page<'w> {
         Page { out, depth: 0 }
     }
 
-    /// A whole line.
+    /// Writes a whole line.
     pub(crate) fn line(&mut self, text: fmt::Arguments) -> fmt::Result {
         self.begin()?;
         self.out.write_fmt(text)?;
@@ -105,17 +108,17 @@ impl<'w> Page<'w> {
         self.out.write_char('\n')
     }
 
-    /// The indentation of a line.
+    /// Writes the indentation of a line.
     pub(crate) fn begin(&mut self) -> fmt::Result {
         (0..self.depth).try_for_each(|_| self.out.write_str("  "))
     }
 
-    /// A part of a line.
+    /// Writes a part of a line.
     pub(crate) fn write(&mut self, text: &str) -> fmt::Result {
         self.out.write_str(text)
     }
 
-    /// Ends a line, after a comment.
+    /// Ends a line, with a comment if there is one.
     pub(crate) fn end(&mut self, comment: Option<&str>) -> fmt::Result {
         match comment {
             Some(comment) => writeln!(self.out, " // {comment}"),
@@ -123,7 +126,7 @@ impl<'w> Page<'w> {
         }
     }
 
-    /// Lines that are indented by one step more.
+    /// Prints lines that are indented by one step more.
     pub(crate) fn indented(&mut self, print: impl FnOnce(&mut Self) -> fmt::Result) -> fmt::Result {
         self.depth += 1;
         let printed = print(self);
@@ -175,7 +178,7 @@ mod tests {
                 format!("scale <2, 0.1, 3> {words} translate <1, 2, 3>")
             );
         }
-        // What is mirrored as well is no turn.
+        // A matrix that also mirrors is no turn.
         let mirrored = Matrix::rotation(30.0, 1).after(&Matrix::scaling(1.0, 1.0, -1.0));
         assert_eq!(transformation(&mirrored), matrix(&mirrored));
         let both = move_.after(&Matrix::scaling(2.0, 1.0, 1.0));

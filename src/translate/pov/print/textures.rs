@@ -41,17 +41,17 @@ pub(super) fn print(out: &mut dyn Write, tree: &Tree) -> Result {
     Ok(())
 }
 
-/// An image in the unit square.
+/// The text of an image that fills the unit square.
 fn lookup(image: &Image) -> String {
     format!("image_map {{ {} gamma srgb interpolate 2 }}", image.file)
 }
 
-/// The function that looks up an image.
+/// The name of the function that looks up an image.
 fn image_name(number: usize) -> String {
     format!("Image_{}", number + 1)
 }
 
-/// The declarations of the surface coordinates that a pattern on a shape needs.
+/// Prints the declarations of the surface coordinates that a pattern on a shape needs.
 fn functions(out: &mut dyn Write, texture: &Texture) -> Result {
     let shape = match &texture.pattern {
         Pattern::Checkerboard(shape, cells, _) if laid(shape, *cells).is_none() => shape,
@@ -71,8 +71,8 @@ fn functions(out: &mut dyn Write, texture: &Texture) -> Result {
     }
 }
 
-/// How a pattern whose cells are unit squares is laid on a shape with so many cells along the surface coordinates: what is
-/// said before it and behind it. `None` for shapes of which POV-Ray has no such coordinates.
+/// The text before and the text behind a pattern of unit squares that lay it on a shape, with `n` and `m` cells along
+/// the surface coordinates. `None` for shapes on which POV-Ray has no such coordinates.
 fn laid(shape: &Geometry, [n, m]: [u32; 2]) -> Option<(&'static str, String)> {
     let [n, m] = [n, m].map(f64::from);
     match shape {
@@ -82,7 +82,7 @@ fn laid(shape: &Geometry, [n, m]: [u32; 2]) -> Option<(&'static str, String)> {
             let from = [min[0], min[1], 0.0].map(number).join(", ");
             Some(("", format!("scale <{size}> translate <{from}>")))
         }
-        // POV-Ray goes round the other way.
+        // POV-Ray's first coordinate runs round a sphere the other way.
         Geometry::Sphere { .. } => {
             let size = [-1.0 / n, 1.0 / m, 1.0].map(number).join(", ");
             Some(("uv_mapping ", format!("scale <{size}> translate x")))
@@ -91,8 +91,9 @@ fn laid(shape: &Geometry, [n, m]: [u32; 2]) -> Option<(&'static str, String)> {
     }
 }
 
-/// How the image of a texture is laid on a shape as it is. `None` where it has to be looked up channel by channel: POV-Ray
-/// can neither tint an image nor let light through it.
+/// The text before and the text behind an image that lay it on a shape. `None` if the image has to be looked up channel
+/// by channel: the shape has no such coordinates, or the image is tinted or lets light through, neither of which
+/// POV-Ray's images can do.
 fn image_map(texture: &Texture) -> Option<(&'static str, String)> {
     let optics = &texture.optics;
     let is_grey = optics.kd.iter().all(|k| *k == optics.kd[0]);
@@ -106,7 +107,7 @@ fn layers(out: &mut dyn Write, texture: &Texture, images: &[Image]) -> Result {
     let optics = &texture.optics;
     let transparent = optics.kt.iter().any(|k| *k > 0.0);
     let opacity = if transparent { 0.5 } else { 1.0 };
-    // The diffuse coefficient is one number there; one of each channel goes into the pigment.
+    // POV-Ray's diffuse coefficient is one number, so coefficients that differ by channel go into the pigment.
     let (kd, tint) = match optics.kd {
         [r, g, b] if r == g && g == b => (r, [1.0; 3]),
         tint => (1.0, tint),
@@ -121,7 +122,7 @@ fn layers(out: &mut dyn Write, texture: &Texture, images: &[Image]) -> Result {
     let strength = number(kd / opacity);
     out.write_str("\n  texture {\n    ")?;
     pigment(out, (texture, images), tint, 1.0 - opacity)?;
-    // The second number is for light from the other side.
+    // The second number of `diffuse` is for light from the other side.
     let other_side = if texture.is_behind { "0, " } else { "" };
     write!(
         out,
@@ -149,7 +150,7 @@ fn pigment(
             rgb(c)
         }
     };
-    // A lathe's measure of itself; all others have functions of the point.
+    // Patterns on a lathe use the lathe's own coordinates; those on other shapes are functions of the point.
     let mapped = |shape: &Geometry| match shape {
         Geometry::Revolution { .. } => "uv_mapping ",
         _ => "",
@@ -213,7 +214,7 @@ fn pigment(
                 "pigment {{\n      {}average pigment_map {{",
                 mapped(shape)
             )?;
-            // The mean of the three channels, three times as bright.
+            // The pigment is the mean of one pigment for each channel, each three times as bright.
             for (c, part) in ["red", "green", "blue"].into_iter().enumerate() {
                 let mut full = [0.0; 3];
                 full[c] = 3.0;

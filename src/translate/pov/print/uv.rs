@@ -5,23 +5,24 @@ use crate::geometry::array::{cross, dot, length};
 use crate::scene::Vec3;
 use crate::translate::number;
 
-/// u and v as functions of (x, y, z): of a point, and for a lathe, of what `uv_mapping` makes of it.
+/// The surface coordinates u and v, as expressions in x, y and z: those of a point, and for a lathe, those that
+/// `uv_mapping` makes of the point.
 pub(super) struct Coordinates {
     pub u: String,
     pub v: Along,
 }
 
-/// How v is said.
+/// The way in which v is written.
 pub(super) enum Along {
     Expression(String),
-    /// The red of a pigment.
+    /// A pigment whose red is v.
     Pattern(String),
 }
 
 /// The distance from the y axis.
 pub(super) const RHO: &str = "sqrt(x*x + z*z)";
 
-/// The angle about the y axis, from 0 to 1: never negative.
+/// The angle about the y axis as a fraction of a full turn, from 0 to 1 and never negative.
 pub(super) fn turn(x: &str, z: &str) -> String {
     format!("select(-{z}, 1, 0) + atan2(-{z}, {x})/(2*pi)")
 }
@@ -30,12 +31,13 @@ pub(super) fn around() -> String {
     turn("x", "z")
 }
 
-/// acos(−height)/π.
+/// The polar angle, acos(−height)/π: 0 for the height −1, 1 for the height 1.
 pub(super) fn polar(height: &str) -> String {
     format!("acos(max(-1, min(1, -{height})))/pi")
 }
 
-/// The angle in the tube. The lemon of a tube wider than its ring lies beyond the axis.
+/// The angle round the tube, as a fraction of a full turn. With a tube wider than its ring, points of the lemon count
+/// as points of the tube from beyond the axis.
 pub(super) fn tube(major: f64, minor: f64) -> String {
     let ring = number(major);
     let across = if minor > major {
@@ -52,8 +54,8 @@ pub(super) fn tube(major: f64, minor: f64) -> String {
     format!("select(y, 1, 0) + atan2(y, {across})/(2*pi)")
 }
 
-/// The expression of a texture coordinate of a double cone: on the sides ρ/r is |y|/h, on the discs it is less. What is
-/// added lets the sides win where both are the same but for rounding, and takes the outermost millionth from a disc.
+/// The second coordinate of a double cone. On the sides ρ/r equals |y|/h, and on the discs it is less. The summand 1e-6
+/// lets the sides win where the two are the same up to rounding; it takes the outermost millionth from a disc.
 pub(super) fn double_cone(height: f64, radius: f64) -> String {
     let (h, r) = (number(height), number(radius));
     format!("select({RHO}/{r} - abs(y)/{h} + 1e-6, {RHO}/{r}, 0.5 + 0.5*y/{h})")
@@ -85,7 +87,7 @@ pub(super) fn weights([a, b, c]: &[Vec3; 3]) -> [String; 2] {
     [weight(cross(ac, n)), weight(cross(n, ab))]
 }
 
-/// `(x - c)`.
+/// The text of a difference, `(x - c)`; for c = 0, the axis alone.
 fn minus(axis: &str, c: f64) -> String {
     if c == 0.0 {
         axis.to_owned()
@@ -110,7 +112,8 @@ pub(super) fn along(axis: &str, min: f64, max: f64) -> String {
     }
 }
 
-/// The face is the one that the point is farthest out on, as a part of the box's half-width.
+/// u and v on a box. The face of a point is the one towards which it is farthest from the centre, measured in
+/// half-widths of the box.
 pub(super) fn box_faces(min: Vec3, max: Vec3) -> [String; 2] {
     let axes = ["x", "y", "z"];
     let out: [String; 3] = std::array::from_fn(|i| {
@@ -145,7 +148,7 @@ pub(super) fn box_faces(min: Vec3, max: Vec3) -> [String; 2] {
     [u, v]
 }
 
-/// Lengths along ŷ × n and n × that, from the point nearest the origin.
+/// u and v on a plane: lengths along ŷ × n and n × (ŷ × n), from the point nearest the origin.
 pub(super) fn plane(p: &[f64; 4]) -> [String; 2] {
     let largest = p[..3].iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let p = [p[0] / largest, p[1] / largest, p[2] / largest];
@@ -164,7 +167,7 @@ pub(super) fn plane(p: &[f64; 4]) -> [String; 2] {
     [product(u), product(cross(n, u))]
 }
 
-/// c·(x, y, z).
+/// The text of the scalar product c·(x, y, z).
 fn product(c: Vec3) -> String {
     let terms: Vec<String> = ["x", "y", "z"]
         .iter()

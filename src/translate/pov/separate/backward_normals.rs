@@ -1,6 +1,6 @@
-//! Triangles whose shading normal turns away from the eye somewhere. POV-Ray turns such a normal round;
-//! light is reckoned with it as it is if the normals are on the eye's side and the texture of the side
-//! where they would be behind is lit from the other side.
+//! Triangles with shading normals that turn away from the eye somewhere. POV-Ray turns such a normal round, and takes
+//! the texture of the inner side there. To have light reckoned with the normal as it was, the normals are put on the
+//! eye's side of the triangle, and the texture of the inner side is lit from the other side.
 
 use std::collections::HashMap;
 
@@ -11,8 +11,8 @@ use crate::solids::shapes::facts::Facts as _;
 use crate::translate::pov::budget::{Budget, Limit};
 use crate::translate::pov::model::Model;
 
-/// For each such shape that stands in one place: whether its normals have to be turned to the eye's
-/// side.
+/// The triangles with shading normals that turn away from the eye somewhere, by shape, as far as they stand in one
+/// place only. The value says whether the normals have to be turned to the eye's side.
 pub(crate) fn backward(model: &Model, eye: Vec3) -> HashMap<u32, bool> {
     let (scene, facts) = (model.scene, &model.materials);
     if !(scene.shapes.iter()).any(|s| s.geometry.character().is_smooth) {
@@ -46,7 +46,7 @@ pub(crate) fn backward(model: &Model, eye: Vec3) -> HashMap<u32, bool> {
     out
 }
 
-/// The eye, and where it seems to be in the mirrors that planes may be.
+/// The eye, and its mirror images in all planes of the scene, since each may be a mirror.
 fn mirrored(scene: &Scene, eye: V, budget: &Budget) -> Vec<V> {
     let planes = scene.shapes.iter().filter_map(|s| {
         let [a, b, c, d] = s.geometry.plane()?;
@@ -62,7 +62,8 @@ fn mirrored(scene: &Scene, eye: V, budget: &Budget) -> Vec<V> {
     eyes
 }
 
-/// Whether the normals are on the far side of a triangle on whose near side some of them turn away.
+/// Whether the normals of a triangle have to be turned to the eye's side. `None` if they do not turn away from the eye,
+/// are not all on one side of the triangle, or are those of its plane.
 fn turns(
     vertices: &[Vec3; 3],
     normals: &TriangleNormals,
@@ -76,7 +77,7 @@ fn turns(
     };
     let back = place.inverse()?;
     let points = vertices.map(|v| V::from(place.point(v)));
-    // Normals go with the inverse's transpose.
+    // Normals are transformed by the transpose of the inverse.
     let normals = normals.map(|n| {
         let row = |j: usize| (0..3).map(|i| back.0[i][j] * n[i]).sum();
         V::new(row(0), row(1), row(2))
@@ -90,7 +91,7 @@ fn turns(
         return None;
     }
     let sign = if sides[0] { 1.0 } else { -1.0 };
-    // Corners, the middles of sides, and the middle.
+    // The normals are checked at the corners, the midpoints of the sides, and the centre.
     let weights = [
         [1., 0., 0.],
         [0., 1., 0.],
@@ -110,7 +111,7 @@ fn turns(
     any.then_some(!sides[0])
 }
 
-/// A triangle with its normals on the other side.
+/// A triangle with its shading normals turned to the other side; `None` for other shapes.
 pub(crate) fn with_normals_turned(geometry: &Geometry) -> Option<Geometry> {
     let Geometry::Triangle { vertices, normals } = geometry else {
         return None;

@@ -1,6 +1,6 @@
-//! Flat faces of a union's parts that lie in one plane. By right the one of the first part is seen, and that of
-//! a sheet before those of solids; POV-Ray shows now one, now the other, or where parts are joined to one
-//! solid, none. So the faces are put a part of a hair apart, those that are seen farther out.
+//! Flat faces of a union's parts that lie in one plane. The face of a sheet should be seen before those of solids, and
+//! otherwise the face of the first part. POV-Ray shows now one face, now the other, and where parts are joined to one
+//! solid, none. So the faces are put a little apart, those that should be seen farther out.
 
 use std::collections::HashMap;
 
@@ -13,10 +13,10 @@ use crate::translate::pov::model::displacement::Change;
 use crate::translate::pov::model::plane::Plane;
 use crate::translate::pov::model::state::{Appearance, State};
 
-/// Hairs that faces are put apart at most.
+/// The largest distance, in units of `Model::hair`, by which a face is moved out.
 const MAX_HAIRS: f64 = 16.0;
 
-/// A flat face with the position of the part that it is of.
+/// A flat face, and the position of the part that it belongs to.
 struct Flat {
     part: usize,
     plane: Plane,
@@ -24,8 +24,8 @@ struct Flat {
 }
 
 impl Model<'_> {
-    /// Changes parts of a union so that of several faces in one plane the right one is seen. `kinds` are
-    /// what the first parts are made of; nobody sees into the others.
+    /// Changes parts of a union so that of several faces in one plane the right one is seen. `kinds` has the kinds of
+    /// the first parts; nobody sees into the others.
     pub(crate) fn level(&mut self, parts: &mut [(NodeId, State)], kinds: &[Kind]) {
         if !self.budget.spend(Limit::PartsLevelled, parts.len()) {
             return;
@@ -38,9 +38,9 @@ impl Model<'_> {
                 Some(Flat { part, plane, face })
             }));
         }
-        // Those that are seen first, first.
+        // Faces that should be seen before others come first.
         faces.sort_by_key(|f| (!f.face.is_sheet, f.part));
-        // Some parts are larger as a whole.
+        // The faces of parts that are larger as a whole are farther out already.
         let larger: Vec<f64> = (faces.iter())
             .map(|f| match parts[f.part].1.flush {
                 Some(flush) if f.face.is_outer => self.changes.larger_by(flush),
@@ -113,13 +113,14 @@ impl Model<'_> {
         }
         let joined = of_f.1 && of_g.1 && of_f.0.is_some() && of_f.0 == of_g.0;
         if joined && !g.face.is_sheet && is_level() {
-            // Either may be the one that is farther out. Well within what is a hair smaller.
+            // Either face may be farther out. Two hairs apart, the lower one is well within a copy that is a hair
+            // smaller.
             let (above, below) = if f.face.is_outer { (a, b) } else { (b, a) };
             heights[above] = f64::max(heights[above], heights[below] + 2.0 * self.hair);
         }
     }
 
-    /// The look of all solids of a part, or of all surfaces, if that is the same for all.
+    /// The look of all solids of a part, or if `sheet`, of all its surfaces. `None` if they differ.
     fn look_of(&self, (node, state): (NodeId, State), sheet: bool) -> Option<Appearance> {
         let facts = &self.materials[node as usize];
         match state.look {

@@ -1,10 +1,10 @@
 //! Faces between transparent media, where parts of a union meet or overlap.
 //!
-//! POV-Ray counts into which objects a ray has gone. Were the face of the later part in the earlier one
-//! left out, rays would be in both beyond that. So it is there, a hair within the earlier one: its skin.
-//! A ray that is in both is in the one that it has entered last, which makes it bend at that of the two
-//! faces that it meets first. That one shows what there is to see, and the other nothing: from outside
-//! the face of the earlier part, from inside the skin. Rays then take as many steps as they should.
+//! POV-Ray counts which objects a ray has entered. If the face of the later part were left out inside the earlier one,
+//! a ray beyond it would be in both. So the face is there, a hair within the earlier part: it is the later part's skin.
+//! A ray that is in both parts is, to POV-Ray, in the one that it entered last, so it bends at the first of the two
+//! faces that it meets. This first face shows the texture, and the second face shows nothing: from outside, the face of
+//! the earlier part is seen, and from inside, the skin. Rays then take as many steps as they should.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -24,13 +24,13 @@ use crate::translate::pov::tree::{Modifier, Object, Operation};
 
 /// Operands of a union that are one medium.
 pub(crate) struct Members {
-    /// Optics and index; `None` where the one operand is of several media by itself.
+    /// The numbers of the optics and the index; `None` where the only operand is of several media by itself.
     pub medium: Option<(u32, u32)>,
     pub nodes: Operands,
     pub boxes: Vec<Aabb>,
     pub seen_into: bool,
     pub transparent: bool,
-    /// Whether a later medium begins where it ends: POV-Ray has to know its index, even if that is 1.
+    /// Whether a later medium begins where the group ends: POV-Ray has to know the group's index then, even if it is 1.
     pub bounds_media: bool,
 }
 
@@ -47,11 +47,11 @@ impl Members {
 /// The look of the faces between two groups.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum InterfaceLook {
-    /// No face: the groups are one medium, with another one between them in the order.
+    /// No face is seen: the groups are one medium, and another medium stands between them in the order.
     Nothing,
-    /// The look with this number, from inside at the skin.
+    /// The faces have the look with this number. From inside it is seen on the skin.
     Look(usize),
-    /// A look that the skin cannot have: from inside, too, the face of the earlier one.
+    /// The faces have a look that the skin cannot have, so the face of the earlier group is seen from inside, too.
     Face,
 }
 
@@ -60,7 +60,7 @@ enum InterfaceLook {
 pub(crate) struct Meeting {
     pub earlier: usize,
     later: usize,
-    /// Whether the later one ends a hair within the earlier one.
+    /// Whether the later group ends a hair within the earlier one.
     pub apart: bool,
     seen: InterfaceLook,
 }
@@ -69,20 +69,20 @@ pub(crate) struct Meeting {
 pub(crate) struct Meetings {
     pub groups: Vec<Members>,
     extensions: SolidExtensions,
-    /// Ordered by the later of the two.
+    /// The meetings, ordered by the later group.
     all: Vec<Meeting>,
     /// The meetings whose faces have two sides, by the earlier group.
     sided: HashMap<usize, Vec<Meeting>>,
     /// The pairs of solids that lie against each other, by their two groups, the earlier one first.
     contacts: BTreeMap<(usize, usize), Vec<(NodeId, NodeId)>>,
-    /// For each group the opaque ones before it that it touches.
+    /// For each group, the earlier opaque groups that it touches.
     walls: HashMap<usize, Vec<usize>>,
-    /// The pairs of groups that touch, with the earlier one first, of which the later one is a wall.
+    /// The pairs of touching groups, the earlier one first, whose later group is opaque.
     walled: HashSet<(usize, usize)>,
 }
 
 impl Meetings {
-    /// The groups within which the group `later` ends, so that its faces are a hair behind theirs.
+    /// The earlier groups within which the group `later` ends: its faces lie a hair behind the faces of these groups.
     fn around(&self, later: usize) -> impl Iterator<Item = usize> {
         let apart = self.of_later(later).iter().filter(|m| m.apart);
         apart.map(|m| m.earlier)
@@ -97,8 +97,8 @@ impl Meetings {
 }
 
 impl InterfaceLook {
-    /// The modifiers of one side of a face, as it is seen, inside of what is `around` and outside of what came
-    /// `before`.
+    /// The modifiers of a piece of a face: its look, and clips that keep the part inside of the objects `around` and
+    /// outside of the objects `before`.
     fn kept<'a>(self, around: &[Object<'a>], before: &[Object<'a>]) -> Vec<Modifier<'a>> {
         let mut modifiers = match self {
             InterfaceLook::Look(look) => vec![Modifier::Texture(look), Modifier::UnseenWithin],
@@ -201,7 +201,8 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// Whether one medium may end a hair within an earlier one where they meet, if that can be made smaller.
+    /// Whether the later group may end a hair within the earlier one where they meet. The earlier group has to be one
+    /// that can be made smaller, too, which the caller checks.
     fn have_a_hair(
         &self,
         earlier: &Members,
@@ -209,10 +210,10 @@ impl<'a> Model<'a> {
         extensions: &SolidExtensions,
     ) -> bool {
         let has_media = earlier.medium.is_some() && later.medium.is_some();
-        // Where nothing bends light, which of them a ray is in makes no difference.
+        // If nothing bends light, it makes no difference which group a ray is in.
         let bends = self.densest != DEFAULT;
         let are_clear = bends && earlier.transparent && later.transparent;
-        // Of opaque ones of one medium nothing is seen where they meet.
+        // Where opaque groups of one medium meet, nothing is seen.
         let counts = are_clear || (later.seen_into && earlier.medium == later.medium);
         let can_grow = || {
             let mut nodes = later.nodes.iter();
@@ -221,7 +222,8 @@ impl<'a> Model<'a> {
         has_media && counts && (!extensions.has(&earlier.nodes, &later.nodes) || can_grow())
     }
 
-    /// The number of the look that all of a group has, if it can be said from outside.
+    /// The number of the look that the whole group has. `None` if its operands differ, or have looks that cannot be
+    /// given from outside.
     fn common_look(&mut self, group: &Members) -> Option<usize> {
         let mut looks =
             group
@@ -235,7 +237,8 @@ impl<'a> Model<'a> {
         looks.all(|look| look == Some(first)).then_some(first)
     }
 
-    /// The face that a group has within earlier ones, a hair behind theirs, but not within opaque ones.
+    /// The skin of a group: its faces within earlier groups, a hair behind their faces. Parts of it within opaque
+    /// groups are left out.
     pub(crate) fn skin(&mut self, union: &Meetings, later: usize) -> Vec<Object<'a>> {
         let clear = union.of_later(later).iter().filter(|m| m.apart);
         let clear: Vec<_> = clear.copied().collect();
@@ -258,7 +261,7 @@ impl<'a> Model<'a> {
             for meeting in alike {
                 around.extend(self.bare(&union.groups[meeting.earlier], |_, _, _| None));
             }
-            // Faces that nobody sees stand between other faces and those who look at them from inside.
+            // A face that nobody sees stands between the face that is seen and an eye inside.
             if alike[0].seen == InterfaceLook::Face {
                 let steps =
                     Fidelity::approximate("light that is mirrored there takes two steps more");
@@ -273,8 +276,8 @@ impl<'a> Model<'a> {
         pieces
     }
 
-    /// The outer sides of the faces that a group has within later ones, whose skins are its inner sides there;
-    /// and what to keep of the rest of it.
+    /// The outer sides of a group's faces within later groups, whose skins are the inner sides there; and the modifier
+    /// that keeps the rest of the group's surface.
     pub(crate) fn outer_sides(
         &mut self,
         union: &Meetings,
@@ -297,14 +300,15 @@ impl<'a> Model<'a> {
                 let Some(later) = self.grown(union, meeting.later) else {
                     continue;
                 };
-                // Where a third one comes between them and has no skin there it has that face as it is.
+                // Where a third group comes between the two and has no skin, the face stays as it is there.
                 let between = union.of_later(meeting.later).iter();
                 let mut all = vec![later];
                 for third in between.filter(|m| m.earlier > earlier) {
                     let group = &union.groups[third.earlier];
                     let has_skin = sided.iter().any(|m| m.later == third.earlier);
                     if !has_skin && (third.apart || group.transparent) {
-                        // Longer where it has faces in one place with what it is taken from.
+                        // The third group is made larger where it has faces in one place with the earlier group, whose
+                        // faces it clips.
                         all.extend(self.bare(group, |model, node, _| model.reach(node, &parts)));
                     }
                 }
@@ -318,8 +322,8 @@ impl<'a> Model<'a> {
         (pieces, rest)
     }
 
-    /// A group without the opaque ones before it. Where it lies against those that it ends within it is
-    /// larger by half a hair, and where it ends as they do, smaller.
+    /// The solid of a group without the earlier opaque groups. It is larger by half a hair if it lies against groups
+    /// that it ends within, and smaller at faces that end flush with theirs.
     fn grown(&mut self, union: &Meetings, later: usize) -> Option<Object<'a>> {
         let around = || union.around(later).map(|earlier| &union.groups[earlier]);
         let group = &union.groups[later];
@@ -338,7 +342,8 @@ impl<'a> Model<'a> {
         Some(Object::of(Operation::Difference, all))
     }
 
-    /// The change of a solid that ends within others: half a hair larger, but well inside where it ends as they do.
+    /// The change of a solid that ends within other groups: half a hair larger, but well inside at the planes in which
+    /// it ends flush with them. `None` if it needs no change, or cannot be made larger.
     fn skin_of<'m>(
         &mut self,
         node: NodeId,
@@ -356,7 +361,7 @@ impl<'a> Model<'a> {
         };
         let mut within: Vec<(Plane, f64)> = Vec::new();
         for plane in ends(Orientation::Alike) {
-            // Not where it stands on one of them.
+            // A face on which the solid stands on one of the others stays where it is.
             if !ends(Orientation::Opposed).any(|p| p == plane)
                 && within.iter().all(|w| w.0 != plane)
             {
@@ -372,22 +377,24 @@ impl<'a> Model<'a> {
         Some(self.changes.both(within, larger))
     }
 
-    /// Keeps of an object what no operand of a group holds.
+    /// The modifier that keeps the part of an object outside of all operands of a group; `None` if the object need not
+    /// be clipped.
     pub(crate) fn outside_of(&mut self, union: &Meetings, group: &Members) -> Option<Modifier<'a>> {
         let by = Object::unless_empty(Operation::Union, self.longer(union, group))?;
         Some(Modifier::outside(by))
     }
 
-    /// The solids of a group, longer as they are where later ones are clipped by them.
+    /// The solids of a group in the form that clips later groups: some are a little larger.
     fn longer(&mut self, union: &Meetings, group: &Members) -> Vec<Object<'a>> {
-        // What is within something opaque is not seen anyway, but for faces that are in one place with its.
+        // Within an opaque solid nothing is seen anyway, so it need not clip, unless it has faces in one place with a
+        // later solid.
         let members = (group.nodes.iter())
             .map(|(node, _)| (*node, State::GEOMETRY.flush(union.extensions.of(*node))))
             .filter(|(_, state)| group.seen_into || state.flush.is_some());
         self.refer_all(members)
     }
 
-    /// The bare solids of a group, changed.
+    /// The solids of a group as geometry only, each with the change that `change` gives it.
     fn bare(
         &mut self,
         group: &Members,
@@ -400,10 +407,10 @@ impl<'a> Model<'a> {
         group.nodes.iter().map(bare).collect()
     }
 
-    /// Says what two overlapping media cost.
+    /// Reports the inaccuracy of two overlapping media.
     pub(crate) fn overlap(&mut self, earlier: &Members, later: &Members) {
         let index = |g: &Members| g.medium.map(|(_, index)| index);
-        // What is opaque, or bends no light by itself, is no medium to POV-Ray.
+        // A group that is opaque, or bends no light by itself, is no medium to POV-Ray.
         if index(later) != Some(DEFAULT) && later.transparent {
             self.media_are_approximate();
         }
@@ -416,15 +423,15 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// The parts that are not a group's although they would be behind the faces of those within which it ends: opaque
-    /// groups there, and the places where those lie against each other, or against what is opaque.
+    /// The solids that have to be taken from a group's skin since they belong to its neighbours: the opaque groups
+    /// there, and the layers where the groups that it ends within lie against each other, or against opaque ones.
     fn owned_by_neighbours(&mut self, union: &Meetings, later: usize) -> Vec<Object<'a>> {
         let around: Vec<usize> = union.around(later).collect();
         let walls = union.walls.get(&later).map_or(&[][..], |w| &w[..]);
         let hull = |group: &Members| group.boxes.iter().fold(Aabb::EMPTY, |h, b| h.hull(b));
         let own = hull(&union.groups[later]);
         let mut pieces = Vec::new();
-        // Those that are seen into were taken away as a whole.
+        // Opaque groups that are seen into were already taken away as a whole, in `grown`.
         let is_taken = |wall: usize| {
             let mut met = union.of_later(later).iter();
             union.groups[wall].seen_into && met.any(|m| m.earlier == wall && !m.apart)
@@ -459,16 +466,16 @@ impl<'a> Model<'a> {
         pieces
     }
 
-    /// The layers along the faces where solids of one group lie against each other: what is a hair smaller than
-    /// each of them leaves these out.
+    /// The layers along the faces where solids of one group lie against each other. Copies of these solids that are a
+    /// hair smaller leave the layers out.
     fn joints(&mut self, union: &Meetings, group: usize) -> Vec<Object<'a>> {
         let contacts = union.contacts.get(&(group, group));
         let pairs = contacts.into_iter().flatten();
         pairs.filter_map(|(a, b)| self.contact(*a, *b)).collect()
     }
 
-    /// The layer along the faces that two solids have in one place: farther to both sides than the faces that
-    /// are a hair behind theirs.
+    /// The layer along the faces that two solids have in one place. It reaches two hairs to both sides, farther than
+    /// faces that are a hair behind those of the solids. `None` if a solid cannot be made larger.
     fn contact(&mut self, a: NodeId, b: NodeId) -> Option<Object<'a>> {
         let by = 2.0 * self.hair;
         if !(self.has_offset(a, by) && self.has_offset(b, by)) {

@@ -1,5 +1,8 @@
-//! Remedies for faces in one place, a file each. POV-Ray takes now one of such faces for the nearer one, now the other,
-//! so one of them is put where nobody sees it, or a part of a hair away.
+//! Remedies for faces in one place, a file each. POV-Ray takes now one, now the other of two such faces for the nearer
+//! one, so one of them is put where nobody sees it, or about a hair away.
+//!
+//! Faces in one place are found in `model/contacts.rs`: `Face::contact` compares two faces, and `Model::contacts` finds
+//! all pairs between two nodes.
 
 pub(super) mod backward_normals;
 pub(super) mod coplanar;

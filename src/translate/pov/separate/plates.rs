@@ -1,10 +1,10 @@
 //! Flat surfaces among solids that light goes through.
 //!
-//! What has no inside is a medium to POV-Ray all the same: a ray that goes through a sheet is in it from
-//! then on. And where a sheet lies in a face of a solid, which of the two a ray meets first is up to
-//! rounding; by right it is the sheet, from either side. So the sheet is written as a thin plate: one side
-//! shows what there is to see, the other lets the ray out again, and the face that it lies in is within. The
-//! plate is of the densest medium around, so that no light is totally reflected where it enters.
+//! A flat surface has no inside, yet it is a medium to POV-Ray: a ray that goes through a sheet is in it from then on.
+//! Where a sheet lies in a face of a solid, rounding decides which of the two a ray meets first; it should be the
+//! sheet, from either side. So the sheet is written as a thin plate: one side shows the texture, the other lets the ray
+//! out again, and the solid's face is within the plate. The plate is of the densest medium around, so that no light is
+//! totally reflected where it enters.
 
 use std::borrow::Cow;
 
@@ -18,7 +18,8 @@ use crate::translate::pov::model::tables::DEFAULT;
 use crate::translate::pov::tree::{Body, Object, Operation};
 
 impl Model<'_> {
-    /// The change of a surface that makes a plate of it, if light goes through it and what is around it.
+    /// The number of the change that makes a plate of a surface. `None` unless light goes through the surface, and it
+    /// touches a group that is seen into.
     pub(crate) fn plate(
         &mut self,
         (node, state): (NodeId, State),
@@ -47,7 +48,8 @@ impl Model<'_> {
     }
 }
 
-/// A flat surface as a plate, so far from it on both sides.
+/// A flat surface as a plate that reaches `by` to both sides of it. `None` for shapes that are not flat, and for
+/// triangles without a normal.
 pub(crate) fn plate<'a>(geometry: &Geometry, by: f64) -> Option<Body<'a>> {
     let shape = |geometry: Geometry| Body::Shape(Cow::Owned(geometry));
     Some(match geometry {
@@ -75,7 +77,8 @@ pub(crate) fn plate<'a>(geometry: &Geometry, by: f64) -> Option<Body<'a>> {
                 vertices: Box::new(corners.map(|corner| add(corner, n, by))),
                 normals: TriangleNormals::Flat,
             };
-            // Clockwise seen from outside, each; triangles by themselves forget that where they are moved.
+            // Each triangle is clockwise seen from outside. Single triangles lose that in POV-Ray where they are moved,
+            // so they are a mesh.
             Body::Mesh(vec![side([p, r, q], by), side([p, q, r], -by)])
         }
         Geometry::Triangle { .. }

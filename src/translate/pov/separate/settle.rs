@@ -17,29 +17,29 @@ pub(crate) type Operands = Vec<(NodeId, State)>;
 /// The optics and index of a solid, if it is of one medium, and whether faces inside of it can be seen.
 pub(crate) type Kind = (Option<(u32, u32)>, bool);
 
-/// The solids that are longer where later ones are clipped by them.
+/// The solids that are made two hairs larger where they clip later ones.
 #[derive(Default)]
 pub(crate) struct SolidExtensions {
-    /// The numbers of their changes.
+    /// The number of the change of each such solid.
     by: HashMap<NodeId, u32>,
-    /// The pairs of a solid and another one that it is made longer into.
+    /// The pairs of a solid and a later one that it is made larger into.
     into: HashSet<(NodeId, NodeId)>,
-    /// Solids that have faces in one place, the earlier of the two first.
+    /// The pairs of solids that lie against each other, the earlier one first.
     pub contacts: Vec<(NodeId, NodeId)>,
 }
 
 impl SolidExtensions {
-    /// Whether any of a group is made longer.
+    /// Whether any solid of a group is made larger.
     pub(crate) fn any_of(&self, group: &[(NodeId, State)]) -> bool {
         group.iter().any(|(node, _)| self.by.contains_key(node))
     }
 
-    /// The change of a solid where later ones are clipped by it.
+    /// The number of the change of a solid where it clips later ones; `None` if it has none.
     pub(crate) fn of(&self, node: NodeId) -> Option<u32> {
         self.by.get(&node).copied()
     }
 
-    /// Whether any of a group is made longer into any of a later one.
+    /// Whether any solid of a group is made larger into a solid of a later group.
     pub(crate) fn has(&self, earlier: &[(NodeId, State)], later: &[(NodeId, State)]) -> bool {
         let mut earlier = earlier.iter().map(|n| n.0);
         let later = || later.iter().map(|n| n.0);
@@ -48,7 +48,8 @@ impl SolidExtensions {
 }
 
 impl<'a> Model<'a> {
-    /// The kinds of solids, and which of them are longer, once they are settled.
+    /// Applies the remedies to the solids of a union. Returns the kind of each solid, and the solids that are made
+    /// larger where they clip later ones.
     pub(crate) fn settled(&mut self, solids: &mut Operands) -> (Vec<Kind>, SolidExtensions) {
         let mut kinds: Vec<Kind> = (solids.iter())
             .map(|&(node, state)| (self.medium(node, state), self.is_seen_into(node, state)))
@@ -63,12 +64,12 @@ impl<'a> Model<'a> {
         (kinds, reaching)
     }
 
-    /// The opaque ones among solids that are seen into where earlier ones that light goes through have the
-    /// face, since they overlap or lie against them, if there are faces of others to be seen in them; and
-    /// those of their medium there, with which they are one.
+    /// The positions of opaque solids that are seen into all the same. Such a solid overlaps or lies against an earlier
+    /// solid that is seen into and has the common face, and faces of other solids could be seen in it. Solids of the
+    /// same medium that touch it are one with it, and included.
     fn opened(&self, solids: &Operands, kinds: &[Kind]) -> BTreeSet<usize> {
         let boxes: Vec<Aabb> = solids.iter().map(|(node, _)| self.box_of(*node)).collect();
-        // A ball on a floor has no more than a point in common with it.
+        // Boxes may touch though the solids do not: a ball on a floor has no more than a point in common with it.
         let touch = |i: usize, j: usize| {
             let common = boxes[i].intersection(&boxes[j]);
             let overlap = (0..3).all(|axis| common.max[axis] - common.min[axis] > self.hair);
@@ -90,8 +91,8 @@ impl<'a> Model<'a> {
         opened
     }
 
-    /// Finds which solids have faces in one place. Later ones are clipped by an earlier one that is made a hair larger,
-    /// and solids of one medium that lie against each other are made to overlap.
+    /// Finds which solids have faces in one place. Later ones are clipped by an earlier one that is made two hairs
+    /// larger, and solids of one medium that lie against each other are made to overlap.
     fn settle(&mut self, solids: &mut Operands, kinds: &[Kind]) -> SolidExtensions {
         let mut reaching = SolidExtensions::default();
         let boxes: Vec<Aabb> = solids.iter().map(|s| self.box_of(s.0)).collect();
@@ -100,7 +101,7 @@ impl<'a> Model<'a> {
             let mut grows = false;
             let mut into: Vec<(Plane, f64)> = Vec::new();
             for i in 0..j {
-                // Between what is opaque nobody sees.
+                // Nobody sees between two opaque solids.
                 if !(kinds[i].1 || kinds[j].1) || !boxes[i].touches(&boxes[j]) {
                     continue;
                 }
@@ -114,7 +115,7 @@ impl<'a> Model<'a> {
                     reaching.contacts.push((a, b));
                 }
                 let differs = |k: usize| kinds[i].0.is_none() || kinds[i].0 != kinds[k].0;
-                // What comes between parts of one medium may keep them from being joined.
+                // A solid of another medium that comes between the two in the order may keep them from being joined.
                 if !differs(j) && !(i + 1..j).any(differs) {
                     grows |= opposed;
                 } else if let (false, Some(planes)) = (kinds[i].1, standing(&found)) {
@@ -138,8 +139,8 @@ impl<'a> Model<'a> {
         reaching
     }
 
-    /// The change of a solid that others are clipped by, so that they lose the faces that they have in one
-    /// place with it.
+    /// The number of the change of a solid that `others` are clipped by: two hairs larger, so that they lose the faces
+    /// that they have in one place with it. `None` if there are no such faces, or it cannot be made larger.
     pub(crate) fn reach(&mut self, node: NodeId, others: &[NodeId]) -> Option<u32> {
         let by = 2.0 * self.hair;
         let touches = others.iter().any(|o| !self.contacts(node, *o).is_empty());
@@ -147,8 +148,8 @@ impl<'a> Model<'a> {
     }
 }
 
-/// The faces with which a later solid stands on an earlier one, if they touch with no others: these may go on into what
-/// nobody sees into.
+/// The planes of the faces with which a later solid stands on an earlier one. The later solid may be made longer there,
+/// into the earlier one, since nobody sees into that. `None` if the two touch in any other faces.
 fn standing(found: &[Contact]) -> Option<Vec<Plane>> {
     let plane = |Contact {
                      orientation,

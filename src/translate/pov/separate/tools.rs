@@ -1,6 +1,6 @@
-//! Holes that end flush with what they are in: which of the two faces in one place POV-Ray takes for the nearer one is up
-//! to rounding. The tool of such a hole is written longer than it is. That changes nothing: what is added lies outside
-//! of the thing that is cut.
+//! Holes that end flush with the solid that they are in. Rounding decides which of the two faces in one place POV-Ray
+//! takes for the nearer one. So the tool of such a hole is written longer than it is. This changes nothing else: the
+//! part that is added lies outside of the solid that is cut.
 
 use super::settle::Operands;
 use crate::geometry::Aabb;
@@ -9,19 +9,23 @@ use crate::translate::pov::budget::Limit;
 use crate::translate::pov::model::Model;
 use crate::translate::pov::model::contacts::{Contact, Face, Orientation};
 
-/// Hairs that tools are made longer by: more than faces are moved by for other reasons.
+/// The distance, in units of `Model::hair`, by which tools are made longer: more than faces are moved by for other
+/// reasons.
 const LONGER: f64 = 32.0;
-/// Hairs that tools are made longer by into each other, which may be seen beside the other one.
+/// The distance, in units of `Model::hair`, by which tools are made longer into each other. The added part may be seen
+/// beside the other tool, so it is short.
 const LONGER_INTO_EACH_OTHER: f64 = 2.0;
 
 impl Model<'_> {
-    /// The number of the change of a tool that makes it longer where it ends flush with what is cut.
+    /// The number of the change that makes a tool longer where it ends flush with the base that it cuts; `None` if it
+    /// does so nowhere.
     pub(crate) fn longer_tool(&mut self, tool: NodeId, base: NodeId) -> Option<u32> {
         let is_flush = |face: &Face, way| face.is_outer && way == Orientation::Alike;
         self.moved_out(tool, base, LONGER, is_flush)
     }
 
-    /// Makes tools longer that end where others begin: they would leave a skin there.
+    /// Makes tools longer that end where other tools begin: a skin would be left between them otherwise. `cut` is the
+    /// box of the solid that is cut.
     pub(crate) fn overlap_tools(&mut self, tools: &mut Operands, cut: Aabb) {
         let is_end = |face: &Face, way| face.is_outer && way == Orientation::Opposed;
         for (i, j) in self.touching(tools, &cut) {
@@ -41,7 +45,7 @@ impl Model<'_> {
         }
     }
 
-    /// The pairs of operands whose boxes touch, where that can be seen.
+    /// The pairs of operands, by position, whose boxes touch each other and the box `seen`.
     fn touching(&self, operands: &Operands, seen: &Aabb) -> Vec<(usize, usize)> {
         if !self.budget.spend(Limit::OperandsFlush, operands.len()) {
             return Vec::new();
@@ -54,8 +58,8 @@ impl Model<'_> {
         pairs.filter(touch).collect()
     }
 
-    /// The change that moves the flat faces of a node out, by so many hairs, that are in one place with those of another
-    /// one as is asked for.
+    /// The number of the change that moves flat faces of a node out, by a number of hairs: those that are in one place
+    /// with a face of `other`, and for which `is_meant` holds. `None` if there are none.
     fn moved_out(
         &mut self,
         node: NodeId,
