@@ -170,7 +170,7 @@ fn says_the_same(a: &Analysis, b: &Analysis) -> bool {
     tokens(a).eq(tokens(b))
 }
 
-/// Finds places in a scene.
+/// Finds places for comments in a scene.
 pub struct Finder<'a> {
     analysis: &'a Analysis,
     /// Indices of the items that are not void.
@@ -279,7 +279,7 @@ impl<'a> Finder<'a> {
         &self.analysis.document.tokens[i as usize]
     }
 
-    /// The span of the record with this number among them.
+    /// The span of a record, which is given by its index in `records`.
     fn span(&self, record: usize) -> Span {
         let document = &self.analysis.document;
         document.item_span(&document.items[self.records[record] as usize])

@@ -1,6 +1,6 @@
-//! Findings about colours as other programs write them, `7 -701 #ff8000`, `7 -701 rgb(255, 128, 0)` or `7 -701 dark
-//! red`, and about materials by name, `7 -201 glass`. Each colour or material is one finding, which says the numbers to
-//! write.
+//! Findings about colours as other programs write them, `7 -701 #ff8000`, `7 -701 rgb(255, 128, 0)` or
+//! `7 -701 dark red`, and about materials by name, `7 -201 glass`. Each colour or material is one finding, which says
+//! the numbers to write.
 
 use super::{colour_names, materials};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span};
@@ -36,7 +36,7 @@ fn one_word(document: &Document, text: &str, id: u32, kind: RecordKind) -> Optio
     let word = on_line.by_ref().nth(2)?;
     let more: Vec<&Token> = on_line.take_while(|t| !t.kind().is_comment()).collect();
     if !more.is_empty() {
-        // Two words, or numbers in brackets.
+        // The colour may be two words, or have numbers in brackets.
         let span = word.span().to(more.last()?.span());
         let is_colour = kind == RecordKind::Colour && word.kind() == TokenKind::Word;
         let colour = shown(&text[span.range()]).filter(|_| is_colour)?;

@@ -33,7 +33,7 @@ use crate::syntax::recognise::{self, NotAScene};
 use crate::syntax::table::{Effect, RecordKind};
 use crate::syntax::{self, Document, Item, Record, in_records, lexer};
 
-/// A scene read as far as it goes.
+/// A scene file with all that could be read of it.
 #[warn(missing_docs)]
 #[derive(Debug)]
 pub struct Analysis {
@@ -109,7 +109,7 @@ fn is_id(place: &str) -> bool {
     matches!(place, "id" | "other" | "source") || place.ends_with("-id")
 }
 
-/// How much findings weigh: what `zpg.toml` says, and what was asked for in one run.
+/// The levels of findings that `zpg.toml` sets, and the codes that one run asks for.
 #[derive(Debug, Clone, Default)]
 pub struct Settings {
     /// The levels of the settings.
@@ -120,7 +120,7 @@ pub struct Settings {
 
 #[warn(missing_docs)]
 impl Analysis {
-    /// Reads a scene from the bytes of its file; never fails. `path` is what messages call it.
+    /// Reads a scene from the bytes of its file; never fails. `path` is the name of the file in messages.
     pub fn new(path: impl Into<String>, bytes: Vec<u8>) -> Analysis {
         match recognise::read(path, bytes) {
             Ok(source) => Analysis::of(source),
@@ -201,7 +201,7 @@ impl Analysis {
         }
     }
 
-    /// An analysis of a text that is only tried: its findings are counted, and not all proposals are made.
+    /// Reads a text that is only tried: its findings are counted, and not all proposals are made.
     fn trial(source: SourceFile) -> Analysis {
         Analysis::read(source, false)
     }

@@ -302,7 +302,8 @@ impl<'a> Mover<'a> {
         (i < items.len()).then_some(i)
     }
 
-    /// A record with the records right behind it that change its entity.
+    /// The block of a record: that record, and the records right behind it that change its entity. `None` if the record
+    /// shares its lines with others.
     fn block(&self, first: usize) -> Option<Block> {
         let id = self.record(first)?.id;
         let mut lines = self.own_lines(first..first + 1)?;
@@ -412,7 +413,7 @@ impl<'a> Mover<'a> {
         };
         let end = |line: usize| source.line_span(line - 1).end;
         let span = Span::new(start(lines.start), end(lines.end));
-        // Edits have line breaks of one kind.
+        // Edits have `\n` for all line breaks.
         let text = (source.slice(span).replace("\r\n", "\n")).replace('\r', "\n");
         let edit = |span: Span, text: String| Edit { span, text };
         let mut edits = match to <= lines.start {

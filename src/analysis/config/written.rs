@@ -31,7 +31,7 @@ const PER_FILE_IGNORES: &str = "per-file-ignores";
 const LINT: &str = "lint";
 const FORMAT: &str = "format";
 
-/// The settings of each table by their whole names. In `lint` codes stand beside them.
+/// The names at the top level: single settings and tables. The table `lint` also has codes as names.
 const TOP: [&str; 4] = [EXCLUDE, FORMAT, LINT, PER_FILE_IGNORES];
 /// The settings that are true or false.
 const BOOLEANS: [&str; 2] = ["align", "group"];
@@ -337,7 +337,7 @@ fn no_setting(key: &str, known: Complaint, near: Option<String>) -> Complaint {
 /// Names of lists of codes in ruff's settings, which zpg does not have: in zpg each code has a level.
 const OF_RUFF: [&str; 4] = ["ignore", "select", "extend-ignore", "extend-select"];
 
-/// The whole name of a setting that belongs into another table.
+/// The full name of a setting that belongs in another table. `None` if no table has a setting with this name.
 fn misplaced(name: &str) -> Option<String> {
     let is_code = || Code::parse(name).is_some();
     match name {

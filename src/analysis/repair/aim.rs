@@ -1,5 +1,5 @@
-//! Where a camera without an up vector looks: along a direction, or at a point. The rays of both readings tell which of
-//! the two shows something.
+//! The choice between two readings of a camera without an up vector: it looks along a direction, or at a point. The ray
+//! through the middle of the picture tells which of the two shows something.
 
 use super::Trial;
 use super::candidates::cameras::{DIRECTION_TITLE, POINT_TITLE, is_unit};

@@ -109,7 +109,7 @@ pub(super) fn properties(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Ma
 
 /// A property that rather belongs to the object above.
 struct Slip {
-    /// The fix that writes the ID of that object.
+    /// The fix that writes the ID of the object above.
     fix: Fix,
     /// Whether the object whose ID the property has gets such a property below, or has no use for one.
     is_sure: bool,
@@ -148,7 +148,7 @@ impl<'a> Blocks<'a> {
             if let Some(given) = given(record) {
                 all.insert((record.id, given), record.first);
             }
-            // An assignment gives both.
+            // An assignment gives optics and texture.
             if record.kind == RecordKind::Assignment {
                 all.insert((record.id, Given::Optics), record.first);
                 all.insert((record.id, Given::Texture), record.first);

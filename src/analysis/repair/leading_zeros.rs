@@ -44,7 +44,7 @@ impl Engine<'_> {
             if judge::errors(&scene) > judge::errors(self.analysis) {
                 continue;
             }
-            // The fix writes on one line: the lines stay.
+            // The fix edits a single line, so all lines keep their numbers.
             let line =
                 |a: &Analysis, d: &Diagnostic| a.source.line_index(a.source.floor(d.span.start));
             let left: Vec<(Code, usize)> = (scene.findings().iter())

@@ -1,4 +1,4 @@
-//! An operand that is defined below, while an object above is used by nothing: that one may be meant.
+//! An operand that is defined below its record, while an unused object above may be meant.
 
 use rustc_hash::FxHashMap;
 

@@ -14,7 +14,7 @@ const OWN: usize = 3;
 enum Order {
     /// The place stands in brackets.
     Brackets,
-    /// The numbers behind it rather belong to the record.
+    /// The numbers behind the place are rather those of the record.
     PlaceFirst,
     /// There is no evidence: the place may also follow the numbers.
     Either,

@@ -1,4 +1,4 @@
-//! Where a camera looks, and which way is up.
+//! Guesses at where a camera looks, and which way is up.
 
 use super::solids::has_unit_length;
 use super::{Candidate, Habit, LineContext};
@@ -219,7 +219,7 @@ impl LineContext<'_> {
     }
 }
 
-/// Whether the length of a vector is 1, or its largest part.
+/// Whether the length of a vector, or its largest component, is 1.
 pub(in crate::analysis::repair) fn is_unit(v: [f64; 3]) -> bool {
     let largest = v.map(f64::abs).into_iter().fold(0.0, f64::max);
     largest == 1.0 || has_unit_length(v)

@@ -217,7 +217,7 @@ fn of_height(of_width: f64) -> f64 {
     }
 }
 
-/// A lamp and its move to its place.
+/// The records of a lamp: its light, and its translation to its place.
 fn lamp(intensity: String, place: String) -> Vec<Line> {
     let [light, translation] =
         [RecordKind::PointLight, RecordKind::Translation].map(RecordType::of);

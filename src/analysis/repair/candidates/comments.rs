@@ -151,13 +151,13 @@ impl LineContext<'_> {
         out.extend(records);
     }
 
-    /// How many parameters a record of this type takes of those that stand here.
+    /// How many parameters a record of a type takes on this line; optional ones count if they are there.
     pub(super) fn wanted(&self, ty: &RecordType) -> usize {
         let count = match ty.is_counted() {
             true => self.int(2).and_then(|n| u64::try_from(n).ok()).unwrap_or(0),
             false => 0,
         };
-        // No file has more tokens.
+        // The limit does no harm: no file has more tokens.
         let least = ty.arity(count).min(u32::MAX.into()) as usize;
         if ty.kind == RecordKind::ImageTexture {
             return self.file_name().map_or(least, |name| name.len());

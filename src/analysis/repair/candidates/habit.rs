@@ -27,7 +27,7 @@ pub(in crate::analysis::repair) enum Habit {
     Infix,
     /// ID and type stand in each other's place.
     Exchanged,
-    /// A comment has no signs around it.
+    /// A comment lacks the `#` around it.
     Comment,
     /// A profile says another number of points than it has.
     Count,

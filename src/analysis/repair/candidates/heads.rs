@@ -137,8 +137,8 @@ impl LineContext<'_> {
         Some((finding, self.beginning(Habit::Exchanged, edits)))
     }
 
-    /// The finding and the candidate for a render record whose type stands behind the ID of the drawn object: `1 20
-    /// 9999 0`.
+    /// The finding and the candidate for a render record whose type stands behind the ID of the drawn object:
+    /// `1 20 9999 0`.
     pub(crate) fn render_exchanged(&self) -> Option<(Diagnostic, Candidate)> {
         let &[head, root, ty, behind] = self.tokens.as_slice() else {
             return None;
@@ -429,7 +429,7 @@ impl LineContext<'_> {
             return vec![self.beginning(Habit::Word, vec![code, Edit { span, text }])];
         }
         let word = Token::new(TokenKind::Word, word.start as usize, word.end as usize);
-        // As in `light_source <5, 8, 6> rgb 0.7`.
+        // A word for a colour may stand among the numbers, as in `light_source <5, 8, 6> rgb 0.7`.
         let is_colour = |t: &Token| {
             let mut named = words::types(t.text(self.text)).into_iter();
             t.kind() == TokenKind::Word && named.any(|ty| ty.kind == RecordKind::Colour)

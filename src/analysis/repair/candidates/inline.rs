@@ -30,7 +30,7 @@ const ID_TITLE: &str = "fix-colour-id";
 /// The title of fixes that give an ID to a part of an operation.
 pub(super) const PARTS_TITLE: &str = "fix-parts";
 
-/// The titles of fixes that give a record another ID, alone and where it is assigned.
+/// The titles of fixes that give a record another ID: in the record alone, and also in the assignments of the ID.
 pub(super) const FREE_TITLE: &str = "fix-free-id";
 pub(super) const OWN_TITLE: &str = "fix-own-id";
 /// The title of fixes that give each of several operations on one object an ID.

@@ -132,8 +132,8 @@ impl LineContext<'_> {
         words.take(MAX_COMMENT_WORDS).collect()
     }
 
-    /// Guesses at the shape that a comment on the line names, where a slip has made its type that of another shape: `2
-    /// 1 0 1 0 1 # ball #` for `2 11 0 1 0 1`.
+    /// Guesses at the shape that a comment on the line names, where a slip has made its type that of another shape:
+    /// `2 1 0 1 0 1 # ball #` for `2 11 0 1 0 1`.
     pub(super) fn called_shape(&self, out: &mut Vec<Candidate>) {
         let is_other =
             |ty: &&RecordType| ty.family == Family::Shape && self.id().is_some() && !self.fits(ty);
@@ -186,7 +186,7 @@ impl LineContext<'_> {
         };
         let is_count = |t: &Token| t.integer(self.text).is_some();
         let is_change = matches!(ty.effect, Effect::Changes(_));
-        // Behind the type of a profile its number of points is whole.
+        // The number behind the type of a profile is its number of points, which is whole.
         let is_profile = ty.is_counted() && !self.params().first().is_none_or(is_count);
         let is_wanted = !self.is_defined_elsewhere(id) && self.named_ids().contains(&id);
         if self.fits(ty) || !is_wanted || !(is_change || is_profile) {

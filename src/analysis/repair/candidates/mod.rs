@@ -94,7 +94,7 @@ fn header(ty: &RecordType) -> String {
 pub(super) struct LineContext<'a> {
     analysis: &'a Analysis,
     text: &'a str,
-    /// From the first token to the end of the line, white space left out.
+    /// The span from the first token of the line to its end, without the white space around.
     line: Span,
     /// The tokens of the line, trivia too.
     all: &'a [Token],
@@ -494,7 +494,7 @@ impl<'a> LineContext<'a> {
         self.text[between.range()].chars().all(is_nothing)
     }
 
-    /// The texts of some tokens with a space between each, if there is nothing but spaces and separators between them.
+    /// The texts of some tokens, joined by spaces. `None` if there is anything but spaces and separators between them.
     fn spaced(&self, tokens: &[Token]) -> Option<String> {
         let gap = |two: &[Token]| self.is_gap(Span::new(two[0].end(), two[1].start));
         let texts: Vec<&str> = tokens.iter().map(|t| t.text(self.text)).collect();

@@ -41,7 +41,7 @@ impl LineContext<'_> {
         let is_whole = !words.is_empty()
             && numbers.iter().all(is_number)
             && self.fit(ty, &numbers)
-            // Behind all numbers they are rather a comment.
+            // Words behind all numbers are rather a comment.
             && params.last().is_some_and(is_number);
         let (first, last) = (words.first()?, words.last()?);
         if !is_whole {
@@ -200,7 +200,7 @@ impl LineContext<'_> {
         };
         let count = self.params().first().and_then(|t| t.integer(self.text));
         let count = count.and_then(|n| usize::try_from(n).ok());
-        // No more than there are parameters.
+        // The count of a profile is not larger than the number of parameters.
         let count = count.map_or(0, |n| n.min(self.params().len()));
         let is_colour = ty.first_colour(count).is_some_and(|first| i >= first);
         ty.param(i, count).is_none_or(|param| {
@@ -244,7 +244,7 @@ impl LineContext<'_> {
             .then(|| self.write(Habit::Characters, &new))?
     }
 
-    /// The tokens of an image's name: up to the first that ends as such names do.
+    /// The tokens of a picture's file name: all up to the first that ends as the name of a picture does.
     pub(super) fn file_name(&self) -> Option<&[Token]> {
         if self.ty()?.kind != RecordKind::ImageTexture {
             return None;

@@ -110,7 +110,7 @@ impl LineContext<'_> {
         (is_known && is_one).then(|| self.write(Habit::Id, &new))?
     }
 
-    /// The ID of the record before, if it is of one of these kinds.
+    /// The ID of the record before this one, if its entity is of one of some kinds.
     pub(super) fn id_before(&self, kinds: &'static [Kind]) -> Option<u32> {
         let document = &self.analysis.document;
         let items = document.items.iter().rev();
@@ -123,7 +123,7 @@ impl LineContext<'_> {
         self.entities(kinds).any(|e| e.id == id).then_some(id)
     }
 
-    /// The ID of the record behind, if that can be read.
+    /// The ID of the record behind this one, if that record can be read.
     pub(super) fn id_behind(&self) -> Option<u32> {
         let document = &self.analysis.document;
         let mut items = document.items.iter();

@@ -95,8 +95,8 @@ impl Properties {
 }
 
 impl LineContext<'_> {
-    /// Properties and moves behind an ID, the first by its name: `9 pigment { color rgb <1,0,0> }`, `8 interior { ior
-    /// 1.5 }`.
+    /// Properties and moves behind an ID, the first by its name: `9 pigment { color rgb <1,0,0> }`,
+    /// `8 interior { ior 1.5 }`.
     pub(super) fn only_properties(&self, id: u32) -> Option<Candidate> {
         let (word, behind) = self.tokens[1..].split_first()?;
         let name = word.text(self.text).to_lowercase();
@@ -149,7 +149,7 @@ impl LineContext<'_> {
         (!is_gone).then_some(Candidate::new(habit, fix))
     }
 
-    /// Where the last token or separator of the line ends.
+    /// The offset at which the last token or separator of the line ends.
     pub(super) fn last_part(&self) -> Option<u32> {
         let is_part = |t: &&Token| t.kind() == TokenKind::Separator || !t.kind().is_trivia();
         Some(self.all.iter().rfind(is_part)?.end())
@@ -329,7 +329,8 @@ impl LineContext<'_> {
         Some(&tokens[count..])
     }
 
-    /// Where the block in braces ends that begins at a place on the line.
+    /// The offset behind the block in braces that begins at `at`. `None` if there is none, or if it does not end on the
+    /// line.
     fn end_of_block(&self, at: u32) -> Option<u32> {
         let rest = self.text.get(at as usize..self.line.end as usize)?;
         let mut depth = 0;

@@ -16,7 +16,7 @@ const AXIS: [&str; 4] = ["axis", "osa", "osy", "ose"];
 const MOVED: [&str; 4] = ["move", "moving", "shift", "posun"];
 /// The size in degrees below which an angle is small.
 const SMALL_ANGLE: f64 = 20.0;
-/// Most angles are a multiple of so many degrees.
+/// Most angles are a multiple of this, in degrees.
 const ANGLE_STEP: f64 = 15.0;
 
 /// The most by which the sum of a quaternion's squared parts differs from 1 if they are written with few digits.
@@ -29,7 +29,7 @@ const DEGREES_OFF_MAX: f64 = 0.05;
 /// The orders of a quaternion's parts, that of glTF and that of Blender, each with the index of w.
 const ORDERS: [(&str, usize); 2] = [("x y z w", 3), ("w x y z", 0)];
 
-/// Whether four numbers are a quaternion that turns: its length is 1, and it is no axis with an angle of 0.
+/// Whether four numbers are a quaternion that turns: its length is 1, and it is not just an axis with an angle of 0.
 fn is_quaternion(parts: [f64; 4]) -> bool {
     let norm: f64 = parts.iter().map(|x| x * x).sum();
     let turns = parts.iter().filter(|x| x.abs() > ZERO_PART_MAX).count() > 1;

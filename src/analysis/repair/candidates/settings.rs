@@ -1,5 +1,5 @@
-//! Settings of POV-Ray for the whole of a scene: `background { color rgb <0.2, 0.3, 0.5> }`, `global_settings {
-//! ambient_light 0.2 }`.
+//! Settings of POV-Ray for the whole of a scene: `background { color rgb <0.2, 0.3, 0.5> }`,
+//! `global_settings { ambient_light 0.2 }`.
 
 use super::clauses::{is_word, numbers};
 use super::inline::BLOCK_TITLE;
@@ -46,7 +46,7 @@ impl LineContext<'_> {
         let document = &self.analysis.document;
         let render = records(self.analysis).find(|r| r.kind == RecordKind::Render)?;
         let place = *document.params(render).nth(1)?;
-        // Another background may be meant.
+        // If the render record names a background already, that one may be meant.
         let is_black = place.integer(self.text) == Some(0);
         let code = RecordType::of(RecordKind::Colour).code;
         let edit = |span: Span, text: String| Edit { span, text };

@@ -278,7 +278,7 @@ impl LineContext<'_> {
             let x = t.number(self.text);
             x.is_some_and(|x| (0.0..=255.0).contains(&x))
         };
-        // A difference with a wrong digit, as `6 -203 3 4`.
+        // The type may be that of a difference with a wrong digit, as in `6 -203 3 4`.
         let is_object = |t: &Token| {
             let id = t.integer(self.text);
             id.and_then(|id| self.kind_of(id)) == Some(Kind::Object)
@@ -380,8 +380,8 @@ impl LineContext<'_> {
         }
     }
 
-    /// Guesses that a property record which has the ID of a property for its numbers is an assignment: `12 -203 31`, `2
-    /// -399 32`.
+    /// Guesses that a property record which has the ID of a property for its numbers is an assignment: `12 -203 31`,
+    /// `2 -399 32`.
     pub(super) fn assignment(&self) -> Option<Candidate> {
         let (ty, [property]) = (self.ty()?, self.params()) else {
             return None;
