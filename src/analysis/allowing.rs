@@ -1,6 +1,6 @@
-//! Comments that allow findings, put where they count: `# zpg: allow(W307) #`.
+//! Comments that allow findings, such as `# zpg: allow(W307) #`, and the places where they are written.
 //!
-//! The comment of a finding is written, in this order of preference,
+//! A comment for a finding is written, in this order of preference,
 //!
 //! 1. into the comment of this kind that covers it already;
 //! 2. at the end of its record's last line;
@@ -8,8 +8,8 @@
 //! 4. alone on the line above the record, as `allow-next(…)` above the first one;
 //! 5. at the head of the file, which covers all of it, where the finding is in no record.
 //!
-//! What comes of a place is tried: the scene is read again, and must have fewer findings and none that is new. Editors
-//! offer the same for one finding.
+//! Each place is tried: the scene is read again, and must have fewer findings and no new one. Editors offer the same
+//! comments for single findings.
 
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
@@ -42,16 +42,16 @@ const KINDS: [Kind; 5] = [
     Kind::Head,
 ];
 
-/// Most times that a scene is read again to find out which of many comments did harm.
+/// The most times that a scene is read again to find out which of many comments does harm.
 const TRIALS: usize = 64;
 
-/// Most bytes that are read again for what is offered at one place.
+/// The most bytes that are read again for the fixes that are offered at one place.
 pub const TRIED_BYTES: usize = 1_000_000;
 
 /// The place of a comment or of a part of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum CommentSlot {
-    /// Into a comment, as its first entry or behind others.
+    /// A place in the list of an existing comment, as its first entry or behind others.
     List { at: u32, first: bool },
     /// A comment behind the text on the line.
     Line(u32),
@@ -69,7 +69,7 @@ impl CommentSlot {
             CommentSlot::List { at, first: true } => (at, codes),
             CommentSlot::List { at, first: false } => (at, format!(", {codes}")),
             CommentSlot::Line(at) => {
-                // As the formatter has it: two spaces before the first comment, one between comments.
+                // The formatter puts two spaces before the first comment, and one between comments.
                 let space = match text[..at as usize].ends_with('#') {
                     true => " ",
                     false => "  ",
@@ -92,11 +92,11 @@ impl CommentSlot {
 /// A scene whose comments allow all findings that can be allowed.
 pub struct Allowed {
     pub analysis: Analysis,
-    /// How many findings that has taken away.
+    /// How many findings the comments have taken away.
     pub count: usize,
 }
 
-/// Has comments allow all findings, as far as possible. `again` reads the scene with another text.
+/// Writes comments that allow all findings, as far as possible. `again` reads the scene with another text.
 pub fn all(mut analysis: Analysis, again: impl Fn(SourceFile) -> Analysis) -> Allowed {
     let total = analysis.findings().len();
     let mut trials = TRIALS;
@@ -109,7 +109,7 @@ pub fn all(mut analysis: Analysis, again: impl Fn(SourceFile) -> Analysis) -> Al
             analysis = better;
             continue;
         }
-        // From the end, so that the places before stay where they are.
+        // Edits from the end come first, so that the places before them stay as they are.
         for edit in edits.iter().rev() {
             if trials == 0 || edits.len() == 1 {
                 break;
@@ -125,7 +125,7 @@ pub fn all(mut analysis: Analysis, again: impl Fn(SourceFile) -> Analysis) -> Al
     Allowed { analysis, count }
 }
 
-/// The scene after some edits, if there is less to be said of it and nothing new.
+/// The scene after some edits, if it has fewer findings and no new one; else `None`.
 fn attempt(
     analysis: &Analysis,
     edits: &[Edit],
@@ -137,7 +137,7 @@ fn attempt(
     is_better.then_some(after)
 }
 
-/// Whether nothing new is to be said after an edit, and the scene is the same.
+/// Whether a scene has no new findings after an edit, and is the same but for comments.
 fn no_harm(analysis: &Analysis, after: &Analysis) -> bool {
     let [old, new] = [analysis, after].map(|a| counts(a.findings().iter()));
     let is_new = |(code, count): (&Code, &usize)| old.get(code).is_none_or(|old| count > old);
@@ -170,16 +170,16 @@ fn says_the_same(a: &Analysis, b: &Analysis) -> bool {
     tokens(a).eq(tokens(b))
 }
 
-/// Finds places in a scene.
+/// Finds places for comments in a scene.
 pub struct Finder<'a> {
     analysis: &'a Analysis,
     /// Indices of the items that are not void.
     records: Vec<u32>,
     /// Indices of the comments that allow something.
     directives: Vec<u32>,
-    /// The ends of lines that are known: a file may be a single line.
+    /// The results of `end_of_line` by line, kept because a file may be a single line with many records.
     ends: RefCell<FxHashMap<usize, Option<u32>>>,
-    /// How many bytes may be read yet to find out what a comment does.
+    /// How many more bytes may be read to find out what a comment does.
     left: Cell<usize>,
 }
 
@@ -188,7 +188,7 @@ impl<'a> Finder<'a> {
         let document = &analysis.document;
         let is_record = |item: &Item| !matches!(item, Item::Void { .. });
         let items = (0..).zip(&document.items);
-        // One that is never closed allows nothing.
+        // A comment that is never closed allows nothing.
         let text = &analysis.source.text;
         let is_one = |t: &Token| t.kind() == TokenKind::Comment && is_directive(t, text);
         let tokens = (0..).zip(&document.tokens);
@@ -204,9 +204,11 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// The edit that has a comment allow a finding; nothing for errors of the language, and where no comment does.
+    /// The edit that writes a comment which allows a finding. `None` for errors of the language, and if no comment
+    /// takes the finding away.
     ///
-    /// In a scene with errors it is tried, as long as that is quick: there, a comment may change how others are read.
+    /// In a scene with errors the edit is tried, as long as that is quick: there, a comment may change how others are
+    /// read.
     pub fn edit(&self, finding: &Diagnostic) -> Option<Edit> {
         let analysis = self.analysis;
         let text = &analysis.source.text;
@@ -248,7 +250,8 @@ impl<'a> Finder<'a> {
         }
         let at = finding.span.start;
         if finding.code == Code::S504 {
-            // It is about a comment of this kind, which alone can allow it; not what is wrong with the entries.
+            // The finding is about a comment that allows findings. Only that comment can allow it, and nothing allows
+            // faults in its list.
             if !finding.case.is_empty() {
                 return None;
             }
@@ -276,7 +279,7 @@ impl<'a> Finder<'a> {
         &self.analysis.document.tokens[i as usize]
     }
 
-    /// The span of the record with this number among them.
+    /// The span of a record, which is given by its index in `records`.
     fn span(&self, record: usize) -> Span {
         let document = &self.analysis.document;
         document.item_span(&document.items[self.records[record] as usize])
@@ -286,7 +289,7 @@ impl<'a> Finder<'a> {
         self.analysis.source.line_index(at)
     }
 
-    /// The record that a place is in, or the last one that ends on its line.
+    /// The index of the record that contains a place, or that shares its line.
     fn record_at(&self, at: u32) -> Option<usize> {
         let next = self.records.partition_point(|&i| {
             let document = &self.analysis.document;
@@ -294,7 +297,7 @@ impl<'a> Finder<'a> {
         });
         if next < self.records.len() {
             let span = self.span(next);
-            // Before it on its line counts, too.
+            // A place before the record on the record's line counts, too.
             if span.start <= at || self.line(span.start) == self.line(at) {
                 return Some(next);
             }
@@ -310,7 +313,7 @@ impl<'a> Finder<'a> {
         self.line(span.start)..=self.line(span.end.saturating_sub(1))
     }
 
-    /// A comment on the lines of a record, or alone above it.
+    /// The slot in a comment that is on the lines of a record, or alone on the line above it.
     fn merged(&self, record: usize, code: Code) -> Option<CommentSlot> {
         let lines = self.lines(record);
         let line = |i: u32| self.line(self.token(i).start);
@@ -337,7 +340,7 @@ impl<'a> Finder<'a> {
         self.records.is_empty() || self.token(directive).start < self.span(0).start
     }
 
-    /// Whether a comment is about the record below it, wherever it stands.
+    /// Whether a comment is `allow-next`, which is about the record below it, wherever it stands.
     fn is_about_next(&self, directive: u32) -> bool {
         let allow = Allow::read(self.token(directive), &self.analysis.source.text);
         allow.is_some_and(|allow| allow.is_about_next)
@@ -374,7 +377,7 @@ impl<'a> Finder<'a> {
         let mut end = self.span(record).end;
         let on_line = document.tokens[last as usize + 1..].iter();
         for token in on_line.take_while(|t| t.kind() != TokenKind::Newline) {
-            // A comment of several lines ends elsewhere.
+            // A comment over several lines ends on another line.
             let ends_here = self.line(token.end()) == self.line(end);
             if token.kind() == TokenKind::UnterminatedComment || !ends_here {
                 return None;
@@ -397,8 +400,8 @@ impl<'a> Finder<'a> {
         before.trim().is_empty().then_some(place)
     }
 
-    /// The slot at the head of the file for a comment that allows `code` in the whole file: in the comment that is there
-    /// for [`Kind::Merged`], in a new one for [`Kind::Head`].
+    /// The slot at the head of the file for a comment that allows `code` in the whole file: in the comment that is
+    /// there for [`Kind::Merged`], in a new one for [`Kind::Head`].
     fn of_file(&self, code: Code, kind: Kind) -> Option<CommentSlot> {
         let of_file = |i: &u32| !self.is_about_next(*i);
         let first = self.directives.iter().copied().find(of_file);

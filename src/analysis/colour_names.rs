@@ -1,10 +1,10 @@
-//! Colours by name: those of CSS, and the Czech ones.
+//! Colours by their names in CSS and in Czech.
 
 use color::Srgb;
 
 use crate::syntax::words::plain;
 
-/// Czech names without accents and endings, and the names that CSS has for the same colours.
+/// Czech names of colours, without accents and endings, each with the name of the same colour in CSS.
 const CZECH: &[(&str, &str)] = &[
     ("azurov", "cyan"),
     ("bezov", "beige"),
@@ -49,10 +49,10 @@ const CZECH: &[(&str, &str)] = &[
     ("zlut", "yellow"),
 ];
 
-/// How Czech adjectives end in the nominative, without accents.
+/// The endings of Czech adjectives in the nominative, without accents.
 const ENDINGS: [&str; 3] = ["a", "y", "e"];
 
-/// Red, green and blue of a name in sRGB, from 0 to 255.
+/// Red, green and blue, in sRGB from 0 to 255, of the colour that a word names. `None` if the word names no colour.
 pub(super) fn colour(written: &str) -> Option<[u8; 3]> {
     if !written.starts_with(char::is_alphabetic) {
         return None;
@@ -71,10 +71,10 @@ fn of_function(word: &str) -> Option<[u8; 3]> {
     word.starts_with("rgb").then(|| parsed(word))?
 }
 
-/// Shorter words are no misspelling of a name.
+/// The fewest letters of a word that may be a misspelt name.
 const MISSPELLED_LEAST: usize = 5;
 
-/// The name that a word is but for a letter, if it is the only one.
+/// The name of a colour that differs from a word by one letter, if only one colour has such a name.
 fn meant(word: &str) -> Option<String> {
     if word.chars().count() < MISSPELLED_LEAST {
         return None;
@@ -96,12 +96,12 @@ fn meant(word: &str) -> Option<String> {
     found.iter().all(|f| f.1 == *stem).then(|| name.clone())
 }
 
-/// The colour that goes by a name without accents.
+/// The colour with a name, which is written without accents.
 fn named(word: &str) -> Option<[u8; 3]> {
     let stem = ENDINGS.iter().find_map(|ending| word.strip_suffix(ending));
     let czech = CZECH.iter().find(|names| Some(names.0) == stem);
     let name = czech.map_or(word, |names| names.1);
-    // The library spells all of these in one way.
+    // The library knows only the spelling `gray`.
     let name = &name.replace("grey", "gray");
     (name.bytes().all(|b| b.is_ascii_lowercase())).then(|| parsed(name))?
 }
@@ -111,7 +111,7 @@ fn parsed(css: &str) -> Option<[u8; 3]> {
         .ok()?
         .to_alpha_color::<Srgb>()
         .to_rgba8();
-    // `transparent` is none.
+    // `transparent` is no colour here.
     (colour.a == u8::MAX).then_some([colour.r, colour.g, colour.b])
 }
 

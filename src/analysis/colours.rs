@@ -1,5 +1,6 @@
-//! A colour as other programs write it, `7 -701 #ff8000`, `7 -701 rgb(255, 128, 0)` or `7 -701 dark red`, is one finding
-//! that says which numbers it is, and so is a material, `7 -201 glass`.
+//! Findings about colours as other programs write them, `7 -701 #ff8000`, `7 -701 rgb(255, 128, 0)` or
+//! `7 -701 dark red`, and about materials by name, `7 -201 glass`. Each colour or material is one finding, which says
+//! the numbers to write.
 
 use super::{colour_names, materials};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span};
@@ -8,8 +9,8 @@ use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::RecordKind;
 use crate::syntax::{Document, Item, hex, quote};
 
-/// Adds one finding for each colour in hexadecimal digits, and for each colour or material by name, that the parser
-/// found.
+/// Replaces the findings about each record that has a colour in hexadecimal digits, or a colour or material by name, by
+/// one finding.
 pub fn join(document: &Document, source: &SourceFile, findings: &mut Vec<Diagnostic>) {
     if !document.contents.broken {
         return;
@@ -27,14 +28,15 @@ pub fn join(document: &Document, source: &SourceFile, findings: &mut Vec<Diagnos
     }
 }
 
-/// The colour or the material in the place of the numbers of a record whose ID is at a token.
+/// The finding about a colour or a material in the place of a record's numbers. `id` is the index of the token of the
+/// record's ID. `None` if there is no such word.
 fn one_word(document: &Document, text: &str, id: u32, kind: RecordKind) -> Option<Diagnostic> {
     let tokens = document.tokens[id as usize..].iter();
     let mut on_line = tokens.take_while(|t| t.kind() != TokenKind::Newline);
     let word = on_line.by_ref().nth(2)?;
     let more: Vec<&Token> = on_line.take_while(|t| !t.kind().is_comment()).collect();
     if !more.is_empty() {
-        // Two words, or numbers in brackets.
+        // The colour may be two words, or have numbers in brackets.
         let span = word.span().to(more.last()?.span());
         let is_colour = kind == RecordKind::Colour && word.kind() == TokenKind::Word;
         let colour = shown(&text[span.range()]).filter(|_| is_colour)?;
@@ -56,7 +58,7 @@ fn one_word(document: &Document, text: &str, id: u32, kind: RecordKind) -> Optio
     Some(proposing(finding, text, word.span(), (numbers, &comment)))
 }
 
-/// A finding about a word, with the numbers to be written for it, and a comment behind them.
+/// Completes a finding about a word with the fix that writes numbers in its place, and a comment behind them.
 fn proposing(
     finding: Diagnostic,
     text: &str,
@@ -75,12 +77,12 @@ fn proposing(
         ))
 }
 
-/// The numbers of a colour that one word is, in hexadecimal digits or by name.
+/// The numbers of the colour that a word means, in hexadecimal digits or by name. `None` if it means no colour.
 pub fn numbers(word: &str) -> Option<String> {
     shown(word.trim_matches('"')).map(spelled_out)
 }
 
-/// The sRGB colour that a word is.
+/// The sRGB colour that a word means.
 fn shown(word: &str) -> Option<[u8; 3]> {
     hex::colour(word).or_else(|| colour_names::colour(word))
 }
@@ -89,7 +91,8 @@ fn spelled_out(shown: [u8; 3]) -> String {
     shown.map(linear_part).join(" ")
 }
 
-/// The colour whose `#` began a comment, with its span, and the rest of the text as a comment of its own.
+/// The colour in hexadecimal digits whose `#` was read as the beginning of a comment: its span, its value, and the rest
+/// of the comment as a comment of its own.
 fn in_comment(sign: &Token, text: &str) -> Option<(Span, [u8; 3], String)> {
     let whole = sign.text(text);
     let (word, colour) = hex::at_start(whole)?;

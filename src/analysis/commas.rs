@@ -1,4 +1,4 @@
-//! The decimal commas of one line are one finding, with one fix.
+//! Joining of the findings about the decimal commas of one line into one finding with one fix.
 
 use rustc_hash::FxHashMap;
 

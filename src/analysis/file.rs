@@ -1,4 +1,4 @@
-//! Files of scenes, and standard input.
+//! Reading of scene files and of standard input.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -11,7 +11,7 @@ use crate::diagnostics::source::MAX_FILE_BYTES;
 /// The path that stands for standard input, or for standard output where something is written.
 pub const STDIN: &str = "-";
 
-/// Reads a scene file; `-` is standard input. Findings have the weights of their codes.
+/// Reads a scene file; `-` is standard input. Findings have the default severities of their codes.
 ///
 /// # Errors
 ///
@@ -47,7 +47,8 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
     }
 }
 
-/// The message about a file that does not exist; it names the scene that is called so but for its ending.
+/// The message about a file that does not exist. If a scene has its name with `.zpg` behind it, the message names that
+/// scene.
 fn not_found(path: &Path, error: &io::Error) -> Complaint {
     let mut scene = path.as_os_str().to_owned();
     scene.push(".zpg");
@@ -58,16 +59,16 @@ fn not_found(path: &Path, error: &io::Error) -> Complaint {
     }
 }
 
-/// A file cannot be read.
+/// The message that a file cannot be read.
 pub fn unreadable(path: &Path, reason: Complaint) -> Complaint {
     Complaint::new("cannot-read")
         .with("path", path)
         .with("reason", reason)
 }
 
-/// Reads everything, or nothing when there is more than may be. `size` is how much there seems to be.
+/// Reads all bytes. `None` if there are more than [`MAX_FILE_BYTES`]. `size` is the expected number of bytes.
 fn read_limited(input: impl Read, size: usize) -> io::Result<Option<Vec<u8>>> {
-    // The end is found by reading a little further.
+    // Room for more bytes than expected: the end is only found by reading further.
     let mut bytes = Vec::with_capacity(size + 32);
     input
         .take(MAX_FILE_BYTES as u64 + 1)

@@ -13,27 +13,26 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, SourceFile,
 use crate::lint;
 use crate::syntax::{preserved, recognise};
 
-/// How many bytes are read in all for fixes that turn out to do harm, and how often a scene is read
-/// again for them at the least and at the most.
+/// The limits for trials of fixes that turn out to do harm: how many bytes are read in all, and how often a scene is
+/// read again at the least and at the most.
 const REFUSED_BYTES: usize = 16_000_000;
 const REFUSED: Range<usize> = 16..1000;
 
-/// A scene after fixes.
+/// A scene after its fixes were applied.
 pub struct Mended {
     pub analysis: Analysis,
     /// The findings about the scene, with proposals.
     pub findings: Vec<Diagnostic>,
-    /// How many fixes these were.
+    /// The number of fixes that were applied.
     pub count: usize,
-    /// The edits, round by round: each of the text that the rounds before have made.
+    /// The edits, round by round. Each round edits the text that the rounds before have made.
     pub rounds: Vec<Vec<Edit>>,
 }
 
-/// Applies fixes as long as that makes a scene check better, leaves every token outside of their
-/// edits as it was, and leaves a scene. `again` reads the scene with another text. Fixes that were tried and refused are
-/// offered no more.
+/// Applies fixes as long as the scene checks better, every token outside of the edits is as it was, and the result is a
+/// scene. `again` reads the scene with another text. Fixes that were tried and refused are offered no more.
 ///
-/// Each step has fewer errors, or as many and fewer malformed tokens, and so on: it comes to an end.
+/// Each step has fewer errors, or as many errors and fewer malformed tokens, and so on, so the steps come to an end.
 pub fn to_fixed_point(
     mut analysis: Analysis,
     unsafe_too: bool,
@@ -43,11 +42,11 @@ pub fn to_fixed_point(
         (REFUSED_BYTES / analysis.source.text.len().max(1)).clamp(REFUSED.start, REFUSED.end);
     let (mut count, mut rounds) = (0, Vec::new());
     let mut guessed = false;
-    // What was said before the first guess; what only a guess has brought to light is guessed at by nobody.
+    // The findings before the first guess. No guess is made for a finding that only another guess has brought to light.
     let mut said = Said::default();
-    // Errors first: what they hid is weighed against what there is then.
+    // Errors are fixed first. What they have hidden is then compared with the findings of the fixed scene.
     let of = |analysis: &Analysis, errors: bool, said: Option<&Said>| -> Vec<Fix> {
-        // Nothing has to be tried for fixes that are certain.
+        // If no finding needs guesses, the fixes of the findings are enough.
         let proposals;
         let findings = match unsafe_too && analysis.findings().iter().any(repair::is_tried) {
             true => {
@@ -56,7 +55,7 @@ pub fn to_fixed_point(
             }
             false => analysis.findings(),
         };
-        // What a guess has made may be what the next one would take out.
+        // The next guess must not take out a record that a guess has made.
         let is_asked = |d: &&Diagnostic| {
             d.is_error() == errors && !(said.is_some() && lint::takes_records_out(d.code))
         };
@@ -101,14 +100,14 @@ pub fn to_fixed_point(
                 Applicability::Unsafe => !(unsafe_too && is_error),
                 Applicability::Choice => true,
             });
-            // The next run may take what only a guess has brought to light.
+            // A guess for a finding that only a guess has brought to light stays, and the next run may apply it.
             if unsafe_too && !is_new {
                 leave_open(d);
             }
         }
         analysis.findings = findings.into();
     }
-    // Guesses are for errors to choose from.
+    // With `unsafe_too`, proposals are only made for errors that are left, as choices.
     let is_left = analysis.findings().iter().any(Diagnostic::is_error);
     let findings = match unsafe_too {
         true if is_left => with_choices(analysis.findings(), repair::proposals(&analysis)),
@@ -123,14 +122,14 @@ pub fn to_fixed_point(
     }
 }
 
-/// Findings, by their codes and the texts that they point at.
+/// Findings, each as its code and the text that it points at.
 type Said = FxHashSet<(Code, String)>;
 
 fn key(analysis: &Analysis, d: &Diagnostic) -> (Code, String) {
     (d.code, analysis.source.slice(d.span).to_owned())
 }
 
-/// The findings that are left, with the guesses among which a person has to choose.
+/// The findings that are left, with the proposals among which a person has to choose.
 fn with_choices(left: &[Diagnostic], proposals: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let mut left = left.to_vec();
     let is_choice =
@@ -144,18 +143,18 @@ fn with_choices(left: &[Diagnostic], proposals: Vec<Diagnostic>) -> Vec<Diagnost
     left
 }
 
-/// Whether a fix is applied where it is the only one.
+/// Whether a fix is applied if it is the only one.
 pub fn is_applied(analysis: &Analysis, fix: &Fix) -> bool {
     let read = |source| Analysis::of(source).with_settings(analysis.settings.clone());
     step(analysis, std::slice::from_ref(fix), &read, &mut 1).is_some()
 }
 
-/// Whether guesses are tried for a scene at all: with a long one that takes too much time.
+/// Whether guesses are tried for a scene at all: for a long scene that takes too much time.
 pub fn is_tried(analysis: &Analysis) -> bool {
     analysis.source.text.len() <= TRIED_BYTES
 }
 
-/// Says of guesses that `--unsafe-fixes` does not apply that it does not.
+/// Adds a note to findings whose guesses `--unsafe-fixes` does not apply.
 pub fn explain_what_is_left(analysis: &Analysis, findings: &mut [Diagnostic]) {
     let mut left = TRIED_BYTES;
     let errors = findings.iter().filter(|d| d.is_error()).take(2).count();
@@ -163,7 +162,7 @@ pub fn explain_what_is_left(analysis: &Analysis, findings: &mut [Diagnostic]) {
         .iter_mut()
         .filter(|d| analysis.is_records() && !d.fixes.is_empty())
     {
-        // A guess for an error may need those for others.
+        // A guess for an error may need the guesses for other errors.
         if let Some(guess) = d.applicable_fix(true).filter(|f| is_guess(f))
             && (!d.is_error() || errors == 1)
             && let Some(rest) = left.checked_sub(analysis.source.text.len())
@@ -184,7 +183,8 @@ pub fn explain_what_is_left(analysis: &Analysis, findings: &mut [Diagnostic]) {
     }
 }
 
-/// Turns the guesses of a finding into choices for a person: to apply one would leave as many findings as there are.
+/// Turns the guesses of a finding into choices for a person, since applying a guess would leave as many findings as
+/// before.
 fn leave_open(d: &mut Diagnostic) {
     let mut guesses = d.fixes.iter_mut().filter(|f| is_guess(f)).peekable();
     if guesses.peek().is_some() && !d.notes.contains(&"refused") {
@@ -197,16 +197,15 @@ fn is_guess(fix: &Fix) -> bool {
     fix.applicability == Applicability::Unsafe
 }
 
-/// A round of fixes.
+/// The result of a round of fixes: the scene, the number of fixes, and their edits.
 struct FixRound {
     analysis: Analysis,
     count: usize,
     edits: Vec<Edit>,
 }
 
-/// The scene after some of these fixes: all that go together, found by halving
-/// what does harm. Of several together none may do any, whatever the others mend. `left` is how many
-/// times more that may be tried in vain.
+/// Applies as many of the fixes as work together. A group that does harm is halved, and each half is tried. A group is
+/// refused if one of its fixes does harm, even if the others repair more. `left` is how many more trials may fail.
 fn step(
     analysis: &Analysis,
     all: &[Fix],
@@ -217,7 +216,7 @@ fn step(
     let guesses = all.iter().any(is_guess);
     let mut best: Option<FixRound> = None;
     let mut lightest = weight(analysis);
-    // Larger stretches first, so that what does harm in one place holds up nothing in others.
+    // Larger groups come first, so that a harmful fix in one place does not hold up fixes in others.
     let mut stretches = VecDeque::new();
     stretches.push_back(0..all.len());
     while let Some(stretch) = stretches.pop_front().filter(|_| *left > 0) {
@@ -271,7 +270,7 @@ mod tests {
     use super::*;
 
     impl Analysis {
-        /// Adds findings to its own.
+        /// Adds findings to those of the analysis.
         fn add(&mut self, more: Vec<Diagnostic>) {
             let mut all = self.take_findings();
             all.extend(more);
@@ -302,8 +301,8 @@ mod tests {
         assert_eq!(fixed(broken, true), (broken.to_owned(), 0));
     }
 
-    /// Lines that begin with `;` count for nothing, and those that begin with words are none of a scene. That
-    /// words are a comment is a guess.
+    /// Lines that begin with `;` are ignored, and lines that begin with words are no part of a scene. To read words as
+    /// a comment is a guess.
     #[test]
     fn what_is_left_is_a_scene() {
         let prose = "; replace it with the";
@@ -323,12 +322,12 @@ mod tests {
             (text.as_str(), count),
             ("10 12 0.5 0 0 1 1 1\n1 9999 10 0\n", 2)
         );
-        // One hides two others: there would be more errors than before.
+        // One error hides two others: there would be more errors than before.
         let hidden = "9 -501 0 0 9,5 0 0 0 0 1 0 200\n2 9 1\n1 9999 2 0\n";
         assert_eq!(fixed(hidden, true), (hidden.to_owned(), 0));
     }
 
-    /// No error comes up on a line that nobody changed, whatever is mended elsewhere.
+    /// No error comes up on a line that nobody changed, whatever is repaired elsewhere.
     #[test]
     fn no_error_where_there_was_none() {
         let read = |source: SourceFile| {
@@ -352,7 +351,8 @@ mod tests {
         );
     }
 
-    /// Mends a scene that checks worse where `harmful` says so, and counts how often it was read.
+    /// Applies the fixes of a scene that checks worse where `harmful` says so. Returns the scene, the number of fixes,
+    /// and how often it was read.
     fn counting(text: &str, harmful: impl Fn(&str) -> bool) -> (Analysis, usize, usize) {
         let reads = std::cell::Cell::new(0);
         let read = |source: SourceFile| {
@@ -392,7 +392,7 @@ mod tests {
         assert_eq!(analysis.source.text.matches(';').count(), 100);
     }
 
-    /// A fix brings a warning of another kind; what else is mended beside it does not pay for that.
+    /// A fix that brings a warning of another kind is refused, even if fixes beside it repair other findings.
     #[test]
     fn none_rides_along_that_does_harm() {
         let read = |source: SourceFile| {

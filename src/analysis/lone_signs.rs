@@ -1,4 +1,4 @@
-//! Lines behind a `#` that ends a comment, where it was to begin one: see [`hidden::lone_signs`].
+//! Lines behind a `#` that ends a comment although it was meant to begin one: see [`hidden::lone_signs`].
 
 use rustc_hash::FxHashMap;
 
@@ -6,11 +6,11 @@ use crate::diagnostics::{Code, Diagnostic, SourceFile, Value};
 use crate::syntax::Document;
 use crate::syntax::hidden;
 
-/// The note of a finding about such a line.
+/// The note of a finding about a line behind such a `#`.
 const NOTE: &str = "behind-sign";
 
-/// Says of findings about such lines and of errors about their IDs where the comment ends, and takes their fixes away: that of the comment
-/// is meant.
+/// Adds to findings about such lines, and to errors about IDs on them, where the comment ends. Their own fixes go,
+/// since the fix of the comment is meant.
 pub(super) fn retell(source: &SourceFile, document: &Document, findings: &mut [Diagnostic]) {
     let comments = hidden::records(&source.text, document);
     let all = hidden::lone_signs(&source.text, &comments);

@@ -1,4 +1,4 @@
-//! Materials by name, in the place of the numbers that they are: `2 -201 glass`, `2 -203 sklo`.
+//! Materials by name, in place of the numbers of their records: `2 -201 glass`, `2 -203 sklo`.
 
 use crate::syntax::table::RecordKind;
 use crate::syntax::words::plain;
@@ -13,7 +13,7 @@ struct Material {
 
 const CLEAR: &str = "0 0.1 0.9";
 
-/// Refractive indices for yellow light (sodium D), rounded as tables of physics have them.
+/// The materials. Refractive indices are for yellow light (sodium D), rounded as in tables of physics.
 const MATERIALS: &[Material] = &[
     clear(
         &[
@@ -50,7 +50,8 @@ const fn opaque(names: &'static [&'static str], shares: &'static str) -> Materia
     }
 }
 
-/// The numbers that a record has of a material.
+/// The numbers of a record of some kind for the material with a name. `None` if the word names no material, or if the
+/// material has no such numbers.
 pub(super) fn numbers(kind: RecordKind, word: &str) -> Option<String> {
     let word = plain(word);
     let material = MATERIALS

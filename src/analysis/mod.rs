@@ -33,7 +33,7 @@ use crate::syntax::recognise::{self, NotAScene};
 use crate::syntax::table::{Effect, RecordKind};
 use crate::syntax::{self, Document, Item, Record, in_records, lexer};
 
-/// A scene read as far as it goes.
+/// A scene file with all that could be read of it.
 #[warn(missing_docs)]
 #[derive(Debug)]
 pub struct Analysis {
@@ -59,27 +59,28 @@ pub struct Analysis {
     glaring: Option<u32>,
 }
 
-/// Records in the place of a file in another notation.
+/// The records that stand for a file in another notation.
 #[derive(Debug)]
 struct Foreign {
     records: Box<Analysis>,
     origin: Box<dyn Origin>,
 }
 
-/// The way from records back to the file that they were made of.
+/// The way from records back to the file that they were made from.
 pub trait Origin: fmt::Debug + Send + Sync {
-    /// The place in the file of a stretch of the records, and its name there.
+    /// The place in the file of a span of the records, and the name of that place there, if it has one.
     fn place(&self, file: &SourceFile, records: &SourceFile, span: Span) -> (Span, Option<String>);
 
-    /// The part of the file that it is in, quickly.
+    /// Like [`place`](Self::place), but quicker: the part of the file that a span of the records was made from.
     fn part(&self, file: &SourceFile, records: &SourceFile, span: Span) -> Span;
 
-    /// The name of the element with an ID that the file does not have.
+    /// The name in the file of the element whose records have an ID that the file itself does not have.
     fn name(&self, id: u32) -> Option<String>;
 }
 
 impl Foreign {
-    /// The findings in the records, about the file. The notation of the records is nobody's matter.
+    /// The findings about the records, turned into findings about the file. Findings about the notation of the records
+    /// are left out.
     fn findings(&self, file: &SourceFile, settings: &Settings) -> Vec<Diagnostic> {
         let records = &self.records.source;
         let mut all = self.records.find(self.records.read.clone(), settings);
@@ -103,12 +104,12 @@ impl Foreign {
     }
 }
 
-/// Whether an ID fills this place of a message.
+/// Whether the place of a message with this name is filled by an ID.
 fn is_id(place: &str) -> bool {
     matches!(place, "id" | "other" | "source") || place.ends_with("-id")
 }
 
-/// How much findings weigh: what `zpg.toml` says, and what was asked for in one run.
+/// The levels of findings that `zpg.toml` sets, and the codes that one run asks for.
 #[derive(Debug, Clone, Default)]
 pub struct Settings {
     /// The levels of the settings.
@@ -119,7 +120,7 @@ pub struct Settings {
 
 #[warn(missing_docs)]
 impl Analysis {
-    /// Reads a scene from the bytes of its file; never fails. `path` is what messages call it.
+    /// Reads a scene from the bytes of its file; never fails. `path` is the name of the file in messages.
     pub fn new(path: impl Into<String>, bytes: Vec<u8>) -> Analysis {
         match recognise::read(path, bytes) {
             Ok(source) => Analysis::of(source),
@@ -127,7 +128,7 @@ impl Analysis {
         }
     }
 
-    /// A scene in another notation, of which records were made.
+    /// A scene in another notation, with the records that were made from it.
     pub fn from_json(source: SourceFile, records: Analysis, origin: Box<dyn Origin>) -> Analysis {
         let mut scene = records.scene.clone();
         scene.move_spans(|span| origin.part(&source, &records.source, span));
@@ -164,7 +165,7 @@ impl Analysis {
         }
     }
 
-    /// The analysis with what reading found.
+    /// The analysis with the findings of reading.
     fn with_read(self, read: Vec<Diagnostic>) -> Analysis {
         let errors = read.iter().filter(|d| d.is_error());
         Analysis {
@@ -200,12 +201,12 @@ impl Analysis {
         }
     }
 
-    /// An analysis of a text that is only tried: its findings are counted, and not all proposals are made.
+    /// Reads a text that is only tried: its findings are counted, and not all proposals are made.
     fn trial(source: SourceFile) -> Analysis {
         Analysis::read(source, false)
     }
 
-    /// `compares`: see [`scene::resolve_with`]; whether all proposals are made.
+    /// Reads a scene from its text. `compares` says whether all proposals are made; see [`scene::resolve_with`].
     fn read(source: SourceFile, compares: bool) -> Analysis {
         let (document, mut read) = syntax::parse(&source.text);
         commas::join(&source, &mut read);
@@ -233,14 +234,15 @@ impl Analysis {
         }
     }
 
-    /// Forgets the text's records, which take more memory than the scene. Nothing can be found in them any more.
+    /// Forgets the text's records, which take more memory than the scene. Afterwards nothing can be found in the
+    /// records.
     pub fn forget_records(&mut self) {
         self.glaring = self.glaring();
         self.document = Document::default();
         self.foreign = None;
     }
 
-    /// Whether the file is records: what is in another notation can only be read.
+    /// Whether the file is a scene in records. A scene in another notation can only be read.
     pub fn is_records(&self) -> bool {
         self.is_scene && self.foreign.is_none()
     }
@@ -250,8 +252,8 @@ impl Analysis {
         self.is_scene
     }
 
-    /// Whether the scene has no errors of its own, whatever settings take for one. The rules are not run
-    /// for that: they never find errors.
+    /// Whether the scene has no errors by itself, whatever severity the settings give to findings. The rules are not
+    /// run, as they never find errors.
     pub fn is_sound(&self) -> bool {
         self.errors.is_empty()
             && (self.foreign.as_ref()).is_none_or(|foreign| foreign.records.is_sound())
@@ -269,7 +271,7 @@ impl Analysis {
         self.findings.get().map(Vec::as_slice)
     }
 
-    /// The record that defines an ID; one that declares it (type 0), or changes it, where there is no other.
+    /// The record that defines an ID. If none does, the record that declares it (type 0) or the first that changes it.
     pub fn definition(&self, id: u32) -> Option<&Record> {
         let all = self.definitions.get_or_init(|| self.find_definitions());
         match self.document.items.get(*all.get(&id)? as usize)? {
@@ -301,7 +303,8 @@ impl Analysis {
         self.bounds.get_or_init(|| node_bounds(&self.scene))
     }
 
-    /// How many objects the findings say are not part of what is drawn. The other findings are not looked for.
+    /// The number of objects that are not part of what is drawn, according to the findings. The other findings are not
+    /// looked for.
     pub fn undrawn(&self) -> usize {
         if let Some(foreign) = &self.foreign {
             return foreign.records.undrawn();
@@ -313,7 +316,7 @@ impl Analysis {
         lint::undrawn(&self.context())
     }
 
-    /// The ID of the first record of which the findings say that it gives out more light than it gets. The other findings
+    /// The ID of the first record that gives out more light than it gets, according to the findings. The other findings
     /// are not looked for.
     pub fn glaring(&self) -> Option<u32> {
         if let Some(foreign) = &self.foreign {
@@ -328,7 +331,7 @@ impl Analysis {
         }
     }
 
-    /// Numbers that are read as two each, and may be one with a decimal comma.
+    /// The texts that are read as two numbers each, but may be one number with a decimal comma.
     pub fn commas_in_doubt(&self) -> Vec<Span> {
         let Settings { levels, choice } = &self.settings;
         let has_any = self.is_records() && self.document.contents.separators;
@@ -338,8 +341,8 @@ impl Analysis {
         }
     }
 
-    /// Moves the findings out, without a copy of what reading found. Afterwards [`findings`](Self::findings) is empty, and
-    /// new settings do not bring back what reading found.
+    /// Moves the findings out of the analysis without a copy. Afterwards [`findings`](Self::findings) is empty, and new
+    /// settings do not bring back the findings of reading.
     pub fn take_findings(&mut self) -> Vec<Diagnostic> {
         let known = self.findings.take();
         self.findings = Vec::new().into();
@@ -369,7 +372,7 @@ impl Analysis {
     }
 }
 
-/// The note on a file that is not UTF-8: in the old encoding, at its first byte that shows it.
+/// The note on a file that is not UTF-8. For Windows-1250, the note is at the first byte that shows that encoding.
 fn encoding_note(source: &SourceFile) -> Option<Diagnostic> {
     let note = |code, at: usize| {
         let end = source.text[at..].chars().next().map_or(0, char::len_utf8) + at;

@@ -1,8 +1,8 @@
-//! Records that stand above what they need (E107), or above their object (E102): a definition moves up, or the record moves
-//! down.
+//! Records that stand above a definition that they need (E107), or above the definition of their own object (E102): the
+//! definition moves up, or the record moves down.
 //!
-//! What moves is a block: a record, the records right behind it that change it, and the comment above it, on lines that
-//! nothing else has a part in.
+//! A block moves as a whole: a record, the records right behind it that change it, and the comment above it, on lines
+//! that nothing else has a part in.
 
 use std::ops::Range;
 
@@ -14,10 +14,11 @@ use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Effect, Family, RecordKind};
 use crate::syntax::{Document, Item, Record};
 
-/// Most items that are gone through for one file, to see whether what moves is needed on the way: some milliseconds.
+/// The most items that are gone through for one file, to see whether an item on the way needs the moved block. That
+/// takes some milliseconds.
 const STEPS: usize = 1_000_000;
 
-/// Gives the findings about such records their fixes.
+/// Gives the findings about a use before the definition (E107) their fixes.
 pub(super) fn propose(source: &SourceFile, document: &Document, findings: &mut [Diagnostic]) {
     if !findings.iter().any(|d| d.code == Code::E107) {
         return;
@@ -30,8 +31,8 @@ pub(super) fn propose(source: &SourceFile, document: &Document, findings: &mut [
     early_changes(&mover, findings);
 }
 
-/// Proposes to move records that change something below its definition: for each ID the last one of those above, so that
-/// they stay in order.
+/// Proposes to move records that change something behind its definition. For each ID only the last such record gets the
+/// proposal, so that the records stay in order.
 fn early_changes(mover: &Mover, findings: &mut [Diagnostic]) {
     let mut seen = FxHashSet::default();
     let is_one = |d: &&mut Diagnostic| d.code == Code::E107 && d.case == "changed";
@@ -54,11 +55,12 @@ fn early_changes(mover: &Mover, findings: &mut [Diagnostic]) {
     }
 }
 
-/// The fix that moves the records of an ID that stand above its definition behind that, and where they stand.
+/// The fix that brings a definition above the records of its ID, and the spans of those records. `None` if that cannot
+/// be done.
 type Behind = Option<(Fix, Vec<Span>)>;
 
-/// Moves what stands above the definition of its object behind that, for each finding about such a definition. Nothing
-/// between may name the object.
+/// For each finding about a definition, makes the fix that moves the records of its ID from above the definition to
+/// behind it. `None` if a record between them names the object.
 pub(super) fn behind(
     source: &SourceFile,
     document: &Document,
@@ -68,8 +70,8 @@ pub(super) fn behind(
     findings.iter().map(|d| mover.behind(d)).collect()
 }
 
-/// Moves definitions above the properties with their IDs, for each finding about such a definition, and gives the lines of
-/// these properties.
+/// For each finding about a definition, makes the fix that moves the definition above the properties with its ID, and
+/// returns the spans of these properties.
 pub(super) fn above(
     source: &SourceFile,
     document: &Document,
@@ -82,11 +84,11 @@ pub(super) fn above(
 struct Mover<'a> {
     source: &'a SourceFile,
     document: &'a Document,
-    /// The first item that uses a definition too early, by the place where the definition begins.
+    /// For each definition, by the offset at which it begins: the index of the first item that uses it too early.
     first_use: FxHashMap<u32, usize>,
     /// How often each ID is used too early, and how often it is referred to at all.
     uses: FxHashMap<u32, Uses>,
-    /// The first and the last record with each ID, as items.
+    /// For each ID, the indices of the first and the last item with it.
     records: FxHashMap<u32, (usize, usize)>,
     left: usize,
 }
@@ -97,7 +99,7 @@ struct Uses {
     all: usize,
 }
 
-/// The records that move, as items and as lines.
+/// The records that move, as indices of items and as numbers of lines.
 struct Block {
     items: Range<usize>,
     lines: Range<usize>,
@@ -138,7 +140,7 @@ impl<'a> Mover<'a> {
         mover
     }
 
-    /// The fix where a record's operand is defined below: moves the definition up, or else the record down.
+    /// The fix for an operand that is defined below its record: moves the definition up, or else the record down.
     fn moved(&mut self, finding: &Diagnostic) -> Option<Fix> {
         let definition = finding.labels.first()?.span.start;
         let (user, defined) = (self.item(finding.span.start)?, self.item(definition)?);
@@ -147,7 +149,7 @@ impl<'a> Mover<'a> {
         let id = self.record(defined)?.id;
         let block = self.block(defined)?;
         let needs = self.needs(&block, id)?;
-        // What the definition needs below itself is another matter.
+        // If the definition itself needs something below it, that is another finding.
         if !self.are_above(&needs, defined) {
             return None;
         }
@@ -167,7 +169,7 @@ impl<'a> Mover<'a> {
         is_free.then(|| self.fix("fix-down", Applicability::Unsafe, lines, block.lines.end))
     }
 
-    /// The IDs that the records of a block refer to, but for its own.
+    /// The IDs that the records of a block refer to, without the ID of the block. `None` if an item is no record.
     fn needs(&self, block: &Block, id: u32) -> Option<FxHashSet<u32>> {
         let mut needs = FxHashSet::default();
         for i in block.items.clone() {
@@ -177,8 +179,8 @@ impl<'a> Mover<'a> {
         Some(needs)
     }
 
-    /// A definition, and what changes it right behind it, before the first record with its ID, and the lines of the records
-    /// with that ID in between. What it is made of must be above these.
+    /// The fix that moves a definition, with the changes right behind it, above the first record with its ID, and the
+    /// spans of the records with that ID in between. `None` if something that the definition needs is not above them.
     fn above(&mut self, finding: &Diagnostic) -> Behind {
         let defined = self.item(finding.span.start)?;
         let id = self.record(defined)?.id;
@@ -204,7 +206,8 @@ impl<'a> Mover<'a> {
         Some((self.fix("fix", Applicability::Unsafe, lines, to), spans))
     }
 
-    /// The records with the ID of a definition that stand above that, on the lines behind it, in their order.
+    /// The fix that moves the records above a definition that have its ID to the lines behind it, in their order, and
+    /// their spans.
     fn behind(&mut self, finding: &Diagnostic) -> Behind {
         let defined = self.item(finding.span.start)?;
         let id = self.record(defined)?.id;
@@ -247,26 +250,27 @@ impl<'a> Mover<'a> {
         (!spans.is_empty()).then_some((fix, spans))
     }
 
-    /// Where lines are in the text.
+    /// The span of some lines in the text.
     fn span(&self, lines: &Range<usize>) -> Span {
         let [first, last] = [lines.start, lines.end - 1].map(|line| self.source.line_span(line));
         first.to(last)
     }
 
-    /// Whether the definitions of some IDs have a record above an item.
+    /// Whether each of some IDs has its first record above an item.
     fn are_above(&self, ids: &FxHashSet<u32>, at: usize) -> bool {
         let first = |id| self.records.get(id).map(|&(first, _)| first);
         ids.iter().filter_map(first).all(|first| first < at)
     }
 
-    /// Whether a definition may stand before the item `to` without a change to the scene.
+    /// Whether a definition can move up to before the item `to` without a change to the scene.
     fn is_safe(&self, id: u32, needs: &FxHashSet<u32>, block: &Block, to: usize) -> bool {
         let items = &self.document.items;
-        // What it is made of changes on the way, or it changes later, which would not reach what uses it.
+        // A change of the definition or of its parts on the way, or a later change of it, would have another effect for
+        // the records that use it.
         let is_changed = |r: &Record| r.id == id || needs.contains(&r.id);
         let mut between = items[to..block.items.start].iter().filter_map(Item::record);
         let is_last = (self.records.get(&id)).is_none_or(|&(_, last)| last < block.items.end);
-        // What is used in its place, too, may be another one's.
+        // If other references name the ID in time, they may mean another definition.
         let all_early = (self.uses.get(&id)).is_none_or(|uses| uses.all == uses.early);
         all_early && is_last && !between.any(is_changed)
     }
@@ -275,8 +279,8 @@ impl<'a> Mover<'a> {
         self.document.items.get(i)?.record()
     }
 
-    /// Whether an item changes or refers to an ID; of one that cannot be read nothing is known. The render record and
-    /// selections of cameras do so at the end of the file.
+    /// Whether an item changes or refers to an ID; an item that cannot be read might. The render record and selections
+    /// of cameras do not count, since they refer to the state at the end of the file.
     fn mentions(&self, i: usize, id: u32) -> bool {
         match &self.document.items[i] {
             Item::Void { .. } => false,
@@ -291,14 +295,15 @@ impl<'a> Mover<'a> {
         }
     }
 
-    /// The item that a place is in, or the first one behind it.
+    /// The index of the item that contains a place, or of the first item behind the place.
     fn item(&self, at: u32) -> Option<usize> {
         let items = &self.document.items;
         let i = items.partition_point(|item| self.document.item_span(item).end <= at);
         (i < items.len()).then_some(i)
     }
 
-    /// A record with the records right behind it that change its entity.
+    /// The block of a record: that record, and the records right behind it that change its entity. `None` if the record
+    /// shares its lines with others.
     fn block(&self, first: usize) -> Option<Block> {
         let id = self.record(first)?.id;
         let mut lines = self.own_lines(first..first + 1)?;
@@ -317,7 +322,7 @@ impl<'a> Mover<'a> {
         })
     }
 
-    /// The lines of items; nothing if another one has a part in them, or a comment goes on beyond them.
+    /// The lines of items. `None` if another item has a part in them, or if a comment goes on beyond them.
     fn own_lines(&self, items: Range<usize>) -> Option<Range<usize>> {
         let (source, document) = (self.source, self.document);
         let span = |item: &Item| document.item_span(item);
@@ -340,9 +345,9 @@ impl<'a> Mover<'a> {
         (is_alone && !ends.any(goes_on)).then_some(first..last + 1)
     }
 
-    /// The lines of a block, with those of the comment right above it, if that is not the heading of more: behind the
-    /// block, and behind the lines `gone` if these come next, there is an empty line, another comment, nothing, or a light,
-    /// a camera or the render record.
+    /// The lines of a block, with those of the comment right above it, unless that is the heading of more records. It
+    /// is no such heading if behind the block, or behind the lines `gone` that follow the block, there is an empty
+    /// line, another comment, nothing, or a light, a camera or the render record.
     fn with_comment(&self, block: &Block, gone: &Range<usize>) -> Range<usize> {
         let next = match gone.start == block.lines.end {
             true => gone.end,
@@ -368,13 +373,13 @@ impl<'a> Mover<'a> {
         self.comment_above(block.lines.start)..block.lines.end
     }
 
-    /// The offset at which the comments begin that stand on lines of their own right above a line.
+    /// The first of the lines with comments of their own right above a line; the line itself if there are none.
     fn comment_above(&self, line: usize) -> usize {
         let (source, tokens) = (self.source, &self.document.tokens);
         let start = source.line_span(line).start;
         let mut i = tokens.partition_point(|t| t.start < start);
         let mut begin = line;
-        // From behind: the end of a line, a comment, and perhaps a `0` before it.
+        // The tokens are read backwards: the end of a line, a comment, and perhaps a `0` before it.
         while let [.., comment, end] = &tokens[..i]
             && (comment.kind(), end.kind()) == (TokenKind::Comment, TokenKind::Newline)
         {
@@ -393,7 +398,7 @@ impl<'a> Mover<'a> {
         begin
     }
 
-    /// Lines that go to another place: before the line `to`.
+    /// The fix that moves lines to the place before the line `to`.
     fn fix(
         &self,
         title: &'static str,
@@ -408,7 +413,7 @@ impl<'a> Mover<'a> {
         };
         let end = |line: usize| source.line_span(line - 1).end;
         let span = Span::new(start(lines.start), end(lines.end));
-        // Edits have line breaks of one kind.
+        // Edits have `\n` for all line breaks.
         let text = (source.slice(span).replace("\r\n", "\n")).replace('\r', "\n");
         let edit = |span: Span, text: String| Edit { span, text };
         let mut edits = match to <= lines.start {

@@ -1,8 +1,8 @@
-//! Numbers of a scene, found by name and written anew.
+//! Numbers of a scene, which are found by name and given other values.
 //!
-//! The name of a number is the ID of its record and the parameter's name, as hints show it: `9.fovy`. A number of a
-//! list has its place behind it, from 1 on: `5.x[3]`. Where several records with an ID have a parameter of that name, the
-//! line says which one is meant: `5@7.x`.
+//! The name of a number is the ID of its record and the name of its parameter, as hints show it: `9.fovy`. A number of
+//! a list has its index behind it, from 1 on: `5.x[3]`. Where several records with an ID have a parameter of that name,
+//! the line of the record is given: `5@7.x`.
 
 use std::fmt;
 use std::str::FromStr;
@@ -20,7 +20,7 @@ pub struct Name {
     /// The line that the record begins on, from 1.
     line: Option<u32>,
     parameter: String,
-    /// The place in a list, from 1.
+    /// The index in a list, from 1.
     place: Option<usize>,
 }
 
@@ -83,11 +83,11 @@ pub struct Number {
 }
 
 impl Number {
-    /// The number with a name.
+    /// Finds the number with a name.
     ///
     /// # Errors
     ///
-    /// No number has this name, several have it, or the number is a whole one, which does not vary.
+    /// No number has this name, several have it, or the parameter must be a whole number, which cannot vary.
     pub fn named(analysis: &Analysis, name: &Name) -> Result<Number, Complaint> {
         let say = |message| Complaint::new(message).with("name", name.to_string());
         let line = |record: &Record| {
@@ -107,7 +107,7 @@ impl Number {
         }
         let mut having = meant.clone();
         having.retain(|r| !places(r, &name.parameter).is_empty());
-        // A place says that a list is meant.
+        // An index says that a list is meant.
         if name.place.is_some() && having.iter().any(|r| is_list(r, &name.parameter)) {
             having.retain(|r| is_list(r, &name.parameter));
         }
@@ -173,7 +173,7 @@ impl Number {
         Ok(Number { name, ..number })
     }
 
-    /// The parameter of a record at a place, from 0.
+    /// The parameter of a record at an index, from 0.
     pub fn of(analysis: &Analysis, record: &Record, at: usize) -> Option<Number> {
         let param = record.ty().param(at, record.count())?;
         let token = analysis.document.params(record).nth(at)?;
@@ -191,19 +191,19 @@ pub fn records_of(analysis: &Analysis, id: u32) -> Vec<&Record> {
     records.filter(|record| record.id == id).collect()
 }
 
-/// The parameters that stand in a record, with their places.
+/// The parameters that are written in a record, each with its index.
 fn written(record: &Record) -> impl Iterator<Item = (usize, &'static Param)> {
     let (ty, count) = (record.ty(), record.count());
     (0..record.params as usize).filter_map(move |i| Some((i, ty.param(i, count)?)))
 }
 
-/// The places of a record's parameters of a name.
+/// The indices of a record's parameters with a name.
 fn places(record: &Record, name: &str) -> Vec<usize> {
     let all = written(record).filter(|(_, param)| param.name == name);
     all.map(|(i, _)| i).collect()
 }
 
-/// Whether a record has a list of parameters of a name.
+/// Whether the parameters of a record with a name are a list.
 fn is_list(record: &Record, name: &str) -> bool {
     let mut repeated = record.ty().repeats.iter().flat_map(|group| group.iter());
     repeated.any(|param| param.name == name)
@@ -221,7 +221,7 @@ fn listed(all: impl IntoIterator<Item = String>) -> String {
     all.join(", ")
 }
 
-/// A scene with other values of some of its numbers. The rest of the text stays as it is.
+/// Writes other values for some numbers of a scene and reads it again. The rest of the text stays as it is.
 pub fn with_values(source: &SourceFile, values: &[(&Number, f64)]) -> Analysis {
     let edit = |&(number, value): &(&Number, f64)| Edit {
         span: number.span,
@@ -232,8 +232,8 @@ pub fn with_values(source: &SourceFile, values: &[(&Number, f64)]) -> Analysis {
     Analysis::of(source.with_text(fixes::edited(&source.text, &edits)))
 }
 
-/// Whether a scene is another one with these values. A number that is out of its range may make a reader take numbers
-/// that may be left out for a record of their own.
+/// Whether `scene` is `of` with these values and otherwise the same. It may differ if a value is out of its range: then
+/// optional numbers may be read as a record of their own.
 pub fn has_values(scene: &Analysis, of: &Analysis, values: &[(&Number, f64)]) -> bool {
     let mut expected = of.document.values.clone();
     for (number, value) in values {

@@ -1,5 +1,5 @@
-//! Pictures that are not there (E210): the one beside the scene that has nearly the name. Paths with `\` (E209): the same
-//! with `/`.
+//! Fixes for the paths of pictures. A picture that does not exist (E210): the picture with the most similar name beside
+//! the scene. A path with `\` (E209): the same path with `/`.
 
 use std::path::{Path, PathBuf};
 
@@ -9,10 +9,10 @@ use crate::syntax::quote;
 
 /// The most pictures of a scene for which folders are looked through.
 const PICTURES: usize = 16;
-/// Most entries of a folder that are looked at.
+/// The most entries of a folder that are looked at.
 const ENTRIES: usize = 1000;
 
-/// Gives the findings about pictures that are not there, and about paths of Windows, their fixes.
+/// Gives the findings about pictures that do not exist, and about paths with `\`, their fixes.
 pub(super) fn propose(source: &SourceFile, findings: &mut [Diagnostic]) {
     let is_windows = |d: &&mut Diagnostic| d.code == Code::E209 && d.case == image_file::BACKSLASH;
     for d in findings.iter_mut().filter(is_windows) {
@@ -40,8 +40,8 @@ pub(super) fn propose(source: &SourceFile, findings: &mut [Diagnostic]) {
     }
 }
 
-/// The picture in the folder of a file that is not there whose name is nearest to that of the file, if one is near. The
-/// file is named as seen from the scene's folder.
+/// The path of the picture whose name is most similar to that of a file that does not exist, in the same folder. `None`
+/// if no name is similar enough. Both paths are relative to the folder of the scene.
 fn beside(folder: &Path, file: &Path) -> Option<String> {
     if folder.join(file).exists() {
         return None;
@@ -54,7 +54,7 @@ fn beside(folder: &Path, file: &Path) -> Option<String> {
     };
     let (stem, ending) = parts(&written);
     let most = 1 + stem.chars().count() / 5;
-    // Another ending is one mistake.
+    // Another ending of the name counts as one mistake.
     let distance = |name: &str| {
         let (other, with) = parts(name);
         strsim::osa_distance(&stem, &other) + usize::from(with != ending)
@@ -68,7 +68,7 @@ fn beside(folder: &Path, file: &Path) -> Option<String> {
     let is_picture = |path: PathBuf| image_file::is_picture(&path).unwrap_or(false);
     let pictures = near.filter(|(_, name)| is_picture(folder.join(parent).join(name)));
     let (_, name) = pictures.min()?;
-    // In a scene it is `/` on every system.
+    // The separator in a scene is `/` on every system.
     Some(match file.to_str()?.rsplit_once('/') {
         Some((folders, _)) => format!("{folders}/{name}"),
         None => name,

@@ -11,15 +11,15 @@ use crate::lint;
 use crate::scene::names::references;
 use crate::syntax::Item;
 
-/// How much there is to mend, what weighs most first: how many errors there are; how many of these are
-/// malformed tokens, which hide what else is wrong with their records; how many warnings, notes and
-/// remarks on style; and of as many the codes that come first, which hide those that follow.
+/// How much there is to repair, as numbers that are compared in order: errors; malformed tokens among them, which hide
+/// other faults of their records; warnings; notes; remarks on style; then the number of findings of each code, since
+/// codes that come first hide those that follow.
 pub(super) fn weight(analysis: &Analysis) -> Vec<usize> {
     weight_of(analysis.findings())
 }
 
-/// The weight of a scene after a fix. Where there was no picture before, what is only said of pictures does not count: it
-/// was there before.
+/// The weight of a scene after a fix. If the scene had no picture before and has one now, findings about pictures do
+/// not count, since their causes were there before.
 pub(super) fn weight_after(before: &Analysis, after: &Analysis) -> Vec<usize> {
     let is_first = before.scene.render.is_none() && after.scene.render.is_some();
     if !is_first {
@@ -42,10 +42,10 @@ fn weight_of(findings: &[Diagnostic]) -> Vec<usize> {
     weight
 }
 
-/// Whether there is an error on a line that is as it was, which it did not have. On a line that was
-/// changed there may be one in place of another that hid it, and so there may on a line that names the ID of a record
-/// which could not be read: that ID may be defined twice. On a line with a number too many, a 0, that number is a record
-/// once all can be read: what is wrong with the rest takes the place of that error.
+/// Whether a line that a fix left as it was has an error that it did not have before. On changed lines an error may
+/// take the place of one that hid it. Two kinds of new errors do not count, since once all can be read they take the
+/// place of others: an ID that is defined twice, on a line that names the ID of a record which could not be read; and
+/// errors of the record that a surplus number 0 begins.
 pub(super) fn has_new_errors(before: &Analysis, after: &Analysis) -> bool {
     let mut numbers: FxHashMap<&str, usize> = FxHashMap::default();
     let before_lines = lines(before).map(|line| {
@@ -88,7 +88,7 @@ fn unreadable_ids(analysis: &Analysis) -> FxHashSet<u32> {
     broken.collect()
 }
 
-/// Whether a record on a line has one of some IDs or refers to one.
+/// Whether a record on a line has or names one of some IDs.
 fn names(analysis: &Analysis, line: usize, ids: &FxHashSet<u32>) -> bool {
     let (source, document) = (&analysis.source, &analysis.document);
     let span = source.line_span(line);
@@ -111,7 +111,8 @@ fn lines(analysis: &Analysis) -> impl Iterator<Item = &str> {
     (0..source.line_count()).map(|i| source.slice(source.line_span(i)).trim())
 }
 
-/// How often there is an error of a code on a line of these numbers; lines that have none are left out.
+/// The number of errors for each code and each number of a line. `numbers` has the numbers by line; lines without one
+/// are left out.
 fn errors(analysis: &Analysis, numbers: &[Option<usize>]) -> FxHashMap<(Code, usize), usize> {
     let mut counts = FxHashMap::default();
     for d in analysis.findings().iter().filter(|d| d.is_error()) {
@@ -123,7 +124,7 @@ fn errors(analysis: &Analysis, numbers: &[Option<usize>]) -> FxHashMap<(Code, us
     counts
 }
 
-/// Whether as many errors are left, and more of some warning.
+/// Whether the errors are the same after a fix, and the warnings of some code are more.
 pub(super) fn harms(before: &Analysis, after: &Analysis) -> bool {
     let of = |severity: Severity| {
         [before, after].map(|analysis| {
@@ -137,7 +138,7 @@ pub(super) fn harms(before: &Analysis, after: &Analysis) -> bool {
     errors == errors_left && new.iter().any(more)
 }
 
-/// How many findings there are of each code.
+/// The number of findings for each code.
 pub(super) fn counts<'a>(all: impl Iterator<Item = &'a Diagnostic>) -> BTreeMap<Code, usize> {
     let mut counts = BTreeMap::new();
     all.for_each(|d| *counts.entry(d.code).or_default() += 1);

@@ -37,19 +37,19 @@ use patterns::Pattern;
 pub use patterns::whole;
 use written::Written;
 
-/// The name of the file.
+/// The name of the file with settings.
 const NAME: &str = "zpg.toml";
 
 /// The settings for the scenes of a folder.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Config {
-    /// The file that they are from, if they are from one.
+    /// The file that the settings are from, if they are from one.
     pub path: Option<PathBuf>,
     levels: Levels,
     pub format: format::Options,
     exclude: Vec<Pattern>,
     per_file_ignores: Vec<(Pattern, Vec<Selector>)>,
-    /// No pattern is held against folders above this one.
+    /// The highest folder that is matched with patterns.
     root: PathBuf,
 }
 
@@ -61,7 +61,8 @@ pub struct ConfigError {
     mistakes: Vec<Mistake>,
 }
 
-/// The fault of a file of settings, and its line and column, both from 1 on.
+/// A fault of a file of settings, and its line and column, both from 1 on. There is no place if the file cannot be
+/// read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Mistake {
     place: Option<(usize, usize)>,
@@ -95,7 +96,7 @@ impl ConfigError {
 }
 
 impl Config {
-    /// Settings, and others that count more.
+    /// The settings of a file, overridden by those of `over`.
     fn new(path: Option<PathBuf>, root: PathBuf, file: &Written, over: &[Written]) -> Config {
         let mut config = Config {
             path,
@@ -110,7 +111,8 @@ impl Config {
 
     fn take(&mut self, written: &Written) {
         let mut chosen = written.levels.clone();
-        // The more it selects, the earlier: what is said of one code counts more.
+        // Settings for many codes are applied before settings for few, so that what is said of a single code counts
+        // more.
         chosen.sort_by_key(|(codes, _)| std::cmp::Reverse(codes.breadth()));
         for (codes, level) in &chosen {
             self.levels.set(codes, *level);
@@ -128,7 +130,7 @@ impl Config {
         format.numbers = written.numbers.unwrap_or(format.numbers);
     }
 
-    /// How much findings in a file weigh.
+    /// The levels of findings in a file.
     pub fn levels(&self, file: &Path) -> Levels {
         let file = whole(file);
         let mut levels = self.levels.clone();
@@ -139,13 +141,13 @@ impl Config {
         levels
     }
 
-    /// Whether a file or a folder that is come across is left out.
+    /// Whether a file or folder that is found in a folder is left out.
     pub fn excludes(&self, path: &Path) -> bool {
         let path = whole(path);
         self.exclude.iter().any(|p| p.matches(&path))
     }
 
-    /// Whether a file is left out, itself or with a folder that it is in.
+    /// Whether a file, or a folder that contains it, is left out.
     pub fn excludes_file(&self, file: &Path) -> bool {
         let file = whole(file);
         let below = |path: &&Path| path.starts_with(&self.root);
@@ -153,7 +155,7 @@ impl Config {
         !self.exclude.is_empty() && paths.any(|path| self.excludes(path))
     }
 
-    /// The settings for a file as a text that could be its `zpg.toml`, with the weight of each code.
+    /// The settings for a file as the text of a `zpg.toml`, with the level of each code.
     pub fn show(&self, file: &Path, choice: &Choice) -> String {
         let mut out = String::new();
         let list = |texts: &mut dyn Iterator<Item = String>| texts.collect::<Vec<_>>().join(", ");
@@ -163,14 +165,14 @@ impl Config {
         let levels = self.levels(file);
         for &code in Code::ALL.iter().filter(|c| !c.is_never_allowed()) {
             let severity = match code {
-                // As long as nothing is to be drawn.
+                // The finding is a warning as long as nothing is to be drawn.
                 Code::E106 => Severity::Warning,
                 _ => code.severity(),
             };
             let level = levels.of(choice, code).or(Level::of(severity));
             let (mark, level) = match level {
                 Some(level) => ("", level.as_str()),
-                // A remark on style is none of the levels that can be chosen.
+                // `style` is not one of the levels that can be set, so the line is a comment.
                 None => ("# ", code.severity().as_str()),
             };
             let (code, name) = (code.as_str(), code.name());
@@ -200,9 +202,9 @@ impl Config {
     }
 }
 
-/// A text of TOML.
+/// Writes a text as a TOML string.
 fn quoted(text: &str) -> String {
-    // JSON escapes all that TOML does but one character.
+    // JSON escapes all characters that TOML escapes but one.
     let json = serde_json::Value::from(text).to_string();
     json.replace('\u{7f}', "\\u007f")
 }
@@ -210,7 +212,7 @@ fn quoted(text: &str) -> String {
 /// The settings of many files, each `zpg.toml` read once.
 #[derive(Debug, Default)]
 pub struct Configs {
-    /// The settings of the command line, which count more than any file.
+    /// The settings of the command line, which override those of files.
     over: Vec<Written>,
     only: Option<Arc<Config>>,
     found: Mutex<HashMap<PathBuf, ConfigResult>>,
@@ -219,12 +221,12 @@ pub struct Configs {
 type ConfigResult = Result<Arc<Config>, ConfigError>;
 
 impl Configs {
-    /// Settings with those of a command line: files of settings and single settings, in any order, and patterns
-    /// of what is left out. `isolated`: no `zpg.toml` counts.
+    /// The settings of a command line: `arguments` are files of settings and single settings, in any order; `exclude`
+    /// are patterns of files that are left out. If `isolated`, no `zpg.toml` counts.
     ///
     /// # Errors
     ///
-    /// What is wrong with them.
+    /// A setting or a pattern is wrong, or two files of settings are given.
     pub fn chosen(
         arguments: &[String],
         exclude: &[String],
@@ -251,7 +253,7 @@ impl Configs {
                 ..Written::default()
             });
         }
-        // Patterns in a file that is named are about the folder where the command runs.
+        // Patterns in a file of settings that the command line names are about the folder where the command runs.
         let only = match file {
             Some(path) => {
                 let written = read(path, &here).map_err(|mistakes| {
@@ -316,12 +318,12 @@ fn is_absence(error: &std::io::Error) -> bool {
     matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory)
 }
 
-/// The settings in a file, whose patterns are about a folder.
+/// Reads the settings in a file. Its patterns are about the folder `root`.
 fn read(path: &Path, root: &Path) -> Result<Written, Vec<Mistake>> {
     let unreadable = |e: std::io::Error| vec![Mistake::from(Complaint::from(&e))];
     let found = std::fs::metadata(path).map_err(unreadable)?;
     if !found.is_file() {
-        // From a pipe, for instance, nobody knows whether anything comes.
+        // Reading a pipe, for instance, may never end.
         return Err(vec![Complaint::new("not-a-file").into()]);
     }
     let text = std::fs::read_to_string(path).map_err(unreadable)?;
@@ -346,7 +348,7 @@ fn setting(text: &str, root: &Path) -> Result<Written, Complaint> {
     if !text.contains('=') {
         return Err(Complaint::new("config-neither").with("path", Path::new(text)));
     }
-    // The shell takes quotation marks, and nobody misses them: `lint.W310=off`.
+    // The shell removes quotation marks, so a text may lack them: `lint.W310=off`.
     let with_marks = written::bare(text).map(|(key, word)| format!("{key}={}", quoted(word)));
     let read = Written::read(with_marks.as_deref().unwrap_or(text), root);
     read.map_err(|faults| {

@@ -1,7 +1,7 @@
 //! Patterns of files: `old`, `draft-*.zpg`, `exercises/**/solution.zpg`.
 //!
-//! A pattern with a slash is of paths below the folder of the settings; one without is of names, too, wherever they
-//! are. `*` goes over slashes, as in the settings of ruff.
+//! A pattern with a slash matches paths below the folder of the settings; a pattern without a slash also matches names
+//! of files and folders, wherever they are. `*` matches slashes, too, as in the settings of ruff.
 
 use std::path::{Component, Path, PathBuf};
 
@@ -10,12 +10,12 @@ use globset::{Glob, GlobMatcher};
 use crate::diagnostics::Complaint;
 use crate::syntax::quote;
 
-/// A pattern, ready to be held against paths.
+/// A pattern that is ready to be matched with paths.
 #[derive(Debug, Clone)]
 pub(super) struct Pattern {
     /// The pattern as the settings spell it.
     pub written: String,
-    /// Whether the pattern is of all files that do not fit.
+    /// Whether the pattern stands for all files that do not match.
     negated: bool,
     root: PathBuf,
     path: GlobMatcher,
@@ -31,7 +31,7 @@ impl PartialEq for Pattern {
 impl Eq for Pattern {}
 
 impl Pattern {
-    /// A pattern of settings that are about a folder.
+    /// Builds a pattern of settings that are about the folder `root`.
     ///
     /// # Errors
     ///
@@ -40,7 +40,7 @@ impl Pattern {
         Pattern::build(written, false, written, root)
     }
 
-    /// The same pattern; with a `!` before it, the pattern of all files that do not fit.
+    /// Like [`new`](Self::new); a `!` before the pattern makes it stand for all files that do not match.
     ///
     /// # Errors
     ///
@@ -74,7 +74,7 @@ impl Pattern {
         })
     }
 
-    /// Whether a path fits, which is a whole one.
+    /// Whether an absolute path matches.
     pub(super) fn matches(&self, path: &Path) -> bool {
         let name = path.file_name().zip(self.name.as_ref());
         let fits = self.path.is_match(path) || name.is_some_and(|(n, glob)| glob.is_match(n));
@@ -82,7 +82,8 @@ impl Pattern {
     }
 }
 
-/// A pattern of whole paths. What stands in the folder's own name is no pattern.
+/// Turns a pattern of paths below `root` into a pattern of absolute paths. Special characters in the name of the folder
+/// stand for themselves.
 fn below(root: &Path, pattern: &str) -> String {
     let mut root = root;
     let mut rest = pattern.trim_end_matches('/');
@@ -102,7 +103,7 @@ fn below(root: &Path, pattern: &str) -> String {
     format!("{}/{rest}", root.trim_end_matches('/'))
 }
 
-/// The whole path of a file, which need not exist; links are left as they are.
+/// The absolute path of a file, which need not exist, without `.` and `..`. Symbolic links are left as they are.
 pub fn whole(path: &Path) -> PathBuf {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     let mut out = PathBuf::new();

@@ -11,7 +11,7 @@ use crate::format::{Numbers, Options};
 use crate::lint::levels::{GROUPS, Level, Selector, UnknownCode};
 use crate::syntax::quote;
 
-/// Settings that a file states; all others stay as they were.
+/// The settings that are stated in one place; all others are `None` or empty.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Written {
     pub exclude: Option<Vec<Pattern>>,
@@ -23,7 +23,7 @@ pub(super) struct Written {
     pub numbers: Option<Numbers>,
 }
 
-/// The byte of the text where a fault is, and the fault.
+/// The byte offset of a fault in the text, and the fault.
 pub(super) type Fault = (usize, Complaint);
 
 const EXCLUDE: &str = "exclude";
@@ -31,7 +31,7 @@ const PER_FILE_IGNORES: &str = "per-file-ignores";
 const LINT: &str = "lint";
 const FORMAT: &str = "format";
 
-/// The settings of each table by their whole names. In `lint` codes stand beside them.
+/// The names at the top level: single settings and tables. The table `lint` also has codes as names.
 const TOP: [&str; 4] = [EXCLUDE, FORMAT, LINT, PER_FILE_IGNORES];
 /// The settings that are true or false.
 const BOOLEANS: [&str; 2] = ["align", "group"];
@@ -43,11 +43,11 @@ type KeyValue<'t, 'i> = (
 );
 
 impl Written {
-    /// Reads settings that are about a folder.
+    /// Reads settings from a text of TOML. Their patterns are about the folder `root`.
     ///
     /// # Errors
     ///
-    /// All faults of the text and their places, in its order.
+    /// All faults of the text with their offsets, in the order of the text.
     pub(super) fn read(text: &str, root: &Path) -> Result<Written, Vec<Fault>> {
         let (table, errors) = DeTable::parse_recoverable(text);
         let faults = errors.iter().map(|e| {
@@ -61,7 +61,7 @@ impl Written {
             faults: faults.collect(),
         };
         let mut out = Written::default();
-        // What is left of a text that is no TOML says little.
+        // If the text is no TOML, the part that can be read says little.
         if reader.faults.is_empty() {
             reader.top(table.get_ref(), &mut out);
         }
@@ -73,8 +73,8 @@ impl Written {
     }
 }
 
-/// The complaint that proposes the right value, a truth value of TOML or a text in quotes, where a bare word as `no` or
-/// `off` stands at `at`.
+/// The complaint that proposes a right value, `true` or `false` or a text in quotes, if a bare word such as `no` or
+/// `off` is the value on the line of `at`.
 fn text_is_meant(text: &str, at: usize) -> Option<Complaint> {
     let start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
     let line = text[start..].lines().next()?;
@@ -87,14 +87,14 @@ fn text_is_meant(text: &str, at: usize) -> Option<Complaint> {
     Some(Complaint::new("setting-truth").with("text", quote(word)))
 }
 
-/// The key of a setting on a line, and the word of no meaning that stands for a text as its value.
+/// The key and the value of a setting on a line, if the value is a bare word that lacks its quotes.
 pub(super) fn bare(line: &str) -> Option<(&str, &str)> {
     let (key, word) = word(line)?;
     let name = key.rsplit('.').next()?;
     (!BOOLEANS.contains(&name)).then_some((key, word))
 }
 
-/// The key of a setting on a line, and its value, if that is a word that means nothing in TOML.
+/// The key and the value of a setting on a line, if the value is a bare word that means nothing in TOML.
 fn word(line: &str) -> Option<(&str, &str)> {
     let (key, value) = line.split_once('=')?;
     let word = value.split('#').next()?.trim();
@@ -122,7 +122,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// The value that is right; a fault is kept.
+    /// The value of a result, or `None` for a fault, which is kept.
     fn keep<T>(&mut self, result: Result<T, Fault>) -> Option<T> {
         result.map_err(|fault| self.faults.push(fault)).ok()
     }
@@ -150,7 +150,7 @@ impl Reader<'_> {
                 continue;
             }
             let codes = name.parse().map_err(|e: UnknownCode| {
-                // What belongs elsewhere is no code that is misspelt.
+                // The name of a setting of another table is not taken for a misspelt code.
                 match misplaced(name).or_else(|| near(name, &[PER_FILE_IGNORES])) {
                     near if near.is_some() || OF_RUFF.contains(&name) => {
                         let codes = Complaint::new("setting-codes-known");
@@ -254,7 +254,7 @@ impl Reader<'_> {
         patterns.collect()
     }
 
-    /// A list of texts, and where each stands.
+    /// The texts of a list, each with its offset; empty for a value that is no list.
     fn texts<'v>(
         &mut self,
         key: &str,
@@ -288,7 +288,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A setting has a value that it cannot have.
+    /// The fault of a setting with a value that it cannot have.
     fn unfit(&self, key: &str, wanted: &'static str, value: &Spanned<DeValue>) -> Fault {
         let found = self.text.get(value.span()).unwrap_or_default();
         let why = Complaint::new("setting-value")
@@ -299,7 +299,7 @@ impl Reader<'_> {
     }
 }
 
-/// Errors of the language stay errors.
+/// Checks that errors of the language stay errors.
 fn changeable(codes: &Selector, level: Level, at: usize) -> Result<(), Fault> {
     match codes.fixed_error() {
         Some(code) if level != Level::Error => Err((
@@ -337,12 +337,12 @@ fn no_setting(key: &str, known: Complaint, near: Option<String>) -> Complaint {
 /// Names of lists of codes in ruff's settings, which zpg does not have: in zpg each code has a level.
 const OF_RUFF: [&str; 4] = ["ignore", "select", "extend-ignore", "extend-select"];
 
-/// The whole name of a setting that belongs into another table.
+/// The full name of a setting that belongs in another table. `None` if no table has a setting with this name.
 fn misplaced(name: &str) -> Option<String> {
     let is_code = || Code::parse(name).is_some();
     match name {
         EXCLUDE => Some(EXCLUDE.to_owned()),
-        // As ruff calls it.
+        // Ruff has this name for the width.
         "line-length" => Some(format!("{FORMAT}.width")),
         _ if OF_FORMAT.contains(&name) => Some(format!("{FORMAT}.{name}")),
         _ if is_code() => Some(format!("{LINT}.{name}")),
@@ -350,7 +350,7 @@ fn misplaced(name: &str) -> Option<String> {
     }
 }
 
-/// The name that is spelt nearly so.
+/// The name in a list that is spelt most similarly to a text, if it is similar enough.
 fn near(text: &str, names: &[&'static str]) -> Option<String> {
     let distance = |name: &str| match text.len() > 1 && name.starts_with(text) {
         true => 0,

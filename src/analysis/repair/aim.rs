@@ -1,5 +1,5 @@
-//! Where a camera without an up vector looks: along a direction, or at a point. The rays of both readings tell which of
-//! the two shows something.
+//! The choice between two readings of a camera without an up vector: it looks along a direction, or at a point. The ray
+//! through the middle of the picture tells which of the two shows something.
 
 use super::Trial;
 use super::candidates::cameras::{DIRECTION_TITLE, POINT_TITLE, is_unit};
@@ -15,8 +15,8 @@ const MAX_DIRECTION_LENGTH: f64 = 1.5;
 /// Cosine of the angle up to which both readings look the same way: 60 degrees.
 const MIN_COSINE: f64 = 0.5;
 
-/// Puts the likelier one of both readings of a camera first, where both show something. Whether both stay as likely as
-/// each other.
+/// Puts the likelier one of both readings of a camera first, where both show something. Returns whether neither of them
+/// is clearly likelier.
 pub(super) fn settle(judged: &mut [(Left, Trial)], camera: Option<u32>) -> bool {
     let at = |title| {
         judged
@@ -45,7 +45,7 @@ pub(super) fn settle(judged: &mut [(Left, Trial)], camera: Option<u32>) -> bool 
     if is_direction && along > to {
         judged[to..=along].rotate_right(1);
     }
-    // One of unit length is hardly a point.
+    // A vector of unit length is hardly a point.
     let is_clear = is_unit
         || match is_direction {
             true => direction_meets && !point_meets,

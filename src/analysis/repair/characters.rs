@@ -11,7 +11,7 @@ const UNITS: [&str; 12] = [
     "°", "º", "˚", "degrees", "deg", "stupňů", "mm", "cm", "dm", "km", "px", "m",
 ];
 
-/// The number that was meant by a word that is none. A per cent sign divides by 100, a degree sign goes.
+/// The number that was meant by a word that is no number. A per cent sign divides by 100; units are dropped.
 pub(super) fn number(text: &str) -> Option<String> {
     // On a Czech keyboard `=` stands where others have the minus.
     if let Some(number) = text.strip_prefix('=')
@@ -24,13 +24,13 @@ pub(super) fn number(text: &str) -> Option<String> {
     let text = without_unit
         .filter(|number| plain(number).is_some())
         .unwrap_or(text);
-    // A point that was typed twice.
+    // A decimal point may have been typed twice.
     let text = match text.matches('.').count() {
         2 if text.contains("..") => text.replace("..", "."),
         _ => text.to_owned(),
     };
     let text = text.as_str();
-    // A second point behind all digits, or the minus.
+    // A second point, or the minus, may stand behind all digits.
     let without_end = text.strip_suffix('.').filter(|rest| rest.contains('.'));
     let sign_behind = text
         .strip_suffix('-')
@@ -48,7 +48,7 @@ pub(super) fn number(text: &str) -> Option<String> {
         let value = plain(above)?.parse::<f64>().ok()? / plain(below)?.parse::<f64>().ok()?;
         return value.is_finite().then(|| value.to_string());
     }
-    // As programs write a number of single precision.
+    // Programs write numbers of single precision with an `f` behind them.
     let single = || text.strip_suffix('f').filter(|t| t.contains('.'));
     plain(text)
         .or_else(|| calculated(text))
@@ -59,7 +59,8 @@ pub(super) fn number(text: &str) -> Option<String> {
 /// The signs on the keys of the digits of a Czech keyboard, from 0 to 9.
 const KEYS: &str = "é+ěščřžýáí";
 
-/// The first letter of a Czech keyboard in the place of a digit, and that digit, of a word that is read so.
+/// The first letter of a word that a Czech keyboard has on the key of a digit, and that digit. `None` if the word is
+/// not read that way.
 pub(super) fn czech_key(text: &str) -> Option<(char, usize)> {
     let is_read_so = without_shift(text).is_some() && number(text) == without_shift(text);
     let place = |c: char| KEYS.chars().position(|key| key == c);
@@ -85,7 +86,7 @@ fn without_shift(text: &str) -> Option<String> {
     new.map(|new| format!("{sign}{new}"))
 }
 
-/// The degrees that an angle in parts of π is, as `pi/2`, `2*PI/3` or `-π`.
+/// Converts an angle in parts of π, as `pi/2`, `2*PI/3` or `-π`, to degrees.
 pub(super) fn degrees(text: &str) -> Option<String> {
     let text = text.to_lowercase().replace('π', "pi");
     let (above, below) = text.split_once('/').unwrap_or((&text, "1"));
@@ -114,7 +115,7 @@ pub(super) fn is_dash(text: &str) -> bool {
     text == "-" || text.chars().all(|c| DASHES.contains(&c)) && text.chars().count() == 1
 }
 
-/// A decimal number with letters and signs for what they look like.
+/// Reads a decimal number in which letters and signs stand for the characters that they look like.
 fn plain(text: &str) -> Option<String> {
     let digit = |c: char| match c {
         'O' | 'o' => '0',
@@ -124,11 +125,11 @@ fn plain(text: &str) -> Option<String> {
         c => c,
     };
     let mut out: String = text.chars().map(digit).collect();
-    // No number begins with a letter for a nought that stands for nothing.
+    // A letter `O` for a leading zero is dropped.
     if text.starts_with(['O', 'o']) && out[1..].starts_with(|c: char| c.is_ascii_digit()) {
         out.remove(0);
     }
-    // Of words that are letters alone only single ones are digits.
+    // A word of letters alone is a digit only if it is a single letter.
     let has_digit = text.contains(|c: char| c.is_ascii_digit())
         || text
             .trim_start_matches(['-', '+'])

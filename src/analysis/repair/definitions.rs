@@ -22,8 +22,8 @@ pub(super) fn is_told(d: &Diagnostic) -> bool {
     d.case == COPIED || d.fixes.first().is_some_and(|f| f.title == TITLE)
 }
 
-/// The definitions of objects that no record names or changes, each with the ID of the records right below it, where
-/// several findings speak of that ID. The findings are told as one.
+/// Finds definitions of objects that no record names or changes, right above a record whose ID has several findings and
+/// no definition. The fix gives the definition that ID, and one finding stands for the several.
 pub(super) fn slips(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Matter> {
     let is_wrong = |d: &&Diagnostic| {
         let is_open = matches!(d.case, "" | "changed") && !switched_off::is_told(d);
@@ -78,7 +78,7 @@ pub(super) fn slips(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Matter>
 }
 
 impl Engine<'_> {
-    /// Settles a property that was copied with its ID.
+    /// Finds a property that was copied with its ID, and replaces the errors that come from it by one finding.
     pub(super) fn copied(&mut self) {
         if let Some(matter) = copied(self.analysis, &self.findings) {
             self.settle(matter);
@@ -88,11 +88,11 @@ impl Engine<'_> {
 
 /// The title of the fix that writes another ID in the second definition of a property.
 const COPIED_TITLE: &str = "fix-write";
-/// The case of a finding about an ID whose property has that of another one.
+/// The case of a finding about an undefined ID whose property has the ID of another one.
 const COPIED: &str = "copied";
 
-/// The findings about an ID of a property that nothing defines, where one property is defined twice before anything uses
-/// it: the second line was copied with its ID.
+/// Finds a property that is defined twice before anything uses it, where just one ID is undefined: the second line was
+/// copied with its ID. The fix gives that line the undefined ID.
 fn copied(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let is_open = |d: &&Diagnostic| d.code == Code::E101 && d.case.is_empty();
     let wrong: Vec<&Diagnostic> = findings
@@ -106,7 +106,7 @@ fn copied(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     }
     let document = &analysis.document;
     let all: Vec<&Record> = records(analysis).collect();
-    // The place of the record that defines a property nobody has used yet.
+    // For each property that nothing has used yet, the index of the record that defines it.
     let mut unused: FxHashMap<u32, usize> = FxHashMap::default();
     let mut seen: FxHashSet<u32> = FxHashSet::default();
     let mut twice: Vec<usize> = Vec::new();
@@ -131,7 +131,7 @@ fn copied(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
         return None;
     };
     let own = all[second].id;
-    // What is said of the second behind it goes with it.
+    // Records right behind the second definition that change it get the new ID, too.
     let behind = all[second..].iter().take_while(|r| r.id == own);
     let text = id.to_string();
     let number = quote(&text);

@@ -1,5 +1,6 @@
-//! Properties above the object that they are for, or with the ID of the next object in place of that of the one above, and
-//! objects that are used as such before they are defined, where their properties stand above.
+//! Properties in wrong places: above the object that they are for, or with the ID of the next object in place of the ID
+//! of the one above. Also objects that are used before they are defined, where only their properties stand above the
+//! use.
 
 use rustc_hash::FxHashMap;
 
@@ -22,7 +23,7 @@ pub(super) fn is_told(d: &Diagnostic) -> bool {
     is_early(d) && !d.fixes.is_empty()
 }
 
-/// The objects that are used as such where but their properties are defined: each definition is moved above these.
+/// Finds objects that are used where only their properties are defined. The fix moves each definition above these.
 pub(super) fn definitions(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Matter> {
     let mut wrong: FxHashMap<u32, Vec<&Diagnostic>> = FxHashMap::default();
     for d in findings.iter().filter(|d| d.code == Code::E103) {
@@ -61,10 +62,10 @@ pub(super) fn definitions(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<M
     matters.collect()
 }
 
-/// The objects whose properties stand above them, each with the fix that moves all of these behind it. Where an ID is
-/// used and defined nowhere, or is used as something else, the object may rather have another one. A property of the
-/// object above with the ID of the next one is written with its own, unless it stands right above that next one, which
-/// has no other.
+/// Finds objects whose properties stand above them; the fix moves the properties behind the object. Nothing is proposed
+/// where some ID is undefined or used as a wrong kind, since the object may be meant to have that ID. A property that
+/// rather belongs to the object above gets the ID of that object, unless it stands right above the object whose ID it
+/// has, and that has no other.
 pub(super) fn properties(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Matter> {
     let early: Vec<&Diagnostic> = (findings.iter().filter(|d| is_early(d)))
         .take(MAX_OBJECTS)
@@ -84,7 +85,7 @@ pub(super) fn properties(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Ma
     }
     let blocks = Blocks::new(analysis);
     let slips: Vec<Option<Slip>> = early.iter().map(|d| blocks.slip(d)).collect();
-    // Who writes properties first does so more than once.
+    // A person who writes properties before their object does so more than once.
     let is_habit = early.len() > 1 && slips.iter().flatten().all(|slip| !slip.is_sure);
     let matters = early.into_iter().zip(moved).zip(slips);
     let matters = matters.filter_map(|((d, moved), slip)| {
@@ -106,19 +107,19 @@ pub(super) fn properties(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Ma
     matters.collect()
 }
 
-/// A property that is rather one of the object above.
+/// A property that rather belongs to the object above.
 struct Slip {
-    /// The fix that writes the ID of that object.
+    /// The fix that writes the ID of the object above.
     fix: Fix,
-    /// Whether the object that it has the ID of gets such a property below, or has no use for it.
+    /// Whether the object whose ID the property has gets such a property below, or has no use for one.
     is_sure: bool,
 }
 
-/// The records of a scene in order, and those that give an ID something.
+/// The records of a scene in order, and the properties that they give to each ID.
 struct Blocks<'a> {
     analysis: &'a Analysis,
     records: Vec<&'a Record>,
-    /// Properties that each ID is given, and by which record last.
+    /// For each ID and each property that it is given: the first token of the last record that gives it.
     given: FxHashMap<(u32, Given), u32>,
 }
 
@@ -147,7 +148,7 @@ impl<'a> Blocks<'a> {
             if let Some(given) = given(record) {
                 all.insert((record.id, given), record.first);
             }
-            // An assignment gives both.
+            // An assignment gives optics and texture.
             if record.kind == RecordKind::Assignment {
                 all.insert((record.id, Given::Optics), record.first);
                 all.insert((record.id, Given::Texture), record.first);
@@ -160,8 +161,8 @@ impl<'a> Blocks<'a> {
         }
     }
 
-    /// The slip that a property may be which stands above the definition of its object: alone, right under another
-    /// object, which is not given such a one.
+    /// Finds the slip of a property above the definition of its object: the property stands alone, right below a record
+    /// of another object, which has no such property. `None` if it is no slip.
     fn slip(&self, finding: &Diagnostic) -> Option<Slip> {
         let document = &self.analysis.document;
         let start = finding.labels.first()?.span.start;
@@ -185,11 +186,11 @@ impl<'a> Blocks<'a> {
             .partition_point(|t| t.start < finding.span.start) as u32;
         let last = self.given.get(&(property.id, kind));
         let has_own = last.is_some_and(|&last| last > defined);
-        // Only what lets light through has a use for an index.
+        // Only an object that lets light through has a use for a refractive index.
         let is_index = kind == Given::Index;
         let is_for_above = is_index && self.is_clear(above.id) && !self.is_clear(property.id);
         let is_sure = has_own || is_for_above;
-        // Between the two, and with the ID of the one below, it is rather that one's.
+        // A property right above the object whose ID it has rather belongs to that object.
         let is_right_above = next.id == property.id;
         (is_sure || !is_right_above).then_some(Slip { fix, is_sure })
     }

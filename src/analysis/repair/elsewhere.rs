@@ -1,5 +1,5 @@
-//! Slips that show on other lines: a record whose type takes up the numbers of the next lines, a shape whose ID is lost,
-//! and a copy of something that is no object but is used as one.
+//! Slips that show on other lines: a record whose type takes up the numbers of the next lines, a shape whose ID is
+//! lost, and a copy of something that is no object but is used as one.
 
 use rustc_hash::FxHashSet;
 
@@ -11,14 +11,14 @@ use crate::scene::names;
 use crate::syntax::Record;
 use crate::syntax::table::{Family, Kind, RecordKind, RecordType};
 
-/// A line that may be to blame.
+/// A line that may be to blame for errors on other lines.
 pub(super) struct Suspect {
     /// The finding about the line if it is to blame.
     pub finding: Diagnostic,
     pub candidates: Vec<Candidate>,
-    /// The span that was misread because of it.
+    /// The span that was misread because of the line; findings there are dropped.
     pub misread: Span,
-    /// Fewest errors that a candidate has to mend.
+    /// The fewest errors that a candidate has to repair.
     pub least: usize,
 }
 
@@ -36,7 +36,8 @@ pub(super) fn suspects(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Susp
     all
 }
 
-/// Lines that are a record of a sibling's type, and whose record as it is written goes on behind them.
+/// Finds lines that are whole records of a sibling type, one that people take for the written type. As it is written,
+/// the record goes on behind the line.
 fn taking(analysis: &Analysis) -> impl Iterator<Item = Suspect> {
     let source = &analysis.source;
     let spans = records(analysis).map(|r| analysis.document.span(r.first, r.last));
@@ -58,8 +59,8 @@ fn taking(analysis: &Analysis) -> impl Iterator<Item = Suspect> {
         })
 }
 
-/// Shapes whose ID is lost, so that they read as changes of what has the number of their type for its ID: one other ID is
-/// used and defined nowhere, or as something else.
+/// Finds shapes whose ID is lost: they read as changes of the entity whose ID is the number of their type. The lost ID
+/// must be the only other undefined ID, or the only other ID that is used as a wrong kind.
 fn without_ids(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
     let is_wrong = |d: &&Diagnostic| matches!(d.code, Code::E101 | Code::E103);
     let heads = findings.iter().filter(is_wrong).filter_map(|d| {
@@ -100,7 +101,8 @@ fn without_ids(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
     heads.take(MAX_SUSPECTS).filter_map(suspect).collect()
 }
 
-/// Lines with ID and type in each other's place, where the ID is used and defined nowhere, or as something else.
+/// Finds lines with ID and type in each other's place, where the true ID is undefined elsewhere, or used as a wrong
+/// kind.
 fn exchanged(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
     let mut undefined = super::undefined(findings);
     let misused = findings.iter().filter(|d| d.code == Code::E103);
@@ -131,7 +133,7 @@ fn exchanged(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
     out
 }
 
-/// The render record with its type behind the ID of what is drawn.
+/// Finds a render record whose type stands behind the ID of the drawn object.
 fn render_exchanged(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Suspect> {
     let suspect = |d: &Diagnostic| {
         let place = LineContext::both(analysis, d.span.start)
@@ -145,13 +147,13 @@ fn render_exchanged(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Susp
             least: 1,
         })
     };
-    // It is mostly the last record.
+    // The render record is mostly the last record.
     let errors = findings.iter().rev().filter(|d| d.is_error());
     errors.take(MAX_SUSPECTS).find_map(suspect)
 }
 
-/// Shapes that are right either way, as `11 3 0 1 0 1`: the type is an ID that is used and is no object's, and the ID is
-/// used nowhere.
+/// Finds shapes that can be read with ID and type in either order, as `11 3 0 1 0 1`, where the number in the place of
+/// the type is an ID that is used but undefined or of a wrong kind, and the written ID is used nowhere.
 fn exchanged_shapes<'a>(
     analysis: &'a Analysis,
     findings: &[Diagnostic],
@@ -190,7 +192,7 @@ fn exchanged_shapes<'a>(
     })
 }
 
-/// Copies of what is no object, where something else is asked of at least two references to them.
+/// Finds copies of an entity that is no object, where at least two references to the copy ask for another kind.
 fn copies(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<Suspect> {
     let misused = findings.iter().filter(|d| d.code == Code::E103);
     let mut named: Vec<u32> = misused.filter_map(super::named).collect();

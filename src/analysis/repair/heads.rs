@@ -1,4 +1,5 @@
-//! Records that look as if their IDs were lost, since the ID is the number of a type, too: another number is wrong.
+//! Records that seem to have lost their ID, since the ID is also the number of a type. Another number of the record is
+//! wrong.
 
 use super::candidates::LineContext;
 use super::whole::{records, references};
@@ -6,10 +7,11 @@ use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Diagnostic};
 use crate::syntax::table::{Effect, RecordKind};
 
-/// Says of a record whose ID is that of something else in the scene what else is wrong with it.
+/// Replaces the finding that a record has lost its ID, if other records use that ID: the new finding says which number
+/// is wrong.
 pub(super) fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
     let is_lost = |d: &Diagnostic| d.code == Code::E005 && d.case == "lost";
-    // The lost ID may be one of these.
+    // The lost ID may be one of the undefined ones.
     let has_undefined = findings.iter().any(|d| d.code == Code::E101);
     for d in findings.iter_mut().filter(|d| is_lost(d)) {
         let places = LineContext::both(analysis, d.span.start);
@@ -31,7 +33,8 @@ pub(super) fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
         if !is_named(id) {
             continue;
         }
-        // The record would change what it cannot, and its ID is the one that is used and defined nowhere.
+        // The lost ID is known: it is the only undefined one, and the record as written is a change that is not
+        // possible.
         let is_accounted = d.values.iter().any(|v| v.0 == "lost") && place.changes_nothing();
         let told = match has_undefined || is_accounted || is_defined(id) {
             true => None,

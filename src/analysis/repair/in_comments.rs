@@ -1,4 +1,4 @@
-//! IDs that a comment defines: nothing else was meant by them.
+//! Undefined IDs whose definition stands in a comment: no other ID was meant.
 
 use rustc_hash::FxHashMap;
 
@@ -14,7 +14,7 @@ pub(super) fn is_told(d: &Diagnostic) -> bool {
     d.code == Code::E101 && d.case == CASE
 }
 
-/// Says of undefined IDs that a comment defines them, and proposes no others.
+/// Adds to findings about undefined IDs the line of the comment that defines them, and drops proposals of other IDs.
 pub(super) fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
     let mut undefined = (findings.iter_mut())
         .filter(|d| d.code == Code::E101 && d.case.is_empty())

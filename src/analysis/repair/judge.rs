@@ -1,4 +1,4 @@
-//! Findings that are left in a scene: the fewer, the likelier it is what a person meant.
+//! Counts of the findings that are left in a scene: the fewer they are, the likelier the scene is what a person meant.
 
 use super::candidates::{Candidate, Habit};
 use crate::analysis::Analysis;
@@ -8,7 +8,7 @@ use crate::solids::bounds::NodeBounds;
 use crate::solids::proofs::{Literals, Proofs};
 use crate::trace::plan::unseen::view::{Parts, out_of_view};
 
-/// The errors and other findings that are left, the weightiest first.
+/// The numbers of findings that are left in a scene, the weightiest kind first: two of them compare by errors first.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Left {
     pub errors: usize,
@@ -18,25 +18,26 @@ pub(super) struct Left {
     pub notes: usize,
 }
 
-/// The code of a picture that cannot be read, which no text mends.
+/// The code for a picture file that cannot be read. No change of the text repairs that.
 pub(super) const NO_PICTURE: Code = Code::E210;
 
-/// The number of errors of the text.
+/// The number of errors of the text; picture files that cannot be read do not count.
 pub(super) fn errors(analysis: &Analysis) -> usize {
     let of_text = |&&(code, _): &&(Code, Span)| code != NO_PICTURE;
     analysis.errors.iter().filter(of_text).count()
 }
 
-/// Whether no error of the text is left.
+/// Whether the text has no errors; picture files that cannot be read do not count.
 pub(super) fn is_right(analysis: &Analysis) -> bool {
     (analysis.errors.iter()).all(|&(code, _)| code == NO_PICTURE)
 }
 
-/// Most shapes, copies counted, of a scene on which the rules run: with copies of copies they take a tenth of a second,
-/// and many texts are tried.
+/// The most shapes, copies counted, of a scene on which the lint rules run. On a scene with copies of copies the rules
+/// take a tenth of a second, and many texts are tried.
 const MAX_SHAPES_FOR_RULES: u64 = 20_000;
 
-/// Runs the rules; in a scene of more shapes than [`MAX_SHAPES_FOR_RULES`] only errors count.
+/// Counts the findings of a scene. In a scene of more shapes than [`MAX_SHAPES_FOR_RULES`] the rules do not run, and
+/// only errors are counted.
 pub(super) fn left(analysis: &Analysis) -> Left {
     let mut left = Left::default();
     if !is_small(&analysis.scene) {
@@ -66,7 +67,7 @@ pub(super) fn is_small(scene: &Scene) -> bool {
     occurrences(scene) <= MAX_SHAPES_FOR_RULES
 }
 
-/// How often shapes occur in what is made of most of them.
+/// The number of shapes in the node that is made of most shapes. A shape counts as often as it occurs in the node.
 fn occurrences(scene: &Scene) -> u64 {
     let counts = fold_up(&scene.nodes, |_, node, counts: &[u64]| {
         let below = node.children().map(|n| counts[n as usize]);
@@ -75,8 +76,9 @@ fn occurrences(scene: &Scene) -> u64 {
     counts.into_iter().max().unwrap_or(0)
 }
 
-/// How many operations are what one of their operands is: a part of a union within the other, a solid
-/// taken away from what it does not meet, an intersection with all around.
+/// The number of operations that are equal to one of their operands: the union with a part that lies within the other
+/// operand, the difference with a solid that the first operand does not meet, the intersection with a solid that
+/// encloses the other.
 fn useless(scene: &Scene, bounds: &[NodeBounds]) -> usize {
     let mut proofs = Proofs::new(scene, bounds);
     let mut count = 0;
@@ -126,8 +128,8 @@ fn codes_at(scene: &Analysis, line: Span) -> impl Iterator<Item = Code> {
     errors.filter_map(move |&(code, span)| on_line(span).then_some(code))
 }
 
-/// How many errors of a line show only now that an unknown type has its minus again, or a rotation the number of its axis:
-/// undefined IDs. They are no reason to take it for something else.
+/// The number of undefined IDs on a line that show only since a candidate gave an unknown type its minus, or a rotation
+/// the number of its axis. They do not speak against the candidate.
 pub(super) fn hidden(d: &Diagnostic, candidate: &Candidate, scene: &Analysis, line: Span) -> usize {
     let is_sign = d.code == Code::E007 && candidate.habit == Habit::Sign;
     match is_sign || candidate.habit == Habit::Axis {
@@ -138,7 +140,8 @@ pub(super) fn hidden(d: &Diagnostic, candidate: &Candidate, scene: &Analysis, li
     }
 }
 
-/// How many IDs prove to be defined again only now that a record has no numbers too many: that is another mistake.
+/// The number of IDs that prove to be defined twice only since a candidate made a record of surplus numbers. They are
+/// another mistake and do not speak against the candidate.
 pub(super) fn redefined(
     d: &Diagnostic,
     candidate: &Candidate,
@@ -155,7 +158,7 @@ pub(super) fn redefined(
     }
 }
 
-/// Whether what begins on a line ends there, too.
+/// Whether every record that begins on the line of a span also ends on that line.
 pub(super) fn ends_on_line(scene: &Analysis, line: Span) -> bool {
     let (source, document) = (&scene.source, &scene.document);
     let number = |at: u32| source.line_index(source.floor(at));
@@ -172,7 +175,7 @@ mod tests {
     use super::*;
     use std::fmt::Write;
 
-    /// A ball that is joined with itself so many times, and a ball that nothing needs.
+    /// A scene of a ball that is joined with itself `times` times, and of a ball that nothing needs.
     fn doubled(times: u32) -> Analysis {
         let mut text = String::from("2 11 0 0 0 1\n90 11 0 0 0 1\n");
         for id in 3..3 + times {

@@ -1,4 +1,4 @@
-//! A light as an operand of a union: the light shines by itself, so the union is its other operand.
+//! A light as an operand of a union: the light shines by itself, so the other operand can replace the union.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -10,12 +10,12 @@ use crate::diagnostics::{Applicability, Diagnostic, Edit, Fix, Span};
 use crate::syntax::table::{Kind, RecordKind};
 use crate::syntax::{Record, quote};
 
-/// Most unions of which guesses are tried.
+/// The most unions for which guesses are tried.
 const MAX_TRIED: usize = 4;
 
 impl Engine<'_> {
-    /// Guesses of unions with a light to do without them. Where another object is left that nothing uses, that one may be
-    /// meant in place of the light, and the guess is a choice.
+    /// Proposes to do without unions that have a light as an operand. If there is an unused object, it may be meant in
+    /// place of the light, so the proposal is a choice.
     pub(super) fn lamp_operands(&mut self) {
         let is_one = |d: &Diagnostic| d.notes.contains(&"no-part") && d.fixes.is_empty();
         let all = (0..self.findings.len()).filter(|&at| is_one(&self.findings[at]));
@@ -51,7 +51,8 @@ impl Engine<'_> {
     }
 }
 
-/// The union on a line of its own goes, and its other operand stands wherever it is used or changed.
+/// The fix that deletes a union on a line of its own, and writes its other operand wherever the union is used or
+/// changed. `None` if something else stands on the line.
 fn without(
     analysis: &Analysis,
     union: &Record,

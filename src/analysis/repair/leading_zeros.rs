@@ -1,20 +1,22 @@
-//! Numbers that begin with a zero and explain what else is said of their record: with a point that is said no more.
+//! Numbers with a leading zero that lack their decimal point, and so explain other findings on their record: with the
+//! point, those findings are gone.
 
 use super::{Engine, judge};
 use crate::analysis::Analysis;
 use crate::diagnostics::wording::EXPLAINED;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Span};
 
-/// Numbers that are tried with a point.
+/// The most numbers that are tried with a decimal point.
 const MAX_TRIED: usize = 8;
 
-/// Whether a finding says that a number explains it.
+/// Whether a finding says that a number with a leading zero explains it.
 pub(super) fn is_told(d: &Diagnostic) -> bool {
     d.notes.contains(&EXPLAINED)
 }
 
 impl Engine<'_> {
-    /// Tries numbers that begin with a zero with a point. What is said no more then makes no guess of its own.
+    /// Tries a decimal point in numbers with a leading zero. A finding that is gone with the point loses its own fixes
+    /// and names the number.
     pub(super) fn leading_zeros(&mut self) {
         let zeros = |d: &&Diagnostic| d.code == Code::S505 && d.fixes.len() == 1;
         let zeros: Vec<Diagnostic> = (self.findings.iter().filter(zeros))
@@ -42,7 +44,7 @@ impl Engine<'_> {
             if judge::errors(&scene) > judge::errors(self.analysis) {
                 continue;
             }
-            // The fix writes on one line: the lines stay.
+            // The fix edits a single line, so all lines keep their numbers.
             let line =
                 |a: &Analysis, d: &Diagnostic| a.source.line_index(a.source.floor(d.span.start));
             let left: Vec<(Code, usize)> = (scene.findings().iter())
@@ -69,7 +71,7 @@ impl Engine<'_> {
     }
 }
 
-/// The text of the record that a place is in.
+/// The span of the record that contains a place.
 fn record(analysis: &Analysis, at: Span) -> Option<Span> {
     let item = analysis.document.item_at(at.start)?;
     Some(analysis.document.item_span(&analysis.document.items[item]))

@@ -1,4 +1,4 @@
-//! Records that a scene needs and lacks: what is left speaks of the ID that they would define.
+//! Definitions that a scene needs and lacks: the records that are left use or change the ID that is not defined.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -9,7 +9,7 @@ use crate::scene::{Entity, names};
 use crate::syntax::table::{Effect, Family, Kind, ParamKind, RecordKind, RecordType};
 use crate::syntax::{Item, Record};
 
-/// So many IDs are looked at.
+/// The most IDs that are examined.
 const IDS: usize = 16;
 
 /// Whether a finding says that the definition of an ID is missing.
@@ -17,18 +17,18 @@ pub(super) fn is_told(d: &Diagnostic) -> bool {
     d.code == Code::E101 && d.case.starts_with("missing")
 }
 
-/// The records of a scene, and uses and moves of its IDs.
+/// The records of a scene, with the uses and the moves of its IDs.
 struct Ids<'a> {
     analysis: &'a Analysis,
     records: Vec<&'a Record>,
     /// How often records name an ID.
     uses: FxHashMap<u32, usize>,
-    /// The IDs of what is moved.
+    /// The IDs that a transformation changes.
     moved: FxHashSet<u32>,
 }
 
-/// Says of IDs that their definition is missing, once each, and proposes no other ID. Guesses of a definition are
-/// tried by the caller.
+/// Replaces the findings about an ID by one that says that its definition is missing, and proposes no other ID. The
+/// caller tries the guesses at the definition.
 pub(super) fn retell(analysis: &Analysis, findings: &mut Vec<Diagnostic>) {
     let is_of_id = |d: &&Diagnostic| {
         let is_open = matches!(d.case, "" | "changed") && !switched_off::is_told(d);
@@ -41,7 +41,7 @@ pub(super) fn retell(analysis: &Analysis, findings: &mut Vec<Diagnostic>) {
         .take(IDS)
         .collect();
     ids.sort_unstable();
-    // What cannot be read, stands there twice or has a reserved ID may be what is missing.
+    // A record that cannot be read, is defined twice or has a reserved ID may be the missing definition.
     let is_broken = |item: &Item| matches!(item, Item::Broken(_));
     if ids.is_empty()
         || analysis.document.items.iter().any(is_broken)
@@ -61,7 +61,7 @@ pub(super) fn retell(analysis: &Analysis, findings: &mut Vec<Diagnostic>) {
         let copies = scene.copies(id);
         let is_of_copy =
             |d: &Diagnostic| is_of_id(&d) && named(d).is_some_and(|id| copies.contains(&id));
-        // What is wrong with a record in several places is a slip of that record.
+        // A record with several errors has a slip of its own.
         let told: FxHashSet<u32> = (spans.iter())
             .filter_map(|&span| scene.record_at(span))
             .map(|record| record.first)
@@ -78,7 +78,7 @@ pub(super) fn retell(analysis: &Analysis, findings: &mut Vec<Diagnostic>) {
             continue;
         }
         let is_lamp = finding.case == "missing-lamp";
-        // That a property is not used, and that there is no light, is plain then.
+        // If the definition is missing, it is plain that a property has no use, or that there is no light.
         let is_plain = |d: &Diagnostic| {
             d.code == Code::W310 && named(d) == Some(id) || d.code == Code::N603 && is_lamp
         };
@@ -114,7 +114,7 @@ impl<'a> Ids<'a> {
         self.uses.get(&id).copied().unwrap_or(0)
     }
 
-    /// The record that a place is in, or touches.
+    /// The record that contains or touches a place.
     fn record_at(&self, place: Span) -> Option<&'a Record> {
         let span = |r: &Record| self.analysis.document.span(r.first, r.last);
         let behind = self.records.partition_point(|r| span(r).start <= place.end);
@@ -122,7 +122,8 @@ impl<'a> Ids<'a> {
         near.iter().find(|r| span(r).touches(place)).copied()
     }
 
-    /// The finding about an ID whose definition is missing; `spans` are where something is said of the ID.
+    /// The finding that the definition of `id` is missing; `spans` are the places of the findings about the ID. `None`
+    /// if another slip is likelier.
     fn missing(&self, id: u32, spans: &[Span]) -> Option<Diagnostic> {
         let own: Vec<&Record> = (self.records.iter())
             .filter(|r| r.id == id)
@@ -141,7 +142,7 @@ impl<'a> Ids<'a> {
         let heads: FxHashSet<Span> = own.iter().map(|r| document.id_token(r).span()).collect();
         let is_of_use = |span: &&Span| !heads.contains(*span);
         let wrong = spans.iter().filter(is_of_use).count();
-        // What is asked for is an object.
+        // Whether the reference at a place asks for an object.
         let asks = |at: Span| self.kinds_at(at) == Some(&[Kind::Object]);
         if spans.iter().filter(is_of_use).any(|&at| !asks(at)) {
             return self.missing_colour(id, spans);
@@ -155,7 +156,7 @@ impl<'a> Ids<'a> {
         if self.analysis.scene.entities.iter().any(is_object) {
             return None;
         }
-        // A property that something has is one.
+        // If other records use the ID as a property, its property records are right and no object is missing.
         if properties > 0 && uses > wrong + self.copied(id) {
             return None;
         }
@@ -207,7 +208,7 @@ impl<'a> Ids<'a> {
             // All references of a record may be off by the same number.
             [a, b] if self.is_shifted(user, [a.id, b.id]) => None,
             [a, b] => {
-                // Of a chain the union before comes first.
+                // In a chain of unions, the union before is the first operand.
                 let is_made = |id: u32| {
                     (self.records.iter()).any(|r| r.id == id && r.ty().family == Family::Operation)
                 };
@@ -229,7 +230,7 @@ impl<'a> Ids<'a> {
         }
     }
 
-    /// The kinds of which one is asked for at a reference.
+    /// The kinds that the reference at a place may refer to. `None` if no reference stands there.
     fn kinds_at(&self, at: Span) -> Option<&'static [Kind]> {
         let record = self.record_at(at)?;
         let mut tokens = self
@@ -243,8 +244,9 @@ impl<'a> Ids<'a> {
         }
     }
 
-    /// Operations of the only two objects above a record that nothing uses, to be put above it; none where the record that
-    /// names the ID may name these two by a shift.
+    /// Fixes that define `id` as an operation on the only two unused objects above the record `first`, and write the
+    /// operation above that record. `None` if there are not just two, or if IDs that are all off by the same number may
+    /// mean them.
     fn operations(&self, id: u32, first: &Record, spans: &[Span]) -> Option<Vec<Fix>> {
         let start = self.analysis.document.tokens[first.first as usize].start;
         let left: Vec<&Entity> = self.unused(Kind::Object, start).take(3).collect();
@@ -277,7 +279,8 @@ impl<'a> Ids<'a> {
         Some(fixes.into())
     }
 
-    /// Whether a record is a move behind those of a lamp with the ID before, or in front of a lamp with the next ID.
+    /// Whether a record is a translation right behind the records of a lamp whose ID is one smaller, or right before a
+    /// lamp whose ID is one larger.
     fn is_beside_lamp(&self, record: &Record) -> bool {
         let behind = self.records.partition_point(|r| r.first <= record.first);
         let before = behind.checked_sub(2).map(|i| self.records[i].id);
@@ -292,7 +295,7 @@ impl<'a> Ids<'a> {
         record.kind == RecordKind::Translation && (is_next(before, -1) || is_next(next, 1))
     }
 
-    /// The finding that a colour of a checkerboard is missing, where there is no other one that it may be.
+    /// The finding that a colour of a checkerboard is missing. `None` if another colour above may be meant.
     fn missing_colour(&self, id: u32, spans: &[Span]) -> Option<Diagnostic> {
         let &[at] = spans else { return None };
         let user = self.record_at(at)?;
@@ -309,10 +312,10 @@ impl<'a> Ids<'a> {
         is_one.then(|| finding.case("missing-colour"))
     }
 
-    /// Whether a record names two things with IDs that are all off by one or two.
+    /// Whether the two references of a record would be the IDs in `left` if both were off by the same one or two.
     fn is_shifted(&self, user: &Record, left: [u32; 2]) -> bool {
         let named: Vec<u32> = names::references(&self.analysis.document, user).collect();
-        // Nothing would need what is named here alone.
+        // An object that only this record names would be without use.
         let is_object = |e: &Entity| e.kind == Some(Kind::Object);
         let objects = self.analysis.scene.entities.iter().filter(|e| is_object(e));
         let mut only_here = objects.filter(|e| named.contains(&e.id) && self.uses(e.id) == 1);
@@ -326,7 +329,8 @@ impl<'a> Ids<'a> {
         [1, -1, 2, -2].into_iter().any(is_off)
     }
 
-    /// Whether the ID of a record lies between those of the definitions above and below, and is no slip of the ID above.
+    /// Whether an ID lies between the IDs that are defined above its record and those defined below, and is no slip of
+    /// the ID of the record above.
     fn is_in_order(&self, id: u32, record: &Record) -> bool {
         let document = &self.analysis.document;
         let start = document.tokens[record.first as usize].start;
@@ -348,15 +352,15 @@ impl<'a> Ids<'a> {
         self.records.iter().any(is_lamp)
     }
 
-    /// Things of a kind above a place that no record names.
+    /// The entities of a kind above a place that no record names.
     fn unused(&self, kind: Kind, before: u32) -> impl Iterator<Item = &'a Entity> {
         let entities = self.analysis.scene.entities.iter();
         entities
             .filter(move |e| e.kind == Some(kind) && e.span.start < before && self.uses(e.id) == 0)
     }
 
-    /// Whether something else may be what is called missing, under a wrong ID: a lamp that nobody moves, an object that
-    /// nobody uses.
+    /// Whether the missing entity may exist under a wrong ID: a lamp that nothing moves, or an object that nothing
+    /// uses.
     fn is_left_over(&self, id: u32, is_lamp: bool) -> bool {
         let own = self.records.iter().any(|r| r.id == id);
         match is_lamp {
@@ -367,8 +371,8 @@ impl<'a> Ids<'a> {
         }
     }
 
-    /// Whether the first record of an ID stands right below one of an object whose ID has one digit more, or less: all of
-    /// them are rather of that object.
+    /// Whether the first record of an ID stands right below a record of an object whose ID has one digit more or less.
+    /// The records of the ID are then rather those of that object.
     fn has_lost_digit(&self, id: u32, first: &Record) -> bool {
         let behind = self.records.partition_point(|r| r.first < first.first);
         let Some(above) = behind.checked_sub(1).map(|i| self.records[i].id) else {
@@ -381,7 +385,7 @@ impl<'a> Ids<'a> {
         is_object && is_slip && id != above + 1 && self.uses(id) == 0
     }
 
-    /// How many records copy something.
+    /// The number of records that copy the object with an ID.
     fn copied(&self, id: u32) -> usize {
         let document = &self.analysis.document;
         let is_copy = |r: &&&Record| r.kind == RecordKind::Copy;
@@ -391,7 +395,7 @@ impl<'a> Ids<'a> {
             .count()
     }
 
-    /// The IDs of copies of something, and of their copies.
+    /// The IDs of the copies of an object, and of copies of those.
     fn copies(&self, id: u32) -> FxHashSet<u32> {
         let mut all = FxHashSet::default();
         for record in self.records.iter().filter(|r| r.kind == RecordKind::Copy) {

@@ -1,8 +1,8 @@
-//! Proposals: what a person most likely meant is found by trying it.
+//! Proposals: fixes that are tried in order to find what a person most likely meant.
 //!
-//! What may have been meant by a line ([`candidates`]) or by many at once ([`whole`]) is written into the text, the
-//! scene is read again, and what leaves the least to be said comes first ([`judge`]). Of as good ones that comes
-//! first which people do most ([`Habit`]). The number of trials is a function of the text alone: the same file
+//! A candidate for a line ([`candidates`]) or for many lines at once ([`whole`]) is written into the text, and the
+//! scene is read again. The candidate that leaves the fewest findings comes first ([`judge`]); of equally good ones,
+//! the most frequent slip comes first ([`Habit`]). The number of trials is a function of the text alone: the same file
 //! always gets the same proposals.
 
 mod aim;
@@ -33,22 +33,22 @@ use crate::syntax::Item;
 use candidates::{Candidate, Habit, LineContext};
 use judge::{Left, ends_on_line, errors_at, has_error_at, hidden};
 
-/// So many texts are tried for one file at most.
+/// The most texts that are tried for one file.
 const TRIALS: usize = 64;
-/// So many tokens are read for one file in all trials together.
+/// The most tokens that are read for one file in all trials together.
 const TOKENS: usize = 100_000;
-/// A token that is read by trying all ways to cut the text counts as so many.
+/// The cost, in tokens, of a token that is read by trying all ways to cut the text.
 const SEARCHED: usize = 8;
-/// So many proposals are made for one finding.
+/// The most proposals for one finding.
 const PROPOSALS: usize = 3;
 
-/// The findings of a scene with what a person most likely meant as the first fix of each. Of several errors
-/// that one fix mends, one is left.
+/// Returns the findings of a scene; the first fix of each is what a person most likely meant. Of several errors that
+/// one fix repairs, one is left.
 pub fn proposals(analysis: &Analysis) -> Vec<Diagnostic> {
     proposals_for(analysis, analysis.findings().to_vec())
 }
 
-/// As [`proposals`], made of the findings themselves: of millions there is then one copy less.
+/// Like [`proposals`], but takes the findings by value: where there are millions, that saves a copy of them.
 pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let document = &analysis.document;
     let tokens = document.tokens.len() + SEARCHED * document.searched;
@@ -78,7 +78,7 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
     engine.findings
 }
 
-/// Whether something may be proposed for a finding that has to be tried.
+/// Whether trials may find fixes for a finding: it is an error, an empty object or a number with a leading zero.
 pub fn is_tried(d: &Diagnostic) -> bool {
     d.is_error() || matches!(d.code, Code::W319 | Code::S505)
 }
@@ -98,26 +98,26 @@ struct Engine<'a> {
     findings: Vec<Diagnostic>,
     /// How many trials are left.
     trials: usize,
-    /// The findings to be mended again when those on other lines have their proposals, while such ones are looked for.
+    /// Findings that wait until other lines have their proposals, and are then tried again. `None` outside of `lines`.
     postponed: Option<Vec<Diagnostic>>,
 }
 
-/// A candidate, the scene that it makes, and where the line is in that.
+/// A candidate that was tried, the scene that it makes, and the span of the line in the text of that scene.
 struct Trial {
     candidate: Candidate,
     scene: Analysis,
     line: Span,
-    /// How many errors are left that are not [hidden].
+    /// The number of errors in the scene, without those that are [hidden] or that the candidate only brought to light.
     errors: usize,
 }
 
 impl Engine<'_> {
-    /// The scene with a fix and, where they do not meet it, with others.
+    /// Applies a fix, and those of `others` that do not overlap it, and reads the scene. `None` if no trials are left.
     fn attempt<'f>(&mut self, fix: Option<&'f Fix>, others: &'f [Fix]) -> Option<Analysis> {
         Some(self.attempt_at(fix, others, Span::default())?.0)
     }
 
-    /// The same, and where a line is then.
+    /// Like `attempt`, and also returns the span of `line` in the new text.
     fn attempt_at<'f>(
         &mut self,
         fix: Option<&'f Fix>,
@@ -137,7 +137,7 @@ impl Engine<'_> {
         Some((Analysis::trial(source.with_text(text)), line))
     }
 
-    /// Settles what is wrong with many lines at once.
+    /// Tries slips that affect many lines at once. One that proves right gets one finding in place of its many errors.
     fn whole(&mut self) {
         for find in whole::ALL {
             if let Some(matter) = find(self.analysis, &self.findings) {
@@ -156,7 +156,7 @@ impl Engine<'_> {
         whole::cycles(self.analysis, &mut self.findings);
     }
 
-    /// Says what is wrong with many lines in place of what is said of each, if its fix leaves fewer errors.
+    /// Replaces the errors on many lines by the one finding of `matter`, if its fix leaves fewer errors.
     fn settle(&mut self, matter: whole::Matter) {
         let Some(scene) = self.attempt(matter.finding.fixes.first(), &[]) else {
             return;
@@ -178,8 +178,8 @@ impl Engine<'_> {
         crate::diagnostics::sort(&mut self.findings);
     }
 
-    /// Drops what is said of the text as it was misread: what is no error, and is not said of the scene that a fix
-    /// makes.
+    /// Drops the warnings and notes that come from misreading the text: those that the scene with the fix does not have
+    /// on the same line.
     fn keep_what_stays(&mut self, scene: &Analysis) {
         // Lines are the same by their numbers or, where the fix adds some, by their texts.
         let is_longer = scene.source.line_count() != self.analysis.source.line_count();
@@ -197,7 +197,7 @@ impl Engine<'_> {
             .retain(|d| d.is_error() || said.contains(&key(self.analysis, d, is_longer)));
     }
 
-    /// Settles what is wrong with lines whose errors are on others.
+    /// Tries lines that may be to blame for errors on other lines. If one is, a finding about it replaces those errors.
     fn elsewhere(&mut self) {
         if self.trials == 0 {
             return;
@@ -237,8 +237,8 @@ impl Engine<'_> {
         }
     }
 
-    /// Settles what is wrong with single lines, one after the other. A choice between guesses waits for those of other
-    /// lines: a scene with an error tells little of them.
+    /// Finds proposals for single lines, one after the other. A line with several equally good guesses waits until
+    /// other lines have proposals: a scene with other errors tells little about which guess is right.
     fn lines(&mut self) {
         self.postponed = Some(Vec::new());
         let mut mended: Option<Span> = None;
@@ -261,7 +261,7 @@ impl Engine<'_> {
                 && let Some(line) = self.mend_line(at)
             {
                 mended = Some(line);
-                // What came before may be gone.
+                // Earlier findings may be gone, so the index is found anew.
                 at = self.findings.partition_point(|d| d.span.start <= line.end);
                 continue;
             }
@@ -274,20 +274,21 @@ impl Engine<'_> {
         }
     }
 
-    /// Mends the line of a finding, or postpones that: the line, if there is something to be proposed.
+    /// Finds proposals for the line of a finding, or postpones that. Returns the span of the line, or `None` if there
+    /// is nothing to propose.
     fn mend_line(&mut self, at: usize) -> Option<Span> {
         let places = LineContext::both(self.analysis, self.findings[at].span.start);
         let place = places.iter().find(|place| self.mend(at, place))?;
         Some(place.line())
     }
 
-    /// Says of records with too few numbers which these are.
+    /// Adds to findings about records with too few numbers which parameters are missing.
     fn lacking(&mut self) {
         let few = |d: &&mut Diagnostic| d.code == Code::E008 && d.case.is_empty();
         for d in self.findings.iter_mut().filter(few).take(TRIALS) {
             let places = LineContext::both(self.analysis, d.span.start);
             let lacking = places.first().and_then(LineContext::lacking);
-            // A fix says which it may be.
+            // A fix already says which number may be missing.
             if let Some((note, values)) = lacking.filter(|l| l.0 == "lack" || d.fixes.is_empty()) {
                 d.values.extend(values);
                 d.notes.push(note);
@@ -295,7 +296,8 @@ impl Engine<'_> {
         }
     }
 
-    /// Says of numbers too many behind a comment, as in `# ball #1`, where that comment ends.
+    /// Adds a note to findings about surplus numbers behind a comment, as in `# ball #1`: it says where the comment
+    /// ends.
     fn behind_comments(&mut self) {
         let text = &self.analysis.source.text;
         let many = |d: &&mut Diagnostic| d.code == Code::E009 && !d.notes.contains(&"comment-ends");
@@ -307,7 +309,8 @@ impl Engine<'_> {
         }
     }
 
-    /// Puts the fixes of a finding into order. Whether there is one that mends the line.
+    /// Tries the candidates for a finding and keeps the best as its fixes. Returns whether the finding is done with: it
+    /// has fixes, is dropped as a consequence of another error, or is postponed.
     fn mend(&mut self, at: usize, place: &LineContext) -> bool {
         let finding = self.findings[at].clone();
         let is_pointless = |fix: &Fix| place.is_behind_use(fix) || place.is_held(&finding, fix);
@@ -321,11 +324,11 @@ impl Engine<'_> {
             let same = |f: &Fix| f.edits == c.fix.edits;
             !finding.fixes.iter().any(same)
         });
-        // What is to be moved is settled, unless it may be of another object.
+        // A definition that is to be moved is settled, unless another ID may be meant.
         if finding.code == Code::E107 && !finding.fixes.is_empty() && !is_new {
             return false;
         }
-        // An error that has no proposal may come of this one.
+        // An error elsewhere that has no proposal may be a consequence of this one.
         let is_hopeless = |d: &Diagnostic| d.is_error() && d.fixes.is_empty() && *d != finding;
         let is_undefined = finding.code == Code::E101;
         let is_asked = is_new || self.findings.iter().any(is_hopeless);
@@ -334,16 +337,16 @@ impl Engine<'_> {
         }
         let knows_characters = candidates.iter().any(|c| c.habit == Habit::Characters);
         for fix in &finding.fixes {
-            // The title may speak of what the finding proposes.
+            // The title of the fix may use the values of its finding.
             let mut fix = fix.clone();
             if fix.values.is_empty() {
                 fix.values.clone_from(&finding.values);
             }
             match candidates.iter_mut().find(|c| c.fix.edits == fix.edits) {
-                // What writes a type says which.
+                // The title of a candidate that writes a type names the type, so the candidate stays.
                 Some(same) if same.ty.is_some() => {}
                 Some(same) => same.fix = fix,
-                // It knows less of characters.
+                // The finding's own fix knows less about mistyped characters than the candidates.
                 None if knows_characters => {}
                 None => candidates.push(Candidate {
                     habit: Habit::Proposed,
@@ -353,11 +356,11 @@ impl Engine<'_> {
             }
         }
         let line = place.line();
-        // What moves lines would take this one to another place.
+        // A fix that moves definitions would take this line to another place.
         let moves = |d: &Diagnostic| d.code == Code::E107;
-        // What is certain on the line itself is no matter of this finding either.
+        // A safe fix for another finding on the same line is applied, too: it is not in question here.
         let certain = |d: &Diagnostic| d.code == Code::E003 && has_safe_fix(d) && *d != finding;
-        // An ID that is not defined may be the one that cannot be read here.
+        // An undefined ID may be the one that cannot be read at the start of this line.
         let is_word = matches!(finding.code, Code::E003 | Code::E012);
         let is_head = is_word && finding.span.start == line.start;
         let is_named = |d: &Diagnostic| is_head && d.code == Code::E101;
@@ -376,7 +379,7 @@ impl Engine<'_> {
         let Some((base, own_line)) = self.attempt_at(None, &others, line) else {
             return false;
         };
-        // A guess on another line defines it: one that mends something else, too.
+        // A fix for a finding on another line also defines this ID, so this finding goes.
         let is_choice = |f: &Fix| f.applicability == Applicability::Choice;
         let is_same = |d: &Diagnostic| d.code == Code::E101 && d.values == finding.values;
         let is_for_it = |d: &Diagnostic| is_same(d) && *d != finding && !d.fixes.is_empty();
@@ -406,10 +409,10 @@ impl Engine<'_> {
                 true => errors < errors_before,
                 false => errors <= errors_before,
             };
-            // What a finding does not propose itself mends the line, or is no proposal.
+            // A candidate that is not the finding's own proposal must leave no error on the line.
             let mends = match candidate.habit {
                 Habit::Proposed => true,
-                // Behind a comment a record that lacks numbers would take those of the next line.
+                // A record that lacks numbers would take those of the next line, behind the comment.
                 Habit::Comment => !has_error_at(&scene, own_line) && ends_on_line(&scene, own_line),
                 _ => errors_at(&scene, own_line) == hidden,
             };
@@ -494,7 +497,7 @@ impl Engine<'_> {
             self.keep_what_stays(&judged[0].1.scene);
         }
         let at = (self.findings.iter().position(|d| *d == finding)).unwrap_or(at);
-        // What leaves an object in vain is no proposal beside one that does not.
+        // A candidate that leaves more objects without use is not proposed beside the best one.
         let least = judged[0].0.in_vain;
         // While there are other errors, nobody can tell which object is left over.
         let names_another = |j: &&(Left, Trial)| j.1.candidate.habit.names_another();
@@ -506,7 +509,7 @@ impl Engine<'_> {
             && (named(&finding).is_some_and(|id| is_lost(self.analysis, id))
                 || place.is_of_others(&finding, &judged[0].1.candidate))
             && !defines(&judged[0].1.scene, named(&finding));
-        // What an object is given instead of itself may be any of what is as good.
+        // An assignment of an object to itself may mean any of the IDs that fit equally well.
         let of_itself = place.assigns_itself(&finding)
             && (judged.iter().filter(names_another).filter(fits)).count() > 1;
         let is_open = place.is_operation()
@@ -515,35 +518,35 @@ impl Engine<'_> {
             && judged.iter().filter(names_another).count() > 1
             || of_itself;
         let is_place = |j: &&(Left, Trial)| j.1.candidate.habit != Habit::Lost || fits(j);
-        // Beside IDs that are all off by one, the right one of two may stay.
+        // Beside a shift of both IDs, a proposal that keeps the right one of the two is shown, too.
         let keeps_one = |j: &(Left, Trial)| j.1.candidate.habit == Habit::Reference;
         let kept = judged.iter().position(keeps_one);
         let kept = kept.filter(|_| finding.code == Code::E104);
         let is_best =
             |&(i, j): &(usize, &(Left, Trial))| is_open || j.0.in_vain == least || Some(i) == kept;
         let best = judged.iter().enumerate().filter(is_best).map(|(_, j)| j);
-        // What people read may be the same, by whatever edits.
+        // Different edits may make the same text: it is proposed once.
         let mut made: FxHashSet<String> = FxHashSet::default();
         let is_other = |j: &&(Left, Trial)| {
             let words: Vec<&str> = j.1.scene.source.text.split_whitespace().collect();
             made.insert(words.join(" "))
         };
         let best = best.filter(is_place).filter(is_other);
-        // One comment is as good as another.
+        // Of several ways to write the words as a comment, the first is enough.
         let mut comments = 0;
         let best = best.map(|j| &j.1.candidate).filter(|c| {
             comments += usize::from(c.habit == Habit::Comment);
             c.habit != Habit::Comment || comments == 1
         });
         let best: Vec<&Candidate> = best.take(PROPOSALS).collect();
-        // By its comment, what is cut from is no hole.
+        // If a comment says that the object that is cut from is no hole, swapping the operands is doubtful.
         let is_doubted = finding.code == Code::W319 && place.cuts_what_is_no_hole();
         let finding = &mut self.findings[at];
         retell::retell(finding, &best, place);
         if is_open || places > 1 {
             finding.notes.push("choose");
         }
-        // There would be more errors than before.
+        // The best proposal would not lower the number of errors.
         let is_hidden = finding.is_error() && judge::errors(&judged[0].1.scene) >= errors_before;
         if is_lost {
             finding.notes.push("lost");
@@ -563,8 +566,8 @@ fn named(d: &Diagnostic) -> Option<u32> {
     }
 }
 
-/// Whether the definition of an ID is rather missing than that a record names another: several records name the ID, or
-/// the IDs before and behind it are defined.
+/// Whether an undefined ID rather lacks its definition than is miswritten: several records name or change the ID, or
+/// the next smaller and the next larger ID are both defined.
 fn is_lost(analysis: &Analysis, id: u32) -> bool {
     let document = &analysis.document;
     let records = || document.items.iter().filter_map(Item::record);
@@ -584,7 +587,8 @@ fn defines(analysis: &Analysis, id: Option<u32>) -> bool {
         .any(|e| Some(e.id) == id && e.kind.is_some())
 }
 
-/// The IDs that are used and defined nowhere, the first ones.
+/// The IDs that are used but defined nowhere, ascending, of the first [`TRIALS`] findings that have no other
+/// explanation.
 fn undefined(findings: &[Diagnostic]) -> Vec<u32> {
     let mut all: Vec<u32> = (findings.iter())
         .filter(|d| d.code == Code::E101 && !in_comments::is_told(d) && !missing::is_told(d))

@@ -1,10 +1,10 @@
-//! The words of a finding that go with its first proposal.
+//! The words of a finding, which have to fit its first proposal.
 
 use super::candidates::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Code, Diagnostic, Value};
 
-/// Gives a finding its fixes, and words that go with the first of them: those of what that one puts right, where the
-/// finding speaks of something else.
+/// Gives a finding its fixes. If the first fix repairs another fault than the finding speaks of, the finding is worded
+/// anew.
 pub(super) fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &LineContext) {
     let new = best.iter().map(|c| c.fix.clone()).collect();
     let own = std::mem::replace(&mut finding.fixes, new);
@@ -16,7 +16,7 @@ pub(super) fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &Line
     };
     if let Some(matter) = matter {
         let mut fixes = std::mem::take(&mut finding.fixes);
-        // What the finding itself proposed is said in words of its own.
+        // The fixes that the finding itself proposed fit only its old words.
         fixes.retain(|f| !own.iter().any(|o| o.title == f.title && o.edits == f.edits));
         *finding = Diagnostic { fixes, ..matter };
     } else if finding.code == Code::E007 {
@@ -35,7 +35,7 @@ pub(super) fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &Line
         finding.notes.push("comment-ends");
     }
     if let Some(fix) = finding.fixes.iter().find(|f| f.title == "fix") {
-        // The finding may speak of what is written, too.
+        // The words of the finding may name the number that the fix writes.
         let written = fix.values.iter().find(|v| v.0 == "number").cloned();
         finding
             .values
@@ -44,7 +44,8 @@ pub(super) fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &Line
     }
 }
 
-/// Whether a finding counts the numbers of another type than the line has, and the proposal keeps that of the line.
+/// Whether a finding counts the numbers for another type than the line has, while the proposal keeps the type of the
+/// line.
 fn is_other(finding: &Diagnostic, first: &Candidate, place: &LineContext) -> bool {
     let is_count = matches!(finding.code, Code::E008 | Code::E009);
     let is_kept = first.ty.is_none() && matches!(first.habit, Habit::Doubled | Habit::Sibling);

@@ -7,8 +7,8 @@ use crate::syntax::commented_out::comment_out;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
 
-/// All such comments of a text, as its own ones. What is wrong with a single one of words at the end of its line, that line
-/// says.
+/// Finds the C comments of a text; the fix rewrites them as comments of zpg. `None` if the only one is words at the end
+/// of its line: the finding about that line says so.
 pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let is_unread = |d: &Diagnostic| matches!(d.code, Code::E001 | Code::E012);
     if !findings.iter().any(is_unread) {
@@ -20,14 +20,14 @@ pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<M
         .tokens
         .split(|t| t.kind() == TokenKind::Newline);
     let blocks = blocks(analysis);
-    // The last block that begins before a place.
+    // Whether a place is within a comment over several lines.
     let within = |at: u32| {
         let next = blocks.partition_point(|b| b.edit.span.start <= at);
         let block = next.checked_sub(1).map(|i| &blocks[i]);
         block.is_some_and(|b| at < b.edit.span.end)
     };
     let mut edits: Vec<Edit> = Vec::new();
-    // Whether one ends before something else on its line.
+    // Whether something else follows a comment on its line.
     let mut is_before = false;
     for line in lines {
         let Some(last) = line.last() else { continue };
@@ -43,7 +43,7 @@ pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<M
                 false => rest.trim_start_matches('/'),
                 true => match rest[BEGIN.len()..].find(END) {
                     Some(length) => &rest[BEGIN.len()..][..length],
-                    // It ends on another line.
+                    // The comment ends on another line.
                     None => break,
                 },
             };
@@ -51,7 +51,7 @@ pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<M
                 true => BEGIN.len() + words.len() + END.len(),
                 false => rest.len(),
             };
-            // A comment that goes on behind it is not cut.
+            // A comment of zpg that goes on behind the C comment is not cut.
             if length < rest.len() && words.matches('#').count() % 2 == 1 {
                 break;
             }
@@ -90,7 +90,7 @@ pub(super) fn comments(analysis: &Analysis, findings: &[Diagnostic]) -> Option<M
     Some(Matter { finding, spans })
 }
 
-/// Words behind the sign of a comment of C, as a comment.
+/// Writes the words of a C comment as a comment of zpg. Empty if there are no words.
 pub(super) fn as_comment(words: &str) -> String {
     let words = words.replace('#', " ");
     let words: Vec<&str> = words.split_whitespace().collect();
@@ -104,11 +104,11 @@ pub(super) fn as_comment(words: &str) -> String {
 struct Block {
     /// A comment for each line in its place.
     edit: Edit,
-    /// The number of lines that it has words or records on.
+    /// The number of lines of the comment that are not empty.
     lines: usize,
 }
 
-/// All such comments. What may be a record is written as an editor comments it out.
+/// Finds all C comments over several lines. A line that may be a record is commented out as an editor does it.
 fn blocks(analysis: &Analysis) -> Vec<Block> {
     let text = analysis.source.text.as_str();
     let mut blocks = Vec::new();
@@ -118,13 +118,13 @@ fn blocks(analysis: &Analysis) -> Vec<Block> {
         if start < end || token.kind().is_comment() || !token.text(text).starts_with(BEGIN) {
             continue;
         }
-        // Where one has no end, no later one has.
+        // If one comment has no end, no later comment has one.
         let Some(length) = text[start + BEGIN.len()..].find(END) else {
             break;
         };
         let inside = &text[start + BEGIN.len()..][..length];
         end = start + BEGIN.len() + length + END.len();
-        // A comment that goes on behind it is not cut.
+        // A comment of zpg that goes on behind the C comment is not cut.
         if !inside.contains('\n') || inside.matches('#').count() % 2 == 1 {
             continue;
         }
@@ -155,7 +155,7 @@ fn blocks(analysis: &Analysis) -> Vec<Block> {
 const BEGIN: &str = "/*";
 const END: &str = "*/";
 
-/// A line as a comment; behind a record it stands without a `0`.
+/// Writes a line as a comment. Behind a record the comment needs no `0` before it.
 fn commented(line: &str, is_behind: bool) -> String {
     let is_record = line.starts_with(|c: char| c.is_ascii_digit());
     if is_record && !is_behind {

@@ -1,12 +1,12 @@
-//! Numbers too many that other programs have: a quaternion, points of a profile in space. They may be a record that lacks
-//! numbers itself.
+//! Surplus numbers as other programs write them: a quaternion, points of a profile in space. Surplus numbers may also
+//! be another record, which lacks numbers itself.
 
 use super::TRIALS;
 use super::candidates::LineContext;
 use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Diagnostic};
 
-/// Says of numbers too many what they are.
+/// Adds to findings about surplus numbers what the numbers may be.
 pub(super) fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
     let is_surplus = |d: &&mut Diagnostic| d.code == Code::E009;
     for d in findings.iter_mut().filter(is_surplus).take(TRIALS) {

@@ -1,4 +1,4 @@
-//! IDs whose record stands in a comment within its line: it was switched off, and others still need it.
+//! IDs whose record is commented out on its line, while other records still need it.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -14,9 +14,9 @@ use crate::syntax::quote;
 use crate::syntax::table::{Effect, RecordKind};
 use crate::syntax::{Item, Record};
 
-/// The note of a finding about such an ID.
+/// The note of a finding about an ID whose record is commented out.
 const NOTE: &str = "switched-off";
-/// Most IDs of which guesses are tried.
+/// The most IDs for which guesses are tried.
 const MAX_TRIED: usize = 4;
 
 /// Whether a finding says that the record of its ID stands in a comment.
@@ -24,14 +24,15 @@ pub(super) fn is_told(d: &Diagnostic) -> bool {
     d.notes.contains(&NOTE)
 }
 
-/// Whether a finding is about an ID without a definition that another record names.
+/// Whether a finding is about an ID that is undefined or of a wrong kind, and has no other explanation yet.
 fn is_of_id(d: &Diagnostic) -> bool {
     let is_open = matches!(d.case, "" | "changed");
     matches!(d.code, Code::E101 | Code::E103) && is_open && named(d).is_some()
 }
 
 impl Engine<'_> {
-    /// Says of IDs that their record is switched off. Guesses are to switch it on again, and to do without it.
+    /// Adds to findings about an ID that its record is commented out. Proposes to switch the record on again, or to do
+    /// without it.
     pub(super) fn switched_off(&mut self) {
         if !self.findings.iter().any(is_of_id) {
             return;
@@ -62,7 +63,8 @@ impl Engine<'_> {
         let is_mended = !fixes.is_empty();
         let mut fixes = Some(fixes);
         for d in self.findings.iter_mut() {
-            // Something else has the ID: without a guess nothing tells that this is not the one.
+            // If something else has the ID, only a guess that repairs an error shows that the commented record is
+            // meant.
             let is_meant = d.code == Code::E101 || is_mended;
             if is_of_id(d) && named(d) == Some(id) && is_meant {
                 d.notes.push(NOTE);
@@ -76,11 +78,11 @@ impl Engine<'_> {
     }
 }
 
-/// The lines that are switched off.
+/// The lines that are commented out.
 struct Off<'a> {
     analysis: &'a Analysis,
     lines: Vec<Line>,
-    /// The line that defines an ID, the last one.
+    /// For each ID, the index of the last commented line that defines it.
     defined: FxHashMap<u32, usize>,
 }
 
@@ -110,16 +112,16 @@ impl<'a> Off<'a> {
         self.analysis.source.position(span.start).line
     }
 
-    /// The record that is switched off and would define an ID.
+    /// The commented record that would define an ID, with its line.
     fn record(&self, id: u32) -> Option<(&Line, &Record)> {
         let line = &self.lines[*self.defined.get(&id)?];
         let mut records = line.document.items.iter().filter_map(Item::record);
         Some((line, records.find(|r| r.id == id)?))
     }
 
-    /// The guesses for an ID, none of which is taken: both that the record is wanted and that it is not may be meant.
+    /// The proposals for an ID, all of them choices: the record may be wanted or not.
     fn guesses(&self, id: u32) -> Vec<Fix> {
-        // Where the comment lacks its end, its sign may be any mark before the record, and that is wanted.
+        // If the comment lacks its end, its `#` may be any mark before the record, and the record is wanted.
         let line = &self.lines[self.defined[&id]];
         let is_closed = self.analysis.source.text[line.span.range()].ends_with('#');
         let operand = || self.operand(id).filter(|_| is_closed);
@@ -131,7 +133,7 @@ impl<'a> Off<'a> {
         all.into_iter().flatten().map(choice).collect()
     }
 
-    /// The record and all that it needs is switched on again.
+    /// The fix that switches on the record of an ID and all records that it needs.
     fn on(&self, id: u32) -> Fix {
         let entities = self.analysis.scene.entities.iter();
         let known: FxHashSet<u32> = entities.map(|e| e.id).collect();
@@ -145,7 +147,8 @@ impl<'a> Off<'a> {
         let mut seen: FxHashSet<u32> = FxHashSet::from_iter([id]);
         let mut todo = vec![id];
         while let Some(id) = todo.pop() {
-            // Of several that define it the last one is meant; what changes it goes with that.
+            // Of several lines that define the ID, the last one is meant. Lines behind it that change the ID go with
+            // it.
             let last = self.defined.get(&id).copied();
             let own = of_id.get(&id).into_iter().flatten();
             let is_meant = |i: &&usize| Some(**i) >= last;
@@ -168,7 +171,7 @@ impl<'a> Off<'a> {
             .with("count", Value::Count(wanted.len() as u64))
     }
 
-    /// The first operand of an operation that is switched off, wherever that is used and changed.
+    /// The fix that writes the first operand of a commented operation wherever the operation is used or changed.
     fn operand(&self, id: u32) -> Option<Fix> {
         let (line, record) = self.record(id)?;
         let operations = [
@@ -189,8 +192,8 @@ impl<'a> Off<'a> {
         )
     }
 
-    /// The only union with something, or difference that takes it away, is switched off as well: what is left of it is its
-    /// other operand.
+    /// The fix that comments out the only record with the ID, if that is a union or a difference that takes the ID
+    /// away. The other operand stands for the union or difference.
     fn without(&self, id: u32) -> Option<Fix> {
         let analysis = self.analysis;
         let is_user = |r: &&Record| {
@@ -232,7 +235,8 @@ impl<'a> Off<'a> {
     }
 }
 
-/// Another ID in all records from a place on that name or change something.
+/// The edits that write the ID `new` in place of `id` in all records from `start` on that name or change it. The render
+/// record counts wherever it stands.
 pub(super) fn instead(analysis: &Analysis, id: u32, new: u32, start: u32) -> Vec<Edit> {
     let mut edits = Vec::new();
     let mut write = |token: &Token| {

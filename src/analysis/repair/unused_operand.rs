@@ -1,4 +1,4 @@
-//! An operand that is defined below, while an object above is used by nothing: that one may be meant.
+//! An operand that is defined below its record, while an unused object above may be meant.
 
 use rustc_hash::FxHashMap;
 
@@ -9,9 +9,9 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
 use crate::syntax::quote;
 use crate::syntax::table::{Family, Kind};
 
-/// Adds to the findings about operands that are defined below the only object above that nothing uses. The guess stands
-/// beside that of moving the definition up, and neither is taken. What is defined below is used by another record, too:
-/// else that object would be left over.
+/// Proposes the only unused object above for an operand that is defined below. The proposal stands beside that of
+/// moving the definition up, and neither is applied by itself. Another record must use what is defined below, too: else
+/// that would be without use.
 pub(super) fn add(analysis: &Analysis, findings: &mut [Diagnostic]) {
     let is_early = |d: &&mut Diagnostic| d.code == Code::E107 && d.case.is_empty();
     if !findings.iter_mut().any(|d| is_early(&d)) {

@@ -1,5 +1,5 @@
-//! A slip that shows on many lines: the minus of all types lost, the ID of the render record used for an object, two scenes
-//! in one file, definitions that need each other.
+//! Slips that show on many lines: the minus of all types is lost, an object has the ID of the render record, two scenes
+//! are in one file, definitions need each other.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -12,7 +12,7 @@ use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Effect, ParamKind, RecordKind, RecordType};
 use crate::syntax::{Item, quote};
 
-/// A finding about many lines, and the places of those that it stands for.
+/// A finding about many lines, and the spans of the errors that it stands for.
 pub(super) struct Matter {
     pub finding: Diagnostic,
     pub spans: Vec<Span>,
@@ -22,13 +22,13 @@ type Find = fn(&Analysis, &[Diagnostic]) -> Option<Matter>;
 
 pub(super) const ALL: [Find; 5] = [slashes::comments, dashes, minus, scenes, reserved];
 
-/// Fewest records that make a habit.
+/// The fewest records with the same slip that count as a habit.
 const MIN_HABIT_RECORDS: usize = 3;
 
-/// So many IDs that are used as what they are not are looked at.
+/// The most findings about an ID of a wrong kind that are examined.
 const MISUSED: usize = 8;
 
-/// Whether a finding is one of these.
+/// Whether a finding stands for many lines, or proposes to move definitions.
 pub(super) fn is_of_many(d: &Diagnostic) -> bool {
     let is_moved = d.code == Code::E107 && d.case != "changed" && !d.fixes.is_empty();
     is_moved
@@ -38,7 +38,7 @@ pub(super) fn is_of_many(d: &Diagnostic) -> bool {
         )
 }
 
-/// Typographic dashes stand for minus signs on many lines, as in what is copied from a PDF file.
+/// Finds typographic dashes that stand for minus signs on many lines, as in text that was copied from a PDF file.
 fn dashes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let source = &analysis.source;
     let text = source.text.as_str();
@@ -73,10 +73,10 @@ fn dashes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     Some(Matter { finding, spans })
 }
 
-/// The minus of the type is lost in all records of a kind, or in all that have one.
+/// Finds types that have lost their minus: in all records of a type, or in all records whose type has a minus.
 fn minus(analysis: &Analysis, _: &[Diagnostic]) -> Option<Matter> {
     let text = analysis.source.text.as_str();
-    // The kinds whose minus stands there.
+    // The types that have their minus in some record.
     let mut signed: FxHashSet<i32> = FxHashSet::default();
     let mut lost: Vec<(&'static RecordType, Token, Span)> = Vec::new();
     let lines = analysis
@@ -172,11 +172,12 @@ fn largest(analysis: &Analysis) -> u32 {
     records(analysis).map(|r| r.id).max().unwrap_or(1)
 }
 
-/// An object has the ID of the render record.
+/// Finds an object with ID 1, which is that of the render record, and proposes another ID for the object.
 fn reserved(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let is_other = |d: &&Diagnostic| d.code == Code::E105 && d.case == "other";
     let first = findings.iter().find(is_other)?.clone();
-    // What is used and defined nowhere may be just that object, or what is used as an object and is a colour only.
+    // The only undefined ID may be meant for that object, or the only ID that is used as an object but defined by a
+    // colour alone.
     let (undefined, misused) = (super::undefined(findings), misused(analysis, findings));
     if undefined.is_empty()
         && misused.is_empty()
@@ -238,7 +239,8 @@ fn change_of_object_above(analysis: &Analysis) -> Option<(Token, u32)> {
     fits.then(|| (*analysis.document.id_token(stray), above))
 }
 
-/// The IDs that are used as objects, and that only a colour defines, which would have changed an object.
+/// The IDs that are used as objects, but that only a property record defines, such as a colour: if there was an object
+/// with that ID, the record would have changed it.
 fn misused(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<u32> {
     let is_misused = |d: &&Diagnostic| d.code == Code::E103;
     let mut all: Vec<u32> = (findings.iter().filter(is_misused))
@@ -256,7 +258,8 @@ fn misused(analysis: &Analysis, findings: &[Diagnostic]) -> Vec<u32> {
     all
 }
 
-/// Two scenes one behind the other: what follows the first render record is a scene by itself.
+/// Finds two scenes in one file: what follows the first render record is a scene by itself. The fix joins both by a
+/// union, and gives new IDs to the second one where both use the same IDs.
 fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     let doubled = || findings.iter().filter(|d| d.code == Code::E102);
     if doubled().count() < MIN_HABIT_RECORDS && !doubled().any(|d| d.case == "render") {
@@ -324,10 +327,11 @@ fn scenes(analysis: &Analysis, findings: &[Diagnostic]) -> Option<Matter> {
     Some(Matter { finding, spans })
 }
 
-/// So many references are followed for one file, to find definitions that need each other.
+/// The most references that are followed in one file to find definitions that need each other.
 const FOLLOWED: usize = 100_000;
 
-/// Says of definitions that need each other that they do.
+/// Finds the findings about a use before the definition where the definitions need each other, and adds the IDs of the
+/// cycle to them.
 pub(super) fn cycles(analysis: &Analysis, findings: &mut [Diagnostic]) {
     if !findings.iter().any(|d| d.code == Code::E107) {
         return;
@@ -364,7 +368,8 @@ pub(super) fn cycles(analysis: &Analysis, findings: &mut [Diagnostic]) {
     }
 }
 
-/// The shortest way from one ID to another along what definitions need.
+/// The shortest path from one ID to another along the references of definitions. `None` if there is none, or if all of
+/// the `left` references are used up.
 fn path(
     needs: &FxHashMap<u32, Vec<u32>>,
     from: u32,

@@ -6,7 +6,7 @@ use crate::syntax::lexer::Token;
 use crate::syntax::quote;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType, ShapeKind};
 
-/// A move and a colour have as many numbers.
+/// How many numbers a move has, and a colour.
 const OWN: usize = 3;
 
 /// Evidence that a place goes before the numbers of a record.
@@ -14,15 +14,15 @@ const OWN: usize = 3;
 enum Order {
     /// The place stands in brackets.
     Brackets,
-    /// The numbers behind it rather belong to the record.
+    /// The numbers behind the place are rather those of the record.
     PlaceFirst,
-    /// Nothing: it may follow them, too.
+    /// There is no evidence: the place may also follow the numbers.
     Either,
 }
 
 impl LineContext<'_> {
-    /// A light or a shape with three numbers too many, which are its colour or move it, or with six, which do both.
-    /// The type may have lost its minus, too.
+    /// Guesses at a light or a shape with surplus numbers: three are its colour or its place, six are both. The type
+    /// may have lost its minus, too.
     pub(super) fn apart(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let is_better = |c: &Candidate| matches!(c.habit, Habit::Doubled | Habit::Sibling);
         let Some(id) = self.id() else {
@@ -89,7 +89,8 @@ impl LineContext<'_> {
         }
     }
 
-    /// The place of a shape that has none of its own, before its sizes or behind them: at the origin it is left out.
+    /// Guesses that surplus zeros, before or behind the sizes of a shape without a place of its own, are its place: the
+    /// origin, which is left out.
     fn at_origin(&self, ty: &RecordType, habit: Habit) -> Option<Candidate> {
         let params = self.params();
         let sizes = ty.params.len();
@@ -116,7 +117,8 @@ impl LineContext<'_> {
         Some(Candidate::new(habit, fix.with("text", text)))
     }
 
-    /// Whole records behind the first one of a line, of which colours may have names: each goes to a line of its own.
+    /// Guesses at whole records behind the first record of a line: each goes to a line of its own. A colour may have
+    /// its name in place of its numbers.
     pub(super) fn records_behind(&self) -> Option<Candidate> {
         let ty = self.ty().filter(|ty| !ty.is_counted())?;
         let mut at = 2 + self.wanted(ty);
@@ -153,8 +155,8 @@ impl LineContext<'_> {
         Some(Candidate::new(Habit::Apart, fix))
     }
 
-    /// A record of the same ID behind a record, which lacks numbers: it goes to a line of its own. What it lacks is another
-    /// matter.
+    /// The fix for a second record of the same ID on a line, which lacks numbers: it goes to a line of its own. The
+    /// numbers that it lacks are another matter.
     pub(in crate::analysis::repair) fn incomplete_behind(&self) -> Option<Fix> {
         let ty = self.ty().filter(|ty| !ty.is_counted())?;
         let at = 2 + ty.params.len();
@@ -175,8 +177,8 @@ impl LineContext<'_> {
         Some(fix.with("text", quote(&text)))
     }
 
-    /// The line of a record and the next one, without the end of a line between them. That one changes the same object, or
-    /// defines an ID that is used and defined nowhere.
+    /// Guesses at a record and the next one without a line end between them, so that the last number and the next ID
+    /// are one token. The second record changes the same object, or defines an undefined ID.
     pub(super) fn lost_line_end(&self, finding: &Diagnostic, used: &[u32]) -> Option<Candidate> {
         let is_surplus = finding.code == Code::E009;
         let ty =
@@ -213,7 +215,8 @@ impl LineContext<'_> {
         ))
     }
 
-    /// A translation of an object as another one, `3 -1 2  4 0 0`, or a copy with its place: the copy, and what moves it.
+    /// Guesses at a copy and its translation, where a translation names the object that it copies, `3 -1 2  4 0 0`, or
+    /// where a copy has a place.
     pub(super) fn moved_copy(&self, finding: &Diagnostic) -> Option<Candidate> {
         let ty = self.ty().filter(|_| finding.code == Code::E009)?;
         let [copy, translation] = [RecordKind::Copy, RecordKind::Translation].map(RecordType::of);
@@ -253,7 +256,7 @@ impl LineContext<'_> {
         Some(Candidate::new(Habit::Apart, fix))
     }
 
-    /// How many of the parameters here are those of the record, and these as numbers.
+    /// How many tokens are the numbers of a record of this type, and these numbers as a text.
     fn own_numbers(&self, ty: &RecordType) -> Option<(usize, String)> {
         let colour = (ty.kind == RecordKind::Colour).then(|| self.named_colour(self.params()));
         if let Some(colour) = colour.flatten() {
@@ -265,7 +268,7 @@ impl LineContext<'_> {
         (numbers.iter().all(|t| t.kind().is_number())).then_some((count, text))
     }
 
-    /// The type with its minus, if that is what is wrong.
+    /// The edit that gives the type its minus, if the habit is that the minus is lost; empty otherwise.
     fn signed(&self, ty: &RecordType, habit: Habit) -> Vec<Edit> {
         let sign = (habit == Habit::Sign).then(|| Edit {
             span: self.tokens[1].span(),
@@ -274,7 +277,8 @@ impl LineContext<'_> {
         sign.into_iter().collect()
     }
 
-    /// The place before the numbers of the type, or a lamp's place and colour without its intensity.
+    /// Guesses that the place stands before the numbers of the type, or that a lamp has its place and its colour, but
+    /// no intensity.
     fn place_first(&self, id: u32, ty: &RecordType, kind: Kind, habit: Habit) -> Option<Candidate> {
         let params = self.params();
         let (place, own) = params.split_at_checked(OWN)?;
@@ -301,8 +305,8 @@ impl LineContext<'_> {
         self.records_apart(ty, &records, habit, told, edits)
     }
 
-    /// Whether the first three numbers may be a place; nothing if they are none. An intensity is 1 at most in most
-    /// scenes.
+    /// The evidence that the first three numbers are a place. `None` if they are none. In most scenes an intensity is 1
+    /// at most.
     fn order(&self, ty: &RecordType) -> Option<Order> {
         let params = self.params();
         let ends = params.get(OWN - 1..=OWN)?;
@@ -315,7 +319,7 @@ impl LineContext<'_> {
             x.is_some_and(|x| (0.0..=1.0).contains(&x))
         };
         if ty.family != Family::Light {
-            // A shape of sizes alone has no place of its own: either may be meant, and one makes more sense.
+            // The numbers of a shape of sizes alone have no place: either order may be meant, and one makes more sense.
             let order = match self.has_thinner_tube_behind(ty) {
                 true => Order::PlaceFirst,
                 false => Order::Either,
@@ -344,7 +348,7 @@ impl LineContext<'_> {
         behind.is_some_and(|behind| before.is_none_or(|before| behind < before))
     }
 
-    /// A candidate that makes records of their own of some numbers.
+    /// The candidate whose edits make some numbers records of their own.
     fn records_apart(
         &self,
         ty: &RecordType,
@@ -372,7 +376,7 @@ impl LineContext<'_> {
         Some(Candidate::new(habit, fix))
     }
 
-    /// Whether there is nothing in a shape: one of sizes alone has one of zero, or a box ends where it begins.
+    /// Whether a shape has no inside: one of its sizes is zero, or two corners of a box share a coordinate.
     fn is_flat(&self, ty: &RecordType, own: &[Token]) -> bool {
         let is_zero = |t: &Token| t.number(self.text) == Some(0.0);
         let is_same = |(low, high): (&Token, &Token)| {
@@ -385,7 +389,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// Whether numbers may be meant as records that follow what is defined.
+    /// Whether numbers may be meant as records that follow a definition of a kind.
     fn may_follow(&self, records: &[&RecordType], tokens: &[Token], kind: Kind) -> bool {
         let numbers: Option<Vec<f64>> = tokens.iter().map(|t| t.number(self.text)).collect();
         let mut each = records
@@ -395,7 +399,7 @@ impl LineContext<'_> {
         numbers.is_some() && each.all(|(ty, numbers)| may_follow(ty, kind, numbers))
     }
 
-    /// The beginning of a record on a line of its own, before a number that stands behind another one.
+    /// The edit that begins a record on a line of its own, between the token `before` and its first number.
     fn begun(&self, id: u32, ty: &RecordType, before: &Token, number: &Token) -> Edit {
         let between = Span::new(before.end(), number.start);
         Edit {
@@ -408,7 +412,7 @@ impl LineContext<'_> {
     }
 }
 
-/// Whether numbers of a record may be meant to follow what is defined.
+/// Whether numbers may be meant as a record of a type that follows a definition of a kind.
 fn may_follow(ty: &RecordType, kind: Kind, numbers: &[f64]) -> bool {
     let (Effect::Changes(kinds) | Effect::DefinesOrChanges(_, kinds)) = ty.effect else {
         return false;

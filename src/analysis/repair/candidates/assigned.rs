@@ -1,4 +1,5 @@
-//! Assignments whose IDs stand in wrong places, with that of the object among them, where the record has another ID or none.
+//! Assignments whose IDs are in wrong places: the record has a wrong ID or none, and the ID of the object may be among
+//! its references.
 
 use rustc_hash::FxHashSet;
 
@@ -8,12 +9,12 @@ use crate::diagnostics::{Applicability, Code, Diagnostic};
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Family, Kind, RecordKind, RecordType};
 
-/// So many objects are proposed for an assignment that names none.
+/// The most objects that are proposed for an assignment that names none.
 const MAX_CHOICES: usize = 2;
 
 impl LineContext<'_> {
-    /// The only order in which all that an assignment names is in its place, where its ID is that of no object, or missing:
-    /// `-299 2 35` and `35 -299 35 2`, where 2 is an object and 35 an optical property. What is named twice is meant once.
+    /// Puts the IDs of an assignment into the places for their kinds, if its own ID is missing or that of no object:
+    /// `-299 2 35` and `35 -299 35 2`, where 2 is an object and 35 optics. An ID that is written twice is meant once.
     pub(super) fn assigned(&self, finding: &Diagnostic) -> Option<Candidate> {
         let ty = RecordType::of(RecordKind::Assignment);
         let is_type = |i: usize| self.int(i) == Some(ty.code.into());
@@ -54,8 +55,8 @@ impl LineContext<'_> {
         is_new.then(|| Candidate::writing(habit, span, text))
     }
 
-    /// The objects that an assignment without an ID may be of, where all that it names is in its place: shapes above that
-    /// have nothing of it yet. Several of them are a choice.
+    /// Guesses at the object of an assignment that has lost its ID, if its references are right: shapes above that have
+    /// no such property yet. Two shapes are a choice; more are too many.
     pub(super) fn assigned_to(&self, finding: &Diagnostic) -> Vec<Candidate> {
         let ty = RecordType::of(RecordKind::Assignment);
         let [head, texture, optics] = self.tokens[..] else {

@@ -5,16 +5,16 @@ use crate::diagnostics::Applicability;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Family, RecordKind, ShapeKind};
 
-/// A vector has so many numbers.
+/// How many numbers a vector has.
 const OWN: usize = 3;
 
-/// The angle and the axis of a turn as `x*75` or `-30*y`.
+/// Reads a turn such as `x*75` or `-30*y` as its angle and the number of its axis, 1 to 3.
 pub(super) fn about_axis(text: &str) -> Option<String> {
     let (factor, axis) = product(text)?;
     Some(format!("{factor} {}", axis + 1))
 }
 
-/// The three numbers of a vector as `2*z`, `z*2`, `y` or `-y`.
+/// Reads a vector such as `2*z`, `z*2`, `y` or `-y` as its three numbers.
 pub(super) fn along_axis(text: &str) -> Option<String> {
     let (factor, axis) = match text.strip_prefix('-') {
         Some(rest) if axis(rest).is_some() => ("-1", axis(rest)?),
@@ -25,7 +25,7 @@ pub(super) fn along_axis(text: &str) -> Option<String> {
     Some(numbers.join(" "))
 }
 
-/// A number and an axis with a sign of multiplication between them.
+/// Splits a product of a number and an axis into the number and the index of the axis, 0 to 2.
 fn product(text: &str) -> Option<(&str, usize)> {
     let (a, b) = text.split_once('*')?;
     let (axis, factor) = match (axis(a), axis(b)) {
@@ -42,7 +42,7 @@ fn axis(text: &str) -> Option<usize> {
 }
 
 impl LineContext<'_> {
-    /// The numbers of vectors along an axis, and of a turn about one: `2 -1 2*z`, `2 -2 80*x`, `20 4 y 0`.
+    /// Guesses at the numbers of vectors along an axis, and of a turn about one: `2 -1 2*z`, `2 -2 80*x`, `20 4 y 0`.
     pub(super) fn vectors(&self) -> Option<Candidate> {
         let ty = self.ty().filter(|ty| !ty.is_counted())?;
         let params = self.params();

@@ -1,4 +1,4 @@
-//! Where a camera looks, and which way is up.
+//! Guesses at where a camera looks, and which way is up.
 
 use super::solids::has_unit_length;
 use super::{Candidate, Habit, LineContext};
@@ -9,16 +9,16 @@ use crate::syntax::lexer::Token;
 use crate::syntax::quote;
 use crate::syntax::table::{Kind, RecordKind};
 
-/// The angle of a camera that lacks it.
+/// The angle in degrees for a camera that lacks its angle.
 pub(super) const ANGLE: f64 = 45.0;
 
-/// The title of a camera's direction that is read as a point.
+/// The title of the fix that reads a camera's direction as the point that it looks at.
 pub(in crate::analysis::repair) const POINT_TITLE: &str = "fix-look-at";
-/// The title of a camera's direction that gets an up vector.
+/// The title of the fix that keeps a camera's direction and adds an up vector.
 pub(in crate::analysis::repair) const DIRECTION_TITLE: &str = "fix-up";
 
 impl LineContext<'_> {
-    /// The selection of a camera or of two without an ID, where just as many cameras are left.
+    /// Guesses at the missing IDs in a choice of one camera or two, if just as many other cameras are left.
     pub(super) fn only_cameras(&self) -> Option<Candidate> {
         let ty = self.ty()?;
         let is_one = matches!(ty.kind, RecordKind::MonoCamera | RecordKind::StereoCamera);
@@ -42,7 +42,8 @@ impl LineContext<'_> {
         self.write(habit, &[(last, text)])
     }
 
-    /// The direction is the point that the camera looks at, or the up vector is along the direction or zero.
+    /// Guesses that the direction is the point that the camera looks at, or that the up vector is parallel to the
+    /// direction or zero.
     pub(super) fn camera(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let is_camera = self.ty().is_some_and(|ty| ty.kind == RecordKind::Camera);
         let is_one = matches!(finding.code, Code::E203 | Code::E207) && is_camera;
@@ -60,7 +61,8 @@ impl LineContext<'_> {
         }
     }
 
-    /// A camera without its up vector: its direction, or the point that it looks at, is followed by its angle.
+    /// Guesses at a camera without its up vector: its direction, or the point that it looks at, is followed by its
+    /// angle.
     pub(super) fn without_up(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let is_camera = self.ty().is_some_and(|ty| ty.kind == RecordKind::Camera);
         let numbers = self.params().iter().map(|t| t.number(self.text));
@@ -108,8 +110,8 @@ impl LineContext<'_> {
         out.push(candidate(DIRECTION_TITLE, habit, text.clone(), up));
     }
 
-    /// A camera with one number too few: without its angle, which is the last one and 45 degrees in most scenes, or
-    /// without a 0 or a 1 of its vectors, wherever the rest makes a camera.
+    /// Guesses at a camera with one number too few: it lacks its angle, which is 45 degrees in most scenes, or a 0 or 1
+    /// of its vectors, wherever the other numbers make a camera with it.
     pub(super) fn lost_number(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let Some(ty) = self.ty().filter(|ty| ty.kind == RecordKind::Camera) else {
             return;
@@ -164,7 +166,8 @@ impl LineContext<'_> {
         out.extend(found.into_iter().map(|(_, candidate)| candidate));
     }
 
-    /// The angle of a camera before its up vector, or before one of the others: what stands in its place is none.
+    /// Guesses that the angle of a camera stands before its up vector or before another vector: the number in the place
+    /// of the angle is none.
     pub(super) fn angle_before(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let is_camera = self.ty().is_some_and(|ty| ty.kind == RecordKind::Camera);
         let params = self.params();
@@ -179,7 +182,7 @@ impl LineContext<'_> {
             };
             let own = up(&params[6..9].iter().collect::<Vec<_>>());
             let moved: Vec<&Token> = params[..at].iter().chain(behind.clone()).collect();
-            // A camera whose up vector is one stays as it is.
+            // A camera whose written up vector may be one stays as it is.
             if !is_up_rather(up(&moved[6..9]), own) {
                 continue;
             }
@@ -192,7 +195,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// Three parameters written anew.
+    /// The candidate that writes three parameters from `at` on anew.
     fn vector(&self, habit: Habit, title: &'static str, at: usize, new: &[String; 3]) -> Candidate {
         let tokens = &self.params()[at..at + new.len()];
         let written: Vec<&str> = tokens.iter().map(|t| t.text(self.text)).collect();
@@ -216,7 +219,7 @@ impl LineContext<'_> {
     }
 }
 
-/// Whether the length of a vector is 1, or its largest part.
+/// Whether the length of a vector, or its largest component, is 1.
 pub(in crate::analysis::repair) fn is_unit(v: [f64; 3]) -> bool {
     let largest = v.map(f64::abs).into_iter().fold(0.0, f64::max);
     largest == 1.0 || has_unit_length(v)
@@ -246,7 +249,8 @@ fn is_axis(v: [f64; 3]) -> bool {
     count(0.0) == 2 && count(1.0) == 1
 }
 
-/// An up vector for a direction: straight down, what is far is at the top.
+/// An up vector for a direction: +y, unless the direction is vertical. If it is straight down, -z is up, so that far
+/// things are at the top of the picture.
 fn upright(direction: [f64; 3]) -> [&'static str; 3] {
     match direction {
         [0.0, y, 0.0] if y < 0.0 => ["0", "0", "-1"],

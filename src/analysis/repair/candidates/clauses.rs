@@ -13,18 +13,18 @@ use crate::syntax::quote;
 use crate::syntax::table::{Family, RecordKind, RecordType, ShapeKind};
 use crate::syntax::words;
 
-/// Height of a picture to its width, of 640 by 480 pixels.
+/// The height of a picture as a share of its width, for 640 by 480 pixels.
 const HEIGHT_TO_WIDTH: f64 = 0.75;
 
 /// A record: its type and its numbers.
 pub(super) type Line = (&'static RecordType, String);
 
-/// A type, the records with their numbers of which the first is of that type, and the tokens that follow.
+/// A type, records with their numbers, the first of that type, and the tokens that follow.
 type Block<'t> = (&'static RecordType, Vec<Line>, &'t [Token]);
 
 impl LineContext<'_> {
-    /// The shape as a record, and each of its properties and moves. Without an ID it gets the only one that is undefined,
-    /// or a free one.
+    /// Guesses at the records of a shape and of each of its properties and moves. A shape without an ID gets the only
+    /// undefined ID, or a free one.
     pub(super) fn clauses(&self, used: &[u32]) -> Option<Candidate> {
         let written = self.id().filter(|_| self.tokens[0].kind().is_number());
         let at = usize::from(written.is_some());
@@ -63,14 +63,14 @@ impl LineContext<'_> {
             None => format!("{id} {}", shape.code),
         };
         let edit = |span: Span, text: String| Edit { span, text };
-        // Without brackets the numbers may be those of the record; the sign of d makes the difference.
+        // Without brackets the numbers may be those of a record of zpg, where d has the other sign.
         let is_bare = |s: &str| !s.trim_start().starts_with(['{', '<']);
         let is_offset = |t: &Token| t.number(self.text).is_some_and(|d| d != 0.0);
         let is_bare_plane = word.text(self.text).eq_ignore_ascii_case("plane")
             && own.len() > OWN
             && own.last().is_some_and(is_offset)
             && is_bare(&self.text[word.end() as usize..]);
-        // The word counts in the block alone, and the angle is the last number of a camera.
+        // The word `angle` counts only within the block, and the angle is the last number of a camera.
         let has_angle = shape.kind == RecordKind::Camera
             && behind[..behind.len() - rest.len()]
                 .iter()
@@ -108,8 +108,8 @@ impl LineContext<'_> {
                 .starts_with(['{', '<'])
     }
 
-    /// What POV-Ray writes in another way than as the numbers of a record: the type that it is, the records with their
-    /// numbers, and what follows.
+    /// Reads what POV-Ray writes in another way than as the numbers of a record. Returns the type, the records with
+    /// their numbers, and the tokens that follow.
     fn block<'t>(&self, word: &str, behind: &'t [Token]) -> Option<Block<'t>> {
         let count = numbers(behind);
         let (own, rest) = behind.split_at(count);
@@ -149,8 +149,8 @@ impl LineContext<'_> {
         }
     }
 
-    /// How bright a lamp is, the record of its colour where that is no white, and what follows: `rgb 0.8`,
-    /// `color rgb<1,1,1>*0.8`. A colour without a factor is a property.
+    /// Reads how bright a lamp is, as `rgb 0.8` or `color rgb<1,1,1>*0.8`. Returns its intensity, the record of its
+    /// colour unless that is white, and the tokens that follow. A colour without a factor is a property.
     fn brightness<'t>(&self, behind: &'t [Token]) -> (String, Option<Line>, &'t [Token]) {
         let is_colour = |t: &&Token| {
             let named = words::types(t.text(self.text));
@@ -206,7 +206,7 @@ fn is_angle(word: &str) -> bool {
     word.eq_ignore_ascii_case("angle")
 }
 
-/// The angle of view of a picture's height, to a tenth of a degree, from that of its width.
+/// Converts the angle of view of a picture's width to that of its height, to a tenth of a degree.
 fn of_height(of_width: f64) -> f64 {
     match of_width > 0.0 && of_width < 180.0 {
         true => {
@@ -217,14 +217,14 @@ fn of_height(of_width: f64) -> f64 {
     }
 }
 
-/// A lamp and its move to its place.
+/// The records of a lamp: its light, and its translation to its place.
 fn lamp(intensity: String, place: String) -> Vec<Line> {
     let [light, translation] =
         [RecordKind::PointLight, RecordKind::Translation].map(RecordType::of);
     vec![(light, intensity), (translation, place)]
 }
 
-/// The half-space below a plane: its normal, and how far the plane is along that.
+/// The half-space below a plane, by its normal and the distance of the plane from the origin along the normal.
 fn plane(normal: [f64; 3], along: f64) -> (&'static RecordType, String) {
     let ty = RecordType::of(RecordKind::Shape(ShapeKind::HalfSpace));
     let [a, b, c] = normal.map(decimal);
@@ -234,7 +234,8 @@ fn plane(normal: [f64; 3], along: f64) -> (&'static RecordType, String) {
     )
 }
 
-/// A cylinder along an axis from the middle of one end to that of the other: about the y axis, turned and moved.
+/// The records of a cylinder along one of the axes, by the centres of its ends: a surface of revolution about the y
+/// axis, turned and moved. `None` if it is along none of the axes.
 fn cylinder(
     from: [f64; 3],
     to: [f64; 3],
@@ -250,7 +251,7 @@ fn cylinder(
     let [r, low, high] = [radius, low, high].map(decimal);
     let profile = of(RecordKind::Shape(ShapeKind::SurfaceOfRevolution));
     let mut lines = vec![(profile, format!("2 {r} {low} {r} {high}"))];
-    // To x by a turn about z, to z by one about x.
+    // A turn about z takes the y axis to x, and a turn about x takes it to z.
     let turn = ["-90 3", "", "90 1"][axis];
     if !turn.is_empty() {
         lines.push((of(RecordKind::Rotation), turn.to_owned()));

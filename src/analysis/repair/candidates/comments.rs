@@ -23,7 +23,7 @@ impl LineContext<'_> {
                     | TokenKind::Quoted
             )
         };
-        // A comment that is closed is part of it only where another is not.
+        // A closed comment may begin the words, if others follow that are in none.
         let first = |t: &Token| is_wordy(t) || t.kind() == TokenKind::Comment;
         let separators_before = |mut i: usize| {
             while i > 0 && self.all[i - 1].kind() == TokenKind::Separator {
@@ -35,7 +35,7 @@ impl LineContext<'_> {
         let significant: Vec<usize> = (0..self.all.len())
             .filter(|&i| !self.all[i].kind().is_trivia())
             .collect();
-        // Behind as many parameters as the record has.
+        // The words may begin behind as many parameters as the record takes.
         if let Some(ty) = self.ty() {
             let at = 2 + self.wanted(ty);
             if let Some(&i) = significant.get(at) {
@@ -70,7 +70,8 @@ impl LineContext<'_> {
             if before == 1 && !is_void || before == 0 && !self.is_heading() {
                 continue;
             }
-            // Behind the end of a comment over several lines, a new one would leave hidden what that hides.
+            // If a comment over several lines ends on this line, a new comment would leave hidden the records that the
+            // old one hides.
             if before == 0 && self.ends_a_comment() {
                 continue;
             }
@@ -99,8 +100,8 @@ impl LineContext<'_> {
         }
     }
 
-    /// The line without a comment as C has it behind a name and numbers, `sphere { <0,1,0>, 1 } // ball`, and that comment
-    /// as one of zpg.
+    /// The part of the line before a C comment, as in `sphere { <0,1,0>, 1 } // ball`, and the edit that makes that
+    /// comment one of zpg.
     fn before_slashes(&self) -> Option<(LineContext<'_>, Edit)> {
         let is_begin = |t: &Token| {
             !t.kind().is_comment() && self.text[t.start as usize..].starts_with(SLASHES)
@@ -125,7 +126,8 @@ impl LineContext<'_> {
         Some((line, Edit { span, text }))
     }
 
-    /// Records for what other programs write with names, and the comment as C has it behind that.
+    /// Guesses at records for a line in the notation of other programs with a C comment behind it, which becomes one of
+    /// zpg.
     pub(super) fn with_slashes(
         &self,
         finding: &Diagnostic,
@@ -149,13 +151,13 @@ impl LineContext<'_> {
         out.extend(records);
     }
 
-    /// How many parameters a record of this type takes of those that stand here.
+    /// How many parameters a record of a type takes on this line; optional ones count if they are there.
     pub(super) fn wanted(&self, ty: &RecordType) -> usize {
         let count = match ty.is_counted() {
             true => self.int(2).and_then(|n| u64::try_from(n).ok()).unwrap_or(0),
             false => 0,
         };
-        // No file has more tokens.
+        // The limit does no harm: no file has more tokens.
         let least = ty.arity(count).min(u32::MAX.into()) as usize;
         if ty.kind == RecordKind::ImageTexture {
             return self.file_name().map_or(least, |name| name.len());
@@ -176,7 +178,7 @@ impl LineContext<'_> {
         before.matches('#').count() % 2 == 1
     }
 
-    /// Whether half of the line is words or more, the first one in the place of an ID.
+    /// Whether at least half of the line's tokens are words, the first of them in the place of an ID.
     fn is_heading(&self) -> bool {
         let is_word = |t: &Token| matches!(t.kind(), TokenKind::Word | TokenKind::Invalid);
         let on_line = self.all.iter().filter(|t| !t.kind().is_trivia());

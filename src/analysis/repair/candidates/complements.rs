@@ -5,8 +5,8 @@ use crate::diagnostics::Diagnostic;
 use crate::syntax::table::{Kind, RecordKind, RecordType};
 
 impl LineContext<'_> {
-    /// Whether a finding is about an operand of an intersection that is the ID of an object with a minus: its complement,
-    /// as A ∩ −B is written.
+    /// Whether a finding is about an operand of an intersection that is the ID of an object with a minus: its
+    /// complement, as A ∩ −B is written.
     pub(super) fn has_complement(&self, finding: &Diagnostic) -> bool {
         let is_intersection = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Intersection);
         let named = self.params().iter().find(|t| t.span() == finding.span);
@@ -14,7 +14,7 @@ impl LineContext<'_> {
         is_intersection && id.is_some_and(|id| id > 0 && self.kind_of(id) == Some(Kind::Object))
     }
 
-    /// An intersection with one complement, as a difference.
+    /// Guesses at a difference in place of an intersection with one complement.
     pub(super) fn as_difference(&self) -> Option<Candidate> {
         let &[a, b] = self.params() else { return None };
         let (kept, taken) = match (a.integer(self.text)? < 0, b.integer(self.text)? < 0) {

@@ -6,8 +6,8 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value
 use crate::syntax::table::{Kind, RecordKind, RecordType};
 
 impl LineContext<'_> {
-    /// The objects that a render record lists, as a chain of unions above it: `1 9999 2 3 4 0`. The background is behind
-    /// them, or left out.
+    /// Guesses that a render record lists its objects, as in `1 9999 2 3 4 0`, and joins them by a chain of unions
+    /// above it. The background stands behind them, or is left out.
     pub(super) fn drawn(&self, finding: &Diagnostic, used: &[u32]) -> Option<Candidate> {
         let habit = match finding.code {
             Code::E008 | Code::E009 => Habit::Doubled,

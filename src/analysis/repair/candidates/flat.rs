@@ -9,8 +9,8 @@ use crate::syntax::table::{RecordKind, RecordType, ShapeKind};
 const AXES: usize = 3;
 
 impl LineContext<'_> {
-    /// A rectangle with the numbers of a box that has no thickness: one in the plane z = 0, turned and moved to its place.
-    /// The box would have no inside.
+    /// Guesses at a rectangle with the six numbers of a box without thickness: a rectangle in the plane z = 0 that is
+    /// turned and moved to its place. A box is not proposed, since it would have no inside.
     pub(super) fn flat(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let rectangle = RecordKind::Shape(ShapeKind::Rectangle);
         let is_one = self.ty().is_some_and(|ty| ty.kind == rectangle);
@@ -40,8 +40,8 @@ impl LineContext<'_> {
         ));
     }
 
-    /// The numbers of the rectangle, and what turns and moves it, without IDs. `None` where its corners differ on all axes,
-    /// or are the same on two.
+    /// The numbers of the rectangle, then the records that turn and move it, all without IDs. `None` where its corners
+    /// differ on all axes, or are the same on two.
     fn turned_rectangle(&self) -> Option<Vec<String>> {
         let params = self.params();
         self.spaced(params)?;

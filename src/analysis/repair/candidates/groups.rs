@@ -1,4 +1,4 @@
-//! Numbers in groups, as spaces, brackets or the vectors of a type show them, and groups that stand there twice.
+//! Numbers in groups, as spaces, brackets or the vectors of a type show them, and groups that are written twice.
 
 use std::ops::Range;
 
@@ -8,7 +8,8 @@ use crate::syntax::lexer::Token;
 use crate::syntax::table::RecordType;
 
 impl LineContext<'_> {
-    /// The sizes of the groups that some numbers stand in: one where spaces and brackets show none.
+    /// The sizes of the groups in which numbers are written: line ends, brackets and wider spaces divide them. A single
+    /// group if nothing does.
     pub(super) fn group_sizes(&self, tokens: &[Token]) -> Vec<usize> {
         let gap = |two: &[Token]| &self.text[two[0].end() as usize..two[1].start as usize];
         let width = |gap: &str| gap.chars().filter(|c| c.is_whitespace()).count();
@@ -26,8 +27,8 @@ impl LineContext<'_> {
         sizes
     }
 
-    /// Whether a group of numbers and the same behind it stand by themselves: the first is whole vectors of the type, or
-    /// all of a record, or both are groups of the line.
+    /// Whether the parameters in the range `first` and as many behind them may be a group and its repetition: the first
+    /// group is whole vectors of the type or a whole record, or both are groups of the line.
     fn is_group(&self, ty: &RecordType, first: Range<usize>) -> bool {
         let ends = |sizes: &[usize]| -> Vec<usize> {
             let sums = sizes.iter().scan(0, |sum, n| {
@@ -47,7 +48,7 @@ impl LineContext<'_> {
             || in_all(&of_line, &[first.start, first.end, last])
     }
 
-    /// Numbers that stand there twice, one group behind the other.
+    /// Guesses that surplus numbers repeat the group before them, and deletes them.
     pub(super) fn doubled(&self, out: &mut Vec<Candidate>) {
         let Some(ty) = self.ty().filter(|ty| !ty.is_counted()) else {
             return;

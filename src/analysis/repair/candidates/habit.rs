@@ -2,14 +2,14 @@
 
 use crate::diagnostics::{Code, Diagnostic};
 
-/// Habits of people, the most frequent first.
+/// The kinds of slips that people make, the most frequent first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::analysis::repair) enum Habit {
     /// The minus of a type is lost, or there is one too many.
     Sign,
-    /// The camera of one eye is left out, and but one other camera is there.
+    /// One of the two cameras of a stereo view is left out, and there is only one other camera.
     Eye,
-    /// A space is lost behind a type that the record above or below has.
+    /// The space behind a type is lost, and the record above or below has that type.
     GluedAsBeside,
     /// A digit of a type is lost, doubled or wrong, or two are exchanged.
     Digit,
@@ -27,53 +27,54 @@ pub(in crate::analysis::repair) enum Habit {
     Infix,
     /// ID and type stand in each other's place.
     Exchanged,
-    /// A comment has no signs around it.
+    /// A comment lacks the `#` around it.
     Comment,
     /// A profile says another number of points than it has.
     Count,
-    /// Numbers stand there twice, or one is too many.
+    /// Numbers are written twice, or one is too many.
     Doubled,
     /// An axis is a letter, or stands before its angle.
     Axis,
-    /// The record is that of a sibling.
+    /// The numbers are those of a sibling, a type that people take for the written one.
     Sibling,
     /// The numbers that are too many are a record of their own.
     Apart,
-    /// The direction of a camera has the length 1, so it is one.
+    /// A camera lacks its up vector, and its direction has the length 1, so it is hardly a point.
     Direction,
     /// The direction of a camera is the point that it looks at.
     Point,
-    /// The up vector of a camera is along its direction.
+    /// The up vector of a camera is parallel to its direction or left out, or the angle is left out or in a wrong
+    /// place.
     Up,
-    /// A space is lost within a whole number, which is two digits.
+    /// The space between two digits is lost, so that they read as one number.
     Split,
-    /// A number of many is lost.
+    /// One of many numbers is lost.
     Lost,
     /// Two references stand in each other's place.
     Swapped,
     /// All references are off by the same number.
     Shifted,
-    /// A single reference names something else.
+    /// A single reference should name another ID.
     Reference,
-    /// The record stands between those of another ID, and has that one.
+    /// The record stands between records of another ID, and should have that ID.
     Between,
     /// The finding itself proposes the fix.
     Proposed,
-    /// The record has another ID.
+    /// The record should have another ID.
     Id,
-    /// The record has another type.
+    /// The record should have another type.
     Type,
     /// The type is left out.
     NoType,
 }
 
 impl Habit {
-    /// Whether this puts another ID in the place of one.
+    /// Whether fixes of this habit replace an ID by another.
     pub(in crate::analysis::repair) fn names_another(self) -> bool {
         matches!(self, Habit::Shifted | Habit::Reference | Habit::Proposed)
     }
 
-    /// Whether a finding speaks of what this puts right. If not, `LineContext::matter` does.
+    /// Whether a finding speaks of the fault that fixes of this habit repair. If not, `LineContext::matter` does.
     pub(in crate::analysis::repair) fn is_said_by(self, finding: &Diagnostic) -> bool {
         use Code::*;
         match self {
@@ -98,7 +99,7 @@ impl Habit {
             }
             Habit::Unnamed => finding.code == E005,
             Habit::NoType | Habit::Axis => false,
-            // They are made for such findings only.
+            // Candidates of these habits are made only for findings that speak of them.
             Habit::Infix
             | Habit::Digit
             | Habit::Shifted

@@ -1,5 +1,5 @@
-//! The beginning of a record: the name of a type before its ID, ID and type in each other's place, a type with a space in
-//! it, and its name behind it.
+//! The beginning of a record: the name of a type before its ID, ID and type in each other's place, a type with a space
+//! in it, and its name behind it.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -17,18 +17,18 @@ use crate::syntax::table::{Effect, Family, Kind, Param, ParamKind, RecordKind, R
 use crate::syntax::words;
 use crate::syntax::{Item, Record};
 
-/// So many IDs are tried for a record that has none.
+/// The most IDs that are tried for a record without one.
 const MAX_IDS: usize = 3;
 
-/// So many IDs of properties that are used as objects are looked at.
+/// The most IDs of properties used as objects that are examined.
 const MAX_MISUSED: usize = 8;
 
 /// The render record always has this ID.
 const RENDER: u32 = 1;
 
 impl LineContext<'_> {
-    /// The name of a type before all numbers, as other programs have it: `sphere 4 0 1 0 0.5`. Without an ID it gets one
-    /// that is undefined, that of the record before if it changes something, or a free one.
+    /// Guesses at a record that begins with the name of its type, as in other programs: `sphere 4 0 1 0 0.5`. A record
+    /// without an ID gets an undefined ID, the ID of the record before if it changes something, or a free ID.
     pub(super) fn keyword(&self, used: &[u32], out: &mut Vec<Candidate>) {
         let is_word = |t: &&Token| t.kind() == TokenKind::Word;
         let count = self.tokens.iter().take_while(is_word).count();
@@ -43,7 +43,7 @@ impl LineContext<'_> {
                 _ if ty.kind == RecordKind::Render => {
                     let mut edits = vec![edit(word, format!("{RENDER} {}", ty.code))];
                     match rest {
-                        // Black is behind it.
+                        // The background is left out: it is black.
                         [root] => edits.push(edit(Span::new(root.end(), root.end()), " 0".into())),
                         _ if self.fit(ty, rest) => {}
                         _ => continue,
@@ -67,7 +67,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// The name of a type where the ID belongs, as `sphere 0 1 0 1`: the IDs that the record may have.
+    /// Guesses at the ID of a record that has the name of its type where the ID belongs, as `sphere 0 1 0 1`.
     fn unnamed(&self, word: Span, ty: &'static RecordType, used: &[u32], out: &mut Vec<Candidate>) {
         let before = match ty.effect {
             Effect::Changes(kinds) | Effect::DefinesOrChanges(_, kinds) => self.id_before(kinds),
@@ -95,9 +95,10 @@ impl LineContext<'_> {
         }
     }
 
-    /// ID and type in each other's place, as a finding and what puts it right. The ID is used elsewhere.
+    /// The finding and the candidate for a record with ID and type in each other's place. `None` if the record is right
+    /// as it stands.
     pub(crate) fn exchange(&self) -> Option<(Diagnostic, Candidate)> {
-        // The number of sheets of a hyperboloid, as in `11 20 -2 1 0 0.9`.
+        // Whole numbers are asked for the number of sheets of a hyperboloid, as in `11 20 -2 1 0 0.9`.
         let is_odd = |t: &Token, param: &Param| {
             param.kind == ParamKind::Integer && t.integer(self.text).is_none()
         };
@@ -110,7 +111,7 @@ impl LineContext<'_> {
         (!is_right).then(|| self.exchanged_heads())?
     }
 
-    /// The same, also where the record is right as it stands.
+    /// Like `exchange`, but also where the record is right as it stands.
     pub(crate) fn exchanged_heads(&self) -> Option<(Diagnostic, Candidate)> {
         let [ty, id] = [self.tokens.first()?, self.tokens.get(1)?];
         let (code, number) = (ty.integer(self.text)?, id.integer(self.text)?);
@@ -136,8 +137,8 @@ impl LineContext<'_> {
         Some((finding, self.beginning(Habit::Exchanged, edits)))
     }
 
-    /// A render record whose type stands behind the ID of what is drawn, `1 20 9999 0`, as a finding and what puts it
-    /// right.
+    /// The finding and the candidate for a render record whose type stands behind the ID of the drawn object:
+    /// `1 20 9999 0`.
     pub(crate) fn render_exchanged(&self) -> Option<(Diagnostic, Candidate)> {
         let &[head, root, ty, behind] = self.tokens.as_slice() else {
             return None;
@@ -160,14 +161,14 @@ impl LineContext<'_> {
         Some((finding, Candidate::new(Habit::Exchanged, fix)))
     }
 
-    /// The shape that the record is, if its ID is lost.
+    /// The type of shape that the record is, if its ID is lost and its first number is its type.
     pub(crate) fn shape_without_id(&self) -> Option<&'static RecordType> {
         let ty = RecordType::by_code(self.int(0)?)?;
         let is_shape = ty.family == Family::Shape && self.fit(ty, &self.tokens[1..]);
         is_shape.then_some(ty)
     }
 
-    /// A shape whose ID is lost, and what puts that ID in front.
+    /// The finding that a shape has lost its ID, and the candidate that puts `id` in front.
     pub(crate) fn without_id(
         &self,
         ty: &'static RecordType,
@@ -191,7 +192,7 @@ impl LineContext<'_> {
         Some((finding, candidate))
     }
 
-    /// Whether the record is a change, but not one of what has its ID.
+    /// Whether the record is a change that is not possible for the entity with its ID.
     pub(crate) fn changes_nothing(&self) -> bool {
         let Some(Effect::Changes(kinds)) = self.ty().map(|ty| ty.effect) else {
             return false;
@@ -201,8 +202,8 @@ impl LineContext<'_> {
         own.is_none_or(|e| e.kind.is_some_and(|kind| !kinds.contains(&kind)))
     }
 
-    /// ID and type without a space between them: `4111 0 1 0 1.2`. The IDs that are used and defined nowhere come first,
-    /// and none has the ID of something else.
+    /// Guesses at ID and type without a space between them: `4111 0 1 0 1.2`. Undefined IDs come first, and IDs of
+    /// other entities are left out.
     pub(super) fn glued(&self, undefined: &[u32]) -> Vec<Candidate> {
         let is_right = self.ty().is_some_and(|ty| self.fits(ty));
         let Some((head, params)) = self.tokens.split_first().filter(|_| !is_right) else {
@@ -212,7 +213,7 @@ impl LineContext<'_> {
         if !digits.bytes().all(|c| c.is_ascii_digit()) {
             return Vec::new();
         }
-        // A property record below may be one of this object, which could not be read.
+        // A property record below may be for this object, which could not be read.
         let is_free = |id: u32| {
             let mut entities = self.analysis.scene.entities.iter();
             (entities.find(|e| e.id == id)).is_none_or(|e| self.is_property_below(e))
@@ -250,7 +251,8 @@ impl LineContext<'_> {
         candidates.collect()
     }
 
-    /// Whether something is defined below by a record that rather changes what has its ID.
+    /// Whether an entity is defined below by a property record, which would change an object with its ID if there was
+    /// one.
     fn is_property_below(&self, entity: &Entity) -> bool {
         let document = &self.analysis.document;
         let mut below = document.items.iter().filter_map(Item::record);
@@ -259,8 +261,8 @@ impl LineContext<'_> {
         entity.span.start >= self.line.end && changes
     }
 
-    /// A type with a space in it: `-7 01`. Two positive numbers are rather a type and what follows it, unless they make
-    /// the type of what nothing else defines.
+    /// Guesses at a type with a space in it: `-7 01`. Two positive numbers are rather a type and its first parameter,
+    /// unless together they are a type that defines an ID, which nothing else defines.
     pub(super) fn torn_type(&self) -> Option<Candidate> {
         let (first, second) = (self.tokens.get(1)?, self.tokens.get(2)?);
         let span = first.span().to(second.span());
@@ -285,7 +287,8 @@ impl LineContext<'_> {
         self.fit(ty, &self.tokens[3..]).then_some(candidate)
     }
 
-    /// The name of the type behind its number, before the parameters: `-701 rgb 1 0 0`, `-701 color red`.
+    /// Guesses at the numbers of a record that has the name of its type behind the type's number: `-701 rgb 1 0 0`,
+    /// `-701 color red`.
     pub(super) fn own_name(&self) -> Option<Candidate> {
         let ty = self.ty()?;
         let is_name = |t: &&Token| {
@@ -317,7 +320,8 @@ impl LineContext<'_> {
         self.wrong_count().filter(|_| is_one)
     }
 
-    /// The finding that a type is none, if it is nothing else that scenes have.
+    /// The finding that the type of the record does not exist. `None` if it does, or if it is too large a number to be
+    /// certain.
     pub(crate) fn odd_type(&self) -> Option<Diagnostic> {
         let code = self.int(1).filter(|&code| code <= LEAST_HEAD.into())?;
         let is_none = RecordType::by_code(code).is_none();
@@ -326,7 +330,7 @@ impl LineContext<'_> {
         is_none.then_some(d)
     }
 
-    /// The IDs that are referred to and defined nowhere, whatever is said of them.
+    /// The IDs that are referred to but defined nowhere, whatever findings say of them.
     pub(super) fn missing(&self) -> Vec<u32> {
         let entities = &self.analysis.scene.entities;
         let named = records(self.analysis).flat_map(|r| references(self.analysis, r));
@@ -337,7 +341,7 @@ impl LineContext<'_> {
         all.sort_unstable();
         all.dedup();
         let mut known: FxHashSet<u32> = entities.iter().map(|e| e.id).collect();
-        // Of an object that could not be read a property may be left.
+        // If an object could not be read, a property may be all that is left of it.
         let misused = self.misused();
         let of_object = entities.iter().filter(|e| misused.contains(&e.id));
         for entity in of_object.filter(|e| self.is_property_below(e)) {
@@ -347,7 +351,7 @@ impl LineContext<'_> {
         all
     }
 
-    /// The IDs of properties that are used as objects, the first ones.
+    /// The IDs of properties that operations or the render record use as objects, at most [`MAX_MISUSED`].
     fn misused(&self) -> Vec<u32> {
         let kinds: FxHashMap<u32, Kind> = (self.analysis.scene.entities.iter())
             .filter_map(|e| Some((e.id, e.kind?)))
@@ -366,7 +370,7 @@ impl LineContext<'_> {
         misused
     }
 
-    /// The numbers of a record, of which those of a colour may be its name.
+    /// The numbers of a record, as a text. A colour may have its name in their place.
     fn numbers_of(&self, ty: &RecordType, params: &[Token]) -> Option<String> {
         match self.fit(ty, params) {
             true => self.spaced(params),
@@ -375,7 +379,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// The numbers of a colour whose name some tokens are, all of them: `red`, `dark blue`.
+    /// The numbers of the colour that all of some tokens name: `red`, `dark blue`.
     pub(super) fn colour_name(&self, tokens: &[Token]) -> Option<String> {
         let (first, last) = (tokens.first()?, tokens.last()?);
         if !tokens.iter().all(|t| t.kind() == TokenKind::Word) {
@@ -384,14 +388,14 @@ impl LineContext<'_> {
         colours::numbers(&self.text[first.span().to(last.span()).range()])
     }
 
-    /// How many of some tokens are the name of a colour, which they begin with, and its numbers.
+    /// The colour whose name some tokens begin with: how many tokens the name takes, and the numbers of the colour.
     pub(super) fn named_colour(&self, tokens: &[Token]) -> Option<(usize, String)> {
         let named = |of: usize| Some((of, self.colour_name(tokens.get(..of)?)?));
         named(2).or_else(|| named(1))
     }
 
-    /// The name of a type in its place, where its numbers have a slip of their own: a place that stands first, a camera
-    /// without its up vector.
+    /// Guesses at a record that has a word for its type, and another slip in its numbers: a place that stands first, a
+    /// camera without its up vector.
     pub(super) fn named(
         &self,
         word: Span,
@@ -425,7 +429,7 @@ impl LineContext<'_> {
             return vec![self.beginning(Habit::Word, vec![code, Edit { span, text }])];
         }
         let word = Token::new(TokenKind::Word, word.start as usize, word.end as usize);
-        // As in `light_source <5, 8, 6> rgb 0.7`.
+        // A word for a colour may stand among the numbers, as in `light_source <5, 8, 6> rgb 0.7`.
         let is_colour = |t: &Token| {
             let mut named = words::types(t.text(self.text)).into_iter();
             t.kind() == TokenKind::Word && named.any(|ty| ty.kind == RecordKind::Colour)

@@ -1,4 +1,4 @@
-//! Refractive indices among the parts of light: their type is that of the line above, or they stand behind them.
+//! Refractive indices among the parts of light: they have the type of the parts, or stand behind them.
 
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::whole::records;
@@ -9,14 +9,14 @@ use crate::syntax::lexer::Token;
 use crate::syntax::quote;
 use crate::syntax::table::{Kind, RecordKind, RecordType};
 
-/// An index has a number for each channel.
+/// How many numbers a refractive index has, one for each channel.
 const CHANNELS: usize = 3;
 
-/// Below this are the indices of what is transparent; that of diamond is 2.42.
+/// The limit below which the refractive indices of transparent materials are; that of diamond is 2.42.
 const INDEX_MAX: f64 = 3.0;
 
 impl LineContext<'_> {
-    /// Whether all of some numbers are as indices of what is transparent are.
+    /// Whether all of some numbers may be refractive indices of transparent materials.
     fn are_indices(&self, numbers: &[Token]) -> bool {
         let is_index = |t: &Token| {
             t.number(self.text)
@@ -25,7 +25,7 @@ impl LineContext<'_> {
         numbers.iter().all(is_index)
     }
 
-    /// The other records with the ID of this one that give optics, which an assignment takes back.
+    /// The other records with the ID of this one that give it optics. An assignment would take those optics back.
     fn optics(&self) -> impl Iterator<Item = &Record> {
         let id = self.id();
         let is_other = move |r: &&Record| {
@@ -35,20 +35,20 @@ impl LineContext<'_> {
         records(self.analysis).filter(is_other)
     }
 
-    /// The first of them that is a refractive index.
+    /// The first other record with the ID of this one that is a refractive index.
     pub(super) fn own_index(&self) -> Option<&Record> {
         self.optics()
             .find(|r| r.kind == RecordKind::RefractiveIndex)
     }
 
-    /// Whether three parts of light are rather an index.
+    /// Whether the three parts of light of the record are rather a refractive index.
     pub(super) fn is_index(&self) -> bool {
         let is_optics = self.ty().is_some_and(|ty| ty.kind == RecordKind::Optics);
         is_optics && self.params().len() == CHANNELS && self.are_indices(self.params())
     }
 
-    /// The type of a refractive index for an optical property whose numbers are one. An index of the same ID has the
-    /// parts of light then, and the two types change places.
+    /// Guesses that optics whose numbers are a refractive index should have that type. If the ID has a refractive index
+    /// already, that one has the parts of light, and the two types change places.
     pub(super) fn index(&self, finding: &Diagnostic) -> Option<Candidate> {
         if finding.code != Code::E206 || !self.is_index() {
             return None;
@@ -56,7 +56,7 @@ impl LineContext<'_> {
         let [optics, index] = [RecordKind::Optics, RecordKind::RefractiveIndex].map(RecordType::of);
         let mut candidate = self.write_type(Habit::Type, index);
         let Some(other) = self.own_index() else {
-            // Of an object that nobody sees through it may be something else.
+            // Without other optics of the object, the numbers may be something else.
             if self.optics().next().is_none() {
                 candidate.fix.applicability = Applicability::Choice;
             }
@@ -75,7 +75,8 @@ impl LineContext<'_> {
         are_parts.then_some(candidate)
     }
 
-    /// An index in the place of the transmitted part, where the ID has none: it may be meant as a record of its own.
+    /// Guesses that the transmitted part is a refractive index, which gets a record of its own; `kt` takes its place.
+    /// `None` if the ID has an index already.
     pub(super) fn index_for_part(&self, kt: f64) -> Option<Candidate> {
         let (last, id) = (self.params().last()?, self.id()?);
         if self.own_index().is_some() {
@@ -92,8 +93,8 @@ impl LineContext<'_> {
         ))
     }
 
-    /// The numbers of a colour in the place of its ID, where an assignment of that would take back the optics of the
-    /// object: `2 -701 20`, `2 -299 20`.
+    /// Guesses at a colour with the numbers of another one in place of its ID: `2 -701 20`, `2 -299 20`. An assignment
+    /// of that colour would take back the optics of the object.
     pub(super) fn colour_of_glass(&self) -> Option<Candidate> {
         let ty = self.ty()?;
         let [property] = self.params() else {
@@ -115,7 +116,8 @@ impl LineContext<'_> {
         Some(Candidate::writing(Habit::Sibling, span, text))
     }
 
-    /// An index behind parts of light, once or for each channel: it gets a record of its own, if the ID has none.
+    /// Guesses at a refractive index behind the parts of light, once or for each channel. It gets a record of its own,
+    /// if the ID has no index yet.
     pub(super) fn index_behind(&self, finding: &Diagnostic) -> Option<Candidate> {
         let ty = self.ty().filter(|_| finding.code == Code::E009)?;
         if !matches!(ty.kind, RecordKind::Optics | RecordKind::OpticsRgb) {

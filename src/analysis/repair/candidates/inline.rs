@@ -8,11 +8,11 @@ use crate::syntax::quote;
 use crate::syntax::table::{Kind, Param, ParamKind, RecordKind, RecordType};
 use crate::syntax::{Captions, Item};
 
-/// A colour has so many numbers.
+/// How many numbers a colour has.
 const PARTS: usize = 3;
-/// No record has more places for colours, optional ones too.
+/// The most parameters of a record that may be colours, with the optional ones.
 const PLACES: u32 = 2;
-/// So many operands of one operation are taken apart.
+/// The most operands of one operation that are split into several operations.
 pub(super) const MAX_OPERANDS: usize = 16;
 pub(super) const MAX_ID: u32 = i32::MAX as u32;
 
@@ -30,7 +30,7 @@ const ID_TITLE: &str = "fix-colour-id";
 /// The title of fixes that give an ID to a part of an operation.
 pub(super) const PARTS_TITLE: &str = "fix-parts";
 
-/// The titles of fixes that give a record another ID, alone and where it is assigned.
+/// The titles of fixes that give a record another ID: in the record alone, and also in the assignments of the ID.
 pub(super) const FREE_TITLE: &str = "fix-free-id";
 pub(super) const OWN_TITLE: &str = "fix-own-id";
 /// The title of fixes that give each of several operations on one object an ID.
@@ -38,15 +38,16 @@ pub(super) const CHAIN_TITLE: &str = "fix-chain";
 /// The title of fixes that give an ID to a record that has none.
 pub(super) const NAMED_TITLE: &str = "fix-named-id";
 
-/// The titles of fixes that write records for what other programs have in one block; the ID is what they begin with.
+/// The titles of fixes that write records for a block of another program. The new text begins with the ID of the
+/// record.
 pub(super) const CLAUSES_TITLE: &str = "fix-clauses";
 pub(super) const BLOCK_TITLE: &str = "fix-block";
 pub(super) const ANGLE_TITLE: &str = "fix-block-angle";
 pub(super) const PLANE_TITLE: &str = "fix-block-plane";
-/// The title of fixes that make two triangles of four corners; the ID of the first is what they begin with.
+/// The title of fixes that make two triangles of four corners. The new text begins with the ID of the first triangle.
 pub(super) const QUAD_TITLE: &str = "fix-quad";
 
-/// The IDs that a fix gives to records.
+/// The new IDs that a fix gives to records.
 pub(crate) fn new_ids(fix: &Fix) -> impl Iterator<Item = u32> {
     let is = move |titles: &[&str]| titles.contains(&fix.title);
     let is_one = is(&[
@@ -77,8 +78,8 @@ pub(super) fn is_inline(fix: &Fix) -> bool {
 }
 
 impl LineContext<'_> {
-    /// The colours that stand in the places of their IDs become records of their own above this one. IDs that are
-    /// `used` get none of them.
+    /// Guesses that colours stand in the places of their IDs, and makes them records of their own above this one. Their
+    /// new IDs are none of `used`.
     pub(super) fn inline(&self, used: &[u32], out: &mut Vec<Candidate>) {
         let Some(ty) = self.ty().filter(|ty| !ty.is_counted()) else {
             return;
@@ -95,7 +96,8 @@ impl LineContext<'_> {
         }
     }
 
-    /// The colours in the `chosen` places, if the record has its first `count` parameters then.
+    /// The colours in the places that are bits of `chosen`, if the record then has exactly its first `count`
+    /// parameters.
     fn inlined(&self, ty: &RecordType, count: usize, chosen: u32) -> Option<Vec<Inline>> {
         let mut rest = self.params();
         let mut found = Vec::new();
@@ -122,7 +124,7 @@ impl LineContext<'_> {
         (rest.is_empty() && found.len() == chosen.count_ones() as usize).then_some(found)
     }
 
-    /// The colour that some tokens begin with, and how many it takes.
+    /// The colour that some tokens begin with, and how many tokens it takes.
     fn colour(&self, tokens: &[Token]) -> Option<(usize, Inline)> {
         let first = tokens.first()?;
         if first.kind() == TokenKind::Word {
@@ -143,7 +145,8 @@ impl LineContext<'_> {
             .then_some((PARTS, Inline { span, numbers }))
     }
 
-    /// The IDs of the colours; those without a record get one above this, with an ID that is free.
+    /// The candidate that writes IDs in the place of colours. A colour without a record gets one above this record,
+    /// with a free ID.
     fn with_records(&self, list: &[Inline], used: &[u32]) -> Option<Candidate> {
         let code = RecordType::of(RecordKind::Colour).code;
         let mut free = self.free_id(used)?..=MAX_ID;
@@ -188,8 +191,8 @@ impl LineContext<'_> {
         Some(Candidate::new(Habit::Apart, fix))
     }
 
-    /// The ID of a record that defines a colour and does nothing else: one whose comment names the colour, or one with its
-    /// numbers.
+    /// The ID of the record that defines a colour: its comment names the colour, or it has the same numbers. An ID with
+    /// other records is left out.
     fn colour_id(&self, numbers: &str) -> Option<u32> {
         let document = &self.analysis.document;
         let captions = Captions::of(document, self.text);
@@ -217,7 +220,7 @@ impl LineContext<'_> {
         })
     }
 
-    /// The first of the IDs that are larger than all of the file and all that are `used`.
+    /// The smallest ID that is larger than all IDs of the file and all that are `used`.
     pub(super) fn free_id(&self, used: &[u32]) -> Option<u32> {
         let items = self.analysis.document.items.iter();
         let ids = items.filter_map(|item| match item {
@@ -228,7 +231,8 @@ impl LineContext<'_> {
         ids.chain(used.iter().copied()).max()?.checked_add(1)
     }
 
-    /// An operation with more than two operands, as several: `5 -103 2 3 4` is 2 minus 3, minus 4.
+    /// Guesses that an operation with more than two operands is several operations: `5 -103 2 3 4` is 2 minus 3, minus
+    /// 4.
     pub(super) fn operands(&self, used: &[u32]) -> Option<Candidate> {
         let is_operation = |k: RecordKind| {
             matches!(
@@ -245,7 +249,7 @@ impl LineContext<'_> {
             .iter()
             .map(|t| t.integer(self.text).filter(|&id| id > 1))
             .collect();
-        // One that stands there twice is a slip of another kind.
+        // An operand that is written twice is a slip of another kind.
         let ids = ids.filter(|ids| (1..ids.len()).all(|i| !ids[..i].contains(&ids[i])))?;
         let (mut above, mut part) = (String::new(), ids[0].to_string());
         let first = self.free_id(used)?;

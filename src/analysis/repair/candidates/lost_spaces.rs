@@ -8,15 +8,15 @@ use crate::syntax::lexer::Token;
 use crate::syntax::quote;
 use crate::syntax::table::{Family, Param, ParamKind, RecordKind, RecordType};
 
-/// No more numbers than these are taken from one token.
+/// The most numbers that one token is split into.
 const MAX_PARTS: usize = 3;
 
-/// No token of more bytes is taken apart.
+/// The most bytes of a token that is split.
 const MAX_BYTES: usize = 24;
 
 impl LineContext<'_> {
-    /// A type or an ID with the number behind it in one token, where taking it apart gives the record as many numbers as
-    /// it takes and all its IDs name what they may.
+    /// Guesses that a type or a reference and the numbers behind it are one token. Split, the record has as many
+    /// numbers as it takes, and its references name entities of the right kinds.
     pub(super) fn lost_spaces(&self, out: &mut Vec<Candidate>) {
         if self.ty().is_some_and(|ty| self.fits(ty)) {
             return;
@@ -25,7 +25,7 @@ impl LineContext<'_> {
             return;
         };
         let rest: Vec<&str> = self.params().iter().map(|t| t.text(self.text)).collect();
-        // What stands before a type is an ID.
+        // A number before a type is an ID, which is not split.
         let (behind, params) = self.params().split_first().unzip();
         let behind = behind.and_then(|t| RecordType::by_code(t.integer(self.text)?));
         let is_id = behind.filter(|ty| ty.family != Family::Void).zip(params);
@@ -36,7 +36,7 @@ impl LineContext<'_> {
         };
         for parts in glued {
             let code = parts[0].parse().ok();
-            // Of a positive number no more than one parameter is taken: it may well be one itself.
+            // Only one parameter is split off a positive number, which may well be a parameter itself.
             let is_type = |ty: &&RecordType| ty.code < 0 || parts.len() == 2;
             if let Some(ty) = code.and_then(RecordType::by_code).filter(is_type)
                 && self.is_record(ty, &[&parts[1..], &rest].concat())
@@ -68,7 +68,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// Whether the record above or below is of a type.
+    /// Whether the record above or the one below is of this type.
     fn is_type_beside(&self, ty: &RecordType) -> bool {
         let document = &self.analysis.document;
         let at = (document.items)
@@ -81,7 +81,7 @@ impl LineContext<'_> {
             .any(|r| r.kind == ty.kind)
     }
 
-    /// A number that is two, or stands for two, in a record with too few.
+    /// Guesses at a record with too few numbers: one of them is two digits, or stands for two equal numbers.
     pub(super) fn one_too_few(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         if finding.code != Code::E008 {
             return;
@@ -92,7 +92,8 @@ impl LineContext<'_> {
         self.both_ways(out);
     }
 
-    /// Whether no other finding says the same of a record of this type. What many records lack is no space.
+    /// Whether no other finding says that a record of the same type has too few numbers. If many records lack one, it
+    /// is not for a lost space.
     fn is_only_one(&self, finding: &Diagnostic) -> bool {
         let ty = |d: &Diagnostic| d.values.iter().find(|v| v.0 == "type").cloned();
         let is_same = |d: &&Diagnostic| d.code == finding.code && ty(d) == ty(finding);
@@ -104,8 +105,8 @@ impl LineContext<'_> {
             .is_none()
     }
 
-    /// A whole number that is two digits, parts of one vector, if it is the only one of a record with which that has as many
-    /// numbers as it takes and all of them may stand where they are then. Tens are rather what they say.
+    /// Guesses that a whole number is two digits of one vector, if the record has just one such number: split, the
+    /// record has as many numbers as it takes, and all are allowed in their places. A number with a 0 is not split.
     fn two_digits(&self) -> Option<Candidate> {
         let ty = self.ty()?;
         let rest: Vec<&str> = self.params().iter().map(|t| t.text(self.text)).collect();
@@ -131,8 +132,8 @@ impl LineContext<'_> {
         Some(candidate)
     }
 
-    /// The number of fields of a checkerboard, where it has one number and both colours: the same both ways, before any two
-    /// numbers that it may be. Which is meant, nobody can tell.
+    /// Guesses that the one number of fields of a checkerboard with both colours is meant in both directions. The guess
+    /// comes before the others, and all of them are choices, since nobody can tell.
     fn both_ways(&self, out: &mut Vec<Candidate>) {
         let ty = (self.ty()).filter(|ty| ty.kind == RecordKind::Checkerboard);
         let (Some(ty), [fields, ..]) = (ty, self.params()) else {
@@ -157,8 +158,8 @@ impl LineContext<'_> {
         self.write(Habit::Glued, &[(*token, parts.join(" "))])
     }
 
-    /// Whether these are the parameters of a record: as many as it takes, each one allowed, and each ID that of something
-    /// the record may refer to.
+    /// Whether a record of a type may have these parameters: they are as many as it takes, each number is allowed, and
+    /// each ID is that of an entity of the right kind.
     fn is_record(&self, ty: &'static RecordType, params: &[&str]) -> bool {
         let may_be = |(param, text): (&Param, &&str)| match param.kind {
             ParamKind::Reference { kinds, or_none } => match text.parse::<u32>() {
@@ -182,7 +183,7 @@ impl LineContext<'_> {
     }
 }
 
-/// Whether the parameter of a number and the one behind it are parts of one vector.
+/// Whether the parameter at an index and the one behind it are parts of one vector.
 fn is_within_vector(ty: &RecordType, i: usize) -> bool {
     if ty.vectors.is_empty() {
         return ty.params.len() == 3;

@@ -21,12 +21,12 @@ const PROFILES: [&str; 4] = ["profil", "lathe", "revol", "rotacn"];
 /// Beginnings of words for a double cone, without accents.
 const DOUBLE: [&str; 2] = ["doubl", "dvoj"];
 
-/// Words of the comments on a line that are looked at.
+/// The most words of a line's comments that are examined.
 const MAX_COMMENT_WORDS: usize = 64;
 
 impl LineContext<'_> {
-    /// An operation without its type, as in `34 32 33` where 32 and 33 are objects, or an assignment, as in `2 10 0` where
-    /// 10 is a colour.
+    /// Guesses at the type of an operation without one, as in `34 32 33` where 32 and 33 are objects, or of an
+    /// assignment, as in `2 10 0` where 10 is a colour.
     pub(super) fn without_type(&self) -> Vec<Candidate> {
         let &[head, a, b] = self.tokens.as_slice() else {
             return Vec::new();
@@ -58,7 +58,7 @@ impl LineContext<'_> {
         all.collect()
     }
 
-    /// The type put in behind the ID.
+    /// The candidate that puts a type in behind the ID.
     fn with_type(&self, head: &Token, ty: &'static RecordType) -> Candidate {
         let text = ty.code.to_string();
         let new = format!("{} {text}", head.text(self.text));
@@ -71,13 +71,13 @@ impl LineContext<'_> {
         }
     }
 
-    /// A record without its type: what stands in its place is none, or would change what is defined nowhere else. One
-    /// of as many numbers is put in.
+    /// Guesses at the type of a record that lacks it: the number in the place of the type is no type, or is that of a
+    /// change of an entity that is defined nowhere else. Each frequent type with as many numbers may be meant.
     pub(super) fn lost_type(&self, out: &mut Vec<Candidate>) {
         let (Some(head), Some(id)) = (self.tokens.first(), self.id()) else {
             return;
         };
-        // It is rather the type of a render record that has lost its ID.
+        // The number is rather the type of a render record that has lost its ID.
         if i64::from(id) == i64::from(RecordType::of(RecordKind::Render).code) {
             return;
         }
@@ -93,8 +93,9 @@ impl LineContext<'_> {
         out.extend(fitting.map(|ty| self.with_type(head, ty)));
     }
 
-    /// A record without its type whose first number is 0, which reads as an undefined object with numbers, or 1 before a 0,
-    /// which reads as a surface of no points. A comment on the line may name the shape, or a colour.
+    /// Guesses at the type of a record that lacks it. If its first number is 0, it reads as an undefined object with
+    /// numbers; if it begins with 1 and 0, as a surface without points. A comment on the line may name the shape, or a
+    /// colour.
     pub(super) fn type_before_zero(&self, finding: &Diagnostic) -> Vec<Candidate> {
         let (Some(head), Some(ty)) = (self.tokens.first(), self.ty()) else {
             return Vec::new();
@@ -134,7 +135,7 @@ impl LineContext<'_> {
         words.take(MAX_COMMENT_WORDS).collect()
     }
 
-    /// A shape that a comment on the line names, where another type is written: `2 1 0 1 0 1 # ball #` for
+    /// Guesses at the shape that a comment on the line names, where another type is written: `2 1 0 1 0 1 # ball #` for
     /// `2 11 0 1 0 1`, and `2 17 -1.5 0.5 # cone #` for `2 16 -1.5 0.5`.
     pub(super) fn called_shape(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let is_shape = |ty: &&RecordType| ty.family == Family::Shape && self.id().is_some();
@@ -171,7 +172,7 @@ impl LineContext<'_> {
         }));
     }
 
-    /// A record whose type stands behind its numbers: `50 0.8 -402`.
+    /// Guesses at a record whose type stands behind its numbers: `50 0.8 -402`.
     pub(super) fn type_behind(&self) -> Option<Candidate> {
         let (code, before) = self.tokens.split_last()?;
         let (_, numbers) = before.split_first().filter(|_| self.id().is_some())?;
@@ -194,15 +195,15 @@ impl LineContext<'_> {
         entities.any(|e| e.id == id && !self.line.touches(e.span))
     }
 
-    /// A shape without its type whose first number happens to be another type, with a wrong count of numbers: the shape
-    /// of an ID that is used and defined nowhere else.
+    /// Guesses at a shape without its type, whose first number happens to be another type that takes another count of
+    /// numbers. The ID of the record is used but defined nowhere else.
     pub(super) fn lost_shape_type(&self, out: &mut Vec<Candidate>) {
         let (Some(head), Some(id), Some(ty)) = (self.tokens.first(), self.id(), self.ty()) else {
             return;
         };
         let is_count = |t: &Token| t.integer(self.text).is_some();
         let is_change = matches!(ty.effect, Effect::Changes(_));
-        // Behind the type of a profile its number of points is whole.
+        // The number behind the type of a profile is its number of points, which is whole.
         let is_profile = ty.is_counted() && !self.params().first().is_none_or(is_count);
         let is_wanted = !self.is_defined_elsewhere(id) && self.named_ids().contains(&id);
         if self.fits(ty) || !is_wanted || !(is_change || is_profile) {

@@ -42,7 +42,7 @@ use crate::syntax::words;
 use crate::syntax::{allows, quote};
 pub(crate) use inline::new_ids;
 
-/// A text that may have been meant.
+/// A guess at what was meant: a fix, and the kind of slip that it repairs.
 #[derive(Debug, Clone)]
 pub(super) struct Candidate {
     pub habit: Habit,
@@ -61,20 +61,20 @@ impl Candidate {
         }
     }
 
-    /// A text in the place of another, which the finding says.
+    /// A candidate that writes `text` in the place of `span`; the title of its fix shows the text.
     pub(super) fn writing(habit: Habit, span: Span, text: String) -> Candidate {
         let shown = quote(&text);
         let fix = Fix::replace("fix-write", Applicability::Unsafe, span, text);
         Candidate::new(habit, fix.with("number", shown))
     }
 
-    /// Whether this, too, writes all decimal commas of a fix as points.
+    /// Whether the candidate writes decimal commas as points and has all edits of a fix.
     pub(super) fn includes(&self, fix: &Fix) -> bool {
         let is_here = |e: &Edit| self.fix.edits.contains(e);
         self.fix.title == numbers::COMMA_TITLE && fix.edits.iter().all(is_here)
     }
 
-    /// Whether this gives a record that a finding calls a second definition an ID of its own.
+    /// Whether the candidate gives an ID of its own to the record that a finding calls a second definition.
     pub(super) fn renames(&self, finding: &Diagnostic) -> bool {
         let is_head = |e: &Edit| e.span == finding.span;
         let is_twice = finding.code == Code::E102 && self.fix.title == inline::CHAIN_TITLE;
@@ -82,10 +82,10 @@ impl Candidate {
     }
 }
 
-/// Most candidates for one finding.
+/// The most candidates for one finding.
 const MAX_CANDIDATES: usize = 16;
 
-/// How a record is written.
+/// How a record of a type is written, in words: the ID, the number of the type and the names of its parameters.
 fn header(ty: &RecordType) -> String {
     format!("`ID {} {}`", ty.code, ty.signature())
 }
@@ -94,18 +94,19 @@ fn header(ty: &RecordType) -> String {
 pub(super) struct LineContext<'a> {
     analysis: &'a Analysis,
     text: &'a str,
-    /// From the first token to the end of the line, white space left out.
+    /// The span from the first token of the line to its end, without the white space around.
     line: Span,
     /// The tokens of the line, trivia too.
     all: &'a [Token],
     /// The significant tokens of the record that begins the line, else of the line.
     tokens: Vec<Token>,
-    /// The type, where a word stands in its place.
+    /// The type that a word names in the place of the type's number.
     named: Option<&'static RecordType>,
 }
 
 impl<'a> LineContext<'a> {
-    /// Where a finding is: the line, and the record that begins it where that goes on behind its end.
+    /// The contexts of a place: its line, and then the record that begins the line, if that goes on behind the line's
+    /// end.
     pub(super) fn both(analysis: &'a Analysis, at: u32) -> Vec<LineContext<'a>> {
         let Some(line) = LineContext::of(analysis, at, false) else {
             return Vec::new();
@@ -172,7 +173,7 @@ impl<'a> LineContext<'a> {
         self.named.or_else(|| RecordType::by_code(self.int(1)?))
     }
 
-    /// Whether it makes an object of others.
+    /// Whether the record is an operation, which makes an object of others.
     pub(super) fn is_operation(&self) -> bool {
         self.ty().is_some_and(|ty| ty.family == Family::Operation)
     }
@@ -198,8 +199,8 @@ impl<'a> LineContext<'a> {
         })
     }
 
-    /// The note about a record with too few numbers that ends between two vectors of its type, with its values: which
-    /// number is missing, if only the last one can be; else the parameters in order.
+    /// The note, with its values, about a record with too few numbers that ends with a vector of its type. The note
+    /// `lack` names the missing number, if only the last one can be missing; `lack-any` lists all parameters.
     pub(super) fn lacking(&self) -> Option<(&'static str, Vec<(&'static str, Value)>)> {
         let ty = self.ty().filter(|ty| !ty.is_counted())?;
         let (params, wanted) = (self.params(), ty.params);
@@ -228,8 +229,8 @@ impl<'a> LineContext<'a> {
         Some(("lack-any", vec![("missing", names(wanted).into())]))
     }
 
-    /// Lists what may have been meant, given a finding of this place. `undefined` are the IDs that are used and defined
-    /// nowhere, `taken` those that other proposals define.
+    /// Lists the guesses at what was meant, for a finding at this place. `undefined` are the IDs that are used but
+    /// defined nowhere, `taken` those that other proposals define.
     pub(super) fn candidates(
         &self,
         finding: &Diagnostic,
@@ -244,7 +245,7 @@ impl<'a> LineContext<'a> {
             out = lost;
         } else if finding.is_error() {
             self.characters(&mut out);
-            // A type is no ID.
+            // A negative ID may be a type that changed places with its ID.
             let is_negative = self.int(0).is_some_and(|id| id < 0) && finding.code == Code::E005;
             out.extend(
                 self.exchange()
@@ -268,7 +269,7 @@ impl<'a> LineContext<'a> {
                 .as_ref()
                 .is_some_and(|c| c.fix.title == inline::PLANE_TITLE);
             if let Some(clauses) = clauses {
-                // Its numbers mean something else than those of a record.
+                // The numbers of the other notation mean something else than those of a record.
                 out.retain(|c| c.habit != Habit::Unnamed);
                 out.push(clauses);
             }
@@ -314,7 +315,7 @@ impl<'a> LineContext<'a> {
             out.extend(self.lost_line_end(finding, undefined));
             out.extend(self.moved_copy(finding));
             let behind = self.records_behind().or_else(|| self.changes_behind());
-            // A record is no comment.
+            // Text that is a record was not meant as a comment.
             if behind.is_some() {
                 out.retain(|c| c.habit != Habit::Comment);
             }
@@ -370,8 +371,8 @@ impl<'a> LineContext<'a> {
         out
     }
 
-    /// The fault that a candidate puts right, as a finding. Together with [`Habit::is_said_by`] it sees to it that a
-    /// finding and its first proposal speak of one thing.
+    /// The finding that speaks of the fault which a candidate repairs; `None` if its habit has no finding of its own.
+    /// Together with [`Habit::is_said_by`] it makes a finding and its first proposal speak of one fault.
     pub(super) fn matter(&self, candidate: &Candidate) -> Option<Diagnostic> {
         let edits = || candidate.fix.edits.iter();
         let on_line = edits().find(|e| self.line.touches(e.span));
@@ -386,7 +387,7 @@ impl<'a> LineContext<'a> {
             Habit::Sign => with_type(Diagnostic::new(Code::E007, edit.span).case("sign")),
             Habit::Unnamed => {
                 let ty = candidate.ty?;
-                // A comment behind it is none of it.
+                // An edit that writes a comment is not part of the record.
                 let own = |e: &&Edit| !e.text.starts_with('#');
                 let end = edits().rfind(own)?.span.end;
                 let d = Diagnostic::new(Code::E005, Span::new(edit.span.start, end)).case("name");
@@ -413,7 +414,7 @@ impl<'a> LineContext<'a> {
             Habit::Doubled | Habit::Sibling | Habit::Apart => self.wrong_count(),
             Habit::Count => self.points(),
             Habit::Axis => {
-                // With the angle behind it, that is written anew, too.
+                // Two edits: the axis stands before the angle, and both are written anew.
                 let case = match candidate.fix.edits.len() {
                     1 => "axis",
                     _ => "axis-first",
@@ -455,7 +456,7 @@ impl<'a> LineContext<'a> {
                 | Point
                 | Count
         );
-        // What takes out the word before a vector in brackets takes out these, too.
+        // A candidate that takes out the word before a vector in brackets takes out the brackets, too.
         let is_bracket =
             |t: &Token| t.kind() == TokenKind::Separator && "<>[](){}".contains(t.text(self.text));
         let is_vector = candidate.habit == Characters && self.all.iter().any(is_bracket);
@@ -488,13 +489,13 @@ impl<'a> LineContext<'a> {
         edits.sort_by_key(|e| (e.span.start, e.span.end));
     }
 
-    /// Whether there are but spaces and separators in a part of the text.
+    /// Whether a part of the text has nothing but white space and separators.
     fn is_gap(&self, between: Span) -> bool {
         let is_nothing = |c: char| c.is_whitespace() || SEPARATORS.contains(&c);
         self.text[between.range()].chars().all(is_nothing)
     }
 
-    /// The texts of some tokens with a space between each, if there is nothing but spaces and separators between them.
+    /// The texts of some tokens, joined by spaces. `None` if there is anything but spaces and separators between them.
     fn spaced(&self, tokens: &[Token]) -> Option<String> {
         let gap = |two: &[Token]| self.is_gap(Span::new(two[0].end(), two[1].start));
         let texts: Vec<&str> = tokens.iter().map(|t| t.text(self.text)).collect();
@@ -515,7 +516,7 @@ impl<'a> LineContext<'a> {
         }
     }
 
-    /// Several tokens written anew, in any order; `None` if that changes nothing.
+    /// A candidate that writes several tokens anew, given in any order. `None` if that changes nothing.
     fn write(&self, habit: Habit, new: &[(Token, String)]) -> Option<Candidate> {
         let mut edits: Vec<Edit> = (new.iter())
             .filter(|(t, text)| t.text(self.text) != text)
@@ -526,7 +527,7 @@ impl<'a> LineContext<'a> {
             .collect();
         edits.sort_by_key(|edit| edit.span.start);
         let (first, last) = (edits.first()?.span, edits.last()?.span);
-        // All that stands there, as it is to be.
+        // The title shows the new text from the first edit to the last.
         let mut shown = String::new();
         let mut at = first.start;
         for edit in &edits {

@@ -10,13 +10,13 @@ use crate::syntax::{calculated, quote};
 /// Signs between a name and its number.
 const EQUALS: [char; 2] = ['=', ':'];
 
-/// The factor of a number that is meant for all three of a record.
+/// The factor in a product such as `1.5*3`, by which the other number is meant for all three parameters of a record.
 const TIMES: &str = "3";
 
 /// A number that may have its name before it.
 struct Named<'t> {
     name: Option<&'t str>,
-    /// The name and the number.
+    /// The name and the number as one token.
     whole: Token,
     number: &'t str,
 }
@@ -82,7 +82,8 @@ impl LineContext<'_> {
         ))
     }
 
-    /// The parameters without their names, in the order of the record where all have the names of its parameters.
+    /// Guesses at parameters that have names before them, as `r = 1`, and drops the names. If the names are those of
+    /// all parameters of the type, the numbers are put into the type's order.
     pub(super) fn named_values(&self) -> Option<Candidate> {
         let ty = self.ty().filter(|ty| !ty.is_counted())?;
         let mut all: Vec<Named> = Vec::new();
@@ -110,8 +111,8 @@ impl LineContext<'_> {
         self.write(Habit::Characters, &new)
     }
 
-    /// A product for the three numbers of a record, `1.5*3`: one number three times, or what it comes to where one number
-    /// may stand for three.
+    /// Guesses at a product for the three numbers of a record, `1.5*3`: it means 1.5 three times, or, where one number
+    /// may stand for three, the value of the product three times.
     pub(super) fn product(&self, out: &mut Vec<Candidate>) {
         let (Some(ty), [product]) = (self.ty(), self.params()) else {
             return;
@@ -160,7 +161,7 @@ impl LineContext<'_> {
         self.write(Habit::Characters, &[(whole, record)])
     }
 
-    /// The number that some tokens begin with, and how many it takes.
+    /// The number that some tokens begin with, with a name if it has one, and how many tokens both take.
     fn value(&self, tokens: &[Token]) -> Option<(usize, Named<'_>)> {
         let first = *tokens.first()?;
         if first.kind().is_number() {

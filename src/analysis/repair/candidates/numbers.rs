@@ -1,4 +1,4 @@
-//! How numbers and names are spelled.
+//! Slips in how numbers and file names are spelled.
 
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::characters;
@@ -22,12 +22,12 @@ fn is_picture_word(word: &str) -> bool {
 /// The title of fixes that write decimal commas as points.
 pub(super) const COMMA_TITLE: &str = "fix-decimal-comma";
 
-/// So many places of one decimal comma are a choice.
+/// The most places of one decimal comma that are offered as a choice.
 const MAX_PLACES: usize = 3;
 
 impl LineContext<'_> {
-    /// Words between the numbers of a record, as in `look_at 0 0 0`: they go, and the point that a camera looks at becomes
-    /// a direction.
+    /// Guesses that words between the numbers of a record, as in `look_at 0 0 0`, are too many. The point that a camera
+    /// looks at becomes a direction.
     pub(super) fn labelled(&self) -> Option<Candidate> {
         let ty = self.ty().filter(|ty| !ty.is_counted())?;
         // `rgb(255,0,0)` and `2*pi` are something else.
@@ -41,7 +41,7 @@ impl LineContext<'_> {
         let is_whole = !words.is_empty()
             && numbers.iter().all(is_number)
             && self.fit(ty, &numbers)
-            // Behind all numbers they are rather a comment.
+            // Words behind all numbers are rather a comment.
             && params.last().is_some_and(is_number);
         let (first, last) = (words.first()?, words.last()?);
         if !is_whole {
@@ -85,7 +85,7 @@ impl LineContext<'_> {
         ))
     }
 
-    /// Numbers in other characters; a unit or dash on its own joins its number.
+    /// Rewrites numbers in other characters than those of the language. A unit or dash on its own joins its number.
     pub(super) fn characters(&self, out: &mut Vec<Candidate>) {
         let on_line: Vec<Token> = (self.all.iter())
             .filter(|t| !t.kind().is_trivia())
@@ -113,7 +113,7 @@ impl LineContext<'_> {
                     () if characters::is_dash(a) && b_is_number => {
                         characters::number(&format!("-{b}"))
                     }
-                    // Czech letters for digits on a side of a decimal comma.
+                    // Czech letters may stand for the digits on a side of a decimal comma.
                     () if !(a_is_number && b_is_number)
                         && token.text(self.text) == format!("{a},{b}") =>
                     {
@@ -141,7 +141,7 @@ impl LineContext<'_> {
                 let is_bracket = matches!(token.text(self.text), "[" | "]");
                 let number = is_bracket.then(String::new);
                 let written = token.text(self.text);
-                // A sign too many may hide another mistake, if the number is none that may stand here.
+                // A sign too many may hide another mistake, if the number without the sign is not allowed here.
                 let has_sign_behind = written.ends_with(['.', '-']);
                 let number = number
                     .or_else(|| characters::number(written))
@@ -149,7 +149,7 @@ impl LineContext<'_> {
                 let is_angle = i == 2 && turns;
                 match number.or_else(|| characters::degrees(written).filter(|_| is_angle)) {
                     Some(text) => new.push((token, text)),
-                    // What else is wrong with the line is another matter.
+                    // A word that is no number is another fault, which this guess does not repair.
                     None if i != 1 => return,
                     None => {}
                 }
@@ -176,8 +176,8 @@ impl LineContext<'_> {
         }));
     }
 
-    /// Two numbers of which the first has the point of the second one at its end, `.2. 1`, where all others of the record
-    /// have points.
+    /// Joins two numbers of which the first has the point of the second at its end: `.2. 1` is `.2 .1`. All other
+    /// numbers of the record must have points.
     fn point_behind(&self, on_line: &[Token], i: usize) -> Option<(Token, String)> {
         let text = |t: &Token| t.text(self.text);
         let (first, second) = (on_line.get(i)?, on_line.get(i + 1)?);
@@ -192,15 +192,15 @@ impl LineContext<'_> {
         is_one.then(|| (self.joined(first, second), format!("{number} .{digits}")))
     }
 
-    /// Whether a number may be what stands on the line at a place, with the ID and the type counted. The parts of colours
-    /// are not above 1.
+    /// Whether a number is allowed as a token of the line; `place` 0 is the ID and 1 the type. Parts of colours are not
+    /// above 1.
     fn may_stand(&self, place: usize, number: &str) -> bool {
         let (Some(ty), Some(i)) = (self.ty(), place.checked_sub(2)) else {
             return true;
         };
         let count = self.params().first().and_then(|t| t.integer(self.text));
         let count = count.and_then(|n| usize::try_from(n).ok());
-        // No more than there are parameters.
+        // The count of a profile is not larger than the number of parameters.
         let count = count.map_or(0, |n| n.min(self.params().len()));
         let is_colour = ty.first_colour(count).is_some_and(|first| i >= first);
         ty.param(i, count).is_none_or(|param| {
@@ -244,7 +244,7 @@ impl LineContext<'_> {
             .then(|| self.write(Habit::Characters, &new))?
     }
 
-    /// The tokens of an image's name: up to the first that ends as such names do.
+    /// The tokens of a picture's file name: all up to the first that ends as the name of a picture does.
     pub(super) fn file_name(&self) -> Option<&[Token]> {
         if self.ty()?.kind != RecordKind::ImageTexture {
             return None;
@@ -253,7 +253,7 @@ impl LineContext<'_> {
         Some(&self.params()[..=last])
     }
 
-    /// Whether the name of a picture ends with a token.
+    /// Whether a token ends as the name of a picture does.
     pub(super) fn ends_picture(&self, t: &Token) -> bool {
         let name = t.text(self.text).trim_end_matches('"').to_lowercase();
         [".png", ".jpg", ".jpeg"].iter().any(|e| name.ends_with(e))
@@ -304,8 +304,8 @@ impl LineContext<'_> {
         out.push(Candidate::writing(Habit::Characters, span, name));
     }
 
-    /// Decimal commas with a space behind them, `0, 9`, where there are too many numbers. Which one it is may be a
-    /// choice.
+    /// Guesses at decimal commas with a space behind them, `0, 9`, where there are too many numbers. If several commas
+    /// may be the decimal one, each is a choice.
     pub(super) fn spaced_commas(&self, out: &mut Vec<Candidate>) {
         let Some(ty) = self.ty() else { return };
         let params = self.params();
@@ -323,7 +323,8 @@ impl LineContext<'_> {
         };
         let pairs: Vec<&[Token]> = params.windows(2).filter(|two| is_pair(two)).collect();
         let is_apart = pairs.windows(2).all(|p| p[0][1].start < p[1][0].start);
-        // Commas without spaces between all numbers, twice as many as there should be: every other one is decimal.
+        // If all numbers have commas without spaces between them, and are twice as many as they should be, every other
+        // comma is decimal.
         let is_tight = |two: &[Token]| two[0].end() + 1 == two[1].start;
         let every_other = params.chunks_exact(2).filter(|two| is_pair(two));
         let is_list = params.len() == 2 * more
@@ -353,7 +354,7 @@ impl LineContext<'_> {
             candidate.fix.title = COMMA_TITLE;
             candidate.fix.applicability = applicability;
             candidate.fix = candidate.fix.with("text", quote(&self.text[all.range()]));
-            // Commas that are read as decimal ones are points, too.
+            // Other commas that were read as decimal ones become points, too.
             let commas = params
                 .iter()
                 .filter(|t| t.kind() == TokenKind::DecimalComma);
@@ -366,7 +367,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// A space beside a decimal point, `-0. 35` or `0 .8`, where there are too many numbers by as many as there are such.
+    /// Guesses at spaces beside decimal points, `-0. 35` or `0 .8`, where there are as many of them as surplus numbers.
     pub(super) fn spaced_points(&self) -> Option<Candidate> {
         let ty = self.ty()?;
         let params = self.params();
@@ -393,13 +394,13 @@ impl LineContext<'_> {
         is_one.then(|| self.write(Habit::Doubled, &new))?
     }
 
-    /// Two tokens and what is between them as one.
+    /// One token from the start of the first to the end of the last.
     pub(super) fn joined(&self, first: &Token, last: &Token) -> Token {
         Token::new(first.kind(), first.start as usize, last.end() as usize)
     }
 
-    /// A number too many among the references of a record, or a space in one. Such a record can be read where its last
-    /// number is a `0`, which introduces a comment then.
+    /// Guesses that a record has one reference too many, or a space within a reference. The parser can read such a
+    /// record if its last number is a `0`, which then introduces a comment.
     pub(super) fn surplus(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let params = self.params();
         let one_more = |ty: &&RecordType| !ty.is_counted() && params.len() == ty.params.len() + 1;

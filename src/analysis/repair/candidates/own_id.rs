@@ -1,4 +1,4 @@
-//! An ID of its own for a record that has another one's.
+//! A new ID for a record that has the ID of another one.
 
 use super::inline::{CHAIN_TITLE, FREE_TITLE, OWN_TITLE};
 use super::references::AGAIN_TITLE;
@@ -10,11 +10,11 @@ use crate::syntax::ast::Record;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Effect, Family, Kind, ParamKind, RecordKind, RecordType};
 
-/// So many new IDs are named.
+/// The most new IDs that a title names.
 const MAX_SHOWN_IDS: usize = 4;
 
 impl LineContext<'_> {
-    /// The kind of property that the record defines and the kind that its ID is, where these differ.
+    /// The kind of property that the record defines, and the kind that the entity with its ID has, where these differ.
     pub(super) fn other_property(&self) -> Option<(Kind, Kind)> {
         let is_property = |kind: &Kind| matches!(kind, Kind::Optics | Kind::Texture | Kind::Colour);
         let Effect::DefinesOrChanges(own, _) = self.ty()?.effect else {
@@ -26,8 +26,8 @@ impl LineContext<'_> {
         (is_property(&own) && own != other).then_some((own, other))
     }
 
-    /// A free ID. Where this is a property by the ID of one of another kind, assignments of the one assign the other,
-    /// too.
+    /// Guesses at a free ID for the record. If it is a property with the ID of a property of another kind, assignments
+    /// of the other property assign the new ID, too.
     pub(super) fn own_id(&self, finding: &Diagnostic, used: &[u32], out: &mut Vec<Candidate>) {
         let head = self.tokens[0].span();
         let is_twice = finding.code == Code::E102 && finding.case.is_empty();
@@ -72,7 +72,7 @@ impl LineContext<'_> {
         out.push(Candidate::new(Habit::Id, fix));
     }
 
-    /// The ID of the record before, for one that changes something and has lost its own.
+    /// Guesses that a change which has lost its ID has the ID of the record before.
     pub(super) fn lost_id(&self, finding: &Diagnostic) -> Option<Candidate> {
         let head = self.tokens.first()?;
         let ty = RecordType::by_code(head.integer(self.text)?)?;
@@ -87,8 +87,8 @@ impl LineContext<'_> {
         self.write(Habit::Id, &[(*head, text)])
     }
 
-    /// The only property of a record's kind that has no record of that type yet, where the one before has one: a second
-    /// one would have no effect.
+    /// The only other property of the same kind that has no record of this type yet, if the property `before` has one:
+    /// a second one there would have no effect.
     fn other_half(&self, before: u32, ty: &RecordType) -> Option<u32> {
         let Effect::DefinesOrChanges(own, _) = ty.effect else {
             return None;
@@ -100,7 +100,7 @@ impl LineContext<'_> {
         others.next().is_none().then_some(other.id)
     }
 
-    /// The ID without its minus, if something has that.
+    /// Guesses that the minus of an ID is too many, if the ID without it is defined, or used but not defined.
     pub(super) fn negative_id(&self, finding: &Diagnostic, undefined: &[u32]) -> Option<Candidate> {
         let id = u32::try_from(self.int(0)?.checked_neg()?).ok()?;
         let mut entities = self.analysis.scene.entities.iter();
@@ -110,7 +110,7 @@ impl LineContext<'_> {
         (is_known && is_one).then(|| self.write(Habit::Id, &new))?
     }
 
-    /// The ID of the record before, if it is of one of these kinds.
+    /// The ID of the record before this one, if its entity is of one of some kinds.
     pub(super) fn id_before(&self, kinds: &'static [Kind]) -> Option<u32> {
         let document = &self.analysis.document;
         let items = document.items.iter().rev();
@@ -123,7 +123,7 @@ impl LineContext<'_> {
         self.entities(kinds).any(|e| e.id == id).then_some(id)
     }
 
-    /// The ID of the record behind, if that can be read.
+    /// The ID of the record behind this one, if that record can be read.
     pub(super) fn id_behind(&self) -> Option<u32> {
         let document = &self.analysis.document;
         let mut items = document.items.iter();
@@ -131,7 +131,7 @@ impl LineContext<'_> {
         Some(behind?.record()?.id)
     }
 
-    /// The IDs of the records that follow this one directly and change what it defines.
+    /// The places of the IDs of the records that follow this one directly and change the entity `id`.
     pub(super) fn changes(&self, id: u32) -> impl Iterator<Item = Span> {
         let document = &self.analysis.document;
         let end = self.tokens.last().map_or(self.line.end, |t| t.end());
@@ -144,8 +144,8 @@ impl LineContext<'_> {
         own.map(|r| document.id_token(r).span())
     }
 
-    /// Operations on the object that had their ID before, as in `3 -101 3 4` and `3 -101 3 5`: each gets an ID of its own,
-    /// and what stands behind it means that one.
+    /// Guesses that operations have the ID of one of their operands, as in `3 -101 3 4` and `3 -101 3 5`. Each gets an
+    /// ID of its own, and records behind it name that ID.
     fn chain(&self, id: u32, free: u32) -> Option<Candidate> {
         let is_id = |t: &Token| t.integer(self.text) == Some(id.into());
         if !self.is_operation() || !self.params().iter().any(is_id) {
@@ -156,7 +156,7 @@ impl LineContext<'_> {
         let behind = records(self.analysis).filter(|r| document.id_token(r).start >= begin);
         let mut edits = Vec::new();
         let mut links: Vec<String> = Vec::new();
-        // The render record means the last one, wherever it stands.
+        // The render record means the last operation, wherever the render record stands.
         let mut late = Vec::new();
         let mut meant = id;
         for record in behind {
@@ -201,15 +201,15 @@ impl LineContext<'_> {
         Some(Candidate::new(Habit::Id, fix))
     }
 
-    /// The objects that an ID is assigned to, and the places there for a property of the first kind, which are empty or
-    /// have that ID as well.
+    /// The objects to which an ID is assigned, each with the place in the assignment for a property of the kind `own`.
+    /// That place is 0 or has the ID as well.
     fn assignments(&self, id: u32, (own, other): (Kind, Kind)) -> Vec<(u32, Span)> {
         let ty = RecordType::of(RecordKind::Assignment);
         let place = |kind: Kind| {
             let takes = |k: &ParamKind| matches!(k, ParamKind::Reference { kinds, .. } if kinds.contains(&kind));
             ty.params.iter().position(|p| takes(&p.kind))
         };
-        // A colour and a texture have one place.
+        // Colours and textures share one place.
         let (Some(own), Some(other)) = (place(own), place(other)) else {
             return Vec::new();
         };

@@ -1,4 +1,4 @@
-//! Parts of light of which one is above 1.
+//! Parts of light (diffuse, mirrored and transmitted), one of which is above 1.
 
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Code, Diagnostic};
@@ -7,30 +7,31 @@ use crate::syntax::lexer::Token;
 use crate::syntax::table::RecordKind;
 use crate::syntax::with_point;
 
-/// The reading of parts of light of which one is above 1.
+/// A reading of parts of light, one of which is above 1.
 enum Parts {
-    /// All are so many times too large.
+    /// All parts are too large by this factor.
     Divided(f64),
-    /// The transmitted part is an index; the part itself is what the others leave.
+    /// The transmitted part is a refractive index. The value is the part that the others leave for transmitted light.
     Index(f64),
-    /// A number has its decimal point one place or two too far to the right: it is so many times too large.
+    /// The part at this index has its decimal point one place or two too far to the right: it is too large by this
+    /// factor.
     Point(usize, f64),
 }
 
 /// The whole in per cent.
 const PER_CENT: f64 = 100.0;
-/// Parts in per cent have one that is as large as this, or add up to nearly 100.
+/// Parts are in per cent if one of them is as large as this, or if they are whole and add up to nearly 100.
 const PER_CENT_MIN: f64 = 10.0;
-/// So far from 100 is the sum of per cent that are rounded.
+/// The most by which the sum of rounded per cent differs from 100.
 const PER_CENT_OFF_MAX: f64 = 2.0;
-/// The indices of what people call glass and the like.
+/// The refractive indices of glass and the like.
 const INDICES: std::ops::RangeInclusive<f64> = 1.2..=2.5;
-/// Parts with a decimal point put right add up to so much at least.
+/// The least sum of parts after a decimal point was put right.
 const PARTS_SUM_MIN: f64 = 0.9;
-/// Parts with a decimal point put right add up to so much at most, but for rounding.
+/// The largest sum of parts after a decimal point was put right, with room for rounding.
 const PARTS_SUM_MAX: f64 = 1.0 + 1e-9;
 
-/// The meaning of parts of light that are no shares; none where nothing fits.
+/// Finds the reading of parts of light that are no shares of 1. `None` if none fits.
 fn parts(written: &[f64]) -> Option<Parts> {
     let is_whole = |x: &f64| x.fract() == 0.0;
     let sum: f64 = written.iter().sum();
@@ -65,7 +66,8 @@ fn parts(written: &[f64]) -> Option<Parts> {
 }
 
 impl LineContext<'_> {
-    /// Parts of light in per cent, without their decimal point, or by a sum other than 1; an index among them.
+    /// Guesses at parts of light that are in per cent, lack their decimal point, add up to another sum than 1, or have
+    /// a refractive index among them.
     pub(super) fn per_cent(&self, finding: &Diagnostic) -> Option<Candidate> {
         let ty = self.ty().filter(|ty| self.fits(ty))?;
         let is_parts = matches!(ty.kind, RecordKind::Optics | RecordKind::OpticsRgb);

@@ -10,11 +10,13 @@ use crate::syntax::table::{RecordKind, RecordType, ShapeKind};
 const AXES: usize = 3;
 /// The parts of a colour.
 const PARTS: usize = 3;
-/// Two points in space are as many numbers as three of a profile: of so few only spaces or brackets tell.
+/// The fewest points whose third coordinates show by zeros alone that they are points in space. Two such points have as
+/// many numbers as three of a profile, so there only spaces or brackets tell.
 const TOLD_BY_ZEROS_MIN: usize = 3;
 
 impl LineContext<'_> {
-    /// How many points follow the number of points of a profile, if these are whole ones.
+    /// How many points follow the count at the beginning of a profile. `None` if the numbers there are not whole
+    /// points.
     fn whole_points(&self) -> Option<usize> {
         let ty = self.ty().filter(|ty| ty.is_counted())?;
         let each: usize = ty.repeats.iter().map(|group| group.len()).sum();
@@ -25,8 +27,8 @@ impl LineContext<'_> {
         (is_one && points.len() % each == 0 && count > 1).then_some(count)
     }
 
-    /// The number of points in front of the points of a profile that has none. Where the first number says that one is
-    /// missing, it is rather the number of points.
+    /// Guesses that a profile lacks its number of points, and writes it in front. `None` if the first number is just
+    /// that: then a coordinate is missing.
     fn lost_count(&self) -> Option<Candidate> {
         let ty = self.ty().filter(|ty| ty.is_counted() && !self.fits(ty))?;
         let (base, point) = (ty.arity(0), ty.arity(1) - ty.arity(0));
@@ -41,7 +43,8 @@ impl LineContext<'_> {
         self.write(Habit::Count, &[(*first, text)])
     }
 
-    /// The number of points that a profile has, in the place of the one that it says.
+    /// Guesses at a profile with a wrong number of points: its points have three coordinates, or one colour for all, or
+    /// the number is wrong or missing.
     pub(super) fn count(&self, out: &mut Vec<Candidate>) {
         if self.in_space().is_some() {
             out.extend(self.without_third());
@@ -74,7 +77,7 @@ impl LineContext<'_> {
         )
     }
 
-    /// The number of points that a profile says, and what follows it.
+    /// The type of a profile, the number of points that it says, and the tokens behind that number.
     fn said_points(&self) -> Option<(&'static RecordType, usize, &[Token])> {
         let ty = self.ty().filter(|ty| ty.is_counted())?;
         let (n, behind) = self.params().split_first()?;
@@ -83,8 +86,8 @@ impl LineContext<'_> {
         is_right.then_some((ty, n, behind))
     }
 
-    /// The points of a profile that have three coordinates each: as spaces and brackets show it, or because all third ones
-    /// are zero.
+    /// The points of a profile that have three coordinates each: as spaces and brackets show it, or because all third
+    /// ones are zero.
     fn in_space(&self) -> Option<&[Token]> {
         let (ty, n, behind) = self.said_points()?;
         let wanted = usize::try_from(ty.arity(n as u64)).ok()? - 1;
@@ -125,8 +128,8 @@ impl LineContext<'_> {
         Some(Diagnostic { span, ..d }.case("space"))
     }
 
-    /// A colour behind all points of a coloured profile: for each of them, or as a record of its own behind a profile
-    /// without colours.
+    /// Guesses at one colour behind all points of a coloured profile: it is repeated for each of them, or becomes a
+    /// record of its own behind a profile without colours.
     fn one_colour(&self) -> Vec<Candidate> {
         let surface = |kind: ShapeKind| RecordType::of(RecordKind::Shape(kind));
         let coloured = surface(ShapeKind::ColouredSurfaceOfRevolution);

@@ -1,5 +1,5 @@
-//! Properties and moves of an object one behind the other, as POV-Ray has them: `pigment { color Red } finish { reflection
-//! 0.3 }`, `translate <0, 1, 0> rotate y*45`.
+//! Properties and moves of an object one behind the other, as POV-Ray has them:
+//! `pigment { color Red } finish { reflection 0.3 }`, `translate <0, 1, 0> rotate y*45`.
 
 use super::axes::{about_axis, along_axis};
 use super::clauses::{Line, is_word, numbers};
@@ -12,23 +12,23 @@ use crate::syntax::quote;
 use crate::syntax::table::{Effect, Family, RecordKind, RecordType};
 use crate::syntax::words;
 
-/// A colour, a move and a scaling have so many numbers, and so many axes has a turn.
+/// How many numbers a colour, a move and a scaling have, and how many axes a turn has.
 pub(super) const OWN: usize = 3;
 
-/// What POV-Ray says of surfaces and insides, for some of which there are records.
+/// Words of POV-Ray for surfaces and insides; for some of their values there are records.
 const OTHERS: [&str; 4] = ["finish", "normal", "interior", "no_shadow"];
 
-/// Colours of POV-Ray with parts that go through, filtered or not, and how many parts those are.
+/// Colours of POV-Ray with transmitted parts, and which parts each has: filtered by the colour, and unfiltered.
 const CLEAR: [(&str, [bool; 2]); 3] = [
     ("rgbf", [true, false]),
     ("rgbt", [false, true]),
     ("rgbft", [true, true]),
 ];
 
-/// The same parts by words of their own, behind a colour.
+/// Words behind a colour for its transmitted parts: filtered, and unfiltered.
 const PARTS: [&str; 2] = ["filter", "transmit"];
 
-/// What other programs put around the properties of a surface.
+/// Words that other programs put around the properties of a surface.
 const AROUND: [&str; 2] = ["texture", "material"];
 
 /// Properties and moves of an object.
@@ -36,19 +36,19 @@ const AROUND: [&str; 2] = ["texture", "material"];
 pub(super) struct Properties {
     /// Records: their types and numbers.
     pub lines: Vec<Line>,
-    /// What no record says.
+    /// Texts of properties for which there is no record.
     left: Vec<String>,
-    /// The parts of the light that go through: in the colour of the surface, and as they are.
+    /// The transmitted parts of light: filtered by the colour of the surface, and unfiltered.
     clear: [f64; 2],
 }
 
 impl Properties {
-    /// Whether there is something that no record says.
+    /// Whether there are properties for which there is no record.
     pub(super) fn leaves_out(&self) -> bool {
         !self.left.is_empty()
     }
 
-    /// What no record says as a comment behind one.
+    /// The properties for which there is no record, as a comment behind one; empty if there are none.
     pub(super) fn comment(&self) -> String {
         match self.leaves_out() {
             true => format!(" # {} #", self.left.join(" ")),
@@ -58,8 +58,8 @@ impl Properties {
 }
 
 impl Properties {
-    /// The optics of what lets light through: what is not mirrored goes through by these parts, and the rest of it is
-    /// diffuse.
+    /// Adds the optics of a surface with transmitted parts. They are shares of the light that is not mirrored; the rest
+    /// of that light is diffuse. `None` if a part is no share of 1, or if there is no colour.
     fn let_through(&mut self) -> Option<()> {
         let [filtered, plain] = self.clear;
         let all = filtered + plain;
@@ -95,7 +95,8 @@ impl Properties {
 }
 
 impl LineContext<'_> {
-    /// Properties and moves behind an ID, the first by its name: `9 pigment { color rgb <1,0,0> }`, `8 interior { ior 1.5 }`.
+    /// Properties and moves behind an ID, the first by its name: `9 pigment { color rgb <1,0,0> }`,
+    /// `8 interior { ior 1.5 }`.
     pub(super) fn only_properties(&self, id: u32) -> Option<Candidate> {
         let (word, behind) = self.tokens[1..].split_first()?;
         let name = word.text(self.text).to_lowercase();
@@ -104,7 +105,7 @@ impl LineContext<'_> {
         let is_around = AROUND.contains(&&*name);
         let is_block = (is_colour || is_around) && behind.first().is_some_and(is_word);
         let found = self.properties(&self.tokens[1..])?;
-        // What is one record only is found by its name elsewhere.
+        // A single record is found by its name elsewhere.
         let is_more = found.lines.len() > 1 || found.leaves_out();
         (is_more || is_block || OTHERS.contains(&&*name))
             .then(|| self.written_as(Habit::Keyword, id, &found))?
@@ -127,7 +128,7 @@ impl LineContext<'_> {
         (found.lines.len() > 1).then(|| self.written_as(Habit::Apart, self.id()?, &found))?
     }
 
-    /// Records in the place of all that stands behind the ID.
+    /// The candidate that writes records in the place of everything behind the ID.
     fn written_as(&self, habit: Habit, id: u32, found: &Properties) -> Option<Candidate> {
         let (first, rest) = found.lines.split_first()?;
         let mut text = format!("{} {}", first.0.code, first.1);
@@ -148,13 +149,13 @@ impl LineContext<'_> {
         (!is_gone).then_some(Candidate::new(habit, fix))
     }
 
-    /// Where the last token or separator of the line ends.
+    /// The offset at which the last token or separator of the line ends.
     pub(super) fn last_part(&self) -> Option<u32> {
         let is_part = |t: &&Token| t.kind() == TokenKind::Separator || !t.kind().is_trivia();
         Some(self.all.iter().rfind(is_part)?.end())
     }
 
-    /// The records of properties and moves, if the tokens are nothing else.
+    /// Reads tokens as properties and moves. `None` if some are anything else.
     pub(super) fn properties(&self, mut rest: &[Token]) -> Option<Properties> {
         let mut found = Properties::default();
         let mut is_colour = false;
@@ -167,7 +168,7 @@ impl LineContext<'_> {
                 found.lines.push((ty, self.texts(own)));
                 rest = &rest[1 + own.len()..];
             } else if !is_word(first) {
-                // Behind a word for colours.
+                // Three numbers are a colour if they stand behind a word for colours.
                 let parts = rest.get(..OWN).filter(|parts| numbers(parts) == OWN)?;
                 found.lines.push((colour, self.texts(parts)));
                 rest = &rest[OWN..];
@@ -222,7 +223,7 @@ impl LineContext<'_> {
         (!is_colour).then_some(found)
     }
 
-    /// Reads the parts of a colour that go through, and gives the tokens behind them.
+    /// Reads the transmitted parts of a colour, and returns the tokens behind them.
     fn clear<'t>(
         &self,
         parts: [bool; 2],
@@ -237,7 +238,7 @@ impl LineContext<'_> {
         Some(rest)
     }
 
-    /// How many tokens are the name of a picture with the words that POV-Ray has before it.
+    /// How many tokens the name of a picture takes, with the words that POV-Ray has before it.
     fn picture(&self, tokens: &[Token]) -> Option<usize> {
         let first = tokens.first()?.text(self.text).to_lowercase();
         let is_end = |t: &Token| self.ends_picture(t);
@@ -249,7 +250,7 @@ impl LineContext<'_> {
             .map(|i| i + 1)
     }
 
-    /// The type of a change by its number, and as many numbers as it takes.
+    /// Reads a change that begins with its type: the type, and the tokens of its parameters.
     fn coded<'t>(&self, tokens: &'t [Token]) -> Option<(&'static RecordType, &'t [Token])> {
         let code = tokens.first()?.integer(self.text)?;
         let ty = RecordType::by_code(code).filter(|ty| ty.code < 0 && !ty.is_counted())?;
@@ -258,7 +259,8 @@ impl LineContext<'_> {
         (changes && numbers(own) == own.len()).then_some((ty, own))
     }
 
-    /// What POV-Ray says of a surface or an inside, and the tokens behind that. What no record says is kept.
+    /// Reads one of the words in [`OTHERS`] with its values, and returns the tokens behind them. Values for which there
+    /// is no record are kept for the comment.
     fn other<'t>(
         &self,
         word: &str,
@@ -315,7 +317,7 @@ impl LineContext<'_> {
             own => format!("{name} {}", self.texts(own)),
         });
         let left: Vec<String> = left.collect();
-        // As it stands, where it is of no use at all.
+        // If there is no record for any value, the text is kept as it stands.
         if end.is_none() && !left.is_empty() {
             return None;
         } else if found.lines.len() == before {
@@ -327,7 +329,8 @@ impl LineContext<'_> {
         Some(&tokens[count..])
     }
 
-    /// Where the block in braces ends that begins at a place on the line.
+    /// The offset behind the block in braces that begins at `at`. `None` if there is none, or if it does not end on the
+    /// line.
     fn end_of_block(&self, at: u32) -> Option<u32> {
         let rest = self.text.get(at as usize..self.line.end as usize)?;
         let mut depth = 0;
@@ -345,7 +348,7 @@ impl LineContext<'_> {
         None
     }
 
-    /// The numbers of the records that a move, a scaling, or turns about x, y and z are.
+    /// The numbers of each record that a move, a scaling, or turns about x, y and z need.
     fn moves(&self, ty: &RecordType, own: &[Token]) -> Option<Vec<String>> {
         match (ty.kind, own) {
             (RecordKind::Rotation, [one]) => Some(vec![about_axis(one.text(self.text))?]),

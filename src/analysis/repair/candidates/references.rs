@@ -1,4 +1,4 @@
-//! Other IDs: those that a record refers to, and its own.
+//! Guesses at other IDs: for the references of a record, and for its own ID.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -9,11 +9,11 @@ use crate::syntax::lexer::Token;
 use crate::syntax::table::{Effect, Family, Kind, Param, ParamKind, RecordKind, RecordType};
 use crate::syntax::{Item, Record, quote};
 
-/// The title of the fix that takes out a record which stands there twice.
+/// The title of the fix that deletes a record that is written twice.
 pub(super) const AGAIN_TITLE: &str = "fix-again";
 
 impl LineContext<'_> {
-    /// The parameters that are references, and what they may refer to.
+    /// The parameters that are references, each with the kinds that it may refer to.
     fn referring(&self) -> Vec<(Token, &'static [Kind])> {
         let Some(ty) = self.ty().filter(|ty| self.fits(ty)) else {
             return Vec::new();
@@ -28,7 +28,8 @@ impl LineContext<'_> {
             .collect()
     }
 
-    /// The entities that may be referred to here, those of the right kind.
+    /// The entities of some kinds that the record may refer to: those above it, or all for a render record or a choice
+    /// of cameras.
     pub(super) fn entities(&self, kinds: &'static [Kind]) -> impl Iterator<Item = &Entity> {
         let late = self.ty().is_some_and(|ty| {
             matches!(
@@ -42,13 +43,13 @@ impl LineContext<'_> {
             .filter(|e| e.kind.is_none_or(|k| kinds.contains(&k)))
     }
 
-    /// References that are swapped, off by one, or name something else.
+    /// Guesses at other references: two are swapped, all are off by one or two, or one names the wrong ID.
     pub(super) fn references(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let all = self.referring();
         if !all.iter().any(|(t, _)| finding.span == t.span()) {
             return;
         }
-        // What is defined below has its own proposal, to be moved up.
+        // A definition below has its own proposal: to be moved up.
         if finding.code == Code::E107 && finding.case != "cycle" {
             return;
         }
@@ -60,7 +61,7 @@ impl LineContext<'_> {
             out.extend(self.as_difference());
             return;
         }
-        // Cameras are found by themselves.
+        // A render record need not name a camera: cameras are found by themselves.
         let is_camera =
             |t: &Token| t.integer(self.text).and_then(|id| self.kind_of(id)) == Some(Kind::Camera);
         let named = all.iter().find(|(t, _)| finding.span == t.span());
@@ -69,7 +70,7 @@ impl LineContext<'_> {
         {
             out.extend(self.write(Habit::Reference, &[(*t, String::from("0"))]));
         }
-        // An assignment to an object of itself may leave that place as it is.
+        // An assignment of an object to itself may leave that property as it is, which 0 says.
         if let Some((t, _)) = named
             && self.is_of_itself(t)
         {
@@ -84,9 +85,9 @@ impl LineContext<'_> {
                 .find_map(|(t, kinds)| self.renamed(t, kinds)),
         );
         let id = |t: &Token| t.integer(self.text).unwrap_or(0);
-        // A single one is no more than one off, and 0 is none.
+        // A single reference is off by one at most, and 0 is no reference.
         let several = all.iter().filter(|(t, _)| id(t) != 0).count() > 1;
-        // Where the others are of another kind and right, they stay.
+        // References to other kinds that are right stay as they are.
         let own_kinds = named.map(|n| n.1);
         let is_right = |(t, kinds): &(Token, &'static [Kind])| {
             let is_defined = || self.entities(kinds).any(|e| i64::from(e.id) == id(t));
@@ -105,7 +106,7 @@ impl LineContext<'_> {
                 .filter(|(t, _)| id(t) != 0)
                 .map(|(t, _)| {
                     let new = id(t).checked_add(*by).filter(|&id| id > 0)?;
-                    // All may be off by one; by two only what is no part of another operand.
+                    // All may be off by one. Off by two, none may become a part of another operand.
                     let is_held = held.iter().any(|&id| i64::from(id) == new);
                     (by.abs() == 1 || !is_held).then(|| (*t, new.to_string()))
                 })
@@ -121,7 +122,7 @@ impl LineContext<'_> {
             let written = id(t);
             let text = written.to_string();
             let used: Vec<i64> = all.iter().map(|(t, _)| id(t)).collect();
-            // No operation has one thing as both its operands, no checkerboard one colour, and no pair of eyes one camera.
+            // An operation needs two operands that differ, a checkerboard two colours, and a pair of eyes two cameras.
             let is_of_two = (self.ty()).is_some_and(|ty| {
                 let is_pair =
                     [RecordKind::Checkerboard, RecordKind::StereoCamera].contains(&ty.kind);
@@ -134,7 +135,7 @@ impl LineContext<'_> {
                 .map(|e| {
                     let new = e.id.to_string();
                     (
-                        // What is drawn is rather no part of something else.
+                        // The drawn object is hardly a part of another object.
                         parts.contains(&e.id),
                         used.contains(&i64::from(e.id)),
                         strsim::osa_distance(&text, &new),
@@ -151,7 +152,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// Whether a fix makes an operand of what another one has as its part.
+    /// Whether a fix writes an operand that another operand of the operation already has as a part.
     pub(in crate::analysis::repair) fn is_held(&self, finding: &Diagnostic, fix: &Fix) -> bool {
         let [edit] = fix.edits.as_slice() else {
             return false;
@@ -161,7 +162,7 @@ impl LineContext<'_> {
             && new.is_ok_and(|id| self.held(finding, &self.referring()).contains(&id))
     }
 
-    /// The parts that the other operands of an operation are made of: no other part of it is meant.
+    /// The IDs of all parts that the other operands of an operation are made of. None of them is meant as an operand.
     fn held(&self, finding: &Diagnostic, all: &[(Token, &'static [Kind])]) -> FxHashSet<u32> {
         let mut held = FxHashSet::default();
         if !self.is_operation() {
@@ -187,8 +188,8 @@ impl LineContext<'_> {
         held
     }
 
-    /// Whether a guess names a colour, texture or optics that other records name, and that by a digit in the place of
-    /// another, or by IDs that are all off by the same number: what is named here is rather missing.
+    /// Whether a guess only leads to a colour, texture or optics that other references name already, by one changed
+    /// digit or by IDs that are all off by the same number. Then the definition of the written ID is rather missing.
     pub(in crate::analysis::repair) fn is_of_others(
         &self,
         finding: &Diagnostic,
@@ -226,13 +227,13 @@ impl LineContext<'_> {
             .all(|edit| (is_shift || is_other_digit(edit)) && is_of_others(edit))
     }
 
-    /// Whether a reference of an assignment is the ID of the object that it is for.
+    /// Whether a reference of an assignment is the ID of the object to which the assignment assigns.
     fn is_of_itself(&self, reference: &Token) -> bool {
         let is_assignment = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Assignment);
         is_assignment && self.id().map(i64::from) == reference.integer(self.text)
     }
 
-    /// Whether a finding is about such a reference.
+    /// Whether a finding is about a reference by which an object is assigned to itself.
     pub(crate) fn assigns_itself(&self, finding: &Diagnostic) -> bool {
         let named = self.params().iter().find(|t| t.span() == finding.span);
         named.is_some_and(|t| self.is_of_itself(t))
@@ -253,7 +254,7 @@ impl LineContext<'_> {
             .collect()
     }
 
-    /// Whether a fix makes this a record of an object that an operation above has as its operand, where no change has an
+    /// Whether a fix makes the record change an object that an operation above already uses: such a change has no
     /// effect.
     pub(in crate::analysis::repair) fn is_behind_use(&self, fix: &Fix) -> bool {
         let [edit] = fix.edits.as_slice() else {
@@ -279,8 +280,8 @@ impl LineContext<'_> {
             .collect()
     }
 
-    /// A reference that nothing fits may have been meant for another place, which has none: that of the only thing there
-    /// that no record names.
+    /// Guesses that a reference for which there is no entity of the right kind was meant for another parameter, which
+    /// is 0. That parameter gets the only unused entity of its kind.
     fn other_place(
         &self,
         finding: &Diagnostic,
@@ -301,7 +302,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// The colours of a checkerboard before the numbers of its fields.
+    /// Guesses that the colours of a checkerboard stand before the numbers of its fields.
     fn colours_first(&self, out: &mut Vec<Candidate>) {
         let is_one = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Checkerboard);
         if let ([a, b, c, d], true) = (self.params(), is_one) {
@@ -311,7 +312,8 @@ impl LineContext<'_> {
         }
     }
 
-    /// The only thing of the right kind that no record names gets the ID that is named here.
+    /// Guesses that the only unused entity of the right kind should have the ID that is named here. All records of the
+    /// entity get that ID.
     fn renamed(&self, named: &Token, kinds: &'static [Kind]) -> Option<Candidate> {
         let document = &self.analysis.document;
         let all_named = self.named_ids();
@@ -337,8 +339,8 @@ impl LineContext<'_> {
         Some(candidate)
     }
 
-    /// The object that a record changes and the IDs that it refers to in each other's places, in the only order in which
-    /// each is of its kind.
+    /// Guesses that the ID of a record and its references are in each other's places, if just one other order has each
+    /// of the right kind.
     pub(super) fn arranged(&self, out: &mut Vec<Candidate>) {
         let changed = self.ty().map(|ty| ty.effect);
         let Some(Effect::Changes(kinds) | Effect::DefinesOrChanges(_, kinds)) = changed else {
@@ -377,7 +379,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// Two references in each other's place.
+    /// Guesses that two references are in each other's place.
     pub(super) fn swapped(&self, out: &mut Vec<Candidate>) {
         let all = self.referring();
         let texts = |t: &Token| t.text(self.text).to_owned();
@@ -386,7 +388,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// Something else that the record may change.
+    /// Guesses at another ID of the record: what else it may change or define.
     pub(super) fn ids(&self, finding: &Diagnostic, undefined: &[u32], out: &mut Vec<Candidate>) {
         if finding.code == Code::E102 && finding.span == self.tokens[0].span() {
             let head = self.tokens[0];
@@ -422,7 +424,7 @@ impl LineContext<'_> {
         let Some(id) = self.id().filter(|_| finding.span == head.span()) else {
             return;
         };
-        // What is defined below may be changed too early, or the record is of the object above, which has none such.
+        // The change may come before its definition, or belong to the object above, if that has no such record.
         if finding.code == Code::E107 {
             let is_such = |id: u32| {
                 let records = self.analysis.document.items.iter().filter_map(Item::record);
@@ -440,7 +442,7 @@ impl LineContext<'_> {
         out.extend(self.as_lamp(finding, id, kinds));
         out.extend(self.of_object_above(finding, id, kinds));
         let text = id.to_string();
-        // Records with one ID on both sides are of one object, and so is this.
+        // Between two records of one object, the record rather belongs to that object.
         let around = self
             .id_before(kinds)
             .filter(|&id| self.id_behind() == Some(id));
@@ -448,12 +450,12 @@ impl LineContext<'_> {
         let used = self.used_above();
         let mut others: Vec<(bool, usize, bool, u32, u32)> = (self.entities(kinds))
             .filter(|e| e.id != id)
-            // Behind its use a change of a shape has no effect.
+            // A change of a shape has no effect behind an operation that uses the shape.
             .filter(|e| !used.contains(&e.id))
             .map(|e| {
                 let new = e.id.to_string();
                 let distance = strsim::osa_distance(&text, &new);
-                // A lost digit is rather one of the ID above.
+                // A lost digit makes the ID above likelier than other IDs.
                 let is_apart = Some(e.id) != before || new.len() <= text.len();
                 (
                     Some(e.id) != around,
@@ -471,7 +473,8 @@ impl LineContext<'_> {
         );
     }
 
-    /// A copy with its ID and that of its original in each other's place, where nothing defines what it copies.
+    /// Guesses that a copy has its ID and that of its original in each other's place, if nothing defines what it
+    /// copies.
     fn reversed_copy(&self, undefined: &[u32]) -> Option<Candidate> {
         let is_copy = self.ty().is_some_and(|ty| ty.kind == RecordKind::Copy);
         let (&[of], true) = (self.params(), is_copy) else {
@@ -484,8 +487,8 @@ impl LineContext<'_> {
         is_new.then(|| self.write(Habit::Id, &[(head, texts(&of)), (of, texts(&head))]))?
     }
 
-    /// The IDs of properties that are defined below and are used there as what they are not: that of an object of which
-    /// but a property is left.
+    /// The IDs that are used as a wrong kind, since only a property below defines them: the ID may be that of an object
+    /// whose definition is this record.
     fn misused_below(&self) -> Vec<u32> {
         let wrong = self.analysis.errors.iter().filter(|e| e.0 == Code::E103);
         let mut ids: Vec<u32> = wrong
@@ -501,7 +504,7 @@ impl LineContext<'_> {
         ids
     }
 
-    /// A record that stands there twice, the one directly behind the other: it goes.
+    /// Guesses that the record repeats the one directly before it, and deletes it.
     fn again(&self) -> Option<Candidate> {
         let document = &self.analysis.document;
         let items = document.items.iter().rev();
@@ -530,7 +533,7 @@ impl LineContext<'_> {
         is_alone.then_some(Candidate::new(Habit::Id, fix))
     }
 
-    /// All records of an ID that no other record names, as records of what stands right above them.
+    /// Guesses that all records of an ID that no other record names are for the entity right above them.
     fn of_object_above(
         &self,
         finding: &Diagnostic,
@@ -561,7 +564,7 @@ impl LineContext<'_> {
         Some(candidate)
     }
 
-    /// A light from everywhere that is moved as a lamp is: it may be one.
+    /// Guesses that an ambient light is a point light, since the record moves it.
     fn as_lamp(&self, finding: &Diagnostic, id: u32, kinds: &'static [Kind]) -> Option<Candidate> {
         let is_one = finding.code == Code::E103 && kinds.contains(&Kind::PointLight);
         let document = &self.analysis.document;

@@ -1,5 +1,5 @@
-//! Rotations as other programs have them: by an angle for each axis, by a vector and an angle, by a quaternion, and by the
-//! letter of an axis.
+//! Rotations as other programs have them: by an angle for each axis, by a vector and an angle, by a quaternion, and by
+//! the letter of an axis.
 
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::whole::records;
@@ -16,27 +16,28 @@ const AXIS: [&str; 4] = ["axis", "osa", "osy", "ose"];
 const MOVED: [&str; 4] = ["move", "moving", "shift", "posun"];
 /// The size in degrees below which an angle is small.
 const SMALL_ANGLE: f64 = 20.0;
-/// Most angles are a multiple of so many degrees.
+/// Most angles are a multiple of this, in degrees.
 const ANGLE_STEP: f64 = 15.0;
 
-/// The squares of a quaternion's parts add up to 1 as nearly as this, where they are written with few digits.
+/// The most by which the sum of a quaternion's squared parts differs from 1 if they are written with few digits.
 const NORM_OFF_MAX: f64 = 1e-3;
-/// A part of a quaternion below this is 0 that was rounded.
+/// The size up to which a part of a quaternion is a rounded 0.
 const ZERO_PART_MAX: f64 = 1e-4;
-/// An angle that is as near to a whole number of degrees is that: a quaternion has few digits.
+/// The distance in degrees up to which an angle is a whole number of degrees, since a quaternion has few digits.
 const DEGREES_OFF_MAX: f64 = 0.05;
 
-/// The orders of a quaternion's parts, and where w is: that of glTF and that of Blender.
+/// The orders of a quaternion's parts, that of glTF and that of Blender, each with the index of w.
 const ORDERS: [(&str, usize); 2] = [("x y z w", 3), ("w x y z", 0)];
 
-/// Whether four numbers are a quaternion that turns: its length is 1, and it is no axis with an angle of 0.
+/// Whether four numbers are a quaternion that turns: its length is 1, and it is not just an axis with an angle of 0.
 fn is_quaternion(parts: [f64; 4]) -> bool {
     let norm: f64 = parts.iter().map(|x| x * x).sum();
     let turns = parts.iter().filter(|x| x.abs() > ZERO_PART_MAX).count() > 1;
     (norm - 1.0).abs() <= NORM_OFF_MAX && turns
 }
 
-/// The angle in degrees and the axis of a quaternion whose w is at a place, if that is one of the three axes.
+/// The angle in degrees and the axis, 1 to 3, of a quaternion whose w is at an index. `None` if it turns about none of
+/// the axes.
 fn turn(parts: [f64; 4], w: usize) -> Option<(f64, usize)> {
     let vector = (0..4).filter(|&i| i != w).map(|i| parts[i]);
     let mut along = (1..).zip(vector).filter(|(_, x)| x.abs() > ZERO_PART_MAX);
@@ -57,8 +58,8 @@ fn turn(parts: [f64; 4], w: usize) -> Option<(f64, usize)> {
 }
 
 impl LineContext<'_> {
-    /// A rotation with three numbers: a move of a lamp that has none, else a rotation by an angle for each axis. Numbers that
-    /// are hardly angles may be either, as a comment may say.
+    /// Guesses at a rotation with three numbers: a translation if it is for a lamp that has none, else a rotation by an
+    /// angle for each axis. Numbers that are hardly angles may be either, unless a comment tells.
     pub(super) fn three_numbers(&self, out: &mut Vec<Candidate>) {
         let Some(mut angles) = self.angles() else {
             return;
@@ -92,8 +93,8 @@ impl LineContext<'_> {
         out.push(angles);
     }
 
-    /// A rotation with an angle for each axis, as other programs have it: one about each axis whose angle is not 0, about
-    /// x first.
+    /// A rotation with an angle for each axis, as other programs have it: one about each axis whose angle is not 0,
+    /// about x first.
     pub(super) fn angles(&self) -> Option<Candidate> {
         let ty = self.ty().filter(|ty| ty.kind == RecordKind::Rotation)?;
         let [first, _, last] = *self.params() else {
@@ -119,8 +120,8 @@ impl LineContext<'_> {
         ))
     }
 
-    /// A rotation about an axis that is given as a vector, behind the angle or before it: the one whose vector has the
-    /// length 1. Nobody can tell which one is meant where both have, or none.
+    /// Guesses at a rotation whose axis is a vector, behind the angle or before it: the reading whose vector has the
+    /// length 1. If both have, or neither, both are choices.
     pub(super) fn about_vector(&self, out: &mut Vec<Candidate>) {
         let &[a, b, c, d] = self.params() else { return };
         let is_rotation = self.ty().is_some_and(|ty| ty.kind == RecordKind::Rotation);
@@ -146,7 +147,8 @@ impl LineContext<'_> {
         }));
     }
 
-    /// Whether a vector along one of the axes has the length 1, and the rotation about it.
+    /// Reads a rotation about a vector along one of the axes: whether the vector has the length 1, and the angle and
+    /// axis as a text. `None` if the vector is along none of them.
     fn about(&self, angle: &Token, vector: &[Token; 3]) -> Option<(bool, String)> {
         let numbers: Option<Vec<f64>> = vector.iter().map(|t| t.number(self.text)).collect();
         let mut along = (1..).zip(numbers?).filter(|(_, x)| *x != 0.0);
@@ -176,8 +178,8 @@ impl LineContext<'_> {
         self.quaternion().is_some_and(is_none)
     }
 
-    /// The angle and the axis of a quaternion that turns about one of the three axes, in each order of its parts that has
-    /// one.
+    /// Guesses at the angle and the axis of a quaternion, for each order of its parts in which it turns about one of
+    /// the three axes.
     pub(super) fn turns_of_quaternion(&self, out: &mut Vec<Candidate>) {
         let Some(parts) = self.quaternion() else {
             return;
@@ -197,7 +199,7 @@ impl LineContext<'_> {
         }));
     }
 
-    /// An axis by its letter, which may stand before the angle.
+    /// Guesses at a rotation that has a letter for its axis, which may stand before the angle.
     pub(super) fn axis(&self, out: &mut Vec<Candidate>) {
         let turns = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Rotation);
         let params = self.without_axis_word();
@@ -205,7 +207,7 @@ impl LineContext<'_> {
         out.extend(new.and_then(|new| self.write(Habit::Axis, &new)));
     }
 
-    /// The parameters, where a word for an axis is a part of the one behind it: `90 axis x`.
+    /// The parameters, where a word for an axis is joined with the token behind it: `90 axis x`.
     fn without_axis_word(&self) -> Vec<Token> {
         let is_word = |t: &Token| {
             let text = t.text(self.text).to_lowercase();
@@ -220,7 +222,7 @@ impl LineContext<'_> {
         params
     }
 
-    /// The angle and the axis of a rotation whose axis is a letter.
+    /// The new texts of a rotation's two tokens, if its axis is a letter: the angle first, then the number of the axis.
     pub(super) fn axis_number(&self, params: &[Token]) -> Option<[(Token, String); 2]> {
         let &[first, last] = params else {
             return None;

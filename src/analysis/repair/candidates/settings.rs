@@ -1,5 +1,5 @@
-//! What POV-Ray sets for the whole of a scene: `background { color rgb <0.2, 0.3, 0.5> }`, `global_settings {
-//! ambient_light 0.2 }`.
+//! Settings of POV-Ray for the whole of a scene: `background { color rgb <0.2, 0.3, 0.5> }`,
+//! `global_settings { ambient_light 0.2 }`.
 
 use super::clauses::{is_word, numbers};
 use super::inline::BLOCK_TITLE;
@@ -13,13 +13,13 @@ use crate::syntax::words;
 
 /// Names of the background, without accents.
 const BACKGROUND: [&str; 2] = ["background", "pozadi"];
-/// What POV-Ray puts around what it sets.
+/// The word that POV-Ray has before a block of settings.
 const SETTINGS: &str = "global_settings";
-/// The ambient light of POV-Ray.
+/// The word of POV-Ray for an ambient light.
 const AMBIENT: &str = "ambient_light";
 
 impl LineContext<'_> {
-    /// The records of a background or an ambient light that has no ID.
+    /// Guesses at the records of a background or an ambient light that has no ID.
     pub(super) fn setting(&self, used: &[u32]) -> Option<Candidate> {
         let (first, behind) = self.tokens.split_first().filter(|(t, _)| is_word(t))?;
         let is_whole = self.tokens.last()?.end() <= self.line.end;
@@ -39,14 +39,14 @@ impl LineContext<'_> {
         }
     }
 
-    /// A colour, and its ID in the render record.
+    /// The candidate that writes a background as a colour, and the ID of the colour into the render record.
     fn background(&self, span: Span, behind: &[Token], used: &[u32]) -> Option<Candidate> {
         let numbers = self.whole_colour(behind)?;
         let id = self.free_id(used)?;
         let document = &self.analysis.document;
         let render = records(self.analysis).find(|r| r.kind == RecordKind::Render)?;
         let place = *document.params(render).nth(1)?;
-        // Another background may be meant.
+        // If the render record names a background already, that one may be meant.
         let is_black = place.integer(self.text) == Some(0);
         let code = RecordType::of(RecordKind::Colour).code;
         let edit = |span: Span, text: String| Edit { span, text };
@@ -59,7 +59,7 @@ impl LineContext<'_> {
         Some(setting(edits, is_black))
     }
 
-    /// The numbers of a colour that some tokens are, all of them.
+    /// The numbers of the colour that all of some tokens are: a grey, three numbers or a name.
     fn whole_colour(&self, tokens: &[Token]) -> Option<String> {
         let count = tokens.iter().take_while(|t| self.is_colour_word(t)).count();
         let parts = &tokens[count..];
@@ -75,7 +75,7 @@ impl LineContext<'_> {
         is_word(t) && named.any(|ty| ty.kind == RecordKind::Colour)
     }
 
-    /// An ambient light; what else is set there becomes a comment.
+    /// The candidate that writes an ambient light. Other settings beside it become a comment.
     fn ambient(&self, span: Span, behind: &[Token], used: &[u32]) -> Option<Candidate> {
         let at = behind.iter().position(|t| t.text(self.text) == AMBIENT)?;
         let (before, behind) = (&behind[..at], &behind[at + 1..]);
@@ -104,7 +104,7 @@ impl LineContext<'_> {
         Some(setting(edits, true))
     }
 
-    /// The first word of the line, and what of a part of the line is behind it.
+    /// The span of the first word of the line, and the span behind that word to the end of `whole`.
     fn behind_word(&self, whole: Span) -> (Span, Span) {
         let word = self.tokens[0].span();
         (word, Span::new(word.end, whole.end.max(word.end)))

@@ -10,12 +10,12 @@ use crate::syntax::words;
 
 /// Beginnings of words for a box, without accents.
 const BOX: [&str; 6] = ["box", "cube", "cuboid", "krychl", "kvadr", "kost"];
-/// The same for a ball.
+/// Beginnings of words for a ball, without accents.
 const BALL: [&str; 4] = ["ball", "sphere", "koul", "kulic"];
 
 impl LineContext<'_> {
-    /// A cone of a height and two radii, of which one is zero or the profile has both; a box of three edges, about the
-    /// origin or beside it.
+    /// Guesses at shapes of three sizes: a height and two radii are a cone if one radius is zero, else a surface of
+    /// revolution; three edges are a box with its centre or a corner at the origin.
     pub(super) fn by_sizes(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let code = RecordType::of(RecordKind::Shape(ShapeKind::SurfaceOfRevolution)).code;
         let written: Option<Vec<f64>> = (self.params().iter())
@@ -50,8 +50,8 @@ impl LineContext<'_> {
         }
     }
 
-    /// A box by its centre or its least corner and its edge, a sphere at the origin by its radius and its centre: four
-    /// numbers, which may be those of a sphere, too. A comment may say which it is.
+    /// Guesses at shapes of four numbers: a box by its centre or its least corner and its edge, a sphere at the origin
+    /// by its radius and a centre. The numbers may also be those of a sphere; a comment may tell.
     pub(super) fn by_centre(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let written: Option<Vec<f64>> = (self.params().iter())
             .map(|t| t.number(self.text))
@@ -97,13 +97,13 @@ impl LineContext<'_> {
         }
     }
 
-    /// Whether a comment on the line has a word that begins so, accents left out.
+    /// Whether a comment on the line has a word with one of these beginnings, accents left out.
     pub(super) fn is_called(&self, beginnings: &[&str]) -> bool {
         let mut comments = self.all.iter().filter(|t| t.kind().is_comment());
         comments.any(|t| words::has(t.text(self.text), beginnings))
     }
 
-    /// All of a record behind its ID in another way.
+    /// The candidate that writes everything behind the ID of the record anew.
     fn anew(&self, new: &str, applicability: Applicability) -> Candidate {
         let [first, last] = [self.tokens[1], self.tokens[self.tokens.len() - 1]];
         let span = first.span().to(last.span());

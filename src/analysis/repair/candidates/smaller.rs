@@ -1,4 +1,4 @@
-//! What a difference takes away, with a length that has lost its point.
+//! Shapes that a difference takes away, with a length that has lost its decimal point.
 
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Fix};
@@ -8,12 +8,12 @@ use crate::syntax::{Item, Record, quote, tenth, words};
 
 /// Beginnings of words for what is taken away, beside those for holes, without accents.
 const CUT: [&str; 2] = ["cut", "vyrez"];
-/// Lengths of a shape that are tried.
+/// The most lengths of a shape that are tried.
 const MAX_LENGTHS: usize = 3;
 
 impl LineContext<'_> {
-    /// The shape that is taken away with one of its lengths, a whole number, ten times smaller: `6` may be `0.6`. Only where a
-    /// comment says that it is what is cut.
+    /// Guesses that the shape which is taken away has a length, a whole number, that is ten times too large: `6` may be
+    /// `0.6`. Only where a comment says that the shape is a hole or a cut.
     pub(super) fn smaller_cut(&self) -> Vec<Candidate> {
         let is_difference = self
             .ty()
@@ -43,7 +43,7 @@ impl LineContext<'_> {
         candidates.collect()
     }
 
-    /// Whether the record that defines the first operand has a comment, and no word of it is a hole.
+    /// Whether the record that defines the first operand has a comment that does not call it a hole or a cut.
     pub(in crate::analysis::repair) fn cuts_what_is_no_hole(&self) -> bool {
         let first = self.int(2).and_then(|id| self.shape(id));
         first.is_some_and(|p| p.comments().next().is_some() && !is_cut(&p))

@@ -1,5 +1,5 @@
-//! Shapes as other programs have them: a plane by a point and its normal, a sphere with three radii, a surface with four
-//! corners.
+//! Shapes as other programs have them: a plane by a point and its normal, a sphere with three radii, a surface with
+//! four corners.
 
 use super::inline::QUAD_TITLE;
 use super::{Candidate, Habit, LineContext};
@@ -12,9 +12,10 @@ use crate::syntax::table::{RecordKind, RecordType, ShapeKind};
 
 /// The numbers of a point in space.
 const AXES: usize = 3;
-/// A length that differs from 1 by no more is 1 that was written with few digits.
+/// The most by which the length of a unit vector that is written with few digits differs from 1.
 const LENGTH_OFF_MAX: f64 = 1e-3;
-/// Four corners are in one plane where the box that they span has no more than this share of the volume of a cube.
+/// Four corners are in one plane if the parallelepiped that they span has no more than this share of the volume of a
+/// cube on its longest edge.
 const FLAT_REL_MAX: f64 = 1e-6;
 
 impl LineContext<'_> {
@@ -59,7 +60,8 @@ impl LineContext<'_> {
         }
     }
 
-    /// A plane by a point and its normal, in either order: the normal is the one whose length is 1.
+    /// Guesses at a plane by a point and its normal, in either order: the normal is the one whose length is 1. If both
+    /// lengths are 1, or neither is, both are choices.
     fn by_normal(&self, two: [Vec3; 2], out: &mut Vec<Candidate>) {
         let mut normals = vec![1, 0];
         normals.retain(|&i| length(two[i]) > 0.0);
@@ -75,7 +77,7 @@ impl LineContext<'_> {
         for normal in normals {
             let own = &params[AXES * normal..AXES * (normal + 1)];
             let texts: Vec<&str> = own.iter().map(|t| t.text(self.text)).collect();
-            // No -0.
+            // The subtraction from 0 makes no -0.
             let d = 0.0 - dot(two[0], two[1]);
             let text = format!("{}  {}", texts.join(" "), decimal(d));
             let fix = Fix::replace("fix-normal", applicability, span, text.clone());
@@ -87,7 +89,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// A sphere with three radii, which is an ellipsoid and its translation.
+    /// Guesses that a sphere with three radii is an ellipsoid and its translation.
     fn with_radii(&self) -> Option<Candidate> {
         let id = self.id()?;
         let texts: Vec<&str> = self.params().iter().map(|t| t.text(self.text)).collect();
@@ -116,7 +118,7 @@ impl LineContext<'_> {
         ))
     }
 
-    /// A surface with four corners as the union of two triangles.
+    /// Guesses that a triangle with four corners is the union of two triangles.
     fn two_triangles(&self, used: &[u32]) -> Option<Candidate> {
         let (id, first) = (self.id()?, self.free_id(used)?);
         let second = first

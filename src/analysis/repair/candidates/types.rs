@@ -1,4 +1,4 @@
-//! Another type, or the numbers that go with another.
+//! Guesses at another type, or at numbers that fit the written one.
 
 use std::cmp::Ordering;
 
@@ -13,8 +13,8 @@ use crate::syntax::table::{Family, Kind, RecordKind, RecordType, ShapeKind};
 use crate::syntax::words;
 use crate::syntax::{hex, quote};
 
-/// Records that people take for each other, by the numbers they have; the first is written in place of the others. No
-/// transformation is meant as one of another kind.
+/// Types that people take for each other by their numbers: a written type, and those that may be meant. Of the
+/// transformations, only rotation and rotation matrix are among them.
 const SIBLINGS: &[(i32, &[i32])] = &[
     (9, &[11, 10, 13]),
     (10, &[9, 11]),
@@ -47,14 +47,14 @@ const SIBLINGS: &[(i32, &[i32])] = &[
 const CYLINDERS: [&str; 3] = ["cylind", "valec", "valc"];
 /// Beginnings of words for glass, without accents.
 const GLASS: [&str; 2] = ["glass", "skl"];
-/// A cylinder from one centre of an end to the other has so many numbers.
+/// How many numbers a cylinder has that is given by the centres of its ends and a radius.
 const CYLINDER: usize = 7;
-/// A cone from one circle to another has so many numbers.
+/// How many numbers a cone has that is given by the centres and radii of two circles.
 const CONE: usize = 8;
 
 impl LineContext<'_> {
-    /// The numbers of a cylinder behind the type of a surface of revolution, of a cone, of a geodesic sphere or of a
-    /// parabolic cylinder: a radius and a height, or as POV-Ray has it.
+    /// Guesses that the numbers behind the type of a surface of revolution, cone, geodesic sphere or parabolic cylinder
+    /// are those of a cylinder: a radius and a height, or as in POV-Ray.
     pub(super) fn profile(&self, out: &mut Vec<Candidate>) {
         let Some(kind) = self.ty().filter(|ty| !self.fits(ty)).map(|ty| ty.kind) else {
             return;
@@ -76,7 +76,7 @@ impl LineContext<'_> {
         let start = out.len();
         self.cylinder(ty.span(), self.params(), out);
         if is_parabolic {
-            // The radius first.
+            // Only the guess with the radius first is kept.
             out.truncate(start + 1);
             if !self.is_called(&CYLINDERS) || self.is_called(&["parabol"]) {
                 let new = out[start..].iter_mut();
@@ -92,13 +92,13 @@ impl LineContext<'_> {
         }
     }
 
-    /// Whether the numbers are those of a cone from one circle to another.
+    /// Whether the record is a cone with the numbers of two circles, each with centre and radius.
     pub(super) fn is_cone_of_circles(&self) -> bool {
         let is_cone = |ty: &RecordType| ty.kind == RecordKind::Shape(ShapeKind::Cone);
         self.ty().is_some_and(is_cone) && self.params().len() == CONE
     }
 
-    /// A word, or several, in the place of a type's number.
+    /// Guesses at the type for a word, or several, in the place of the type's number.
     pub(super) fn words(&self, out: &mut Vec<Candidate>) {
         let behind = self.tokens.get(1..).unwrap_or(&[]);
         let count = (behind.iter())
@@ -110,7 +110,7 @@ impl LineContext<'_> {
             _ if count > 1 && along_axis(behind[count - 1].text(self.text)).is_some() => count - 1,
             _ => count,
         };
-        // The name of a colour, of two words or one, is what a colour has for its numbers.
+        // The name of a colour, of two words or one, may stand for the numbers of a colour.
         let is_colour = |of: &usize| self.colour_name(&behind[count - of..count]).is_some();
         let colour = [2, 1]
             .into_iter()
@@ -152,7 +152,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// A material in the place of its type and its numbers.
+    /// Guesses at the type and the numbers of optics for the name of a material.
     fn material(&self, word: Span, params: &[Token]) -> Option<Candidate> {
         let numbers = materials::numbers(RecordKind::Optics, &self.text[word.range()])?;
         let ty = RecordType::of(RecordKind::Optics);
@@ -162,8 +162,9 @@ impl LineContext<'_> {
             .then(|| Candidate::writing(Habit::Word, word, text))
     }
 
-    /// A cylinder about the y axis of a radius and a height, or of a height and a radius; or from one centre of an end
-    /// to the other, with a radius or one behind each, if they are above each other.
+    /// Guesses at a cylinder about the y axis, as a surface of revolution: by two numbers, a radius and a height in
+    /// either order; or by the centres of its ends, if one is above the other, with one radius at the end or a radius
+    /// behind each.
     fn cylinder(&self, word: Span, params: &[Token], out: &mut Vec<Candidate>) {
         let (Some(first), Some(last), Some(id)) = (params.first(), params.last(), self.id()) else {
             return;
@@ -207,7 +208,7 @@ impl LineContext<'_> {
         }));
     }
 
-    /// The minus of the type, which is lost or too many.
+    /// Guesses that the minus of the type is lost or too many.
     pub(super) fn signs(&self, out: &mut Vec<Candidate>) {
         let ty = self.int(1).and_then(i64::checked_neg);
         if let Some(ty) = ty.and_then(RecordType::by_code)
@@ -217,7 +218,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// A record with the numbers of its sibling.
+    /// Guesses at a sibling type that the numbers fit, or at numbers that fit the written type.
     pub(crate) fn siblings(&self, out: &mut Vec<Candidate>) {
         let Some(ty) = self.ty().filter(|ty| !self.fits(ty)) else {
             return;
@@ -226,7 +227,7 @@ impl LineContext<'_> {
             ty.kind,
             [ShapeKind::Sphere, ShapeKind::Ellipsoid].map(RecordKind::Shape),
         );
-        // An operand is missing rather than that another operation was meant.
+        // If there are unused objects, an operand is missing, and no other operation was meant.
         let spare = self.spare_operands(ty);
         let siblings = SIBLINGS
             .iter()
@@ -259,7 +260,7 @@ impl LineContext<'_> {
             let x = t.number(self.text);
             x.is_some_and(|x| (0.0..=1.0).contains(&x))
         };
-        // Nobody can tell which one is meant.
+        // Nobody can tell which of two texts is meant.
         let choose = |texts: [String; 2], out: &mut Vec<Candidate>| {
             out.extend(texts.map(|text| {
                 let mut candidate = new("fix-write", text);
@@ -277,7 +278,7 @@ impl LineContext<'_> {
             let x = t.number(self.text);
             x.is_some_and(|x| (0.0..=255.0).contains(&x))
         };
-        // A difference with a wrong digit, as `6 -203 3 4`.
+        // The type may be that of a difference with a wrong digit, as in `6 -203 3 4`.
         let is_object = |t: &Token| {
             let id = t.integer(self.text);
             id.and_then(|id| self.kind_of(id)) == Some(Kind::Object)
@@ -289,7 +290,7 @@ impl LineContext<'_> {
             let difference = RecordType::of(RecordKind::Difference);
             out.push(self.write_type(Habit::Digit, difference));
         }
-        // Tinted glass: parts whose sum is above 1 are none of one surface.
+        // Three parts with a sum above 1 are not those of one surface, but may be tinted glass.
         if let (RecordKind::OpticsRgb, &[r, g, b]) = (ty.kind, texts.as_slice())
             && self.params().iter().all(is_part)
             && sum() > 1.0
@@ -323,15 +324,15 @@ impl LineContext<'_> {
             (RecordKind::Scaling, &[a, b], _) => {
                 choose([format!("{a} {b} 1"), format!("{a} {b} {b}")], out);
             }
-            // A grey, but not six digits as other programs write a colour. It may be a byte or in per cent: another
-            // finding says so of the three.
+            // One number is a grey, unless it is six digits, a colour in other programs. A grey in bytes or per cent
+            // gets another finding later.
             (RecordKind::Colour, &[s], _)
                 if hex::colour(s).is_none() && self.params().iter().all(is_byte) =>
             {
                 out.push(new("fix-write", format!("{s} {s} {s}")));
             }
             (RecordKind::Optics, &[s], _) => out.extend(self.one_part(ty, s)),
-            // The colours alone: one field of each in a unit.
+            // Only the colours are given: each gets one field in a unit.
             (RecordKind::Checkerboard, &[a, b], _)
                 if self.params().iter().all(|t| self.is_texture(t)) =>
             {
@@ -355,7 +356,7 @@ impl LineContext<'_> {
                     true => others.collect(),
                     false => spare,
                 };
-                // The last ones first.
+                // The objects that are defined last come first.
                 others.reverse();
                 let begin = |id: u32| {
                     let mut entities = self.analysis.scene.entities.iter();
@@ -364,7 +365,7 @@ impl LineContext<'_> {
                 let own = one.parse().ok().and_then(begin);
                 for id in others.into_iter().take(MAX_CANDIDATES / 2) {
                     let mut orders = [format!("{one} {id}"), format!("{id} {one}")];
-                    // A hole is defined behind what it is made in.
+                    // A hole is defined behind the object that it is cut from.
                     if ty.kind == RecordKind::Difference && begin(id) < own {
                         orders.reverse();
                     }
@@ -379,13 +380,14 @@ impl LineContext<'_> {
         }
     }
 
-    /// An assignment in the place of a property that is told by its ID: `12 -203 31`, `2 -399 32`.
+    /// Guesses that a property record which has the ID of a property for its numbers is an assignment: `12 -203 31`,
+    /// `2 -399 32`.
     pub(super) fn assignment(&self) -> Option<Candidate> {
         let (ty, [property]) = (self.ty()?, self.params()) else {
             return None;
         };
         let written = property.text(self.text);
-        // A part of a colour is no ID.
+        // A number up to 1 is a part of a colour, and no ID.
         let id = property.integer(self.text).filter(|&id| id > 1)?;
         if let Some(colour) = self.colour_of_glass() {
             return Some(colour);
@@ -407,7 +409,8 @@ impl LineContext<'_> {
         Some(Candidate::writing(Habit::Sibling, span, text))
     }
 
-    /// A single part of light, or its per cent, in the place of three: it may be any of them, and the rest is diffuse.
+    /// Guesses at all three parts of light if only one is given, as a share or in per cent. It may be any of them, and
+    /// the rest is diffuse.
     fn one_part(&self, ty: &'static RecordType, written: &str) -> Vec<Candidate> {
         let part = match self.params()[0].number(self.text) {
             Some(x) if x > 0.0 && x <= 1.0 => x,
@@ -439,7 +442,7 @@ impl LineContext<'_> {
         matches!(kind, Some(Kind::Colour | Kind::Texture))
     }
 
-    /// The objects that are defined above and that nothing refers to, where an operation has an operand too few.
+    /// The unused objects above an operation that has one operand too few; empty for any other record.
     fn spare_operands(&self, ty: &RecordType) -> Vec<u32> {
         let [one] = self.params() else {
             return Vec::new();
@@ -453,9 +456,9 @@ impl LineContext<'_> {
         objects.filter(|id| !used.contains(id)).collect()
     }
 
-    /// Records of other types that have as many numbers, the nearest number first.
+    /// Guesses at other types that take as many numbers: first slips of the written type, then the nearest ones.
     pub(super) fn types(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
-        // A property by the ID of one of another kind needs an ID of its own.
+        // A property with the ID of a property of another kind needs an ID of its own, not another type.
         if finding.code == Code::E103 && self.other_property().is_some() {
             return;
         }
@@ -473,7 +476,7 @@ impl LineContext<'_> {
             .iter()
             .filter(|ty| self.fits(ty) && i64::from(ty.code) != code)
             .filter(|ty| ty.family != Family::Void && ty.family != Family::Render)
-            // What changes something, and fits, was not meant as a shape.
+            // A record that changes something, and fits its type, was not meant as a shape.
             .filter(|ty| finding.code == Code::E007 || ty.family != Family::Shape)
             .collect();
         let written = self.tokens[1].text(self.text);
@@ -488,7 +491,7 @@ impl LineContext<'_> {
         }));
     }
 
-    /// An assignment that has lost its type and its 0, as in `20 45` where 45 is a property.
+    /// Guesses at an assignment that has lost its type and its 0, as in `20 45` where 45 is a property.
     fn lost_assignment(&self, property: i64) -> Option<Candidate> {
         let is_one = self.params().is_empty();
         let text = match self.kind_of(property).filter(|_| is_one)? {
@@ -541,8 +544,8 @@ impl LineContext<'_> {
     }
 }
 
-/// Whether one number is written for another by a slip: a digit is lost or stands there twice, or two are exchanged. In a
-/// number of three digits one may be another, too; of two most are.
+/// Whether `written` is a slip of `meant`: a digit is lost or doubled, or two are exchanged. In a number of three
+/// digits one may also be wrong; in one of two that tells nothing, since most of them differ by one digit.
 pub(super) fn is_slip(written: &str, meant: &str) -> bool {
     let digits = |text: &'_ str| text.bytes().filter(u8::is_ascii_digit).count();
     let sorted = |text: &str| {
