@@ -125,7 +125,7 @@ fn without_zero(context: &Context, line: &Line) -> Option<Fix> {
     let [zero @ Item::Void { .. }] = line.more[..] else {
         return None;
     };
-    let own = context.document.item_span(&zero);
+    let own = context.document.item_span(zero);
     // It makes a comment behind it stand by itself.
     let has_comment = context.text[own.range()].contains('#');
     let before = &context.text[..own.start as usize];
