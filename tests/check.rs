@@ -112,6 +112,43 @@ fn a_difference_changes_nothing() {
 }
 
 #[test]
+fn a_difference_without_safe_fixes_says_so() {
+    let rest = "9 -501 0 2 8 0 -0.2 -1 0 1 0 40\n50 -402 0.9\n50 -1 4 6 5\n1 9999 2 0\n";
+    // Alpha may go; that an object stands beside itself has no fix.
+    for (lines, guess, english, czech) in [
+        (
+            "21 -701 0.9 0.2 0.1 1\n2 11 0 1 0 1\n2 -299 21 0\n",
+            true,
+            "No safe fixes available; `zpg check` shows 1 finding, and `--diff --unsafe-fixes` 1 guess.",
+            "Bezpečně tu nelze opravit nic; `zpg check` ukáže 1 nález a `--diff --unsafe-fixes` 1 odhad.",
+        ),
+        (
+            "3 11 0 1 0 1\n2 -101 3 3\n",
+            false,
+            "No safe fixes available; `zpg check` shows 1 finding.",
+            "Bezpečně tu nelze opravit nic; `zpg check` ukáže 1 nález.",
+        ),
+    ] {
+        let dir = folder(&[("a.zpg", &format!("{lines}{rest}"))]);
+        let said = |args: &[&str]| {
+            let run = zpg(dir.path(), args);
+            let words = text(&run.stderr);
+            (
+                text(&run.stdout),
+                words.split_whitespace().collect::<Vec<_>>().join(" "),
+            )
+        };
+        let nothing = |said: &str| (String::new(), said.to_owned());
+        assert_eq!(said(&["check", "--diff", "a.zpg"]), nothing(english));
+        let in_czech = said(&["--lang", "cs", "check", "--diff", "a.zpg"]);
+        assert_eq!(in_czech, nothing(czech));
+        assert_eq!(said(&["check", "--diff", "-q", "a.zpg"]), nothing(""));
+        let (diff, _) = said(&["check", "--diff", "--unsafe-fixes", "a.zpg"]);
+        assert_eq!(!diff.is_empty(), guess);
+    }
+}
+
+#[test]
 fn standard_input_is_mended_to_standard_output() {
     let dir = folder(&[("zpg.toml", "[lint]\nW302 = \"off\"\n")]);
     let args = ["check", "--fix", "--stdin-filename", "in/scene.zpg", "-"];

@@ -416,6 +416,22 @@ fn fmt_rewrites_files() {
 }
 
 #[test]
+fn fmt_says_why_lines_stay() {
+    let dir = folder(&[("a.zpg", "2 9 1\n3 9  1 1 1\n4 9 2\n")]);
+    let run = zpg(dir.path(), &["fmt", "a.zpg"]);
+    let said = text(&run.stderr)
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    assert_eq!(run.status.code(), Some(0));
+    assert!(said.starts_with("note: a.zpg:2:"), "{said}");
+    assert!(said.contains("E009: too many numbers"), "{said}");
+    assert!(said.ends_with("`zpg check a.zpg` says more"), "{said}");
+    let run = zpg(dir.path(), &["fmt", "-q", "a.zpg"]);
+    assert_eq!(text(&run.stderr), "");
+}
+
+#[test]
 fn fmt_keeps_the_encoding() {
     let dir = tempfile::tempdir().unwrap();
     let run = zpg_with(dir.path(), &["fmt", "-"], b"2  9 1 # p\xf8\xedklad #\r\n");

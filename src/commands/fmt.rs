@@ -12,11 +12,14 @@ use super::help;
 use super::load::is_json;
 use super::rewrite::{allow, bytes_of, replace};
 use super::settings::{Chosen, Scenes, pass_through};
+use super::shell::quoted;
 use super::terminal::Complaints;
 use super::{LookChoice, Status, complain, terminal};
 use crate::analysis::config::{ConfigError, Configs};
 use crate::analysis::file::{self, STDIN};
-use crate::diagnostics::{Complaint, Value};
+use crate::analysis::{Analysis, repair};
+use crate::diagnostics::source::Locator;
+use crate::diagnostics::{Complaint, Diagnostic, SourceFile, Value};
 use crate::format::{format, format_range};
 use crate::parallel;
 use crate::syntax::{preserved, recognise};
@@ -177,6 +180,23 @@ fn summary(changed: usize, unchanged: usize, only_looking: bool, look: LookChoic
     all.wording(look.language())
 }
 
+/// The first error of a scene with lines that cannot be read, which are left as they are, and the command that says more.
+fn mistake(source: &SourceFile, is_stdin: bool, look: LookChoice) -> Option<Complaint> {
+    let all = repair::proposals(&Analysis::of(source.with_text(source.text.clone())));
+    let first = all.iter().find(|d: &&Diagnostic| d.is_error())?;
+    let place = Locator::new(source).position(first.span.start);
+    let place = format!("{}:{}:{}", source.path, place.line, place.column);
+    let case = match is_stdin {
+        true => "layout-mistake-stdin",
+        false => "layout-mistake",
+    };
+    let message = first.wording(look.language()).message;
+    let complaint = (Complaint::new(case).with("place", place))
+        .with("code", first.code.as_str())
+        .with("message", message);
+    Some(complaint.with("command", format!("zpg check {}", quoted(&source.path))))
+}
+
 /// Formats one file.
 fn format_file(
     path: &Path,
@@ -207,6 +227,11 @@ fn format_file(
             });
         }
     };
+    if document.contents.broken
+        && let Some(mistake) = mistake(&source, is_stdin, look)
+    {
+        terminal::note(look, &mistake);
+    }
     let text = match &args.range {
         None => format(&source.text, &document, &config.format),
         Some(Lines(lines)) => {

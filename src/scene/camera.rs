@@ -22,8 +22,11 @@ pub(super) fn camera(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Camera> {
     checks::non_zero(p, 3, "view direction", out)?;
     checks::non_zero(p, 6, "up vector", out)?;
     if parallel(camera.direction, camera.up) {
+        let is_upright = [camera.up[0], camera.up[2]] == [0.0; 2];
         let case = match exact::parallel(camera.direction, camera.up) {
-            true => "",
+            true if !is_upright => "",
+            true if camera.direction[1] < 0.0 => "down",
+            true => "up",
             false => "nearly",
         };
         out.push(Diagnostic::new(Code::E207, p.span_of(3, 6)).case(case));

@@ -82,6 +82,9 @@ fn a_floor_above_its_height() {
     for word in ["podlaha", "floor", "zem"] {
         let floor = |numbers| lines("2 9 1 # koule #", &format!("3 4 {numbers} # {word} #"));
         mends(Code::W325, &[(&floor("0 -1 0 1"), &floor("0 1 0 1"))]);
+        // Moved down, with both signs right, it lies at -1.5.
+        let moved = |numbers| lines(ball, &format!("3 4 {numbers} # {word} #\n3 -1 0 -0.5 0"));
+        mends(Code::W325, &[(&moved("0 -1 0 1"), &moved("0 1 0 1"))]);
     }
     let text = scene(&lines(ball, "3 4 0 -1 0 0.5 # podlaha #"));
     let (finding, made) = guessed(&text, Code::W325);

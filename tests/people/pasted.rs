@@ -224,6 +224,8 @@ fn blocks_with_a_comment_of_c() {
     ] {
         let text = scene(&format!("{line} // a warm lamp"));
         becomes(&text, &scene(&format!("{meant} # a warm lamp #")));
+        let block = scene(&format!("{line} /* a warm lamp */"));
+        becomes(&block, &scene(&format!("{meant} # a warm lamp #")));
     }
     // The comment is no part of what the error speaks of.
     let text = part("sphere { <-2.5,1,0>, 1 } // mirror ball");

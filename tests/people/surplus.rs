@@ -124,6 +124,35 @@ fn quaternions() {
     assert!(told(&other, Language::Czech).contains("kvaternion"));
 }
 
+/// A turn by 90° about z takes x to y: its columns are y, −x and z.
+#[test]
+fn smaller_matrices() {
+    let whole = boxed("-4 0 -1 0 0  1 0 0 0  0 0 1 0  0 0 0 1");
+    is_meant(&[(&boxed("-4 0 -1 0 1 0 0 0 0 1"), &whole)]);
+    // POV-Ray has columns in the place of rows; these can be no rows of four, which would have no inverse.
+    let moved = boxed("-4 0 -1 0 2  1 0 0 3  0 0 1 4  0 0 0 1");
+    let by_rows = boxed("-4 0 -1 0 2 1 0 0 3 0 0 1 4");
+    assert!(proposed(&by_rows).contains(&moved));
+    let by_columns = boxed("-4 0 1 0 -1 0 0 0 0 1 2 3 4");
+    assert!(proposed(&by_columns).contains(&moved));
+    // What is left out of five numbers, nobody can tell.
+    let few = boxed("-4 1 2 3 4 5");
+    assert!(proposed(&few).is_empty());
+    assert!(told(&few, Language::English).contains("3 × 3 matrix of nine numbers"));
+    assert!(told(&few, Language::Czech).contains("matice 3 × 3"));
+}
+
+#[test]
+fn alpha_of_a_colour() {
+    let ball = |colour: &str| format!("21 -701 {colour}\n2 11 0 1 0 1\n2 -299 21 0");
+    let four = ball("0.9 0.2 0.1 1");
+    is_meant(&[(&four, &ball("0.9 0.2 0.1"))]);
+    assert!(told(&four, Language::English).contains("alpha"));
+    assert!(told(&four, Language::Czech).contains("alfa"));
+    // No share is above 1.
+    assert!(!told(&ball("0.9 0.2 0.1 7"), Language::English).contains("alpha"));
+}
+
 #[test]
 fn points_of_a_profile_in_space() {
     is_meant(&[

@@ -38,6 +38,11 @@ pub(super) fn number(text: &str) -> Option<String> {
     if let Some(number) = without_end.and_then(plain) {
         return Some(number);
     }
+    // A point before all digits.
+    let without_start = text.strip_prefix('.').filter(|rest| rest.contains('.'));
+    if let Some(number) = without_start.and_then(plain) {
+        return Some(number);
+    }
     if let Some(number) = sign_behind.and_then(plain) {
         return Some(format!("-{number}"));
     }
@@ -207,6 +212,7 @@ mod tests {
             ("2^3", "8"),
             ("0:8", "0.8"),
             ("0.7.", "0.7"),
+            (".0.3", "0.3"),
             ("4-", "-4"),
         ] {
             assert_eq!(number(text).as_deref(), Some(meant), "{text}");

@@ -455,6 +455,7 @@ impl Checker<'_> {
         // Where standard output carries a scene or a difference, it carries nothing else.
         let mends_stdin = (args.fix || args.add_allow) && args.chosen.reads_stdin(stdin);
         let data: Vec<Vec<u8>> = (all.iter()).map(|c| c.data.clone()).collect();
+        let left = self.left(&all, total);
         let report = |out: &mut dyn Write| {
             if args.statistics {
                 let sum = Statistics::sum(all.iter().map(|c| &c.statistics));
@@ -479,10 +480,8 @@ impl Checker<'_> {
             let mut status = status;
             if args.diff {
                 fixes.lines().for_each(terminal::tell);
-                let left = [("count", Value::Count(total.fixable_unsafe as u64))];
-                let is_left = !args.unsafe_fixes && total.fixable_unsafe > 0;
-                if is_left && !self.choice_of_look.quiet {
-                    terminal::tell(&self.look.language.say("diff-left", &left));
+                if let Some(left) = left.filter(|_| !self.choice_of_look.quiet) {
+                    terminal::tell(&left);
                 }
             } else if args.output_file.is_some() {
                 status = self.put(status, report);
@@ -495,6 +494,30 @@ impl Checker<'_> {
             });
         }
         self.put(status, report)
+    }
+
+    /// What a difference leaves: guesses that it does not show, or all findings where it shows no change.
+    fn left(&self, all: &[Checked], total: &Tally) -> Option<String> {
+        let count = |n: usize| Value::Count(n as u64);
+        let guesses = match self.args.unsafe_fixes {
+            true => 0,
+            false => total.fixable_unsafe,
+        };
+        let is_changed = all.iter().any(|c| c.fixed > 0);
+        let findings = total.errors + total.warnings + total.notes + total.style;
+        // What is no scene has its own message.
+        let is_read = all.iter().all(|c| c.is_scene);
+        let language = self.look.language;
+        if !is_changed && findings > 0 && is_read {
+            let key = match self.args.unsafe_fixes {
+                true => "diff-no-fixes",
+                false => "diff-no-safe-fixes",
+            };
+            let values = [("count", count(findings)), ("unsafe", count(guesses))];
+            return Some(language.say(key, &values));
+        }
+        let left = [("count", count(guesses))];
+        (guesses > 0).then(|| language.say("diff-left", &left))
     }
 
     /// `Fixed 3 findings in 1 file.` and its like, a line; empty if that is not so.

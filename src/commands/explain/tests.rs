@@ -118,6 +118,8 @@ fn topics_have_scenes() {
         ("stin", czech, "# stín", &["-402"]),
         ("jehlan", czech, "# jehlan", &["-102", "4"]),
         ("phong", english, "# phong: highlight", &["-201"]),
+        ("roughness", english, "# roughness: highlight", &["-201"]),
+        ("drsnost", czech, "# drsnost: odlesk", &["-201"]),
         ("circle", english, "# circle: disk", &["1"]),
         ("mlha", czech, "# mlha", &["-201"]),
         ("komentář", czech, "# komentář", &[]),

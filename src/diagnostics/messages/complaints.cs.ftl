@@ -98,6 +98,8 @@ left-unchanged = { $count ->
 }
 list-comma = { $first }, { $last }
 range-behind-end = řádků je v souboru { $path } jen { $lines }: nic se neformátuje
+layout-mistake = { $place }: { $code }: { $message }; řádky s chybami zůstanou, jak jsou, více řekne `{ $command }`
+layout-mistake-stdin = { $place }: { $code }: { $message }; řádky s chybami zůstanou, jak jsou
 range-of-many = --range platí jen pro jeden soubor
 not-a-file = není to obyčejný soubor
 stdin-and-path = `--stdin-filename` pojmenovává standardní vstup, takže { $path } se nepřečte: vynechte jedno z nich

@@ -98,6 +98,8 @@ range-behind-end = { $path } has { $lines ->
     [one] { $lines } line
    *[other] { $lines } lines
 }: nothing is formatted
+layout-mistake = { $place }: { $code }: { $message }; lines with mistakes stay as they are, `{ $command }` says more
+layout-mistake-stdin = { $place }: { $code }: { $message }; lines with mistakes stay as they are
 range-of-many = --range takes the lines of one file
 not-a-file = it is not a plain file
 stdin-and-path = `--stdin-filename` names standard input, so { $path } is not read: leave out one of them

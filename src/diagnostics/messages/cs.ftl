@@ -87,6 +87,21 @@ diff-left = `--diff --unsafe-fixes` ukáže navíc { $count ->
     [few] { $count } odhady
    *[other] { $count } odhadů
 }.
+diff-no-safe-fixes = Bezpečně tu nelze opravit nic; `zpg check` ukáže { $count ->
+    [one] { $count } nález
+    [few] { $count } nálezy
+   *[other] { $count } nálezů
+}{ $unsafe ->
+    [0] .
+    [one] {" "}a `--diff --unsafe-fixes` { $unsafe } odhad.
+    [few] {" "}a `--diff --unsafe-fixes` { $unsafe } odhady.
+   *[other] {" "}a `--diff --unsafe-fixes` { $unsafe } odhadů.
+}
+diff-no-fixes = Opravit tu nelze nic; `zpg check` ukáže { $count ->
+    [one] { $count } nález
+    [few] { $count } nálezy
+   *[other] { $count } nálezů
+}.
 folded = { $count ->
     [one] ještě { $count } takový nález, na místě { $places }
     [few] ještě { $count } takové nálezy, na místech { $places }
@@ -150,6 +165,8 @@ switched-off = záznam { $id } je v komentáři na řádku { $line }
 behind-sign = řádek { $behind } není v komentáři: komentář před ním končí jeho prvním znakem `#`
 comment-ends = komentář končí druhým znakem `#`; co stojí za ním, se čte jako čísla
 assignment-ids = ID je ID objektu, T jeho textury nebo barvy a O jeho optické vlastnosti; 0 znamená žádnou
+smaller-matrix = matice 3 × 3 o devíti číslech se píše šestnácti: za každým řádkem 0 a poslední řádek 0 0 0 1
+alpha = alfa k barvě nepatří: kolik světla objekt propustí, je `kt` jeho optických vlastností (`-201`)
 quaternion = tato čtyři čísla jsou možná kvaternion; neotáčí kolem osy x, y ani z, takže se tu píše jako matice rotace (`-4`)
 fix-lamp = napsat intenzitu 1 a barvu jako samostatný záznam
 fix-lamp-place = napsat intenzitu 1 a polohu jako samostatný záznam
@@ -688,6 +705,12 @@ E206-count = { $type }: počet bodů profilu nemůže být { $value }
 E207 = směr pohledu kamery a vektor „nahoru“ jsou rovnoběžné
     .label = společně mají určit, kde je v obrázku nahoře
     .help = vektor „nahoru“ bývá `0 1 0`; míří-li kamera přímo dolů, zvolte `0 0 -1`, přímo nahoru `0 0 1`
+E207-down = { E207 }
+    .label = { E207.label }
+    .help = kamera míří přímo dolů: vektor „nahoru“ je pak `0 0 -1`; nebo má být směr jiný, třeba `0 -1 -3`
+E207-up = { E207 }
+    .label = { E207.label }
+    .help = kamera míří přímo nahoru: vektor „nahoru“ je pak `0 0 1`; nebo má být směr jiný, třeba `0 1 -3`
 E207-projection = pro část obrázku nemá tato matice projekce žádný paprsek
     .label = není tam vidět nic, co je před kamerou
     .help = kamera hledí proti ose z: poslední řádek perspektivy bývá 0 0 -1 0

@@ -82,6 +82,18 @@ diff-left = `--diff --unsafe-fixes` shows { $count ->
     [one] { $count } guess
    *[other] { $count } guesses
 } more.
+diff-no-safe-fixes = No safe fixes available; `zpg check` shows { $count ->
+    [one] { $count } finding
+   *[other] { $count } findings
+}{ $unsafe ->
+    [0] .
+    [one] , and `--diff --unsafe-fixes` { $unsafe } guess.
+   *[other] , and `--diff --unsafe-fixes` { $unsafe } guesses.
+}
+diff-no-fixes = No fixes available; `zpg check` shows { $count ->
+    [one] { $count } finding
+   *[other] { $count } findings
+}.
 folded = { $count ->
     [one] { $count } more finding like these nine, at { $places }
    *[other] { $count } more findings like these nine, at { $places }
@@ -141,6 +153,8 @@ switched-off = the record of { $id } stands in the comment on line { $line }
 behind-sign = line { $behind } is in no comment: the comment before it ends at its first `#`
 comment-ends = a comment ends at its second `#`; whatever comes after it is read as numbers
 assignment-ids = ID is that of the object, T that of its texture or colour, and O that of its optical property; 0 is none
+smaller-matrix = a 3 × 3 matrix of nine numbers is written with 16: a 0 behind each row, and 0 0 0 1 as the last row
+alpha = alpha is no part of a colour: what an object lets through is `kt` of its optics (`-201`)
 quaternion = these four numbers may be a quaternion; it turns about none of the axes x, y and z, so here it is a rotation matrix (`-4`)
 fix-lamp = write the intensity 1, and the colour as a record of its own
 fix-lamp-place = write the intensity 1, and the position as a record of its own
@@ -672,6 +686,12 @@ E206-count = { $type-a } needs at least 2 points, not { $value }
 E207 = the camera's view direction and up vector are parallel
     .label = together they must tell which way is up in the picture
     .help = the up vector is usually `0 1 0`; for a camera that looks straight down take `0 0 -1`, straight up `0 0 1`
+E207-down = { E207 }
+    .label = { E207.label }
+    .help = the camera looks straight down: the up vector is then `0 0 -1`; or the direction is another one, as `0 -1 -3`
+E207-up = { E207 }
+    .label = { E207.label }
+    .help = the camera looks straight up: the up vector is then `0 0 1`; or the direction is another one, as `0 1 -3`
 E207-projection = this projection matrix has no ray for a part of the picture
     .label = nothing in front of the camera is seen there
     .help = the camera looks along −z: the last row of a perspective is usually 0 0 -1 0

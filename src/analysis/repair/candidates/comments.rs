@@ -9,6 +9,8 @@ use crate::syntax::table::{RecordKind, RecordType};
 
 /// The beginning of a comment in C.
 const SLASHES: &str = "//";
+/// The beginning and the end of one that may be of several lines.
+const BLOCK: [&str; 2] = ["/*", "*/"];
 
 impl LineContext<'_> {
     /// Words behind a record that were meant as a comment.
@@ -104,7 +106,14 @@ impl LineContext<'_> {
     /// comment one of zpg.
     fn before_slashes(&self) -> Option<(LineContext<'_>, Edit)> {
         let is_begin = |t: &Token| {
-            !t.kind().is_comment() && self.text[t.start as usize..].starts_with(SLASHES)
+            let rest = &self.text[t.start as usize..self.line.end.max(t.start) as usize];
+            let is_block = rest.strip_prefix(BLOCK[0]).is_some_and(|inside| {
+                inside
+                    .trim_end()
+                    .strip_suffix(BLOCK[1])
+                    .is_some_and(|words| !words.contains(BLOCK[1]))
+            });
+            !t.kind().is_comment() && (is_block || rest.starts_with(SLASHES))
         };
         let at = self.all.iter().position(is_begin).filter(|&at| at > 0)?;
         let (all, behind) = self.all.split_at(at);
@@ -121,7 +130,12 @@ impl LineContext<'_> {
             tokens: tokens.copied().collect(),
             ..*self
         };
-        let words = self.text[span.range()].trim_start_matches('/');
+        let words = self.text[span.range()].trim();
+        let block = words.strip_prefix(BLOCK[0]);
+        let words = match block.and_then(|words| words.strip_suffix(BLOCK[1])) {
+            Some(words) => words,
+            None => words.trim_start_matches('/'),
+        };
         let text = slashes::as_comment(words);
         Some((line, Edit { span, text }))
     }

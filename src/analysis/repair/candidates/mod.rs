@@ -16,6 +16,7 @@ mod indices;
 mod inline;
 mod lost_spaces;
 mod lost_types;
+mod matrices;
 mod notation;
 mod numbers;
 mod own_id;
@@ -299,6 +300,8 @@ impl<'a> LineContext<'a> {
             self.three_numbers(&mut out);
             self.about_vector(&mut out);
             self.turns_of_quaternion(&mut out);
+            self.smaller_matrix(&mut out);
+            out.extend(self.without_alpha(finding));
             out.extend(self.per_cent(finding));
             out.extend(self.index(finding));
             out.extend(self.index_behind(finding));

@@ -5,7 +5,7 @@ use super::axes::{about_axis, along_axis};
 use super::clauses::{Line, is_word, numbers};
 use super::numbers::PICTURE;
 use super::{Candidate, Habit, LineContext};
-use crate::diagnostics::{Applicability, Fix, Span};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
 use crate::lint::spelling::decimal;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::quote;
@@ -95,6 +95,27 @@ impl Properties {
 }
 
 impl LineContext<'_> {
+    /// Whether a colour has a fourth number, which may be its alpha.
+    pub(in crate::analysis::repair) fn has_alpha(&self) -> bool {
+        let is_colour = (self.ty()).is_some_and(|ty| ty.kind == RecordKind::Colour);
+        let [.., alpha] = self.params() else {
+            return false;
+        };
+        let is_share = alpha
+            .number(self.text)
+            .is_some_and(|x| (0.0..=1.0).contains(&x));
+        is_colour && self.params().len() == OWN + 1 && is_share
+    }
+
+    /// A guess at the colour without its alpha.
+    pub(super) fn without_alpha(&self, finding: &Diagnostic) -> Option<Candidate> {
+        let params = self.params();
+        let is_one = finding.code == Code::E009 && self.has_alpha();
+        let colour = self.spaced(params.get(..OWN).filter(|_| is_one)?)?;
+        let span = params[0].span().to(params[OWN].span());
+        Some(Candidate::writing(Habit::Doubled, span, colour))
+    }
+
     /// Properties and moves behind an ID, the first by its name: `9 pigment { color rgb <1,0,0> }`,
     /// `8 interior { ior 1.5 }`.
     pub(super) fn only_properties(&self, id: u32) -> Option<Candidate> {

@@ -129,7 +129,9 @@ fn laid_down(p: &Params, now: [f64; 4], sides: &Sides) -> Option<([f64; 4], Fix)
 fn with_normal_up(p: &Params, now: [f64; 4], sides: &Sides) -> Option<([f64; 4], Fix)> {
     let [a, b, c, d] = now;
     let is_above = [a, c] == [0.0; 2] && b < 0.0 && d > 0.0;
-    if !is_above || !sides.is_untouched || !p.is_called(&FLOOR) {
+    let [x, y, z, _] = sides.in_scene(now);
+    let is_level = [x, z] == [0.0; 2] && y < 0.0;
+    if !is_above || !is_level || !p.is_called(&FLOOR) {
         return None;
     }
     let up = opposite(p, 1);

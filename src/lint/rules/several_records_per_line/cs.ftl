@@ -4,3 +4,4 @@ S503 = { $count ->
    *[other] { $count } dalších záznamů na tomtéž řádku
 }
     .fix = dát každý záznam na vlastní řádek
+    .fix-zero = `0` vynechat: sama je prázdný záznam

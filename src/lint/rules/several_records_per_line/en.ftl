@@ -3,3 +3,4 @@ S503 = { $count ->
    *[other] { $count } more records on the same line
 }
     .fix = put each record on a line of its own
+    .fix-zero = take the `0` away: alone it is an empty record

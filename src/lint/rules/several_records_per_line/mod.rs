@@ -113,10 +113,30 @@ fn report(context: &Context, line: &Line, ends: bool, places: &Places, out: &mut
     let mut items = line.first.into_iter().chain(line.more.iter().copied());
     let is_whole = line.torn.is_none() && !line.more.last().is_some_and(|l| is_torn(context, l));
     let is_sure = !context.document.contents.broken || is_whole && !line.broken;
+    let without_zero = without_zero(context, line).filter(|_| is_sure);
     out.push(match is_sure && !has_zero && !items.any(is_doubted) {
         true => finding.fix(fix),
-        false => finding,
+        false => without_zero.into_iter().fold(finding, Diagnostic::fix),
     });
+}
+
+/// The fix that takes out a lone 0 behind the record of a line. Nothing else of the scene changes.
+fn without_zero(context: &Context, line: &Line) -> Option<Fix> {
+    let [zero @ Item::Void { .. }] = line.more[..] else {
+        return None;
+    };
+    let own = context.document.item_span(zero);
+    // It makes a comment behind it stand by itself.
+    let has_comment = context.text[own.range()].contains('#');
+    let before = &context.text[..own.start as usize];
+    let start = before.trim_end_matches([' ', '\t']).len() as u32;
+    let fix = Fix::replace(
+        "fix-zero",
+        Applicability::Choice,
+        Span::new(start, own.end),
+        "",
+    );
+    (!has_comment && line.torn.is_none()).then_some(fix)
 }
 
 /// A record of several lines in one, unless it has comments or is long.

@@ -46,6 +46,18 @@ impl Sides {
         })
     }
 
+    /// The numbers of a half-space or a plane in the coordinates of the scene.
+    pub fn in_scene(&self, [a, b, c, d]: [f64; 4]) -> [f64; 4] {
+        let value = |[x, y, z]: Vec3| a * x + b * y + c * z;
+        let along = |axis: usize| {
+            let mut unit: Vec3 = [0.0; 3];
+            unit[axis] = 1.0;
+            value(self.back.vector(unit))
+        };
+        let at_origin = value(self.back.point([0.0; 3])) + d;
+        [along(0), along(1), along(2), at_origin]
+    }
+
     /// Whether a half-space with these numbers holds a point, or has it on its boundary.
     pub fn holds(&self, [a, b, c, d]: [f64; 4], point: Vec3) -> bool {
         let local = self.back.point(point);
