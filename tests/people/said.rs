@@ -1,4 +1,5 @@
-//! What comments say of mirrors and glass, of radii and edges, and of floors, and the records say otherwise.
+//! What comments say of mirrors and glass, of radii and edges, of floors, and of cones and angles, and the records say
+//! otherwise.
 
 use zpg::internals::diagnostics::{Code, Language};
 
@@ -160,4 +161,41 @@ fn a_floor_that_stands_upright() {
     let lying = scene("2 5 -5 -5 5 5 # floor #")
         .replace("0 3 9 0 -0.25 -1 0 1 0", "0 -9 3 0 1 -0.25 0 0 1");
     assert!(!has(&lying, Code::W343));
+}
+
+#[test]
+fn a_cone_by_its_height_and_radius() {
+    for said in ["cone, radius 1, height 2", "kužel, výška 2, poloměr 1"] {
+        let [written, meant] = ["1 2", "2 1"].map(|numbers| format!("2 16 {numbers} # {said} #"));
+        expect(Code::W341, &[(&written, &[&meant])]);
+    }
+    for records in [
+        "2 16 1 2 # radius 2, height 1 #",
+        "2 16 1 2 # radius 1 #",
+        "2 16 1 2 # radius 3, height 2 #",
+        "2 16 -1 2 # radius -1, height 2 #",
+    ] {
+        assert!(!has(&scene(records), Code::W341), "{records}");
+    }
+}
+
+const BOX: &str = "2 12 -1 0 -1 1 2 1";
+
+#[test]
+fn a_rotation_whose_comment_has_degrees() {
+    for (radians, said, degrees) in [
+        ("0.35", "20 degrees", "20"),
+        ("0.35", "20 stupňů", "20"),
+        ("0.35", "o 20° kolem y", "20"),
+        ("-0.35", "-20°", "-20"),
+        ("0.131", "7,5°", "7.5"),
+        ("0.63", "π/5", "36"),
+    ] {
+        let text = |angle: &str| format!("{BOX}\n2 -2 {angle} 2 # {said} #");
+        expect(Code::N607, &[(&text(radians), &[&text(degrees)])]);
+    }
+    for said in ["20", "2 degrees", "0.35 degrees", "-20°", "pi/4", "3*pi/5"] {
+        let text = scene(&format!("{BOX}\n2 -2 0.35 2 # {said} #"));
+        assert!(!has(&text, Code::N607), "{said}");
+    }
 }

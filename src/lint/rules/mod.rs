@@ -90,12 +90,13 @@ const TRANSLATIONS: &[RecordKind] = &[R::Translation];
 const INTERSECTIONS: &[RecordKind] = &[R::Intersection];
 const SOLID_OPERATIONS: &[RecordKind] = &[R::Intersection, R::Difference, R::Complement];
 const BOUNDS: &[RecordKind] = &[R::BoundingBox, R::BoundingSphere];
-/// Shapes by their bounds or a radius.
+/// Shapes by their bounds, a radius or a height.
 const SIZED: &[RecordKind] = &[
     R::Shape(S::Box),
     R::Shape(S::Rectangle),
     R::Shape(S::Sphere),
     R::Shape(S::SphereAtOrigin),
+    R::Shape(S::Cone),
 ];
 const RECTANGLES: &[RecordKind] = &[R::Shape(S::Rectangle)];
 const RENDER: &[RecordKind] = &[R::Render];
