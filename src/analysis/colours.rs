@@ -1,12 +1,12 @@
 //! A colour as other programs write it, `7 -701 #ff8000`, `7 -701 rgb(255, 128, 0)` or `7 -701 dark red`, is one finding
 //! that says which numbers it is, and so is a material, `7 -201 glass`.
 
-use super::{colour_names, materials};
+use super::materials;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span};
 use crate::lint::spelling::linear_part;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::RecordKind;
-use crate::syntax::{Document, Item, hex, quote};
+use crate::syntax::{Document, Item, colour_names, hex, quote};
 
 /// Adds one finding for each colour in hexadecimal digits, and for each colour or material by name, that the parser
 /// found.

@@ -21,6 +21,7 @@ mod buried_shape;
 mod camera_in_solid;
 mod coincident_faces;
 pub(super) mod colour_out_of_range;
+mod comment_contradicts;
 mod comment_hides_records;
 mod degenerate_shape;
 mod duplicate_operand;
@@ -97,6 +98,14 @@ const SIZED: &[RecordKind] = &[
     R::Shape(S::Sphere),
     R::Shape(S::SphereAtOrigin),
     R::Shape(S::Cone),
+];
+/// Records that [`comment_contradicts`] looks at.
+const SAID: &[RecordKind] = &[
+    R::Shape(S::Plane),
+    R::Shape(S::HalfSpace),
+    R::Rotation,
+    R::PointLight,
+    R::Colour,
 ];
 const RECTANGLES: &[RecordKind] = &[R::Shape(S::Rectangle)];
 const RENDER: &[RecordKind] = &[R::Render];
@@ -394,6 +403,11 @@ pub(super) const RULES: &[Rule] = &[
         code: Code::W343,
         check: standing_floor::check,
         asks_for: &[RECTANGLES],
+    },
+    Rule {
+        code: Code::W344,
+        check: comment_contradicts::check,
+        asks_for: &[SAID],
     },
     Rule {
         code: Code::S505,
