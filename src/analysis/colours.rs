@@ -2,12 +2,12 @@
 //! `7 -701 dark red`, and about materials by name, `7 -201 glass`. Each colour or material is one finding, which says
 //! the numbers to write.
 
-use super::{colour_names, materials};
+use super::materials;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span};
 use crate::lint::spelling::linear_part;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::RecordKind;
-use crate::syntax::{Document, Item, hex, quote};
+use crate::syntax::{Document, Item, colour_names, hex, quote};
 
 /// Replaces the findings about each record that has a colour in hexadecimal digits, or a colour or material by name, by
 /// one finding.

@@ -4,7 +4,6 @@
 //! knows of no command line.
 
 pub mod allowing;
-mod colour_names;
 pub mod colours;
 mod commas;
 pub mod config;

@@ -171,6 +171,7 @@ codes! {
     W341 "bounds-by-size" of rule "bounds_by_size";
     W342 "optics-by-comment" of rule "optics_by_comment";
     W343 "standing-floor" of rule "standing_floor";
+    W344 "comment-contradicts" of rule "comment_contradicts";
     N601 "not-utf8";
     N602 "no-camera" of rule "no_camera";
     N603 "no-light" of rule "no_light";

@@ -220,6 +220,8 @@ fn numbers(text: &str) -> impl Iterator<Item = f64> {
 /// Beginnings of words for a radius and a diameter, without accents.
 const RADIUS: [&str; 3] = ["radius", "radii", "polomer"];
 const DIAMETER: [&str; 3] = ["diameter", "prumer", "across"];
+/// The same for a height.
+const HEIGHT: [&str; 2] = ["height", "vysk"];
 
 /// The choice for a sphere whose comment gives the radius that stands first, or as its diameter what stands as its radius;
 /// with the case of the finding.
@@ -257,6 +259,21 @@ pub(crate) fn sphere_by_comment(p: &Params) -> Option<(&'static str, Fix)> {
             "diameter",
             Fix::guess("fix-diameter", edits).with("number", number),
         )
+    })
+}
+
+/// The guess for a cone whose comment gives its height and its radius, in each other's place.
+pub(crate) fn cone_by_comment(p: &Params) -> Option<Fix> {
+    let said = |any: &[&str]| p.own_comments().find_map(|text| number_of(text, any));
+    let [height, radius] = p.numbers(0);
+    let is_meant = said(&HEIGHT)? == radius && said(&RADIUS)? == height;
+    let texts = [1, 0].map(|i| p.text_of(i));
+    (is_meant && height != radius && height > 0.0).then(|| {
+        let edits = texts.iter().enumerate().map(|(i, text)| Edit {
+            span: p.span_of(i, 1),
+            text: (*text).to_owned(),
+        });
+        Fix::guess("fix-order", edits.collect()).with("number", quote(&texts.join(" ")))
     })
 }
 

@@ -24,6 +24,7 @@
 pub mod ast;
 mod calculated;
 pub mod captions;
+pub mod colour_names;
 pub mod commas;
 pub mod commented_out;
 pub mod contents;

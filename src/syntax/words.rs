@@ -381,6 +381,9 @@ pub const HOLE: [&str; 14] = [
     "deru", "derou", "dutin", "otvor",
 ];
 
+/// Beginnings of words for a floor, without accents.
+pub const FLOOR: [&str; 4] = ["floor", "ground", "podlah", "zem"];
+
 /// Whether a text has a word that begins so, accents left out.
 pub fn has(text: &str, beginnings: &[&str]) -> bool {
     let mut words = text.split(|c: char| !c.is_alphabetic()).map(plain);

@@ -1,4 +1,5 @@
-//! What comments say of mirrors and glass, of radii and edges, and of floors, and the records say otherwise.
+//! What comments say of mirrors and glass, of radii and edges, of floors, and of lights, axes, angles and colours, and the
+//! records say otherwise.
 
 use zpg::internals::diagnostics::{Code, Language};
 
@@ -160,4 +161,167 @@ fn a_floor_that_stands_upright() {
     let lying = scene("2 5 -5 -5 5 5 # floor #")
         .replace("0 3 9 0 -0.25 -1 0 1 0", "0 -9 3 0 1 -0.25 0 0 1");
     assert!(!has(&lying, Code::W343));
+}
+
+#[test]
+fn a_cone_by_its_height_and_radius() {
+    for said in ["cone, radius 1, height 2", "kužel, výška 2, poloměr 1"] {
+        let [written, meant] = ["1 2", "2 1"].map(|numbers| format!("2 16 {numbers} # {said} #"));
+        expect(Code::W341, &[(&written, &[&meant])]);
+    }
+    for records in [
+        "2 16 1 2 # radius 2, height 1 #",
+        "2 16 1 2 # radius 1 #",
+        "2 16 1 2 # radius 3, height 2 #",
+        "2 16 -1 2 # radius -1, height 2 #",
+    ] {
+        assert!(!has(&scene(records), Code::W341), "{records}");
+    }
+}
+
+const BOX: &str = "2 12 -1 0 -1 1 2 1";
+
+#[test]
+fn a_light_that_is_no_point() {
+    for said in ["ambient", "okolní světlo", "ambientní", "ambient light"] {
+        let text = |code: &str| format!("{BOX}\n51 {code} 0.2 # {said} #");
+        expect(Code::W344, &[(&text("-402"), &[&text("-401")])]);
+    }
+    for light in [
+        "51 -402 0.2 # ambient #\n51 -1 4 6 5",
+        "51 -402 0.2 # a lamp with little ambient light #",
+        "51 -402 0.2 # bodové, ne okolní #",
+        "51 -402 0.2 # lamp #",
+        "51 -401 0.2 # ambient #",
+    ] {
+        let text = scene(&format!("{BOX}\n{light}"));
+        assert!(!has(&text, Code::W344), "{light}");
+    }
+    // A move behind ambient light is an error.
+    for said in ["lamp", "bodové světlo, lampa"] {
+        let text = |code: &str| format!("{BOX}\n51 {code} 0.8 # {said} #\n51 -1 4 6 5");
+        let (_, made) = guessed(&scene(&text("-401")), Code::E103);
+        assert_eq!(made[0], scene(&text("-402")));
+    }
+}
+
+#[test]
+fn a_rotation_about_another_axis() {
+    for said in [
+        "about y",
+        "around y",
+        "kolem osy y",
+        "45° around the Y-axis",
+        "rotace okolo y",
+        "osa y",
+        "rotate y by 45 degrees",
+    ] {
+        let text = |axis: u32| format!("{BOX}\n2 -2 45 {axis} # {said} #");
+        expect(
+            Code::W344,
+            &[(&text(1), &[&text(2)]), (&text(3), &[&text(2)])],
+        );
+        assert!(!has(&scene(&text(2)), Code::W344), "{said}");
+    }
+    for said in [
+        "along the y axis",
+        "about x, then y",
+        "so that y is up",
+        "around its y axis",
+        "kolem své osy y",
+        "around the y axis of the box",
+        "not about y",
+        "z boku",
+        "y",
+    ] {
+        let text = scene(&format!("{BOX}\n2 -2 45 1 # {said} #"));
+        assert!(!has(&text, Code::W344), "{said}");
+    }
+}
+
+#[test]
+fn a_rotation_whose_comment_has_degrees() {
+    for (radians, said, degrees) in [
+        ("0.35", "20 degrees", "20"),
+        ("0.35", "20 stupňů", "20"),
+        ("0.35", "o 20° kolem y", "20"),
+        ("-0.35", "-20°", "-20"),
+        ("0.131", "7,5°", "7.5"),
+        ("0.63", "π/5", "36"),
+    ] {
+        let text = |angle: &str| format!("{BOX}\n2 -2 {angle} 2 # {said} #");
+        expect(Code::N607, &[(&text(radians), &[&text(degrees)])]);
+    }
+    for said in ["20", "2 degrees", "0.35 degrees", "-20°", "pi/4", "3*pi/5"] {
+        let text = scene(&format!("{BOX}\n2 -2 0.35 2 # {said} #"));
+        assert!(!has(&text, Code::N607), "{said}");
+    }
+}
+
+#[test]
+fn a_colour_of_another_name() {
+    for (written, said, meant) in [
+        ("0 0 1", "red", "1 0 0"),
+        ("0 0 1", "červená koule", "1 0 0"),
+        ("0.1 0.9 0.1", "the red ball", "1 0 0"),
+        ("1 0 0", "modrá", "0 0 1"),
+        ("1 0 0", "yellow", "1 1 0"),
+        ("0 1 1", "purpurová", "1 0 1"),
+        ("0 1 0", "white floor", "1 1 1"),
+    ] {
+        let text = |numbers: &str| format!("{BOX}\n2 -701 {numbers} # {said} #");
+        expect(Code::W344, &[(&text(written), &[&text(meant)])]);
+    }
+    for colour in [
+        "0 0 1 # blue #",
+        "0 0 1 # dark red #",
+        "0 0 1 # light red #",
+        "0 0 1 # tmavě červená #",
+        "0 0 1 # reddish #",
+        "0 0 1 # red and blue #",
+        "0 0 1 # not red #",
+        "0 0 1 # azurová #",
+        "1 0.2 0 # orange #",
+        "0.2 0.6 1 # blue #",
+        "0 1 0 # lime #",
+        "0 1 0 # orange tree #",
+        "0.4 0.5 0.4 # red #",
+        "0 0 1 # block #",
+    ] {
+        let text = scene(&format!("{BOX}\n2 -701 {colour}"));
+        assert!(!has(&text, Code::W344), "{colour}");
+    }
+}
+
+#[test]
+fn a_floor_at_another_height() {
+    let floor = |d: &str, said: &str| format!("3 4 0 1 0 {d} # {said} #\n4 11 0 2 0 1\n2 -101 3 4");
+    for said in ["floor at y = 1", "podlaha y=1", "y = 1,0"] {
+        expect(Code::W344, &[(&floor("1", said), &[&floor("-1", said)])]);
+    }
+    let below = "floor at y = −0.5";
+    expect(
+        Code::W344,
+        &[(&floor("-0.5", below), &[&floor("0.5", below)])],
+    );
+    let wall = |d: &str| format!("{BOX}\n3 3 2 0 0 {d} # wall x = -3 #\n4 -101 2 3");
+    expect(Code::W344, &[(&wall("-6"), &[&wall("6")])]);
+    for said in [
+        "floor at y = -1",
+        "y = 2",
+        "x = 1",
+        "x + y = 1",
+        "y = 1 - 2",
+        "normála y = 1",
+        "d = 1",
+        "y == 1",
+    ] {
+        assert!(!has(&scene(&floor("1", said)), Code::W344), "{said}");
+    }
+    for records in [
+        floor("1", "y = 1") + "\n3 -1 0 2 0",
+        floor("1", "y = 1") + "\n2 -1 0 2 0",
+    ] {
+        assert!(!has(&scene(&records), Code::W344), "{records}");
+    }
 }

@@ -21,6 +21,7 @@ mod buried_shape;
 mod camera_in_solid;
 mod coincident_faces;
 pub(super) mod colour_out_of_range;
+mod comment_contradicts;
 mod comment_hides_records;
 mod degenerate_shape;
 mod duplicate_operand;
@@ -90,12 +91,21 @@ const TRANSLATIONS: &[RecordKind] = &[R::Translation];
 const INTERSECTIONS: &[RecordKind] = &[R::Intersection];
 const SOLID_OPERATIONS: &[RecordKind] = &[R::Intersection, R::Difference, R::Complement];
 const BOUNDS: &[RecordKind] = &[R::BoundingBox, R::BoundingSphere];
-/// Shapes by their bounds or a radius.
+/// Shapes by their bounds, a radius or a height.
 const SIZED: &[RecordKind] = &[
     R::Shape(S::Box),
     R::Shape(S::Rectangle),
     R::Shape(S::Sphere),
     R::Shape(S::SphereAtOrigin),
+    R::Shape(S::Cone),
+];
+/// Records that [`comment_contradicts`] looks at.
+const SAID: &[RecordKind] = &[
+    R::Shape(S::Plane),
+    R::Shape(S::HalfSpace),
+    R::Rotation,
+    R::PointLight,
+    R::Colour,
 ];
 const RECTANGLES: &[RecordKind] = &[R::Shape(S::Rectangle)];
 const RENDER: &[RecordKind] = &[R::Render];
@@ -393,6 +403,11 @@ pub(super) const RULES: &[Rule] = &[
         code: Code::W343,
         check: standing_floor::check,
         asks_for: &[RECTANGLES],
+    },
+    Rule {
+        code: Code::W344,
+        check: comment_contradicts::check,
+        asks_for: &[SAID],
     },
     Rule {
         code: Code::S505,

@@ -12,3 +12,7 @@ W341-radius = koule { $id }: komentář udává poloměr, ale ten není posledn�
     .label = { W341-diameter.label }
     .help = první je střed, poslední poloměr
     .fix-radius = { W307.fix-radius }
+W341-cone = komentář u kužele { $id } udává výšku a poloměr v opačném pořadí
+    .label = toto je výška a poloměr
+    .help = nejprve se píše výška, poloměr je poslední
+    .fix-order = napsat { $number }

@@ -12,3 +12,7 @@ W341-radius = a comment on the sphere { $id } gives its radius, which is not the
     .label = { W341-diameter.label }
     .help = the centre comes first, and the radius last
     .fix-radius = { W307.fix-radius }
+W341-cone = a comment on the cone { $id } gives its height and radius in the other order
+    .label = these are the height and the radius
+    .help = the height comes first, and the radius last
+    .fix-order = write { $number }

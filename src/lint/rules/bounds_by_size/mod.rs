@@ -1,10 +1,10 @@
-//! W341: a box or a rectangle whose comment speaks of a size, and a sphere whose comment gives a radius or a diameter, as
-//! their numbers are not read.
+//! W341: a box or a rectangle whose comment speaks of a size, a sphere whose comment gives a radius or a diameter, and a
+//! cone whose comment gives its height and radius, as their numbers are not read.
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
 use crate::scene::record::Params;
-use crate::scene::sizes::{by_comment, sphere_by_comment};
+use crate::scene::sizes::{by_comment, cone_by_comment, sphere_by_comment};
 use crate::syntax::table::ShapeKind;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -12,22 +12,25 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     for (shape, span) in context.scene.written_shapes() {
-        let is_sphere = matches!(shape.kind, ShapeKind::Sphere | ShapeKind::SphereAtOrigin);
-        if !is_sphere && !matches!(shape.kind, ShapeKind::Box | ShapeKind::Rectangle) {
-            continue;
-        }
-        if let Some(p) = context.params(span) {
-            out.extend(match is_sphere {
-                true => sphere(&p),
-                false => bounds(&p),
-            });
-        }
+        let check = match shape.kind {
+            ShapeKind::Sphere | ShapeKind::SphereAtOrigin => sphere,
+            ShapeKind::Box | ShapeKind::Rectangle => bounds,
+            ShapeKind::Cone => cone,
+            _ => continue,
+        };
+        out.extend(context.params(span).and_then(|p| check(&p)));
     }
 }
 
 fn sphere(p: &Params) -> Option<Diagnostic> {
     let (case, fix) = sphere_by_comment(p)?;
     let finding = Diagnostic::new(Code::W341, p.span_of(p.len() - 1, 1)).case(case);
+    Some(finding.with("id", p.id.to_string()).fix(fix))
+}
+
+fn cone(p: &Params) -> Option<Diagnostic> {
+    let fix = cone_by_comment(p)?;
+    let finding = Diagnostic::new(Code::W341, p.span_of(0, 2)).case("cone");
     Some(finding.with("id", p.id.to_string()).fix(fix))
 }
 

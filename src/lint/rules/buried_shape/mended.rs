@@ -14,10 +14,11 @@ use crate::solids::shapes::facts::Facts;
 use crate::syntax::Record;
 use crate::syntax::quote;
 use crate::syntax::table::{Family, RecordKind, ShapeKind};
+use crate::syntax::words::FLOOR;
 use crate::trace::plan::unseen::sides::{Sides, placed};
 
-/// Beginnings of words for what things stand on, without accents.
-const FLOOR: [&str; 6] = ["floor", "podlah", "zem", "ground", "table", "stul"];
+/// Beginnings of words for what else things stand on, without accents.
+const TABLE: [&str; 2] = ["table", "stul"];
 /// Transformations of one object that are tried in another order.
 const MAX_TRANSFORMATIONS: usize = 8;
 /// The gap between two places that are the same but for rounding, as a share of how far away they are.
@@ -103,10 +104,15 @@ pub(super) fn plane(context: &Context, (name, p): (Named, &Params)) -> Vec<Fix> 
     fixes
 }
 
+/// Whether things stand on it by its comment.
+fn is_floor(p: &Params) -> bool {
+    p.is_called(&FLOOR) || p.is_called(&TABLE)
+}
+
 /// A floor by its comment that stands upright, with its numbers and record as a floor across the y axis.
 fn laid_down(p: &Params, now: [f64; 4], sides: &Sides) -> Option<([f64; 4], Fix)> {
     let axis = (0..3).find(|&i| (0..3).all(|j| (i == j) == (now[j] != 0.0)))?;
-    if axis == 1 || !sides.is_untouched || !p.is_called(&FLOOR) {
+    if axis == 1 || !sides.is_untouched || !is_floor(p) {
         return None;
     }
     let up = match now[axis] < 0.0 {
@@ -131,7 +137,7 @@ fn with_normal_up(p: &Params, now: [f64; 4], sides: &Sides) -> Option<([f64; 4],
     let is_above = [a, c] == [0.0; 2] && b < 0.0 && d > 0.0;
     let [x, y, z, _] = sides.in_scene(now);
     let is_level = [x, z] == [0.0; 2] && y < 0.0;
-    if !is_above || !is_level || !p.is_called(&FLOOR) {
+    if !is_above || !is_level || !is_floor(p) {
         return None;
     }
     let up = opposite(p, 1);

@@ -62,6 +62,22 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
+/// The solids and planes that hide a part of what is drawn.
+pub(super) fn hiders(context: &Context) -> FxHashSet<Span> {
+    let scene = context.scene;
+    let Some(render) = scene.render.filter(|_| scene.nodes.len() <= MAX_NODES) else {
+        return FxHashSet::default();
+    };
+    let buried = find_but_for_points(scene, render.root).unseen;
+    let buried = buried.iter().filter_map(|part| match part.why {
+        Why::Inside(solid) => Some(solid.span),
+        Why::Outside => None,
+    });
+    let behind = screened(scene, context.bounds(), render.root);
+    let behind = behind.iter().map(|part| part.plane.span);
+    buried.chain(behind).collect()
+}
+
 /// The finding about all that lies in one solid, or behind one plane.
 fn finding(context: &Context, solid: Named, all: &[(Named, NodeId)]) -> Diagnostic {
     let (first, _) = all[0];

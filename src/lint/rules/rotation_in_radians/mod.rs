@@ -1,11 +1,13 @@
-//! N607: a rotation by a usual angle in radians.
+//! N607: a rotation by a usual angle in radians, or by one that its comment gives in degrees or as a part of π.
 
 use std::cell::LazyCell;
 
 use super::angle_in_radians::usual;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
+use crate::lint::spelling::decimal;
 use crate::syntax::table::RecordKind;
+use crate::syntax::words;
 
 /// The angles that people know by heart in radians, as parts of π: they are known with two decimals.
 const BY_HEART: [u32; 11] = [15, 30, 45, 60, 90, 120, 135, 150, 180, 270, 360];
@@ -16,7 +18,15 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let p = context.record_params(record);
         let written = p.text_of(ANGLE);
         let parts = (1..=24).map(|k| 15 * k);
-        let Some(degrees) = usual(p.number(ANGLE).abs(), written, &BY_HEART, parts) else {
+        let usual = usual(p.number(ANGLE).abs(), written, &BY_HEART, parts);
+        let by_comment = || {
+            let has_comments = context.document.contents.comments;
+            (has_comments.then(|| {
+                p.own_comments()
+                    .find_map(|text| said(text, p.number(ANGLE)))
+            }))?
+        };
+        let Some(degrees) = usual.map(|d| d.to_string()).or_else(by_comment) else {
             continue;
         };
         let sign = if p.number(ANGLE) < 0.0 { "-" } else { "" };
@@ -35,3 +45,31 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 
 /// The place of the angle in the record.
 const ANGLE: usize = 0;
+/// Two angles are the same up to this part of them: people round radians to two digits.
+const ROUNDED: f64 = 0.02;
+
+/// The angle in degrees, without its sign, that a comment gives for an angle in radians.
+fn said(comment: &str, radians: f64) -> Option<String> {
+    let text = comment.replace(['−', '–'], "-").replace(',', ".");
+    let text = text.replace('°', " ° ").replace('π', "pi").to_lowercase();
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let is_unit = |word: &str| word == "°" || words::has(word, &["deg", "stup"]);
+    let numbered = words.windows(2).filter(|pair| is_unit(pair[1]));
+    let in_degrees = numbered.filter_map(|pair| pair[0].parse::<f64>().ok());
+    // As `pi/4`, but not `3*pi/4`.
+    let parts_of_pi = words.iter().filter_map(|word| {
+        let by: f64 = word
+            .trim_start_matches('-')
+            .strip_prefix("pi/")?
+            .parse()
+            .ok()?;
+        Some(180.0 / by)
+    });
+    let all: Vec<f64> = in_degrees.chain(parts_of_pi).collect();
+    let &[degrees] = all.as_slice() else {
+        return None;
+    };
+    let (is, meant) = (radians.abs(), degrees.abs().to_radians());
+    let is_same = is > 0.0 && (is - meant).abs() <= ROUNDED * meant;
+    (is_same && (degrees > 0.0 || radians < 0.0)).then(|| decimal(degrees.abs()))
+}

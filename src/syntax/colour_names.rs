@@ -53,7 +53,7 @@ const CZECH: &[(&str, &str)] = &[
 const ENDINGS: [&str; 3] = ["a", "y", "e"];
 
 /// Red, green and blue, in sRGB from 0 to 255, of the colour that a word names. `None` if the word names no colour.
-pub(super) fn colour(written: &str) -> Option<[u8; 3]> {
+pub fn colour(written: &str) -> Option<[u8; 3]> {
     if !written.starts_with(char::is_alphabetic) {
         return None;
     }
@@ -64,6 +64,11 @@ pub(super) fn colour(written: &str) -> Option<[u8; 3]> {
     of_function(&written.to_lowercase())
         .or_else(|| named(&word))
         .or_else(|| named(&meant(&word)?))
+}
+
+/// Red, green and blue of a word that is a name with every letter right.
+pub fn exact(word: &str) -> Option<[u8; 3]> {
+    named(&plain(word))
 }
 
 /// A colour as CSS writes it with numbers, `rgb(255, 128, 0)`.
@@ -188,6 +193,8 @@ mod tests {
         ] {
             assert_eq!(colour(name), hex::colour(shown), "{name}");
         }
+        assert_eq!(exact("Červená"), Some([255, 0, 0]));
+        assert_eq!(["block", "while"].map(exact), [None; 2]);
     }
 
     #[test]

@@ -1,0 +1,14 @@
+W344 = komentář mluví o rotaci kolem osy { $said }, ale tato je kolem osy { $axis }
+    .label = 1 je osa x, 2 je y a 3 je z
+    .fix = napsat { $number }
+W344-ambient = { $id } je podle komentáře ambientní světlo, ale toto je bodové světlo
+    .label = bodové světlo svítí z jednoho místa
+    .help = ambientní světlo (-401) dopadá na každý povrch ze všech stran
+    .fix = { W344.fix }
+W344-colour = komentář říká { $said }, ale barva { $id } je jiná
+    .label = toto je červená, zelená a modrá
+    .fix = { W344.fix }
+W344-height = komentář říká { $said }, ale { $type } { $id } má { $place }
+    .label = toto je d v ax + by + cz + d
+    .help = u normály délky 1 je d opačné číslo ke vzdálenosti podél ní
+    .fix = { W344.fix }

@@ -1,0 +1,14 @@
+W344 = the comment says a rotation about the axis { $said }, and this one is about { $axis }
+    .label = 1 is the axis x, 2 is y, and 3 is z
+    .fix = write { $number }
+W344-ambient = { $id } is ambient light by its comment, and this is a point light
+    .label = a point light shines from one place
+    .help = ambient light (-401) reaches every surface from everywhere
+    .fix = { W344.fix }
+W344-colour = the comment says { $said }, and the colour { $id } is another one
+    .label = these are red, green and blue
+    .fix = { W344.fix }
+W344-height = the comment says { $said }, and the { $type } { $id } is at { $place }
+    .label = this is d in ax + by + cz + d
+    .help = with a normal of length 1, d is the opposite of the distance along it
+    .fix = { W344.fix }
