@@ -14,3 +14,6 @@ W340-intersection = průnik { $id } objektů { $one } a { $two } je podle koment
     .label = tento záznam nechá, co je v obou
     .help = { W340-union.help }
     .fix = { W340.fix }
+W340-called = { $id } je podle komentáře { $said }, ale z objektů { $one } a { $two } záznam dělá { $type }
+    .label = toto je typ operace { $type }
+    .fix = { W340.fix }

@@ -14,3 +14,6 @@ W340-intersection = the intersection { $id } of { $one } and { $two } is a diffe
     .label = this keeps what is in both
     .help = { W340-union.help }
     .fix = { W340.fix }
+W340-called = { $id } is { $said-a } by its comment, and the record makes { $type-a } of { $one } and { $two }
+    .label = this is the type of { $type-a }
+    .fix = { W340.fix }

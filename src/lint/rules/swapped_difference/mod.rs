@@ -1,13 +1,12 @@
-//! W340: a difference whose operands are in each other's place, or another operation that is a difference, by what
-//! comments say.
+//! W340: a difference whose operands are in each other's place, or another operation than the comments say.
 
 mod phrases;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use phrases::{SIGN, is_cut, is_hole, is_reverse, is_without};
+use phrases::{SIGN, is_cut, is_hole, is_reverse, is_taken_from, is_without, operation};
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::lint::Context;
 use crate::lint::operations::{Proof, Proven};
 use crate::scene::record::Params;
@@ -20,6 +19,8 @@ use crate::syntax::words::{self, plain};
 /// The cases of operations that are a difference by their comments.
 const UNION: &str = "union";
 const INTERSECTION: &str = "intersection";
+/// The case of an operation that its comment calls another one.
+const CALLED: &str = "called";
 /// Before a hole or what is taken away: that it is something else.
 const OF_ANOTHER: [&str; 16] = [
     "with", "having", "s", "in", "into", "v", "ve", "do", "for", "pro", "from", "od", "z", "ze",
@@ -36,19 +37,28 @@ const STEM: usize = 4;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let said = said(context);
-    out.extend(said.iter().map(|(p, _, case)| finding(p, case)));
+    out.extend(said.iter().map(|(p, _, meant)| finding(p, meant)));
 }
 
 /// The intersections of which W340 says that a difference is meant.
 pub(super) fn intersections(context: &Context) -> FxHashSet<NodeId> {
     let said = said(context).into_iter();
-    said.filter(|(_, _, case)| *case == INTERSECTION)
-        .map(|(_, node, _)| node)
-        .collect()
+    said.filter(|(p, _, meant)| {
+        let [own, difference] = [RecordKind::Intersection, RecordKind::Difference];
+        p.ty.kind == own && meant.ty.kind == difference
+    })
+    .map(|(_, node, _)| node)
+    .collect()
 }
 
-/// The operations that comments say otherwise, with the case of each.
-fn said<'c>(context: &'c Context) -> Vec<(Params<'c>, NodeId, &'static str)> {
+/// What comments say of an operation: the case of the finding, and the type that is meant.
+struct Meant {
+    case: &'static str,
+    ty: &'static RecordType,
+}
+
+/// The operations that comments say otherwise, with what they say of each.
+fn said<'c>(context: &'c Context) -> Vec<(Params<'c>, NodeId, Meant)> {
     let mut out = Vec::new();
     if !context.document.contents.comments {
         return out;
@@ -92,14 +102,30 @@ fn said<'c>(context: &'c Context) -> Vec<(Params<'c>, NodeId, &'static str)> {
         };
         let operands = [(0, a), (1, b)].map(|(i, n)| operand(context, &comments, p.integer(i), n));
         let [one, two] = &operands;
+        let difference = RecordType::of(RecordKind::Difference);
         if let Some(case) = otherwise {
             let of = |comment: &'c str| comment.split([',', ';', '.', ':', '(', ')']);
-            let is_own = |said: &str| is_without(&split(said), one, two);
+            let is_own = |said: &str| {
+                let said = split_all(said, [one.id, two.id]);
+                is_without(&said, one, two) || is_taken_from(&said, one, two)
+            };
             let is_said = p.comments().flat_map(of).any(is_own);
             // A ∩ −B is A − B.
             if is_said && !operands.iter().any(|o| o.is_complement) {
-                out.push((p, node, case));
+                let ty = difference;
+                out.push((p, node, Meant { case, ty }));
+                continue;
             }
+        }
+        let called = p.comments().find_map(|said| operation(&split(said)));
+        if let Some(ty) = called.filter(|ty| ty.code != p.ty.code)
+            && !operands.iter().any(|o| o.is_complement)
+        {
+            let case = CALLED;
+            out.push((p, node, Meant { case, ty }));
+            continue;
+        }
+        if otherwise.is_some() {
             continue;
         }
         let is_tool = tools.contains(&i64::from(p.id));
@@ -111,15 +137,16 @@ fn said<'c>(context: &'c Context) -> Vec<(Params<'c>, NodeId, &'static str)> {
             true => "taken",
             false => continue,
         };
-        out.push((p, node, case));
+        let ty = difference;
+        out.push((p, node, Meant { case, ty }));
     }
     out
 }
 
-fn finding(p: &Params, case: &'static str) -> Diagnostic {
+fn finding(p: &Params, meant: &Meant) -> Diagnostic {
     let [one, two] = [0, 1].map(|i| p.text_of(i).to_owned());
-    let is_difference = p.ty.kind == RecordKind::Difference;
-    let (span, number, edits) = match is_difference {
+    let is_same = p.ty.code == meant.ty.code;
+    let (span, number, edits) = match is_same {
         true => {
             let edits = [(0, &two), (1, &one)].map(|(i, text)| Edit {
                 span: p.span_of(i, 1),
@@ -128,7 +155,7 @@ fn finding(p: &Params, case: &'static str) -> Diagnostic {
             (p.span_of(0, 2), format!("{two} {one}"), edits.into())
         }
         false => {
-            let text = RecordType::of(RecordKind::Difference).code.to_string();
+            let text = meant.ty.code.to_string();
             let span = p.type_span();
             (span, text.clone(), vec![Edit { span, text }])
         }
@@ -140,8 +167,10 @@ fn finding(p: &Params, case: &'static str) -> Diagnostic {
         edits,
     };
     Diagnostic::new(Code::W340, span)
-        .case(case)
+        .case(meant.case)
         .with("id", p.id.to_string())
+        .with("type", Value::Term(p.ty.title))
+        .with("said", Value::Term(meant.ty.title))
         .with("one", one)
         .with("two", two)
         .fix(fix)

@@ -1,6 +1,7 @@
 //! How comments say which of two operands is taken from the other one.
 
 use super::{Operand, begins};
+use crate::syntax::table::{RecordKind, RecordType};
 use crate::syntax::words::{self, HOLE};
 
 /// The sign of a subtraction among the words of a comment.
@@ -35,6 +36,8 @@ const DONE: [&str; 9] = [
 const AWAY: [&str; 4] = ["away", "out", "off", "from"];
 /// Beginnings of words for a difference, without accents; the first thing behind it is what remains.
 const DIFFERENCE: [&str; 2] = ["difference", "rozdil"];
+/// Words before the name of an operation.
+const ARTICLES: [&str; 4] = ["the", "a", "an", "csg"];
 /// So many words are between a name and what is said of it at most.
 const MAX_WORDS_BETWEEN: usize = 3;
 
@@ -139,9 +142,26 @@ pub(super) fn is_without(said: &[String], whole: &Operand, taken: &Operand) -> b
         })
 }
 
+/// The operation that a comment begins with, as `difference` or `the union of the legs`, if it names no other one.
+pub(super) fn operation(said: &[String]) -> Option<&'static RecordType> {
+    const ALL: [RecordKind; 3] = [
+        RecordKind::Union,
+        RecordKind::Intersection,
+        RecordKind::Difference,
+    ];
+    let named = |w: &String| {
+        let types = words::named(w).into_iter();
+        types.into_iter().find(|ty| ALL.contains(&ty.kind))
+    };
+    let behind = usize::from(ARTICLES.contains(&said.first()?.as_str()));
+    let first = named(said.get(behind)?)?;
+    let mut others = said[behind + 1..].iter().filter_map(named);
+    others.next().is_none().then_some(first)
+}
+
 /// Whether a comment that names nothing but two operands says that one is taken from the other, or calls them a
 /// difference in that order.
-fn is_taken_from(said: &[String], whole: &Operand, taken: &Operand) -> bool {
+pub(super) fn is_taken_from(said: &[String], whole: &Operand, taken: &Operand) -> bool {
     let is = |o: &Operand, other: &Operand, w: &str| o.is_called(w) && !other.is_called(w);
     let is_whole = |w: &String| is(whole, taken, w);
     let is_taken = |w: &String| is(taken, whole, w);
