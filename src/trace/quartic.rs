@@ -49,10 +49,10 @@ impl<R: Real> Quartic<R> {
         (p.mul_add(t, d), q.mul_add(t, p))
     }
 
-    /// Visits points from `from` to `to`, both included, between any two of which the quartic is monotone
-    /// and its curvature keeps its sign, as far as rounding tells: ascending, until the visitor breaks off.
-    /// Where it hides a pair of stationary points, they are so close to each other and to one of these points
-    /// that the slope between is as small as its own rounding error.
+    /// Divides the interval from `from` to `to` into pieces on which the quartic is monotone and its curvature keeps
+    /// its sign, as far as rounding tells. Visits the ends of the pieces, ascending, from `from` to `to`, until the
+    /// visitor breaks off. If rounding hides a pair of stationary points, they are so close to each other and to a
+    /// visited point that the slope between is as small as its own rounding error.
     ///
     /// # Inputs
     /// `from < to`, both finite. Whatever the coefficients, the points are numbers in between.
@@ -68,7 +68,7 @@ impl<R: Real> Quartic<R> {
         }
         let [first, second] = quadratic(three * slope[0], two * slope[1], slope[2]);
         for bend in [first, second, to] {
-            // Numbers that exceed all before them.
+            // Only a number beyond the last point divides the interval; a NaN fails the comparison.
             if !(bend > last && bend <= to) {
                 continue;
             }
@@ -91,8 +91,8 @@ impl<R: Real> Quartic<R> {
     }
 }
 
-/// The roots of at² + bt + c, ascending; one that is double, or is missed by rounding, twice or
-/// once. Where there is none, the place of the extremum, twice. Not finite where a vanishes.
+/// The roots of at² + bt + c, ascending. If the discriminant is not above 0, the place of the extremum, twice: near the
+/// roots if rounding has hidden them. At least one of the two is not finite if a vanishes.
 fn quadratic<R: Real>(a: R, b: R, c: R) -> [R; 2] {
     let b = -b * R::of(0.5);
     let discriminant = R::difference_of_products(b, b, a, c);
@@ -110,8 +110,9 @@ fn quadratic<R: Real>(a: R, b: R, c: R) -> [R; 2] {
     }
 }
 
-/// The root of a function that changes sign between the two ends of a bracket, to within the given
-/// precision; where it does not change sign, some number between them.
+/// The root of a function that changes sign between the two ends of a bracket, to within the given precision; if it
+/// does not change sign, some number between them. `f` returns the value and the slope; `rising` is whether the sign
+/// changes from below 0 to above.
 ///
 /// Newton's method from `start`; it bisects wherever a step would leave the bracket or exceeds half
 /// of the one before, so that every step halves either the steps or the bracket.

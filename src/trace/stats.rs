@@ -50,7 +50,7 @@ work! {
     reflection,
     /// Rays that go on through a surface.
     refraction,
-    /// Rays that go on in some of the channels, since these part.
+    /// Rays that go on in some of the colour channels only, since dispersion parts the channels.
     channel_split,
     /// Surface coordinates for a texture.
     uv,
@@ -68,7 +68,7 @@ work! {
     csg_merge,
     /// Rays cut to the region that is drawn.
     clip,
-    /// Surfaces with different refractive indices before and behind that light was let into.
+    /// Times that light was to pass a surface with different refractive indices before and behind it.
     medium_change,
 }
 
@@ -78,8 +78,8 @@ pub struct Counts {
     pub rays: Rays,
     pub intersections: Intersections,
     pub work: Work,
-    /// Rays about which something was closer than rounding errors: in doubles, those that were
-    /// traced again in double-double.
+    /// Rays with a decision that was closer than its rounding errors. In doubles, these rays were traced again in
+    /// double-double.
     pub uncertain: u64,
     /// Pixels that the quick kernel has drawn alone.
     pub quick: u64,
@@ -125,7 +125,7 @@ impl AddAssign for Counts {
     }
 }
 
-/// Samples per pixel.
+/// The least and the most samples of a pixel, and the sum over all pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Samples {
     pub min: u32,
