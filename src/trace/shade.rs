@@ -203,8 +203,9 @@ impl<'t, R: Precision> Shader<'t, R> {
         let mut light = self.ambient;
         for &Light { position, power } in self.lights {
             let way = position.cast() - hit.point;
-            // The unit vector to a light is needed only if the light is seen. Whether the light is behind the surface
-            // is the sign of `lean`, which is that of the cosine unless `lean` is small beside the length of the way.
+            // The unit vector to a light is needed only if the light is seen. The sign of `lean` tells whether the
+            // light is behind the surface: it is the sign of the cosine, unless `lean` is small beside the length of
+            // the way.
             let lean = normal.dot(way);
             let length = way.abs().max_component();
             let sure = length * R::ROUNDOFF.sqrt() + R::ROUNDOFF.square().square();
