@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The scene and the settings that a picture was drawn with, as hashes, and the rows of it that the file has.
+/// The statement of a picture file about its origin: hashes of the scene and the settings, and the rows of the picture
+/// that the file has.
 ///
 /// The origin is JSON: in a PNG as the text `zpg`, in an EXR as the attribute `zpg`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]

@@ -58,8 +58,8 @@ impl Graph {
         points.iter().any(|&point| self.lies_in(point, most))
     }
 
-    /// The points that are tried: the centre of the scene, that of the object in it which has the most objects below
-    /// it, and so on down.
+    /// The points that are tried: the centre of the scene, then the centre of its largest object, and so on down. The
+    /// largest object has the most objects below it.
     fn likely_points(&self) -> Vec<Vec3> {
         let mut sizes = Vec::with_capacity(self.objects.len());
         for object in 0..self.objects.len() as u32 {

@@ -83,7 +83,7 @@ static STARTS: LazyLock<Vec<u8>> = LazyLock::new(|| {
     (0..=last).map(start).collect()
 });
 
-/// The sRGB transfer function (IEC 61966-2-1), to 8 bits, with what is out of range clipped.
+/// The sRGB transfer function (IEC 61966-2-1), to 8 bits; numbers out of range are clipped.
 pub fn srgb8(linear: f32) -> u8 {
     // A NaN fails the comparison and becomes black.
     let in_range = if linear > 0.0 { linear.min(1.0) } else { 0.0 };
@@ -200,7 +200,7 @@ impl Film {
         self.pixels.chunks_exact(self.width.max(1) as usize)
     }
 
-    /// Two pictures of one size: this one on the left, the other on the right.
+    /// This picture on the left and another of the same size on its right.
     pub fn beside(&self, right: &Film) -> Film {
         let width = self.width.max(1) as usize;
         let rows = self.pixels.chunks(width).zip(right.pixels.chunks(width));

@@ -42,7 +42,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// The part without its IDs: equal for parts that cannot be told apart in a picture.
+    /// The part without its IDs. It is equal for parts that cannot be told apart in a picture.
     pub fn unnamed(self) -> Part {
         Part {
             shape: 0,
@@ -151,7 +151,7 @@ pub struct Graph {
     pub root: u32,
     /// The limit on the memory that a ray may take to enter objects.
     pub room: MemoryLimit,
-    /// The effects that are switched off, to measure what they cost.
+    /// The effects that are switched off, to measure their costs.
     pub without: Without,
     /// A solver that finds crossings in doubles in place of the shapes' own code, for comparisons.
     pub solver: Option<Box<dyn Solver>>,

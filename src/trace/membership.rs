@@ -40,8 +40,7 @@ pub struct Membership {
 ///
 /// # Errors
 ///
-/// Names a shape that the tracer does not know, a transformation that takes the point out of range,
-/// or says that too many occurrences would have to be asked.
+/// A transformation has no inverse or takes the point out of range, or too many occurrences would have to be asked.
 pub fn members(scene: &Scene, root: NodeId, point: Vec3) -> Result<Membership, Error> {
     let mut walk = Walk {
         scene,
@@ -109,7 +108,7 @@ type Question = (NodeId, u32, [u64; 3]);
 
 enum Task {
     Ask(NodeId, Vec3),
-    /// Puts the answers of the operands of an operation together.
+    /// Computes the answer of an operation from the answers of its operands.
     Combine {
         core: NodeId,
         id: u32,

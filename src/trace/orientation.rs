@@ -1,4 +1,4 @@
-//! How a camera was held: JPEG files say it in their Exif data.
+//! The orientation in which a camera was held, by the Exif data of a JPEG file.
 
 use exif::{In, Reader, Tag};
 

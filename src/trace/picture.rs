@@ -133,7 +133,7 @@ impl Default for Settings {
     }
 }
 
-/// A film and what it has cost.
+/// A film and the counts of the work for it.
 pub struct Picture {
     /// The pixels.
     pub film: Film,
@@ -141,7 +141,7 @@ pub struct Picture {
     pub samples: Samples,
     /// The intersection tests of each pixel.
     pub costs: CostMap,
-    /// For each pixel, row by row, whether light it shows was totally reflected.
+    /// For each pixel, row by row, whether it shows light that was totally reflected.
     pub total_reflection: Vec<bool>,
     /// For each row, whether it was drawn to its end before the picture was stopped.
     pub finished: Vec<bool>,

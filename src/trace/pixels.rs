@@ -1,4 +1,4 @@
-//! Pixels one by one, with colours in doubles, to measure what a picture costs and how good it is.
+//! Pixels one by one, with colours in doubles, to measure the cost and the quality of a picture.
 //!
 //! Together with the [`switches`](super::switches) this is all that [`study`](crate::study) uses of the tracer besides
 //! pictures and probes.
@@ -22,7 +22,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 pub struct VisibleObject {
     /// ID of the entity whose properties apply.
     pub object: u32,
-    /// The distance along the ray: the sum of a double and, in double-double, of what is left of the number; else 0.
+    /// The distance along the ray as a sum of two doubles: the second one is 0 unless the ray was traced in
+    /// double-double.
     pub t: (f64, f64),
 }
 
@@ -109,7 +110,7 @@ impl Tracer {
 
 struct Single<'d, 't, R: Precision> {
     pen: Pen<'d, 't, R>,
-    /// Walkers for questions that are not to be counted.
+    /// Walkers for questions whose work is not counted.
     walkers: Walkers<'t, R>,
     tolerance: f64,
     size: [u32; 2],

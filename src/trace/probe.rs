@@ -56,8 +56,8 @@ impl<R: Precision> Probe<R> {
 }
 
 impl<R: Precision> Probe<R> {
-    /// The crossings of what two rays have in common that run side by side, closer than doubles can tell: a place is
-    /// inside if it is inside on both. Stretches that are no longer than `least`, in t, are left out.
+    /// Combines the probes of two rays that run side by side, closer than doubles can tell: the result is inside where
+    /// both are. Stretches that are no longer than `least`, in t, are left out.
     pub(super) fn common(self, other: Probe<R>, least: R) -> Probe<R> {
         let mut inside = [self.inside_at_origin, other.inside_at_origin];
         let mut rest = [self.crossings, other.crossings].map(|c| c.into_iter().peekable());

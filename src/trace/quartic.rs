@@ -1,10 +1,9 @@
 //! Quartics on an interval, by the cascade of their derivatives.
 //!
-//! Between two neighbouring roots of its derivative a polynomial is monotone, so that the roots of
-//! each derivative bracket those of the next one up; a bracket is closed by Newton's method, kept
-//! in it by bisection (Yuksel, "High-Performance Polynomial Root Finding for Graphics", Proc. ACM
-//! Comput. Graph. Interact. Tech. 5(3), 2022; the safeguard is that of Press et al., Numerical
-//! Recipes, section 9.4).
+//! A polynomial is monotone between two neighbouring roots of its derivative, so these bracket its own roots. The
+//! cascade goes up by one degree at a time. Newton's method finds the root in a bracket, and bisection keeps it inside
+//! (Yuksel, "High-Performance Polynomial Root Finding for Graphics", Proc. ACM Comput. Graph. Interact. Tech. 5(3),
+//! 2022; the safeguard is that of Press et al., Numerical Recipes, section 9.4).
 
 use crate::geometry::number::Real;
 use std::ops::ControlFlow;
@@ -17,7 +16,7 @@ pub(super) struct Quartic<R> {
 }
 
 impl<R: Real> Quartic<R> {
-    /// The value and the slope.
+    /// The value and the slope at t.
     #[inline]
     pub(super) fn at(&self, t: R) -> (R, R) {
         let [a, b, c, d, e] = self.c;
@@ -31,7 +30,7 @@ impl<R: Real> Quartic<R> {
         (p.mul_add(t, e), q)
     }
 
-    /// The first three derivatives.
+    /// The first three derivatives at t.
     pub(super) fn derivatives(&self, t: R) -> [R; 3] {
         let [a, b, c, ..] = self.c;
         let (two, three, four) = (R::of(2.0), R::of(3.0), R::of(4.0));
@@ -39,7 +38,7 @@ impl<R: Real> Quartic<R> {
         [first, second, R::of(6.0) * (four * a * t + b)]
     }
 
-    /// The slope and the slope's slope.
+    /// The slope at t and its derivative. `[a, b, c]` are 4c₄, 3c₃ and 2c₂.
     #[inline]
     fn slope_at(&self, [a, b, c]: [R; 3], t: R) -> (R, R) {
         let d = self.c[3];

@@ -1,4 +1,4 @@
-//! Switches that take parts of a tracer out, or replace them, to measure what the parts cost and bring.
+//! Switches that take parts of a tracer out, or replace them, to measure their costs and benefits.
 
 use super::shapes::Roots;
 use crate::geometry::line::Line;

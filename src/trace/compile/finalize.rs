@@ -287,7 +287,7 @@ impl Compiler<'_> {
         self.graph.parts.extend(first);
         let end = self.graph.parts.len() as u32;
         if start == end && cuts.is_empty() {
-            // All of space has a medium, too: that of the part behind `first`, which is therefore added.
+            // All of space has a medium, too: it is taken from the part behind `first`, so one is added.
             self.graph.parts.push(Part {
                 target: Target::Shape(0),
                 placement: 0,
@@ -403,7 +403,7 @@ fn plain(object: u32) -> Part {
     }
 }
 
-/// Parts by their numbers: those with bounds in a tree, the others beside it.
+/// A group of parts, given by their indices and bounds: parts with bounds are in its tree, the others in its list.
 fn tree(parts: Vec<(u32, Aabb)>, frame: &Frame) -> Group {
     let (boxes, loose): (Vec<_>, Vec<_>) = parts.into_iter().partition(|(_, b)| b.is_bounded());
     Group {

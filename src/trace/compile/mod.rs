@@ -1,15 +1,15 @@
 //! Compilation of the resolved scene into the [`Graph`] that the tracer walks.
 //!
-//! Three passes, none of them recursive: count how often each reachable node is used; cut the
-//! scene into objects, each a flattened chain of one operation, where a node that is used more than
-//! once becomes an object of its own; finish the objects, operands first, with bounds and trees.
+//! There are three passes, none of them recursive. The first counts how often each reachable node is used. The second
+//! cuts the scene into objects, each a flattened chain of one operation; a node that is used more than once becomes an
+//! object of its own. The third finishes the objects, operands first, with bounds and trees.
 //!
 //! Complements are driven inwards by De Morgan's laws, so −(−A ∪ −B) and A ∩ B become the same
 //! graph; −(A − B) is −A ∪ B. An operand that occurs twice in a union or intersection counts once.
 //! (A ∪ B) − C is A ∪ (B − C) where C does not reach A: see [`union_members`].
 //!
-//! Parts know the IDs of what they come from. A copy owns what the copied entity itself owned: its surface if it is a
-//! shape, and its properties. It does not own the operands, which are entities of their own.
+//! Parts know the IDs of the entities that they come from. A copy owns what the copied entity itself owned: its surface
+//! if it is a shape, and its properties. It does not own the operands, which are entities of their own.
 
 mod finalize;
 mod intern;
@@ -50,8 +50,8 @@ pub(super) fn compile(
     compiler.finish_all()
 }
 
-/// The error about a record that asks for something that cannot be drawn. `what` is a message of the catalogues, `id`
-/// the entity of the record, 0 where there is none.
+/// The error about a record that asks for something that cannot be drawn. `what` is the name of a message in the
+/// catalogues; `id` is the entity of the record, 0 if there is none.
 pub(in crate::trace) fn cannot_draw(what: &'static str, span: Span, id: u32) -> Error {
     let what = Complaint::new(what);
     Error::at(
@@ -218,7 +218,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// The operation a resolved place stands for once its complement is driven inwards.
+    /// The operation that a resolved place stands for after its complement is driven inwards.
     fn kind(&self, place: &PlacedNode) -> Kind {
         match (self.scene.nodes[place.node as usize], place.negated) {
             (Node::Intersection(..) | Node::Difference(..), true) => Kind::Union,
@@ -356,7 +356,8 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// A − B − C is A − (B ∪ C): goes down the left side, collecting what is taken away.
+    /// Collects the operands of a chain of differences: A − B − C is A − (B ∪ C). Goes down the left side and collects
+    /// the operands that are taken away.
     fn draft_difference(&mut self, object: u32, top: PlacedNode) -> Result<(), Error> {
         let mut taken = Vec::new();
         let mut place = top;

@@ -1,4 +1,5 @@
-//! Distribution of differences: a solid taken away from a union is taken away from those of its parts that it reaches.
+//! Distribution of differences: a solid that is taken away from a union is taken away only from the parts that it
+//! reaches.
 //!
 //! A workpiece is often a long chain of unions and differences, nested in one another, although most of the tools and
 //! parts have nothing to do with each other. Here each tool goes to the parts that it reaches. The chain becomes one

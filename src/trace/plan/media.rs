@@ -7,10 +7,10 @@ use crate::solids::bounds;
 
 /// An upper bound on the number of transparent solids that hold one point.
 ///
-/// A union counts the larger of its operands where their boxes lie apart, else both; an intersection and a difference
-/// count their first operand, to which their points belong. Where the scene has complements, which turn these
-/// operations into one another, every operation counts both. Each node keeps two numbers: one with its own optics, and
-/// one as if all of it were transparent, since a paint above may make it transparent.
+/// A union counts the larger of its operands if their boxes lie apart, else the sum of both. An intersection and a
+/// difference count their first operand, to which their points belong. Complements turn these operations into each
+/// other, so in a scene with complements every operation counts the sum. Each node keeps two numbers: one with its own
+/// optics, and one as if all of it were transparent, since a paint above may make it transparent.
 pub(super) fn depth(scene: &Scene, root: NodeId, complements: bool, left_out: &LeftOut) -> u32 {
     let boxes = match complements {
         false => bounds::node_bounds(scene),

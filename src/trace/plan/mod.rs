@@ -71,7 +71,7 @@ pub struct Decision {
 pub struct Plan {
     /// All effects, in their order.
     pub effects: Vec<Decision>,
-    /// IDs of the objects that are not part of what is drawn, ascending.
+    /// IDs of the objects that are not drawn, ascending.
     pub unreached: Vec<u32>,
     /// Parts of the drawn scene that no ray can see, and that therefore call for no effect.
     pub unseen: Vec<Unseen>,
@@ -117,8 +117,8 @@ const UNLIT: &str = "draws a scene without any light, so automatic lights shine"
 const AT_ONCE: Range<usize> = 1 << 10..1 << 17;
 
 impl Plan {
-    /// The plan for all that is drawn, whether a picture shows it or not: for questions about single rays, which may
-    /// start anywhere. `None` where there is no render record.
+    /// The plan for all parts of the drawn scene, whether a picture shows them or not: for questions about single rays,
+    /// which may start anywhere. `None` if there is no render record.
     pub fn new(scene: &Scene) -> Option<Plan> {
         Plan::of(scene, UnseenParts::all)
     }
@@ -178,7 +178,7 @@ impl Plan {
         let glass = reach.glass.some();
         // A lone convex shape throws shadows on its own inside, which is lit if the shape lets light in or is cut open.
         let shadows = diffuse && (!plan.lone_convex || glass || clipped);
-        // Total reflection needs an index somewhere that is not that of the space outside.
+        // Total reflection needs a refractive index that differs from the index of the space outside.
         let total = glass && reach.bent.some();
         let cameras: Vec<_> = scene.chosen_cameras().collect();
         let projecting = cameras.iter().filter(|c| c.projection.is_some());
@@ -325,8 +325,8 @@ impl Plan {
         }
     }
 
-    /// Lists the objects that are not reached, and finds out which entities made the operations
-    /// that reasons name.
+    /// Notes the objects that are not reached. Returns the entity's ID for each operation that a reason may name, by
+    /// the operation's node.
     fn owners(&mut self, scene: &Scene, reach: &VisibleAspects) -> FxHashMap<NodeId, u32> {
         let mut owners = FxHashMap::default();
         for entity in &scene.entities {
@@ -343,7 +343,7 @@ impl Plan {
     }
 }
 
-/// The node that the defining record of an entity made: the node below those of all later changes.
+/// The node that the defining record of an entity made, below the nodes of all later changes.
 fn base(scene: &Scene, id: u32, node: NodeId) -> NodeId {
     let is_own = |n: Node| match n {
         Node::Transform { .. } => true,

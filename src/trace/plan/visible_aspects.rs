@@ -66,11 +66,11 @@ fn map(ways: PathStates, f: impl Fn(PathState) -> PathState) -> PathStates {
 /// How much of the texture that a paint gives is visible.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Showing {
-    /// The painted object is not part of what is drawn.
+    /// The painted object is not drawn.
     Absent,
     /// The painted object is only taken away from something else.
     Removed,
-    /// Other paints cover it everywhere.
+    /// Other paints cover the texture everywhere.
     Covered,
     /// No object with the texture is diffuse.
     Dark,
@@ -87,7 +87,7 @@ pub struct VisibleAspects {
     pub glass: Sources,
     /// Refractive indices of solids that differ between channels.
     pub uneven: Sources,
-    /// Refractive indices of solids that are not that of the space outside.
+    /// Refractive indices of solids that differ from the index of the space outside.
     pub bent: Sources,
     pub image: Sources,
     pub solid_texture: Sources,
@@ -132,7 +132,7 @@ impl VisibleAspects {
         reach
     }
 
-    /// Whether a node is part of what is drawn, if only as a tool.
+    /// Whether a node takes part in the drawn scene, if only as a tool.
     pub fn reaches(&self, node: NodeId) -> bool {
         self.ways.get(node as usize).is_some_and(|&w| w != 0)
     }

@@ -19,7 +19,7 @@ pub struct Painted {
     pub context: u32,
 }
 
-/// An object entered on the way down from the root, with everything above it folded in.
+/// An object entered on the way down from the root, with the placements and properties above it.
 #[derive(Debug, Clone, Copy)]
 pub struct Context<R: Traced = f64> {
     pub object: u32,

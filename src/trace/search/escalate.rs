@@ -36,7 +36,7 @@ trait Question {
         ray: &Ray<R>,
     ) -> Self::Answer<R>;
 
-    /// An answer in another kind of number.
+    /// Turns an answer in double-double into the kind of number that was asked for.
     fn cast<R: Precision>(answer: Self::Answer<Dd>) -> Self::Answer<R>;
 
     /// The answer about the places that both of two rays are in, from the answers about each. Stretches no longer than
@@ -59,7 +59,7 @@ impl<'t, R: Precision> Walkers<'t, R> {
         &mut self.walker
     }
 
-    /// Forgets what was counted.
+    /// Sets all counts to 0.
     pub fn reset(&mut self) {
         self.uncertain = 0;
         (self.walker.counts, self.walker.work) = Default::default();
@@ -107,14 +107,14 @@ impl<'t, R: Precision> Walkers<'t, R> {
         answer
     }
 
-    /// Asks in numbers that are final.
+    /// Asks the walker of R, whose numbers are final.
     fn ask_finally<Q: Question>(&mut self, question: &Q, ray: &Ray<R>) -> Q::Answer<R> {
         let answer = settled(question, self.tracer, &mut self.walker, ray);
         self.uncertain += u64::from(self.walker.status.uncertain);
         answer
     }
 
-    /// Asks in finer numbers, which are final.
+    /// Asks the walker in double-double, whose numbers are final.
     #[cold]
     #[inline(never)]
     fn ask_finer<Q: Question>(&mut self, question: &Q, ray: &Ray<R>) -> Q::Answer<R> {
@@ -127,8 +127,8 @@ impl<'t, R: Precision> Walkers<'t, R> {
 }
 
 /// The final answer. If the ray lies in a flat face, four rays beside it are asked, one in each quarter around an edge.
-/// What they have in common is the answer: a line in a surface does not cross it, and between two boxes face to face is
-/// no gap.
+/// The places that are in all four are the answer: a line in a surface does not cross it, and between two boxes face to
+/// face is no gap.
 fn settled<Q: Question, R: Precision>(
     question: &Q,
     tracer: &Tracer,
@@ -141,7 +141,8 @@ fn settled<Q: Question, R: Precision>(
     };
     // The distance is far above the rounding errors of double-double, and far below what doubles can tell apart.
     let by = along.reach * R::ROUNDOFF.sqrt().to_f64() * FACE_OFFSET;
-    // The step aside is a little shorter than the normal. So no shift is at 45° to the face, where another face may be.
+    // The step aside is a little shorter than the normal, so that no shift is at 45° to the face, where another face
+    // may be.
     let aside = along.normal.cross(ray.line.direction.cast().unit()).unit() * 0.9;
     let shifts = [along.normal + aside, along.normal - aside];
     let mut answers = shifts
@@ -243,7 +244,7 @@ impl<R: Precision> Walkers<'_, R> {
     }
 }
 
-/// The question for what is seen first.
+/// The question for the hit that a ray sees first.
 struct FirstHit<const GLASS: bool>;
 
 impl<const GLASS: bool> Question for FirstHit<GLASS> {
@@ -272,7 +273,7 @@ impl<const GLASS: bool> Question for FirstHit<GLASS> {
     }
 }
 
-/// The question for what is behind the sheets that are seen first.
+/// The question for the first boundary of a solid behind all sheets.
 struct FaceBehindSheet;
 
 impl Question for FaceBehindSheet {
@@ -359,10 +360,10 @@ impl<const GLASS: bool> Question for Visibility<GLASS> {
     type Answer<R: Precision> = Vec3;
 
     /// A ray that starts outside and crosses something opaque before anything transparent is blocked: the first thing
-    /// it meets is a boundary of the scene, and opaque. Which of the opaque things that is does not matter, so the
-    /// search stops at the first one found. If it crosses nothing opaque, only parts that hold something transparent
-    /// can change its light, and spans of those are enough. Only if something transparent comes before something opaque
-    /// does it matter what is inside of what.
+    /// it meets is a boundary of the scene, and opaque. It does not matter which opaque thing the ray meets first, so
+    /// the search stops at the first one that it finds. If it crosses nothing opaque, only parts that hold something
+    /// transparent can change its light, and spans of those are enough. Only if something transparent comes before
+    /// something opaque does it matter what is inside of what.
     fn ask<R: Precision>(&self, tracer: &Tracer, walker: &mut Walker<R>, ray: &Ray<R>) -> Vec3 {
         walker.work.clip += u64::from(tracer.clip.is_some());
         let Some((from, to)) = tracer.window(ray, R::of(1.0 - R::AT_LAMP)) else {

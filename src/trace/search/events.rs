@@ -9,7 +9,7 @@ use crate::trace::shapes::Root;
 pub struct RayPoint<R> {
     pub leaf: Leaf,
     pub root: Root<R>,
-    /// A rough bound on the error of its t; see [`Walker::rough`](super::walk::Walker::rough).
+    /// A rough bound on the error of the root's t; see [`Walker::rough`](super::walk::Walker::rough).
     pub error: R,
 }
 
@@ -38,7 +38,7 @@ pub struct Medium {
     pub index: u32,
 }
 
-/// The owner of a point: the part, and what makes its medium.
+/// The owner of a point: the part that the point belongs to, and the part's medium.
 #[derive(Debug, Clone, Copy)]
 pub struct Owner {
     pub leaf: Leaf,

@@ -77,7 +77,7 @@ impl<R: Precision> Hit<R> {
         }
     }
 
-    /// The hit in another kind of number; the skin grows by what rounding moves the point.
+    /// The hit in another kind of number. The skin grows by the distance that rounding may move the point.
     pub fn cast<S: Precision>(&self) -> Hit<S> {
         let (point, normal): (Vec3<S>, Vec3<S>) = (self.point.cast(), self.normal.cast());
         let skin = S::of_parts(self.skin.parts());
@@ -118,7 +118,7 @@ pub fn beside<R: Precision>(shading: Vec3<R>, normal: Vec3<R>) -> Vec3<R> {
     }
 }
 
-/// The number of the refractive index in a state; 0 outside.
+/// The index into the graph's refractive indices in a state; 0 outside of solids.
 fn index_in(state: State) -> u32 {
     match state.inside {
         true => state.owner.medium.index,

@@ -92,12 +92,12 @@ pub(in crate::trace) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32
     }
 }
 
-/// How far lists are merged.
+/// The place up to which lists are merged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::trace) enum Until {
     End,
     /// The place of the first boundary or sheet. `before` and `after` in the scratch then have the states of all lists
-    /// on both sides of it.
+    /// on both sides of that place.
     FirstSeen,
 }
 
@@ -151,8 +151,8 @@ pub(in crate::trace) fn merge_union<R: Precision>(
             let mut group = group.clone();
             group.find(|e| e.0 == list && e.1.kind != Kind::Sheet)
         };
-        // Of the owners before and behind the boundary, it belongs to the one whose surface lies here. If both have a
-        // surface here, it belongs to the first operand, which owns the points of its surface.
+        // The boundary belongs to the owner before or behind it whose surface lies here. If the surfaces of both lie
+        // here, it belongs to the first operand of the two, which owns the points of its surface.
         let by_rank = match (before_holder, then) {
             (Some(a), Some(b)) if rank(b) < rank(a) => [then, before_holder],
             _ => [before_holder, then],
@@ -246,8 +246,8 @@ pub(in crate::trace) fn join_intersection<R: Precision>(
             event.kind != Kind::Sheet && scratch.before[list].inside != scratch.after[list].inside
         };
         if before.inside != after.inside {
-            // A face of an operand goes before one made by a cut at the same place, and that of an
-            // earlier operand before that of a later one, whatever their t were rounded to.
+            // In one place, a face of an operand goes before a face made by a cut, and a face of an earlier operand
+            // before one of a later operand, whatever their t were rounded to.
             let rank = |list: usize| (list >= first, lists[base + list].part);
             let face = group.filter(turned);
             if let Some((list, &event)) = face.min_by_key(|e| rank(e.0)) {

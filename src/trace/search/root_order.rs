@@ -30,7 +30,8 @@ fn coarser<R: Precision>() -> R {
 }
 
 impl<R: Precision> Scale<R> {
-    /// The size of the line's origin and that of the shape, and the greatest component of the direction.
+    /// `reach` is the size of the line's origin and of the shape, `pace` the greatest component of the line's
+    /// direction. `extent` is the size of the shape.
     pub fn new(line: &Line<R>, extent: f64) -> Scale<R> {
         let greater = |a: R, b: R| if a > b { a } else { b };
         let largest = |v: Vec3<R>| {
@@ -70,7 +71,7 @@ pub fn rough<R: Precision>(
 }
 
 impl<R: Precision> Walker<'_, R> {
-    /// The numbers that a leaf's crossings are computed from, besides t.
+    /// The sizes of the numbers, besides t, that the crossings of a line with a shape are computed from.
     pub(in crate::trace) fn scale(&self, line: &Line<R>, primitive: u32) -> Scale<R> {
         Scale::new(line, self.graph.extents[primitive as usize])
     }
@@ -175,7 +176,7 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    /// How many of a leaf's crossings lie before the ray's start, which is at `from`.
+    /// The number of a leaf's crossings that lie before the ray's start, which is at `from`.
     pub(in crate::trace) fn behind(
         &mut self,
         ray: &Ray<R>,

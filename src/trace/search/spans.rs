@@ -12,7 +12,7 @@ use crate::trace::graph::{Group, Operation, Target};
 use crate::trace::precision::Precision;
 use crate::trace::ray::Ray;
 
-/// The boundary of the scene's union that a ray sees first.
+/// The boundary or sheet of the scene's union that a ray sees first.
 pub(super) struct FirstBoundary<R> {
     pub event: Event<R>,
     /// The states before and behind the boundary.
@@ -242,7 +242,7 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    /// Puts all parts of a group that the ray may meet in [from, to] on the stack.
+    /// Puts a task for each part of a group that the ray may meet in [from, to] on the stack.
     pub(in crate::trace) fn gather(&mut self, context: u32, group: &Group, from: R, to: R) {
         let task = |&part: &u32| Task::Part { part, context };
         self.spans.tasks.extend(group.loose.iter().map(task));
@@ -338,7 +338,7 @@ impl<R: Precision> Walker<'_, R> {
 }
 
 impl<R: Precision> Walker<'_, R> {
-    /// Puts the events of the lists from `base` on in order, and finds those in one place.
+    /// Puts the events of the lists from `base` on in order, and notes which events are in one place.
     fn sort(&mut self, base: usize) {
         self.spans.sort(base);
         for i in 1..self.spans.scratch.order.len() {

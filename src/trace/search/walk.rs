@@ -101,7 +101,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         }
     }
 
-    /// Forgets the last ray and begins with a new one. Context 0 is that of the root.
+    /// Forgets the last ray and begins with a new one. Context 0 is the context of the root.
     pub fn begin(&mut self, ray: &Ray<R>) {
         self.met = None;
         self.contexts.clear();
@@ -192,7 +192,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         )
     }
 
-    /// The texture of a part: the outermost one given.
+    /// The texture of a part: the outermost one that a paint gives it or an object above it.
     pub fn texture(&self, leaf: Leaf) -> Option<Painted> {
         let Leaf { part, context } = leaf;
         self.contexts[context as usize].texture.or_else(|| {
@@ -215,12 +215,12 @@ impl<'g, R: Precision> Walker<'g, R> {
         above.or(self.coat(self.part(leaf.part)).index)
     }
 
-    /// Number of the part's optics.
+    /// The index into the graph's optics for a part.
     pub fn optics(&self, leaf: Leaf) -> u32 {
         self.own_optics(leaf).unwrap_or(0)
     }
 
-    /// Number of the part's refractive index.
+    /// The index into the graph's refractive indices for a part.
     pub fn index(&self, leaf: Leaf) -> u32 {
         self.own_index(leaf).unwrap_or(0)
     }
@@ -230,8 +230,8 @@ impl<'g, R: Precision> Walker<'g, R> {
         self.part(leaf.part).shape
     }
 
-    /// ID of the entity whose properties a leaf has: the outermost one that was given any, or else
-    /// the shape itself.
+    /// ID of the entity whose properties a leaf has: the outermost entity that was given properties, or else the shape
+    /// itself.
     pub fn object_id(&self, leaf: Leaf) -> u32 {
         let part = self.part(leaf.part);
         let above = self.contexts[leaf.context as usize].owner;
@@ -278,9 +278,9 @@ impl<'g, R: Precision> Walker<'g, R> {
 
     /// Finds the crossings with a part that is the shape `primitive`, and puts them into `self.roots`. Returns how many
     /// of them lie before the ray's start, which is at `from`. If the ray starts on this surface, goes out of its solid
-    /// and cannot meet it again, no crossings are found, not even those before the start. With `ahead`, crossings
-    /// outside of that stretch may be missing. Returns `None` only if `ahead` is given, any crossing will do, and the
-    /// ray surely goes through the solid.
+    /// and cannot meet it again, no crossings are found, not even those before the start. With `ahead`, a stretch of t,
+    /// crossings outside of the stretch may be missing. Returns `None` only if `ahead` is given, any crossing will do,
+    /// and the ray surely goes through the solid.
     pub fn cross(
         &mut self,
         ray: &Ray<R>,

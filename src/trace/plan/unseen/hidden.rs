@@ -41,7 +41,7 @@ pub(super) struct Hidden<'a, F: Fn(&Member) -> bool> {
     starts: &'a Starts,
     /// Whether the region that is drawn cuts nothing off a part.
     whole: F,
-    /// The part that each part lies strictly inside, for those that do.
+    /// For each part that lies strictly inside of another, the index of that other part.
     holders: FxHashMap<u32, u32>,
     steps: usize,
     /// The share by which balls are taken to be smaller.

@@ -42,7 +42,7 @@ pub(super) struct Member {
 }
 
 impl Member {
-    /// The map from the coordinates below the member's transformations into those of the scene.
+    /// The map from the coordinates below the member's transformations into the coordinates of the scene.
     pub(super) fn matrix(&self) -> &Matrix {
         self.moved.as_deref().unwrap_or(&Matrix::IDENTITY)
     }
@@ -201,7 +201,7 @@ fn clear(scene: &Scene, root: NodeId) -> Vec<[bool; 2]> {
     })
 }
 
-/// The place of the definition of each ID.
+/// For each ID, the place in the text where its entity is defined.
 pub(super) fn definitions(scene: &Scene) -> FxHashMap<u32, Span> {
     scene.entities.iter().map(|e| (e.id, e.span)).collect()
 }

@@ -32,7 +32,7 @@ pub enum Why {
     Inside(Named),
 }
 
-/// A part of which nothing can be seen.
+/// A part that no ray can see anything of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Unseen {
     /// The operand node, with its transformations and properties.
@@ -82,7 +82,7 @@ impl LeftOut {
     }
 }
 
-/// The operands that no ray can see, and what is left to draw.
+/// The operands that no ray can see and that are left out, and whether the rest is cut open.
 #[derive(Debug, Default)]
 pub struct UnseenParts {
     /// The unseen operands in their order.

@@ -18,7 +18,7 @@ const MAX_PLANES: usize = 16;
 pub struct Screened {
     /// The operand node, with its transformations and properties.
     pub node: NodeId,
-    /// The place of the definition.
+    /// The place in the text where the part is defined.
     pub span: Span,
     pub plane: Named,
 }

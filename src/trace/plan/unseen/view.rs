@@ -20,7 +20,7 @@ use crate::solids::{Named, named_core};
 use crate::trace::camera::View;
 use crate::trace::shapes::{Primitive, Roots};
 
-/// The size of a picture, in pixels, where none is asked for.
+/// The usual size of a picture, width and height in pixels: the default where the user gives none.
 pub const USUAL: [u32; 2] = [640, 480];
 
 /// Distance from the picture's border, as a share of the picture, at which a thing is beside the picture: far more than
@@ -140,7 +140,7 @@ impl Field {
     }
 }
 
-/// The parts of what is drawn that a camera is asked to see.
+/// The parts of the drawn scene that a camera is tested for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parts {
     All,
@@ -429,7 +429,7 @@ fn around(point: &Vec3, part: &Member) -> f64 {
     CLEARANCE_REL * far(point).max(size)
 }
 
-/// A part that a point is in, or on the surface of.
+/// A part that holds a point or a place around it, or has the point on its surface.
 struct Met {
     solid: Named,
     /// Whether each of the [places around](places_around) the point is in the part; none is in a surface without
