@@ -1,7 +1,7 @@
-//! Pictures as PNG and OpenEXR, row by row, with what they say of themselves.
+//! Picture files in PNG and OpenEXR, row by row, with a statement of their origin.
 //!
-//! `render` and `join` write with the same [`write()`], so that a picture of parts has the bytes of one that was drawn
-//! at once. Neither writing nor [reading](read::Rows) holds more than a few rows.
+//! `render` and `join` write with the same [`write()`], so that a picture joined from parts has the same bytes as one
+//! that was drawn at once. Neither writing nor [reading](read::Rows) holds more than a few rows.
 
 mod origin;
 pub mod read;
@@ -45,7 +45,7 @@ pub enum Row {
 }
 
 impl Row {
-    /// 8-bit sRGB, three numbers a pixel.
+    /// The row in 8-bit sRGB, three numbers a pixel.
     fn into_srgb(self) -> Vec<u8> {
         match self {
             Row::Srgb(row) => row,

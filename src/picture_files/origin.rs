@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The scene and the settings that a picture was drawn with, as hashes, and the rows of it that the file has.
+/// The statement of a picture file about its origin: hashes of the scene and the settings, and the rows of the picture
+/// that the file has.
 ///
 /// The origin is JSON: in a PNG as the text `zpg`, in an EXR as the attribute `zpg`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -16,18 +17,19 @@ pub struct Origin {
     pub settings: String,
     /// Width and height of the whole picture in pixels.
     pub size: [u32; 2],
-    /// The rows that are drawn: the first one and how many, from the top, apart from each other.
+    /// The rows that the file has, in stretches: the first row and the number of rows of each. The stretches ascend
+    /// from the top and do not overlap.
     pub rows: Vec<[u32; 2]>,
-    /// Whether an interrupted run has left the picture.
+    /// Whether the file is what an interrupted run has left of the picture.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub unfinished: bool,
 }
 
 impl Origin {
-    /// The name of the text and of the attribute.
+    /// The name of the text in a PNG, and of the attribute in an EXR.
     pub const NAME: &'static str = "zpg";
 
-    /// The first row that the file has, and how many there are up to the last one.
+    /// The first row that the file has, and the number of rows from there to the last one.
     pub fn span(&self) -> [u32; 2] {
         let first = self.rows.first().map_or(0, |rows| rows[0]);
         let end = self.rows.last().map_or(0, |rows| rows[0] + rows[1]);
@@ -39,7 +41,7 @@ impl Origin {
         self.rows == [[0, self.size[1]]]
     }
 
-    /// Whether both belong to one picture.
+    /// Whether two files belong to one picture: their versions, scenes, settings and sizes are equal.
     pub fn is_of_one_picture(&self, other: &Origin) -> bool {
         self.size == other.size
             && self.version == other.version
@@ -48,11 +50,12 @@ impl Origin {
     }
 
     pub(super) fn to_text(&self) -> String {
-        // Strings and numbers always are JSON.
+        // Strings and numbers can always be written as JSON.
         serde_json::to_string(self).unwrap_or_default()
     }
 
-    /// `None` where this is no such text, or its rows are not within the picture, ascending and apart.
+    /// Reads an origin from JSON. `None` if the text is no origin, or if its rows do not ascend without overlap within
+    /// the picture.
     pub(super) fn from_text(text: &str) -> Option<Origin> {
         let origin: Origin = serde_json::from_str(text).ok()?;
         let mut end = Some(0);

@@ -11,7 +11,7 @@ use exr::meta::attribute::{AttributeValue, SampleType};
 use super::{Format, Origin, Row};
 use crate::diagnostics::Complaint;
 
-/// The most pixels of a row.
+/// The most pixels of a row that is read.
 const MAX_WIDTH: u32 = 1 << 24;
 
 /// A picture file whose rows are read one after the other.
@@ -26,9 +26,9 @@ enum Source {
     Png(Box<png::Reader<BufReader<File>>>),
     Exr {
         blocks: Box<SequentialBlockDecompressor<AllChunksReader<BufReader<File>>>>,
-        /// Rows of the last block, the next one at the end.
+        /// Rows of the last block that have not been returned, the next one at the end.
         rows: Vec<Row>,
-        /// Rows that have been taken from blocks.
+        /// The number of rows in all blocks that have been read.
         taken: usize,
     },
 }
@@ -37,7 +37,8 @@ enum Source {
 ///
 /// # Errors
 ///
-/// The file cannot be read, is no PNG or EXR, says nothing of its origin, or its size is another than it says.
+/// The file cannot be read, is no PNG or EXR, has no origin, or has another size or other channels than its origin
+/// promises.
 pub fn open(path: &Path) -> Result<Rows, Complaint> {
     let fail = |e: io::Error| unreadable(path, Complaint::from(&e));
     let mut file = BufReader::new(File::open(path).map_err(fail)?);
@@ -50,14 +51,14 @@ pub fn open(path: &Path) -> Result<Rows, Complaint> {
     opened.map_err(|fault| fault.complaint(path))
 }
 
-/// Whether a file is a picture of which some rows are missing.
+/// Whether a file is a picture drawn by zpg in which some rows are missing.
 pub fn is_part(path: &Path) -> bool {
     open(path).is_ok_and(|rows| !rows.origin.is_whole())
 }
 
 /// The reason why a file is not read.
 enum Fault {
-    /// A picture without an origin.
+    /// A file that is no picture drawn by zpg: it has no origin, or does not fit its origin.
     NoPart,
     /// A file that ends too early, or is damaged.
     Broken,
@@ -152,7 +153,7 @@ impl Rows {
             Source::Png(reader) => {
                 let row = reader.next_row().map_err(|_| Fault::Broken)?;
                 let row = row.ok_or(Fault::Broken)?.data().to_vec();
-                // What follows the last row may be damaged as well.
+                // The end of the file, after the last row, may be damaged as well.
                 if self.left == 0 {
                     reader.finish().map_err(|_| Fault::Broken)?;
                 }
@@ -175,11 +176,11 @@ impl Rows {
         Ok(Some(row))
     }
 
-    /// All rows that are left; where the file is damaged, `path` is said to be.
+    /// All rows that have not been read. If the file is damaged, the last item is an error about `path`.
     pub fn all(mut self, path: &Path) -> impl Iterator<Item = Result<Row, Complaint>> {
         std::iter::from_fn(move || {
             let row = self.row().map_err(|fault| fault.complaint(path));
-            // Nothing follows what is damaged.
+            // No rows follow an error.
             if row.is_err() {
                 self.left = 0;
             }

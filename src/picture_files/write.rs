@@ -21,7 +21,7 @@ use crate::trace::film::{self, Packing};
 /// Rows from the top, each as wide as the picture.
 type Rows<'r> = &'r mut dyn Iterator<Item = io::Result<Row>>;
 
-/// Writes the rows that an [`Origin`] speaks of; the same rows give the same bytes.
+/// Writes a picture file with an [`Origin`] and all rows from its first to its last; the same rows give the same bytes.
 ///
 /// # Errors
 ///
@@ -30,7 +30,7 @@ pub fn write(format: Format, out: &mut dyn Write, origin: &Origin, rows: Rows) -
     match format {
         Format::Png => write_png(out, origin, rows),
         Format::Exr => {
-            // The format has a table of places at its start, which is filled in at the end.
+            // An EXR has a table at its start that is filled in at the end, so it is written to a file that can seek.
             let mut file = tempfile::tempfile()?;
             write_exr(&mut file, origin, rows).map_err(io_error)?;
             file.rewind()?;
@@ -39,7 +39,7 @@ pub fn write(format: Format, out: &mut dyn Write, origin: &Origin, rows: Rows) -
     }
 }
 
-/// `io::copy` for writers that are borrowed as they are.
+/// Copies all bytes, like `io::copy`, to a writer that is a trait object.
 fn copy(from: &mut impl Read, to: &mut dyn Write) -> io::Result<()> {
     let mut buffer = vec![0; 1 << 16];
     loop {
@@ -68,7 +68,7 @@ fn write_exr(file: impl Write + Seek, origin: &Origin, rows: Rows) -> UnitResult
     let [width, height] = origin.size.map(|side| side as usize);
     let [first, count] = origin.span();
     let first = i32::try_from(first).map_err(|_| Error::Invalid("too many rows".into()))?;
-    // In the order of their names.
+    // An EXR has its channels in the order of their names.
     let channels = ["B", "G", "R"].map(|name| ChannelDescription::named(name, SampleType::F32));
     let mut header = Header::new(
         "main".into(),
@@ -110,7 +110,7 @@ fn write_exr(file: impl Write + Seek, origin: &Origin, rows: Rows) -> UnitResult
     })
 }
 
-/// Compresses rows of which the first has this number in the file.
+/// Compresses a block of rows. `first` is the number of its first row in the file.
 fn chunk(rows: &[Vec<[f32; 3]>], first: usize, headers: &[Header]) -> exr::error::Result<Chunk> {
     let index = BlockIndex {
         layer: 0,

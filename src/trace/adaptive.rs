@@ -1,22 +1,22 @@
 //! Adaptive sampling: as many samples as a pixel needs.
 //!
-//! Every pixel takes [`BATCH_SAMPLES`] samples. Where they and those of the eight neighbours agree within
-//! the tolerance, that is all; this is how thin things are found that a pixel's own samples have
-//! missed (Mitchell, "Generating Antialiased Images at Low Sampling Densities", SIGGRAPH 1987).
-//! The others go on until the larger of two estimates of the error is below the tolerance:
+//! Every pixel takes [`BATCH_SAMPLES`] samples. It takes no more if these and those of the eight neighbours agree
+//! within the tolerance. The neighbours' samples find thin things that a pixel's own samples have missed (Mitchell,
+//! "Generating Antialiased Images at Low Sampling Densities", SIGGRAPH 1987). Other pixels take more samples until the
+//! larger of two estimates of the error is below the tolerance:
 //!
 //! - the standard error of the mean by batch means (Asmussen and Glynn, *Stochastic Simulation*,
 //!   2007, section IV.5): each [`BATCH_SAMPLES`] samples in a row, which are well spread over the pixel, are
 //!   a batch;
-//! - the contrast among the neighbours over the number of samples: n well-spread samples can miss a thing that covers 1/n
-//!   of the pixel. It is assumed to differ from the pixel by as much as the neighbours do.
+//! - the contrast among the neighbours over the number of samples: n well-spread samples can miss a thing that covers
+//!   1/n of the pixel. The thing is assumed to differ from the pixel by as much as the neighbours do.
 //!
 //! Errors are in linear RGB, of the channel where they are largest.
 
 use super::stats::Cost;
 use crate::geometry::vec::Vec3;
 
-/// Samples of a batch, and of a pixel where there is nothing to be seen.
+/// The number of samples of a batch, and of a pixel that needs only one batch.
 pub const BATCH_SAMPLES: u32 = 4;
 /// The fewest samples of any other pixel: four batches, since fewer say little about their scatter.
 pub const MIN_SAMPLES: u32 = 4 * BATCH_SAMPLES;
@@ -96,7 +96,7 @@ impl Estimate {
         if self.is_enough(contrast, tolerance) {
             return 0;
         }
-        // With fewer, the contrast alone is above the tolerance.
+        // With fewer samples, the contrast over their number is above the tolerance.
         let least = (contrast / tolerance) as u32;
         let least = least.clamp(MIN_SAMPLES, MAX_SAMPLES);
         (least.saturating_sub(self.samples()) / BATCH_SAMPLES).max(1)

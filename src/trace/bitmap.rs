@@ -29,7 +29,7 @@ pub fn linear(encoded: f64) -> f64 {
     }
 }
 
-/// The linear values of all numbers from 0 to `max`.
+/// The linear values of the encoded numbers 0, 1, … `max`, where `max` is white.
 fn table(max: u32) -> Vec<f64> {
     let max = f64::from(max);
     (0..=max as u32)
@@ -64,7 +64,7 @@ impl Bitmap {
         [self.width, self.height]
     }
 
-    /// A PNG of the same texels: sRGB, of as many bits.
+    /// The picture as a PNG: the same texels in sRGB, with the same number of bits.
     pub fn png(&self) -> Vec<u8> {
         let wide: Vec<u8>;
         let (depth, samples) = match &self.texels {
@@ -106,7 +106,7 @@ impl Bitmap {
     /// repeats beyond it. Between the centres of texels the value is bilinear, across the edges
     /// too.
     pub fn colour(&self, uv: [f64; 2]) -> Rgb {
-        // Beyond all numbers there is no place in the picture.
+        // A coordinate that is not finite is no place in the picture; 0 stands for it.
         let [u, v] = each(uv, |x| if x.is_finite() { x - x.floor() } else { 0.0 });
         let [x0, x1, fx] = neighbours(u, self.width);
         let [y0, y1, fy] = neighbours(1.0 - v, self.height);
@@ -117,8 +117,8 @@ impl Bitmap {
     }
 }
 
-/// The two texels, of `n` on the unit interval, whose centres are on both sides of `s`, and how far
-/// it is from the first to the second.
+/// The two neighbours between whose centres `s` lies, of `n` texels on the unit interval: their numbers, and the share
+/// of the way from the first centre to the second at which `s` lies.
 fn neighbours(s: f64, n: u32) -> [f64; 3] {
     let n = f64::from(n);
     let place = s * n - 0.5;

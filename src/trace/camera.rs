@@ -19,8 +19,8 @@ pub struct View {
 
 #[derive(Debug, Clone)]
 enum Lens {
-    /// A pinhole: the direction to the picture's centre, and to the right and upper edges of a
-    /// picture at distance 1.
+    /// A pinhole: the unit vector to the centre of a picture at distance 1, and the vectors from there to its right and
+    /// upper edges.
     Perspective {
         forward: Vec3,
         right: Vec3,
@@ -60,7 +60,7 @@ impl View {
         })
     }
 
-    /// The eye.
+    /// The position of the camera.
     pub fn position(&self) -> Vec3 {
         self.position
     }
@@ -78,7 +78,7 @@ impl View {
         Some(Ray::new(origin, direction))
     }
 
-    /// The origin and the unit direction of the same ray.
+    /// The origin and the unit direction of the ray that [`ray`](Self::ray) returns.
     #[inline]
     pub fn line(&self, x: f64, y: f64) -> Option<[Vec3; 2]> {
         let ndc = [2.0 * x / self.width - 1.0, 1.0 - 2.0 * y / self.height];

@@ -12,12 +12,12 @@ pub struct CostMap {
 }
 
 impl CostMap {
-    /// The cost of the dearest pixel.
+    /// The largest number of tests of a pixel.
     pub fn max(&self) -> u32 {
         self.tests.iter().copied().max().unwrap_or(0)
     }
 
-    /// Two maps of one size, left and right.
+    /// This map with another of the same size on its right.
     pub fn beside(&self, right: &CostMap) -> CostMap {
         let width = self.width.max(1) as usize;
         let rows = self.tests.chunks(width).zip(right.tests.chunks(width));

@@ -11,7 +11,7 @@ use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
-/// Row by row from the top, three numbers a pixel.
+/// The samples of a picture, of 8 or 16 bits: row by row from the top, three numbers a pixel.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Pixels {
     Eight(Vec<u8>),
@@ -21,15 +21,15 @@ pub enum Pixels {
 /// How large a picture may be.
 #[derive(Debug, Clone, Copy)]
 pub struct Limits {
-    /// Columns, and rows.
+    /// The most columns, and the most rows.
     pub side: u32,
-    /// Bytes that the decoded pixels take.
+    /// The most bytes that the decoded pixels may take.
     pub bytes: u64,
-    /// The message about a picture that takes more; its `width` and `height` are known to the message.
+    /// The message about a picture that takes more bytes. The message is given the picture's `width` and `height`.
     pub too_large: &'static str,
 }
 
-/// Width, height and pixels of a file; grey becomes RGB, and alpha is not looked at.
+/// Width, height and pixels of a file; grey becomes RGB, and alpha is ignored.
 ///
 /// # Errors
 ///
@@ -43,7 +43,8 @@ pub fn decode(path: &Path, limits: &Limits) -> Result<([u32; 2], Pixels), Compla
 }
 
 impl Limits {
-    /// Refuses a picture of a size whose samples take so many bytes each.
+    /// Refuses a picture that is too large. `sample` is the number of bytes that a sample takes; a pixel has three
+    /// samples.
     pub fn check(&self, [width, height]: [u32; 2], sample: u64) -> Result<(), Complaint> {
         let sized = |message| {
             Complaint::new(message)
@@ -97,7 +98,8 @@ fn png(file: &[u8], limits: &Limits) -> Result<([u32; 2], Pixels), Complaint> {
     Ok((size, pixels))
 }
 
-/// The colours of pixels that are grey, grey and alpha, RGB, or RGB and alpha.
+/// The colours of pixels, three numbers each. `samples` numbers a pixel are given: 1 for grey, 2 for grey and alpha, 3
+/// for RGB, 4 for RGB and alpha.
 pub fn rgb<T: Copy>(data: &[T], samples: usize) -> Vec<T> {
     let pixels = data.chunks_exact(samples);
     match samples {
@@ -131,16 +133,17 @@ fn jpeg(file: &[u8], limits: &Limits) -> Result<([u32; 2], Pixels), Complaint> {
     Ok((size, Pixels::Eight(pixels)))
 }
 
-/// Whether no component of a JPEG has more samples, across or down, than the first: the decoder takes that for granted,
-/// and draws other pictures wrong.
+/// Whether no component of a JPEG has more samples, across or down, than the first: the decoder relies on it, and
+/// decodes other pictures wrongly.
 fn first_is_finest(file: &[u8]) -> bool {
     // The segments after the two bytes that every JPEG begins with.
     let mut rest = file.get(2..).unwrap_or_default();
     while let [0xff, tail @ ..] = rest {
         match tail {
-            // Any number of these may stand before a segment.
+            // Any number of fill bytes may stand before a segment.
             [0xff, ..] => rest = tail,
-            // A frame, but for tables of codes, what is reserved, and arithmetic coding.
+            // The header of a frame. Three markers in its range mean something else: tables of codes, a reserved one,
+            // and arithmetic coding.
             [0xc0..=0xcf, _, _, _, _, _, _, _, count, components @ ..]
                 if !matches!(tail[0], 0xc4 | 0xc8 | 0xcc) =>
             {

@@ -1,5 +1,5 @@
-//! How much of a scene lies in one place. Shared parts take no room, however often they occur, but a
-//! ray enters every object on its way, and remembers it.
+//! How many objects of a scene lie over one another in one place. A shared part is stored once, however often it
+//! occurs, but a ray takes memory for every object that it enters.
 
 use super::graph::{Graph, Operation, Target};
 use super::memory_limit::GROWTH_FACTOR;
@@ -7,17 +7,19 @@ use super::search::context::Context;
 use crate::geometry::affine::Placement;
 use crate::geometry::vec::Vec3;
 
-/// How many points are looked at to find out whether a scene is crowded, and how many parts at each.
+/// The most points that are looked at to find out whether a scene is crowded.
 const POINTS: usize = 16;
+/// The most parts that are looked at for one of these points.
 const STEPS: usize = 1 << 26;
 
 impl Graph {
-    /// How many shapes there are, each as often as it occurs.
+    /// The number of shapes in the scene, each counted as often as it occurs.
     pub fn occurrences(&self) -> f64 {
         self.totals(|_| 0.0, 1.0)
     }
 
-    /// Adds up over all occurrences, operands first: `own` for an object, `shape` for a shape.
+    /// The sum over all occurrences of objects and shapes: `own` of the index for an object, `shape` for a shape.
+    /// Operands are added up first.
     fn totals(&self, own: impl Fn(u32) -> f64, shape: f64) -> f64 {
         let mut totals = Vec::with_capacity(self.objects.len());
         for object in 0..self.objects.len() as u32 {
@@ -44,11 +46,11 @@ impl Graph {
         group.parts().for_each(step);
     }
 
-    /// Whether more objects lie over one another in some place than there is room for. There is room
-    /// where that is not found; what a ray finds then is noted in [`Graph::room`].
+    /// Whether more objects lie over one another in some place than a ray has memory for. Only a few likely points are
+    /// tried. A ray may still run out of memory elsewhere, and [`Graph::room`] notes that.
     pub fn is_crowded(&self) -> bool {
         let most = self.room.bytes / (GROWTH_FACTOR * size_of::<Context>());
-        // Nobody can enter more than there are.
+        // A ray cannot enter more objects than there are.
         if self.totals(|_| 1.0, 0.0) < most as f64 {
             return false;
         }
@@ -56,7 +58,8 @@ impl Graph {
         points.iter().any(|&point| self.lies_in(point, most))
     }
 
-    /// The middle of the scene, of the largest part of it that is an object, and so on.
+    /// The points that are tried: the centre of the scene, then the centre of its largest object, and so on down. The
+    /// largest object has the most objects below it.
     fn likely_points(&self) -> Vec<Vec3> {
         let mut sizes = Vec::with_capacity(self.objects.len());
         for object in 0..self.objects.len() as u32 {
@@ -101,7 +104,8 @@ impl Graph {
         points
     }
 
-    /// Whether a point lies in the boxes of so many objects.
+    /// Whether a point lies in the boxes of at least `most` occurrences of objects; `false` if that takes too many
+    /// steps.
     fn lies_in(&self, point: Vec3, most: usize) -> bool {
         let (mut entered, mut steps) = (0, 0);
         let mut stack = vec![(self.root, point)];

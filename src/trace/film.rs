@@ -15,12 +15,12 @@ pub struct Film {
     pub width: u32,
     /// Number of rows.
     pub height: u32,
-    /// Finite, and not less than 0.
+    /// The linear RGB of each pixel: finite numbers, not less than 0.
     pub pixels: Vec<[f32; 3]>,
 }
 
-/// A linear colour as it is kept: what is too bright for a number of single precision is as bright
-/// as one can be.
+/// A linear colour as a film keeps it, in single precision. Negative numbers become 0, and too large ones the largest
+/// number.
 pub fn developed(colour: Rgb) -> [f32; 3] {
     each(colour, |x| {
         let x = x.max(0.0).min(f32::MAX as f64);
@@ -30,12 +30,12 @@ pub fn developed(colour: Rgb) -> [f32; 3] {
 
 /// Whether a channel of a linear colour is brighter than white, by more than roundings.
 pub fn is_above_white<T: Into<f64>>(colour: [T; 3]) -> bool {
-    /// Sums of lights that are white together may exceed it by so much.
+    /// White, with room for the rounding errors of lights that are white together.
     const WHITE: f64 = 1.001;
     colour.into_iter().any(|x| x.into() > WHITE)
 }
 
-/// Percentage of pixels that may be brighter than white before a note says so: highlights are.
+/// The percentage of pixels that may be brighter than white without a note; highlights usually are.
 pub const MAX_BRIGHT_PERCENT: f64 = 1.0;
 
 /// The sRGB transfer function (IEC 61966-2-1) of a number from 0 to 1, to 8 bits.
@@ -48,11 +48,11 @@ fn encoded(x: f64) -> u8 {
     (y * 255.0).round() as u8
 }
 
-/// The least numbers that are encoded as 1, 2, … 255.
+/// The least linear numbers that sRGB encodes as 1, 2, … 255.
 static STEPS: LazyLock<[f32; 255]> = LazyLock::new(|| {
     std::array::from_fn(|i| {
         let is_beyond = |x: f32| usize::from(encoded(f64::from(x))) > i;
-        // Where a half is rounded up, but for a few roundings.
+        // The encoding i + ½ is rounded up from here on, but rounding errors may have moved the place by a few steps.
         let mut step = bitmap::linear((i as f64 + 0.5) / 255.0) as f32;
         while !is_beyond(step) {
             step = step.next_up();
@@ -64,10 +64,12 @@ static STEPS: LazyLock<[f32; 255]> = LazyLock::new(|| {
     })
 });
 
-/// The sign, the exponent and the first eight digits of a number tell what it is encoded as, or one less.
+/// The number of last bits of a number that [`STARTS`] ignores. The other bits are the sign, the exponent and eight
+/// binary digits. They tell the encoding of the number, or one less.
 const DIGITS: u32 = f32::MANTISSA_DIGITS - 1 - 8;
 
-/// The encoding of the least number of each such kind, up to 1.
+/// For all numbers from 0 to 1 that are equal but for their last [`DIGITS`] bits: the sRGB encoding of the least of
+/// them.
 static STARTS: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let last = 1f32.to_bits() >> DIGITS;
     let mut code = 0;
@@ -81,9 +83,9 @@ static STARTS: LazyLock<Vec<u8>> = LazyLock::new(|| {
     (0..=last).map(start).collect()
 });
 
-/// The sRGB transfer function (IEC 61966-2-1), to 8 bits, with what is out of range clipped.
+/// The sRGB transfer function (IEC 61966-2-1), to 8 bits; numbers out of range are clipped.
 pub fn srgb8(linear: f32) -> u8 {
-    // What is no number is black.
+    // A NaN fails the comparison and becomes black.
     let in_range = if linear > 0.0 { linear.min(1.0) } else { 0.0 };
     let start = STARTS[(in_range.to_bits() >> DIGITS) as usize];
     start + u8::from(start < u8::MAX && STEPS[usize::from(start)] <= in_range)
@@ -92,18 +94,18 @@ pub fn srgb8(linear: f32) -> u8 {
 /// How a PNG is packed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Packing {
-    /// Packing for a file: about a tenth larger, and several times as quick.
+    /// Packing for a file: about a tenth larger than `Small`, and several times as quick.
     Quick,
-    /// Packing for what is sent, or is part of a page.
+    /// Packing for a picture that is sent, or is part of a page.
     Small,
 }
 
-/// A PNG of 8-bit sRGB, from rows of red, green and blue from the top.
+/// Writes a PNG of 8-bit sRGB. `rgb` are the rows from the top, with red, green and blue of each pixel.
 pub fn write_rgb8(out: impl Write, size: [u32; 2], rgb: &[u8], packing: Packing) -> io::Result<()> {
     write_rgb(out, size, png::BitDepth::Eight, rgb, packing)
 }
 
-/// The same with samples of any depth; those of 16 bits are two bytes, the higher one first.
+/// Like [`write_rgb8`], with samples of any depth. A sample of 16 bits is two bytes, the higher one first.
 pub fn write_rgb(
     out: impl Write,
     size: [u32; 2],
@@ -144,12 +146,12 @@ impl Film {
         self.pixels[y as usize * self.width as usize + x as usize]
     }
 
-    /// 8-bit sRGB.
+    /// Writes a PNG of 8-bit sRGB.
     pub fn write_png(&self, out: impl Write, packing: Packing) -> io::Result<()> {
         write_rgb8(out, [self.width, self.height], &self.rgb8(), packing)
     }
 
-    /// 8-bit sRGB, of nearly the highest quality: colours of neighbours are not mixed.
+    /// Writes a JPEG of 8-bit sRGB, of nearly the highest quality and without chroma subsampling.
     pub fn write_jpeg(&self, out: impl Write) -> io::Result<()> {
         use jpeg_encoder::{ColorType, Encoder, SamplingFactor};
         let mut encoder = Encoder::new(out, JPEG_QUALITY);
@@ -161,7 +163,7 @@ impl Film {
         encoded.map_err(io::Error::other)
     }
 
-    /// 8-bit sRGB, without loss.
+    /// Writes a WebP of 8-bit sRGB, without loss.
     pub fn write_webp(&self, out: impl Write) -> io::Result<()> {
         use image_webp::{ColorType, WebPEncoder};
         let encoder = WebPEncoder::new(out);
@@ -169,7 +171,7 @@ impl Film {
         encoded.map_err(io::Error::other)
     }
 
-    /// Makes everything so many times as bright.
+    /// Makes all pixels `times` times as bright.
     pub fn expose(&mut self, times: f64) {
         for pixel in &mut self.pixels {
             *pixel = developed(pixel.map(|x| f64::from(x) * times));
@@ -181,7 +183,7 @@ impl Film {
         self.pixels.iter().flatten().map(|&x| srgb8(x)).collect()
     }
 
-    /// Portable float map: linear, unclamped, little-endian, from the bottom row up.
+    /// Writes a portable float map: linear, unclamped, little-endian, from the bottom row up.
     pub fn write_pfm(&self, mut out: impl Write) -> io::Result<()> {
         write!(out, "PF\n{} {}\n-1.0\n", self.width, self.height)?;
         let mut bytes = Vec::with_capacity(self.pixels.len() * 12);
@@ -198,7 +200,7 @@ impl Film {
         self.pixels.chunks_exact(self.width.max(1) as usize)
     }
 
-    /// Two pictures of one size: this one on the left, the other on the right.
+    /// This picture on the left and another of the same size on its right.
     pub fn beside(&self, right: &Film) -> Film {
         let width = self.width.max(1) as usize;
         let rows = self.pixels.chunks(width).zip(right.pixels.chunks(width));
@@ -209,7 +211,8 @@ impl Film {
         }
     }
 
-    /// Red of this one, green and blue of the other: for glasses of red and cyan.
+    /// An anaglyph for glasses of red and cyan: red of this picture, which is the left one, green and blue of the right
+    /// one.
     pub fn anaglyph(&self, right: &Film) -> Film {
         let both = self.pixels.iter().zip(&right.pixels);
         Film {

@@ -28,9 +28,9 @@ pub enum Target {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Part {
     pub target: Target,
-    /// Index into [`Graph::placements`]; 0 stays where it is.
+    /// Index into [`Graph::placements`]; 0 leaves the part where it is.
     pub placement: u32,
-    /// Index into [`Graph::paints`]; 0 paints nothing.
+    /// Index into [`Graph::paints`]; 0 is no paint.
     pub paint: u32,
     /// Whether the part is the complement of a shape; never set for an object.
     pub inverted: bool,
@@ -42,7 +42,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// The part without its IDs: equal for parts that cannot be told apart in a picture.
+    /// The part without its IDs. It is equal for parts that cannot be told apart in a picture.
     pub fn unnamed(self) -> Part {
         Part {
             shape: 0,
@@ -52,11 +52,11 @@ impl Part {
     }
 }
 
-/// The paint over a part, per aspect; `None` leaves the part's own.
+/// The paint over a part, aspect by aspect; `None` where the part keeps its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Coat {
-    /// Index into [`Graph::textures`], and the placement of the painted coordinates in the object
-    /// the part belongs to.
+    /// Indices into [`Graph::textures`] and [`Graph::placements`]. The placement leads from the texture's space into
+    /// the space of the object that the part belongs to.
     pub texture: Option<(u32, u32)>,
     /// Index into [`Graph::optics`].
     pub optics: Option<u32>,
@@ -64,17 +64,17 @@ pub struct Coat {
     pub index: Option<u32>,
 }
 
-/// Parts of which any number may be on a ray's way.
+/// Parts in no fixed order that are searched by their places: a ray may meet any number of them.
 #[derive(Debug, Default)]
 pub struct Group {
-    /// Indices into [`Graph::parts`] of those without bounds.
+    /// Indices into [`Graph::parts`] of the parts without bounds.
     pub loose: Vec<u32>,
     /// The tree of the other parts; its items are indices into [`Graph::parts`].
     pub tree: Tree,
-    /// The parts among them that hold something transparent, if no paint above says otherwise; `None` where there are
+    /// The parts of the group that hold something transparent, if no paint above changes that; `None` if there are
     /// none.
     pub clear: Option<Box<Group>>,
-    /// The parts among them that hold something opaque, likewise; `None` where all of them do.
+    /// The parts of the group that hold something opaque, if no paint above changes that; `None` if all parts do.
     pub opaque: Option<Box<Group>>,
 }
 
@@ -85,7 +85,7 @@ impl Group {
     }
 }
 
-/// The sorts of media that the surfaces of a thing may be made of, as far as it is not painted over.
+/// The sorts of media that a part or an object holds, if no paint above changes that: opaque, transparent or both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Holds {
     pub opaque: bool,
@@ -109,7 +109,8 @@ pub enum Operation {
     Intersection {
         first: Range<u32>,
         cuts: Group,
-        /// Whether faces made by the cuts look like what is cut, not like what cuts: a difference.
+        /// Whether a face made by a cut has the properties of the solid that is cut, as in a difference. Otherwise the
+        /// face has those of the cut.
         inherit: bool,
     },
 }
@@ -117,9 +118,9 @@ pub enum Operation {
 #[derive(Debug)]
 pub struct Object {
     pub operation: Operation,
-    /// Holds the object.
+    /// A box that holds the object.
     pub bounds: Aabb,
-    /// The units of the boxes of the object's parts.
+    /// The units in which the object's trees keep the boxes of its parts.
     pub frame: Frame,
     pub holds: Holds,
 }
@@ -127,38 +128,38 @@ pub struct Object {
 #[derive(Debug, Default)]
 pub struct Graph {
     pub primitives: Vec<Primitive>,
-    /// Extents of the shapes, beside `primitives`: see [`Shape::extent`].
+    /// The extent of each of `primitives`: see [`Shape::extent`].
     ///
     /// [`Shape::extent`]: super::shapes::Shape::extent
     pub extents: Vec<f64>,
-    /// Indices into [`Scene::shapes`] of a record that says the same, beside `primitives`.
+    /// For each of `primitives`, the index into [`Scene::shapes`] of a record with the same shape.
     ///
     /// [`Scene::shapes`]: crate::scene::Scene::shapes
     pub records: Vec<u32>,
     pub objects: Vec<Object>,
     pub parts: Vec<Part>,
     pub matrices: Vec<Matrix>,
-    /// Placements, beside `matrices`.
+    /// For each of `matrices`, the maps out of the space below and back into it.
     pub placements: Vec<Placement>,
     pub paints: Vec<Coat>,
     pub textures: Vec<Texture>,
-    /// The pictures of image textures, beside `textures`.
+    /// For each of `textures`, its picture; `None` if it is no image texture.
     pub bitmaps: Vec<Option<Arc<Bitmap>>>,
     pub optics: Vec<Optics>,
     pub indices: Vec<Rgb>,
     /// Index of the object that is the scene, a union.
     pub root: u32,
-    /// How many objects a ray may enter.
+    /// The limit on the memory that a ray may take to enter objects.
     pub room: MemoryLimit,
-    /// The effects that are taken out, for those who measure what they cost.
+    /// The effects that are switched off, to measure their costs.
     pub without: Without,
-    /// A solver that finds crossings in doubles instead of the shapes themselves, for those who compare.
+    /// A solver that finds crossings in doubles in place of the shapes' own code, for comparisons.
     pub solver: Option<Box<dyn Solver>>,
 }
 
 impl Graph {
-    /// The sorts of media that a part holds, unless something is painted over the object it belongs to. Objects come
-    /// after those that they are made of.
+    /// The sorts of media that a part holds, unless a paint covers the object that it belongs to. Objects are made
+    /// after their operands, so the operands' sorts are known.
     pub fn holds(&self, part: &Part) -> Holds {
         match (self.paints[part.paint as usize].optics, part.target) {
             (Some(optics), _) => self.made_of(optics),
@@ -167,7 +168,8 @@ impl Graph {
         }
     }
 
-    /// The sort of medium that a thing with these optics holds.
+    /// The sort of medium that optics make: transparent if their kt is not 0, else opaque. `optics` is an index into
+    /// [`Graph::optics`].
     pub fn made_of(&self, optics: u32) -> Holds {
         let clear = self.optics[optics as usize].kt != [0.0; 3];
         Holds {
@@ -181,7 +183,7 @@ impl Graph {
     }
 }
 
-/// The upper one of two IDs, one above the other, if there is one; 0 is none.
+/// The ID of the upper of two entities, or that of the lower one if there is no upper one; 0 stands for no entity.
 pub fn outermost(above: u32, below: u32) -> u32 {
     if above == 0 { below } else { above }
 }

@@ -1,4 +1,4 @@
-//! The pictures of a scene, which lie on surfaces.
+//! The pictures of a scene's image textures.
 
 use super::bitmap::{Bitmap, MAX_SIDE};
 use super::decode::Limits;
@@ -17,12 +17,12 @@ pub const MAX_BYTES: u64 = 256 << 20;
 pub struct Images(BTreeMap<String, Arc<Bitmap>>);
 
 impl Images {
-    /// Reads the pictures of what is drawn from the scene's folder.
+    /// Reads the pictures of all textures that are drawn, from the scene's folder.
     ///
     /// # Errors
     ///
-    /// The first picture that cannot be used is the finding: it lies elsewhere, it cannot be decoded, or it is larger
-    /// than [`MAX_SIDE`] or, with those before, [`MAX_BYTES`].
+    /// The first picture that cannot be used is the finding: it lies outside of the folder, it cannot be decoded, it is
+    /// larger than [`MAX_SIDE`], or together with the pictures before it takes more than [`MAX_BYTES`].
     pub fn load(scene: &Scene, folder: &Path) -> Result<Images, Box<Diagnostic>> {
         Images::load_within(scene, folder, MAX_BYTES)
     }
@@ -31,7 +31,7 @@ impl Images {
     ///
     /// # Errors
     ///
-    /// As there.
+    /// The errors of [`Images::load`].
     pub fn load_within(
         scene: &Scene,
         folder: &Path,
@@ -67,7 +67,7 @@ impl Images {
         Ok(images)
     }
 
-    /// The files of the pictures of what is drawn, each once, in the order in which they are named.
+    /// The image files of all textures that are drawn, each once, in the order in which the scene names them.
     pub fn files(scene: &Scene) -> Vec<&str> {
         let mut seen = FxHashSet::default();
         let files = used(scene).into_iter().map(|(file, _)| file);

@@ -1,8 +1,8 @@
 //! The solids that a point is in.
 //!
-//! Every occurrence of a node is asked in its own space, operands before operations. Boxes around
-//! what lies below a node keep the walk away from occurrences that are elsewhere, and what a shared
-//! node has once answered for a point is not asked again.
+//! The walk asks every occurrence of a node in the node's own space, operands before operations. It skips an occurrence
+//! if the point is outside of a box around all solids below the node. The answer of a shared node for a point is kept,
+//! so it is computed once.
 
 use super::graph::outermost;
 use crate::diagnostics::{Complaint, Error};
@@ -18,15 +18,14 @@ use dashu_float::round::mode::HalfEven;
 use std::array;
 use std::collections::{BTreeSet, HashMap};
 
-/// Answers beyond this many, besides a few for every node of the scene, are not sought: the point
-/// is then in the bounds of millions of occurrences of shared objects.
+/// The most steps of a walk, besides a few for every node of the scene. A walk needs more only if the point is in the
+/// bounds of millions of occurrences of shared objects.
 const STEPS_MAX: usize = 1 << 22;
 
 /// The solids that hold a point.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Membership {
-    /// IDs of the shapes and operations below the root, itself included, any occurrence of which
-    /// holds the point, ascending.
+    /// IDs, ascending, of the shapes and operations at the root and below it that hold the point in any occurrence.
     pub inside: BTreeSet<u32>,
     /// Whether the root itself holds the point.
     pub in_root: bool,
@@ -34,15 +33,14 @@ pub struct Membership {
 
 /// Finds the solids at `root` and below it that hold a point.
 ///
-/// Shapes are closed: a point on the boundary of one is in it, and operations are those of sets, so
-/// that it is in neither the complement nor in what the shape is taken away from. Surfaces hold
-/// nothing. A copy stands for what it copies: the original is not listed for it, the operands of
-/// both are.
+/// Shapes are closed: a shape holds the points of its boundary. Operations are those of sets, so neither the complement
+/// of the shape nor a solid that the shape is taken away from holds these points. Surfaces without inside hold nothing.
+/// An occurrence of a copy is listed by the copy's ID and not by that of its original; the operands are listed for
+/// both.
 ///
 /// # Errors
 ///
-/// Names a shape that the tracer does not know, a transformation that takes the point out of range,
-/// or says that too many occurrences would have to be asked.
+/// A transformation has no inverse or takes the point out of range, or too many occurrences would have to be asked.
 pub fn members(scene: &Scene, root: NodeId, point: Vec3) -> Result<Membership, Error> {
     let mut walk = Walk {
         scene,
@@ -64,7 +62,8 @@ pub fn members(scene: &Scene, root: NodeId, point: Vec3) -> Result<Membership, E
 /// For each node up to `root`: a box that holds every solid at and below it.
 fn reaches(scene: &Scene, root: NodeId) -> Vec<Aabb> {
     let own: Vec<NodeBounds> = node_bounds(scene);
-    // Below some nodes everything counts as it is; their own bounds are the tighter ones.
+    // The flag says whether all operations below a node are unions. Then the node's own bounds hold all solids below
+    // it, and they are tighter.
     let reach = fold_up(scene.up_to(root), |id, node, reach: &[(Aabb, bool)]| {
         let own = &own[id as usize];
         let of = |n: NodeId| reach[n as usize].0;
@@ -85,15 +84,15 @@ fn reaches(scene: &Scene, root: NodeId) -> Vec<Aabb> {
     reach.into_iter().map(|(all, _)| all).collect()
 }
 
-/// The IDs of operations, by their nodes: below what was done to an entity later is the node its
-/// record made, which no other entity has.
+/// The ID of each operation, by its node. The node is the one that the entity's own record made, below the nodes that
+/// later records put above it; no other entity has that node.
 fn operation_ids(scene: &Scene) -> HashMap<NodeId, u32> {
     let mut ids = HashMap::new();
     for entity in &scene.entities {
         let Some(node) = entity.node().map(|n| scene.defined(n)) else {
             continue;
         };
-        // Copies and shapes say themselves whose they are.
+        // The nodes of copies and shapes have their IDs with them.
         if !matches!(
             scene.nodes[node as usize],
             Node::Copy { .. } | Node::Shape(_)
@@ -104,12 +103,12 @@ fn operation_ids(scene: &Scene) -> HashMap<NodeId, u32> {
     ids
 }
 
-/// A node and the bits of a point in its space, and the copy it stands for.
+/// A node, the ID that it is listed by, and the bits of a point in the node's space.
 type Question = (NodeId, u32, [u64; 3]);
 
 enum Task {
     Ask(NodeId, Vec3),
-    /// Puts the answers of the operands of an operation together.
+    /// Computes the answer of an operation from the answers of its operands.
     Combine {
         core: NodeId,
         id: u32,
@@ -146,8 +145,8 @@ impl Walk<'_> {
         Ok(self.values.pop().unwrap_or(false))
     }
 
-    /// Goes down to the shape or operation of the entity a node is the state of, and answers for it
-    /// or has its operands asked.
+    /// Goes down from a node to the shape or operation that it is a state of. Answers for a shape at once. Has the
+    /// operands of an operation asked, unless its answer is known.
     fn ask(&mut self, node: NodeId, point: Vec3) -> Result<(), Error> {
         let scene = self.scene;
         let (mut node, mut point, mut copy) = (node, point, 0);
@@ -177,7 +176,7 @@ impl Walk<'_> {
         }
         let own = self.ids.get(&node).copied().unwrap_or(0);
         let id = outermost(copy, own);
-        // Zeros of both signs are one place.
+        // Adding 0 turns −0 into 0: zeros of both signs are one place.
         let question = (node, id, each(point.0, |x| (x + 0.0).to_bits()));
         if let Some(&known) = self.answers.get(&question) {
             self.values.push(known);
@@ -223,7 +222,7 @@ impl Walk<'_> {
         self.values.push(holds);
     }
 
-    /// A point above a transformation in the space below it.
+    /// Takes a point from the space above a transformation into the space below it.
     fn back(&mut self, matrix: u32, point: Vec3) -> Result<Vec3, Error> {
         let matrices = &self.scene.matrices;
         let inverse = (self.inverses.entry(matrix))
@@ -237,7 +236,7 @@ impl Walk<'_> {
         inverse.image(point).ok_or_else(|| self.refusal(reason))
     }
 
-    /// Whether a point of its space is in a shape, or on its boundary.
+    /// Whether a shape holds a point, given in the shape's space, or has it on its boundary.
     fn shape_holds(&self, shape: u32, point: Vec3) -> bool {
         let record = &self.scene.shapes[shape as usize];
         in_shape(&record.geometry, point.0)
@@ -272,7 +271,8 @@ impl Inverse {
         }
     }
 
-    /// The image of a point, rounded once; `None` where that is out of range.
+    /// The image of a point under the inverse map, rounded once; `None` if there is no inverse or the image is out of
+    /// range.
     fn image(&self, point: Vec3) -> Option<Vec3> {
         const DIGITS: usize = f64::MANTISSA_DIGITS as usize;
         if self.determinant == Exact::ZERO {

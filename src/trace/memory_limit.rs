@@ -5,10 +5,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Bytes that a ray may need unless another limit is given: 1 GiB.
 const DEFAULT_RAY_BYTES: u64 = 1 << 30;
 
-/// The capacity of a list over its length, at most: a full list doubles.
+/// The most that the capacity of a list may be over its length: a full list doubles its capacity.
 pub(super) const GROWTH_FACTOR: usize = 2;
 
-/// How much memory a walker may use for a ray, and whether one would have needed more.
+/// The memory that a walker may use for a ray, and whether some walker would have needed more.
 #[derive(Debug)]
 pub struct MemoryLimit {
     pub(super) bytes: usize,
@@ -22,8 +22,8 @@ impl Default for MemoryLimit {
 }
 
 impl MemoryLimit {
-    /// The limit for so many bytes for each thread: what doubles cannot decide is asked in double-double, by a walker
-    /// of its own.
+    /// The limit for `bytes` bytes on each thread. A thread may have two walkers, one for doubtful decisions in
+    /// double-double, so each gets half.
     pub fn of(bytes: u64) -> MemoryLimit {
         MemoryLimit {
             bytes: usize::try_from(bytes / 2).unwrap_or(usize::MAX),
@@ -31,7 +31,7 @@ impl MemoryLimit {
         }
     }
 
-    /// Whether so many bytes may be used; notes a refusal.
+    /// Whether a walker may use `bytes` bytes; if not, notes that the memory is used up.
     pub fn has(&self, bytes: usize) -> bool {
         let has = bytes <= self.bytes;
         if !has {
@@ -40,7 +40,7 @@ impl MemoryLimit {
         has
     }
 
-    /// Whether some ray would have needed more than it may.
+    /// Whether some ray would have needed more memory than the limit.
     pub fn is_exhausted(&self) -> bool {
         self.is_exhausted.load(Ordering::Relaxed)
     }

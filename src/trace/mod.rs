@@ -1,16 +1,16 @@
 //! The reference ray tracer.
 //!
-//! [`compile`] turns a [`Scene`](crate::scene::Scene) into a [`graph`] in which shared parts stay shared. A
-//! [`Tracer`] holds the graph and everything else that a picture needs, and knows what cannot be drawn
-//! before the first ray. In the order in which a pixel comes about: [`camera`] and [`sampling`] make rays,
-//! [`search`] finds what they meet in the graph, along trees of boxes, [`shapes`] knows where a line crosses a shape, [`shade`] adds
-//! up the light, [`film`] keeps it. [`probe`] and [`membership`] answer questions about single rays and
-//! points. Pictures of most scenes are drawn by the quick [`kernel`], with the same bits.
+//! [`compile`] turns a [`Scene`](crate::scene::Scene) into a [`graph`] in which shared parts stay shared. A [`Tracer`]
+//! holds the graph and everything else that a picture needs, and knows what cannot be drawn before the first ray. In
+//! the order in which a pixel comes about: [`camera`] and [`sampling`] make rays, [`search`] finds what they meet in
+//! the graph, along trees of boxes, [`shapes`] knows where a line crosses a shape, [`shade`] adds up the light,
+//! [`film`] keeps it. [`probe`] and [`membership`] answer questions about single rays and points. The quick [`kernel`]
+//! draws the pictures of most scenes, with the same bits as the code above.
 //!
-//! All that is between a ray and its hits is generic over the number it computes with ([`precision`],
-//! and [`geometry`](crate::geometry) for the numbers themselves). Every decision knows its rounding
-//! errors; what is closer than these in doubles, [`search::escalate`] asks again in double-double, and some
-//! shapes ask once more in quad-double.
+//! All code between a ray and its hits is generic over its kind of number ([`precision`], and
+//! [`geometry`](crate::geometry) for the numbers themselves). Every decision knows a bound on its rounding errors. If a
+//! decision in doubles is closer than its bound, [`search::escalate`] asks again in double-double; some shapes ask once
+//! more in quad-double.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

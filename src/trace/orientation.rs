@@ -1,4 +1,4 @@
-//! How a camera was held: JPEG files say it in their Exif data.
+//! The orientation in which a camera was held, by the Exif data of a JPEG file.
 
 use exif::{In, Reader, Tag};
 
@@ -22,7 +22,8 @@ impl Orientation {
         Orientation::numbered(field.and_then(|field| field.value.get_uint(0)))
     }
 
-    /// The orientations of Exif 2.32, table 4.6.4.A.6: where the file's first row and column are in the picture.
+    /// The orientation with a number in Exif 2.32, table 4.6.4.A.6. The comments say on which sides of the picture the
+    /// file's first row and first column are.
     fn numbered(number: Option<u32>) -> Orientation {
         let (is_turned, is_mirrored) = match number {
             Some(2) => (false, [true, false]), // top, right
@@ -40,7 +41,8 @@ impl Orientation {
         }
     }
 
-    /// The upright picture of a file's, with its size; three numbers a pixel, row by row from the top.
+    /// The size and the pixels of the upright picture, from those of the file: three numbers a pixel, row by row from
+    /// the top.
     pub(super) fn upright(self, [width, height]: [u32; 2], pixels: Vec<u8>) -> ([u32; 2], Vec<u8>) {
         let size = match self.is_turned {
             false => [width, height],

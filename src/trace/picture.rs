@@ -41,13 +41,13 @@ pub struct Crop {
     pub height: u32,
 }
 
-/// The numbers that are computed with between a ray and its hits; rays of the camera, and colours,
-/// are doubles whatever these are.
+/// The kind of numbers with which the tracer computes between a ray and its hits. Camera rays and colours are always
+/// doubles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Numbers {
-    /// Single precision, as it is.
+    /// Single precision; a doubtful decision stands as it is rounded.
     F32,
-    /// Double precision; what it cannot decide is decided in double-double.
+    /// Double precision; a doubtful decision is made again in double-double.
     #[default]
     F64,
     /// Double-double, about 32 digits.
@@ -68,29 +68,30 @@ impl Numbers {
 /// How a picture is taken.
 #[derive(Debug, Clone)]
 pub struct Settings {
-    /// Size of the whole picture in pixels, at least 1 × 1.
+    /// The width of the whole picture in pixels, at least 1.
     pub width: u32,
-    /// The height in pixels.
+    /// The height of the whole picture in pixels, at least 1.
     pub height: u32,
-    /// The part of it that is drawn, within the picture; all of it where there is none.
+    /// The part of the picture that is drawn; `None` for all of it.
     pub crop: Option<Crop>,
-    /// For each pixel of the whole picture, row by row, whether it is wanted; the others are black. All
-    /// are where there is none.
+    /// For each pixel of the whole picture, row by row from the top, whether it is drawn; the others are black. `None`
+    /// draws all pixels.
     pub wanted: Option<Arc<[bool]>>,
     /// Number of samples per pixel, at least 1.
     pub samples: u32,
-    /// Instead: as many samples as bring the estimated error of a pixel, in linear RGB, below this
-    /// number above 0; see [`super::adaptive`].
+    /// If given, it replaces `samples`: each pixel gets as many samples as bring its estimated error, in linear RGB,
+    /// below this number above 0; see [`super::adaptive`].
     pub tolerance: Option<f64>,
-    /// All samples are moved by so much, to the right and down, in pixels.
+    /// The shift of all samples to the right and down, in pixels.
     pub shift: [f64; 2],
     /// Rays deeper than this contribute nothing; a camera ray has depth 0.
     pub depth: u32,
-    /// Branches that count for less than this contribute nothing; 0: all do.
+    /// Rays whose weight is below this in every channel contribute nothing; with 0 all rays contribute.
     pub cutoff: f64,
-    /// The numbers that are computed with.
+    /// The kind of numbers between a ray and its hits.
     pub numbers: Numbers,
-    /// Once this is set, no row is begun any more, and the picture is of no use.
+    /// A flag for another thread to break the drawing off. Once it is set, no more pixels are drawn;
+    /// [`Picture::finished`] tells which rows are complete.
     pub stop: Option<Arc<AtomicBool>>,
 }
 
@@ -105,7 +106,7 @@ impl Settings {
         })
     }
 
-    /// The samples that each pixel gets at the least.
+    /// The least number of samples of a pixel.
     fn first_samples(&self) -> u32 {
         match self.tolerance {
             Some(_) => BATCH_SAMPLES,
@@ -132,7 +133,7 @@ impl Default for Settings {
     }
 }
 
-/// A film and what it has cost.
+/// A film and the counts of the work for it.
 pub struct Picture {
     /// The pixels.
     pub film: Film,
@@ -140,7 +141,7 @@ pub struct Picture {
     pub samples: Samples,
     /// The intersection tests of each pixel.
     pub costs: CostMap,
-    /// For each pixel, row by row, whether light it shows was totally reflected.
+    /// For each pixel, row by row, whether it shows light that was totally reflected.
     pub total_reflection: Vec<bool>,
     /// For each row, whether it was drawn to its end before the picture was stopped.
     pub finished: Vec<bool>,
@@ -148,15 +149,16 @@ pub struct Picture {
     pub counts: Counts,
 }
 
-/// The camera a scene is seen by: the selected one, or one that frames the scene. Of a stereo pair
-/// the left one.
+/// The camera that takes a scene's picture: the selected one, the left one of a stereo pair, or an automatic one that
+/// frames the scene.
 pub fn selected_camera(scene: &Scene, aspect: f64) -> Camera {
-    // There is always one.
+    // The list of cameras is never empty.
     staging::selected_cameras(scene, aspect).swap_remove(0)
 }
 
 impl Tracer {
-    /// The features that the plan calls for. From inside of a lone shape its other side is in the way.
+    /// The features that the plan calls for. `outside` is whether all camera rays start outside of every solid. To a
+    /// camera inside of a lone convex shape, the shape's far side may be in the way of lights.
     fn features(&self, outside: bool) -> Features {
         let (plan, without) = (&self.plan, &self.graph.without);
         let inside = plan.lone_convex && !outside;
@@ -168,10 +170,10 @@ impl Tracer {
         }
     }
 
-    /// Takes a picture. `progress` is told of every finished row, from any thread.
+    /// Takes a picture. `progress` is called after every row, from any thread.
     ///
-    /// Every pixel is computed from the scene and its own place alone, or with a tolerance from
-    /// those of its neighbours too, so the result does not depend on the number of threads.
+    /// A pixel depends on the scene and on its own place alone; with a tolerance, also on its neighbours. So the result
+    /// does not depend on the number of threads.
     ///
     /// # Errors
     ///
@@ -200,7 +202,7 @@ impl Tracer {
         })
     }
 
-    /// Sets up what all pixels of a picture have in common.
+    /// Sets up the state that all pixels of a picture have in common, and calls `draw` with it.
     pub(super) fn drawing<'t, T>(
         &'t self,
         camera: &Camera,
@@ -264,7 +266,7 @@ pub(super) struct Drawing<'t> {
 }
 
 impl<'t> Drawing<'t> {
-    /// The whole of a picture, or what is drawn of it.
+    /// Draws the picture, or the part of it that the settings ask for.
     fn picture<R: Precision>(&self, settings: &Settings, progress: &(dyn Fn() + Sync)) -> Picture {
         let Settings { width, height, .. } = *settings;
         let crop = settings.part();
@@ -276,7 +278,7 @@ impl<'t> Drawing<'t> {
             let draw = |pen: &mut Pen<R>, pixels: &[[u32; 2]]| pen.fixed(pixels, samples);
             return self.drawn((crop, samples), progress, quick, &draw);
         };
-        // What is around the part that is drawn matters as much as within it.
+        // A pixel at the border of the part has neighbours outside, which adaptive sampling looks at as well.
         let (left, top) = (crop.x.saturating_sub(1), crop.y.saturating_sub(1));
         let around = Crop {
             x: left,
@@ -314,7 +316,7 @@ impl<'t> Drawing<'t> {
         }
     }
 
-    /// The ray of sample `i` of `n` of a pixel, where its projection has one: its origin and direction.
+    /// The origin and direction of the ray of sample `i` of `n` in a pixel; `None` if the projection has no ray there.
     #[inline]
     fn line(&self, x: u32, y: u32, i: u32, n: u32) -> Option<[Vec3; 2]> {
         let [dx, dy] = sample(x, y, i, n);
@@ -332,13 +334,14 @@ impl<'t> Drawing<'t> {
         (self.wanted.as_deref()).is_none_or(|w| w.get(at).copied().unwrap_or(false))
     }
 
-    /// Whether somebody wants it to stop, or there is no room for what rays find.
+    /// Whether to break off: the flag of the settings is set, or a ray has used up its memory.
     fn is_to_stop(&self) -> bool {
         (self.stop.as_deref()).is_some_and(|stop| stop.load(Ordering::Relaxed))
             || self.tracer.graph.room.is_exhausted()
     }
 
-    /// Draws some rows at a time, in parallel. Once it is to stop, no row is begun any more, and the rest is black.
+    /// Draws a part of the picture in parallel, some rows at a time. Pixels that are not drawn before a break-off are
+    /// black. `samples` is the least number of samples of a pixel.
     fn drawn<R: Precision>(
         &self,
         (part, samples): (Crop, u32),
@@ -405,7 +408,8 @@ impl<'t> Drawing<'t> {
         }
     }
 
-    /// Draws some rows from a column on, so many columns at a time, if it is not to stop.
+    /// Draws rows whose first column is `left`, `across` columns at a time, until they are done or the drawing breaks
+    /// off.
     fn band<'d, R: Precision>(
         &'d self,
         pen: &mut Pen<'d, 't, R>,
@@ -456,12 +460,13 @@ impl<'t> Drawing<'t> {
         Band {
             samples,
             counts,
-            // What asks to stop goes on asking.
+            // A reason to stop never goes away, so a look at the end suffices.
             is_finished: !self.is_to_stop(),
         }
     }
 
-    /// The first samples of each pixel, row by row, for those that ask how many more there should be.
+    /// The first samples of each pixel of a part, row by row, and the counts of the work. Adaptive sampling decides by
+    /// them how many more samples a pixel needs.
     fn first_samples<R: Precision>(
         &self,
         part: Crop,
@@ -505,7 +510,7 @@ struct Band {
     is_finished: bool,
 }
 
-/// Rows that are drawn together, so many at a time.
+/// Splits rows into bands of `height` rows, which are drawn together; the last band may be lower.
 fn in_bands(rows: Vec<Row>, height: usize) -> Vec<Vec<Row>> {
     let mut bands: Vec<Vec<Row>> = Vec::with_capacity(rows.len().div_ceil(height));
     for row in rows {

@@ -1,6 +1,6 @@
-//! Pixels one by one, in doubles: for those who measure what a picture costs and how good it is.
+//! Pixels one by one, with colours in doubles, to measure the cost and the quality of a picture.
 //!
-//! With the [`switches`](super::switches) this is all that [`study`](crate::study) asks of the kernel besides
+//! Together with the [`switches`](super::switches) this is all that [`study`](crate::study) uses of the tracer besides
 //! pictures and probes.
 
 use super::adaptive::{Estimate, First, contrast};
@@ -22,14 +22,15 @@ use rustc_hash::{FxHashMap, FxHashSet};
 pub struct VisibleObject {
     /// ID of the entity whose properties apply.
     pub object: u32,
-    /// The distance in units of the unit direction: the number and, for those that have it, what it is rounded by.
+    /// The distance along the ray as a sum of two doubles: the second one is 0 unless the ray was traced in
+    /// double-double.
     pub t: (f64, f64),
 }
 
 /// Draws pixels of one picture on one thread.
 pub trait Pixels {
-    /// The sum of samples of a pixel: linear RGB, not clipped. Sample `i` of any number above one is
-    /// the same; a single one is the centre.
+    /// The sum of the samples numbered `samples` of a pixel with `of` samples: linear RGB, not clipped. With `of` = 1
+    /// the sample is the pixel's centre. With any larger `of`, sample `i` is the same.
     fn sum(&mut self, x: u32, y: u32, samples: std::ops::Range<u32>, of: u32) -> Rgb;
 
     /// The object that is seen first through the centre of a pixel; `None`: the background.
@@ -40,17 +41,17 @@ pub trait Pixels {
 
     fn reset(&mut self);
 
-    /// Takes the first samples of pixels whose neighbours are going to be drawn adaptively.
+    /// Prepares to draw `pixels` adaptively: takes the first samples of all neighbours that are not among them.
     fn look_around(&mut self, _pixels: &[[u32; 2]]) {}
 
-    /// The sums of samples of pixels, as [`sum`](Self::sum) has them, drawn in whatever way is the quickest.
+    /// The sums that [`sum`](Self::sum) returns, for many pixels, drawn in whatever way is the quickest.
     fn sums(&mut self, pixels: &[[u32; 2]], samples: std::ops::Range<u32>, of: u32) -> Vec<Rgb> {
         let sum = |&[x, y]: &[u32; 2]| self.sum(x, y, samples.clone(), of);
         pixels.iter().map(sum).collect()
     }
 
     /// Means of pixels over as many samples as the tolerance of the settings asks for, each with the number of samples.
-    /// Kernels without such sampling take one.
+    /// Without adaptive sampling it is one sample.
     fn adaptive(&mut self, pixels: &[[u32; 2]]) -> Vec<(Rgb, u32)> {
         let sums = self.sums(pixels, 0..1, 1);
         sums.into_iter().map(|sum| (sum, 1)).collect()
@@ -58,7 +59,7 @@ pub trait Pixels {
 }
 
 impl Tracer {
-    /// The scene as the quick kernel sees it, if that draws such a picture.
+    /// The scene set up for the quick kernel; `None` if the kernel does not draw pictures with these settings.
     ///
     /// # Errors
     ///
@@ -67,8 +68,8 @@ impl Tracer {
         self.drawing(camera, settings, |drawing| drawing.quick_stage(settings))
     }
 
-    /// Hands out what draws the pixels of a picture, with the quick kernel if there is a stage. Of the settings, `samples`,
-    /// `crop`, `wanted` and `stop` do not matter.
+    /// Calls `draw` with an object that draws single pixels of a picture, with the quick kernel if there is a stage.
+    /// The settings `samples`, `crop`, `wanted` and `stop` do not matter.
     ///
     /// # Errors
     ///
@@ -109,7 +110,7 @@ impl Tracer {
 
 struct Single<'d, 't, R: Precision> {
     pen: Pen<'d, 't, R>,
-    /// Walkers for questions that are not to be counted.
+    /// Walkers for questions whose work is not counted.
     walkers: Walkers<'t, R>,
     tolerance: f64,
     size: [u32; 2],

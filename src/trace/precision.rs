@@ -1,4 +1,4 @@
-//! The numbers that scenes are traced in, and what each does about what it cannot decide.
+//! The kinds of numbers that scenes are traced in, and how each treats decisions that rounding makes doubtful.
 
 use super::graph::Graph;
 use crate::geometry::affine::Affine;
@@ -15,7 +15,7 @@ pub enum Doubt {
     Stands,
     /// The ray is traced again in double-double.
     GoesOn,
-    /// Crossings that cannot be told apart are in one place.
+    /// Crossings that cannot be told apart count as one place.
     Merges,
 }
 
@@ -23,20 +23,20 @@ pub enum Doubt {
 pub trait Precision: Traced {
     const DOUBT: Doubt;
 
-    /// The share of the way to a lamp, at its end, on which nothing throws a shadow: a lamp on a surface is not in the
-    /// shadow of that surface. It is the same in doubles and in all that judges doubles, and far above what doubles round
-    /// and far below what a picture shows.
+    /// The last share of the way to a lamp, on which nothing throws a shadow: a lamp on a surface is not in the shadow
+    /// of that surface. Doubles, and the finer numbers that check them, have the same share. It is far above the
+    /// rounding errors of doubles and far below what a picture shows.
     const AT_LAMP: f64 = 1.0 / (1u64 << 27) as f64;
 
-    /// The placements that a walker has met, in its precision.
+    /// The inverse maps of placements that a walker has met, in the walker's precision.
     type Maps: Default;
 
-    /// The map of a placement out of the space below it.
+    /// The map of a placement from the space below it into the space above.
     fn out(graph: &Graph, placement: u32) -> Affine<Self> {
         Affine::new(&graph.matrices[placement as usize])
     }
 
-    /// The map of a placement into the space below it.
+    /// The map of a placement from the space above it into the space below.
     fn back(maps: &Self::Maps, graph: &Graph, placement: u32) -> Affine<Self>;
 }
 
@@ -70,8 +70,8 @@ impl Precision for Dd {
     const DOUBT: Doubt = Doubt::Merges;
     type Maps = RefCell<HashMap<u32, Affine<Dd>>>;
 
-    /// Inverted when it is first met: few rays need it, and all placements' would take twice the
-    /// memory.
+    /// The inverse map is computed when a placement is first met. Few rays need it, and the inverses of all placements
+    /// would take twice the memory.
     fn back(maps: &Self::Maps, graph: &Graph, placement: u32) -> Affine<Dd> {
         *maps.borrow_mut().entry(placement).or_insert_with(|| {
             let out = Affine::new(&graph.matrices[placement as usize]);

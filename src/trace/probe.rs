@@ -1,4 +1,4 @@
-//! The crossings on a ray, for those who ask about geometry.
+//! The crossings on a ray, for questions about geometry.
 
 #![warn(missing_docs)]
 
@@ -15,12 +15,12 @@ use crate::geometry::vec::Vec3;
 pub struct Crossing<R = f64> {
     /// The place of the crossing.
     pub hit: Hit<R>,
-    /// Unit geometric normal: outwards of the solid whose boundary is crossed, also where a cut
-    /// made it; for a surface that of its shape.
+    /// Unit geometric normal. It points out of the solid whose boundary is crossed, also where a cut made the boundary.
+    /// For a surface without inside it is the normal of the shape.
     pub normal: Vec3<R>,
     /// Surface coordinates of the shape.
     pub uv: [f64; 2],
-    /// Whether the ray goes against the normal; `None` for surfaces without inside.
+    /// Whether the ray goes against the normal, into the solid; `None` for surfaces without inside.
     pub entering: Option<bool>,
     /// ID of the entity whose record made the surface.
     pub shape: u32,
@@ -31,8 +31,7 @@ pub struct Crossing<R = f64> {
 /// All crossings on a ray, and the state at its start.
 #[derive(Debug, Clone)]
 pub struct Probe<R = f64> {
-    /// Whether the ray starts in a solid: the state just behind its origin, whatever region is
-    /// drawn.
+    /// Whether the ray starts in a solid, just after its origin. The region that is drawn does not matter.
     pub inside_at_origin: bool,
     /// The crossings, ascending in t.
     pub crossings: Vec<Crossing<R>>,
@@ -57,8 +56,8 @@ impl<R: Precision> Probe<R> {
 }
 
 impl<R: Precision> Probe<R> {
-    /// The common part of two rays that run side by side, closer than doubles can tell. A stretch that is no longer
-    /// than `least`, in t, is left out.
+    /// Combines the probes of two rays that run side by side, closer than doubles can tell: the result is inside where
+    /// both are. Stretches that are no longer than `least`, in t, are left out.
     pub(super) fn common(self, other: Probe<R>, least: R) -> Probe<R> {
         let mut inside = [self.inside_at_origin, other.inside_at_origin];
         let mut rest = [self.crossings, other.crossings].map(|c| c.into_iter().peekable());
@@ -66,7 +65,7 @@ impl<R: Precision> Probe<R> {
             inside_at_origin: inside == [true; 2],
             crossings: Vec::new(),
         };
-        // Of one place are crossings that doubles cannot tell apart.
+        // Crossings that doubles cannot tell apart are in one place.
         let apart = |a: &Crossing<R>, b: &Crossing<R>| {
             let (s, t) = (a.hit.t, b.hit.t);
             (s - t).abs() > R::of(4.0 * f64::EPSILON) * s.abs().max(t.abs())
@@ -94,10 +93,12 @@ impl<R: Precision> Probe<R> {
             }
             let after = inside == [true; 2];
             let Some(crossing) = found else { break };
-            // A sheet, or the boundary between two media, is there if it is on both sides.
+            // A place where the common state changes is a crossing. A sheet, or a boundary between two media, is one if
+            // both rays cross it.
             if before != after {
                 let entering = Some(after);
-                // What begins and ends in one place is between surfaces that meet there.
+                // A stretch that begins and ends in one place is a gap between surfaces that meet there, and is left
+                // out.
                 let ends = |last: &mut Crossing<R>| {
                     let short = crossing.hit.t - last.hit.t <= least;
                     last.entering == Some(before) && (short || !apart(last, &crossing))
@@ -118,8 +119,9 @@ impl<R: Precision> Probe<R> {
 }
 
 impl Tracer {
-    /// The crossings of a ray in the region that is drawn: all with t > 0, ascending, as if every surface let it
-    /// through. The region itself is no surface. `walker` is its own, without a finer one to help.
+    /// The crossings of a ray in the region that is drawn: all with t > 0, ascending, as if every surface let the ray
+    /// through. The sides of the region are no surfaces. `walker` answers alone: it does not pass doubtful decisions
+    /// on.
     pub(super) fn probe_with<R: Precision>(
         &self,
         walker: &mut Walker<R>,
@@ -160,7 +162,7 @@ fn probe_between<R: Precision>(walker: &mut Walker<R>, ray: &Ray<R>, from: R, to
     for event in events {
         if event.kind != Kind::Silent {
             let Some(crossing) = crossing(walker, ray, &event, before) else {
-                // Here the numbers end, and the ray with them.
+                // This place is out of the range of numbers, and the ray ends here.
                 break;
             };
             crossings.push(crossing);
@@ -173,7 +175,8 @@ fn probe_between<R: Precision>(walker: &mut Walker<R>, ray: &Ray<R>, from: R, to
     }
 }
 
-/// A visible event, if there are numbers for its place; `before`: whether the ray was inside.
+/// The crossing at a visible event; `None` if its place is out of the range of numbers. `before` is whether the ray was
+/// in a solid before the event.
 fn crossing<R: Precision>(
     walker: &mut Walker<R>,
     ray: &Ray<R>,
@@ -188,7 +191,7 @@ fn crossing<R: Precision>(
     let entering = if before != event.state.inside {
         event.state.inside
     } else {
-        // From one medium into another: into the one whose surface it is, or out of it.
+        // The ray goes from one medium into another: into the solid that the surface belongs to, or out of it.
         hit.entering != turned
     };
     Some(Crossing {

@@ -1,10 +1,9 @@
 //! Quartics on an interval, by the cascade of their derivatives.
 //!
-//! Between two neighbouring roots of its derivative a polynomial is monotone, so that the roots of
-//! each derivative bracket those of the next one up; a bracket is closed by Newton's method, kept
-//! in it by bisection (Yuksel, "High-Performance Polynomial Root Finding for Graphics", Proc. ACM
-//! Comput. Graph. Interact. Tech. 5(3), 2022; the safeguard is that of Press et al., Numerical
-//! Recipes, section 9.4).
+//! A polynomial is monotone between two neighbouring roots of its derivative, so these bracket its own roots. The
+//! cascade goes up by one degree at a time. Newton's method finds the root in a bracket, and bisection keeps it inside
+//! (Yuksel, "High-Performance Polynomial Root Finding for Graphics", Proc. ACM Comput. Graph. Interact. Tech. 5(3),
+//! 2022; the safeguard is that of Press et al., Numerical Recipes, section 9.4).
 
 use crate::geometry::number::Real;
 use std::ops::ControlFlow;
@@ -17,7 +16,7 @@ pub(super) struct Quartic<R> {
 }
 
 impl<R: Real> Quartic<R> {
-    /// The value and the slope.
+    /// The value and the slope at t.
     #[inline]
     pub(super) fn at(&self, t: R) -> (R, R) {
         let [a, b, c, d, e] = self.c;
@@ -31,7 +30,7 @@ impl<R: Real> Quartic<R> {
         (p.mul_add(t, e), q)
     }
 
-    /// The first three derivatives.
+    /// The first three derivatives at t.
     pub(super) fn derivatives(&self, t: R) -> [R; 3] {
         let [a, b, c, ..] = self.c;
         let (two, three, four) = (R::of(2.0), R::of(3.0), R::of(4.0));
@@ -39,7 +38,7 @@ impl<R: Real> Quartic<R> {
         [first, second, R::of(6.0) * (four * a * t + b)]
     }
 
-    /// The slope and the slope's slope.
+    /// The slope at t and its derivative. `[a, b, c]` are 4c₄, 3c₃ and 2c₂.
     #[inline]
     fn slope_at(&self, [a, b, c]: [R; 3], t: R) -> (R, R) {
         let d = self.c[3];
@@ -49,10 +48,10 @@ impl<R: Real> Quartic<R> {
         (p.mul_add(t, d), q.mul_add(t, p))
     }
 
-    /// Visits points from `from` to `to`, both included, between any two of which the quartic is monotone
-    /// and its curvature keeps its sign, as far as rounding tells: ascending, until the visitor breaks off.
-    /// Where it hides a pair of stationary points, they are so close to each other and to one of these points
-    /// that the slope between is as small as its own rounding error.
+    /// Divides the interval from `from` to `to` into pieces on which the quartic is monotone and its curvature keeps
+    /// its sign, as far as rounding tells. Visits the ends of the pieces, ascending, from `from` to `to`, until the
+    /// visitor breaks off. If rounding hides a pair of stationary points, they are so close to each other and to a
+    /// visited point that the slope between is as small as its own rounding error.
     ///
     /// # Inputs
     /// `from < to`, both finite. Whatever the coefficients, the points are numbers in between.
@@ -68,7 +67,7 @@ impl<R: Real> Quartic<R> {
         }
         let [first, second] = quadratic(three * slope[0], two * slope[1], slope[2]);
         for bend in [first, second, to] {
-            // Numbers that exceed all before them.
+            // Only a number beyond the last point divides the interval; a NaN fails the comparison.
             if !(bend > last && bend <= to) {
                 continue;
             }
@@ -91,8 +90,8 @@ impl<R: Real> Quartic<R> {
     }
 }
 
-/// The roots of at² + bt + c, ascending; one that is double, or is missed by rounding, twice or
-/// once. Where there is none, the place of the extremum, twice. Not finite where a vanishes.
+/// The roots of at² + bt + c, ascending. If the discriminant is not above 0, the place of the extremum, twice: near the
+/// roots if rounding has hidden them. At least one of the two is not finite if a vanishes.
 fn quadratic<R: Real>(a: R, b: R, c: R) -> [R; 2] {
     let b = -b * R::of(0.5);
     let discriminant = R::difference_of_products(b, b, a, c);
@@ -110,8 +109,9 @@ fn quadratic<R: Real>(a: R, b: R, c: R) -> [R; 2] {
     }
 }
 
-/// The root of a function that changes sign between the two ends of a bracket, to within the given
-/// precision; where it does not change sign, some number between them.
+/// The root of a function that changes sign between the two ends of a bracket, to within the given precision; if it
+/// does not change sign, some number between them. `f` returns the value and the slope; `rising` is whether the sign
+/// changes from below 0 to above.
 ///
 /// Newton's method from `start`; it bisects wherever a step would leave the bracket or exceeds half
 /// of the one before, so that every step halves either the steps or the bracket.

@@ -1,4 +1,4 @@
-//! Rays, with what they know about where they start.
+//! Rays, and what is known about the surfaces that they start on.
 
 #![warn(missing_docs)]
 
@@ -9,15 +9,15 @@ use crate::geometry::vec::Vec3;
 /// The surface a ray starts on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Left<R = f64> {
-    /// The surface: the shape's geometry and the way it is placed.
+    /// A number for the surface, made of its shape and the way the shape is placed.
     pub surface: u64,
-    /// The number of its shape.
+    /// The index of the surface's shape in the graph's primitives.
     pub primitive: u32,
-    /// Whether the ray goes into the surface's solid. Crossings alternate, so this and being
-    /// nearest to the origin single out the root that is the starting point itself.
+    /// Whether the ray goes into the surface's solid. Entries and exits alternate. So the root that is the starting
+    /// point itself is the nearest to the origin among the entries, or among the exits.
     pub entering: bool,
-    /// Bound on the distance of the starting point from the true surface. What lies closer to the
-    /// starting point than this, along its own normal, cannot be told from it and is behind it.
+    /// Bound on the distance of the starting point from the true surface. Another surface that is closer to the
+    /// starting point, along that surface's normal, cannot be told from it and counts as behind the ray.
     pub skin: R,
     /// The way in which the ray passes the surface that its starting face is a part of; `None` where other shapes have
     /// no faces in that surface.
@@ -36,7 +36,7 @@ pub struct Ray<R: Traced = f64> {
 }
 
 impl<R: Traced> Ray<R> {
-    /// A ray that starts anywhere.
+    /// A ray that leaves no surface, and may start inside of solids.
     #[inline]
     pub fn new(origin: Vec3<R>, direction: Vec3<R>) -> Ray<R> {
         Ray {

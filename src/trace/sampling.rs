@@ -6,8 +6,8 @@ use crate::geometry::array::each;
 /// square most evenly (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
 const STEP: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_2];
 
-/// Sample `i` of `n` in pixel (x, y), in [0, 1)². A single sample is the centre; the points of more
-/// are shifted around the pixel by an amount that depends on the pixel alone.
+/// Sample `i` of `n` in pixel (x, y), in [0, 1)². A single sample is the centre. Several samples are shifted together,
+/// around the edges of the pixel, by an amount that depends on the pixel alone.
 #[inline]
 pub fn sample(x: u32, y: u32, i: u32, n: u32) -> [f64; 2] {
     if n <= 1 {

@@ -18,7 +18,7 @@ use crate::scene::{Optics, Rgb};
 pub struct Limits {
     /// Rays deeper than this contribute nothing; a camera ray has depth 0.
     pub depth: u32,
-    /// Branches that count for less than this in every channel contribute nothing.
+    /// Rays whose weight is below this in every channel contribute nothing.
     pub cutoff: f64,
 }
 
@@ -32,29 +32,30 @@ pub struct Features {
     pub dispersion: bool,
 }
 
-/// A ray still to be followed, and how much its light counts, per channel.
+/// A ray that waits to be followed, and the weight of its light per channel.
 #[derive(Debug, Clone, Copy)]
 struct Branch<R: Precision> {
     ray: Ray<R>,
     weight: Vec3,
     depth: u32,
-    /// For a ray that goes on through a sheet to the face that the sheet lies in: the share of light that the sheet lets
-    /// through. Such a ray starts where the one before it did.
+    /// The share of light that a sheet lets through, for a ray that looks for the face of a solid behind a sheet in the
+    /// same place; `None` for other rays. The ray starts at the origin of the ray that met the sheet.
     sheet: Option<Vec3>,
 }
 
-/// The scratch of one thread.
+/// Computes the light along rays, on one thread.
 pub struct Shader<'t, R: Precision = f64> {
     tracer: &'t Tracer,
-    /// Ambient light of the scene, and its point lights.
+    /// The sum of the scene's ambient lights.
     ambient: Vec3,
     lights: &'t [Light],
     limits: Limits,
     features: Features,
     walkers: Walkers<'t, R>,
     rays: Rays,
-    /// Rays in some of the channels, and changes of the medium.
+    /// The number of rays that were sent on in some of the colour channels only.
     parted: u64,
+    /// How often light has met a surface with different refractive indices before and behind it.
     media: u64,
     branches: Vec<Branch<R>>,
 }
@@ -80,7 +81,7 @@ impl<'t, R: Precision> Shader<'t, R> {
         }
     }
 
-    /// Forgets what was counted.
+    /// Sets all counts to 0.
     pub fn reset(&mut self) {
         self.rays = Rays::default();
         (self.parted, self.media) = (0, 0);
@@ -117,7 +118,7 @@ impl<'t, R: Precision> Shader<'t, R> {
         [boxes + shape, self.rays.total]
     }
 
-    /// The cost since the count `before`, of one sample or of a part of it.
+    /// The cost of a sample, or of a part of one, that began when [`spent`](Self::spent) returned `before`.
     pub fn cost_since(&self, before: [u64; 2]) -> Cost {
         let [tests, total] = self.spent();
         Cost {
@@ -129,8 +130,7 @@ impl<'t, R: Precision> Shader<'t, R> {
 
     /// The light along a camera ray.
     ///
-    /// Rays that are reflected and refracted wait on a stack with their weights, so no depth is
-    /// too deep.
+    /// Reflected and refracted rays wait on a stack with their weights. Nothing is recursive, so any depth is possible.
     pub fn radiance(&mut self, ray: &Ray<R>) -> Rgb {
         self.rays.camera += 1;
         let mut sum = self.light_along(ray, (Vec3::ONE, 0));
@@ -138,7 +138,7 @@ impl<'t, R: Precision> Shader<'t, R> {
         sum.0
     }
 
-    /// Follows the rays that wait, and all that come of them; each one's light is added.
+    /// Follows the rays that wait, and the rays that these give rise to. Calls `add` with the light of each.
     fn follow_branches(&mut self, mut add: impl FnMut(Vec3)) {
         while let Some(Branch {
             ray,
@@ -154,7 +154,8 @@ impl<'t, R: Precision> Shader<'t, R> {
         }
     }
 
-    /// The light that a surface sends back along a ray by itself, times the weight. Rays that go on from there wait.
+    /// The light that the first surface on a ray sends back by itself, or that of the background, times the weight.
+    /// Reflected and refracted rays are put on the stack.
     fn light_along(&mut self, ray: &Ray<R>, (weight, depth): (Vec3, u32)) -> Vec3 {
         let hit = match self.features.glass {
             false => self.walkers.first_hit::<false>(ray),
@@ -172,8 +173,9 @@ impl<'t, R: Precision> Shader<'t, R> {
         light.times(weight)
     }
 
-    /// The light of the face behind a sheet that lies in it. Light reaches the face through the sheet, and what the face
-    /// mirrors goes back through it; what the underside of the sheet adds is left out.
+    /// The light of the face of a solid that a sheet lies in, times the weight. Lamps light the face through the sheet,
+    /// and what the face mirrors goes back through the sheet. The face's mirror image of the sheet's underside is left
+    /// out.
     #[inline(never)]
     fn light_behind_sheet(&mut self, ray: &Ray<R>, (weight, depth): (Vec3, u32), kt: Vec3) -> Vec3 {
         match self.walkers.face_behind_sheet(ray) {
@@ -185,22 +187,25 @@ impl<'t, R: Precision> Shader<'t, R> {
         }
     }
 
-    /// kd·C·(Σ ambient + Σ I·max(0, n·l)·V)
+    /// The diffuse light of a surface of colour C: kd·C·(Σ ambient + Σ I·max(0, n·l)·V), with I the power of a point
+    /// light, l the direction to it and V its visibility.
     ///
-    /// Lights are seen through the sheet that the surface is behind, if there is one.
+    /// `sheet` is the share of light that a sheet before the surface lets through, if there is one. Point lights are
+    /// seen through the sheet.
     fn direct(&mut self, hit: &Hit<R>, sheet: Option<Vec3>) -> Vec3 {
         let albedo = Vec3(self.optics(hit).kd).times(Vec3(hit.colour));
         if !albedo.any() {
             return Vec3::ZERO;
         }
         let normal = hit.facing();
-        // All shadow rays leave in the same way; only their lines differ.
+        // All shadow rays leave the surface in the same way, so one ray serves for all and only its line is replaced.
         let mut ray = hit.leave(normal, false);
         let mut light = self.ambient;
         for &Light { position, power } in self.lights {
             let way = position.cast() - hit.point;
-            // Lights behind the surface, and hidden ones, need no unit vector: `lean` has the sign of the cosine, unless
-            // `lean` is small beside the length of the way.
+            // The unit vector to a light is needed only if the light is seen. The sign of `lean` tells whether the
+            // light is behind the surface: it is the sign of the cosine, unless `lean` is small beside the length of
+            // the way.
             let lean = normal.dot(way);
             let length = way.abs().max_component();
             let sure = length * R::ROUNDOFF.sqrt() + R::ROUNDOFF.square().square();
@@ -224,7 +229,8 @@ impl<'t, R: Precision> Shader<'t, R> {
         &self.tracer.graph.optics[hit.optics as usize]
     }
 
-    /// The share of light that gets through along a ray from a hit, up to t = 1.
+    /// The share of light, per channel, that reaches a hit from a lamp at t = 1 on `ray`. Nothing is in the way if
+    /// there are no shadows, or outside of a lone convex shape.
     fn visibility(&mut self, hit: &Hit<R>, ray: &Ray<R>) -> Vec3 {
         if !self.features.shadows || (self.tracer.plan.lone_convex && !hit.inside[0]) {
             return Vec3::ONE;
@@ -233,7 +239,7 @@ impl<'t, R: Precision> Shader<'t, R> {
         self.share(ray)
     }
 
-    /// The share of light that gets through along a ray, up to t = 1.
+    /// The share of light, per channel, that the surfaces on a ray up to t = 1 let through.
     fn share(&mut self, ray: &Ray<R>) -> Vec3 {
         let clear = self.features.glass && !self.tracer.graph.without.transparent_shadows;
         match clear {
@@ -242,8 +248,8 @@ impl<'t, R: Precision> Shader<'t, R> {
         }
     }
 
-    /// Sends on what is mirrored and what goes through. What is mirrored goes through the sheet that the surface is behind,
-    /// if there is one.
+    /// Puts the reflected and the refracted rays of a hit on the stack. `sheet` is the share of light that a sheet
+    /// before the surface lets through, if there is one. Reflected light goes back through the sheet.
     fn follow(
         &mut self,
         ray: &Ray<R>,
@@ -261,14 +267,15 @@ impl<'t, R: Precision> Shader<'t, R> {
         let indices = &self.tracer.graph.indices;
         let around = each(hit.indices, |index| indices[index as usize]);
         while let Some(c) = (0..3).find(|&c| todo[c] != 0.0) {
-            // The channels that go the same way go together.
+            // Colour channels with the same refraction are followed as one ray.
             let ratio = |c: usize| (around[0][c], around[1][c]);
             let mut through = Vec3::ZERO;
             if !self.features.dispersion {
                 through = std::mem::replace(&mut todo, Vec3::ZERO);
             } else {
                 let all = todo;
-                // Straight on is one way, whatever the index.
+                // A channel with one index on both sides is not bent, whatever the index is. So all those channels go
+                // on as one ray.
                 let bend = |c: usize| Some(ratio(c)).filter(|(before, behind)| before != behind);
                 for other in (c..3).filter(|&o| bend(o) == bend(c)) {
                     through[other] = std::mem::take(&mut todo[other]);
@@ -278,10 +285,11 @@ impl<'t, R: Precision> Shader<'t, R> {
             let (before, behind) = ratio(c);
             self.media += u64::from(before != behind);
             if before == behind {
-                // Straight on: not a step deeper.
+                // Light that is not bent does not count towards the depth.
                 let weight = weight.times(through);
                 match hit.in_face {
-                    // From the sheet on, the face could not be told from what the ray has left.
+                    // A ray that left the sheet could not tell the face, which is in the same place, from its own
+                    // start. So the search for the face starts at the origin of this ray.
                     true => self.branch(*ray, weight, depth, Some(Vec3(optics.kt))),
                     false => self.branch(hit.leave(direction, true), weight, depth, None),
                 };
@@ -309,8 +317,8 @@ impl<'t, R: Precision> Shader<'t, R> {
         }
     }
 
-    /// Puts a ray on the stack unless it is too deep or counts for too little.
-    /// For `sheet` see [`Branch`].
+    /// Puts a ray on the stack unless it is too deep or its weight is too small. Returns whether it did. For `sheet`
+    /// see [`Branch`].
     fn branch(&mut self, ray: Ray<R>, weight: Vec3, depth: u32, sheet: Option<Vec3>) -> bool {
         let counts = weight.any() && weight.max_component() >= self.limits.cutoff;
         let goes = counts && depth <= self.limits.depth && ray.line.direction.any();
@@ -341,9 +349,9 @@ impl<R: Precision> Arbiter for Shader<'_, R> {
     }
 }
 
-/// Snell's law: the direction behind a surface whose unit normal `n` faces the ray, of a ray of
-/// unit direction `d`, with the ratio of the index before to the one behind. `None`: all of the
-/// light is reflected.
+/// Snell's law: the unit direction of a ray behind a surface; `None` if all light is reflected. `d` is the unit
+/// direction before the surface, `n` the unit normal on the side that the ray comes from, and `ratio` the refractive
+/// index before the surface over the index behind it.
 pub fn refract<R: Real>(d: Vec3<R>, n: Vec3<R>, ratio: R) -> Option<Vec3<R>> {
     let cosine = -d.dot(n);
     let square = R::ONE - ratio * ratio * (R::ONE - cosine * cosine).max(R::ZERO);

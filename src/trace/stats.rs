@@ -3,7 +3,7 @@
 use serde::Serialize;
 use std::ops::AddAssign;
 
-/// Rays traced, by what they are for. A ray that goes straight on through a surface counts as
+/// The number of rays that were traced, by their purpose. A ray that goes straight on through a surface counts as
 /// refraction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Rays {
@@ -11,7 +11,7 @@ pub struct Rays {
     pub shadow: u64,
     pub reflection: u64,
     pub refraction: u64,
-    /// Times that light was totally reflected; its rays are among `reflection`.
+    /// How often light was totally reflected; the rays are among `reflection`, too.
     #[serde(skip)]
     pub total: u64,
 }
@@ -19,7 +19,7 @@ pub struct Rays {
 /// Intersection tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Intersections {
-    /// Tests with boxes, of hierarchies and of what lies in a direction.
+    /// Tests with boxes of trees, by single rays and by bundles of rays.
     #[serde(rename = "box")]
     pub boxes: u64,
     pub shape: u64,
@@ -44,13 +44,13 @@ macro_rules! work {
 work! {
     /// Shadow rays.
     shadow,
-    /// Shadow rays that have listed what they pass through, since something transparent was near.
+    /// Shadow rays that have listed the surfaces on their way, since something transparent was near.
     transparent_shadow,
     /// Mirrored rays.
     reflection,
     /// Rays that go on through a surface.
     refraction,
-    /// Rays that go on in some of the channels, since these part.
+    /// Rays that go on in some of the colour channels only, since dispersion parts the channels.
     channel_split,
     /// Surface coordinates for a texture.
     uv,
@@ -68,7 +68,7 @@ work! {
     csg_merge,
     /// Rays cut to the region that is drawn.
     clip,
-    /// Surfaces with different refractive indices before and behind that light was let into.
+    /// How often light met a transparent surface with different refractive indices before and behind it.
     medium_change,
 }
 
@@ -78,8 +78,8 @@ pub struct Counts {
     pub rays: Rays,
     pub intersections: Intersections,
     pub work: Work,
-    /// Rays about which something was closer than rounding errors: in doubles, those that were
-    /// traced again in double-double.
+    /// Rays with a decision that was closer than its rounding errors. In doubles, these rays were traced again in
+    /// double-double.
     pub uncertain: u64,
     /// Pixels that the quick kernel has drawn alone.
     pub quick: u64,
@@ -125,7 +125,7 @@ impl AddAssign for Counts {
     }
 }
 
-/// Samples per pixel.
+/// The least and the most samples of a pixel, and the sum over all pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Samples {
     pub min: u32,

@@ -1,4 +1,4 @@
-//! All surfaces of shapes on a ray, whatever operations leave of them.
+//! All surfaces of shapes on a ray, also where operations cut them away.
 
 use super::graph::{Operation, Target};
 use super::precision::Precision;
@@ -73,7 +73,7 @@ impl<R: Precision> Walker<'_, R> {
                         leaves += 1;
                     }
                 },
-                // These are not put on the stack here.
+                // This walk puts no tasks of these kinds on the stack.
                 Task::Operand { .. } | Task::JoinUnion { .. } | Task::JoinIntersection { .. } => {}
             }
         }

@@ -1,11 +1,11 @@
-//! A tracer with parts taken out, or replaced: for those who measure what these cost and bring.
+//! Switches that take parts of a tracer out, or replace them, to measure their costs and benefits.
 
 use super::shapes::Roots;
 use crate::geometry::line::Line;
 use std::fmt::Debug;
 
-/// Effects that are taken out of a tracer, although its scene calls for them. Those for which the
-/// shading code is compiled with and without go by that; the others are asked for at run time.
+/// Effects that are taken out of a tracer, although its scene calls for them. For some effects the shading code is
+/// compiled twice, and the version without the effect is chosen; the others are tested at run time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Without {
     /// Whether shadows are left out: every light is seen from everywhere.
@@ -26,10 +26,10 @@ pub struct Without {
     pub kernel: bool,
 }
 
-/// Finds crossings in place of shapes, in doubles alone.
+/// A solver that finds crossings in place of the shapes' own code, in doubles only.
 pub trait Solver: Debug + Send + Sync {
     /// Appends all crossings of a line with the shape of this number in
-    /// [`Graph::primitives`](super::graph::Graph::primitives), in the shape's space and ascending, to the
-    /// cleared `roots`; `false` where the shape is to do so itself.
+    /// [`Graph::primitives`](super::graph::Graph::primitives), in the shape's space and ascending, to the cleared
+    /// `roots`. Returns `false` if the shape's own code is to find them.
     fn crossings(&self, primitive: u32, line: &Line, roots: &mut Roots) -> bool;
 }

@@ -11,7 +11,7 @@ pub struct SurfacePoint<'s> {
     pub shape: &'s dyn Shape,
     /// The point in the shape's space.
     pub point: Vec3,
-    /// See [`Root::face`](super::shapes::Root::face).
+    /// The number of the face that the point is on: see [`Root::face`](super::shapes::Root::face).
     pub face: u32,
 }
 
@@ -22,8 +22,8 @@ impl SurfacePoint<'_> {
 }
 
 impl Graph {
-    /// The colour of a point, linear RGB, by a texture: an index into [`Graph::textures`]. `painted` is the point in the
-    /// space that the texture was given in.
+    /// The colour, linear RGB, that a texture gives a point. `texture` is an index into [`Graph::textures`]. `painted`
+    /// computes the point in the space that the texture was given in.
     pub fn painted(
         &self,
         texture: u32,

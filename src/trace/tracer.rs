@@ -28,14 +28,14 @@ pub struct Tracer {
     pub(super) ambient: Vec3,
     pub(super) lights: Vec<Light>,
     pub(super) background: Vec3,
-    /// The region that is drawn, where it cuts anything.
+    /// The region that is drawn; `None` if it cuts nothing off.
     pub(super) clip: Option<Aabb>,
     /// The effects that the scene calls for.
     pub plan: Plan,
 }
 
 impl Tracer {
-    /// Compiles what the render record names, by the plan of the scene.
+    /// Compiles the object that the render record names, by the plan of the scene.
     ///
     /// # Errors
     ///
@@ -45,11 +45,11 @@ impl Tracer {
         Tracer::with_images(scene, &Images::default())
     }
 
-    /// Compiles what the render record names, with its pictures.
+    /// Compiles the object that the render record names, with the pictures of its textures.
     ///
     /// # Errors
     ///
-    /// As [`Tracer::new`], but image textures only where their picture is missing.
+    /// The errors of [`Tracer::new`], but an image texture is an error only if its picture is missing.
     pub fn with_images(scene: &Scene, images: &Images) -> Result<Tracer, Error> {
         let plan = Plan::new(scene).ok_or_else(Error::nothing_to_draw)?;
         Tracer::planned(scene, images, plan)
@@ -59,7 +59,7 @@ impl Tracer {
     ///
     /// # Errors
     ///
-    /// As there.
+    /// The errors of [`Tracer::with_images`].
     pub fn planned(scene: &Scene, images: &Images, plan: Plan) -> Result<Tracer, Error> {
         let render = scene.render.ok_or_else(Error::nothing_to_draw)?;
         let graph = compile(scene, images, render.root, &plan.left_out)?;
@@ -82,13 +82,14 @@ impl Tracer {
         })
     }
 
-    /// Gives each ray as much memory as this, in bytes; `false` where that will surely not do.
+    /// Limits the memory that each thread may take for a ray, in bytes. Returns `false` if that is surely too little.
     pub fn confine(&mut self, bytes: u64) -> bool {
         self.graph.room = MemoryLimit::of(bytes);
         !self.graph.is_crowded()
     }
 
-    /// The part of (0, to] in which a ray can see anything.
+    /// The start and the end of the part of (0, to] in which a ray is in the region that is drawn; `None` if there is
+    /// none.
     #[inline]
     pub(super) fn window<R: Precision>(&self, ray: &Ray<R>, to: R) -> Option<(R, R)> {
         match &self.clip {

@@ -16,7 +16,7 @@ enum Finished {
     /// A draft that is nothing but this part.
     Alias(Part),
     Empty,
-    /// A union of these that is used once, and whose parts may become those of what uses it.
+    /// A union of these pieces that is used once: its pieces may become pieces of the operation that uses it.
     Open(Box<Pieces>),
 }
 
@@ -62,7 +62,7 @@ impl Compiler<'_> {
         Ok(self.graph)
     }
 
-    /// Makes an object of a draft as it is.
+    /// Makes an object of a draft as it is, without dividing it into pieces.
     fn finish_whole(
         &mut self,
         mut draft: Draft,
@@ -74,7 +74,7 @@ impl Compiler<'_> {
             *parts = self.settle_all(std::mem::take(parts), finished)?;
         }
         if draft.kind != Kind::Union && draft.first.len() < operands {
-            // What is in something empty is nowhere.
+            // An intersection or a difference with an empty operand of `first` is empty.
             return Ok(Finished::Empty);
         }
         Ok(self.placed(draft, may_vanish))
@@ -111,7 +111,7 @@ impl Compiler<'_> {
         Ok(Pieces::from_iter([whole]))
     }
 
-    /// The pieces of an operand of a union, or of what is cut.
+    /// The pieces of an operand of a union, or of the solid that a difference cuts.
     fn pieces(&mut self, part: Part, finished: &mut [Finished]) -> Result<Pieces, Error> {
         if let Target::Object(draft) = part.target
             && part.unnamed() == plain(draft)
@@ -132,7 +132,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Makes an object of the union of pieces, each an object of its own where something is cut out of it.
+    /// Makes an object of the union of pieces. A piece with cuts becomes an object of its own, a difference.
     fn close(&mut self, pieces: Pieces, may_vanish: bool) -> Finished {
         let mut parts = Vec::with_capacity(pieces.len());
         for UnionMember { part, cuts, .. } in pieces {
@@ -184,7 +184,7 @@ impl Compiler<'_> {
         Ok(kept)
     }
 
-    /// A drafted part in terms of finished objects; `None` where it is empty.
+    /// Turns a part whose target is a draft into one whose target is finished; `None` if it is empty.
     fn settle(&mut self, part: Part, finished: &mut [Finished]) -> Result<Option<Part>, Error> {
         let Target::Object(draft) = part.target else {
             return Ok(Some(part));
@@ -228,8 +228,8 @@ impl Compiler<'_> {
         }
     }
 
-    /// Drops what cannot matter and builds the trees. With `may_vanish`, an object that turns out
-    /// to be empty or a single part says so instead.
+    /// Makes an object of a draft: drops parts that cannot matter, and builds the trees. With `may_vanish`, returns
+    /// `Err` with [`Finished::Empty`] or [`Finished::Alias`] if the object is empty or a single part.
     fn finish(&mut self, draft: Draft, may_vanish: bool) -> Result<Object, Finished> {
         let Draft {
             kind,
@@ -264,7 +264,7 @@ impl Compiler<'_> {
         for part in &first {
             bounds = bounds.intersection(&self.bounds(part));
         }
-        // A solid less itself is empty, and so is one less something that does not leave a trace.
+        // A solid less itself is empty.
         let erased = cuts
             .iter()
             .any(|cut| seen.contains(&cut.unnamed()) && self.is_solid_shape(cut));
@@ -287,7 +287,7 @@ impl Compiler<'_> {
         self.graph.parts.extend(first);
         let end = self.graph.parts.len() as u32;
         if start == end && cuts.is_empty() {
-            // All of space has a medium too: that of the part behind `first`.
+            // All of space has a medium, too: it is taken from the part behind `first`, so one is added.
             self.graph.parts.push(Part {
                 target: Target::Shape(0),
                 placement: 0,
@@ -334,13 +334,13 @@ impl Compiler<'_> {
         let Target::Shape(p) = part.target else {
             return image;
         };
-        // The box of a turned box is larger than that of what is in it.
+        // The box around a turned box is larger than the box around the turned shape, so the shape is asked, too.
         let record = self.graph.records[p as usize] as usize;
         let geometry = &self.scene.shapes[record].geometry;
         image.intersection(&geometry.bounds(&self.graph.matrices[placement]))
     }
 
-    /// The parts of an object, and what the boxes of its trees are reckoned in.
+    /// Adds the parts of an object to the graph. Returns them with their trees, and the units of the trees' boxes.
     fn group(&mut self, parts: Vec<Part>) -> (Group, Frame) {
         let start = self.graph.parts.len() as u32;
         let bounds = |(i, part)| (i, self.bounds(part));
@@ -365,7 +365,7 @@ impl Compiler<'_> {
         (group, frame)
     }
 
-    /// The properties that some of these parts hold.
+    /// The sorts of media that these parts hold together.
     fn holds(&self, parts: &[Part]) -> Holds {
         let each = parts.iter().map(|p| self.graph.holds(p));
         each.fold(Holds::default(), Holds::and)
@@ -383,7 +383,7 @@ fn uses(drafts: &[Draft]) -> Vec<u32> {
     uses
 }
 
-/// Whether one of the parts is a union whose parts may become those of what it is a part of.
+/// Whether one of the parts is a union that is still [open](Finished::Open).
 fn has_open(parts: &[Part], finished: &[Finished]) -> bool {
     parts.iter().any(|part| match part.target {
         Target::Object(draft) => matches!(finished[draft as usize], Finished::Open(_)),
@@ -391,7 +391,7 @@ fn has_open(parts: &[Part], finished: &[Finished]) -> bool {
     })
 }
 
-/// An object where it is, as it is.
+/// A part that is an object, without placement and paint.
 fn plain(object: u32) -> Part {
     Part {
         target: Target::Object(object),
@@ -403,7 +403,7 @@ fn plain(object: u32) -> Part {
     }
 }
 
-/// Parts by their numbers: those with bounds in a tree, the others beside it.
+/// A group of parts, given by their indices and bounds: parts with bounds are in its tree, the others in its list.
 fn tree(parts: Vec<(u32, Aabb)>, frame: &Frame) -> Group {
     let (boxes, loose): (Vec<_>, Vec<_>) = parts.into_iter().partition(|(_, b)| b.is_bounded());
     Group {

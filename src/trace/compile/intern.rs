@@ -1,4 +1,4 @@
-//! Equal values get equal numbers.
+//! Interning: equal values get equal indices in the tables of a graph.
 
 use crate::geometry::Matrix;
 use crate::geometry::affine::{Affine, Placement};
@@ -27,7 +27,7 @@ fn bits(x: f64) -> u64 {
 }
 
 impl Interner {
-    /// Numbers 0 mean: no placement, no paint, default optics, default index.
+    /// Fills index 0 of the tables: no placement, no paint, default optics, default refractive index.
     pub(crate) fn new(graph: &mut Graph) -> Interner {
         let mut interner = Interner::default();
         interner.matrix(graph, &Matrix::IDENTITY);
@@ -37,8 +37,8 @@ impl Interner {
         interner
     }
 
-    /// Shapes are found by a hash of their numbers. Should two different shapes ever have the same
-    /// one, the later is entered without being findable, which costs sharing and nothing else.
+    /// The index of a shape with the index of its record. Shapes are found by a hash of their numbers. If two different
+    /// shapes have the same hash, the later one is added each time it occurs, which costs sharing and nothing else.
     pub(crate) fn primitive(
         &mut self,
         graph: &mut Graph,
@@ -59,19 +59,19 @@ impl Interner {
         here
     }
 
-    /// Forgets which shapes there are, of which there may be millions, once no more are asked for.
+    /// Forgets by which hashes shapes are found, once no more are asked for. There may be millions.
     pub(crate) fn forget_primitives(&mut self) {
         self.primitives = FxHashMap::default();
     }
 
-    /// `None` where the inverse is not finite.
+    /// The index of a matrix; `None` if its inverse is not finite.
     pub(crate) fn matrix(&mut self, graph: &mut Graph, m: &Matrix) -> Option<u32> {
         let key = std::array::from_fn(|i| bits(m.0[i / 4][i % 4]));
         if let Some(&found) = self.matrices.get(&key) {
             return Some(found);
         }
         let here = graph.matrices.len() as u32;
-        // In double-double, so that each of its numbers is as good as a double can be.
+        // The inverse is computed in double-double, so that each of its numbers is as good as a double can be.
         let back = Affine::<Dd>::new(m).inverse()?.cast();
         self.matrices.insert(key, here);
         graph.matrices.push(*m);

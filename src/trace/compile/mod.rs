@@ -1,15 +1,15 @@
 //! Compilation of the resolved scene into the [`Graph`] that the tracer walks.
 //!
-//! Three passes, none of them recursive: count how often each reachable node is used; cut the
-//! scene into objects, each a flattened chain of one operation, where a node that is used more than
-//! once becomes an object of its own; finish the objects, operands first, with bounds and trees.
+//! There are three passes, none of them recursive. The first counts how often each reachable node is used. The second
+//! cuts the scene into objects, each a flattened chain of one operation; a node that is used more than once becomes an
+//! object of its own. The third finishes the objects, operands first, with bounds and trees.
 //!
 //! Complements are driven inwards by De Morgan's laws, so −(−A ∪ −B) and A ∩ B become the same
 //! graph; −(A − B) is −A ∪ B. An operand that occurs twice in a union or intersection counts once.
 //! (A ∪ B) − C is A ∪ (B − C) where C does not reach A: see [`union_members`].
 //!
-//! Parts know the IDs of what they come from. A copy owns what the copied entity itself owned: its
-//! surface if it is a shape, its properties, but not its operands, which are entities of their own.
+//! Parts know the IDs of the entities that they come from. A copy owns what the copied entity itself owned: its surface
+//! if it is a shape, and its properties. It does not own the operands, which are entities of their own.
 
 mod finalize;
 mod intern;
@@ -26,7 +26,7 @@ use crate::trace::shapes::Primitive;
 use intern::Interner;
 use rustc_hash::FxHashMap;
 
-/// Builds the graph of what is reachable from `root`, past what is left out.
+/// Builds the graph of all that is reachable from `root`, without the operands that are left out.
 pub(super) fn compile(
     scene: &Scene,
     images: &Images,
@@ -50,8 +50,8 @@ pub(super) fn compile(
     compiler.finish_all()
 }
 
-/// The error about a record that asks for something that cannot be drawn. `what` is a message of the catalogues, `id`
-/// the entity of the record, 0 where there is none.
+/// The error about a record that asks for something that cannot be drawn. `what` is the name of a message in the
+/// catalogues; `id` is the entity of the record, 0 if there is none.
 pub(in crate::trace) fn cannot_draw(what: &'static str, span: Span, id: u32) -> Error {
     let what = Complaint::new(what);
     Error::at(
@@ -73,17 +73,18 @@ struct PlacedNode {
     negated: bool,
     matrix: Matrix,
     coat: Coat,
-    /// The outermost entity above that was given properties; 0: none.
+    /// ID of the outermost entity above that was given properties; 0 if there is none.
     owner: u32,
-    /// The outermost entity above that is a copy of this node's entity; 0: none.
+    /// ID of the outermost entity above that is a copy of this node's entity; 0 if there is none.
     copy: u32,
     /// Whether some node on the way down is used elsewhere too.
     shared: bool,
 }
 
-/// An operation with its operands, before their sizes are known.
+/// An operation with its operands, before the operands' bounds are known.
 pub(in crate::trace) struct Draft {
-    /// Operands of drafts lie below: finishing in this order finishes operands first.
+    /// The number of the operation's node. Operands have smaller numbers, so drafts finished in this order are finished
+    /// operands first.
     pub rank: u64,
     pub kind: Kind,
     pub first: Vec<Part>,
@@ -100,22 +101,23 @@ pub(in crate::trace) enum Kind {
 pub(in crate::trace) struct Compiler<'a> {
     scene: &'a Scene,
     images: &'a Images,
-    /// The operands that are left out. They count among the uses all the same: they are placed as before.
+    /// The operands that are left out. They count among the uses all the same, so that nothing else is shared or placed
+    /// differently.
     left_out: &'a LeftOut,
     uses: Vec<u32>,
     pub graph: Graph,
     pub interner: Interner,
-    /// Objects of shared nodes, by node and complement.
+    /// The objects of shared nodes, by the node and whether it is complemented.
     shared: FxHashMap<(NodeId, bool), u32>,
-    /// Paint records whose texture is in the graph.
+    /// The index in the graph of each texture that is there, by its paint record.
     textures: FxHashMap<u32, u32>,
-    /// Objects to be drafted.
+    /// The objects that are still to be drafted, and their places.
     pending: Vec<(u32, PlacedNode)>,
     pub drafts: Vec<Draft>,
 }
 
 impl Compiler<'_> {
-    /// Drafts the root, as a union whatever it is, and all that it needs.
+    /// Drafts the root, always as a union, and all objects that it is made of.
     fn draft_all(&mut self, root: NodeId) -> Result<(), Error> {
         let top = PlacedNode {
             node: root,
@@ -178,7 +180,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Adds to the coat what the paint sets and nothing above has set.
+    /// Adds to the coat the properties that the paint sets and that no paint above has set.
     fn fold_paint(&mut self, place: &mut PlacedNode, paint: u32) -> Result<(), Error> {
         let record = &self.scene.paints[paint as usize];
         if let (None, Some(texture)) = (place.coat.texture, &record.texture) {
@@ -207,7 +209,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// Number of a matrix.
+    /// The index of a matrix in the graph, to which it is added if it is new.
     pub(super) fn matrix(&mut self, m: &Matrix) -> Result<u32, Error> {
         self.interner.matrix(&mut self.graph, m).ok_or_else(|| {
             let render = self.scene.render;
@@ -216,7 +218,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// The operation a resolved place stands for once its complement is driven inwards.
+    /// The operation that a resolved place stands for after its complement is driven inwards.
     fn kind(&self, place: &PlacedNode) -> Kind {
         match (self.scene.nodes[place.node as usize], place.negated) {
             (Node::Intersection(..) | Node::Difference(..), true) => Kind::Union,
@@ -354,7 +356,8 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// A − B − C is A − (B ∪ C): goes down the left side, collecting what is taken away.
+    /// Collects the operands of a chain of differences: A − B − C is A − (B ∪ C). Goes down the left side and collects
+    /// the operands that are taken away.
     fn draft_difference(&mut self, object: u32, top: PlacedNode) -> Result<(), Error> {
         let mut taken = Vec::new();
         let mut place = top;
@@ -380,7 +383,7 @@ impl Compiler<'_> {
         while let Some(cut) = taken.pop() {
             let cut = self.resolve(cut)?;
             match self.operands(&cut) {
-                // What is taken away piece by piece may be taken away in any order.
+                // The operands of a union may be taken away one by one, in any order.
                 Some(both) if !cut.shared && self.kind(&cut) == Kind::Union => taken.extend(both),
                 _ => cuts.push(self.part(&cut)?),
             }

@@ -1,8 +1,9 @@
-//! Distribution of differences: a solid taken away from a union is taken away from those of its parts that it reaches.
+//! Distribution of differences: a solid that is taken away from a union is taken away only from the parts that it
+//! reaches.
 //!
-//! A workpiece is often a long chain of unions and differences, nested in one another, most of which have nothing to do
-//! with each other. Here each tool goes to the parts that it reaches. The chain becomes one union of parts with few cuts
-//! each, and a ray looks at those on its way alone.
+//! A workpiece is often a long chain of unions and differences, nested in one another, although most of the tools and
+//! parts have nothing to do with each other. Here each tool goes to the parts that it reaches. The chain becomes one
+//! union of parts with few cuts each, and a ray looks only at the parts on its way.
 
 use crate::geometry::aabb::Aabb;
 use crate::geometry::bvh::Bvh;
@@ -10,7 +11,7 @@ use crate::trace::graph::Part;
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
 
-/// A part of a union, less some others.
+/// A part of a union, less the parts that are cut out of it.
 #[derive(Debug, Clone)]
 pub(super) struct UnionMember {
     pub part: Part,
@@ -19,22 +20,22 @@ pub(super) struct UnionMember {
     pub cuts: Vec<Part>,
 }
 
-/// Most boxes that are held against each other in a scene; beyond that what is drafted stays nested.
+/// The most comparisons of boxes in a scene. Differences that are finished after that stay nested.
 pub(super) const MAX_BOX_COMPARISONS: usize = 1 << 24;
-/// Most members that a cut may reach, on average.
+/// The most members that a cut may reach, on average.
 const MAX_MEMBERS_PER_CUT: usize = 8;
-/// Times that all members are looked through before they get an index.
+/// How often all members are looked through before they get an index.
 const SCANS_BEFORE_INDEX: usize = 32;
-/// Pieces that are looked through before they make a tree.
+/// The number of new pieces that are put together into a tree; fewer are looked through.
 const NEW_PIECES: usize = 32;
 
 /// The pieces of a union, in the order of its operands.
 #[derive(Debug, Default)]
 pub(super) struct Pieces {
     all: VecDeque<UnionMember>,
-    /// The number of the first one; pieces that come before it later have numbers below.
+    /// The number of the first piece. Pieces that are put before it later have smaller numbers, which may be below 0.
     first: i64,
-    /// How many pieces have been looked at, one after another.
+    /// How many pieces have been looked at one after another, without the index.
     looked_at: usize,
     index: Option<Index>,
 }
@@ -43,7 +44,7 @@ pub(super) struct Pieces {
 /// searching problems I", J. Algorithms 1, 1980).
 #[derive(Debug, Default)]
 struct Index {
-    /// The largest first. Their items are the last 32 bits of numbers.
+    /// The trees, the largest first. Their items are the last 32 bits of the numbers of pieces.
     trees: Vec<Bvh>,
     /// Pieces that are in no tree yet.
     new: Vec<(u32, Aabb)>,
@@ -52,7 +53,7 @@ struct Index {
 }
 
 impl Index {
-    /// Adds the piece with a number; `boxes` knows those that have been added.
+    /// Adds the piece with a number. `boxes` returns the bounds of a piece that has been added.
     fn insert(&mut self, bounds: &Aabb, number: u32, boxes: impl Fn(u32) -> Aabb) {
         if !bounds.is_bounded() {
             self.others.push(number);
@@ -106,8 +107,8 @@ impl Pieces {
         self.all.len()
     }
 
-    /// Appends the members behind these. The fewer ones move, so that no chain is long because it is built from one
-    /// end.
+    /// Appends `next` behind these pieces. The shorter list moves into the longer one, so that building a long chain
+    /// from either end takes little time.
     pub(super) fn followed_by(mut self, mut next: Pieces) -> Pieces {
         if self.len() >= next.len() {
             next.all.into_iter().for_each(|piece| self.push_back(piece));
@@ -141,8 +142,9 @@ impl Pieces {
         }
     }
 
-    /// Takes cuts, with their bounds, away from the pieces that they reach. Does nothing, and says `false`, where that
-    /// would only repeat them: a single cut that reaches both of two parts is better taken away from the two together.
+    /// Takes cuts, given with their bounds, away from the pieces that they reach. Does nothing and returns `false` if
+    /// the cuts would be repeated too often, or if the budget does not suffice. For example, a single cut that reaches
+    /// both of two pieces is better taken away from the two together.
     pub(super) fn cut(&mut self, cuts: &[(Part, Aabb)], budget: &mut usize) -> bool {
         if self.len() == 1 {
             self.all[0].cuts.extend(cuts.iter().map(|(cut, _)| cut));

@@ -1,4 +1,4 @@
-//! Samples and pixels, on one thread.
+//! Drawing of samples and pixels, on one thread.
 
 use super::Drawing;
 use crate::geometry::vec::Vec3;
@@ -21,7 +21,8 @@ pub(super) struct Pixel {
     pub(super) cost: Cost,
 }
 
-/// The place of a sample: the column and the row of its pixel, and which of how many it is there.
+/// The place of a sample: the column and the row of its pixel, its number in the pixel, and the number of samples of
+/// the pixel.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SampleOf {
     pub(super) pixel: [u32; 2],
@@ -42,7 +43,7 @@ pub(super) struct Quick<'d> {
     tile: Box<Tile>,
     counts: Counts,
     rays: Vec<[Vec3; 2]>,
-    /// Tells whether a ray starts in a solid, where each starts at a point of its own.
+    /// Walkers that tell whether a ray starts in a solid, for cameras whose rays start at points of their own.
     starts: Walkers<'d, f64>,
 }
 
@@ -62,12 +63,12 @@ impl<'d> Quick<'d> {
 pub(in crate::trace) struct Pen<'d, 't, R: Precision> {
     pub(in crate::trace) shader: Shader<'d, R>,
     pub(in crate::trace) drawing: &'d Drawing<'t>,
-    /// Draws what it knows, if it knows the scene.
+    /// The quick kernel, if it can draw the scene. `shader` draws the samples that the kernel cannot draw.
     pub(super) quick: Option<Quick<'d>>,
 }
 
 impl<R: Precision> Pen<'_, '_, R> {
-    /// Forgets what was counted.
+    /// Sets all counts to 0.
     pub(in crate::trace) fn reset(&mut self) {
         self.shader.reset();
         if let Some(quick) = &mut self.quick {
@@ -86,7 +87,7 @@ impl<R: Precision> Pen<'_, '_, R> {
         counts
     }
 
-    /// Draws samples, in their order.
+    /// Draws samples, and returns them in the order of their places.
     pub(super) fn samples(&mut self, places: &[SampleOf]) -> Vec<Sample> {
         let Some(mut quick) = self.quick.take() else {
             return places.iter().map(|&place| self.slow(place)).collect();
@@ -121,7 +122,7 @@ impl<R: Precision> Pen<'_, '_, R> {
         samples
     }
 
-    /// A sample, as the arbiter draws it.
+    /// Draws a sample without the quick kernel.
     fn slow(&mut self, place: SampleOf) -> Sample {
         let SampleOf {
             pixel: [x, y],
@@ -134,8 +135,8 @@ impl<R: Precision> Pen<'_, '_, R> {
         Sample { light, cost }
     }
 
-    /// The light of sample `i` of `n`, as the arbiter draws it; where a projection has no ray, or none in the range of the
-    /// precision, there is nothing to be seen.
+    /// The light of sample `i` of `n` of pixel (x, y), drawn without the quick kernel. It is 0 if the projection has no
+    /// ray there, or if the ray is out of the range of the numbers.
     pub(in crate::trace) fn sample(&mut self, x: u32, y: u32, i: u32, n: u32) -> Vec3 {
         let line = self.drawing.line(x, y, i, n);
         match line.map(|[origin, direction]| Ray::new(origin, direction).cast::<R>()) {
@@ -147,7 +148,7 @@ impl<R: Precision> Pen<'_, '_, R> {
         }
     }
 
-    /// Pixels of `n` samples each.
+    /// Draws pixels with `n` samples each.
     pub(super) fn fixed(&mut self, pixels: &[[u32; 2]], n: u32) -> Vec<Pixel> {
         let places = pixels.iter().flat_map(|&pixel| places(pixel, 0..n, n));
         let samples = self.samples(&places.collect::<Vec<_>>());
@@ -159,7 +160,7 @@ impl<R: Precision> Pen<'_, '_, R> {
         samples.chunks(n as usize).map(pixel).collect()
     }
 
-    /// The sums of samples of pixels: linear RGB, not clipped.
+    /// For each pixel, the sum of the samples numbered `samples` of `of`: linear RGB, not clipped.
     pub(in crate::trace) fn sums(
         &mut self,
         pixels: &[[u32; 2]],
@@ -174,7 +175,7 @@ impl<R: Precision> Pen<'_, '_, R> {
         drawn.chunks(samples.len().max(1)).map(sum).collect()
     }
 
-    /// The first samples of pixels that may get more.
+    /// Takes the first samples of pixels that are to be drawn adaptively.
     pub(in crate::trace) fn first(&mut self, pixels: &[[u32; 2]]) -> Vec<First> {
         let of = |&pixel: &[u32; 2]| places(pixel, 0..BATCH_SAMPLES, MAX_SAMPLES);
         let samples = self.samples(&pixels.iter().flat_map(of).collect::<Vec<_>>());
@@ -186,8 +187,8 @@ impl<R: Precision> Pen<'_, '_, R> {
         batches.iter().map(first).collect()
     }
 
-    /// Pixels with as many samples as the tolerance asks for, given the first ones of each and the contrast among its
-    /// neighbours.
+    /// Draws pixels with as many samples as the tolerance asks for. `first` are the first samples of each pixel and the
+    /// contrast among its neighbours.
     pub(super) fn adaptive(
         &mut self,
         pixels: &[[u32; 2]],
@@ -203,7 +204,7 @@ impl<R: Precision> Pen<'_, '_, R> {
         estimates.map(pixel).collect()
     }
 
-    /// The values of pixels with as many samples as the tolerance asks for, and their costs: see
+    /// The estimates of pixels by as many samples as the tolerance asks for, and their costs: see
     /// [`adaptive`](Self::adaptive).
     pub(in crate::trace) fn estimates(
         &mut self,

@@ -4,10 +4,10 @@ use super::{Drawing, Eye, Numbers, Settings};
 use crate::trace::kernel;
 
 impl<'t> Drawing<'t> {
-    /// The scene for the quick kernel, if that can draw it and saves time.
+    /// Sets the scene up for the quick kernel; `None` if the kernel cannot draw the picture or would save no time.
     pub(in crate::trace) fn quick_stage(&self, settings: &Settings) -> Option<kernel::Stage<'t>> {
         let part = settings.part();
-        // To set up the kernel takes about as long for a shape as to draw a few pixels.
+        // Setting up the kernel takes, for each shape, about as long as drawing a few pixels.
         let pixels = part.width as usize * part.height as usize;
         let most = (pixels / 8).saturating_mul(settings.first_samples() as usize);
         let graph = &self.tracer.graph;
@@ -29,8 +29,8 @@ impl<'t> Drawing<'t> {
     }
 }
 
-/// The columns and rows that the quick kernel draws together: with many samples one row, so that a picture that is
-/// interrupted keeps what is done.
+/// The numbers of columns and rows that the quick kernel draws together. With many samples it is one row, so that an
+/// interrupted picture keeps the rows that are done.
 pub(super) fn tile(samples: u32) -> [usize; 2] {
     let [across, down] = kernel::TILE;
     let height = (down / samples as usize).max(1);

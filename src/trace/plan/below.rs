@@ -1,20 +1,20 @@
-//! Summary of each node and the nodes below it, whatever stands above them.
+//! A summary of each node and all nodes below it, which does not depend on the nodes above.
 
 use super::unseen::LeftOut;
 use crate::scene::{Node, NodeId, Optics, Scene, fold_up};
 
-/// The properties of a node and of all below it. Of pairs the second is that of the node's complement.
+/// The properties of a node together with all nodes below it. The second value of a pair is for the node's complement.
 #[derive(Clone, Copy)]
 pub(super) struct Below {
     /// Whether the node holds a shape with an inside.
     pub solid: bool,
-    /// Whether some part of the node is to be seen.
+    /// Whether some part of the node is visible.
     pub shows: [bool; 2],
-    /// Whether some part that is to be seen is diffuse, if no paint above says otherwise.
+    /// Whether some visible part is diffuse, if no paint above changes that.
     pub lit: [bool; 2],
 }
 
-/// The properties of each node up to `root`, with all below.
+/// The summary of each node up to `root`, without the operands that are left out.
 pub(super) fn below(scene: &Scene, root: NodeId, left_out: &LeftOut) -> Vec<Below> {
     fold_up(scene.up_to(root), |i, node, all: &[Below]| {
         let of = |n: NodeId| all[n as usize];
@@ -34,7 +34,7 @@ pub(super) fn below(scene: &Scene, root: NodeId, left_out: &LeftOut) -> Vec<Belo
                 shows: [0, 1].map(|turned| of(a).shows[turned] || of(b).shows[turned]),
                 lit: [0, 1].map(|turned| of(a).lit[turned] || of(b).lit[turned]),
             },
-            // What is taken away does not show; −(A − B) is −A ∪ B.
+            // The solid that is taken away is not visible; −(A − B) is −A ∪ B.
             Node::Difference(a, b) => Below {
                 solid: of(a).solid || of(b).solid,
                 shows: [of(a).shows[0], of(a).shows[1] || of(b).shows[0]],

@@ -24,12 +24,13 @@ pub(super) fn lone_convex(scene: &Scene, root: NodeId, left_out: &LeftOut) -> bo
     if automatic && !primitive.shape().bounds().is_bounded() {
         return false;
     }
-    // An automatic camera stands outside of what it frames. Any other may be chosen.
+    // An automatic camera stands outside of what it frames. Any camera that is written may be chosen, so all are
+    // tested.
     let Some(back) = matrix.inverse() else {
         return false;
     };
     scene.cameras.iter().all(|camera| {
-        // Behind a projection matrix rays start anywhere.
+        // The rays of a projection matrix may start anywhere.
         camera.projection.is_none() && {
             let line = Line::new(back.point(camera.position).into(), Vec3::new(0.0, 0.0, 1.0));
             let mut roots = Roots::<f64>::default();
@@ -42,13 +43,14 @@ pub(super) fn lone_convex(scene: &Scene, root: NodeId, left_out: &LeftOut) -> bo
     })
 }
 
-/// The only shape there is, and how it is placed; a union of equal ones, placed equally, is one.
+/// The only shape of a scene, and its placement; `None` if there are others. Equal shapes that are placed equally count
+/// as one.
 fn lone<'s>(scene: &'s Scene, root: NodeId, left_out: &LeftOut) -> Option<(&'s Shape, Matrix)> {
     if left_out.all() {
         return None;
     }
     let mut found: Option<(&Shape, Matrix)> = None;
-    // Where shared nodes have been met, so that each is met once.
+    // The placement at which each node has been met, so that shared nodes are looked into once.
     let mut seen: FxHashMap<NodeId, Matrix> = FxHashMap::default();
     let mut stack = vec![(root, Matrix::IDENTITY)];
     while let Some((node, matrix)) = stack.pop() {

@@ -7,11 +7,10 @@ use crate::solids::bounds;
 
 /// An upper bound on the number of transparent solids that hold one point.
 ///
-/// A union counts the larger of its operands where their boxes lie apart, else both; an
-/// intersection and a difference count their first operand, to which their points belong. Where the
-/// scene has complements, which turn these operations into one another, every operation counts
-/// both. Each node keeps two numbers, with its own optics and as if all of it were transparent,
-/// because a paint above may make it so.
+/// A union counts the larger of its operands if their boxes lie apart, else the sum of both. An intersection and a
+/// difference count their first operand, to which their points belong. Complements turn these operations into each
+/// other, so in a scene with complements every operation counts the sum. Each node keeps two numbers: one with its own
+/// optics, and one as if all of it were transparent, since a paint above may make it transparent.
 pub(super) fn depth(scene: &Scene, root: NodeId, complements: bool, left_out: &LeftOut) -> u32 {
     let boxes = match complements {
         false => bounds::node_bounds(scene),
@@ -21,7 +20,7 @@ pub(super) fn depth(scene: &Scene, root: NodeId, complements: bool, left_out: &L
         let of = |n: NodeId| boxes.get(n as usize).map_or(Aabb::ALL, |b| b.all);
         !of(a).overlaps(&of(b))
     };
-    // Own optics, all transparent.
+    // The first number is with the node's own optics, the second as if all were transparent.
     let depths = fold_up(scene.up_to(root), |here, node, depths: &[[u32; 2]]| {
         let of = |n: NodeId| depths[n as usize];
         let both = |a: NodeId, b: NodeId, f: fn(u32, u32) -> u32| {
@@ -43,7 +42,7 @@ pub(super) fn depth(scene: &Scene, root: NodeId, complements: bool, left_out: &L
                 both(a, b, u32::saturating_add)
             }
             Node::Intersection(a, _) | Node::Difference(a, _) => of(a),
-            // All of space, less something.
+            // A complement is all of space less something, and so counts at least once.
             Node::Complement(child) => of(child).map(|n| n.max(1)),
             Node::Transform { child, .. } | Node::Copy { child, .. } => of(child),
             Node::Paint { child, paint } => {

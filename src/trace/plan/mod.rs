@@ -1,5 +1,5 @@
-//! The effects that a scene calls for, decided before the first ray from the nodes reachable from the render record,
-//! after overriding.
+//! The effects that a scene calls for. They are decided before the first ray, by the nodes that the render record
+//! reaches and the properties that apply there after overriding.
 //!
 //! The decision errs on one side only: an effect that is off is certainly not needed, and its code
 //! does not run.
@@ -21,10 +21,10 @@ use std::ops::Range;
 use unseen::{LeftOut, Unseen, UnseenParts};
 use visible_aspects::VisibleAspects;
 
-/// Most of the entities that turn an effect on that are named.
+/// The most entities that a plan names as reasons for an effect.
 pub const MAX_SOURCES: usize = 16;
 
-/// An effect; the order is that of plans.
+/// An effect. The variants are in the order in which plans list them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Effect {
     Ambient,
@@ -60,7 +60,7 @@ pub struct Because {
 pub struct Decision {
     pub effect: Effect,
     pub on: bool,
-    /// The first [`MAX_SOURCES`]; none for an effect that is off.
+    /// The first [`MAX_SOURCES`] reasons; empty for an effect that is off.
     pub because: Vec<Because>,
     /// The cost of the effect, or why it is off.
     pub note: &'static str,
@@ -71,23 +71,23 @@ pub struct Decision {
 pub struct Plan {
     /// All effects, in their order.
     pub effects: Vec<Decision>,
-    /// IDs of the objects that are not part of what is drawn, ascending.
+    /// IDs of the objects that are not drawn, ascending.
     pub unreached: Vec<u32>,
-    /// Parts of what is drawn that ask for nothing, since no ray can see them.
+    /// Parts of the drawn scene that no ray can see, and that therefore call for no effect.
     pub unseen: Vec<Unseen>,
     /// The unseen parts, as operands that are left out.
     pub left_out: LeftOut,
-    /// Reached shape records, by name.
+    /// The number of shape records that are drawn, by the name of the shape.
     pub shapes: BTreeMap<&'static str, u32>,
-    /// Reached operations, by name.
+    /// The number of operations that are drawn, by the name of the operation.
     pub operations: BTreeMap<&'static str, u32>,
-    /// Most transparent solids that hold one point.
+    /// An upper bound on the number of transparent solids that hold one point.
     pub medium_depth: u32,
     /// Whether the scene is one convex shape, seen from outside.
     pub lone_convex: bool,
 }
 
-/// IDs of the first few entities that bring something in.
+/// IDs of the first few entities that call for an effect.
 #[derive(Debug, Clone, Default)]
 pub struct Sources(Vec<u32>);
 
@@ -109,16 +109,16 @@ impl Sources {
     }
 }
 
-/// How the render record of a scene without any light turns lamps on.
+/// The reason that names the render record of a scene without any light.
 const UNLIT: &str = "draws a scene without any light, so automatic lights shine";
 
-/// Scenes with so many nodes are searched on two threads. For smaller ones, waking a thread takes longer than it saves.
-/// For larger ones, both searches at once would take too much memory.
+/// The numbers of nodes for which a scene is searched on two threads. For smaller scenes, waking a thread takes longer
+/// than it saves. For larger scenes, both searches at once would take too much memory.
 const AT_ONCE: Range<usize> = 1 << 10..1 << 17;
 
 impl Plan {
-    /// The plan for all that is drawn, whether a picture shows it or not: for questions about single rays, which may
-    /// start anywhere. `None` where there is no render record.
+    /// The plan for all parts of the drawn scene, whether a picture shows them or not: for questions about single rays,
+    /// which may start anywhere. `None` if there is no render record.
     pub fn new(scene: &Scene) -> Option<Plan> {
         Plan::of(scene, UnseenParts::all)
     }
@@ -129,7 +129,7 @@ impl Plan {
         Plan::of(scene, unseen::find)
     }
 
-    /// `find` says what there is to draw.
+    /// The plan of a scene without the parts that `find` leaves out.
     fn of(scene: &Scene, find: fn(&Scene, NodeId) -> UnseenParts) -> Option<Plan> {
         let render = scene.render.as_ref()?;
         let find = || find(scene, render.root);
@@ -176,10 +176,9 @@ impl Plan {
 
         let diffuse = reach.diffuse.some() && (dark || points.some());
         let glass = reach.glass.some();
-        // Inside a lone shape that lets light in, and where it is cut open, its own far side is in
-        // the way.
+        // A lone convex shape throws shadows on its own inside, which is lit if the shape lets light in or is cut open.
         let shadows = diffuse && (!plan.lone_convex || glass || clipped);
-        // Total reflection needs an index somewhere that is not that of the space outside.
+        // Total reflection needs a refractive index that differs from the index of the space outside.
         let total = glass && reach.bent.some();
         let cameras: Vec<_> = scene.chosen_cameras().collect();
         let projecting = cameras.iter().filter(|c| c.projection.is_some());
@@ -326,8 +325,8 @@ impl Plan {
         }
     }
 
-    /// Lists the objects that are not reached, and finds out which entities made the operations
-    /// that reasons name.
+    /// Notes the objects that are not reached. Returns the entity's ID for each operation that a reason may name, by
+    /// the operation's node.
     fn owners(&mut self, scene: &Scene, reach: &VisibleAspects) -> FxHashMap<NodeId, u32> {
         let mut owners = FxHashMap::default();
         for entity in &scene.entities {
@@ -344,7 +343,7 @@ impl Plan {
     }
 }
 
-/// The node that the record defining an entity made: what is left without the changes since.
+/// The node that the defining record of an entity made, below the nodes of all later changes.
 fn base(scene: &Scene, id: u32, node: NodeId) -> NodeId {
     let is_own = |n: Node| match n {
         Node::Transform { .. } => true,

@@ -1,4 +1,4 @@
-//! Notes of plans about effects.
+//! The texts of plans about effects: names, costs, and reasons for being off.
 
 use super::Effect;
 
@@ -7,12 +7,12 @@ impl Effect {
         self.texts()[0]
     }
 
-    /// The cost of the effect where it is on.
+    /// The text about the cost of the effect, for a plan that has it on.
     pub fn cost(self) -> &'static str {
         self.texts()[1]
     }
 
-    /// The reason why the effect is off where it is.
+    /// The text about the reason why the effect is off, for a plan that has it off.
     pub fn absence(self) -> &'static str {
         self.texts()[2]
     }

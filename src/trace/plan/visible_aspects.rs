@@ -11,17 +11,17 @@ use crate::solids::shapes::facts::Facts;
 
 /// A set of ways in which a node occurs; a bit for each.
 ///
-/// A way is what the paints above say about optics (nothing, lit by diffuse light, or not), whether
-/// they give a texture and an index, and whether the node is complemented. One more bit stands for
-/// all occurrences as a tool of a difference, which lends its shape and nothing else.
+/// A way consists of what the paints above say about optics (nothing, diffuse, or not diffuse), whether they give a
+/// texture, whether they give an index, and whether the node is complemented. One more bit stands for all occurrences
+/// as a tool, which a difference takes away: a tool lends its shape and nothing else.
 type PathStates = u32;
 
 const TOOL: PathStates = 1 << 24;
 
-/// The state of a way to a part.
+/// One way in which a node occurs: what stands above it.
 #[derive(Clone, Copy)]
 struct PathState {
-    /// `Some(lit)` under a paint with optics: whether these have a diffuse part.
+    /// Whether the optics of the paints above have a diffuse part; `None` if no paint above has optics.
     lit: Option<bool>,
     textured: bool,
     indexed: bool,
@@ -49,7 +49,7 @@ impl PathState {
     }
 }
 
-/// The ways of a set, tools left out.
+/// The ways in a set, without the bit for tools.
 fn each(ways: PathStates) -> impl Iterator<Item = PathState> {
     let mut rest = ways & !TOOL;
     std::iter::from_fn(move || {
@@ -63,14 +63,14 @@ fn map(ways: PathStates, f: impl Fn(PathState) -> PathState) -> PathStates {
     each(ways).fold(ways & TOOL, |set, way| set | f(way).bit())
 }
 
-/// How much of the texture that a paint gives is to be seen.
+/// How much of the texture that a paint gives is visible.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Showing {
-    /// The painted object is not part of what is drawn.
+    /// The painted object is not drawn.
     Absent,
     /// The painted object is only taken away from something else.
     Removed,
-    /// Other paints cover it everywhere.
+    /// Other paints cover the texture everywhere.
     Covered,
     /// No object with the texture is diffuse.
     Dark,
@@ -87,7 +87,7 @@ pub struct VisibleAspects {
     pub glass: Sources,
     /// Refractive indices of solids that differ between channels.
     pub uneven: Sources,
-    /// Refractive indices of solids that are not that of the space outside.
+    /// Refractive indices of solids that differ from the index of the space outside.
     pub bent: Sources,
     pub image: Sources,
     pub solid_texture: Sources,
@@ -106,7 +106,7 @@ fn any(k: [f64; 3]) -> bool {
 }
 
 impl VisibleAspects {
-    /// Walks down from `root`, past what is left out.
+    /// Finds the visible aspects of all that is drawn: a walk down from `root`, without the operands that are left out.
     pub fn new(scene: &Scene, root: NodeId, left_out: &LeftOut) -> VisibleAspects {
         let mut reach = VisibleAspects {
             ways: vec![0; root as usize + 1],
@@ -122,7 +122,7 @@ impl VisibleAspects {
         if !left_out.all() {
             reach.ways[root as usize] = top.bit();
         }
-        // Children stand before their parents.
+        // Children have smaller numbers than their parents, so all ways to a node are known when it is visited.
         for node in (0..=root).rev() {
             let ways = reach.ways[node as usize];
             if ways != 0 {
@@ -132,12 +132,12 @@ impl VisibleAspects {
         reach
     }
 
-    /// Whether a node is part of what is drawn, if only as a tool.
+    /// Whether a node takes part in the drawn scene, if only as a tool.
     pub fn reaches(&self, node: NodeId) -> bool {
         self.ways.get(node as usize).is_some_and(|&w| w != 0)
     }
 
-    /// Whether anything of a node is to be seen, if it is reached.
+    /// Whether any part of a node is visible, if the node is drawn at all.
     pub fn shows(&self, node: NodeId) -> bool {
         self.below[node as usize].shows[0]
     }
@@ -146,7 +146,7 @@ impl VisibleAspects {
         self.ways[node as usize] |= ways;
     }
 
-    /// How much is to be seen of the texture of a node, which is a paint with a texture.
+    /// How much of the texture of `node` is visible. The node is a paint with a texture.
     pub fn showing(&self, scene: &Scene, node: NodeId) -> Showing {
         let Node::Paint { child, paint } = scene.nodes[node as usize] else {
             return Showing::Absent;
@@ -169,7 +169,8 @@ impl VisibleAspects {
         }
     }
 
-    /// Whether anything below a paint is diffuse; `own` is what the paint says about that.
+    /// Whether anything visible below a paint is diffuse, for one way to the paint. `own` is whether the paint's own
+    /// optics are diffuse; `None` if it has no optics.
     fn is_lit(&self, way: PathState, own: Option<bool>, child: NodeId) -> bool {
         let below = &self.below[child as usize];
         let turned = usize::from(way.negated);
@@ -192,7 +193,7 @@ impl VisibleAspects {
             Node::Difference(a, b) => {
                 self.cut(node);
                 self.add(a, ways);
-                // −(A − B) is −A ∪ B: there B is seen as it is.
+                // −(A − B) is −A ∪ B, so B is visible there, and not complemented.
                 let seen = each(ways).filter(|w| w.negated).map(|w| {
                     let upright = PathState {
                         negated: false,
@@ -252,7 +253,7 @@ impl VisibleAspects {
         }
     }
 
-    /// Notes what of a paint shows, and says how its child occurs below it.
+    /// Notes the aspects of a paint that are visible, and returns the ways in which its child occurs.
     fn paint(&mut self, scene: &Scene, paint: u32, ways: PathStates, child: NodeId) -> PathStates {
         let record = &scene.paints[paint as usize];
         let on_solid = self.below[child as usize].solid;

@@ -1,5 +1,5 @@
-//! Questions about rays, and who answers them: a walker in the precision asked for, and where that
-//! one cannot decide, one in double-double.
+//! Questions about rays. A walker in the precision asked for answers them. If it cannot decide, a walker in
+//! double-double answers.
 
 use super::events::{Event, Kind};
 use super::hit::Hit;
@@ -15,13 +15,13 @@ use crate::trace::ray::Ray;
 use crate::trace::stats::{Intersections, Work};
 use crate::trace::tracer::Tracer;
 
-/// The scratch of one thread.
+/// The walkers of one thread, which answer questions about rays.
 pub struct Walkers<'t, R: Precision = f64> {
     tracer: &'t Tracer,
     walker: Walker<'t, R>,
-    /// Made when it is first needed.
+    /// The walker in double-double, which is made when it is first needed.
     finer: Option<Box<Walker<'t, Dd>>>,
-    /// Rays about which something was closer than the rounding errors of R.
+    /// The number of rays with a decision that was closer than the rounding errors of R.
     uncertain: u64,
 }
 
@@ -36,10 +36,11 @@ trait Question {
         ray: &Ray<R>,
     ) -> Self::Answer<R>;
 
-    /// An answer in another kind of number.
+    /// Turns an answer in double-double into the kind of number that was asked for.
     fn cast<R: Precision>(answer: Self::Answer<Dd>) -> Self::Answer<R>;
 
-    /// The answer about what two rays are both in. What is no longer than `least`, in t, is nothing.
+    /// The answer about the places that both of two rays are in, from the answers about each. Stretches no longer than
+    /// `least`, in t, do not count.
     fn common<R: Precision>(answers: [Self::Answer<R>; 2], least: R) -> Self::Answer<R>;
 }
 
@@ -58,7 +59,7 @@ impl<'t, R: Precision> Walkers<'t, R> {
         &mut self.walker
     }
 
-    /// Forgets what was counted.
+    /// Sets all counts to 0.
     pub fn reset(&mut self) {
         self.uncertain = 0;
         (self.walker.counts, self.walker.work) = Default::default();
@@ -85,7 +86,7 @@ impl<'t, R: Precision> Walkers<'t, R> {
         all
     }
 
-    /// Since the last reset, the rays about which something was closer than rounding errors.
+    /// The number of rays since the last reset with a decision that was closer than its rounding errors.
     pub fn uncertain(&self) -> u64 {
         self.uncertain
     }
@@ -106,14 +107,14 @@ impl<'t, R: Precision> Walkers<'t, R> {
         answer
     }
 
-    /// Asks in numbers that are final.
+    /// Asks the walker of R, whose numbers are final.
     fn ask_finally<Q: Question>(&mut self, question: &Q, ray: &Ray<R>) -> Q::Answer<R> {
         let answer = settled(question, self.tracer, &mut self.walker, ray);
         self.uncertain += u64::from(self.walker.status.uncertain);
         answer
     }
 
-    /// Asks in finer numbers, which are final.
+    /// Asks the walker in double-double, whose numbers are final.
     #[cold]
     #[inline(never)]
     fn ask_finer<Q: Question>(&mut self, question: &Q, ray: &Ray<R>) -> Q::Answer<R> {
@@ -125,8 +126,9 @@ impl<'t, R: Precision> Walkers<'t, R> {
     }
 }
 
-/// The final answer. If the ray lies in a flat face, four rays beside it are asked, one in each quarter around an edge. What
-/// they have in common is the answer: a line in a surface does not cross it, and between two boxes face to face is no gap.
+/// The final answer. If the ray lies in a flat face, four rays beside it are asked, one in each quarter around an edge.
+/// The places that are in all four are the answer: a line in a surface does not cross it, and between two boxes face to
+/// face is no gap.
 fn settled<Q: Question, R: Precision>(
     question: &Q,
     tracer: &Tracer,
@@ -137,9 +139,10 @@ fn settled<Q: Question, R: Precision>(
     let Some(along) = walker.status.along else {
         return answer;
     };
-    // Far above what double-double rounds, and far below what doubles can tell.
+    // The distance is far above the rounding errors of double-double, and far below what doubles can tell apart.
     let by = along.reach * R::ROUNDOFF.sqrt().to_f64() * FACE_OFFSET;
-    // Nearly as long as the normal: no usual slope is between them.
+    // The step aside is a little shorter than the normal, so that no shift is at 45° to the face, where another face
+    // may be.
     let aside = along.normal.cross(ray.line.direction.cast().unit()).unit() * 0.9;
     let shifts = [along.normal + aside, along.normal - aside];
     let mut answers = shifts
@@ -151,7 +154,7 @@ fn settled<Q: Question, R: Precision>(
             asked_closely(question, tracer, walker, &beside)
         });
     let first = answers.next().unwrap_or(answer);
-    // A curved surface that the ray touches goes in between for less than this.
+    // A curved surface that the ray touches comes between the four rays on a stretch shorter than this.
     let length = ray.line.direction.length();
     let least = R::of(4.0 * (along.reach * by).sqrt()) / length;
     let answer = answers.fold(first, |a, b| Q::common([a, b], least));
@@ -159,13 +162,13 @@ fn settled<Q: Question, R: Precision>(
     answer
 }
 
-/// Distance beside a face at which a ray is asked about that lies in the face, in parts of the root of the unit
-/// roundoff, 2⁻⁵¹ for double-double.
+/// The distance from a face at which rays beside it are asked about, for a ray that lies in the face: a multiple of the
+/// root of the unit roundoff, 2⁻⁵¹ for double-double, and of [`Along::reach`](super::query::Along::reach).
 const FACE_OFFSET: f64 = 1.0 / (1u64 << 24) as f64;
 
-/// The answer of numbers that are final. Where some surface cannot be told from the one that the ray
-/// has left, it is asked once more: the crossing with the latter is a better place to start than the
-/// rounded origin.
+/// The answer in numbers that are final. If some surface cannot be told from the one that the ray has left, the
+/// question is asked once more, with a better start than the rounded origin: the crossing with the surface that the ray
+/// has left.
 fn asked_closely<Q: Question, R: Precision>(
     question: &Q,
     tracer: &Tracer,
@@ -187,7 +190,7 @@ fn asked_closely<Q: Question, R: Precision>(
 }
 
 impl Tracer {
-    /// Scratch for one thread.
+    /// Makes the walkers of one thread.
     pub fn walker<R: Precision>(&self) -> Walkers<'_, R> {
         Walkers::new(self)
     }
@@ -203,8 +206,8 @@ impl Tracer {
         walkers.ask(&StartsInside, &Ray::new(point, up))
     }
 
-    /// The crossings of a ray in the region that is drawn: all with t > 0, ascending, as if every surface let it
-    /// through. The region itself is no surface.
+    /// The crossings of a ray in the region that is drawn: all with t > 0, ascending, as if every surface let the ray
+    /// through. The sides of the region are no surfaces.
     pub fn probe<R: Precision>(&self, walkers: &mut Walkers<R>, ray: &Ray<R>) -> Probe<R> {
         walkers.ask(&Meets { clipped: true }, ray)
     }
@@ -220,7 +223,7 @@ impl Tracer {
 }
 
 impl<R: Precision> Walkers<'_, R> {
-    /// The first visible point on a ray, by code that knows whether anything is transparent.
+    /// The first visible point on a ray. Without `GLASS` nothing is transparent.
     pub(in crate::trace) fn first_hit<const GLASS: bool>(
         &mut self,
         ray: &Ray<R>,
@@ -228,20 +231,20 @@ impl<R: Precision> Walkers<'_, R> {
         self.ask(&FirstHit::<GLASS>, ray)
     }
 
-    /// The face that a sheet lies in which the ray sees first.
+    /// The face of a solid in which a sheet lies, for a ray that sees that sheet first.
     #[inline(never)]
     pub(in crate::trace) fn face_behind_sheet(&mut self, ray: &Ray<R>) -> Option<Hit<R>> {
         self.ask(&FaceBehindSheet, ray)
     }
 
-    /// The share of light that gets through to a lamp at t = 1: the product of kt over all surfaces on the way. A surface
-    /// that the lamp lies on is not on the way ([`AT_LAMP`](Precision::AT_LAMP)).
+    /// The share of light that gets through to a lamp at t = 1: the product of kt over all surfaces on the way. A
+    /// surface that the lamp lies on is not on the way ([`AT_LAMP`](Precision::AT_LAMP)).
     pub(in crate::trace) fn visibility<const GLASS: bool>(&mut self, ray: &Ray<R>) -> Vec3 {
         self.ask(&Visibility::<GLASS>, ray)
     }
 }
 
-/// The question for what is seen first.
+/// The question for the hit that a ray sees first.
 struct FirstHit<const GLASS: bool>;
 
 impl<const GLASS: bool> Question for FirstHit<GLASS> {
@@ -263,14 +266,14 @@ impl<const GLASS: bool> Question for FirstHit<GLASS> {
         answer.map(|hit| hit.cast())
     }
 
-    /// The later of the two: before that the ray is not in both.
+    /// The later of the two hits: before it, only one of the rays has met something.
     fn common<R: Precision>([a, b]: [Option<Hit<R>>; 2], _: R) -> Option<Hit<R>> {
         let (a, b) = (a?, b?);
         Some(if b.t > a.t { b } else { a })
     }
 }
 
-/// The question for what is behind the sheets that are seen first.
+/// The question for the first boundary of a solid behind all sheets.
 struct FaceBehindSheet;
 
 impl Question for FaceBehindSheet {
@@ -295,7 +298,7 @@ impl Question for FaceBehindSheet {
     }
 }
 
-/// Whether the origin is in a solid.
+/// The question whether the origin of a ray is in a solid.
 struct StartsInside;
 
 impl Question for StartsInside {
@@ -339,7 +342,7 @@ impl Question for Meets {
     }
 }
 
-/// How much light gets through.
+/// The question how much light gets through along a ray to a lamp.
 struct Visibility<const GLASS: bool>;
 
 /// The share of light that all surfaces on a way let through.
@@ -356,12 +359,11 @@ fn shared<R: Precision>(events: &[Event<R>], graph: &Graph) -> Vec3 {
 impl<const GLASS: bool> Question for Visibility<GLASS> {
     type Answer<R: Precision> = Vec3;
 
-    /// A ray that starts outside and crosses something opaque before anything transparent is
-    /// blocked: the first thing it meets is a boundary of the scene, and opaque. Which of the
-    /// opaque things that is does not matter, so the search stops at the first one found. If it
-    /// crosses nothing opaque, only parts that hold something transparent can change its light, and
-    /// spans of those are enough. Only where something transparent comes before something opaque is
-    /// there need to know what is inside of what.
+    /// A ray that starts outside and crosses something opaque before anything transparent is blocked: the first thing
+    /// it meets is a boundary of the scene, and opaque. It does not matter which opaque thing the ray meets first, so
+    /// the search stops at the first one that it finds. If it crosses nothing opaque, only parts that hold something
+    /// transparent can change its light, and spans of those are enough. Only if something transparent comes before
+    /// something opaque does it matter what is inside of what.
     fn ask<R: Precision>(&self, tracer: &Tracer, walker: &mut Walker<R>, ray: &Ray<R>) -> Vec3 {
         walker.work.clip += u64::from(tracer.clip.is_some());
         let Some((from, to)) = tracer.window(ray, R::of(1.0 - R::AT_LAMP)) else {
@@ -395,7 +397,7 @@ impl<const GLASS: bool> Question for Visibility<GLASS> {
         answer
     }
 
-    /// Light that gets by on either side gets by.
+    /// Light gets through if it gets past on either side.
     fn common<R: Precision>([a, b]: [Vec3; 2], _: R) -> Vec3 {
         a.zip(b, f64::max)
     }

@@ -4,16 +4,16 @@ use super::context::Leaf;
 use crate::trace::precision::Precision;
 use crate::trace::shapes::Root;
 
-/// A crossing to be compared with others.
+/// A crossing with a shape, and how exactly its t is known.
 #[derive(Debug, Clone, Copy)]
 pub struct RayPoint<R> {
     pub leaf: Leaf,
     pub root: Root<R>,
-    /// A rough bound on the error of its t; see [`Walker::rough`](super::walk::Walker::rough).
+    /// A rough bound on the error of the root's t; see [`Walker::rough`](super::walk::Walker::rough).
     pub error: R,
 }
 
-/// A crossing with a shape that may or may not be a boundary of the scene.
+/// A crossing with a shape, and the owner of its properties. The crossing may or may not be a boundary of the scene.
 #[derive(Debug, Clone, Copy)]
 pub struct Crossing<R = f64> {
     pub place: RayPoint<R>,
@@ -38,14 +38,14 @@ pub struct Medium {
     pub index: u32,
 }
 
-/// The owner of a point: the part, and what makes its medium.
+/// The owner of a point: the part that the point belongs to, and the part's medium.
 #[derive(Debug, Clone, Copy)]
 pub struct Owner {
     pub leaf: Leaf,
     pub medium: Medium,
 }
 
-/// The state between two events. The owner means something inside only.
+/// The state of an object between two events. The owner has a meaning only if `inside` is true.
 #[derive(Debug, Clone, Copy)]
 pub struct State {
     pub inside: bool,
@@ -58,7 +58,7 @@ pub enum Kind {
     Boundary,
     /// A surface without inside.
     Sheet,
-    /// The owner changes and nothing else does: not to be seen.
+    /// A change of the owner and of nothing else, which is not visible.
     Silent,
 }
 
@@ -79,16 +79,17 @@ impl<R: Precision> Event<R> {
     }
 }
 
-/// A list of events, ending where the next one begins.
+/// A list of the events of one operand, in [`Spans::events`]. It ends where the next list begins.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::trace) struct List {
-    /// The number of the operand in the operation that it goes into.
+    /// The index of the operand in the graph's parts, which gives the order of the operands.
     pub part: u32,
     pub start: State,
     pub begin: usize,
 }
 
-/// The lists under way: a stack, and so are their events.
+/// The lists of events that wait to be joined, and the tasks that make and join them. Tasks, lists and events are
+/// stacks.
 #[derive(Debug, Default)]
 pub(in crate::trace) struct Spans<R = f64> {
     pub tasks: Vec<Task>,
@@ -106,7 +107,8 @@ pub(in crate::trace) enum Task {
     Object {
         context: u32,
     },
-    /// Operand `part` of an intersection, unless those before were empty.
+    /// Goes on with operand `part` of an intersection, unless an operand before it was empty. `base` is the number of
+    /// lists below those of the intersection.
     Operand {
         part: u32,
         context: u32,
@@ -126,9 +128,9 @@ pub(in crate::trace) enum Task {
 /// Buffers that are kept from one join to the next.
 #[derive(Debug, Default)]
 pub(in crate::trace) struct Scratch<R = f64> {
-    /// t, list, event: the events of all lists, to be sorted.
+    /// The events of all lists in order: t, the number of the list, and the index of the event.
     pub order: Vec<(R, u32, u32)>,
-    /// Whether an event is in the place of the one before, beside `order`.
+    /// For each entry of `order`, whether its event is in one place with the event before.
     pub tied: Vec<bool>,
     pub(in crate::trace) before: Vec<State>,
     pub(in crate::trace) after: Vec<State>,
@@ -143,8 +145,8 @@ impl<R: Precision> Spans<R> {
         self.events.clear();
     }
 
-    /// Bytes that the lists take when they are joined next: each event once more in the result, and once in their
-    /// order; each list with the states before and after an event.
+    /// The bytes that the lists take when they are joined next. Each event is there twice, once more in the result, and
+    /// has an entry in the order. Each list has a state before and a state after.
     pub(crate) fn bytes(&self) -> usize {
         let event = 2 * size_of::<Event<R>>() + size_of::<(R, u32, u32)>() + 1;
         let list = size_of::<List>() + 2 * size_of::<State>();
@@ -157,8 +159,7 @@ impl<R: Precision> Spans<R> {
         &self.events[self.lists[i].begin..end]
     }
 
-    /// The stretch outside of which not all of the lists from `base` on can be inside or have a
-    /// sheet.
+    /// A part of [from, to] that holds every place where all lists from `base` on are inside or have a sheet.
     pub(in crate::trace) fn extent(&self, base: usize, from: R, to: R) -> (R, R) {
         let (mut near, mut far) = (from, to);
         for i in base..self.lists.len() {

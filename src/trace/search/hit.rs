@@ -26,20 +26,22 @@ pub struct Hit<R = f64> {
     pub normal: Vec3<R>,
     /// Unit normal that light is reckoned with; the geometric one unless the shape smooths it.
     pub shading: Vec3<R>,
-    /// Linear RGB; not looked up where nothing is diffuse.
+    /// Linear RGB; the default colour if the surface is not diffuse, since it is not looked up then.
     pub colour: Rgb,
     /// Index into [`Graph::optics`](crate::trace::graph::Graph::optics).
     pub optics: u32,
-    /// The refractive indices before and after the surface: in [`Graph::indices`](crate::trace::graph::Graph::indices).
+    /// The refractive indices before and after the surface: indices into
+    /// [`Graph::indices`](crate::trace::graph::Graph::indices).
     pub indices: [u32; 2],
     /// Whether the ray is in a solid before and after the surface.
     pub inside: [bool; 2],
     /// Whether the ray goes against the normal.
     pub entering: bool,
-    /// Whether the hit is on a sheet that lies in a face of a solid: before that face, in the same place.
+    /// Whether the hit is on a sheet that lies in a face of a solid. The face comes next on the ray, in the same place.
     pub in_face: bool,
-    /// Numbers of the surface and its shape; see [`Left`].
+    /// The number of the surface; see [`Left`].
     pub surface: u64,
+    /// The index of the surface's shape; see [`Left`].
     pub primitive: u32,
     /// Bound on the point's distance from the true surface.
     pub skin: R,
@@ -48,7 +50,8 @@ pub struct Hit<R = f64> {
 }
 
 impl<R: Precision> Hit<R> {
-    /// A ray from here. `onwards`: to the side the ray that came here was heading for.
+    /// A ray that starts at the hit. `onwards` is whether it goes to the far side of the surface, to which the ray that
+    /// has found the hit was heading.
     #[inline]
     pub fn leave(&self, direction: Vec3<R>, onwards: bool) -> Ray<R> {
         let mut ray = Ray::new(self.point, direction);
@@ -64,7 +67,7 @@ impl<R: Precision> Hit<R> {
         ray
     }
 
-    /// The unit normal that light is reckoned with, on the side the ray came from.
+    /// The unit normal that light is reckoned with, turned to the side that the ray came from.
     #[inline]
     pub fn facing(&self) -> Vec3<R> {
         if self.entering {
@@ -74,7 +77,7 @@ impl<R: Precision> Hit<R> {
         }
     }
 
-    /// The hit in another kind of number; the skin grows by what rounding moves the point.
+    /// The hit in another kind of number. The skin grows by the distance that rounding may move the point.
     pub fn cast<S: Precision>(&self) -> Hit<S> {
         let (point, normal): (Vec3<S>, Vec3<S>) = (self.point.cast(), self.normal.cast());
         let skin = S::of_parts(self.skin.parts());
@@ -97,13 +100,12 @@ impl<R: Precision> Hit<R> {
     }
 }
 
-/// A shading normal in the scene's space, made a unit vector on the side of the geometric normal. One
-/// that lies in the surface is of no side, and the geometric one stands for it; so it does where there
-/// are no numbers for it.
+/// Makes a shading normal in the scene's space a unit vector on the side of the geometric normal. Returns the geometric
+/// normal if the shading normal lies in the surface, and so on neither side, or is out of the range of numbers.
 ///
-/// A stretch may take the two to different sides of each other, so that only the scene's space tells.
+/// A map that stretches may take the two normals to different sides, so the side is decided in the scene's space.
 pub fn beside<R: Precision>(shading: Vec3<R>, normal: Vec3<R>) -> Vec3<R> {
-    /// The cosine up to which a normal may lie in the surface and be off because it was transformed.
+    /// The largest cosine of a normal that lies in the surface and is off because it was transformed.
     const ROUNDED: f64 = 16.0 * f64::EPSILON;
     let shading = shading.unit();
     let cosine = shading.dot(normal);
@@ -116,7 +118,7 @@ pub fn beside<R: Precision>(shading: Vec3<R>, normal: Vec3<R>) -> Vec3<R> {
     }
 }
 
-/// The number of the refractive index in a state; 0 outside.
+/// The index into the graph's refractive indices in a state; 0 outside of solids.
 fn index_in(state: State) -> u32 {
     match state.inside {
         true => state.owner.medium.index,
@@ -129,16 +131,16 @@ fn terms<R: Precision>(line: &Line<R>, t: R) -> Vec3<R> {
     line.origin.abs() + (line.direction * t).abs()
 }
 
-/// The point of a line at t, where a point found on the surface is farther from it than it is rounded.
+/// The point of a line at t, if `point`, which was found on the surface, is farther from it than rounding moves the
+/// line's point; else `None`.
 ///
-/// A shape moves the point onto its surface in its own space, which takes away what is rounded across
-/// the surface. A map that stretches turns what is rounded along the one axis there into more than
-/// the line's own point is rounded by.
+/// A shape moves the point onto its surface in its own space, which removes the rounding error across the surface. A
+/// map that stretches may make the remaining error along one axis larger than the rounding error of the line's point.
 #[inline]
 pub fn strayed<R: Precision>(point: Vec3<R>, line: &Line<R>, t: R) -> Option<Vec3<R>> {
     /// Distance from the line above which a point has strayed, in units of the last place.
     const MAX_STRAY_ULPS: f64 = 4.0;
-    // A t near the end of the numbers' range is rounded to a multiple of this.
+    // A t near the lower end of the range of numbers is rounded to a multiple of this.
     const SMALLEST_STEP: f64 = f64::from_bits(1);
     let on_line = line.at(t);
     let most = terms(line, t) * (R::of(2.0 * MAX_STRAY_ULPS) * R::ROUNDOFF)
@@ -151,9 +153,10 @@ pub fn strayed<R: Precision>(point: Vec3<R>, line: &Line<R>, t: R) -> Option<Vec
 impl<R: Precision> Walker<'_, R> {
     /// The first point of the scene's surface in (from, to].
     ///
-    /// A ray that is outside of everything sees the nearest crossing, whatever it is. If that is transparent, or if the ray
-    /// starts inside a solid, it matters which media meet there, and spans say what is a boundary. `clipped`: `from` is where
-    /// the ray enters the region that is drawn, maybe in the middle of a solid. Without `GLASS` nothing is transparent.
+    /// A ray that starts outside of every solid sees the nearest crossing. If that is transparent, or if the ray starts
+    /// inside a solid, it matters which media meet there, and spans tell what is a boundary. `clipped` is whether
+    /// `from` is where the ray enters the region that is drawn, maybe in the middle of a solid. Without `GLASS` nothing
+    /// is transparent.
     pub fn first_hit<const GLASS: bool>(
         &mut self,
         ray: &Ray<R>,
@@ -167,14 +170,14 @@ impl<R: Precision> Walker<'_, R> {
         let (leaf, root) = (first.place.leaf, first.place.root);
         let optics = &self.graph.optics[self.optics(first.owner) as usize];
         if ray.is_outside && (!GLASS || !Vec3(optics.kt).any()) {
-            // A hit is large, and changed where it is.
+            // A hit is large, so it is changed in place and not copied.
             let mut found = self.resolve(ray, leaf, root, first.owner);
             if let Some(hit) = &mut found {
                 hit.inside = [false, self.primitive(leaf).is_solid()];
                 return found;
             }
         }
-        // Far enough to meet what cannot be told from this crossing.
+        // The search goes far enough to meet every crossing that cannot be told from this one.
         let near = root.t + first.place.error * R::of(4.0);
         if near < to {
             let found = self.first_visible(ray, from, near);
@@ -202,8 +205,8 @@ impl<R: Precision> Walker<'_, R> {
         found
     }
 
-    /// The first boundary in (from, to], behind sheets. It is the face that a sheet lies in, if that sheet is what the ray
-    /// sees first.
+    /// The first boundary in (from, to]; sheets before it are passed over. If the ray first sees a sheet in a face of a
+    /// solid, the boundary is that face.
     pub(super) fn first_boundary(&mut self, ray: &Ray<R>, from: R, to: R) -> Option<Hit<R>> {
         let (start, events) = self.trace_spans(ray, from, to);
         let (_, event, states) = first_of_kind(start?, events, |kind| kind == Kind::Boundary)?;
@@ -213,11 +216,10 @@ impl<R: Precision> Walker<'_, R> {
         Some(hit)
     }
 
-    /// The place of a crossing of the shape `leaf` with the properties of `owner`; media and sides
-    /// are left at their defaults.
+    /// The hit at a crossing with the shape `leaf`, with the properties of `owner`; media and sides are left at their
+    /// defaults.
     ///
-    /// This is where a crossing leaves the kernel. `None` where there are no numbers for its place:
-    /// it is beyond their range, and the ray ends there.
+    /// `None` if the place is out of the range of numbers: the ray ends there.
     pub fn resolve(
         &mut self,
         ray: &Ray<R>,
@@ -243,7 +245,7 @@ impl<R: Precision> Walker<'_, R> {
             let back = R::back(&self.maps, self.graph, placement);
             error = out.point_error(point, error);
             if R::DOUBT == Doubt::Merges {
-                // Another solid may be placed by other maps, rounded as doubles are.
+                // Another solid in the same place may have other maps, and all maps are rounded to doubles.
                 let maps = &self.graph.placements[placement as usize];
                 error = error + maps.out.point_error(point.cast(), Vec3::ZERO).cast();
             }
@@ -287,8 +289,8 @@ impl<R: Precision> Walker<'_, R> {
         })
     }
 
-    /// A bound on how far the point of the ray at a crossing is from the true surface, whose unit normal
-    /// there is given: what the point is rounded by, and what its t may be off.
+    /// A bound on the distance of the ray's point at a crossing from the true surface: the rounding error of the point,
+    /// and the error of its t. `normal` is the surface's unit normal there.
     #[cold]
     fn skin_on_line(
         &self,
@@ -306,8 +308,7 @@ impl<R: Precision> Walker<'_, R> {
         normal.abs().dot(rounded) + off * normal.dot(ray.line.direction).abs()
     }
 
-    /// Surface coordinates of a crossing of the shape `leaf`; `None` where there are no numbers for
-    /// them.
+    /// Surface coordinates of a crossing of the shape `leaf`; `None` if they are not finite.
     pub fn uv(&self, leaf: Leaf, root: Root<R>) -> Option<[f64; 2]> {
         let primitive = self.primitive(leaf);
         let located = primitive.intersect().locate(&self.line(leaf), root);
@@ -315,8 +316,8 @@ impl<R: Precision> Walker<'_, R> {
         uv.iter().all(|x| x.is_finite()).then_some(uv)
     }
 
-    /// The colour of a point, in the scene's space and in that of the shape whose surface it is on.
-    /// A face made by a cut shows no colours of the tool.
+    /// The colour of a point on a surface, linear RGB. `point` is the point in the scene's space, `local` the point in
+    /// the space of the shape `leaf`. A face made by a cut shows no colours of the shape that cuts.
     fn colour(&mut self, owner: Leaf, leaf: Leaf, point: Vec3, local: Vec3, face: u32) -> Rgb {
         let painted = self.texture(owner);
         let place = SurfacePoint {

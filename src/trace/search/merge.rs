@@ -1,5 +1,5 @@
-//! Lists of events joined into one. Events in one place are one event, judged by the states before
-//! and after it, so what identical surfaces do at the same place cancels out.
+//! Joins lists of events into one. Events in one place become one event, judged by the states before and after that
+//! place, so identical surfaces in the same place cancel out.
 
 use super::events::{Event, Kind, List, Owner, Scratch, Spans, State};
 use crate::trace::precision::Precision;
@@ -26,7 +26,7 @@ impl<R: Precision> Spans<R> {
             }
         }
         scratch.order.sort_unstable_by(|a, b| {
-            // Zeros of both signs are one place, and nothing here is NaN.
+            // Zeros of both signs compare equal, as one place, and no t is NaN.
             let rank = |i: u32| lists[i as usize].part;
             a.0.partial_cmp(&b.0)
                 .unwrap_or(Ordering::Equal)
@@ -40,8 +40,8 @@ impl<R: Precision> Spans<R> {
 }
 
 impl<R: Precision> Scratch<R> {
-    /// Returns the index behind the events that lie in one place with the event at `first`. Sets `before` and `after` to
-    /// the states on both sides of that place.
+    /// Returns the index behind the events that lie in one place with the event at `first`. Sets `before` and `after`
+    /// to the states on both sides of that place.
     fn next_group(&mut self, events: &[Event<R>], first: usize) -> usize {
         self.before.clone_from(&self.after);
         let mut next = first;
@@ -59,8 +59,8 @@ impl<R: Precision> Scratch<R> {
     }
 }
 
-/// Adds an event to a joined list. The t of events in one place may differ by as much as they are
-/// in doubt, in either order; the list ascends all the same.
+/// Adds an event to a joined list. The t of events in one place may differ by their errors, in either order. A t below
+/// that of the event before is raised to it, so that the list ascends.
 fn emit<R: Precision>(out: &mut Vec<Event<R>>, mut event: Event<R>) {
     if let Some(last) = out.last().filter(|last| last.t() > event.t()) {
         event.place.root.t = last.t();
@@ -68,7 +68,7 @@ fn emit<R: Precision>(out: &mut Vec<Event<R>>, mut event: Event<R>) {
     out.push(event);
 }
 
-/// Replaces the lists from `base` on by one.
+/// Replaces the lists from `base` on by one, whose events are in the scratch.
 fn replace<R: Precision>(spans: &mut Spans<R>, base: usize, part: u32, start: State) {
     let begin = spans.lists[base].begin;
     spans.events.truncate(begin);
@@ -79,7 +79,8 @@ fn replace<R: Precision>(spans: &mut Spans<R>, base: usize, part: u32, start: St
     }
 }
 
-/// The union of the lists from `base` on, once sorted: the first operand that is inside owns the point.
+/// Replaces the lists from `base` on by their union. The lists must have been sorted. The first operand that is inside
+/// owns a point.
 pub(in crate::trace) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32, base: usize) {
     match spans.lists.len() - base {
         0 => {}
@@ -91,16 +92,17 @@ pub(in crate::trace) fn join_union<R: Precision>(spans: &mut Spans<R>, part: u32
     }
 }
 
-/// How far lists are merged.
+/// The place up to which lists are merged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::trace) enum Until {
     End,
-    /// The place of the first boundary or sheet. `before` and `after` in the scratch then have the states of all lists on
-    /// both sides of it.
+    /// The place of the first boundary or sheet. `before` and `after` in the scratch then have the states of all lists
+    /// on both sides of that place.
     FirstSeen,
 }
 
-/// Finds the events of the union of the lists from `base` on, once sorted, and returns its state at the start.
+/// Puts the events of the union of the lists from `base` on into the scratch, and returns the union's state at the
+/// start. The lists must have been sorted.
 pub(in crate::trace) fn merge_union<R: Precision>(
     spans: &mut Spans<R>,
     base: usize,
@@ -149,8 +151,8 @@ pub(in crate::trace) fn merge_union<R: Precision>(
             let mut group = group.clone();
             group.find(|e| e.0 == list && e.1.kind != Kind::Sheet)
         };
-        // The boundary belongs to the operand whose surface it is, on both sides; where the surfaces
-        // of both lie here, to the first of them, which holds the points of its surface.
+        // The boundary belongs to the owner before or behind it whose surface lies here. If the surfaces of both lie
+        // here, it belongs to the first operand of the two, which owns the points of its surface.
         let by_rank = match (before_holder, then) {
             (Some(a), Some(b)) if rank(b) < rank(a) => [then, before_holder],
             _ => [before_holder, then],
@@ -176,9 +178,9 @@ pub(in crate::trace) fn merge_union<R: Precision>(
     start
 }
 
-/// The intersection of the `first` lists from `base` on less all others, once sorted. The first operand owns
-/// the points; a face keeps the properties of its shape or, with `inherit`, takes those of the
-/// first operand where a cut made it.
+/// Replaces the lists from `base` on by the intersection of the first `first` of them, less all others. The lists must
+/// have been sorted. The first operand owns the points, or `lead` if all lists are cuts. A face has the properties of
+/// its shape; with `inherit`, a face made by a cut has those of the first operand.
 pub(in crate::trace) fn join_intersection<R: Precision>(
     spans: &mut Spans<R>,
     part: u32,
@@ -193,7 +195,7 @@ pub(in crate::trace) fn join_intersection<R: Precision>(
     }
     let nowhere = spans.lists.len() == base;
     if nowhere {
-        // No operands but cuts, and none of those on the way: all of space.
+        // There are no operands but cuts, and the ray meets no cut: the whole ray is inside.
         let start = State {
             inside: true,
             owner: lead,
@@ -226,7 +228,7 @@ pub(in crate::trace) fn join_intersection<R: Precision>(
             if list >= first {
                 continue;
             }
-            // A surface that lies in a face of an operand counts as inside of it.
+            // A sheet that lies in a face of an operand counts as inside of that operand.
             let (a, b) = (&scratch.before, &scratch.after);
             let inside = (0..first).all(|i| i == list || a[i].inside || b[i].inside)
                 && (first..a.len()).all(|i| !a[i].inside || !b[i].inside);
@@ -244,8 +246,8 @@ pub(in crate::trace) fn join_intersection<R: Precision>(
             event.kind != Kind::Sheet && scratch.before[list].inside != scratch.after[list].inside
         };
         if before.inside != after.inside {
-            // A face of an operand goes before one made by a cut at the same place, and that of an
-            // earlier operand before that of a later one, whatever their t were rounded to.
+            // In one place, a face of an operand goes before a face made by a cut, and a face of an earlier operand
+            // before one of a later operand, whatever their t were rounded to.
             let rank = |list: usize| (list >= first, lists[base + list].part);
             let face = group.filter(turned);
             if let Some((list, &event)) = face.min_by_key(|e| rank(e.0)) {
@@ -269,7 +271,8 @@ pub(in crate::trace) fn join_intersection<R: Precision>(
             // The owner within the first operand may have changed.
             let change = group.find(|e| e.0 == 0 && e.1.kind != Kind::Sheet);
             if let (true, Some((_, &event))) = (first > 0, change) {
-                // Of what it leaves and enters again in one place nothing is to be seen.
+                // Only a change of the medium is visible. A ray that leaves and enters the operand in one place shows
+                // nothing.
                 let seen = before.owner.medium != after.owner.medium;
                 let event = Event {
                     kind: if seen { Kind::Boundary } else { Kind::Silent },

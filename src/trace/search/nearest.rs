@@ -1,5 +1,5 @@
-//! The nearest crossing with anything. For a ray outside of every solid that is a boundary of the scene; else no boundary
-//! is nearer.
+//! The nearest crossing of a ray with anything. If the ray starts outside of every solid, that crossing is a boundary
+//! of the scene; else no boundary is nearer.
 
 use super::context::Leaf;
 use super::events::{Crossing, RayPoint};
@@ -13,20 +13,20 @@ use crate::trace::ray::Ray;
 use crate::trace::shapes::Root;
 use std::cmp::Ordering;
 
-/// The nearest crossing so far, and how far along the ray something as near may be found: crossings
-/// that cannot be told from the nearest are met too.
+/// The nearest crossing that is known. `limit` is the t up to which the search goes on, a little beyond that crossing:
+/// crossings that cannot be told from it are met too.
 struct Best<R> {
     found: Option<Crossing<R>>,
     limit: R,
-    /// Crossings before this t are far behind the start.
+    /// A t far behind the start of the ray: crossings before it cannot be taken for the start.
     start: f64,
 }
 
 impl<R: Precision> Best<R> {
-    /// The state at the start, when no crossing in (from, to] is known.
+    /// The state of a search in (from, to] before it has found a crossing.
     #[inline]
     fn new(ray: &Ray<R>, from: R, to: R) -> Best<R> {
-        // Crossings that are nearer may not be told from the surface that the ray has left.
+        // A crossing within this distance of the start might not be told from the surface that the ray has left.
         let near = ray.left.map_or(0.0, |left| {
             let farthest = left.skin / R::ROUNDOFF.sqrt();
             (farthest / ray.line.direction.length()).to_f64()
@@ -40,9 +40,10 @@ impl<R: Precision> Best<R> {
 }
 
 impl<'g, R: Precision> Walker<'g, R> {
-    /// The first crossing with a part's surface in (from, to]. Parts that are unions are looked into; of intersections only
-    /// their own boundary counts. Among crossings at the same t a sheet's wins, then the first operand's. A search for any
-    /// crossing takes the first one found. Where it only knows that the ray goes through a solid, the crossing is at `to`.
+    /// The first crossing with a part's surface in (from, to]. The search looks into unions; of an intersection only
+    /// its own boundary counts. Among crossings at the same t, one with a sheet wins, then that of the first operand. A
+    /// search for any crossing takes the first one found. If it knows only that the ray goes through a solid, it places
+    /// the crossing at `to`.
     pub fn nearest(
         &mut self,
         ray: &Ray<R>,
@@ -58,7 +59,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         best.found
     }
 
-    /// Visits all that is on the stack, or until that is enough.
+    /// Visits the entries of the stack, until nothing is left or a search for any crossing has found one.
     fn exhaust(&mut self, ray: &Ray<R>, from: R, best: &mut Best<R>) {
         let mut next = None;
         loop {
@@ -114,14 +115,14 @@ impl<'g, R: Precision> Walker<'g, R> {
             }));
     }
 
-    /// The parts of a context's union that may hold the event looked for.
+    /// The parts of a context's union that may hold the crossing that the search wants; `None` if there are none.
     fn searched(&self, context: u32) -> Option<&'g Group> {
         let here = &self.contexts[context as usize];
         let Operation::Union(whole) = &self.graph.objects[here.object as usize].operation else {
             return None;
         };
         match self.search {
-            // What is painted over all of them decides.
+            // A paint over the union decides for all its parts.
             _ if here.optics.is_some() => Some(whole),
             Search::AnyClear => whole.clear.as_deref(),
             Search::AnyOpaque => whole.opaque.as_deref().or(Some(whole)),
@@ -129,7 +130,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         }
     }
 
-    /// The sorts of media that a part of a context's object holds, with what is painted over it.
+    /// The sorts of media that a part holds, with the paint over its context's object.
     fn holds(&self, leaf: Leaf) -> Holds {
         match self.contexts[leaf.context as usize].optics {
             Some(optics) => self.graph.made_of(optics),
@@ -137,7 +138,8 @@ impl<'g, R: Precision> Walker<'g, R> {
         }
     }
 
-    /// The nearest child of a node that the ray may meet; the others are put on the stack, the farthest first.
+    /// Returns the nearest child of a node that the ray may meet, and puts the other children that it may meet on the
+    /// stack, the farthest first.
     #[inline(always)]
     fn visit(&mut self, context: u32, node: u32, from: R, best: &Best<R>) -> Option<PendingNode> {
         let group = self.searched(context)?;
@@ -165,7 +167,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         first.map(|(near, child)| entry(near, child))
     }
 
-    /// Crosses a shape, or looks into an object; `false`: the memory is used up.
+    /// Crosses a shape, or looks into an object. Returns `false` if the memory is used up.
     fn meet(&mut self, ray: &Ray<R>, leaf: Leaf, from: R, best: &mut Best<R>) -> bool {
         if self.search.is_picky() && !self.search.wants(self.holds(leaf)) {
             return true;
@@ -209,7 +211,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         true
     }
 
-    /// Whether a crossing with a shape is one of its boundary.
+    /// Whether a leaf has an inside, so that a crossing with it is a boundary and not a sheet.
     pub(super) fn is_solid(&self, leaf: Leaf) -> bool {
         match self.part(leaf.part).target {
             Target::Shape(primitive) => self.graph.primitives[primitive as usize].is_solid(),

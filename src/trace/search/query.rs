@@ -7,7 +7,7 @@ use crate::trace::graph::Holds;
 use crate::trace::precision::Precision;
 use crate::trace::shapes::support::Passage;
 
-/// The crossing that is wanted.
+/// The event that a search wants.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Search {
     /// The first event.
@@ -26,7 +26,7 @@ impl Search {
         matches!(self, Search::AnyOpaque | Search::AnyClear)
     }
 
-    /// Whether the search looks at a node with these contents.
+    /// Whether the search looks at a part that holds these sorts of media.
     pub(in crate::trace) fn wants(self, holds: Holds) -> bool {
         match self {
             Search::First | Search::Any => true,
@@ -45,22 +45,24 @@ pub(in crate::trace) struct PendingNode {
     pub(in crate::trace) child: Child,
 }
 
-/// The sizes of the numbers that a crossing is computed from.
+/// The sizes of the numbers that a crossing is computed from: `reach` of the coordinates, `pace` of the line's
+/// direction.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Scale<R> {
     pub(in crate::trace) reach: R,
     pub(in crate::trace) pace: R,
 }
 
-/// The start of a ray.
+/// The start of a ray, and how exactly it is known.
 #[derive(Debug, Clone, Copy)]
 pub struct Start<R> {
     pub(in crate::trace) t: R,
     /// Bound on the error of t.
     pub(in crate::trace) error: R,
-    /// The chain of maps that places the start, and how far it may be misplaced; `None` for a start on no surface.
+    /// The number of the chain of maps that places the surface of the start, and how far, in t, the surface may be
+    /// misplaced; `None` for a start on no surface.
     pub(in crate::trace) chain: Option<(u64, R)>,
-    /// How the ray passes the surface that the face there is a part of.
+    /// How the ray passes the surface that its starting face is a part of.
     pub(in crate::trace) passage: Option<Passage>,
 }
 
@@ -102,8 +104,8 @@ impl<R> Default for QueryStatus<R> {
 /// A flat face that a ray lies in.
 #[derive(Debug, Clone, Copy)]
 pub struct Along {
-    /// Unit, in the scene's space.
+    /// The unit normal of the face, in the scene's space.
     pub normal: Vec3,
-    /// No number that it was found with is larger.
+    /// A bound on the sizes of the numbers that the face was found with.
     pub reach: f64,
 }

@@ -14,14 +14,14 @@ use crate::trace::ray::{Left, Ray};
 use crate::trace::shapes::{Intersect, Root, Roots};
 use std::cmp::Ordering;
 
-/// Bound on the rounding on the way to a crossing's point, across the surface, as a share of the numbers that it is computed from:
-/// more than any shape does, which the campaign measures at 11 units in the last place.
+/// Bound on the rounding error of a crossing's point across the surface, as a share of the numbers that the point is
+/// computed from. It is more than any shape needs: the campaign measures 11 units in the last place.
 fn share<R: Precision>() -> R {
     R::of(256.0) * R::ROUNDOFF * coarser()
 }
 
-/// In double-double, how many times the roundoff of doubles is that of R; else 1. The numbers of a scene are doubles, so
-/// crossings that are nearer than these round are looked at, too.
+/// The roundoff of doubles over that of R if R is double-double; else 1. The numbers of a scene are doubles, so even in
+/// double-double, crossings that are closer than the rounding of doubles are looked at.
 fn coarser<R: Precision>() -> R {
     match R::DOUBT {
         Doubt::Merges => R::of(f64::ROUNDOFF) / R::ROUNDOFF,
@@ -30,7 +30,8 @@ fn coarser<R: Precision>() -> R {
 }
 
 impl<R: Precision> Scale<R> {
-    /// The size of the line's origin and that of the shape, and the greatest component of the direction.
+    /// `reach` is the size of the line's origin and of the shape, `pace` the greatest component of the line's
+    /// direction. `extent` is the size of the shape.
     pub fn new(line: &Line<R>, extent: f64) -> Scale<R> {
         let greater = |a: R, b: R| if a > b { a } else { b };
         let largest = |v: Vec3<R>| {
@@ -44,9 +45,9 @@ impl<R: Precision> Scale<R> {
     }
 }
 
-/// A rough bound on the error of a crossing: what is rounded across the surface, over the speed at which the ray passes
-/// through it. For shapes that bend away from their tangents that speed is at least the root of what is rounded,
-/// relative to the pace, since they doubt to be met where it is lower.
+/// A rough bound on the error of a crossing's t: the rounding error across the surface, over the speed at which the ray
+/// passes through it. Curved shapes do not tell the speed. Relative to the pace it is at least the root of the relative
+/// rounding error, since these shapes report slower crossings as doubtful.
 pub fn rough<R: Precision>(
     shape: &dyn Intersect<R>,
     Scale { reach, pace }: Scale<R>,
@@ -60,7 +61,7 @@ pub fn rough<R: Precision>(
             (share::<R>() * (reach + t * pace) + R::of(2.0) * slack * coarser()) / speed
         }
         None => {
-            // The root of what is rounded, of slack as well.
+            // The error is the root of the rounding error, and of the slack as well.
             let size = reach / pace + t;
             let slack = (line.slack.origin / pace + t * line.slack.direction / pace) * coarser();
             R::of(4.0) * (share::<R>().sqrt() * size + (slack * size).sqrt())
@@ -70,7 +71,7 @@ pub fn rough<R: Precision>(
 }
 
 impl<R: Precision> Walker<'_, R> {
-    /// The numbers that a leaf's crossings are computed from, besides t.
+    /// The sizes of the numbers, besides t, that the crossings of a line with a shape are computed from.
     pub(in crate::trace) fn scale(&self, line: &Line<R>, primitive: u32) -> Scale<R> {
         Scale::new(line, self.graph.extents[primitive as usize])
     }
@@ -81,10 +82,9 @@ impl<R: Precision> Walker<'_, R> {
         rough(shape, self.scale, line, root)
     }
 
-    /// A bound on the error of a crossing's t: what its point may be off across the surface, over
-    /// the speed at which the ray goes through it. Twice, for where the surface bends away: it does
-    /// so by less than that as long as the shape does not doubt that it is met. A place beyond the
-    /// numbers has none: the ray ends there, and it is as far on as its t says.
+    /// A bound on the error of a crossing's t: the error of its point across the surface, over the speed at which the
+    /// ray goes through the surface. It is doubled because the surface may bend away; a surface that bends away by more
+    /// is reported as doubtful by its shape. It is 0 for a place out of the range of numbers, where the ray ends.
     pub(in crate::trace) fn error(&self, leaf: Leaf, line: &Line<R>, root: Root<R>) -> R {
         let located = self.primitive(leaf).intersect().locate(line, root);
         let point = line.at(root.t);
@@ -100,9 +100,9 @@ impl<R: Precision> Walker<'_, R> {
         if error.is_nan() { R::INFINITY } else { error }
     }
 
-    /// How far, in t, a leaf's surface may be from where the scene's numbers put it: the maps it is
-    /// placed by are doubles, rounded where records were combined into one. Surfaces that are placed
-    /// by one chain of maps are off together; between others nothing thinner than this is meant.
+    /// The distance, in t, that a leaf's surface may be from where the scene's numbers put it: its maps are doubles,
+    /// rounded where records were combined into one. Surfaces with the same chain of maps are off together. Between
+    /// surfaces with other chains, a gap thinner than this is a rounding error and not meant.
     pub(in crate::trace) fn misplaced(&self, leaf: Leaf, root: Root<R>) -> R {
         let line = self.line(leaf);
         let located = self.primitive(leaf).intersect().locate(&line, root);
@@ -167,8 +167,8 @@ impl<R: Precision> Walker<'_, R> {
         gap <= self.error(leaf, line, root) + place.error + placed
     }
 
-    /// Whether rounding may have to do with the order of a crossing with the shape that has been met
-    /// last and a place on the ray.
+    /// Whether rounding may affect the order of a crossing and a place on the ray, given by its t. The crossing must be
+    /// with the shape that has been met last.
     fn is_near(&self, leaf: Leaf, line: &Line<R>, root: Root<R>, place: R) -> bool {
         match self.part(leaf.part).target {
             Target::Shape(primitive) => (root.t - place).abs() <= self.rough(line, primitive, root),
@@ -176,7 +176,7 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    /// How many of a leaf's crossings lie before the ray's start, which is at `from`.
+    /// The number of a leaf's crossings that lie before the ray's start, which is at `from`.
     pub(in crate::trace) fn behind(
         &mut self,
         ray: &Ray<R>,
@@ -215,7 +215,8 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    /// How many crossings lie before a known place. What cannot be told from it counts as before it.
+    /// The number of crossings before a known place. Crossings that cannot be told from the place count as before it.
+    /// `passed` is the number of crossings up to the place by their rounded t.
     fn before_place(
         &mut self,
         leaf: Leaf,
@@ -237,11 +238,12 @@ impl<R: Precision> Walker<'_, R> {
         behind
     }
 
-    /// Behind a ray that starts on another shape: counts on past the crossings that are the starting point
-    /// or cannot be told from it.
+    /// The number of crossings behind the start of a ray that starts on another shape. `passed` is the number up to the
+    /// start by their rounded t. Crossings after those count as behind if they are the starting point or cannot be told
+    /// from it.
     ///
-    /// A surface at distance h from the starting point, measured along its own normal, is met at
-    /// t = h / |n·d|; the starting point itself is known up to the skin.
+    /// A surface at distance h from the starting point, measured along the surface's normal n, is met at t = h / |n·d|;
+    /// the starting point itself is known up to the skin.
     fn before_skin(
         &mut self,
         leaf: Leaf,
@@ -250,15 +252,16 @@ impl<R: Precision> Walker<'_, R> {
         passed: usize,
         left: &Left<R>,
     ) -> usize {
-        // Flatter than √u to a surface, half of the digits of n·d are noise and the distance h
-        // says nothing; so such crossings are believed, if they are not close by themselves.
+        // If the ray is flatter than √u to a surface, half of the digits of n·d are noise and the distance h says
+        // nothing. So the t of a crossing beyond this distance is believed, unless the crossing's own error reaches the
+        // start.
         let farthest = left.skin / R::ROUNDOFF.sqrt();
         let direction = self.contexts[0].line.direction;
         let length = direction.length();
         let near = |walker: &Self, root: Root<R>| {
             root.t.abs() * length <= farthest || walker.is_near(leaf, line, root, R::ZERO)
         };
-        // What lies in the surface that the ray leaves is met there and nowhere else.
+        // A face in the surface that the ray leaves is met at the start and nowhere else.
         let goes_on = |walker: &Self, root| walker.goes_on(leaf, line, root, left.passage);
         let within = |walker: &Self, root: Root<R>| {
             let steep = walker.world_normal(leaf, line, root).dot(direction).abs();
@@ -297,8 +300,8 @@ impl<R: Precision> Walker<'_, R> {
     }
 }
 
-/// How many roots lie behind a ray that starts on the surface itself: those up to the one it starts
-/// at, which is the nearest to the origin of those that cross in the right sense.
+/// The number of roots up to the starting point, for a ray that starts on the surface itself. The starting point is the
+/// root nearest to the origin among those that cross in the right sense; `None` if there are none.
 pub fn before_left<R: Precision>(roots: &Roots<R>, entering: bool, solid: bool) -> Option<usize> {
     let fits = |i: usize| !solid || (roots.inside == (i % 2 == 1)) == entering;
     let distance = |i: usize| roots.list[i].t.abs();

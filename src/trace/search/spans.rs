@@ -1,5 +1,5 @@
-//! Spans: where along a ray an object is, and which part owns each stretch (Roth, "Ray Casting for Modeling Solids", 1982).
-//! Sorted events, each with the state after it.
+//! Spans: the stretches of a ray on which an object is, and the part that owns each stretch (Roth, "Ray Casting for
+//! Modeling Solids", 1982). They are kept as sorted events, each with the state after it.
 
 use super::context::Leaf;
 use super::events::RayPoint;
@@ -12,7 +12,7 @@ use crate::trace::graph::{Group, Operation, Target};
 use crate::trace::precision::Precision;
 use crate::trace::ray::Ray;
 
-/// The boundary of the scene's union that a ray sees first.
+/// The boundary or sheet of the scene's union that a ray sees first.
 pub(super) struct FirstBoundary<R> {
     pub event: Event<R>,
     /// The states before and behind the boundary.
@@ -21,7 +21,8 @@ pub(super) struct FirstBoundary<R> {
     pub in_face: bool,
 }
 
-/// The first event of a kind that is looked for, with its number and the states before and behind it.
+/// Finds the first event whose kind `is_it` accepts: its number in the list, the event, and the states before and
+/// behind it. `start` is the state before all events.
 pub(super) fn first_of_kind<R: Precision>(
     start: State,
     events: &[Event<R>],
@@ -37,7 +38,8 @@ pub(super) fn first_of_kind<R: Precision>(
     None
 }
 
-/// The place of the next boundary behind a sheet; nothing for other events.
+/// The place of the next boundary behind an event that is a sheet; `None` for other events. `rest` are the events after
+/// it.
 fn behind_sheet<R: Precision>(event: &Event<R>, rest: &[Event<R>]) -> Option<RayPoint<R>> {
     let next = || rest.iter().find(|e| e.kind == Kind::Boundary);
     match event.kind {
@@ -46,13 +48,14 @@ fn behind_sheet<R: Precision>(event: &Event<R>, rest: &[Event<R>]) -> Option<Ray
     }
 }
 
-/// Whether something of this kind is seen.
+/// Whether events of this kind are visible.
 pub(super) fn is_seen(kind: Kind) -> bool {
     kind != Kind::Silent
 }
 
 impl<R: Precision> Walker<'_, R> {
-    /// The state of the whole scene at the ray's start, at t = `from`, and its events up to `to`.
+    /// The state of the whole scene at t = `from`, where the ray starts, and the events up to `to`. The state is `None`
+    /// if the ray starts outside and has no events.
     pub fn trace_spans(&mut self, ray: &Ray<R>, from: R, to: R) -> (Option<State>, &[Event<R>]) {
         self.begin(ray);
         self.evaluate(ray, 0, from, to)
@@ -86,8 +89,8 @@ impl<R: Precision> Walker<'_, R> {
         })
     }
 
-    /// The events up to `to` of the parts that hold something transparent, after a search along the same ray. These are all
-    /// events of a ray that starts outside of every solid and crosses nothing opaque.
+    /// The events up to `to` of the parts that hold something transparent. `ray` must be the ray of the search just
+    /// before. If it starts outside of every solid and crosses nothing opaque, these are all its events.
     pub fn trace_clear_spans(&mut self, ray: &Ray<R>, from: R, to: R) -> &[Event<R>] {
         self.spans.forget();
         if let Operation::Union(Group {
@@ -105,7 +108,7 @@ impl<R: Precision> Walker<'_, R> {
         &self.spans.events
     }
 
-    /// The first boundary or sheet of an intersection, of those that are looked for.
+    /// The first boundary or sheet of an intersection that the present search wants.
     pub(in crate::trace) fn first_of(
         &mut self,
         ray: &Ray<R>,
@@ -125,7 +128,7 @@ impl<R: Precision> Walker<'_, R> {
         })
     }
 
-    /// Start state (`None`: outside, and nothing ahead) and events of the object of a context.
+    /// The start state (`None`: outside, and no events) and the events of a context's object.
     fn evaluate(
         &mut self,
         ray: &Ray<R>,
@@ -140,8 +143,8 @@ impl<R: Precision> Walker<'_, R> {
         (start, &self.spans.events)
     }
 
-    /// Works off all tasks. If a join was the first task, one list or none is left; else there is one list for each part
-    /// that was met.
+    /// Works off all tasks. If a join was the first task, one list or none is left; else there is one list for each
+    /// part that was met.
     fn work_off(&mut self, ray: &Ray<R>, from: R, to: R) {
         while let Some(task) = self.spans.tasks.pop() {
             match task {
@@ -180,7 +183,7 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    /// A shape becomes a list at once, an object is entered.
+    /// Makes the list of a part that is a shape, or enters an object and puts a task for it on the stack.
     fn part_spans(&mut self, ray: &Ray<R>, leaf: Leaf, from: R, to: R) {
         let part = self.part(leaf.part);
         let primitive = match part.target {
@@ -198,7 +201,7 @@ impl<R: Precision> Walker<'_, R> {
         let begin = self.spans.events.len();
         let mut inside = part.inverted != (solid && (self.roots.inside != (behind % 2 == 1)));
         let start = State { inside, owner };
-        // The complement of a surface is all of space: losing a surface does not show.
+        // The complement of a surface without inside is all of space; that the surface is missing is not visible.
         if solid || !part.inverted {
             for i in behind..self.roots.list.len() {
                 let root = self.roots.list[i];
@@ -239,7 +242,7 @@ impl<R: Precision> Walker<'_, R> {
         }
     }
 
-    /// Puts all parts of a group that the ray may meet in [from, to] on the stack.
+    /// Puts a task for each part of a group that the ray may meet in [from, to] on the stack.
     pub(in crate::trace) fn gather(&mut self, context: u32, group: &Group, from: R, to: R) {
         let task = |&part: &u32| Task::Part { part, context };
         self.spans.tasks.extend(group.loose.iter().map(task));
@@ -277,7 +280,7 @@ impl<R: Precision> Walker<'_, R> {
         loop {
             let done = (part - first.start) as usize;
             if self.spans.lists.len() < base + done {
-                // An operand is nowhere on this ray, so the whole is not.
+                // An operand is nowhere on this ray, so the intersection is nowhere either.
                 if let Some(list) = self.spans.lists.get(base) {
                     self.spans.events.truncate(list.begin);
                     self.spans.lists.truncate(base);
@@ -321,8 +324,8 @@ impl<R: Precision> Walker<'_, R> {
         else {
             return;
         };
-        // Where there are complements only, the medium is that of the first operand, which is the
-        // part behind the empty range.
+        // If all operands are complements, the medium is that of the first cut, which is the part behind the empty
+        // range.
         let lead = self.owner(Leaf {
             part: operands.start,
             context,
@@ -335,12 +338,12 @@ impl<R: Precision> Walker<'_, R> {
 }
 
 impl<R: Precision> Walker<'_, R> {
-    /// Puts the events of the lists from `base` on in order, and finds those in one place.
+    /// Puts the events of the lists from `base` on in order, and notes which events are in one place.
     fn sort(&mut self, base: usize) {
         self.spans.sort(base);
         for i in 1..self.spans.scratch.order.len() {
             let [before, here] = each([i - 1, i], |i| self.spans.scratch.order[i]);
-            // Of one operand's own events the operand has decided.
+            // Two events of one operand are not compared: the operand has decided which of its events are in one place.
             if before.1 != here.1 {
                 let [a, b] = each([before, here], |e| self.spans.events[e.2 as usize].place);
                 self.spans.scratch.tied[i] = self.order(&a, &b).is_eq();

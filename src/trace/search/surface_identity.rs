@@ -1,4 +1,5 @@
-//! Whether two faces lie in one surface, by the numbers of the scene: these tell what no rounding can blur.
+//! Whether two faces lie in one surface, by the numbers of the scene. Unlike computed crossings, these numbers are not
+//! blurred by rounding.
 
 use super::context::Leaf;
 use super::events::RayPoint;
@@ -10,8 +11,9 @@ use crate::trace::shapes::Root;
 use crate::trace::shapes::support::{Passage, Placed, Support};
 
 impl<R: Precision> Walker<'_, R> {
-    /// How a line passes the support of the face that it crosses at a point, in the space of the leaf's
-    /// shape; `None` where other shapes have no faces in it.
+    /// How a line passes the support of a face, which is the surface that the face is a part of. The line crosses the
+    /// face at `point`; both are in the space of the leaf's shape. `None` if other shapes have no faces in that
+    /// support.
     pub(in crate::trace) fn passage(
         &self,
         leaf: Leaf,
@@ -26,7 +28,7 @@ impl<R: Precision> Walker<'_, R> {
         })
     }
 
-    /// The support of a leaf's face out of the space of the leaf's shape.
+    /// The support of a leaf's face, carried from the shape's space towards the scene's.
     fn placed_support(&self, leaf: Leaf, own: Support) -> Placed {
         let mut placed = Placed::new(own, self.chain(leaf));
         self.climb(leaf, |at, placement| {
@@ -35,7 +37,7 @@ impl<R: Precision> Walker<'_, R> {
         placed
     }
 
-    /// How a line passes the support of the face that it crosses, there.
+    /// Like [`passage`](Self::passage), for the face and the point of a root.
     pub(in crate::trace) fn passage_at(
         &self,
         leaf: Leaf,
@@ -46,7 +48,7 @@ impl<R: Precision> Walker<'_, R> {
         self.passage(leaf, line, (root.face, point))
     }
 
-    /// Whether two crossings, which are near each other, are of faces in one surface.
+    /// Whether two crossings that are near each other are with faces in one surface.
     pub(in crate::trace) fn in_one_place(&self, a: &RayPoint<R>, b: &RayPoint<R>) -> bool {
         let passage = |place: &RayPoint<R>| {
             let line = self.line(place.leaf);
@@ -56,7 +58,8 @@ impl<R: Precision> Walker<'_, R> {
         both.is_some_and(|(a, b)| a.is(&b))
     }
 
-    /// Whether a crossing near the start of a ray is with the surface that the ray has left, there.
+    /// Whether a crossing near the start of a ray is with the surface that the ray has left, at the start itself.
+    /// `left` is how the ray passes that surface.
     pub(in crate::trace) fn goes_on(
         &self,
         leaf: Leaf,
@@ -128,8 +131,8 @@ mod tests {
         }
     }
 
-    /// A transparent sheet in a face of a solid looks as one that lies a little above the face: the face is seen through
-    /// it, and is lit through it.
+    /// A transparent sheet in a face of a solid looks as one that lies a little above the face: the face is seen
+    /// through it, and is lit through it.
     #[test]
     fn a_face_is_seen_through_a_sheet_in_it() {
         const LOOKS: &str = "60 -201 0.2 0 0.7\n61 -201 0.1 0.1 0.8\n61 -203 1.5 1.5 1.5\n\
@@ -153,7 +156,8 @@ mod tests {
                 };
                 let [flush, above] = [0.0, 1e-6].map(|height| picture(&text(height), Numbers::F64));
                 let fine = picture(&text(0.0), Numbers::Dd);
-                // What the face mirrors of the sheet's underside is left out, and from inside the sheet is before the face.
+                // What the face mirrors of the sheet's underside is left out, and from inside the sheet is before the
+                // face.
                 let most = if look == "0" { 1e-4 } else { 0.01 };
                 let differ = |a: &Picture, b: &Picture, most: f32| {
                     let pixels = a.film.pixels.iter().zip(&b.film.pixels);

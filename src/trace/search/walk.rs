@@ -16,15 +16,16 @@ use crate::trace::shapes::quick_reject::Pass;
 use crate::trace::shapes::{Primitive, Roots};
 use crate::trace::stats::{Intersections, Work};
 
-/// The scratch of one thread, and what it has counted.
+/// Walks the graph along rays: the buffers of one thread, and the counts of its work.
 pub struct Walker<'g, R: Precision = f64> {
     pub graph: &'g Graph,
     pub contexts: Vec<Context<R>>,
     pub roots: Roots<R>,
-    /// The sizes of the numbers of the last shape that was met, and the ray in its space.
+    /// The sizes of the numbers of the last shape that was met.
     pub(in crate::trace) scale: Scale<R>,
+    /// The ray in the space of the last shape that was met.
     pub(in crate::trace) line: Line<R>,
-    /// The last shape, if it was met by this ray.
+    /// The last shape that was met, if the present ray has met it.
     met: Option<Leaf>,
     pub(in crate::trace) entries: Vec<PendingNode>,
     pub(in crate::trace) nodes: Vec<u32>,
@@ -37,7 +38,7 @@ pub struct Walker<'g, R: Precision = f64> {
     /// The roots that another solver has found.
     solved: Roots,
     pub(in crate::trace) status: QueryStatus<R>,
-    /// The start of the ray on the surface that it has left, where that is known better than by its origin.
+    /// The start of the ray on the surface that it has left, if that is known more exactly than the origin of the ray.
     pub(in crate::trace) start: Option<Start<R>>,
 }
 
@@ -52,7 +53,8 @@ fn mix(key: u64, value: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// The key below a placement; staying in place changes nothing. That of the scene's space is 0.
+/// The key of the space below a placement, from the key of the space above. Placement 0, which moves nothing, changes
+/// nothing. The key of the scene's space is 0.
 pub fn placed_key(key: u64, placement: u32) -> u64 {
     if placement == 0 {
         key
@@ -61,15 +63,14 @@ pub fn placed_key(key: u64, placement: u32) -> u64 {
     }
 }
 
-/// A number for the surface of a shape below placements with a key.
+/// A number for the surface of a shape in the space that has a key.
 pub fn surface_key(key: u64, primitive: u32) -> u64 {
-    // Odd, and placements are not shifted: no mistaking one for the other.
+    // The bits of the number are inverted, so that a shape is never mixed in like a placement.
     mix(key, !(primitive as u64))
 }
 
-/// Whether a line is in a shape in whose space it is beyond the numbers: it crosses nothing there.
-/// One whose direction has shrunk to nothing stays where it starts. Of one whose own numbers have
-/// been lost there is no telling, and it counts as outside.
+/// Whether a line is inside of a shape in whose space it is out of the range of numbers, so that it crosses nothing. A
+/// line whose direction has become 0 stays where it starts. A line whose own numbers are not finite counts as outside.
 #[cold]
 fn lost_inside<R: Precision>(shape: &Primitive, line: &Line<R>) -> bool {
     if line.direction.any() || !line.direction.is_finite() || !line.origin.is_finite() {
@@ -100,7 +101,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         }
     }
 
-    /// Forgets the last ray; context 0 is the root's.
+    /// Forgets the last ray and begins with a new one. Context 0 is the context of the root.
     pub fn begin(&mut self, ray: &Ray<R>) {
         self.met = None;
         self.contexts.clear();
@@ -123,7 +124,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         &self.graph.parts[part as usize]
     }
 
-    /// The shape of a leaf. Leaves are made of shapes only, when they are crossed.
+    /// The shape of a leaf. The leaf must be a shape, as all leaves are that are crossed.
     pub fn primitive(&self, leaf: Leaf) -> &'g Primitive {
         &self.graph.primitives[self.primitive_number(leaf) as usize]
     }
@@ -139,8 +140,8 @@ impl<'g, R: Precision> Walker<'g, R> {
         &self.graph.paints[part.paint as usize]
     }
 
-    /// Enters a part that is an object. `None`: the memory is used up, and the graph notes that what rays find is worth
-    /// nothing.
+    /// Enters a part that is an object, and returns the number of its context. `None` if the memory is used up; the
+    /// graph notes that, since the answers of rays are worth nothing then.
     pub fn enter(&mut self, context: u32, part: u32, object: u32) -> Option<u32> {
         let contexts = self.contexts.len() * size_of::<Context<R>>();
         if !(self.graph.room).has(GROWTH_FACTOR * (contexts + self.spans.bytes())) {
@@ -170,7 +171,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         Some(self.contexts.len() as u32 - 1)
     }
 
-    /// A line of an object's space in the space of one of its parts.
+    /// Takes a line from an object's space into the space of one of its parts.
     #[inline]
     pub fn placed(&self, line: &Line<R>, part: &Part) -> Line<R> {
         match part.placement {
@@ -191,7 +192,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         )
     }
 
-    /// The texture of a part: the outermost one given.
+    /// The texture of a part: the outermost one that a paint gives it or an object above it.
     pub fn texture(&self, leaf: Leaf) -> Option<Painted> {
         let Leaf { part, context } = leaf;
         self.contexts[context as usize].texture.or_else(|| {
@@ -214,12 +215,12 @@ impl<'g, R: Precision> Walker<'g, R> {
         above.or(self.coat(self.part(leaf.part)).index)
     }
 
-    /// Number of the part's optics.
+    /// The index into the graph's optics for a part.
     pub fn optics(&self, leaf: Leaf) -> u32 {
         self.own_optics(leaf).unwrap_or(0)
     }
 
-    /// Number of the part's refractive index.
+    /// The index into the graph's refractive indices for a part.
     pub fn index(&self, leaf: Leaf) -> u32 {
         self.own_index(leaf).unwrap_or(0)
     }
@@ -229,16 +230,16 @@ impl<'g, R: Precision> Walker<'g, R> {
         self.part(leaf.part).shape
     }
 
-    /// ID of the entity whose properties a leaf has: the outermost one that was given any, or else
-    /// the shape itself.
+    /// ID of the entity whose properties a leaf has: the outermost entity that was given properties, or else the shape
+    /// itself.
     pub fn object_id(&self, leaf: Leaf) -> u32 {
         let part = self.part(leaf.part);
         let above = self.contexts[leaf.context as usize].owner;
         outermost(outermost(above, part.owner), part.shape)
     }
 
-    /// Whether the inside of a leaf's shape is on the outer side of the scene's solid there: its
-    /// complement takes part, or it is taken away.
+    /// Whether the inside of a leaf's shape is on the outer side of the scene's solid: the shape's complement takes
+    /// part, or the shape is taken away.
     pub fn is_turned(&self, leaf: Leaf) -> bool {
         let Leaf {
             mut part,
@@ -275,10 +276,11 @@ impl<'g, R: Precision> Walker<'g, R> {
         }
     }
 
-    /// Finds the crossings with a part that is the shape `primitive`, and puts them into `self.roots`. Returns how many of
-    /// them lie before the ray's start, which is at `from`. If the ray goes out of this surface and cannot meet it again,
-    /// there are none, not even those before the start. With `ahead`, crossings outside of that stretch may be missing.
-    /// Returns `None` only if `ahead` is given, any crossing will do, and the ray surely goes through the solid.
+    /// Finds the crossings with a part that is the shape `primitive`, and puts them into `self.roots`. Returns how many
+    /// of them lie before the ray's start, which is at `from`. If the ray starts on this surface, goes out of its solid
+    /// and cannot meet it again, no crossings are found, not even those before the start. With `ahead`, a stretch of t,
+    /// crossings outside of the stretch may be missing. Returns `None` only if `ahead` is given, any crossing will do,
+    /// and the ray surely goes through the solid.
     pub fn cross(
         &mut self,
         ray: &Ray<R>,
@@ -290,7 +292,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         self.counts.shape += 1;
         self.roots.clear();
         let shape = &self.graph.primitives[primitive as usize];
-        // In doubles alone: double-double takes the crossing with this surface for the ray's exact start.
+        // Only doubles skip the surface. Double-double needs the crossing with it, as the exact start of the ray.
         let goes_out = R::DOUBT == Doubt::GoesOn
             && ray.left.as_ref().is_some_and(|left| {
                 left.primitive == primitive
@@ -300,7 +302,8 @@ impl<'g, R: Precision> Walker<'g, R> {
         if goes_out && shape.shape().is_convex() {
             return Some(0);
         }
-        // The copy of the ray that the scene's own context has was just written, and to read it takes longer.
+        // The context of the scene has a copy of the ray. The copy was just written, and to read it takes longer than
+        // to read the ray.
         let line = match leaf.context {
             0 if self.met != Some(leaf) => self.placed(&ray.line, self.part(leaf.part)),
             _ => self.line(leaf),
@@ -311,7 +314,7 @@ impl<'g, R: Precision> Walker<'g, R> {
             return Some(0);
         }
         let pass = match R::DOUBT {
-            // Single precision has its own idea of where a line is.
+            // A test in doubles may disagree with crossings in single precision, which rounds the line differently.
             Doubt::Stands => Pass::Perhaps,
             _ if !goes_out => (shape.shape()).pass(&R::coarse(&line), ahead.unwrap_or(EVERYWHERE)),
             _ if shape.shape().is_met_again(&R::coarse(&line)) => Pass::Perhaps,
@@ -361,7 +364,8 @@ impl<'g, R: Precision> Walker<'g, R> {
         is_asked && ray.is_outside && !self.part(leaf.part).inverted
     }
 
-    /// Has another solver find the crossings, where there is one that knows the shape.
+    /// Has the graph's solver find the crossings. Returns `false` if there is no solver, or if it leaves this shape to
+    /// the shape's own code.
     #[inline]
     fn is_solved_otherwise(
         &mut self,
@@ -382,7 +386,7 @@ impl<'g, R: Precision> Walker<'g, R> {
         }
     }
 
-    /// Notes that the ray lies in a flat face of a leaf's shape; the first one will do.
+    /// Notes that the ray lies in a flat face of a leaf's shape, unless one is noted already.
     #[cold]
     fn lies_along(&mut self, leaf: Leaf, line: &Line<R>, primitive: u32, mut normal: Vec3) {
         self.climb(leaf, |_, placement| {
@@ -399,8 +403,8 @@ impl<'g, R: Precision> Walker<'g, R> {
         });
     }
 
-    /// Notes a decision that is too close, and says whether to take what cannot be told apart for
-    /// one place.
+    /// Notes a decision that is closer than its rounding errors. Returns whether crossings that cannot be told apart
+    /// count as one place.
     pub(in crate::trace) fn doubt(&mut self) -> bool {
         self.status.uncertain = true;
         R::DOUBT == Doubt::Merges

@@ -1,17 +1,17 @@
 //! Parts that lie strictly inside a solid which lets no light through.
 //!
-//! Such a solid hides what is in it only if no ray gets in. The first operand of a union owns a point,
-//! and its surface is the one that is seen: a ray can pass into an opaque solid from within glass that
-//! reaches into it or touches it, and from there into any solid that the opaque one touches. So opaque
-//! solids that touch stand and fall together. A group of them is closed if
+//! The solid hides the parts inside only if no ray gets in. The first operand of a union owns a point, and its surface
+//! is the one that is seen: a ray can pass into an opaque solid from within glass that reaches into it or touches it,
+//! and from there into any solid that the opaque one touches. So opaque solids that touch stand and fall together. A
+//! group of them is closed if
 //!
 //! - no ray of a camera starts in one of them, and the region that is drawn cuts none of them open;
 //! - whatever else touches one of them lies strictly inside one of them, or is an opaque surface.
 //!
-//! Any ray that comes from outside then meets, where it first enters the group, the surface of one of
-//! its solids and nothing else: it ends there. Boxes say what touches. Only convex shapes are known to
-//! hold anything. The work is bounded: of very many opaque shapes the largest are looked at, and
-//! groups that go on for too long count as open.
+//! Any ray that comes from outside then meets, where it first enters the group, the surface of one of its solids and
+//! nothing else: it ends there. Whether parts touch is decided by their boxes. Only convex shapes are known to hold
+//! anything. The work is bounded: of very many opaque shapes only the largest are looked at, and groups that are too
+//! large count as open.
 
 use super::members::Member;
 use super::starts::Starts;
@@ -23,25 +23,25 @@ use crate::solids::shapes::facts::Facts;
 use crate::solids::within::{CLEARANCE_REL, PlacedShape};
 use rustc_hash::FxHashMap;
 
-/// Most opaque shapes that are asked what they hold, the largest.
+/// The most opaque shapes that are tested for what they hold: the largest ones.
 const MAX_HOLDERS: usize = 4096;
 
-/// Boxes compared, in each of the two searches: some hundredths of a second.
+/// The most comparisons of boxes, in each of the two searches. They take some hundredths of a second.
 const MAX_STEPS: usize = 4_000_000;
 
-/// Parts asked whether they lie in a shape, for all parts together.
+/// The most tests of whether a part lies in a shape, for all parts together.
 const MAX_PROOFS: usize = 200_000;
 
-/// Parts whose surroundings are looked for by all threads at a time.
+/// The number of parts whose surroundings all threads together look for at a time.
 const BATCH: usize = 1024;
 
 pub(super) struct Hidden<'a, F: Fn(&Member) -> bool> {
     scene: &'a Scene,
     all: &'a [Member],
     starts: &'a Starts,
-    /// Whether the region that is drawn cuts nothing off.
+    /// Whether the region that is drawn cuts nothing off a part.
     whole: F,
-    /// The part that each part lies strictly inside, for those that do.
+    /// For each part that lies strictly inside of another, the index of that other part.
     holders: FxHashMap<u32, u32>,
     steps: usize,
     /// The share by which balls are taken to be smaller.
@@ -49,8 +49,8 @@ pub(super) struct Hidden<'a, F: Fn(&Member) -> bool> {
 }
 
 impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
-    /// The parts among `left` that are hidden, ascending, each with a part that it lies in. Balls are taken to be smaller
-    /// by a share, so that what they touch in a point alone does not count.
+    /// The parts among `left` that are hidden, ascending, each with a part that it lies in. Balls are taken to be
+    /// smaller by the share `less`, so that things which they touch in a single point do not count.
     pub(super) fn find(
         scene: &'a Scene,
         (all, left): (&'a [Member], &[u32]),
@@ -78,7 +78,9 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
         out
     }
 
-    /// The share by which balls are smaller beside a part. A plane touches a ball in a point; another ball may be the same.
+    /// The share by which balls are taken to be smaller beside a part. The flat faces of half-spaces and boxes touch a
+    /// ball in a single point. Beside other shapes the share is 0, since another ball may touch in more: it may be the
+    /// same ball.
     fn less_beside(&self, i: u32) -> f64 {
         match self.all[i as usize].geometry(self.scene) {
             Some(Geometry::HalfSpace { .. } | Geometry::Box { .. }) => self.less,
@@ -91,7 +93,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
         PlacedShape::new(member.geometry(self.scene)?, *member.matrix())
     }
 
-    /// Finds what lies strictly inside of what.
+    /// Finds parts that lie strictly inside of an opaque shape, and notes their holders.
     fn hold(&mut self, left: &[u32]) {
         let (scene, all, less) = (self.scene, self.all, self.less);
         let opaque = |&i: &u32| {
@@ -106,11 +108,11 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
         let mut holders: Vec<(f64, u32)> = left.iter().filter(|i| opaque(i)).map(sized).collect();
         holders.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         holders.truncate(MAX_HOLDERS);
-        // Made when first needed; `None` for what cannot hide anything.
+        // A shape is placed when it is first needed; the inner `None` stands for one that cannot hide anything.
         let mut standing: Vec<Option<Option<PlacedShape>>> = holders.iter().map(|_| None).collect();
         let numbered = (0u32..).zip(&holders);
         let boxes = Boxes::new(numbered.map(|(k, h)| (k, all[h.1 as usize].bounds)));
-        // The shapes whose boxes hold that of a part, and the steps to them.
+        // The shapes whose boxes hold the box of a part, and the number of steps of the search for them.
         let around = |i: u32| {
             let bounds = all[i as usize].bounds_less(scene, less);
             let mut near = Vec::new();
@@ -123,7 +125,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
                 let holder = holders[k as usize].1;
                 holder != i && all[holder as usize].bounds.holds(&bounds)
             });
-            // The largest first.
+            // Smaller numbers are larger shapes, which are tried first.
             near.sort_unstable();
             (near, steps)
         };
@@ -162,7 +164,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
         }
     }
 
-    /// Whether neither a camera nor a lamp stands in an opaque shape, and nothing cuts it open.
+    /// Whether no camera and no lamp is in an opaque shape, and the region that is drawn does not cut the shape open.
     fn is_dark(&self, i: u32, standing: &PlacedShape) -> bool {
         let member = &self.all[i as usize];
         (self.whole)(member)
@@ -170,7 +172,8 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
             && (self.scene.point_lights.iter()).all(|l| standing.is_clear_of(l.position))
     }
 
-    /// Whether no ray gets in, for each part that holds something and for all that are opaque and connected with these.
+    /// For each part that holds something, and for all opaque parts that are connected with these: whether no ray gets
+    /// in.
     fn closed(&mut self, left: &[u32]) -> FxHashMap<u32, bool> {
         self.steps = MAX_STEPS;
         let boxes = Boxes::new(left.iter().map(|&i| (i, self.all[i as usize].bounds)));
@@ -198,7 +201,8 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
                             groups.insert(other, group);
                             todo.push(other);
                         }
-                        // Of an open group not all parts have been looked at.
+                        // The other group has not reached this one, so it is open and was given up early; this one is
+                        // open, too.
                         Some(&known) => is_closed &= known == group,
                     }
                 }
@@ -211,7 +215,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
             .collect()
     }
 
-    /// The opaque solids that touch one; `None` where a ray may get into that, or no steps are left.
+    /// The opaque solids that touch a part; `None` if a ray may get into the part, or no steps are left.
     fn around(&mut self, i: u32, boxes: &Boxes) -> Option<Vec<u32>> {
         let member = &self.all[i as usize];
         let standing = self.standing(i);
@@ -236,7 +240,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
             match (thing.clear, thing.sheet) {
                 (false, false) => out.push(other),
                 (false, true) => {}
-                // What holds it touches this one too.
+                // The part that holds this transparent part touches part `i`, too, so nothing is lost.
                 (true, _) if self.holders.contains_key(&other) => {}
                 (true, _) => return None,
             }
@@ -245,7 +249,7 @@ impl<'a, F: Fn(&Member) -> bool> Hidden<'a, F> {
     }
 }
 
-/// A box and what may touch it but for rounding.
+/// A box that is larger by more than rounding errors, so that it meets all boxes that may touch it.
 fn grown(b: &Aabb) -> Aabb {
     let hair = 4.0 * CLEARANCE_REL * b.far();
     Aabb::new(b.min.map(|x| x - hair), b.max.map(|x| x + hair))

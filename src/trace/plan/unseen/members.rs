@@ -1,4 +1,4 @@
-//! The parts of the outermost union, where they are.
+//! The parts of the outermost union, with their placements.
 
 use crate::diagnostics::Span;
 use crate::geometry::{Aabb, Matrix};
@@ -9,15 +9,16 @@ use crate::solids::shapes::facts::Facts;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// The share by which balls are smaller that touch something in a point: far more than what is rounded.
+/// The share by which a ball is taken to be smaller, so that it is apart from things that it touches in a single point.
+/// It is far more than rounding errors.
 pub(super) const TOUCHING_SHARE: f64 = 1e-6;
 
-/// The slot in which a part is written.
+/// The place in the scene's unions where a part is written.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Slot {
-    /// The only part there is.
+    /// The root, which is itself the only part.
     Root,
-    /// A union, and which of its operands.
+    /// A union, and the number of the operand, 0 or 1.
     Operand(NodeId, usize),
 }
 
@@ -26,27 +27,27 @@ pub(super) enum Slot {
 #[derive(Debug, Clone)]
 pub(super) struct Member {
     pub slot: Slot,
-    /// The operand as it is written.
+    /// The operand node, with its transformations and properties.
     pub node: NodeId,
-    /// Index into the scene's shapes, where it is one.
+    /// Index into the scene's shapes, if the part is a single shape.
     pub shape: Option<u32>,
-    /// The matrix that moves the part.
+    /// The matrix that moves the part; `None` if nothing moves it.
     moved: Option<Arc<Matrix>>,
     /// The bounds in the coordinates of the scene.
     pub bounds: Aabb,
-    /// Whether anything of it may let light through, after all that overrides its properties.
+    /// Whether any of the part may let light through, by the properties that apply after overriding.
     pub clear: bool,
-    /// Whether the member is one shape without inside.
+    /// Whether the part is a single shape without inside.
     pub sheet: bool,
 }
 
 impl Member {
-    /// The map from the coordinates below the member's transformations into those of the scene.
+    /// The map from the coordinates below the member's transformations into the coordinates of the scene.
     pub(super) fn matrix(&self) -> &Matrix {
         self.moved.as_deref().unwrap_or(&Matrix::IDENTITY)
     }
 
-    /// The bounds, with a ball or an ellipsoid smaller by a share about its centre.
+    /// The bounds of the part. A ball or an ellipsoid is made smaller about its centre by a share.
     pub(super) fn bounds_less(&self, scene: &Scene, share: f64) -> Aabb {
         match self.is_ball(scene, share) {
             true => {
@@ -58,7 +59,7 @@ impl Member {
         }
     }
 
-    /// The same of the matrix.
+    /// Like [`matrix`](Self::matrix), but a ball or an ellipsoid is made smaller about its centre by a share.
     pub(super) fn matrix_less(&self, scene: &Scene, share: f64) -> Matrix {
         match self.is_ball(scene, share) {
             true => {
@@ -83,7 +84,7 @@ impl Member {
         Some(&scene.shapes[self.shape? as usize].geometry)
     }
 
-    /// The ID by which it is written.
+    /// The ID by which the operand is written in the union.
     pub(super) fn id(&self, scene: &Scene) -> u32 {
         match named(scene, self.node) {
             Some(named) => named.id,
@@ -92,15 +93,16 @@ impl Member {
     }
 }
 
-/// The way down to a part.
+/// The way down from the root to a part.
 #[derive(Clone)]
 struct PathToPart {
     node: NodeId,
     slot: Slot,
     operand: NodeId,
-    /// Shared by all that moves together: most things are not moved at all, and a matrix is large.
+    /// The matrix of the transformations on the way; `None` if there are none, as for most parts. A matrix is large, so
+    /// parts that move together share it.
     moved: Option<Arc<Matrix>>,
-    /// Whether what lies above says that light gets through.
+    /// Whether the paints above let light through; `None` if they have no optics.
     clear: Option<bool>,
     /// Whether some node on the way is used elsewhere too.
     shared: bool,
@@ -178,8 +180,7 @@ pub(super) fn members(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec
     out
 }
 
-/// Whether anything of each node may let light through if no paint above says otherwise; the second is that of the
-/// node's complement.
+/// For each node and for its complement, whether any of it may let light through, if no paint above changes that.
 fn clear(scene: &Scene, root: NodeId) -> Vec<[bool; 2]> {
     fold_up(scene.up_to(root), |_, node, out: &[[bool; 2]]| {
         let of = |n: NodeId| out[n as usize];
@@ -188,7 +189,7 @@ fn clear(scene: &Scene, root: NodeId) -> Vec<[bool; 2]> {
             Node::Union(a, b) | Node::Intersection(a, b) => {
                 [0, 1].map(|turned| of(a)[turned] || of(b)[turned])
             }
-            // Of what is taken away nothing is left; −(A − B) is −A ∪ B.
+            // Nothing is left of the solid that is taken away; −(A − B) is −A ∪ B.
             Node::Difference(a, b) => [of(a)[0], of(a)[1] || of(b)[0]],
             Node::Complement(child) => [of(child)[1], of(child)[0]],
             Node::Transform { child, .. } | Node::Copy { child, .. } => of(child),
@@ -200,7 +201,7 @@ fn clear(scene: &Scene, root: NodeId) -> Vec<[bool; 2]> {
     })
 }
 
-/// The place of the definition of each ID.
+/// For each ID, the place in the text where its entity is defined.
 pub(super) fn definitions(scene: &Scene) -> FxHashMap<u32, Span> {
     scene.entities.iter().map(|e| (e.id, e.span)).collect()
 }

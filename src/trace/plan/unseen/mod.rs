@@ -1,8 +1,8 @@
 //! Parts of the outermost union that no ray of a picture can see.
 //!
-//! A part is unseen when it lies outside of the region that is drawn, or strictly inside a solid that
-//! lets no light through and that nothing opens (see [`hidden`]). Both are proofs: where bounds or the
-//! room for rounding do not suffice, the part counts as seen.
+//! A part is unseen when it lies outside of the region that is drawn, or strictly inside a solid that lets no light
+//! through and that nothing opens (see [`hidden`]). Both reasons are proofs: a part counts as seen if bounds are not
+//! close enough, or if rounding might matter.
 
 mod hidden;
 mod members;
@@ -23,7 +23,7 @@ use rustc_hash::FxHashMap;
 pub use screens::{Screened, screened};
 pub use starts::Starts;
 
-/// The reason why nothing of a part can be seen.
+/// The reason why no ray can see any of a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Why {
     /// Outside of the box of the render record.
@@ -32,14 +32,14 @@ pub enum Why {
     Inside(Named),
 }
 
-/// A part of which nothing can be seen.
+/// A part that no ray can see anything of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Unseen {
-    /// The operand as it is written.
+    /// The operand node, with its transformations and properties.
     pub node: NodeId,
-    /// The ID by which it is written.
+    /// The ID by which the operand is written in the union.
     pub id: u32,
-    /// The place of the definition.
+    /// The place in the text where the entity with this ID is defined.
     pub span: Span,
     pub why: Why,
 }
@@ -82,18 +82,18 @@ impl LeftOut {
     }
 }
 
-/// The operands that no ray can see, and what is left to draw.
+/// The operands that no ray can see and that are left out, and whether the rest is cut open.
 #[derive(Debug, Default)]
 pub struct UnseenParts {
     /// The unseen operands in their order.
     pub unseen: Vec<Unseen>,
     pub left_out: LeftOut,
-    /// Whether something that is left may reach out of the region that is drawn.
+    /// Whether a part that is still drawn may reach out of the region that is drawn.
     pub cut: bool,
 }
 
 impl UnseenParts {
-    /// All parts of the scene, seen or not.
+    /// The result for drawing all parts of a scene, whether a ray can see them or not.
     pub fn all(scene: &Scene, root: NodeId) -> UnseenParts {
         let clip = scene.render.and_then(|r| r.clip);
         UnseenParts {
@@ -104,13 +104,13 @@ impl UnseenParts {
     }
 }
 
-/// Looks for what can be seen.
+/// Finds the parts that no ray of a picture can see.
 pub fn find(scene: &Scene, root: NodeId) -> UnseenParts {
     find_with(scene, root, 0.0)
 }
 
-/// The same where a ball that touches something in a point is taken to be apart from it: what nobody sees, and not what
-/// may be left out of a picture.
+/// Like [`find`], but a ball that touches something in a single point counts as apart from it. The result says what a
+/// viewer does not see; it does not prove that a picture is the same without these parts.
 pub fn find_but_for_points(scene: &Scene, root: NodeId) -> UnseenParts {
     find_with(scene, root, TOUCHING_SHARE)
 }
@@ -122,7 +122,7 @@ fn find_with(scene: &Scene, root: NodeId, less: f64) -> UnseenParts {
     let clip = scene.render.and_then(|r| r.clip);
     let clip = clip.map(|(min, max)| Aabb::new(min, max));
     let is_cut = (clip.as_ref()).is_some_and(|clip| is_cut(&bounds, root, clip));
-    // There may be millions of them.
+    // The bounds may be millions and are not needed any more.
     drop(bounds);
     // Rounding moves the ends of rays by a share of how far these go.
     let reach = clip.map_or(0.0, |c| c.far()).max(starts.reach());
@@ -173,15 +173,16 @@ fn find_with(scene: &Scene, root: NodeId, less: f64) -> UnseenParts {
     found
 }
 
-/// Whether something may reach out of the region that is drawn.
+/// Whether some part of the scene may reach out of the region that is drawn.
 fn is_cut(bounds: &[NodeBounds], root: NodeId, clip: &Aabb) -> bool {
     !clip.holds(&bounds[root as usize].all)
 }
 
-/// Gap between two things that are apart, as a share of the numbers that rays are made of.
+/// The least gap between two boxes that count as apart, as a share of the largest coordinates of boxes and of ray
+/// starts.
 const APART_REL_GAP: f64 = 1e-9;
 
-/// Whether two boxes are further from each other than this, along some axis.
+/// Whether two boxes are more than `hair` apart along some axis.
 fn is_apart(a: &Aabb, b: &Aabb, hair: f64) -> bool {
     (0..3).any(|i| a.max[i] + hair < b.min[i] || b.max[i] + hair < a.min[i])
 }

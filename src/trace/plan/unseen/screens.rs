@@ -1,7 +1,7 @@
 //! Parts of the outermost union that an opaque plane hides from every camera.
 //!
-//! A plane has no end, so what comes from behind it goes through it. There it meets the plane, or an opaque solid that
-//! owns the point: only mirrors and glass lead elsewhere.
+//! A plane has no end, so a ray from a camera to a place behind it crosses the plane. There the ray ends, on the plane
+//! or on an opaque solid that owns the point: only mirrors and glass send it elsewhere.
 
 use super::members::{Member, TOUCHING_SHARE, definitions, members};
 use super::sides::Sides;
@@ -10,22 +10,22 @@ use crate::scene::{Geometry, NodeId, Scene, Vec3, View};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::{Named, named};
 
-/// Number of planes that are looked at, the first ones.
+/// The most planes that are looked at: the first ones of the union.
 const MAX_PLANES: usize = 16;
 
 /// A part that lies behind a plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Screened {
-    /// The operand as it is written.
+    /// The operand node, with its transformations and properties.
     pub node: NodeId,
-    /// The place of the definition.
+    /// The place in the text where the part is defined.
     pub span: Span,
     pub plane: Named,
 }
 
-/// The parts that have an end and lie behind an opaque plane, or are balls that touch it in a point, as seen from every
-/// camera that is written. There are none where something mirrors or lets light through, where a camera is automatic or
-/// projects in its own way, or where the render record cuts planes open.
+/// The bounded parts that lie behind an opaque plane as seen from every camera that is written, also balls that touch
+/// the plane in a single point. Empty if something mirrors or lets light through, if a camera is automatic or has a
+/// projection matrix, or if the render record has a region, which cuts planes open.
 pub fn screened(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Screened> {
     let eyes: Vec<Vec3> = scene.cameras.iter().map(|c| c.position).collect();
     let is_sure = scene.view != View::Automatic

@@ -1,4 +1,5 @@
-//! The parts of the outermost union that a half-space holds, and would hold with other numbers; those that a plane hides.
+//! The parts of the outermost union that a half-space holds, or would hold with other numbers, and those that a plane
+//! hides.
 
 use super::members::{Member, members};
 use crate::geometry::array::length;
@@ -15,17 +16,17 @@ pub fn placed(scene: &Scene, bounds: &[NodeBounds], root: NodeId, part: NodeId) 
     Some(*own.matrix())
 }
 
-/// A half-space or a plane in its place, and the boxes of all that has an end.
+/// A half-space or a plane with its placement, and the boxes of all bounded parts.
 pub struct Sides {
-    /// From the coordinates of the scene into those of the half-space or the plane.
+    /// The map from the coordinates of the scene into those of the half-space or the plane.
     back: Matrix,
-    /// Whether the two are the same.
+    /// Whether these coordinates are those of the scene: nothing moves the half-space or the plane.
     pub is_untouched: bool,
     boxes: Vec<Aabb>,
 }
 
 impl Sides {
-    /// `None` where no half-space or plane of this name is a part of the outermost union.
+    /// Finds a half-space or a plane by its name; `None` if none of this name is a part of the outermost union.
     pub fn new(scene: &Scene, bounds: &[NodeBounds], root: NodeId, name: Named) -> Option<Sides> {
         let parts = members(scene, bounds, root);
         let is_one =
@@ -58,7 +59,8 @@ impl Sides {
         [along(0), along(1), along(2), at_origin]
     }
 
-    /// Whether a half-space with these numbers holds a point, or has it on its boundary.
+    /// Whether the half-space ax + by + cz + d ≤ 0, placed like this one, holds a point of the scene or has it on its
+    /// boundary.
     pub fn holds(&self, [a, b, c, d]: [f64; 4], point: Vec3) -> bool {
         let local = self.back.point(point);
         let [x, y, z] = local;
@@ -66,7 +68,8 @@ impl Sides {
         value <= CLEARANCE_REL * far(&[a, b, c]) * far(&local).max(1.0)
     }
 
-    /// Whether a box lies outside of a half-space with these numbers, or reaches in by no more than a share of its size.
+    /// Whether a box lies outside of a half-space with these numbers, or reaches in by no more than a share of the
+    /// box's size.
     pub fn is_clear_of(&self, [a, b, c, d]: [f64; 4], of: &Aabb, share: f64) -> bool {
         let size = (0..3).fold(0.0f64, |m, i| m.max(of.max[i] - of.min[i]));
         let least = -share * size * length([a, b, c]);
@@ -76,29 +79,30 @@ impl Sides {
         })
     }
 
-    /// Whether all of some part lies within a half-space with these numbers.
+    /// Whether some bounded part lies wholly within a half-space with these numbers.
     pub fn buries(&self, numbers: [f64; 4]) -> bool {
         let is_in = |&corner: &Vec3| self.holds(numbers, corner);
         self.boxes.iter().any(|b| b.corners().iter().all(is_in))
     }
 
-    /// Whether all of some part that is not wholly within the half-space of the first numbers lies within that of the
-    /// second.
+    /// Whether some bounded part lies wholly within the half-space with the numbers `then`, but not wholly within the
+    /// one with the numbers `now`.
     pub fn would_bury(&self, now: [f64; 4], then: [f64; 4]) -> bool {
         let all_of =
             |numbers, b: &Aabb| (b.corners().iter()).all(|&corner| self.holds(numbers, corner));
         (self.boxes.iter()).any(|b| all_of(then, b) && !all_of(now, b))
     }
 
-    /// Whether some part lies wholly across a plane with these numbers from the first of these places, or touches the plane
-    /// from there.
+    /// Whether some bounded part lies wholly across a plane with these numbers, as seen from the first of the places
+    /// `from`. The part may touch the plane.
     pub fn hides(&self, numbers: [f64; 4], from: &[Vec3]) -> bool {
         let own = from.first().map(|&p| self.side(numbers, p));
         let is_across = |p: &Vec3| Some(self.side(numbers, *p)) != own;
         self.boxes.iter().any(|b| b.corners().iter().all(is_across))
     }
 
-    /// Whether a plane with these numbers lies between all of a box and every one of these places, and touches none.
+    /// Whether a plane with these numbers lies between all of a box and every one of the places `from`, and touches
+    /// neither.
     pub fn is_between(&self, numbers: [f64; 4], from: &[Vec3], of: &Aabb) -> bool {
         let side = |point: &Vec3| self.side(numbers, *point);
         let across = match from.first().map(side) {

@@ -12,15 +12,15 @@ use crate::solids::within::{CLEARANCE_REL, PlacedShape, far};
 /// A set of places at which rays may start.
 enum Start {
     Point(Vec3),
-    /// Somewhere in this box, which may reach to infinity.
+    /// Some point in this box, which may reach to infinity.
     Way(Aabb),
-    /// Somewhere between four points of a plane.
+    /// Some point between four points of a plane.
     Face([Vec3; 4]),
     Anywhere,
 }
 
-/// The starts of the rays of all cameras: of each that is written, since any may be chosen, or of the automatic one in
-/// a picture of any shape.
+/// The starts of the rays of all cameras: those that are written, since any may be chosen, and the automatic one, for a
+/// picture of any width and height.
 pub struct Starts(Vec<Start>);
 
 impl Starts {
@@ -29,13 +29,13 @@ impl Starts {
         if scene.cameras.is_empty() || scene.view == View::Automatic {
             // The narrower a picture is, the further away is its camera.
             let Camera { position, .. } = automatic_camera(scene, bounds, 1.0);
-            // It goes away to the right, up and to the front.
+            // The camera goes away to the right, up and to the front.
             all.push(Start::Way(Aabb::new(position, [f64::INFINITY; 3])));
         }
         Starts(all)
     }
 
-    /// The largest of all their coordinates; infinite where rays start anywhere.
+    /// The largest absolute value of a coordinate of a start; infinite if rays start anywhere.
     pub fn reach(&self) -> f64 {
         let of = |start: &Start| match start {
             Start::Point(p) => far(p),
@@ -46,7 +46,7 @@ impl Starts {
         self.0.iter().map(of).fold(0.0, f64::max)
     }
 
-    /// Whether none of them is in something that lies in a box; `shape`: what it is, where it is one.
+    /// Whether no ray starts in a thing. `thing` is its box; `shape` is given if the thing is a single shape.
     pub fn are_clear_of(&self, thing: &Aabb, shape: Option<&PlacedShape>) -> bool {
         let apart = |b: &Aabb| is_apart(thing, b, CLEARANCE_REL * thing.far().max(b.far()));
         self.0.iter().all(|start| match start {
@@ -74,8 +74,7 @@ impl Start {
     }
 }
 
-/// The corners of the plane on which the rays of a projection matrix start; `None` where these are out of
-/// range.
+/// The corners of the plane on which the rays of a projection matrix start; `None` if the corners are out of range.
 fn face(camera: &Camera, projection: &Matrix) -> Option<[Vec3; 4]> {
     let (basis, sight) = (Basis::of(camera)?, Sight::of(projection).ok()?);
     let corner = |(x, y): (f64, f64)| {
@@ -99,7 +98,7 @@ fn beside_plane(corners: &[Vec3; 4], b: &Aabb) -> bool {
     let Some(normal) = unit(cross(sub(q, p), sub(r, p))) else {
         return false;
     };
-    // The least and the largest product with the points of the plane, and with those of the box.
+    // The products of the normal with the corners in the plane, and the least and the largest with points of the box.
     let flat = corners.map(|c| dot(normal, c));
     let span = |ends: &dyn Fn(f64, f64) -> f64| -> f64 {
         let side = |i: usize| ends(normal[i] * b.min[i], normal[i] * b.max[i]);

@@ -1,8 +1,8 @@
 //! Parts that a camera cannot see wherever it looks in its picture, since they lie behind the camera or beside the
 //! picture; and the parts that a point is inside of.
 //!
-//! Both ask the parts of the outermost union, by boxes that are never too small: a part that is beside by its box is
-//! beside. Something that is not convex may be beside without being known to be.
+//! Both are about the parts of the outermost union, and use boxes that are never too small. So a part is beside the
+//! picture if its box is. A part may be beside the picture without being known to be, since its box may be larger.
 
 use super::LeftOut;
 use super::members::{Member, members};
@@ -20,18 +20,17 @@ use crate::solids::{Named, named_core};
 use crate::trace::camera::View;
 use crate::trace::shapes::{Primitive, Roots};
 
-/// The size of a picture, in pixels, where none is asked for.
+/// The usual size of a picture, width and height in pixels: the default where the user gives none.
 pub const USUAL: [u32; 2] = [640, 480];
 
 /// Distance from the picture's border, as a share of the picture, at which a thing is beside the picture: far more than
 /// rounding moves a ray.
 const PICTURE_MARGIN: f64 = 0.01;
 
-/// The least product of a unit vector with one that is meant to be at right angles to it.
+/// The least scalar product of two unit vectors that are meant to be at right angles: rounding may make it less than 0.
 const UPRIGHT: f64 = -1e-15;
 
-/// Boxes that are asked, one after the other. Scenes whose parts are shared without end have more; nothing is said of
-/// them.
+/// The most boxes that are asked about. Scenes with very many occurrences of shared parts have more, and get no answer.
 const BOXES: usize = 1 << 14;
 
 /// The side on which a part lies that a camera does not see.
@@ -46,7 +45,7 @@ pub enum OutOfView {
     Beside,
 }
 
-/// The sides that can be told, in the order in which they are named.
+/// The sides that can be told apart, in the order of preference.
 const SIDES: [OutOfView; 5] = [
     OutOfView::Behind,
     OutOfView::Left,
@@ -60,7 +59,7 @@ const SIDES: [OutOfView; 5] = [
 pub(super) struct Field {
     starts: [Vec3; 4],
     directions: [Vec3; 4],
-    /// Directions into the field: from behind, from its four sides, and along the axes.
+    /// Directions that may lead into the field: forwards, inwards from its four sides, and along the axes.
     inwards: Vec<Vec3>,
 }
 
@@ -77,7 +76,7 @@ impl Field {
             let ray = view.ray(x * width, y * height)?;
             (starts[i], directions[i]) = (ray.line.origin.0, ray.line.direction.0);
         }
-        // The side between two neighbouring corners, turned to the corners across.
+        // The normal of the field's side through two neighbouring corners, towards the corners across.
         let side = |a: usize, b: usize| {
             let along = match starts[a] == starts[b] {
                 true => directions[b],
@@ -123,7 +122,8 @@ impl Field {
         Some(SIDES.get(at).copied().unwrap_or(OutOfView::Beside))
     }
 
-    /// For each direction inwards whether a box lies beyond the border of the field against it.
+    /// For each of the directions `inwards`, whether all of a box lies beyond the border of the field, against the
+    /// direction.
     fn beyond(&self, b: &Aabb) -> impl Iterator<Item = bool> {
         self.inwards.iter().map(|n| {
             if !self.directions.iter().all(|d| dot(*n, *d) >= UPRIGHT) {
@@ -140,7 +140,7 @@ impl Field {
     }
 }
 
-/// The parts of what is drawn that a camera is asked to see.
+/// The parts of the drawn scene that a camera is tested for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parts {
     All,
@@ -148,8 +148,8 @@ pub enum Parts {
     Bounded,
 }
 
-/// The side of the field on which all these parts of what is drawn lie, if a camera sees nothing of them in a picture
-/// of the usual size. `None` where it may see something, or where there is nothing.
+/// The side of a camera's field on which all these parts of the drawn scene lie, if the camera sees nothing of them in
+/// a picture of the usual size. `None` if it may see something, or if there are no parts.
 pub fn out_of_view(
     scene: &Scene,
     bounds: &[NodeBounds],
@@ -160,7 +160,7 @@ pub fn out_of_view(
     let field = Field::of(camera)?;
     let clip = scene.render.and_then(|r| r.clip);
     let clip = clip.map_or(Aabb::ALL, |(min, max)| Aabb::new(min, max));
-    // Of every side whether all parts so far lie there.
+    // For each side, whether all parts that have been asked about lie there.
     let mut all = [true; SIDES.len()];
     let mut parts = 0;
     let is_beyond = |b: &Aabb| {
@@ -185,9 +185,9 @@ pub fn out_of_view(
     Some(side.map_or(OutOfView::Beside, |i| SIDES[i]))
 }
 
-/// The parts left out of pictures together with the parts of the outermost union that lie beside the view of every
-/// camera of the scene, in a picture of the usual size: mirrors and glass may show them all the same. `None` where
-/// there are none, where all are, or where no camera is written.
+/// `left_out`, and also the parts of the outermost union that lie beside the view of every camera of the scene, in a
+/// picture of the usual size. Mirrors and glass may show these parts all the same. `None` if no part lies beside the
+/// views, if all do, or if no camera is written.
 pub fn beside_all_views(
     scene: &Scene,
     bounds: &[NodeBounds],
@@ -207,8 +207,8 @@ pub fn beside_all_views(
     Some(all)
 }
 
-/// Whether something is true of the boxes of all parts of the outermost union. Where it is true of the box of many, it is
-/// true of theirs. `false` where there are too many.
+/// Whether `is_true` holds for the boxes of all parts of the outermost union. If it holds for a box, it must hold for
+/// all boxes inside; so the box around several parts is asked about first. `false` if there are too many boxes.
 fn all_below(
     scene: &Scene,
     bounds: &[NodeBounds],
@@ -229,7 +229,7 @@ fn all_below(
             Node::Paint { child, .. } | Node::Copy { child, .. } => todo.push((child, matrix)),
             Node::Shape(s) if is_true(&scene.shapes[s as usize].geometry.bounds(&matrix)) => {}
             Node::Shape(_) => return false,
-            // What has no end is asked part by part.
+            // A union without bounds is asked about part by part.
             Node::Union(a, b) if !bounds[node as usize].all.is_bounded() => {
                 todo.extend([(a, matrix), (b, matrix)]);
             }
@@ -249,10 +249,10 @@ pub struct Held {
     pub on_surface: bool,
 }
 
-/// The opaque solids that points are in: for each point the first part of the outermost union that holds it, with room
-/// around it, or else one that has it on its surface, as planes have; none if something that lets light through comes
-/// before it in the union and may hold the point. A point between parts that hold all around it is inside of the first.
-/// What the region that is drawn may cut open holds nothing.
+/// The opaque solid that each point is in: the first part of the outermost union that holds the point with room around
+/// it, or else the first one, solid or plane, that has it on its surface. `None` if there is none, or if a part that
+/// lets light through comes before it in the union and may hold the point. If several parts together hold all that is
+/// around a point, it is inside of the first of them. A part that the drawn region may cut open holds nothing.
 pub fn held(
     scene: &Scene,
     bounds: &[NodeBounds],
@@ -265,7 +265,7 @@ pub fn held(
     let holder = |asked: &mut Asked, point: &Vec3, near: &mut dyn Iterator<Item = &Member>| {
         let (mut first, mut all) = (None, [false; PLACES]);
         for part in near {
-            // What comes first in a union owns its points.
+            // The first operand of a union owns the points that it holds.
             if part.clear && asked.may_hold(point, part) {
                 break;
             }
@@ -290,8 +290,8 @@ pub fn held(
     near_parts(scene, bounds, root, points, counts, holder)
 }
 
-/// Whether each point lies on the surface of a part of the outermost union, as far as rounding can tell. A point on
-/// what an operation cuts off a rectangle or the like may count, too.
+/// Whether each point lies on the surface of a part of the outermost union, as far as rounding can tell. A point on a
+/// piece of a surface that an operation has cut off may count, too.
 pub fn on_surfaces(
     scene: &Scene,
     bounds: &[NodeBounds],
@@ -307,7 +307,8 @@ pub fn on_surfaces(
     near_parts(scene, bounds, root, points, |_| true, is_on)
 }
 
-/// Asks about each point with the parts of the outermost union that are near it and count, in their order.
+/// Calls `ask` for each point with the parts of the outermost union that are near it and for which `counts` is true, in
+/// their order. Returns the answers.
 fn near_parts<T: Clone + Default>(
     scene: &Scene,
     bounds: &[NodeBounds],
@@ -321,7 +322,7 @@ fn near_parts<T: Clone + Default>(
         let by = CLEARANCE_REL * far(point).max(1.0);
         Aabb::new(point.map(|x| x - by), point.map(|x| x + by))
     };
-    // Most points are outside of everything.
+    // Often all points are outside of everything, and the parts need not be listed.
     let all = bounds[root as usize].all;
     if points
         .iter()
@@ -347,7 +348,7 @@ fn near_parts<T: Clone + Default>(
     out
 }
 
-/// Pairs of points and parts that are asked about.
+/// The most pairs of a point and a part that are asked about.
 const PAIRS: usize = 1 << 18;
 
 struct Asked<'a> {
@@ -357,7 +358,7 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
-    /// Whether a point may be in a part.
+    /// Whether a point may be in a part; `true` if that is not known.
     fn may_hold(&mut self, point: &Vec3, part: &Member) -> bool {
         let back = part.matrix().inverse();
         let (Some(left), Some(back)) = (self.left.checked_sub(1), back) else {
@@ -368,7 +369,8 @@ impl Asked<'_> {
         !part.sheet && self.inside.node(node, back.point(*point)) != Some(false)
     }
 
-    /// The part's share in a point and in what is around it; `None` if there is none, or if that is not known.
+    /// How much a part holds of a point and the places around it. `None` if it holds none of these and has no surface
+    /// there, or if that is not known.
     fn met(&mut self, point: &Vec3, part: &Member) -> Option<Met> {
         self.left = self.left.checked_sub(1)?;
         let scene = self.scene;
@@ -387,7 +389,7 @@ impl Asked<'_> {
         holds.contains(&true).then_some(Met { solid, holds })
     }
 
-    /// Whether a point is on a shape without inside that is somewhere in a part.
+    /// Whether a point is on a shape without inside that occurs anywhere in a part.
     fn is_on_sheet_within(&mut self, point: &Vec3, part: &Member) -> bool {
         let (core, _) = self.scene.core(part.node, Matrix::IDENTITY);
         let mut todo = vec![(core, *part.matrix())];
@@ -417,9 +419,9 @@ impl Asked<'_> {
     }
 }
 
-/// How far from a point that lies on a part rounding may have put either.
+/// The distance that rounding may have put between a point and a part's surface on which it is meant to lie.
 fn around(point: &Vec3, part: &Member) -> f64 {
-    // What has no end may be placed by numbers of any size; those of most scenes are about 1.
+    // A part without bounds may be placed by numbers of any size. In most scenes they are about 1.
     let size = match part.bounds.is_bounded() {
         true => part.bounds.radius(),
         false => 1.0,
@@ -427,17 +429,18 @@ fn around(point: &Vec3, part: &Member) -> f64 {
     CLEARANCE_REL * far(point).max(size)
 }
 
-/// A part that a point is in, or on the surface of.
+/// A part that holds a point or a place around it, or has the point on its surface.
 struct Met {
     solid: Named,
-    /// Whether each of the [places around](places_around) the point is in it: for a surface none is.
+    /// Whether each of the [places around](places_around) the point is in the part; none is in a surface without
+    /// inside.
     holds: [bool; PLACES],
 }
 
 /// Whether a shape without inside has a point on it, give or take a distance along one of the axes. `back` leads into
 /// the coordinates of the shape.
 fn is_on_sheet(shape: &Primitive, back: &Matrix, point: Vec3, around: f64) -> bool {
-    // A ray from this far away is exact enough.
+    // The crossing of a ray that starts this far away is exact enough.
     let away = around / CLEARANCE_REL;
     (0..3).any(|i| {
         let (mut from, mut way) = (point, [0.0; 3]);
@@ -453,7 +456,7 @@ fn is_on_sheet(shape: &Primitive, back: &Matrix, point: Vec3, around: f64) -> bo
 /// How many places are asked about around a point.
 const PLACES: usize = 15;
 
-/// A point, what is so far away from it along the axes, and the corners of the cube through these.
+/// A point, the six places at the distance `by` from it along the axes, and the corners of the cube around these.
 fn places_around(p: Vec3, by: f64) -> impl Iterator<Item = Vec3> {
     let aside = (0..6).map(move |i| {
         let mut q = p;
@@ -464,8 +467,8 @@ fn places_around(p: Vec3, by: f64) -> impl Iterator<Item = Vec3> {
     std::iter::once(p).chain(aside).chain(corners)
 }
 
-/// The largest width or height, in pixels of a picture of the usual size, of all that is drawn; `None` where that is not
-/// known: it has no end, or not all of it is in front of the camera, or the camera has a projection of its own.
+/// The largest width or height, in pixels of a picture of the usual size, of all that is drawn; `None` if that is not
+/// known: the scene has no end, or not all of it is in front of the camera, or the camera has a projection matrix.
 pub fn pixels(scene: &Scene, bounds: &[NodeBounds], root: NodeId, camera: &Camera) -> Option<f64> {
     let all = bounds[root as usize].all;
     if camera.projection.is_some() || !all.is_bounded() {

@@ -1,4 +1,4 @@
-//! Parts of the outermost union in the pictures of cameras, and out of all of them.
+//! The parts of the outermost union, divided into those that some camera may see and those that none sees.
 
 use super::members::members;
 use super::view::{Field, OutOfView};
@@ -9,16 +9,16 @@ use crate::solids::bounds::NodeBounds;
 /// A part that no camera sees in a picture of the usual size.
 #[derive(Debug, Clone, Copy)]
 pub struct Aside {
-    /// The operand as it is written.
+    /// The operand node, with its transformations and properties.
     pub node: NodeId,
     pub bounds: Aabb,
-    /// From the coordinates of its core into those of the scene.
+    /// The map from the coordinates of the part's core into those of the scene.
     pub moved: Matrix,
-    /// The side of the view of the camera that takes the picture.
+    /// The side on which the part lies, as seen by the camera that takes the picture.
     pub side: OutOfView,
 }
 
-/// The parts that have an end, as the cameras see them.
+/// The bounded parts, divided by whether some camera may see them.
 pub struct Views {
     field: Field,
     /// The ID of the camera that takes the picture.
@@ -30,7 +30,8 @@ pub struct Views {
 }
 
 impl Views {
-    /// `None` where no camera is written, one takes no pictures, or the render record cuts parts open.
+    /// Divides the bounded parts of a scene. `None` if no camera is written, if a camera takes no pictures, or if the
+    /// render record has a region, which may cut parts open.
     pub fn new(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Option<Views> {
         let fields: Vec<Field> = scene.cameras.iter().map(Field::of).collect::<Option<_>>()?;
         let camera = scene.chosen_cameras().next()?;
