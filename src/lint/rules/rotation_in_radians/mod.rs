@@ -7,7 +7,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::syntax::table::RecordKind;
 
-/// The angles that people know by heart in radians, as parts of π: they are known with two decimals.
+/// Angles in degrees whose radians people know by heart, as parts of π: two decimals are enough to recognise them.
 const BY_HEART: [u32; 11] = [15, 30, 45, 60, 90, 120, 135, 150, 180, 270, 360];
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -33,5 +33,5 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The place of the angle in the record.
+/// The index of the angle among the record's parameters.
 const ANGLE: usize = 0;

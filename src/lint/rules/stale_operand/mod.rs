@@ -1,11 +1,10 @@
 //! W309: a change that comes too late for the operation it was meant for.
 //!
-//! An operation takes its operands as they are at that point. A change that comes later is plainly
-//! of no use if nothing takes the operand after it: neither another operation nor the render record. If
-//! something does, then the one ID stands for several states of one thing, each used where it was
-//! ready; that is a way to model, and nothing is said. Nor is anything said of an original that changes after it
-//! was copied: that is what copies are for. What holds for operands holds for properties, too, which an
-//! assignment takes as they are, and for the colours of a texture.
+//! An operation takes its operands as they are at that point. A later change is useless if nothing takes the operand
+//! after the change: neither another operation nor the render record. If something does take it, the ID stands for
+//! several states of one object, each used when it was ready: that is a way to model, and the rule is silent. The rule
+//! is also silent about an original that changes after it was copied: that is what copies are for. The same holds for
+//! properties, which an assignment takes as they are, and for the colours of a texture.
 
 use super::overridden_property::{MAX_PROPOSED, neighbours};
 use crate::diagnostics::{Code, Diagnostic, Value};
@@ -53,9 +52,9 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 /// A change that reaches nothing.
 struct Late<'a> {
     change: &'a Record,
-    /// The last record that took what is changed.
+    /// The last record that took the changed ID as an operand or a property.
     taker: &'a Record,
-    /// Further changes of the same thing.
+    /// The number of further changes of the same ID.
     more: u64,
 }
 
@@ -73,7 +72,7 @@ struct IdState<'a> {
 }
 
 fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
-    // What nothing defines is not taken either.
+    // An ID that nothing defines has no entry, since nothing can take it.
     let ids = &context.scene.ids;
     let number = |id| ids.get(id).map(|number| number as usize);
     let mut entries = vec![IdState::default(); context.scene.entities.len()];
@@ -122,7 +121,7 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
     late
 }
 
-/// Whether records of a type change something of a kind; a promise does not.
+/// Whether records of a type change an entity of a kind. A promise changes nothing.
 fn changes_kind(ty: &RecordType, of: Option<Kind>) -> bool {
     let is_right = of.is_none_or(|of| match ty.effect {
         Effect::Defines(_) => false,
@@ -132,7 +131,7 @@ fn changes_kind(ty: &RecordType, of: Option<Kind>) -> bool {
     changes(ty) && is_right
 }
 
-/// Whether records of a type change something; a promise does not.
+/// Whether records of a type change an entity of any kind. A promise changes nothing.
 fn changes(ty: &RecordType) -> bool {
     !matches!(ty.effect, Effect::Defines(_)) && ty.family != Family::Bound
 }

@@ -1,5 +1,5 @@
-//! W340: a difference whose operands are in each other's place, or another operation that is a difference, by what
-//! comments say.
+//! W340: by what comments say, a difference has its operands exchanged, or a union or an intersection is meant to be a
+//! difference.
 
 mod phrases;
 
@@ -17,21 +17,21 @@ use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
 use crate::syntax::words::{self, plain};
 
-/// The cases of operations that are a difference by their comments.
+/// The cases of a union and of an intersection that comments describe as a difference.
 const UNION: &str = "union";
 const INTERSECTION: &str = "intersection";
-/// Before a hole or what is taken away: that it is something else.
+/// Words that show, before a word for a hole or for taking away, that this word is about another object.
 const OF_ANOTHER: [&str; 16] = [
     "with", "having", "s", "in", "into", "v", "ve", "do", "for", "pro", "from", "od", "z", "ze",
     "of", "not",
 ];
-/// Behind a hole: that it is in this.
+/// Words that show, behind a word for a hole, that the hole is in the object of the comment.
 const IN: [&str; 7] = ["in", "into", "through", "v", "ve", "do", "skrz"];
-/// Words of a comment that are looked at.
+/// Most words of a comment that are read.
 const MAX_COMMENT_WORDS: usize = 64;
-/// Comments on the records of one object that are looked at.
+/// Most comments on the records of one object that are read.
 const MAX_COMMENTS: usize = 8;
-/// Words of which so many letters are the same may be one word with two endings.
+/// Least number of equal letters at the beginning of two words that may be one word with two endings.
 const STEM: usize = 4;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -39,7 +39,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.extend(said.iter().map(|(p, _, case)| finding(p, case)));
 }
 
-/// The intersections of which W340 says that a difference is meant.
+/// The intersections that W340 reports, since comments describe a difference.
 pub(super) fn intersections(context: &Context) -> FxHashSet<NodeId> {
     let said = said(context).into_iter();
     said.filter(|(_, _, case)| *case == INTERSECTION)
@@ -47,7 +47,7 @@ pub(super) fn intersections(context: &Context) -> FxHashSet<NodeId> {
         .collect()
 }
 
-/// The operations that comments say otherwise, with the case of each.
+/// The operations that comments contradict, each with its record, its node and the case of the finding.
 fn said<'c>(context: &'c Context) -> Vec<(Params<'c>, NodeId, &'static str)> {
     let mut out = Vec::new();
     if !context.document.contents.comments {
@@ -70,7 +70,7 @@ fn said<'c>(context: &'c Context) -> Vec<(Params<'c>, NodeId, &'static str)> {
     if comments.is_empty() {
         return out;
     }
-    // That nothing is left has a rule of its own.
+    // Another rule reports operations of which nothing is left.
     let is_empty = |proven: &&Proven| matches!(proven.what, Proof::Empty(..));
     let empty = context.proven().iter().filter(is_empty);
     let empty: FxHashSet<NodeId> = empty.map(|proven| proven.node).collect();
@@ -96,7 +96,7 @@ fn said<'c>(context: &'c Context) -> Vec<(Params<'c>, NodeId, &'static str)> {
             let of = |comment: &'c str| comment.split([',', ';', '.', ':', '(', ')']);
             let is_own = |said: &str| is_without(&split(said), one, two);
             let is_said = p.comments().flat_map(of).any(is_own);
-            // A ∩ −B is A − B.
+            // With a complement as an operand, the operation is a difference already: A ∩ −B is A − B.
             if is_said && !operands.iter().any(|o| o.is_complement) {
                 out.push((p, node, case));
             }
@@ -180,10 +180,10 @@ fn split_all(comment: &str, ids: [i64; 2]) -> Vec<String> {
     words
 }
 
-/// An operand of a difference.
+/// An operand of a difference, a union or an intersection.
 struct Operand<'a> {
     id: i64,
-    /// The type of the shape that it is, or is cut out of.
+    /// The type of the shape that the operand is, or is cut out of; `None` for other objects.
     ty: Option<&'static RecordType>,
     is_complement: bool,
     comments: Vec<&'a [String]>,
@@ -232,7 +232,7 @@ impl Operand<'_> {
         }
     }
 
-    /// Whether a comment says that it is a hole or is taken away.
+    /// Whether a comment says that the operand is a hole or is taken away.
     fn is_taken(&self) -> bool {
         self.comments.iter().any(|said| {
             let is_taken = |&at: &usize| is_hole(&said[at]) || is_cut(said, at);
@@ -253,7 +253,7 @@ fn begins(word: &str, beginnings: &[&str]) -> bool {
     beginnings.iter().any(|b| word.starts_with(b))
 }
 
-/// Whether two words are one but for their endings, two letters or less.
+/// Whether two words are equal but for their endings of two letters at most.
 fn is_one_word(a: &str, b: &str) -> bool {
     let same = a.chars().zip(b.chars()).take_while(|(x, y)| x == y).count();
     let longer = a.chars().count().max(b.chars().count());

@@ -1,4 +1,4 @@
-//! Colours of what is taken away, beside those that the cut has instead.
+//! Colours of tools that are taken away, held against the colours that the cuts have.
 
 use crate::scene::{Node, NodeId, Rgb, Scene, Texture, fold_up};
 use rustc_hash::FxHashSet;
@@ -21,13 +21,13 @@ impl Colours {
     }
 }
 
-/// The textures and colours that differ from those of the cuts that they are not seen on.
+/// The colours that are not seen on the cuts of their tools, and differ from those of the cuts.
 pub(super) struct Instead {
     differing: FxHashSet<usize>,
 }
 
 impl Instead {
-    /// `paintings`: nodes that give a colour which is cut away, each with the number of its record.
+    /// `paintings` are nodes that give a colour which is cut away, each with the index of its record.
     pub(super) fn new(
         scene: &Scene,
         paintings: impl Iterator<Item = (NodeId, usize)>,
