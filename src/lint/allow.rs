@@ -45,8 +45,8 @@ pub(super) fn apply(context: &Context, comments: &[u32], out: &mut Vec<Diagnosti
     diagnostics::sort(out);
 }
 
-/// The findings by their codes. However many comments there are, and however much each of them
-/// covers, a finding is looked at once.
+/// The findings by their codes. Each finding is examined once, however many comments there are and however much they
+/// cover.
 struct FindingsByCode {
     codes: BTreeMap<Code, OfCode>,
     /// Whether there is an error. The error may leave out of the scene what a comment is to allow, so a comment that
@@ -122,16 +122,17 @@ struct Directive {
     /// The span that a fix removes together with the comment: the spaces in front of it, or its whole line if no record
     /// is on it.
     removal: Span,
-    /// The text that takes the comment's place: a space between two words that it keeps apart.
+    /// The text that takes the comment's place: a space if the comment stands between two words, which must not become
+    /// one.
     gap: &'static str,
     /// The entries between the brackets, and their span; `None` if the comment is no `allow(…)`.
     entries: Option<(Vec<String>, Span)>,
-    /// The span in which findings begin that the comment may allow.
+    /// The span in which the findings begin that the comment may allow; `None` if the comment covers nothing.
     covers: Option<Span>,
 }
 
 impl Directive {
-    /// `at` is the index of the comment's token.
+    /// Reads the comment whose token has the index `at`.
     fn new(layout: &mut Layout, at: usize) -> Directive {
         let (text, tokens) = (layout.context.text, &layout.context.document.tokens);
         let token = &tokens[at];
@@ -231,8 +232,8 @@ impl Directive {
     }
 }
 
-/// Lines and records by their position. A file may be a single line, or nothing but such comments:
-/// nothing here is gone through twice.
+/// Lines and records by their position. A file may be a single line, or nothing but such comments, so no search here
+/// goes over the same text twice.
 struct Layout<'a, 'c> {
     context: &'a Context<'c>,
     /// Indices of the tokens that end lines.
@@ -343,7 +344,7 @@ impl<'a, 'c> Layout<'a, 'c> {
         let first = |i: u32| document.items[i as usize].ends().0 as usize;
         let next = self.records.partition_point(|&i| first(i) < token);
         let &record = self.records.get(next)?;
-        // Each line break between ends a line with a comment on it: none is blank.
+        // A blank line in between separates the comment from the record.
         let blank = self.blanks.partition_point(|&b| (b as usize) < token);
         if (self.blanks.get(blank)).is_some_and(|&b| (b as usize) < first(record)) {
             return None;

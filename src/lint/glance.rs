@@ -1,4 +1,4 @@
-//! A small picture, for rules about what a picture shows.
+//! A small picture that is traced for rules about what a scene's picture shows.
 
 use crate::scene::{Camera, Scene, Texture};
 use crate::trace::pixels::Pixels;

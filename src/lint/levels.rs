@@ -43,8 +43,8 @@ impl Level {
     }
 }
 
-/// A code or several: `W307`, `overlapping-union`, `W3` for all that begin so, `warnings`, `notes`,
-/// `style`, `all`.
+/// One code or several: `W307`, `overlapping-union`, `W3` for all codes that begin so, `warnings`, `notes`, `style`,
+/// `all`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Selector(Vec<Code>);
 
@@ -195,7 +195,7 @@ impl Levels {
         });
     }
 
-    /// Whether findings of a code that are no errors of the language are reported at all.
+    /// Whether findings of a code are reported at all, errors of the language aside.
     pub fn is_on(&self, choice: &Choice, code: Code) -> bool {
         self.of(choice, code) != Some(Level::Off)
     }

@@ -119,7 +119,7 @@ fn live_nodes(scene: &Scene) -> Vec<bool> {
     }
     // Children stand before their parents.
     for (i, node) in scene.nodes.iter().enumerate().rev() {
-        // Operations are records of their own, whatever becomes of their results.
+        // An operation is a record of its own and counts, even if nothing uses its result.
         let operation = matches!(
             node,
             Node::Union(..) | Node::Intersection(..) | Node::Difference(..) | Node::Complement(_)
@@ -242,7 +242,7 @@ pub fn takes_records_out(code: Code) -> bool {
     rules::TAKING_OUT.contains(&code)
 }
 
-/// Scenes of fewer records are looked at by one thread.
+/// Number of records below which all rules run in one thread.
 const MIN_RECORDS_FOR_THREADS: usize = 64;
 
 #[cfg(test)]

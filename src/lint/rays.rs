@@ -1,4 +1,4 @@
-//! Points of an object's surface that rays meet.
+//! The search with rays for points of an object's surface.
 
 use crate::geometry::Aabb;
 use crate::geometry::vec;
@@ -118,7 +118,7 @@ pub(super) fn regions(volume: &Volume, bounds: &Aabb) -> Vec<Aabb> {
 /// A search with rays for points of an object's surface outside or inside of a volume.
 pub(super) struct Search<'a> {
     pub tracer: &'a Tracer,
-    /// How many rays are left.
+    /// The number of rays that are left.
     pub rays: &'a mut usize,
 }
 

@@ -58,7 +58,7 @@ impl<'a> Context<'a> {
         Some(ids.max()? + 1).filter(|&id| id <= LARGEST)
     }
 
-    /// The name of each ID: the title of the record that defines it.
+    /// For each ID the title of the record that defines it, by which messages name the ID.
     pub fn titles(&self) -> FxHashMap<u32, &'static str> {
         let mut titles = FxHashMap::default();
         for record in self.records() {
@@ -70,7 +70,7 @@ impl<'a> Context<'a> {
         titles
     }
 
-    /// A fix that puts lines behind a record. Its line breaks become those of the text where it is
+    /// A fix that puts lines behind a record. The line breaks of the lines become those of the text where the fix is
     /// applied.
     pub fn add_behind(
         &self,

@@ -26,7 +26,7 @@ pub fn decimal(x: f64) -> String {
     spelled(format!("{x:.11e}").parse().unwrap_or(x))
 }
 
-/// The text of a parameter with the other sign.
+/// The text of a parameter with the other sign; zero stays as it is.
 pub fn opposite(p: &Params, i: usize) -> String {
     match p.text_of(i) {
         text if p.number(i) == 0.0 => text.to_owned(),

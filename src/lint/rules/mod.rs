@@ -143,7 +143,7 @@ const THIN_SHAPES: &[RecordKind] = &[
     R::Shape(S::ColouredSurfaceOfRevolution),
 ];
 
-/// Every rule. Those that may take longest come first: they are begun in this order.
+/// All rules, in the order in which they are begun. The rules that may take longest come first.
 pub(super) const RULES: &[Rule] = &[
     Rule {
         code: Code::W321,

@@ -9,8 +9,8 @@ use crate::solids::contacts::face::FaceId;
 use crate::solids::contacts::search::ContactSide;
 use crate::solids::shapes::{AnyShape, profile};
 
-/// Share of the workpiece by which a tool becomes longer: too little to be seen, and a million times what counts as
-/// flush.
+/// Share of its own length, or of the workpiece, by which a tool becomes longer: too little to be seen, and a million
+/// times what counts as flush.
 const TOOL_REL_EXTENSION: f64 = 1e-3;
 
 /// The fix that moves the given faces of a tool outwards. `workpiece` is the size of the solid that the tool cuts.
@@ -21,7 +21,7 @@ pub(super) fn lengthen(
     tool: &[ContactSide],
     workpiece: f64,
 ) -> Option<Fix> {
-    // What each parameter becomes, and how far it is moved.
+    // The new value of each parameter, and the distance by which it moves.
     let mut moved: Vec<Moved> = Vec::new();
     for side in tool {
         let room = TOOL_REL_EXTENSION * workpiece / side.stretch;

@@ -165,7 +165,7 @@ fn place(p: &Params, geometry: &Geometry, part: FaceId) -> (Span, &'static str, 
     (span, written.what, named.map_or("", |(i, _)| name(i)))
 }
 
-/// The nodes that each node is a part of.
+/// The nodes above each node, as far as a node has a single parent; and the objects with bounding volumes.
 struct Parents {
     /// For each node the last node of the chain upwards in which each node has a single parent. All that uses the node
     /// uses it by way of that last one.

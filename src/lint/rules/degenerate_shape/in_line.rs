@@ -6,7 +6,8 @@ use crate::geometry::exact;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum InLine {
     Exactly,
-    /// As far as the written numbers tell: they were rounded to doubles by as much as the points are off the line.
+    /// The points may lie on one line exactly: they are off it by no more than the rounding of the written numbers to
+    /// doubles.
     Rounded,
 }
 
@@ -23,7 +24,7 @@ pub(super) fn in_line<const N: usize>(points: &[[f64; N]]) -> Option<InLine> {
         let d = away(p);
         (0..N).map(|i| (d[i] / size[i]).abs()).fold(0.0, f64::max)
     };
-    // The direction to the point furthest from the first one is the best known.
+    // The direction to the point that is furthest from the first one is known best.
     let far = (points.iter()).max_by(|a, b| length(a).total_cmp(&length(b)))?;
     if !points
         .iter()

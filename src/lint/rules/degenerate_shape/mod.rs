@@ -55,7 +55,7 @@ fn finding(shape: &Shape, p: &Params, why: &Degenerate) -> Diagnostic {
         sizes.extend(minus);
         return sizes.into_iter().fold(finding, Diagnostic::fix);
     }
-    // The centre comes first: a corner and a size are rarely equal.
+    // The reading as centre and size comes first: a corner and a size are rarely equal.
     sizes.reverse();
     minus
         .into_iter()

@@ -30,7 +30,7 @@ impl Key {
             false => 1.0,
         };
         let ends = [bounds.min, bounds.max].concat();
-        // Infinite ends become the largest integers.
+        // Infinite ends become the largest and smallest integers.
         let on_grid = |i: usize| (ends[i] / size / GRID_REL_STEP).round() as i64;
         Some(Key(kind, std::array::from_fn(on_grid)))
     }

@@ -1,4 +1,4 @@
-//! W319: an intersection or a difference that is empty for certain.
+//! W319: an intersection or a difference that is certainly empty.
 
 use std::cell::LazyCell;
 

@@ -1,4 +1,5 @@
-//! W308: an intersection whose surface is made of pieces with different properties.
+//! W308: an intersection whose surface is made of pieces with different properties, and that has no properties of its
+//! own.
 
 use std::cell::LazyCell;
 

@@ -32,7 +32,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let is_written = p.ty.kind == RecordKind::Camera;
         let seen = |of| out_of_view(scene, context.bounds(), render.root, camera, of);
         let unseen = seen(Parts::All);
-        // A floor without end is seen from almost everywhere.
+        // An endless floor is seen from almost everywhere, so the bounded objects are judged without it.
         let ended = || seen(Parts::Bounded);
         let Some(side) = unseen.or_else(ended) else {
             continue;
@@ -52,7 +52,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             true => turned(context, render.root, camera, &p, side),
             false => Vec::new(),
         };
-        // A mirror may show what lies behind the camera.
+        // A mirror may show what lies behind the camera, so the direction may be meant.
         let may_be_meant = fixes.iter().all(|f| f.title == "fix") && has_mirror(scene);
         if unseen.is_none() && (is_inside || may_be_meant) {
             continue;

@@ -18,7 +18,7 @@ use crate::trace::plan::unseen::sides::Sides;
 /// Most half-spaces for which the other sign is tried: each is held against all other parts.
 const MAX_HALF_SPACES: usize = 16;
 
-/// The fixes of half-spaces, by their records.
+/// The fixes of half-spaces, by the spans of their records.
 pub(super) struct Floors(FxHashMap<Span, Fix>);
 
 impl Floors {
@@ -51,7 +51,7 @@ impl Floors {
         )
     }
 
-    /// The fix of the half-space that is one of two parts.
+    /// The fix of that of two overlapping parts which is a half-space; `None` if neither has a fix.
     pub(super) fn fix(&self, unions: &Unions, found: &Overlap) -> Option<Fix> {
         let spans = found.parts.map(|i| unions.parts[i as usize].named.span);
         spans.iter().find_map(|span| self.0.get(span)).cloned()

@@ -17,7 +17,7 @@ impl Medium {
 
     pub(super) fn bits(&self) -> [u64; 12] {
         let all = [self.optics.kd, self.optics.ks, self.optics.kt, self.index];
-        // Zeros of both signs are one number.
+        // Adding 0 makes zeros of both signs one number.
         std::array::from_fn(|i| (all[i / 3][i % 3] + 0.0).to_bits())
     }
 }

@@ -13,7 +13,7 @@ use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, ShapeKind};
 use crate::trace::plan::unseen::LeftOut;
 
-/// Unions of more parts are not looked at for opaque spheres: each sphere is held against all parts.
+/// Most shapes and parts with which opaque spheres are examined: each sphere is held against all parts.
 const MAX_PARTS: usize = 1000;
 
 /// Least number of overlaps that the other reading has to undo: that many are no coincidence.

@@ -19,7 +19,7 @@ use crate::solids::shapes::quadric::Quadric;
 /// Most boxes examined and points tried, for all parts together: some tenths of a second.
 const MAX_STEPS: usize = 10_000_000;
 
-/// Points tried for a pair of parts whose boxes overlap.
+/// Number of points that are tried for a pair of parts with overlapping boxes.
 const POINTS_PER_PAIR: u32 = 24;
 
 /// Least depth of a point inside of both parts, as a share of the size of the smaller part. Parts that overlap by less
@@ -59,11 +59,11 @@ pub(super) struct Search<'a> {
     bounds: &'a [NodeBounds],
     /// Steps that are left for closer looks.
     close: usize,
-    /// Pairs of which the first part lies within the second.
+    /// Pairs whose first part lies within the second.
     nested: FxHashSet<[u32; 2]>,
 }
 
-/// Two parts to be looked at, and whether both are opaque.
+/// The indices of two parts, and whether both are opaque.
 type Pair = ([u32; 2], bool);
 
 impl<'a> Search<'a> {
@@ -168,7 +168,7 @@ impl<'a> Search<'a> {
         optics(one) != optics(two) || a != b
     }
 
-    /// The union of two parts, unless a finding names it already.
+    /// The innermost union of two parts; `None` if a finding names that union already.
     fn union(&self, parts: [&UnionOperand; 2]) -> Option<NodeId> {
         let place = self.unions.ancestry.join(parts[0].union, parts[1].union)?;
         let union = self.unions.places[place as usize];
@@ -389,7 +389,7 @@ impl<'a> Search<'a> {
         depth: f64,
         halves: &mut [Option<Vec3>; 2],
     ) -> Option<Vec3> {
-        /// Times that the way between two points is halved.
+        /// Number of times that the way between the two points is halved.
         const HALVINGS: u32 = 40;
         let root = parts[0].0.cut?;
         if !self.deep(parts, p, depth, false) {

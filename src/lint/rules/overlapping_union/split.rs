@@ -35,7 +35,7 @@ pub(super) struct Pieces {
 enum Rest {
     OnlyA(u32),
     OnlyB(u32),
-    /// Two pieces and their union.
+    /// The IDs of A − B, B − A and their union.
     Either([u32; 3]),
 }
 

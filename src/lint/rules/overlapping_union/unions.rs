@@ -27,7 +27,8 @@ pub(super) struct UnionOperand {
     /// The outermost object that the operand is a part of, if an intersection or a difference in between may cut
     /// something off; `None` otherwise.
     pub(super) cut: Option<NodeId>,
-    /// Whether only differences cut something off: their cut faces look like what they cut through.
+    /// Whether differences, and no intersection, may cut something off: a cut face then looks like the part it cuts
+    /// through.
     pub(super) opened: bool,
 }
 
@@ -39,7 +40,7 @@ struct Task {
     union: u32,
     root: NodeId,
     cut: bool,
-    /// Whether an intersection may be what cuts.
+    /// Whether an intersection above may cut something off.
     clipped: bool,
 }
 

@@ -1,4 +1,5 @@
-//! Proofs that an index changes nothing in a picture: no ray that the index could bend comes to where it counts.
+//! Proofs that an index changes nothing in a picture: no ray that the index could bend reaches a surface on which the
+//! index counts.
 //!
 //! An index counts where light goes through a surface with the medium of that index on one side. Opaque solids have
 //! such surfaces where transparent ones overlap or touch them: glass ends inside of a stone, and the light goes on in

@@ -122,7 +122,8 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
         let Some(p) = context.params(span) else {
             continue;
         };
-        // An index below 1 has been reported, and W334 says where the optics of this one are.
+        // An index below 1 has been reported already, and W334 reports optics that were written under another ID by a
+        // slip.
         if below_one(&p).is_some() || told == Some(p.id) {
             continue;
         }

@@ -15,13 +15,13 @@ struct Line<'a> {
     first: Option<&'a Item>,
     /// The record before the others on the line, if it began on an earlier line.
     torn: Option<&'a Item>,
-    /// The records that begin behind another one.
+    /// The records that begin on the line, behind another record.
     more: Vec<&'a Item>,
     /// Whether some record on the line cannot be read.
     broken: bool,
 }
 
-/// The first tokens of records that may be the place of the lamp before them.
+/// The indices of the first tokens of records that may be meant as the place of the lamp before them.
 type Places = FxHashSet<u32>;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -37,7 +37,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             line = Line::default();
             continue;
         }
-        // A broken stretch was reported; where it ends is only a guess.
+        // A broken stretch has been reported, and its end is only a guess.
         if matches!(before, Item::Broken(_)) || matches!(item, Item::Broken(_)) {
             line.broken = true;
             continue;
@@ -56,7 +56,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     report(context, &line, true, &places, out);
 }
 
-/// Whether a line ends among some tokens.
+/// Whether one of the tokens from `first` to `end`, without the latter, ends a line.
 fn breaks(context: &Context, first: u32, end: u32) -> bool {
     let tokens = &context.document.tokens[first as usize..end as usize];
     tokens.iter().any(|t| t.kind() == TokenKind::Newline)

@@ -49,7 +49,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// A change that reaches nothing.
+/// A change that comes after the last use of its ID, so that nothing uses the changed state.
 struct Late<'a> {
     change: &'a Record,
     /// The last record that took the changed ID as an operand or a property.
@@ -58,15 +58,17 @@ struct Late<'a> {
     more: u64,
 }
 
-/// The state of an ID.
+/// The state of an ID while the records are gone over in file order.
 #[derive(Clone, Default)]
 struct IdState<'a> {
-    /// Whether the ID is defined. An ID that is not there yet is not taken, and the record that defines it changes
-    /// nothing.
+    /// Whether the ID is defined already. An ID that is not defined yet is not taken, and the record that defines it
+    /// changes nothing.
     defined: bool,
-    /// Whether the ID is taken as it is at the end of the file.
+    /// Whether the render record or a choice of cameras takes the ID, in its state at the end of the file.
     at_the_end: bool,
+    /// The last record that took the ID as an operand or a property.
     taker: Option<&'a Record>,
+    /// The first change since then. `more` is the number of further ones.
     change: Option<&'a Record>,
     more: u64,
 }

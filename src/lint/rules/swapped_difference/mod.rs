@@ -154,7 +154,8 @@ fn split(comment: &str) -> Vec<String> {
     words.take(MAX_COMMENT_WORDS).collect()
 }
 
-/// The words of a comment without accents, its signs of subtraction, and the IDs of the operands where it has both.
+/// The words of a comment without accents, with its signs of subtraction, and with the IDs of the operands if the
+/// comment has both.
 fn split_all(comment: &str, ids: [i64; 2]) -> Vec<String> {
     let is_open = |c: Option<char>| c.is_none_or(|c| c.is_whitespace() || c.is_ascii_digit());
     let mut before = None;

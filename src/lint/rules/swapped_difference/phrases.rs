@@ -3,7 +3,7 @@
 use super::{Operand, begins};
 use crate::syntax::words::{self, HOLE};
 
-/// The sign of a subtraction among the words of a comment.
+/// The word that stands for the sign of a subtraction among the words of a comment.
 pub(super) const SIGN: &str = "-";
 /// Words between an object and the one that it is without, as in `cube without ball`.
 const WITHOUT: [&str; 5] = ["without", "minus", "less", "bez", SIGN];
@@ -34,8 +34,8 @@ const DONE: [&str; 9] = [
 ];
 /// Words that show, behind a verb of taking away, that the object is what is taken, not what remains.
 const AWAY: [&str; 4] = ["away", "out", "off", "from"];
-/// Beginnings of words for a difference, without accents. The first object that is named behind such a word is the one
-/// that remains.
+/// Beginnings of words for a difference, without accents. The first object that is named behind them is the one that
+/// remains.
 const DIFFERENCE: [&str; 2] = ["difference", "rozdil"];
 /// Most words between a name and what is said of it.
 const MAX_WORDS_BETWEEN: usize = 3;
@@ -76,7 +76,7 @@ const PARTICIPLE: [&str; 6] = ["ny", "na", "ne", "ty", "ta", "te"];
 /// Endings of Czech nouns in the instrumental case, without accents.
 const INSTRUMENTAL: [&str; 4] = ["i", "ou", "em", "y"];
 
-/// Whether a word is one for a hole.
+/// Whether a word means a hole.
 pub(super) fn is_hole(word: &str) -> bool {
     let mut endings = NOTCH.iter().filter_map(|notch| word.strip_prefix(notch));
     begins(word, &HOLE) || endings.any(|ending| ending.len() <= MAX_ENDING)
@@ -94,7 +94,7 @@ pub(super) fn is_cut(said: &[String], at: usize) -> bool {
     let behind = said.get(at + 1).map(String::as_str);
     let is_away = behind.is_some_and(|w| AWAY.contains(&w));
     match word {
-        // `the cut`, but not `cut ball`.
+        // In `the cut`, the object is taken away; in `cut ball`, it remains.
         "cut" if at + 1 == said.len() && at < MAX_WORDS_BETWEEN => {
             is_done || before.iter().all(|w| words::shapes(w).is_empty())
         }
@@ -172,7 +172,7 @@ fn is_taken_from(said: &[String], whole: &Operand, taken: &Operand) -> bool {
             return false;
         };
         let reach = remains.saturating_sub(MAX_WORDS_BETWEEN + 1)..remains;
-        // `koule, od které se odečte kostka` takes the cube.
+        // In `koule, od které se odečte kostka`, the cube is taken, since `od` stands before the verb.
         let from = said[reach].iter().rev().take_while(|w| !is_verb(w));
         if from.into_iter().any(|w| taking.from.contains(&w.as_str())) {
             return true;
@@ -183,7 +183,7 @@ fn is_taken_from(said: &[String], whole: &Operand, taken: &Operand) -> bool {
         let is_instrumental = |i: usize| INSTRUMENTAL.iter().any(|end| said[i].ends_with(end));
         let has_from = said.iter().any(|w| taking.from.contains(&w.as_str()));
         match is_in_order {
-            // `block with a ball taken away`, `block cut by a ball`, `kvádr s odečtenou koulí`.
+            // Examples: `block with a ball taken away`, `block cut by a ball`, `kvádr s odečtenou koulí`.
             true => {
                 let behind = &said[first + 1..last];
                 let is_with = |w: &String| taking.with.contains(&w.as_str());
@@ -192,7 +192,7 @@ fn is_taken_from(said: &[String], whole: &Operand, taken: &Operand) -> bool {
                         || between && said[verb..last].iter().any(is_by)
                         || between && is_participle && is_instrumental(last))
             }
-            // `koulí vydlabaný kvádr`.
+            // Example: `koulí vydlabaný kvádr`.
             false => {
                 !has_from && between && is_participle && first + 1 == verb && is_instrumental(first)
             }

@@ -39,7 +39,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if !has(lets_through) {
         return;
     }
-    // Somebody who writes the index of a vacuum means it.
+    // An author who writes the index of a vacuum anywhere knows about indices.
     let is_vacuum = |r: &Record| {
         let p = context.record_params(r);
         r.kind == RecordKind::RefractiveIndex && p.numbers(0) == DEFAULT_INDEX
@@ -138,7 +138,7 @@ fn finding(
     Some(d.fix(Fix::guess("fix", edits)))
 }
 
-/// A condition on optics.
+/// A condition on optics, which chooses the parts that a search is about.
 type Test = fn(&Optics) -> bool;
 
 /// A part of the outermost union.
@@ -235,12 +235,12 @@ fn bent(paint: &Paint) -> Option<Rgb> {
     paint.index.filter(|&index| index != DEFAULT_INDEX)
 }
 
-/// Whether half of all light or more goes through.
+/// Whether half of the light or more goes through, in each colour channel.
 fn lets_through(o: &Optics) -> bool {
     o.kt.iter().all(|&x| x >= 0.5)
 }
 
-/// Whether half of all light or more goes through, and none is scattered.
+/// Whether half of the light or more goes through, in each colour channel, and none is scattered.
 fn is_glass(o: &Optics) -> bool {
     o.kd == [0.0; 3] && lets_through(o)
 }

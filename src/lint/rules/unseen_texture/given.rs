@@ -20,11 +20,12 @@ pub(super) struct Painting {
     pub node: NodeId,
     /// Index of the record among all that give a texture or colour; `None` if the paint has neither.
     pub texture: Option<usize>,
-    /// The painting that goes on from this one: properties given to an object one after the other are one paint.
+    /// The index of the painting that goes on from this one: properties given to an object one after the other are one
+    /// paint.
     pub next: Option<usize>,
 }
 
-/// All textures and colours, and all that paints, in file order.
+/// All records that make textures and colours, and all paintings, in file order.
 pub(super) fn textures<'a>(context: &Context<'a>) -> (Vec<Given<'a>>, Vec<Painting>) {
     let scene = context.scene;
     let mut given: Vec<Given> = Vec::new();

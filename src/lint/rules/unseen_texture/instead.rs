@@ -47,7 +47,7 @@ impl Instead {
         Instead { differing }
     }
 
-    /// Whether a cut has another colour than that of a record.
+    /// Whether a cut has another colour than the record with this index gives.
     pub(super) fn differs(&self, record: usize) -> bool {
         self.differing.contains(&record)
     }
@@ -65,7 +65,7 @@ fn given(scene: &Scene, node: Node) -> Option<Colours> {
     }
 }
 
-/// For each node the colours of the cuts that it makes as a part of a tool.
+/// For each node the colours of the cut faces that it leaves as a part of a tool.
 fn cuts(scene: &Scene, is_drawn: impl Fn(NodeId) -> bool) -> Vec<Colours> {
     let own = fold_up(&scene.nodes, |_, node, own: &[Colours]| {
         let of = |n: NodeId| own[n as usize];

@@ -72,7 +72,7 @@ pub(super) fn hidden(context: &Context) -> Vec<NodeId> {
     hidden.map(|p| p.node).collect()
 }
 
-/// All textures and colours, and what is found out about each.
+/// All textures and colours of a scene, with the facts that are found about each.
 struct Sightings<'a> {
     given: Vec<Given<'a>>,
     paintings: Vec<Painting>,
@@ -81,7 +81,7 @@ struct Sightings<'a> {
 }
 
 impl<'a> Sightings<'a> {
-    /// `None` where there is nothing to be found out.
+    /// `None` if there is nothing that the rule could report.
     fn new(context: &Context<'a>) -> Option<Sightings<'a>> {
         let has_textures = context.document.contents.has(super::TEXTURES);
         let has = |kinds: &[RecordKind]| context.document.contents.has(kinds);
@@ -196,6 +196,7 @@ impl Why {
 struct TextureSightings {
     /// Whether an object is painted with the texture, drawn or not.
     is_used: bool,
+    /// Whether a picture shows the texture somewhere.
     is_seen: bool,
     /// The reasons why the texture is not seen, each once.
     reasons: Vec<Why>,

@@ -63,7 +63,7 @@ pub(super) fn unions(
     (told, findings)
 }
 
-/// Whether an object is a union, painted or moved or not.
+/// Whether an object is a union, which may be painted or moved.
 fn is_union(scene: &Scene, node: NodeId) -> bool {
     scene
         .states(node)
@@ -71,7 +71,7 @@ fn is_union(scene: &Scene, node: NodeId) -> bool {
 }
 
 struct Above {
-    /// For each node the difference that takes it away, the outermost one.
+    /// For each node the outermost difference that takes it away.
     cut: Vec<Option<NodeId>>,
     /// Whether each node is an operand of a union.
     in_union: Vec<bool>,

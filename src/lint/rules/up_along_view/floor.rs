@@ -1,4 +1,4 @@
-//! The floor that a scene stands on: a plane without end, or a flat object below all others.
+//! The floor that a scene stands on: an endless plane, or a flat object below all others.
 
 use rustc_hash::FxHashSet;
 
@@ -124,7 +124,7 @@ fn flat(parts: &[Aabb], way: Way) -> Option<f64> {
 fn operands(context: &Context, root: NodeId) -> Vec<NodeId> {
     let mut left = vec![root];
     let mut operands = Vec::new();
-    // Unions of copies have many ways to one node.
+    // Each node counts once: unions of copies may have many ways to it.
     let mut seen = FxHashSet::default();
     while let Some(node) = left.pop() {
         if !seen.insert(node) {
