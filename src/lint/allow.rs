@@ -1,8 +1,9 @@
-//! Comments that say what is all right: `# zpg: allow(W307, colour-out-of-range) as it is meant #`.
+//! Comments that allow findings: `# zpg: allow(W307, colour-out-of-range) as it is meant #`.
 //!
-//! What stands between the brackets is what `zpg.toml` knows too: codes, names and groups. On a record's line such a comment covers the record, alone on the line above one too; at the head
-//! of the file, before any record, it covers the file. `allow-next(…)` covers the record below it, also at the head. What it allows is not reported. An entry that
-//! allows nothing is S504.
+//! The entries between the brackets are codes, names and groups, as in `zpg.toml`. A comment on a record's line, or
+//! alone on the line above, covers the record. At the head of the file, before any record, a comment covers the file.
+//! `allow-next(…)` covers the record below it, also at the head. Findings that a comment allows are not reported. An
+//! entry that allows nothing is S504.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +14,7 @@ use crate::syntax::Item;
 use crate::syntax::directive::{Allow, is_directive};
 use crate::syntax::lexer::{Token, TokenKind};
 
-/// The comments that say so, as tokens.
+/// The indices of the tokens that are comments for zpg.
 pub(super) fn comments(context: &Context) -> Vec<u32> {
     let tokens = match context.document.contents.directives {
         true => context.document.tokens.as_slice(),
@@ -24,7 +25,8 @@ pub(super) fn comments(context: &Context) -> Vec<u32> {
     ones.map(|(i, _)| i).collect()
 }
 
-/// Takes out what these comments allow, and adds what is wrong with them. Sorts the findings, if there are any comments.
+/// Removes the findings that these comments allow, and adds findings about what is wrong with the comments. Sorts the
+/// findings, if there are any comments.
 pub(super) fn apply(context: &Context, comments: &[u32], out: &mut Vec<Diagnostic>) {
     if comments.is_empty() {
         return;
@@ -43,11 +45,11 @@ pub(super) fn apply(context: &Context, comments: &[u32], out: &mut Vec<Diagnosti
     diagnostics::sort(out);
 }
 
-/// The findings by their codes. However many comments there are, and however much each of them
-/// covers, a finding is looked at once.
+/// The findings by their codes. Each finding is examined once, however many comments there are and however much they
+/// cover.
 struct FindingsByCode {
     codes: BTreeMap<Code, OfCode>,
-    /// Whether there is an error. What it leaves out of the scene may be what is to be allowed, so a comment that
+    /// Whether there is an error. The error may leave out of the scene what a comment is to allow, so a comment that
     /// allows nothing may still be needed.
     is_wrong: bool,
 }
@@ -59,7 +61,7 @@ struct OfCode {
     starts: Vec<u32>,
     /// Indices of the findings among all.
     indices: Vec<u32>,
-    /// How many more comments allow this one than the one before it; one more entry at the end.
+    /// For each finding how many more comments allow it than the finding before it; one more entry at the end.
     steps: Vec<i32>,
 }
 
@@ -80,7 +82,8 @@ impl FindingsByCode {
         FindingsByCode { codes, is_wrong }
     }
 
-    /// Allows what begins in a stretch of text, its end included; says whether anything does.
+    /// Allows the findings of some codes that begin in a stretch of text, its end included. Returns whether there are
+    /// any.
     fn allow(&mut self, codes: &Selector, covers: Span) -> bool {
         let mut any = false;
         for (_, of) in self
@@ -116,18 +119,20 @@ impl FindingsByCode {
 /// A comment that allows findings.
 struct Directive {
     comment: Span,
-    /// The comment with what belongs to nothing else once it is gone: its line, its `0`.
+    /// The span that a fix removes together with the comment: the spaces in front of it, or its whole line if no record
+    /// is on it.
     removal: Span,
-    /// The text that takes the comment's place: a space between two words that it keeps apart.
+    /// The text that takes the comment's place: a space if the comment stands between two words, which must not become
+    /// one.
     gap: &'static str,
     /// The entries between the brackets, and their span; `None` if the comment is no `allow(…)`.
     entries: Option<(Vec<String>, Span)>,
-    /// The span in which findings begin that the comment may allow.
+    /// The span in which the findings begin that the comment may allow; `None` if the comment covers nothing.
     covers: Option<Span>,
 }
 
 impl Directive {
-    /// `at` is the index of the comment's token.
+    /// Reads the comment whose token has the index `at`.
     fn new(layout: &mut Layout, at: usize) -> Directive {
         let (text, tokens) = (layout.context.text, &layout.context.document.tokens);
         let token = &tokens[at];
@@ -167,7 +172,7 @@ impl Directive {
         }
     }
 
-    /// Allows what it allows; remarks on what allows nothing or is not understood.
+    /// Allows the findings that the entries name. Returns remarks on entries that allow nothing or are not understood.
     fn apply(&self, found: &mut FindingsByCode) -> Vec<Diagnostic> {
         let new = |case| Diagnostic::new(Code::S504, self.comment).case(case);
         let Some((entries, list)) = &self.entries else {
@@ -184,7 +189,7 @@ impl Directive {
             if codes.only_errors() {
                 errors.push(entry.as_str());
             } else if codes.is(Code::S504) {
-                // It may be there to allow this very remark.
+                // The entry S504 may be there to allow this very remark.
                 own = true;
                 used.push(entry.as_str());
             } else if (self.covers).is_some_and(|covers| found.allow(&codes, covers))
@@ -214,7 +219,7 @@ impl Directive {
         let d = new("")
             .with("entries", unused.join(", "))
             .with("count", count(&unused));
-        // What is not understood is to be mended first.
+        // No fix is offered until the entries that are not understood are mended.
         if !remarks.is_empty() {
             remarks.push(d);
             return remarks;
@@ -227,16 +232,17 @@ impl Directive {
     }
 }
 
-/// Lines and records by their position. A file may be a single line, or nothing but such comments:
-/// nothing here is gone through twice.
+/// Lines and records by their position. A file may be a single line, or nothing but such comments, so no search here
+/// goes over the same text twice.
 struct Layout<'a, 'c> {
     context: &'a Context<'c>,
-    /// Indices of the tokens that end lines, and of those that end blank ones.
+    /// Indices of the tokens that end lines.
     breaks: Vec<u32>,
+    /// Indices of the tokens that end blank lines.
     blanks: Vec<u32>,
     /// Indices of the items that are not void.
     records: Vec<u32>,
-    /// The record that was asked for last, and all of its lines.
+    /// The record that `below` found last, and the span of its lines.
     last: Option<(u32, Span)>,
 }
 
@@ -314,7 +320,7 @@ impl<'a, 'c> Layout<'a, 'c> {
         first == self.records.len() || self.record(first).start >= line.end
     }
 
-    /// A line with all of the items that have a part in it, if one of them is a record.
+    /// The span of a line together with all items that have a part in the line; `None` if none of these is a record.
     fn records_on(&self, line: Span) -> Option<Span> {
         if self.is_alone(line) {
             return None;
@@ -331,14 +337,14 @@ impl<'a, 'c> Layout<'a, 'c> {
         self.records.is_empty() || self.record(0).start >= at
     }
 
-    /// The lines of the record on the line that begins with a token, or on one of the next lines if
-    /// nothing but comments stands between.
+    /// The span of the record on the line that begins with a token, or on one of the next lines if nothing but comments
+    /// stands in between, with the rest of the record's last line. `None` if there is none.
     fn below(&mut self, token: usize) -> Option<Span> {
         let document = self.context.document;
         let first = |i: u32| document.items[i as usize].ends().0 as usize;
         let next = self.records.partition_point(|&i| first(i) < token);
         let &record = self.records.get(next)?;
-        // Each line break between ends a line with a comment on it: none is blank.
+        // A blank line in between separates the comment from the record.
         let blank = self.blanks.partition_point(|&b| (b as usize) < token);
         if (self.blanks.get(blank)).is_some_and(|&b| (b as usize) < first(record)) {
             return None;
@@ -346,7 +352,7 @@ impl<'a, 'c> Layout<'a, 'c> {
         if let Some((_, lines)) = self.last.filter(|last| last.0 == record) {
             return Some(lines);
         }
-        // With all that stands on its lines.
+        // The span includes all that stands behind the record on its last line.
         let span = self.span(record as usize);
         let rest = &self.context.text[span.end as usize..];
         let end = rest.find(['\n', '\r']).unwrap_or(rest.len());

@@ -1,4 +1,4 @@
-//! A small picture, for rules about what a picture shows.
+//! A small picture that is traced for rules about what a scene's picture shows.
 
 use crate::scene::{Camera, Scene, Texture};
 use crate::trace::pixels::Pixels;
@@ -8,15 +8,17 @@ use std::ops::ControlFlow;
 
 /// The size of the picture, in pixels: a few milliseconds in all.
 pub(super) const SIZE: [u32; 2] = [72, 54];
-/// Step from one pixel that is looked at to the next, in rows: it has no factor in common with the number of pixels, so
-/// that all come up, and is near their golden section, so that the first ones are spread over the picture.
+/// Step from one examined pixel to the next, counted row by row. The step has no factor in common with the number of
+/// pixels, so that all come up, and is near their golden section, so that the first ones are spread over the picture.
 const STRIDE: u32 = 2401;
-/// Larger scenes take longer than a few milliseconds to be made ready.
+/// Most nodes of a scene: larger scenes take more than a few milliseconds to prepare.
 pub(super) const MAX_NODES: usize = 1000;
-/// Tests of shapes in a picture, each as dear as 80 of boxes: nothing is said of what takes longer to look at.
+/// Most intersection tests of shapes for a picture; 80 tests of boxes count as one. A picture that takes more is given
+/// up.
 const MAX_TESTS: u64 = 18_000;
 
-/// The scene with a colour in the place of its image textures, for questions that no picture's colours matter to.
+/// The scene with a colour in place of its image textures, for questions to which the colours of the picture do not
+/// matter.
 pub(super) fn without_images(scene: &Scene) -> Cow<'_, Scene> {
     let is_image = |t: &Option<Texture>| matches!(t, Some(Texture::Image { .. }));
     if !scene.paints.iter().any(|p| is_image(&p.texture)) {
@@ -28,8 +30,8 @@ pub(super) fn without_images(scene: &Scene) -> Cow<'_, Scene> {
     Cow::Owned(plain)
 }
 
-/// Shows the pixels of a small picture to `look`, until that breaks off: each one once, and however many those are, they are
-/// spread over the picture. `None` where the picture cannot be taken or takes too long.
+/// Shows the pixels of a small picture to `look`, each one once, until `look` breaks off. However many those are, they
+/// are spread over the picture. `None` if the picture cannot be taken or takes too long.
 pub(super) fn glance(
     scene: &Scene,
     images: &Images,

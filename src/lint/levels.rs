@@ -1,5 +1,4 @@
-//! How much each finding weighs: what the command line and `zpg.toml` make of the codes' own
-//! severities.
+//! The levels of findings: how the command line and `zpg.toml` change the severities of the codes.
 
 use std::fmt;
 use std::str::FromStr;
@@ -44,12 +43,12 @@ impl Level {
     }
 }
 
-/// A code or several: `W307`, `overlapping-union`, `W3` for all that begin so, `warnings`, `notes`,
-/// `style`, `all`.
+/// One code or several: `W307`, `overlapping-union`, `W3` for all codes that begin so, `warnings`, `notes`, `style`,
+/// `all`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Selector(Vec<Code>);
 
-/// The names of many codes.
+/// The names of groups of codes.
 pub const GROUPS: [&str; 4] = ["all", "notes", "style", "warnings"];
 
 /// The error of a text that selects no rule.
@@ -59,7 +58,7 @@ pub struct UnknownCode(String);
 impl UnknownCode {
     /// The message, with the code or name that may have been meant.
     pub fn complaint(&self) -> Complaint {
-        // Of a code one character may be wrong.
+        // A code may be wrong in one character, a name in more.
         let codes = Code::ALL.iter().map(|c| (c.as_str(), 1));
         let most = 1 + self.0.len() / 4;
         let names = Code::ALL.iter().map(|c| c.name()).chain(GROUPS);
@@ -112,8 +111,7 @@ impl FromStr for Selector {
 }
 
 impl Selector {
-    /// The code, if it selects just one and that is an error of the language, which no setting
-    /// changes.
+    /// The code, if the selector selects just one and that code is an error of the language, which no setting changes.
     pub fn fixed_error(&self) -> Option<Code> {
         match self.0.as_slice() {
             [code] if code.is_never_allowed() => Some(*code),
@@ -121,7 +119,7 @@ impl Selector {
         }
     }
 
-    /// How many codes it selects.
+    /// The number of codes that the selector selects.
     pub fn breadth(&self) -> usize {
         self.0.len()
     }
@@ -146,8 +144,8 @@ impl Selector {
     }
 }
 
-/// The codes that a run is to report. Of several selectors of one code, the one that selects the fewest codes counts;
-/// of equal ones the one that turns reports off.
+/// The codes that a run is to report. If several selectors hold a code, the one that selects the fewest codes counts;
+/// among equal ones the one that turns reports off.
 #[derive(Debug, Clone, Default)]
 pub struct Choice {
     /// The only rules that run, unless the list is empty.
@@ -159,7 +157,7 @@ pub struct Choice {
     pub deny: Vec<Selector>,
 }
 
-/// A level for each code that has another one than its own.
+/// The levels that settings give to codes in place of the codes' own severities.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Levels {
     own: Vec<(Code, Level)>,
@@ -168,19 +166,19 @@ pub struct Levels {
 }
 
 impl Levels {
-    /// Gives codes a level; what was said of them before counts no more.
+    /// Gives codes a level, in place of any earlier one.
     pub fn set(&mut self, codes: &Selector, level: Level) {
         self.own.retain(|(code, _)| !codes.holds(*code));
         self.own.extend(codes.0.iter().map(|&code| (code, level)));
     }
 
-    /// Takes codes out for good: no choice brings them back.
+    /// Turns codes off for good: no choice brings them back.
     pub fn ignore(&mut self, codes: &Selector) {
         self.ignored.extend(&codes.0);
     }
 
-    /// Takes out what is off and gives the rest its weight. Errors of the language stay what they
-    /// are.
+    /// Removes findings whose code is off, and gives the others the severity of their level. Errors of the language
+    /// stay as they are.
     pub fn apply(&self, choice: &Choice, diagnostics: &mut Vec<Diagnostic>) {
         diagnostics.retain_mut(|d| {
             if d.is_error() {
@@ -197,12 +195,12 @@ impl Levels {
         });
     }
 
-    /// Whether findings of a code that are no errors of the language are reported at all.
+    /// Whether findings of a code are reported at all, errors of the language aside.
     pub fn is_on(&self, choice: &Choice, code: Code) -> bool {
         self.of(choice, code) != Some(Level::Off)
     }
 
-    /// The level of a code, if it is not its own.
+    /// The level of a code; `None` if the code keeps its own severity.
     pub fn of(&self, choice: &Choice, code: Code) -> Option<Level> {
         if self.ignored.contains(&code) {
             return Some(Level::Off);
@@ -220,7 +218,7 @@ impl Levels {
         let own = self.own.iter().find(|(c, _)| *c == code);
         let mut level = own.map(|(_, level)| *level);
         if selected.is_some() {
-            // Chosen by name, it is on.
+            // A code that is selected is on, even if the settings turn it off.
             level = level.filter(|&l| l != Level::Off);
         } else if !choice.select.is_empty() {
             level = Some(Level::Off);

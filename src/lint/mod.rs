@@ -1,5 +1,5 @@
-//! Rules over the tree and the scene, one folder a rule in [`rules`]. A rule never speaks about a record that is
-//! broken: the parser or the resolver has done so.
+//! The linter: rules about the syntax tree and the scene, a folder for each in [`rules`]. A rule never reports a record
+//! that is broken: the parser or the resolver has done so.
 
 mod allow;
 mod glance;
@@ -27,15 +27,15 @@ use crate::scene::{Node, NodeId, Scene};
 use crate::solids::bounds::{NodeBounds, node_bounds};
 use crate::syntax::{Document, Item};
 
-/// Bounds that are thinner than this share of their reach are flat: that is what a few roundings leave.
+/// Bounds that are thinner than this share of their reach are flat: a few roundings leave that much.
 const FLAT_REL_EXTENT: f64 = 1e-9;
 
-/// The file, the scene and what is computed of them, for all rules.
+/// The file, the scene and what is computed from both, for all rules.
 pub struct Context<'a> {
     pub text: &'a str,
     pub document: &'a Document,
     pub scene: &'a Scene,
-    /// The folder that the scene lies in, if it is a file.
+    /// The folder of the scene's file; `None` if the scene does not come from a file.
     folder: Option<&'a Path>,
     bounds: &'a OnceLock<Vec<NodeBounds>>,
     names: OnceLock<Option<Names>>,
@@ -43,7 +43,7 @@ pub struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    /// A context; `bounds` are those of the scene, which are found when a rule first asks for them.
+    /// Makes a context. `bounds` are those of the scene's nodes, and are computed when a rule first asks for them.
     pub fn new(
         text: &'a str,
         document: &'a Document,
@@ -61,7 +61,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The context of a scene that lies in a folder.
+    /// Sets the folder of the scene's file.
     #[must_use]
     pub fn within(self, folder: Option<&'a Path>) -> Context<'a> {
         Context { folder, ..self }
@@ -72,18 +72,18 @@ impl<'a> Context<'a> {
         self.bounds.get_or_init(|| node_bounds(self.scene))
     }
 
-    /// The operations of which something is known for certain.
+    /// The operations that are certainly empty, or certainly take nothing away.
     fn proven(&self) -> &[Proven] {
         self.proven.get_or_init(|| operations::proven(self))
     }
 
-    /// The names by which records refer to each other; `None` if something is named that is not there.
+    /// The names by which records refer to each other; `None` if a record names an ID that does not exist.
     fn names(&self) -> Option<&Names> {
         let names = || Names::new(self.document, self.scene);
         self.names.get_or_init(names).as_ref()
     }
 
-    /// The parameters of the record that starts where the span does.
+    /// The parameters of the record that starts where the span does; `None` if none starts there.
     fn params(&self, span: Span) -> Option<Params<'_>> {
         let items = &self.document.items;
         let start = |item: &Item| self.document.tokens[item.ends().0 as usize].start;
@@ -96,22 +96,22 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Whether all of a node is within a plane across an axis: no more than a face.
+    /// Whether the bounds of a node are flat along an axis, so that the node is no more than a face.
     fn is_flat(&self, node: NodeId) -> bool {
         let all = &self.bounds()[node as usize].all;
         let least = all.extent().into_iter().fold(f64::INFINITY, f64::min);
         all.is_finite() && least <= FLAT_REL_EXTENT * all.reach()
     }
 
-    /// Whether the last numbers of the record that starts where the span does may be another one's.
+    /// Whether the last numbers of the record that starts where the span does may belong to another record.
     fn is_doubted(&self, span: Span) -> bool {
         let item = self.document.item_at(span.start);
         item.is_some_and(|i| self.document.is_doubted(self.document.items[i].ends().0))
     }
 }
 
-/// Whether an ID stands for each node at the end of the file, or for something made of it: not for the steps between
-/// two records that change one object.
+/// For each node whether, at the end of the file, an ID stands for the node or for an object made of it. The states of
+/// an object between two records that change it do not count, but all operations do.
 fn live_nodes(scene: &Scene) -> Vec<bool> {
     let mut live = vec![false; scene.nodes.len()];
     for node in scene.entities.iter().filter_map(|e| e.node()) {
@@ -119,7 +119,7 @@ fn live_nodes(scene: &Scene) -> Vec<bool> {
     }
     // Children stand before their parents.
     for (i, node) in scene.nodes.iter().enumerate().rev() {
-        // Operations are records of their own, whatever becomes of their results.
+        // An operation is a record of its own and counts, even if nothing uses its result.
         let operation = matches!(
             node,
             Node::Union(..) | Node::Intersection(..) | Node::Difference(..) | Node::Complement(_)
@@ -134,7 +134,7 @@ fn live_nodes(scene: &Scene) -> Vec<bool> {
     live
 }
 
-/// The objects that are drawn; without a render record all that are part of no other.
+/// The nodes of the objects that are drawn; without a render record all live ones that are part of no other.
 pub fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
     if let Some(render) = &scene.render {
         return vec![render.root];
@@ -149,12 +149,12 @@ pub fn roots(scene: &Scene, live: &[bool]) -> Vec<NodeId> {
     tops.map(|i| i as NodeId).collect()
 }
 
-/// Runs the rules that are asked for, side by side; the findings are added to those of the parser and the
-/// resolver, and what comments allow is taken out. A rule that asks for records that the scene does not have does
-/// not run.
+/// Runs the rules that are asked for, side by side. Adds their findings to those of the parser and the resolver, and
+/// takes out the findings that comments allow. A rule does not run if the scene lacks the records that the rule asks
+/// for.
 pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec<Diagnostic>) {
     let contents = &context.document.contents;
-    // What a comment allows must be looked for, if only to know that it is there.
+    // With comments that allow findings, all rules run: an entry that allows nothing is a finding itself.
     let allowing = allow::comments(context);
     let all = !allowing.is_empty();
     let is_wrong = out.iter().any(Diagnostic::is_error);
@@ -170,7 +170,7 @@ pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec
         found
     };
     let found = match context.document.items.len() < MIN_RECORDS_FOR_THREADS {
-        // To share them out would take longer.
+        // To share the rules out would take longer.
         true => (0..rules.len()).map(found).collect(),
         false => parallel::map(rules.len(), found),
     };
@@ -179,7 +179,7 @@ pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec
     if is_wrong {
         let found = out[first..].iter_mut();
         let fixes = found
-            // A bound is held against what changes the object, which may be what cannot be read.
+            // W311 holds a bound against the changed object, and the change may be what cannot be read.
             .filter(|d| takes_records_out(d.code) || d.code == Code::W311)
             .map(|d| &mut d.fixes);
         fixes.for_each(Vec::clear);
@@ -187,8 +187,8 @@ pub fn run(context: &Context, asked: impl Fn(Code) -> bool + Sync, out: &mut Vec
     allow::apply(context, &allowing, out);
 }
 
-/// The ID of the first record that findings say gives out more light than it gets (W301, W302), without those that
-/// comments allow.
+/// The ID of the first record that W301 or W302 reports as giving out more light than it gets. Findings that comments
+/// allow do not count. `None` if there is none.
 pub fn glaring(context: &Context, is_on: impl Fn(Code) -> bool) -> Option<u32> {
     let mut found = Vec::new();
     if is_on(Code::W301) {
@@ -208,7 +208,7 @@ pub fn glaring(context: &Context, is_on: impl Fn(Code) -> bool) -> Option<u32> {
         let Item::Record(record) = &items[at] else {
             return None;
         };
-        // Negative parts of colours are findings, too.
+        // W301 also reports negative parts of colours.
         let p = context.record_params(record);
         let is_above = (0..p.len()).any(|i| d.span.touches(p.span_of(i, 1)) && p.number(i) > 1.0);
         let is_bright = match d.code {
@@ -221,7 +221,7 @@ pub fn glaring(context: &Context, is_on: impl Fn(Code) -> bool) -> Option<u32> {
     found.iter().find_map(glares)
 }
 
-/// How many objects findings say are not part of what is drawn (W310), without those that comments allow.
+/// The number of objects that W310 reports as not drawn. Findings that comments allow do not count.
 pub fn undrawn(context: &Context) -> usize {
     let mut found = Vec::new();
     rules::unused_definition::check(context, &mut found);
@@ -237,12 +237,12 @@ pub fn is_of_pictures(code: Code) -> bool {
     rules::OF_PICTURES.contains(&code)
 }
 
-/// Whether the fixes of a rule take records out.
+/// Whether the fixes of a rule remove records.
 pub fn takes_records_out(code: Code) -> bool {
     rules::TAKING_OUT.contains(&code)
 }
 
-/// Scenes of fewer records are looked at by one thread.
+/// Number of records below which all rules run in one thread.
 const MIN_RECORDS_FOR_THREADS: usize = 64;
 
 #[cfg(test)]

@@ -1,34 +1,34 @@
 //! Intersections and differences with a proof that they are empty, or that nothing is taken away.
 //!
-//! An operation without unions is that everything of a list is to hold: some things, and the complements of others. It is
-//! empty if two of the first lie apart, if one of the first lies within one of the second, or is the same. Chains keep a
-//! few of their list only.
+//! An operation without unions is the intersection of a list: of some objects, and of the complements of others. It is
+//! empty if two of the objects lie apart, or if an object lies within a complemented one or equals it. Of a long chain
+//! of operations only a few list entries are kept.
 
 use super::Context;
 use crate::scene::{Node, NodeId, fold_up};
 use crate::solids::proofs::{Literals, Proofs, Reason};
 
-/// An intersection or a difference of which something is known.
+/// An intersection or a difference with a proof.
 pub(super) struct Proven {
     pub node: NodeId,
     pub what: Proof,
 }
 
 pub(super) enum Proof {
-    /// An operation with nothing in it, because of two nodes.
+    /// An operation that is empty because of these two nodes.
     Empty(NodeId, NodeId, Reason),
     /// A difference whose operands have nothing in common.
     Idle(Reason),
 }
 
-/// All such operations, in the order of the nodes. Operations with an empty operand are left out: the operand has a
-/// proof already.
+/// All operations with a proof, in the order of the nodes. Operations with an empty operand are left out: the operand
+/// has a proof already.
 pub(super) fn proven(context: &Context) -> Vec<Proven> {
     let scene = context.scene;
     let bounds = context.bounds();
     let mut proofs = Proofs::new(scene, bounds);
     let mut out = Vec::new();
-    // Whether a node is empty: that has been spoken of, here or by the rules about shapes. And its list.
+    // For each node whether it is empty, which a finding here or of the rules about shapes says, and its list.
     fold_up(&scene.nodes, |node, made, done: &[(bool, Literals)]| {
         let is_empty = |n: NodeId| done[n as usize].0;
         let list = |n: NodeId| done[n as usize].1;

@@ -7,11 +7,12 @@ use crate::scene::{Node, NodeId, Scene, fold_up};
 pub(super) struct Parts {
     /// The node of a surface that is part of the object.
     pub surface: Option<NodeId>,
-    /// Whether something solid is.
+    /// Whether a solid is part of the object.
     pub solid: bool,
 }
 
-/// The parts of each node. A result of an operation with a surface has none: the finding there says what it is.
+/// The parts of each node. The result of an intersection, a difference or a complement counts as solid alone: the
+/// finding at the operation says what a surface becomes there.
 pub(super) fn parts(scene: &Scene) -> Vec<Parts> {
     fold_up(&scene.nodes, |i, node, parts: &[Parts]| {
         let of = |n: NodeId| parts[n as usize];

@@ -1,4 +1,4 @@
-//! Records behind a lamp on its line that may be its place.
+//! Shapes behind a lamp, on the lamp's line, that may be meant as the lamp's place.
 
 use rustc_hash::FxHashMap;
 
@@ -10,7 +10,7 @@ use crate::syntax::{Item, Record};
 
 impl<'a> Context<'a> {
     /// Each lamp with the record behind it that may be its place, as `5 9 5` in `50 -402 1 5 9 5`: three numbers on the
-    /// lamp's line that are a shape, whose ID stands nowhere else.
+    /// lamp's line that are read as a shape, and whose ID stands nowhere else.
     pub(super) fn lamps_with_places(&self) -> Vec<(&'a Record, &'a Record)> {
         let pairs = self.document.items.windows(2).filter_map(|pair| {
             let [Item::Record(lamp), Item::Record(place)] = pair else {

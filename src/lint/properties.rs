@@ -1,4 +1,4 @@
-//! The records that give objects their properties, for rules that repeat them.
+//! The records that give objects their properties, for rules that repeat these records for another object.
 
 use rustc_hash::FxHashMap;
 
@@ -7,10 +7,10 @@ use crate::scene::{Node, NodeId, Paint};
 use crate::syntax::Record;
 use crate::syntax::table::{Effect, Family};
 
-/// Texture, optics, refractive index.
+/// The number of aspects of a paint: texture, optics and refractive index.
 pub(super) const ASPECTS: usize = 3;
 
-/// Whether a paint overrides each aspect.
+/// For each aspect whether a paint gives it.
 pub(super) fn sets(paint: &Paint) -> [bool; ASPECTS] {
     [
         paint.texture.is_some(),
@@ -19,10 +19,11 @@ pub(super) fn sets(paint: &Paint) -> [bool; ASPECTS] {
     ]
 }
 
-/// The records that give properties to objects, and when properties change themselves.
+/// The records that give properties to objects, and the last changes of the properties themselves.
 pub(super) struct Properties<'a> {
+    /// For each ID the records that give it properties.
     given: FxHashMap<u32, Vec<&'a Record>>,
-    /// The start of the last record with this ID.
+    /// For each ID the first token of the last record that may change it.
     last: FxHashMap<u32, u32>,
 }
 
@@ -44,8 +45,8 @@ impl<'a> Properties<'a> {
         properties
     }
 
-    /// The records that give an operand its properties, once more for the result; `None` if these do
-    /// not make up all that differs, or would no longer mean the same.
+    /// The texts of records that give the operand's properties to the result as well. `None` if the operand's own paint
+    /// does not give all aspects that `differ`, or if one of its records names an ID that has changed since.
     pub(super) fn again(
         &self,
         context: &Context,
@@ -66,7 +67,7 @@ impl<'a> Properties<'a> {
         if paint.owner != operand || (0..ASPECTS).any(|i| differ[i] && !set[i]) {
             return None;
         }
-        // Up to the operation, of which the operand's node is a part.
+        // Only records up to the one that made the paint, which the operation took.
         let end = scene.origins[node as usize].span.end;
         let mut lines = Vec::new();
         for &record in self.given.get(&operand)? {

@@ -1,4 +1,4 @@
-//! Points of an object's surface that rays meet.
+//! The search with rays for points of an object's surface.
 
 use crate::geometry::Aabb;
 use crate::geometry::vec;
@@ -8,21 +8,20 @@ use crate::solids::extent::{WRITTEN, beyond, farthest_out, size};
 use crate::solids::outline::Met;
 use crate::trace::{Crossing, Ray, Tracer};
 
-/// Rays for all searches of a rule together: some tenths of a second in the largest scenes.
+/// Most rays for all searches of a rule together: some tenths of a second in the largest scenes.
 pub(super) const RAYS: usize = 6000;
 
-/// How many leaves a search aims at, those first that reach furthest out.
+/// Most boxes that a search aims at: those that reach furthest out come first.
 const AIMS: usize = 24;
 
-/// Places at which rays go through a region, as shares of its sides: the middle first, where round things reach
-/// furthest, and close to the borders, where those with corners do.
+/// Places at which rays go through a region, as shares of its sides. The middle comes first, where round shapes reach
+/// furthest; then places close to the borders, where shapes with corners do.
 const SHARES: [f64; 5] = [0.5, 0.25, 0.75, 0.004, 0.996];
 
-/// The geometry of single objects without looks, to be traced from any node: a boundary is then
-/// nothing but where a solid ends.
+/// Extracts single objects as scenes of their own, without paints. A boundary is then nothing but where a solid ends.
 pub(super) struct Bare<'a> {
     scene: &'a Scene,
-    /// For each node its number in what is being built, or [`NONE`].
+    /// For each node its number in the scene that is being built, or [`NONE`].
     numbers: Vec<u32>,
 }
 
@@ -34,13 +33,14 @@ impl<'a> Bare<'a> {
         }
     }
 
-    /// An object with all that it is made of and nothing else, itself last; `None` if that is more nodes than are left.
+    /// The scene of a single object and all that it is made of, the object's node last. `None` if that is more nodes
+    /// than `left`. The nodes are subtracted from `left`.
     pub(super) fn of(&mut self, root: NodeId, left: &mut usize) -> Option<Scene> {
         let scene = self.scene;
         let mut nodes = Vec::new();
         let mut todo = vec![root];
         while let Some(node) = todo.pop() {
-            // Any number: it is known.
+            // Any number but `NONE` marks the node as known.
             if std::mem::replace(&mut self.numbers[node as usize], 0) == NONE {
                 nodes.push(node);
                 todo.extend(scene.nodes[node as usize].children());
@@ -63,7 +63,7 @@ impl<'a> Bare<'a> {
         all.then_some(out)
     }
 
-    /// Adds a node whose children are there; says its number.
+    /// Adds a node whose children have been added. Returns its number in `out`.
     fn add(&self, node: NodeId, out: &mut Scene) -> u32 {
         let at = |child: NodeId| self.numbers[child as usize];
         let origin = self.scene.origins[node as usize];
@@ -87,7 +87,7 @@ impl<'a> Bare<'a> {
     }
 }
 
-/// A bare scene made ready.
+/// A tracer of a bare scene, with its last node as the root; `None` if the scene cannot be traced.
 pub(super) fn tracer(mut bare: Scene) -> Option<Tracer> {
     bare.render = Some(Render {
         root: bare.nodes.len().checked_sub(1)? as NodeId,
@@ -99,8 +99,8 @@ pub(super) fn tracer(mut bare: Scene) -> Option<Tracer> {
     Tracer::new(&bare).ok()
 }
 
-/// The parts of a finite box that may be outside of a volume: what lies beyond each of the sides of
-/// a box, or all of it.
+/// The parts of a finite box that may be outside of a volume: for a bounding box, the part of `bounds` beyond each of
+/// its sides; for a sphere, all of `bounds`.
 pub(super) fn regions(volume: &Volume, bounds: &Aabb) -> Vec<Aabb> {
     let Volume::Box { min, max } = volume else {
         return vec![*bounds];
@@ -115,16 +115,17 @@ pub(super) fn regions(volume: &Volume, bounds: &Aabb) -> Vec<Aabb> {
     out
 }
 
-/// A search for points of a node's surface in some place.
+/// A search with rays for points of an object's surface outside or inside of a volume.
 pub(super) struct Search<'a> {
     pub tracer: &'a Tracer,
-    /// How many rays are left.
+    /// The number of rays that are left.
     pub rays: &'a mut usize,
 }
 
 impl Search<'_> {
-    /// A point of the surface outside of a volume by more than rounding, of those that `counts` lets
-    /// pass; the furthest of those met first. `aims` are finite boxes that hold what is looked for.
+    /// A point of the surface that is outside of a volume by more than rounding, on a shape whose ID `counts` accepts:
+    /// the furthest one in the first region in which there are any. `aims` are finite boxes that hold what is looked
+    /// for.
     pub(super) fn outside(
         &mut self,
         volume: &Volume,
@@ -148,7 +149,7 @@ impl Search<'_> {
         None
     }
 
-    /// A point of the surface inside of a box by more than rounding.
+    /// A point of the surface that is inside of a box by more than rounding. `None` if none is found, and for a sphere.
     pub(super) fn inside(&mut self, volume: &Volume, mut aims: Vec<Aabb>) -> Option<Met> {
         let Volume::Box { min, max } = volume else {
             return None;
@@ -167,12 +168,13 @@ impl Search<'_> {
         })
     }
 
-    /// The crossing of some rays through a region to which the most is given.
+    /// The crossing that is worth most, of those that rays along the three axes have in a region. A crossing for which
+    /// `worth` is `None` does not count.
     fn best(&mut self, region: &Aabb, worth: impl Fn(&Crossing) -> Option<f64>) -> Option<Met> {
         let mut walkers = self.tracer.walker::<f64>();
         let mut best: Option<(f64, Met)> = None;
         let side = |i: usize| region.max[i] - region.min[i];
-        // Rays start before the region, and flat things have no thickness to start before.
+        // Rays start before the region, by a share of its longest side: a flat region has no thickness of its own.
         let lead = 0.01 * side(0).max(side(1)).max(side(2));
         for axis in 0..3 {
             let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -202,6 +204,6 @@ impl Search<'_> {
     }
 }
 
-/// How many times its own bound a crossing's error may be exceeded: the bound is one, this is for the
-/// two roundings of the comparison.
+/// The number of its error bounds by which a crossing must be clear of a boundary: one for the error, one for the two
+/// roundings of the comparison.
 const SKINS: f64 = 2.0;

@@ -20,8 +20,7 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// Whether something stands in the file that could not be read. It may use, change or define
-    /// anything.
+    /// Whether the file has text that could not be read. It may use, change or define anything.
     pub fn has_broken(&self) -> bool {
         self.document.contents.broken
     }
@@ -35,7 +34,7 @@ impl<'a> Context<'a> {
         names::references(self.document, record)
     }
 
-    /// The IDs of the records that meet a condition, and of all that these are made of.
+    /// The IDs of the records that meet a condition, and of all objects and properties that these are made of.
     pub fn with_parts(&self, is: impl Fn(&Record) -> bool) -> FxHashSet<u32> {
         let mut out = FxHashSet::default();
         let records: Vec<&Record> = self.records().collect();
@@ -48,7 +47,7 @@ impl<'a> Context<'a> {
         out
     }
 
-    /// An ID that is free: one above the largest of the file, if there is one.
+    /// A free ID, one above the largest of the file; `None` if the file has no IDs or the largest possible one.
     pub fn free_id(&self) -> Option<u32> {
         const LARGEST: u32 = i32::MAX as u32;
         let ids = self.document.items.iter().filter_map(|item| match item {
@@ -59,7 +58,7 @@ impl<'a> Context<'a> {
         Some(ids.max()? + 1).filter(|&id| id <= LARGEST)
     }
 
-    /// The name of each ID: the title of the record that defines it.
+    /// For each ID the title of the record that defines it, by which messages name the ID.
     pub fn titles(&self) -> FxHashMap<u32, &'static str> {
         let mut titles = FxHashMap::default();
         for record in self.records() {
@@ -71,7 +70,7 @@ impl<'a> Context<'a> {
         titles
     }
 
-    /// A fix that puts lines behind a record. Its line breaks become those of the text where it is
+    /// A fix that puts lines behind a record. The line breaks of the lines become those of the text where the fix is
     /// applied.
     pub fn add_behind(
         &self,
@@ -82,7 +81,7 @@ impl<'a> Context<'a> {
     ) -> Fix {
         let tokens = &self.document.tokens;
         let next = tokens.partition_point(|t| t.start < span.end);
-        // What stands behind the record on its line stays there, a comment of several lines too.
+        // Comments behind the record on its line stay there, even if they have several lines.
         let rest = &tokens[next..];
         let comments = (rest.iter()).take_while(|t| t.kind().is_comment()).count();
         let (at, closes_line) = match rest.get(comments) {
@@ -97,8 +96,8 @@ impl<'a> Context<'a> {
         Fix::replace(title, applicability, Span::new(at, at), text)
     }
 
-    /// A fix that takes a record out, with its line if nothing else is on it. A comment behind it stays, behind a `0`.
-    /// `None` where a comment is within the record.
+    /// A fix that removes a record, with its line if nothing else is on the line. A comment behind the record stays,
+    /// behind a `0`. `None` if a comment is within the record.
     pub fn take_out(
         &self,
         record: &Record,
@@ -129,11 +128,11 @@ impl<'a> Context<'a> {
     }
 }
 
-/// The cameras that are written and take the picture, with the records that define them.
+/// The cameras that take the picture and are written in the file, each with the record that defines it.
 pub(super) fn chosen_cameras<'c>(context: &'c Context) -> Vec<(&'c Camera, Params<'c>)> {
     let scene = context.scene;
     let mut chosen: Vec<usize> = scene.view.cameras().collect();
-    // One may be both.
+    // One camera may be both eyes.
     chosen.dedup();
     let of = |at: usize| {
         let camera = scene.cameras.get(at)?;

@@ -1,4 +1,4 @@
-//! A sign that is lost in a place.
+//! A lost sign in the coordinates of a place.
 
 use super::Context;
 use super::spelling::opposite;
@@ -7,8 +7,9 @@ use crate::scene::record::Params;
 use crate::syntax::table::{RecordKind, ShapeKind};
 use crate::trace::plan::unseen::view::{Held, held};
 
-/// The coordinate that gets the other sign, and its text then, where one sign alone frees a place of the half-space or box
-/// that holds it. The place is what the first three numbers of a record say.
+/// The one coordinate whose other sign frees a place from `holder`, a half-space or box, and the text of the coordinate
+/// with that sign. `None` if no coordinate or several do so, or if the first three numbers of the record `place` are
+/// not `position`.
 pub fn sign_that_frees(
     context: &Context,
     position: Vec3,

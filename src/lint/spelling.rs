@@ -1,17 +1,17 @@
-//! Numbers in what findings say.
+//! The spelling of numbers in findings and fixes.
 
 use crate::scene::record::Params;
 use crate::syntax;
 use crate::trace::bitmap::linear;
 use crate::trace::film::srgb8;
 
-/// A number as it stands in a scene.
+/// Writes a number as it stands in a scene.
 pub fn spelled(x: f64) -> String {
     let text = format!("{:?}", x + 0.0);
     text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
 }
 
-/// The shortest decimal number that is shown as this part of a colour.
+/// The shortest decimal number for a part of a colour that pictures show as the sRGB byte `wanted`.
 pub fn linear_part(wanted: u8) -> String {
     let exact = linear(f64::from(wanted) / 255.0);
     let rounded = (0..=9).map(|digits| format!("{exact:.digits$}").parse().unwrap_or(exact));
@@ -21,12 +21,12 @@ pub fn linear_part(wanted: u8) -> String {
     spelled(found.unwrap_or(exact))
 }
 
-/// A difference of decimal numbers, without the rounding of its last digits.
+/// Writes the result of a calculation with decimal numbers, without the rounding of its last digits.
 pub fn decimal(x: f64) -> String {
     spelled(format!("{x:.11e}").parse().unwrap_or(x))
 }
 
-/// The text of a parameter with the other sign.
+/// The text of a parameter with the other sign; zero stays as it is.
 pub fn opposite(p: &Params, i: usize) -> String {
     match p.text_of(i) {
         text if p.number(i) == 0.0 => text.to_owned(),
@@ -34,7 +34,7 @@ pub fn opposite(p: &Params, i: usize) -> String {
     }
 }
 
-/// A number for people: four significant digits.
+/// Writes a number for people, with four significant digits.
 pub fn rough(x: f64) -> String {
     let exact = spelled(x);
     let digits = exact.bytes().filter(u8::is_ascii_digit).count();
@@ -44,8 +44,8 @@ pub fn rough(x: f64) -> String {
     }
 }
 
-/// A coordinate of a place on something of a size: to a thousandth of that, so that the place named
-/// is still there.
+/// Writes a coordinate of a place on an object of a given size, to a thousandth of the size: the place as written is
+/// still on the object.
 pub fn near(x: f64, size: f64) -> String {
     let digits = if size.is_finite() && size > 0.0 {
         3 - size.log10().floor() as i32
@@ -68,8 +68,8 @@ pub fn near(x: f64, size: f64) -> String {
     }
 }
 
-/// Three parts divided by their sum, in as many digits as show each to a thousandth of the whole. Their decimals are 1
-/// at most.
+/// Three parts divided by their sum, with as many digits as show each to a thousandth of the whole. The written numbers
+/// add up to 1 at most.
 pub fn shares(k: &[f64], sum: f64) -> Vec<String> {
     const MAX_SHARE_ERROR: f64 = 5e-4;
     const FINEST: i32 = 9;
@@ -87,7 +87,7 @@ pub fn shares(k: &[f64], sum: f64) -> Vec<String> {
         .map(parts)
         .find(is_right)
         .unwrap_or_else(|| parts(FINEST));
-    // What is rounded up in all three is taken off the largest.
+    // If rounding makes the sum exceed 1, the excess is taken off the largest part.
     let excess = (parts.iter().sum::<f64>() - one).max(0.0);
     if let Some(largest) = parts.iter_mut().max_by(|a, b| a.total_cmp(b)) {
         *largest -= excess;

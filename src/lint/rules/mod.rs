@@ -1,4 +1,4 @@
-//! Rules, in a folder each.
+//! The rules of the linter, each in a folder of its own.
 //!
 //! A folder has the name of the rule's code, with underscores, and holds
 //!
@@ -9,7 +9,8 @@
 //! - `tests/*.zpg`: scenes, and beside each a snapshot of all that is printed about it and of what fixes make
 //!   of it (`tests/lint_rules.rs` runs them).
 //!
-//! Three lines name the folder: the code's in `diagnostics/code.rs`, and two here.
+//! Three lines name the folder: the line of its code in `diagnostics/code.rs`, and here its `mod` and its entry in
+//! `RULES`.
 
 mod angle_in_radians;
 mod asymmetric_quadric;
@@ -73,7 +74,7 @@ pub(super) struct Rule {
     pub code: Code,
     /// Looks at a scene and adds its findings.
     pub check: fn(&Context, &mut Vec<Diagnostic>),
-    /// A scene that has no record of one of these groups has nothing for the rule.
+    /// Groups of record types. The rule runs only on a scene that has a record of each group.
     pub asks_for: &'static [&'static [RecordKind]],
 }
 
@@ -91,7 +92,7 @@ const TRANSLATIONS: &[RecordKind] = &[R::Translation];
 const INTERSECTIONS: &[RecordKind] = &[R::Intersection];
 const SOLID_OPERATIONS: &[RecordKind] = &[R::Intersection, R::Difference, R::Complement];
 const BOUNDS: &[RecordKind] = &[R::BoundingBox, R::BoundingSphere];
-/// Shapes by their bounds, a radius or a height.
+/// Shapes that are given by their bounds, a radius or a height.
 const SIZED: &[RecordKind] = &[
     R::Shape(S::Box),
     R::Shape(S::Rectangle),
@@ -152,7 +153,7 @@ const THIN_SHAPES: &[RecordKind] = &[
     R::Shape(S::ColouredSurfaceOfRevolution),
 ];
 
-/// Every rule. Those that may take longest come first: they are begun in this order.
+/// All rules, in the order in which they are begun. The rules that may take longest come first.
 pub(super) const RULES: &[Rule] = &[
     Rule {
         code: Code::W321,
@@ -416,8 +417,8 @@ pub(super) const RULES: &[Rule] = &[
     },
 ];
 
-/// Rules about the picture as a whole, and about what several records make of an object. What an error leaves out of a
-/// scene may be what would be seen, or a property: they do not run then.
+/// Rules about the picture as a whole, or about an object that several records make. They do not run on a scene with an
+/// error: the error may leave out an object that would be seen, or a property.
 pub(super) const OF_PICTURES: &[Code] = &[
     Code::W307,
     Code::W318,
@@ -439,8 +440,7 @@ pub(super) const OF_PICTURES: &[Code] = &[
     Code::N608,
 ];
 
-/// Rules whose fixes take records out. Where there is an error such a record may be what is to be mended: no fix is
-/// offered then.
+/// Rules whose fixes remove records. They offer no fix in a scene with an error: the record may be the one to repair.
 pub(super) const TAKING_OUT: &[Code] = &[Code::W327, Code::W336];
 
 #[cfg(test)]

@@ -256,7 +256,9 @@ impl<'a> Witnesses<'a> {
         }
         let length = |l: usize| stretch.line_end(l) - stretch.line_start(l);
         !(last > first + 1 && length(last) == length(last - 1))
-            || self.is_change_of(stretch, stretch.sigs[start].int, last)
+            || [last - 1, last]
+                .iter()
+                .all(|&l| self.is_change_of(stretch, stretch.sigs[start].int, l))
     }
 
     /// Whether a line is a complete record that changes the object with an ID, which a row of numbers hardly is by chance.

@@ -7,21 +7,21 @@ use crate::scene::record::Params;
 use crate::solids::distance;
 use crate::syntax::table::RecordKind;
 
-/// The angles that people know by heart in radians: they are known with two decimals.
+/// Angles in degrees whose radians people know by heart: two decimals are enough to recognise them.
 const BY_HEART: [u32; 4] = [30, 45, 60, 90];
 
 /// The smallest angle of view, in degrees, that someone who writes radians is believed to mean.
 const SMALLEST: f64 = 10.0;
 
-/// Most times that the angle of the picture is exceeded by the angle under which its objects are seen where the picture
-/// was meant to be as narrow as it is. In radians it would be 57 times.
+/// The largest ratio of the angle under which the objects are seen to the angle of view, for a narrow picture that may
+/// be meant. If the angle was meant in radians, the picture is 57 times too narrow.
 const FITS: f64 = 4.0;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let cameras = &context.scene.cameras;
     for record in context.records().filter(|r| r.kind == RecordKind::Camera) {
         let p = context.record_params(record);
-        // Few numbers look like that.
+        // Few numbers look like an angle in radians, so the costlier test of the objects comes later.
         if in_degrees(&p).is_none() {
             continue;
         }
@@ -45,11 +45,11 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The place of the angle of view in the record.
+/// The index of the angle of view among the record's parameters.
 const FOVY: usize = 9;
 
-/// The angle in degrees that is meant by a camera, and by the record that defines it, whose angle of view looks like
-/// radians; and which case that is.
+/// The angle of view in degrees that a camera may mean, and the case of the finding. `p` is the record that defines the
+/// camera. `None` if the angle does not look like radians, or if the objects fit into the picture as it is.
 pub(super) fn meant(
     context: &Context,
     camera: &Camera,
@@ -61,8 +61,8 @@ pub(super) fn meant(
     in_degrees(p).filter(|_| !fits(context, camera))
 }
 
-/// The angle of view in degrees that the number of a camera is in radians, and the case of the finding: a usual angle,
-/// or any other that a camera may have.
+/// The angle of view, converted from radians to degrees, and the case of the finding: a usual angle, or any other that
+/// a camera may have. `None` if the result is no angle of view.
 fn in_degrees(p: &Params) -> Option<(String, &'static str)> {
     if let Some(degrees) = usual_view(p) {
         return Some((degrees.to_string(), ""));
@@ -72,14 +72,14 @@ fn in_degrees(p: &Params) -> Option<(String, &'static str)> {
     is_view.then(|| (((degrees * 100.0).round() / 100.0).to_string(), "unusual"))
 }
 
-/// The usual angle of view, in degrees, that the number of a camera is in radians.
+/// The usual angle of view, in degrees, whose radians are the number of a camera.
 fn usual_view(p: &Params) -> Option<u32> {
     let all = (2..=35).map(|k| 5 * k);
     usual(p.number(FOVY), p.text_of(FOVY), &BY_HEART, all)
 }
 
-/// The angle in degrees that a number is in radians, as far as its decimals go; rounded or cut off. With two decimals
-/// it is one of those that people know `by_heart`, with more any of `all`.
+/// The angle in degrees whose radians are `x`, to the decimals of the text `written`, rounded or cut off. A text with
+/// two decimals may only be an angle of `by_heart`, one with more decimals any of `all`. `None` if no angle fits.
 pub(super) fn usual(
     x: f64,
     written: &str,
@@ -97,12 +97,13 @@ pub(super) fn usual(
     match decimals.len() {
         0 | 1 => None,
         2 => by_heart.iter().copied().find(|d| is(d, 0.01)),
-        // π may have been 3.14.
+        // The writer may have taken 3.14 for π.
         _ => all.find(|d| is(d, 0.001)),
     }
 }
 
-/// Whether all finite parts of what is drawn fit into the picture as they are: small, or far away.
+/// Whether all finite parts of the scene fit into the picture or nearly so, within [`FITS`] times its angle: the
+/// objects are small or far away, and the small angle may be meant.
 fn fits(context: &Context, camera: &Camera) -> bool {
     let Some(render) = context.scene.render else {
         return false;

@@ -34,7 +34,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             }
         }
         edits.sort_by_key(|e| e.span);
-        // Its last numbers may be another record's: W314 says so.
+        // The last numbers of a doubted record may belong to another record: W314 reports it, and no fix is offered
+        // here.
         let is_doubted = context.is_doubted(span);
         let name = |i: usize| format!("m{}{}", i / 4 + 1, i % 4 + 1);
         let finding = Diagnostic::new(Code::W304, p.span_of(first, 1))

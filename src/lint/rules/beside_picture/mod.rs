@@ -1,4 +1,5 @@
-//! N608: a small object out of the picture that another reading of one coordinate brings into it.
+//! N608: a small object outside of the picture, where another reading of one coordinate, with the other sign or a
+//! decimal point, would bring the object into the picture.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::geometry::array::add;
@@ -14,11 +15,11 @@ use crate::syntax::{quote, tenth};
 use crate::trace::plan::unseen::view::USUAL;
 use crate::trace::plan::unseen::views::{Aside, Views};
 
-/// Number of nodes above which nothing is looked for.
+/// Most nodes of a scene for which the rule runs.
 const MAX_NODES: usize = 200_000;
-/// Number of objects out of the picture above which they are meant to be there.
+/// Most objects outside of the picture for which the rule runs: more of them are there on purpose.
 const MAX_ASIDE: usize = 4;
-/// Number of objects in the picture for each one out of it.
+/// Least number of objects in the picture for each object outside of it.
 const MIN_WITHIN_PER_ASIDE: usize = 2;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -36,14 +37,14 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     let picture = views.within.iter().fold(Aabb::EMPTY, |all, b| all.hull(b));
     for part in &views.aside {
-        // What is as large as all else is a wall or a ground.
+        // An object as large as all the others together is a wall or a floor.
         if part.bounds.radius() < picture.radius() {
             out.extend(finding(context, &views, part));
         }
     }
 }
 
-/// The finding about an object, where another reading brings it into the picture.
+/// The finding about an object outside of the picture; `None` if no other reading brings the object into the picture.
 fn finding(context: &Context, views: &Views, part: &Aside) -> Option<Diagnostic> {
     let (object, _) = named_core(context.scene, part.node)?;
     let readings: Vec<(Span, Fix)> = places(context, part)
@@ -62,12 +63,13 @@ fn finding(context: &Context, views: &Views, part: &Aside) -> Option<Diagnostic>
     Some(fixes.fold(finding, Diagnostic::fix))
 }
 
-/// The records of an object whose first three numbers are a place, with the maps from there into the scene. A copy does
-/// not move its original.
+/// The records of an object whose first three numbers are a place (translations and a sphere), each with the map from
+/// the record's coordinates into those of the scene. The list ends at a copy: the records below it are about its
+/// original.
 fn places<'c>(context: &'c Context, part: &Aside) -> Vec<(Params<'c>, Matrix)> {
     let scene = context.scene;
     let mut out = Vec::new();
-    // Something else moves it.
+    // More than the object's own transformations moves it, so its records do not say where it is.
     if scene.core(part.node, Matrix::IDENTITY).1 != part.moved {
         return out;
     }
@@ -88,8 +90,8 @@ fn places<'c>(context: &'c Context, part: &Aside) -> Vec<(Params<'c>, Matrix)> {
     out
 }
 
-/// Other readings of the coordinates of a place that bring an object into the picture: with a decimal point before the
-/// last digit, and with the other sign.
+/// The other readings of a place that bring the object into the picture, each with the span of the place and the fix:
+/// one coordinate has a decimal point before its last digit, or the other sign.
 fn readings(views: &Views, part: &Aside, p: &Params, map: &Matrix) -> Vec<(Span, Fix)> {
     let middle = |axis: usize, then: f64| {
         let mut by: Vec3 = [0.0; 3];
@@ -97,7 +99,7 @@ fn readings(views: &Views, part: &Aside, p: &Params, map: &Matrix) -> Vec<(Span,
         add(part.bounds.centre(), map.vector(by), 1.0)
     };
     let is_taken = |place: Vec3| views.within.iter().any(|b| b.contains(place));
-    // Pairs that stand on both sides are meant.
+    // An object at the mirrored place makes a pair with this one, so the sign is meant.
     if (0..3).any(|i| p.number(i) != 0.0 && is_taken(middle(i, -p.number(i)))) {
         return Vec::new();
     }

@@ -1,5 +1,5 @@
-//! W311: a bounding volume that does not hold its object. The proof is a point of the object's
-//! surface outside of it.
+//! W311: a bounding volume that does not hold its object. The proof is a point of the object's surface outside of the
+//! volume.
 
 use std::cell::Cell;
 
@@ -20,13 +20,13 @@ use crate::solids::lowest::lowest;
 use crate::solids::outline::{DIRECTIONS, Met, Outline};
 use crate::solids::tree::Tree;
 
-/// Nodes gone through for all bounding volumes of a file together.
+/// Most nodes visited, for all bounding volumes of a file together.
 const NODES: usize = 700_000;
 
-/// Rays for one of them at least, as long as there are any: enough to look at one box.
+/// Least number of rays for one bounding volume, as long as any are left: enough to search one box.
 const RAYS_EACH: usize = 75;
 
-/// Most steps of the closer look for one volume in which nothing has been met.
+/// Most steps of the closer look at one volume, if no ray has met the object outside of it.
 const MAX_CLOSE_LOOK_STEPS: usize = 60_000;
 /// Most steps of closer looks for all volumes together: some tenths of a second.
 const MAX_CLOSE_LOOK_STEPS_IN_ALL: usize = 6_000_000;
@@ -68,7 +68,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let Some(p) = context.params(promise.span) else {
             continue;
         };
-        // So finely that the place named is outside too.
+        // With enough digits that the printed point is outside, too.
         let out_by = beyond(&promise.volume, met.point);
         let [x, y, z] = met.point.map(|x| near(x, out_by));
         let mut d = Diagnostic::new(Code::W311, p.span_of(0, p.len()))
@@ -87,8 +87,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// A point of an object's surface outside of its volume, and the largest distance of the object's
-/// points from the middle of a sphere.
+/// Searches for a point of an object's surface outside of its volume. Returns the point, if one is found, and for a
+/// bounding sphere an upper bound of the distance of the object's points from its centre (infinity for a box).
 fn search(
     part: Scene,
     promise: &Promise,
@@ -121,7 +121,7 @@ fn search(
     if known.is_some() || spent || outline.is_exact(volume) {
         return (known, reach);
     }
-    // What has no end certainly reaches out: it is met close to the volume too.
+    // An endless shape certainly reaches out of the volume, and rays near the volume meet it, too.
     let around = around(volume);
     let aims = (tree.leaves.iter())
         .map(|l| l.bounds.intersection(whole))
@@ -141,7 +141,7 @@ fn search(
     (search.outside(volume, aims, |_| true), reach)
 }
 
-/// The radius of a sphere.
+/// The radius of a sphere, larger by the rounding of its written numbers; −∞ for a box.
 fn radius(volume: &Volume) -> f64 {
     match *volume {
         Volume::Box { .. } => f64::NEG_INFINITY,
@@ -149,7 +149,8 @@ fn radius(volume: &Volume) -> f64 {
     }
 }
 
-/// How far a point is from being outside of a volume by more than some slack.
+/// The distance by which a point falls short of being outside of a volume by more than `slack` (negative if it is), and
+/// the direction in which that distance grows.
 fn within(volume: &Volume, p: Vec3, slack: f64) -> Slope {
     let distance = slack - beyond(volume, p);
     let up = match *volume {
@@ -168,10 +169,10 @@ fn within(volume: &Volume, p: Vec3, slack: f64) -> Slope {
     Slope { distance, up }
 }
 
-/// A point of the surface outside of a volume, looked for where the object is furthest out: on edges that
+/// Searches for a point of the surface outside of a volume where the object reaches furthest out: on edges that
 /// operations have made, which no ray hits by chance.
 fn closely(part: &Scene, volume: &Volume, whole: &Aabb, left: &mut usize) -> Option<Met> {
-    /// How often the way out of the object is doubled, and its last step halved.
+    /// Most doublings of the step that leads out of the object, and halvings of the last step.
     const DOUBLINGS: usize = 40;
     const HALVINGS: usize = 60;
     let bounds = node_bounds(part);
@@ -195,7 +196,7 @@ fn closely(part: &Scene, volume: &Volume, whole: &Aabb, left: &mut usize) -> Opt
         found
     });
     let p = found?;
-    // From there on outwards, up to where the object ends.
+    // The point moves on outwards, up to where the object ends.
     let way = within(volume, p, slack).up.map(|x| -x * size(volume));
     let at = |t: f64| -> Vec3 { std::array::from_fn(|i| p[i] + t * way[i]) };
     let steps = (0..DOUBLINGS).map(|k| WRITTEN * 2f64.powi(k as i32));
@@ -215,7 +216,8 @@ fn closely(part: &Scene, volume: &Volume, whole: &Aabb, left: &mut usize) -> Opt
     })
 }
 
-/// Whether a volume certainly holds a box, up to what may be the rounding of its numbers.
+/// Whether a volume certainly holds a box, up to the rounding of its written numbers. `false` for every sphere:
+/// `search` judges spheres.
 fn held(volume: &Volume, b: &Aabb) -> bool {
     match volume {
         Volume::Box { .. } => {
@@ -239,8 +241,8 @@ fn around(volume: &Volume) -> Aabb {
     Aabb::new(middle.map(|x| x - reach), middle.map(|x| x + reach))
 }
 
-/// The volume made large enough: the sides of a box that are too near go where the object's bounds
-/// are, the radius of a sphere grows.
+/// The fix that enlarges the volume: the sides of a box that are too near move to the object's bounds, the radius of a
+/// sphere grows to `reach`. `None` if the object has no end.
 fn enlarged(p: &Params, promise: &Promise, whole: &Aabb, reach: f64) -> Option<Fix> {
     let mut edits = Vec::new();
     let mut set = |i: usize, x: f64, up: bool, size: f64| {
@@ -270,9 +272,9 @@ fn enlarged(p: &Params, promise: &Promise, whole: &Aabb, reach: f64) -> Option<F
     })
 }
 
-/// A number rounded up or down to about six digits of a size; bounds are rounded outwards by some
-/// 1e-15, and what is a whole number but for that shall be one, which is a thousand times less than
-/// the language lets pass.
+/// Rounds a number up or down, to about six digits of `size`, and writes it. Computed bounds are too large by some
+/// 1e-15 of the size, so a number that exceeds a rounded one by less than 1e-9 of the size becomes that one. The
+/// language tolerates a thousand times more.
 fn outwards(x: f64, up: bool, size: f64) -> String {
     const WHOLE_NUMBER_EPS: f64 = 1e-9;
     let digits = 5 - size.max(f64::MIN_POSITIVE).log10().floor() as i32;

@@ -1,5 +1,6 @@
-//! W341: a box or a rectangle whose comment speaks of a size, a sphere whose comment gives a radius or a diameter, and a
-//! cone whose comment gives its height and radius, as their numbers are not read.
+//! W341: a shape whose comment describes its numbers otherwise than they are read: a size for the bounds of a box or
+//! rectangle, a diameter for the radius of a sphere, a radius that is not the sphere's last number, or the height and
+//! radius of a cone in another order.
 
 use crate::diagnostics::{Code, Diagnostic, Value};
 use crate::lint::Context;
@@ -36,7 +37,7 @@ fn cone(p: &Params) -> Option<Diagnostic> {
 
 fn bounds(p: &Params) -> Option<Diagnostic> {
     let half = p.len() / 2;
-    // Of what holds nothing W305 speaks.
+    // W305 reports a shape that holds nothing.
     let is_flat = (0..half).any(|i| p.number(i) == p.number(i + half));
     let fixes = by_comment(p, half);
     let finding = Diagnostic::new(Code::W341, p.span_of(half, half))

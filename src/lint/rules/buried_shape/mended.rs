@@ -1,4 +1,4 @@
-//! What may be meant instead of a half-space that swallows objects, or of a plane that hides them.
+//! Fixes of a half-space that swallows objects, or of a plane that hides them.
 
 use crate::diagnostics::{Applicability, Edit, Fix, Span};
 use crate::geometry::array::{length, sub};
@@ -17,14 +17,15 @@ use crate::syntax::table::{Family, RecordKind, ShapeKind};
 use crate::syntax::words::FLOOR;
 use crate::trace::plan::unseen::sides::{Sides, placed};
 
-/// Beginnings of words for what else things stand on, without accents.
+/// Beginnings of words for a table, without accents.
 const TABLE: [&str; 2] = ["table", "stul"];
-/// Transformations of one object that are tried in another order.
+/// Most transformations of an object for which another order is tried.
 const MAX_TRANSFORMATIONS: usize = 8;
-/// The gap between two places that are the same but for rounding, as a share of how far away they are.
+/// Largest gap between two places that are equal but for rounding, as a share of their distance from the origin.
 const PLACE_REL_GAP: f64 = 1e-9;
 
-/// The fixes of a half-space that holds parts, with the case of the finding where the first fix makes a difference to it.
+/// Returns the case of the finding and the fixes, for a half-space that holds `parts`. The case is `None` unless the
+/// first fix exchanges two transformations of the object.
 pub(super) fn mended(
     context: &Context,
     half_space: (Named, &Params),
@@ -66,8 +67,8 @@ fn frees(context: &Context, sides: &Sides, then: [f64; 4]) -> bool {
     !sides.buries(then) && !cameras.chain(lamps).any(|place| sides.holds(then, place))
 }
 
-/// The fix of a half-space that is a floor by its comment, and stands upright or is all above a height, where it then holds
-/// nothing.
+/// The fix of a half-space that its comment calls a floor, but that stands upright or fills all above a height. `None`
+/// for any other half-space, or if the fixed one still holds a part, a camera or a lamp.
 pub(in crate::lint::rules) fn laid(context: &Context, solid: Named) -> Option<Fix> {
     let scene = context.scene;
     let own = RecordKind::Shape(ShapeKind::HalfSpace);
@@ -79,7 +80,8 @@ pub(in crate::lint::rules) fn laid(context: &Context, solid: Named) -> Option<Fi
     Some(fix)
 }
 
-/// The fixes of a plane that hides parts from all cameras: none that hides a part, or brings a lamp behind it.
+/// The fixes of a plane that hides parts from all cameras. A fix is left out if the fixed plane hides a part, or a lamp
+/// that is not hidden now.
 pub(super) fn plane(context: &Context, (name, p): (Named, &Params)) -> Vec<Fix> {
     let scene = context.scene;
     let sides =
@@ -104,12 +106,13 @@ pub(super) fn plane(context: &Context, (name, p): (Named, &Params)) -> Vec<Fix> 
     fixes
 }
 
-/// Whether things stand on it by its comment.
+/// Whether the comment of a half-space or plane calls it a floor or a table.
 fn is_floor(p: &Params) -> bool {
     p.is_called(&FLOOR) || p.is_called(&TABLE)
 }
 
-/// A floor by its comment that stands upright, with its numbers and record as a floor across the y axis.
+/// Lays down an upright half-space or plane that its comment calls a floor. Returns the new a, b, c and d, with the
+/// normal along y, and the fix. `None` for any other shape.
 fn laid_down(p: &Params, now: [f64; 4], sides: &Sides) -> Option<([f64; 4], Fix)> {
     let axis = (0..3).find(|&i| (0..3).all(|j| (i == j) == (now[j] != 0.0)))?;
     if axis == 1 || !sides.is_untouched || !is_floor(p) {
@@ -130,8 +133,9 @@ fn laid_down(p: &Params, now: [f64; 4], sides: &Sides) -> Option<([f64; 4], Fix)
     Some(([0.0, now[axis].abs(), 0.0, now[3]], fix))
 }
 
-/// A floor by its comment that is all above a height, with its numbers and record where its normal alone has the other sign,
-/// which is then lower than the half-space turned round.
+/// Turns up the normal of a half-space that its comment calls a floor, but that fills all above a height y > 0. Returns
+/// the new a, b, c and d, and the fix. The surface then lies below the origin, lower than that of the half-space turned
+/// round. `None` for any other half-space.
 fn with_normal_up(p: &Params, now: [f64; 4], sides: &Sides) -> Option<([f64; 4], Fix)> {
     let [a, b, c, d] = now;
     let is_above = [a, c] == [0.0; 2] && b < 0.0 && d > 0.0;
@@ -151,8 +155,8 @@ fn with_normal_up(p: &Params, now: [f64; 4], sides: &Sides) -> Option<([f64; 4],
     Some(([a, -b, c, d], fix.with("number", quote(&all))))
 }
 
-/// A rotation of an object and a translation above it in each other's place, where the middle of the object is then out of
-/// the half-space: a rotation is about the origin.
+/// The fix that exchanges a rotation of an object with a translation above it. A rotation is about the origin, so the
+/// exchange moves the object. `None` unless the middle of the object is then outside of the half-space.
 fn in_other_order(
     context: &Context,
     part: Named,
@@ -180,7 +184,7 @@ fn in_other_order(
         geometry.bounds(&all.fold(Matrix::IDENTITY, |before, m| m.after(&before)))
     };
     let mut order: Vec<usize> = (0..chain.len()).collect();
-    // Nothing else moves it.
+    // The fix is right only if these records alone move the object.
     let place = placed(scene, context.bounds(), scene.render?.root, node)?;
     let (now_at, by_records) = (geometry.bounds(&place), bounds(&order));
     let apart = length(sub(now_at.centre(), by_records.centre()));
@@ -188,7 +192,7 @@ fn in_other_order(
         return None;
     }
     let is = |i: usize, kind: RecordKind| chain[i].ty.kind == kind;
-    // Neighbours first.
+    // Records next to each other are tried first.
     let pairs = (1..chain.len()).flat_map(|by| (by..chain.len()).map(move |i| (i - by, i)));
     for (early, late) in pairs {
         if !is(late, RecordKind::Rotation) || !is(early, RecordKind::Translation) {

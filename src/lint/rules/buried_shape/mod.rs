@@ -33,7 +33,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let with_place = |(node, definition, solid): (NodeId, Span, Named)| {
         let named = named(scene, node)?;
         let is_own = context.params(named.span).is_some_and(|p| p.id == named.id);
-        // The place of a copy, not of its original.
+        // A copy is reported at its own record, not at that of its original.
         let span = if is_own { named.span } else { definition };
         Some((Named { span, ..named }, solid, node))
     };
@@ -42,7 +42,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     let told = told(context);
-    // Of each solid what is in it, and of each plane what is behind it, in the order of the file.
+    // The parts in each solid and behind each plane, in the order of the file.
     let mut order: Vec<Named> = Vec::new();
     let mut held: FxHashMap<(u32, Span), Vec<(Named, NodeId)>> = FxHashMap::default();
     let mut seen = FxHashSet::default();
@@ -111,14 +111,14 @@ fn finding(context: &Context, solid: Named, all: &[(Named, NodeId)]) -> Diagnost
     fixes.into_iter().fold(finding, Diagnostic::fix)
 }
 
-/// The nodes that belong to something whose texture is hidden for several reasons: of that W331 speaks.
+/// The nodes of objects whose texture W331 reports as hidden: W335 does not report these objects again.
 fn told(context: &Context) -> FxHashSet<NodeId> {
     let scene = context.scene;
     let mut told: FxHashSet<NodeId> = unseen_texture::hidden(context).into_iter().collect();
     if told.is_empty() {
         return told;
     }
-    // A texture is given to a part, or to something within it.
+    // The texture may be given to the part itself, or to an object within it.
     for (id, node) in (0..scene.nodes.len() as NodeId).zip(&scene.nodes).rev() {
         if told.contains(&id) {
             told.extend(node.children());

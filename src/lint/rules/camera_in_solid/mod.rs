@@ -19,13 +19,13 @@ use crate::syntax::{Record, quote};
 use crate::trace::plan::unseen::sides::Sides;
 use crate::trace::plan::unseen::view::{Held, held};
 
-/// The chosen cameras that are inside of something opaque, with that.
+/// The chosen cameras that are inside of an opaque solid, each with its record and the solid.
 fn within<'c>(context: &'c Context) -> Vec<((&'c Camera, Params<'c>), Held)> {
     let scene = context.scene;
     let Some(render) = scene.render else {
         return Vec::new();
     };
-    // The rays of a projection matrix start elsewhere.
+    // The rays of a projection matrix do not start at the camera's position.
     let cameras: Vec<_> = (chosen_cameras(context).into_iter())
         .filter(|(camera, _)| camera.projection.is_none())
         .collect();
@@ -37,13 +37,13 @@ fn within<'c>(context: &'c Context) -> Vec<((&'c Camera, Params<'c>), Held)> {
         .collect()
 }
 
-/// The cameras that are inside of something opaque.
+/// The IDs of the cameras that are inside of an opaque solid.
 pub(super) fn cameras(context: &Context) -> FxHashSet<u32> {
     let all = within(context).into_iter();
     all.map(|((camera, _), _)| camera.id).collect()
 }
 
-/// The solids that a camera is inside of.
+/// The spans of the solids that hold a camera.
 pub(super) fn solids(context: &Context) -> FxHashSet<Span> {
     let all = within(context).into_iter();
     all.map(|(_, held)| held.solid.span).collect()
@@ -94,9 +94,9 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The scaling of each ID that has one alone, where its factors look like per cent: whole numbers of which none is small.
+/// For each ID with a single scaling that scaling, if its factors look like per cent: whole numbers above 10.
 fn scalings_in_per_cent<'c>(context: &'c Context) -> FxHashMap<u32, &'c Record> {
-    /// People scale by less, and write per cent of more.
+    /// Factors up to this one are meant as factors; larger ones may be per cent.
     const MIN_PER_CENT: f64 = 10.0;
     let is_per_cent = |x: f64| x > MIN_PER_CENT && x.fract() == 0.0;
     let mut all = FxHashMap::default();
@@ -109,7 +109,7 @@ fn scalings_in_per_cent<'c>(context: &'c Context) -> FxHashMap<u32, &'c Record> 
     all.filter_map(|(id, record)| Some((id, record?))).collect()
 }
 
-/// The scaling with its factors as parts of 1.
+/// The fix that divides the factors of a scaling by 100.
 fn from_per_cent(context: &Context, scaling: &Record) -> Fix {
     let p = context.record_params(scaling);
     let factors: Vec3 = p.numbers(0);
@@ -120,7 +120,8 @@ fn from_per_cent(context: &Context, scaling: &Record) -> Fix {
     fix.with("text", text).with("number", quote(&parts))
 }
 
-/// The place of a camera with the other sign of a coordinate, where it then sees something.
+/// The fix that gives one coordinate of the camera's position the other sign. `None` unless the camera is then outside
+/// of the solid and sees something.
 fn freed(
     context: &Context,
     root: NodeId,
@@ -157,7 +158,8 @@ fn freed(
     Some(fix.with("number", all).with("axis", ["x", "y", "z"][axis]))
 }
 
-/// Whether a quadric has the signs of one whose outside is meant: its squares are negative, so it is all around that.
+/// Whether all signs of a quadric seem to be reversed: no coefficient of x², y² or z² is positive and one is negative,
+/// so that the inside lies around the shape that was meant.
 fn is_reversed(p: &Params) -> bool {
     let squares = || [0, 5, 10].into_iter().map(|i| p.number(i));
     p.ty.kind == RecordKind::Shape(ShapeKind::Quadric)
@@ -165,8 +167,8 @@ fn is_reversed(p: &Params) -> bool {
         && squares().any(|x| x < 0.0)
 }
 
-/// The finding with what may be meant instead of a half-space that holds the camera: what does not let the camera out, or
-/// buries what is drawn, is not proposed.
+/// Adds the case, the numbers and the fixes to the finding about a half-space that holds the camera. A fix is left out
+/// if the camera stays inside, or if more of the scene is buried.
 fn beside(
     scene: &Scene,
     finding: Diagnostic,
@@ -174,7 +176,7 @@ fn beside(
     (half_space, sides): (&Params, &Sides),
 ) -> Diagnostic {
     let now: [f64; 4] = half_space.numbers(0);
-    // How many lamps are in it then; `None` where it is no better.
+    // The number of lamps that the changed half-space holds in addition; `None` if the change does not help.
     let lamps = |then: [f64; 4]| {
         let is_worse = sides.holds(then, camera.position) || sides.would_bury(now, then);
         let lamps = scene.point_lights.iter();
@@ -213,8 +215,8 @@ fn beside(
     fixes.into_iter().fold(finding, Diagnostic::fix)
 }
 
-/// The camera with its position and its direction in each other's place, where the direction is rather a place, and the
-/// camera is then outside of all solids and sees something.
+/// The fix that exchanges the camera's position and direction. `None` unless the direction looks like a place and the
+/// position like a direction, and the camera is then outside of all solids and sees something.
 fn swapped(context: &Context, root: NodeId, camera: &Camera, p: &Params) -> Option<Fix> {
     let then = Camera {
         position: camera.direction,
@@ -243,7 +245,8 @@ fn swapped(context: &Context, root: NodeId, camera: &Camera, p: &Params) -> Opti
     Some(fix.with("number", quote(&texts.join(" "))))
 }
 
-/// The camera with the y axis up, in the place of one with the z axis up, where it is in a floor across the y axis.
+/// The fix that turns a camera with the z axis up into one with the y axis up. `None` unless the camera is in a floor
+/// across the y axis, and is then outside of it.
 fn laid_down(camera: &Camera, p: &Params, (floor, sides): ([f64; 4], &Sides)) -> Option<Fix> {
     let written: [Vec3; 3] = [p.numbers(0), p.numbers(3), p.numbers(6)];
     let is_written = p.ty.kind == RecordKind::Camera
@@ -270,12 +273,12 @@ fn laid_down(camera: &Camera, p: &Params, (floor, sides): ([f64; 4], &Sides)) ->
     Some(Fix::guess("fix", edits.collect()))
 }
 
-/// The half-space or quadric on the other side of its boundary.
+/// The fix that gives all numbers of a half-space or quadric the other sign, so that its inside becomes its outside.
 fn turned(half_space: &Params) -> Fix {
     written(half_space, "fix-turn", |i| opposite(half_space, i))
 }
 
-/// The half-space with the other sign of d.
+/// The fix that gives d of a half-space or plane the other sign.
 pub(super) fn moved(half_space: &Params) -> Fix {
     written(half_space, "fix-move", |i| match i {
         3 => opposite(half_space, i),

@@ -1,4 +1,4 @@
-//! A tool that reaches a hair further.
+//! The fix that makes a tool reach a hair beyond the face that it shares.
 
 use crate::diagnostics::{Edit, Fix};
 use crate::geometry::array::length;
@@ -9,18 +9,19 @@ use crate::solids::contacts::face::FaceId;
 use crate::solids::contacts::search::ContactSide;
 use crate::solids::shapes::{AnyShape, profile};
 
-/// Share of the workpiece by which a tool becomes longer: too little to be seen, and a million times what counts as
-/// flush.
+/// Share of its own length, or of the workpiece, by which a tool becomes longer: too little to be seen, and a million
+/// times what counts as flush.
 const TOOL_REL_EXTENSION: f64 = 1e-3;
 
-/// Moves the given faces of a tool outwards. `workpiece` is the size of what it cuts.
+/// The fix that moves the given faces of a tool outwards. `workpiece` is the size of the solid that the tool cuts.
+/// `None` if no parameter moves one of the faces.
 pub(super) fn lengthen(
     p: &Params,
     geometry: &Geometry,
     tool: &[ContactSide],
     workpiece: f64,
 ) -> Option<Fix> {
-    // What each parameter becomes, and how far it is moved.
+    // The new value of each parameter, and the distance by which it moves.
     let mut moved: Vec<Moved> = Vec::new();
     for side in tool {
         let room = TOOL_REL_EXTENSION * workpiece / side.stretch;
@@ -41,25 +42,25 @@ pub(super) fn lengthen(
     Some(Fix::guess("fix", edits))
 }
 
-/// A number with no more digits than it takes to tell by how much it was moved.
+/// Writes the moved number `x` with just enough digits to show `hair`, the distance of the move.
 fn short(x: f64, hair: f64) -> Option<String> {
     let decimals = (2.0 - hair.log10().floor()).clamp(0.0, 300.0) as usize;
     format!("{x:.decimals$}").parse().ok().map(spelled)
 }
 
-/// A parameter, its new value, and by how much that differs.
+/// The index of a parameter, its new value, and the amount of the change.
 pub(super) type Moved = (usize, f64, f64);
 
 impl Geometry {
-    /// The record with a face farther out: by a part of the shape's own length, or where it has none by
-    /// `room`. `None` where the face is not one that a parameter moves.
+    /// The changes of parameters that move a face outwards: by `share` of the shape's own length, or by `room` for a
+    /// half-space, which has no length. `None` if no parameter moves the face.
     fn moved_out(&self, part: FaceId, share: f64, room: f64) -> Option<Vec<Moved>> {
         match AnyShape::of(self) {
             AnyShape::Cone(s) => {
                 if !matches!(part, FaceId::Base { .. }) {
                     return None;
                 }
-                // Both numbers together keep the mantle where it is.
+                // Height and radius grow together, so the mantle stays where it is.
                 let numbers = [s.height, s.radius].into_iter().enumerate();
                 let moved = numbers.map(|(i, x)| (i, x + share * x, (share * x).abs()));
                 Some(moved.collect())
@@ -96,8 +97,8 @@ impl Geometry {
     }
 }
 
-/// The points of a level piece of a profile or a disc that closes it: index, new height, and by how
-/// much it has changed.
+/// Moves a level piece of a profile, or a disc that closes it, outwards. Returns for each point its index, its new
+/// height, and the amount of the change. `None` if the piece is not level, or has no clear outside.
 fn level_points(points: &[[f64; 2]], part: FaceId, share: f64) -> Option<Vec<(usize, f64, f64)>> {
     let last = points.len() - 1;
     let (from, to, radii) = match part {
@@ -122,7 +123,7 @@ fn level_points(points: &[[f64; 2]], part: FaceId, share: f64) -> Option<Vec<(us
     let hair = share * all;
     let middle = radii.0 / 2.0 + radii.1 / 2.0;
     let up = profile::holds(points, [middle, y - hair, 0.0]);
-    // Not where something else of the points is that near.
+    // Another piece of the profile is so near that both sides are inside, or both outside.
     if up == profile::holds(points, [middle, y + hair, 0.0]) {
         return None;
     }

@@ -1,12 +1,11 @@
 //! W321: two operands of a difference or an intersection share a face.
 //!
-//! What is left of two faces in one place is up to rounding if one of them leads into the result and
-//! the other out of it: in A ∩ B where the outsides of A and B look against each other, in A − B
-//! where they look the same way. A tool that lies against a face from outside, or faces that look
-//! the same way in an intersection, only decide whose face it is; nothing is said of them, and
-//! nothing of equal shapes in equal places, which are decided exactly. Nothing
-//! is said either of what is covered or cut off by another operation, or not drawn. Faces of geodesic
-//! spheres and of profiles of more than 64 points are not known here.
+//! Of two faces in one place, one may lead a ray into the result and the other out of it: in A ∩ B if the outward
+//! normals of the faces are opposite, in A − B if they are equal. Rounding then decides what the ray meets. Any other
+//! two faces in one place only leave open whose face the result shows: a tool that lies against a face from outside, or
+//! faces with equal normals in an intersection. The rule says nothing of these, nor of equal shapes in equal places,
+//! which are decided exactly, nor of faces that another operation covers or cuts off, or that are not drawn. It does
+//! not know the faces of geodesic spheres and of profiles of more than 64 points.
 
 mod fix;
 
@@ -26,14 +25,14 @@ use crate::solids::shapes::AnyShape;
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
 
-/// The relation of the two shapes.
+/// The way in which two shapes share a face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Case {
     /// A tool ends flush with what it cuts.
     Flush,
-    /// Two tools cut up to one face from its two sides.
+    /// Two tools cut up to the shared face, one from each side.
     Holes,
-    /// Neither cuts: they have no more than the face in common.
+    /// Neither shape is a tool: the two have nothing but the face in common.
     Touch,
 }
 
@@ -91,7 +90,7 @@ fn finding(
         side.copy
             .map_or(Value::from("none"), |id| id.to_string().into())
     };
-    // Two states of one shape go by one ID: what tells them apart is where they are used.
+    // Two states of one shape have the same ID, so the message names the operands that contain them.
     let alike = tool.id == other.id && tool.copy == other.copy;
     let within = |side: &ContactSide| {
         let operand = named(scene, side.operand).filter(|_| alike && side.operand != side.node);
@@ -100,7 +99,7 @@ fn finding(
     let (span, face_of_tool, name) = face(tool)?;
     let (other_span, face_of_other, other_name) = face(other)?;
     let mut d = Diagnostic::new(Code::W321, span);
-    // There may be as many findings as objects: no room for more than what is said.
+    // There may be as many findings as objects, so each reserves only the memory that it needs.
     d.values.reserve_exact(17);
     d = d
         .case(match case {
@@ -151,7 +150,8 @@ fn finding(
     Some(d)
 }
 
-/// The place of a face in its record, its name, and the parameter that the face is named by.
+/// The span of a face in its record, the name of the face, and the name of the parameter that the face is called after
+/// (empty if there is none).
 fn place(p: &Params, geometry: &Geometry, part: FaceId) -> (Span, &'static str, &'static str) {
     let written = geometry.written(part);
     let span = match written.params {
@@ -165,18 +165,18 @@ fn place(p: &Params, geometry: &Geometry, part: FaceId) -> (Span, &'static str, 
     (span, written.what, named.map_or("", |(i, _)| name(i)))
 }
 
-/// The nodes that each node is a part of.
+/// The nodes above each node, as far as a node has a single parent; and the objects with bounding volumes.
 struct Parents {
-    /// For each node the highest one of which it is part, once, and by way of which alone it is part
-    /// of anything else.
+    /// For each node the last node of the chain upwards in which each node has a single parent. All that uses the node
+    /// uses it by way of that last one.
     sole: Vec<NodeId>,
-    /// IDs of what has a bounding volume: longer it would reach out of that.
+    /// IDs of the objects with a bounding volume: a longer tool would reach out of its volume.
     bound: FxHashSet<u32>,
 }
 
 impl Parents {
     fn new(scene: &Scene, live: &[bool]) -> Parents {
-        // How many live nodes have this one as a child, and one of them.
+        // For each node the number of its live parents, and the index of one of them.
         let mut of = vec![(0, 0); scene.nodes.len()];
         for (i, node) in scene.nodes.iter().enumerate().filter(|(i, _)| live[*i]) {
             for child in node.children() {
@@ -199,8 +199,9 @@ impl Parents {
         Parents { sole, bound }
     }
 
-    /// Whether a node that is part of this operation is so once, and part of nothing that is not:
-    /// whatever is made of the highest one comes after it.
+    /// Whether this operation uses the node once, and nothing outside of the operation uses it. The operation must be
+    /// on the node's chain of single parents. Numbers grow along the chain, and all that uses its last node has a
+    /// larger one.
     fn only_in(&self, node: NodeId, operation: NodeId) -> bool {
         operation <= self.sole[node as usize]
     }
@@ -209,11 +210,11 @@ impl Parents {
 /// The place of a face in a record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Written {
-    /// The first parameter and how many; `None` for the whole record.
+    /// Index of the first parameter and the number of parameters; `None` for the whole record.
     params: Option<(usize, usize)>,
-    /// The name of the shape, as messages say it.
+    /// The name of the face, by which the messages choose their words.
     what: &'static str,
-    /// Whether the name of the parameter names it, too.
+    /// Whether messages call the face by the name of its parameter.
     is_named: bool,
 }
 

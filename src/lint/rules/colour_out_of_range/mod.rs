@@ -7,15 +7,15 @@ use crate::scene::record::Params;
 use crate::syntax::table::RecordKind;
 use crate::syntax::with_point;
 
-/// Whole numbers up to 255 are bytes as image programs show them, in sRGB as hexadecimal digits are. Up to 100 they are rather per cent, if one is 10 at
-/// least.
+/// Whole numbers up to 255 are taken for bytes in sRGB, as image programs show them and hexadecimal colours have them.
+/// If none is above 100 and one is 10 at least, they are rather per cent.
 const BYTE_MAX: f64 = 255.0;
 const PER_CENT_MAX: f64 = 100.0;
 const PER_CENT_MIN: f64 = 10.0;
 
 pub(in crate::lint) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for record in context.records() {
-        // Its numbers may be another record's: W314 says so.
+        // The numbers of a doubted record may belong to another record: W314 reports it.
         if context.document.is_doubted(record.first) {
             continue;
         }
@@ -37,7 +37,7 @@ fn is_outside(p: &Params, i: usize) -> bool {
     !(0.0..=1.0).contains(&p.number(i))
 }
 
-/// `first` is the parameter where the colours begin.
+/// The finding about a record with colour parts out of range. `first` is the index of the first colour parameter.
 fn finding(p: &Params, first: usize) -> Diagnostic {
     let colours = || (first..p.len()).step_by(3);
     let mut outside = colours().filter(|&i| (i..i + 3).any(|i| is_outside(p, i)));

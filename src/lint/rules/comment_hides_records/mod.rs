@@ -24,7 +24,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Each of two lines that a `#` begins as a comment of its own.
+/// The fix that makes each of two lines with a lone `#` at the beginning a comment of its own.
 fn close_both(signs: LoneSigns) -> Fix {
     let closed = |text: String| match text.contains('#') {
         true => comment_out(&text),

@@ -1,20 +1,21 @@
-//! Points in one line.
+//! Points on one line.
 
 use crate::geometry::exact;
 
-/// How points lie in one line.
+/// The accuracy with which points lie on one line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum InLine {
     Exactly,
-    /// For all that the written numbers say: within what these were rounded by to be doubles.
+    /// The points may lie on one line exactly: they are off it by no more than the rounding of the written numbers to
+    /// doubles.
     Rounded,
 }
 
-/// Whether points lie in one line.
+/// Whether points lie on one line, and how accurately; `None` if they do not.
 pub(super) fn in_line<const N: usize>(points: &[[f64; N]]) -> Option<InLine> {
     let first = points.first()?;
     let away = |p: &[f64; N]| -> [f64; N] { std::array::from_fn(|i| p[i] - first[i]) };
-    // Coordinates of one size each: a line stays one.
+    // Each coordinate is divided by its largest size, under which a line stays a line.
     let size: [f64; N] = std::array::from_fn(|i| {
         let largest = points.iter().fold(0.0f64, |m, p| m.max(p[i].abs()));
         if largest > 0.0 { largest } else { 1.0 }
@@ -23,7 +24,7 @@ pub(super) fn in_line<const N: usize>(points: &[[f64; N]]) -> Option<InLine> {
         let d = away(p);
         (0..N).map(|i| (d[i] / size[i]).abs()).fold(0.0, f64::max)
     };
-    // The direction to the point furthest from the first one is the best known.
+    // The direction to the point that is furthest from the first one is known best.
     let far = (points.iter()).max_by(|a, b| length(a).total_cmp(&length(b)))?;
     if !points
         .iter()

@@ -45,7 +45,7 @@ fn finding(shape: &Shape, p: &Params, why: &Degenerate) -> Diagnostic {
         .with("lower", name(first))
         .with("upper", name(first + half))
         .label(p.span_of(first + half, 1), "other");
-    // A corner or the centre and a size, as other programs have it.
+    // The numbers may be a corner or the centre and a size, as in other programs.
     let Readings {
         fixes: mut sizes,
         said,
@@ -55,7 +55,7 @@ fn finding(shape: &Shape, p: &Params, why: &Degenerate) -> Diagnostic {
         sizes.extend(minus);
         return sizes.into_iter().fold(finding, Diagnostic::fix);
     }
-    // The centre comes first: a corner and a size are rarely equal.
+    // The reading as centre and size comes first: a corner and a size are rarely equal.
     sizes.reverse();
     minus
         .into_iter()
@@ -63,10 +63,10 @@ fn finding(shape: &Shape, p: &Params, why: &Degenerate) -> Diagnostic {
         .fold(finding, Diagnostic::fix)
 }
 
-/// The profile of which x and y stand in each other's place.
+/// The case of a profile whose x and y are exchanged.
 const TURNED: &str = "profile-turned";
 
-/// Each point's x and y in each other's place.
+/// The fix that exchanges x and y of every point of a profile.
 fn turned(p: &Params) -> Fix {
     let edit = |at: usize, from: usize| Edit {
         span: p.span_of(at, 1),
@@ -83,8 +83,8 @@ fn turned(p: &Params) -> Fix {
     }
 }
 
-/// The fix for two equal bounds of which one has lost its minus: the lower one if both are above 0, else the upper one
-/// has one too many.
+/// The fix for one pair of equal bounds. If both are positive, the lower one has lost its minus; if both are negative,
+/// the upper one has a minus too many. `None` for zeros and for several pairs.
 fn lost_minus(p: &Params, why: &Degenerate, half: usize) -> Option<Fix> {
     let &[low] = why.equal.as_slice() else {
         return None;
@@ -108,18 +108,19 @@ fn lost_minus(p: &Params, why: &Degenerate, half: usize) -> Option<Fix> {
     Some(fix.with("number", quote(&new)))
 }
 
-/// How a shape is degenerate, as its message says it.
+/// The way in which a shape is degenerate, with the case of its message.
 #[derive(Debug, Clone, PartialEq)]
 struct Degenerate {
     case: &'static str,
-    /// The first of the parameters that make it so, and their number.
+    /// The index of the first parameter that makes the shape degenerate, and the number of these parameters.
     params: (usize, usize),
-    /// Parameters that equal the one half a record further on, where this makes the shape degenerate.
+    /// Indices of lower bounds that equal their upper bounds, half a record further on, if these make the shape
+    /// degenerate.
     equal: Vec<usize>,
 }
 
 impl Geometry {
-    /// The way in which a solid fails to have an inside, or a surface an area; `None` for a shape that has it.
+    /// The way in which a solid has no inside, or a surface no area; `None` for a shape that is not degenerate.
     fn degenerate(&self) -> Option<Degenerate> {
         match AnyShape::of(self) {
             AnyShape::Cone(s) => (s.height == 0.0 && !s.double).then(|| Degenerate {

@@ -9,7 +9,7 @@ use crate::scene::record::Params;
 use crate::syntax::quote;
 use crate::syntax::table::{Kind, RecordKind};
 
-/// The place of the first colour among the parameters, and of the second.
+/// The indices of the two colours among the parameters.
 const COLOURS: [usize; 2] = [2, 3];
 
 /// The checkerboards that name one colour twice.
@@ -21,7 +21,8 @@ pub(in crate::lint::rules) fn of_one_colour<'a>(
     all.filter(|p| p.integer(COLOURS[0]) == p.integer(COLOURS[1]))
 }
 
-/// The findings about them. If a single colour above is named nowhere, that is a guess.
+/// The findings about checkerboards of one colour. If exactly one colour above a checkerboard is unused, the fix names
+/// that one.
 pub(super) fn check(context: &Context) -> Vec<Diagnostic> {
     let mut boards = of_one_colour(context).peekable();
     if boards.peek().is_none() || context.has_broken() {

@@ -10,17 +10,17 @@ use crate::solids::{Named, named};
 use crate::syntax::table::ShapeKind;
 use crate::syntax::{Record, quote};
 
-/// The difference of two matrices that rounding makes, as a share of their size.
+/// Largest difference of two matrices that are equal but for rounding, as a share of their largest entry.
 const MATRIX_REL_EPS: f64 = 1e-12;
-/// Bounds are compared on a grid of this part of their size.
+/// Step of the grid on which bounds are compared, as a share of their size.
 const GRID_REL_STEP: f64 = 1e-6;
 
-/// The kind of a shape, and roughly its place.
+/// The kind of a shape, and its bounds on a grid.
 #[derive(PartialEq, Eq, Hash)]
 pub(super) struct Key(ShapeKind, [i64; 6]);
 
 impl Key {
-    /// `None` for what is no shape.
+    /// The key of a shape, moved and painted or not; `None` for other objects.
     pub(super) fn new(scene: &Scene, node: NodeId) -> Option<Key> {
         let (shape, matrix) = placed(scene, node)?;
         let kind = scene.shapes[shape as usize].kind;
@@ -30,7 +30,7 @@ impl Key {
             false => 1.0,
         };
         let ends = [bounds.min, bounds.max].concat();
-        // Infinite ends become the largest integers.
+        // Infinite ends become the largest and smallest integers.
         let on_grid = |i: usize| (ends[i] / size / GRID_REL_STEP).round() as i64;
         Some(Key(kind, std::array::from_fn(on_grid)))
     }
@@ -48,7 +48,7 @@ fn geometry(scene: &Scene, shape: u32) -> &Geometry {
     &scene.shapes[shape as usize].geometry
 }
 
-/// Whether two shapes are the same but for rounding of where they are.
+/// Whether two nodes are equal shapes in one place, but for rounding of the place. `false` for other objects.
 pub(in crate::lint::rules) fn are(scene: &Scene, a: NodeId, b: NodeId) -> bool {
     let (Some((a, m)), Some((b, n))) = (placed(scene, a), placed(scene, b)) else {
         return false;
@@ -60,7 +60,7 @@ pub(in crate::lint::rules) fn are(scene: &Scene, a: NodeId, b: NodeId) -> bool {
         && pairs().all(|(x, y)| (x - y).abs() <= MATRIX_REL_EPS * size)
 }
 
-/// The finding about a union of two such shapes.
+/// The finding about a union of two equal shapes in one place.
 pub(super) fn finding(
     context: &Context,
     union: NodeId,
@@ -87,7 +87,8 @@ pub(super) fn finding(
     })
 }
 
-/// The second ID in the transformations of the first shape that stand right behind the second one.
+/// The fix that writes the ID of the second shape into those transformations of the first one that stand right behind
+/// the second. `None` if there are none.
 fn moved(context: &Context, one: Named, two: Named) -> Option<Fix> {
     let own = context.document.item_at(two.span.start)?;
     let behind = context.document.items[own + 1..].iter();

@@ -7,7 +7,7 @@ use crate::lint::Context;
 use crate::scene::PointLight;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    // No lamp has a negative zero and another one a positive in the same place.
+    // Adding 0 turns −0 into 0, so lamps with equal numbers have equal bits.
     let bits = |x: &f64| (x + 0.0).to_bits();
     let key = |lamp: &PointLight| {
         let numbers = lamp.position.iter().chain(&lamp.colour);

@@ -1,6 +1,5 @@
-//! W333: a union or an intersection of an object with itself, or a union with a copy of it that stays
-//! where it was, or with a shape that equals it; a checkerboard of one colour; two equal lamps in
-//! one place.
+//! W333: a thing that occurs twice in one place: a union or an intersection of an object with itself, a union of an
+//! object with a copy that has not been moved or with an equal shape, a checkerboard of one colour, two equal lamps.
 
 mod checkerboard;
 mod equal;
@@ -29,7 +28,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let originals = originals(scene);
     let mut is_part = vec![false; scene.nodes.len()];
     let unused = LazyCell::new(|| unused(context));
-    // Operations stand behind their operands: the outermost union comes first.
+    // Operations stand behind their operands: from the end, the outermost union comes first.
     for (i, node) in scene.nodes.iter().enumerate().rev() {
         if live[i]
             && let Node::Union(a, b) | Node::Intersection(a, b) = node
@@ -44,7 +43,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Finds the copies among the operands of a union, and of the unions within it, that equal another operand.
+/// Reports operands of a union, and of the unions within it, that are another operand once more: as a copy that has not
+/// been moved, or as an equal shape. Marks the unions that it visits in `is_part`.
 fn twice(
     context: &Context,
     union: NodeId,
@@ -87,7 +87,8 @@ pub(super) fn unused<'a>(context: &Context<'a>) -> Vec<&'a Entity> {
     objects.filter(|e| !named.contains(&e.id)).collect()
 }
 
-/// The finding about an operation that names an object twice. If one object alone is unused above it, that is a guess.
+/// The finding about an operation that names an object twice. If exactly one object above the operation is unused, the
+/// fix names that one.
 fn same(context: &Context, operation: NodeId, unused: &[&Entity]) -> Option<Diagnostic> {
     let record = context.scene.origins[operation as usize];
     let p = context.params(record.span)?;
@@ -104,7 +105,7 @@ fn same(context: &Context, operation: NodeId, unused: &[&Entity]) -> Option<Diag
     })
 }
 
-/// The only unused object above an operation, in the place of its second operand.
+/// The fix that makes the only unused object above an operation its second operand. `None` unless there is exactly one.
 pub(super) fn instead(p: &Params, operation: Span, unused: &[&Entity]) -> Option<Fix> {
     let mut above = unused.iter().filter(|e| e.span.start < operation.start);
     let (Some(one), None) = (above.next(), above.next()) else {
@@ -116,11 +117,11 @@ pub(super) fn instead(p: &Params, operation: Span, unused: &[&Entity]) -> Option
     Some(fix.with("number", quote(&text)))
 }
 
-/// The place of the second operand in its record.
+/// The index of the second operand among the parameters.
 const SECOND: usize = 1;
 
-/// The original of each node: what it is a copy of, whatever properties the two have, or itself. Copies stand behind
-/// their originals.
+/// For each node the object below all of its copies and paints, or the node itself. Copies stand behind their
+/// originals.
 fn originals(scene: &Scene) -> Vec<NodeId> {
     let mut originals: Vec<NodeId> = Vec::with_capacity(scene.nodes.len());
     for (i, node) in scene.nodes.iter().enumerate() {
@@ -132,7 +133,7 @@ fn originals(scene: &Scene) -> Vec<NodeId> {
     originals
 }
 
-/// The copy that a node is, perhaps with properties of its own, and the ID of that.
+/// The copy below the paints of a node, and the ID of the copy; `None` if the node is no copy.
 fn copied(scene: &Scene, mut node: NodeId) -> Option<(NodeId, u32)> {
     while let Node::Paint { child, .. } = scene.nodes[node as usize] {
         node = child;

@@ -1,4 +1,4 @@
-//! W319: an intersection or a difference that is empty for certain.
+//! W319: an intersection or a difference that is certainly empty.
 
 use std::cell::LazyCell;
 
@@ -13,7 +13,7 @@ use crate::solids::proofs::Reason;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let unused = LazyCell::new(|| duplicate_operand::unused(context));
-    // Where an operation names one object twice, another one is meant, which nothing uses.
+    // An operation that names one object twice is rather meant for an object that nothing uses.
     let other = |operation: NodeId| {
         let span = context.scene.origins[operation as usize].span;
         let p = context.params(span)?;
@@ -76,11 +76,11 @@ fn finding(
     Some(if same { d } else { d.label(two.span, "two") })
 }
 
-/// A product with the coordinates: `x - 0.5y`.
+/// Writes the scalar product of the factors and the coordinates: `x - 0.5y`.
 fn sum(factors: [f64; 3]) -> String {
     let mut out = String::new();
     for (factor, name) in factors.into_iter().zip(["x", "y", "z"]) {
-        // So many digits that nobody misses the rest.
+        // With more digits than anybody needs.
         let digits = near(factor.abs(), 1e-3);
         let sign = match (out.is_empty(), factor < 0.0) {
             _ if digits == "0" => continue,
@@ -95,7 +95,7 @@ fn sum(factors: [f64; 3]) -> String {
     out
 }
 
-/// How far the numbers of a reason are apart: they are told so finely that they stay so.
+/// The difference of the two numbers of a reason. The message writes them finely enough that they still differ.
 fn begin_size(reason: &Reason) -> f64 {
     match reason {
         Reason::Apart { end, begin, .. } | Reason::Plane { end, begin, .. } => begin - end,

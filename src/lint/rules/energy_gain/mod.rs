@@ -50,7 +50,7 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
             gains.push((sum, t[0].span().to(t[2].span()), channel, phrase));
         }
     }
-    // The finding is about the worst one, the first of equal ones; the others are labelled.
+    // The finding is about the channel with the largest sum, the first among equals; the others get labels.
     gains.sort_by(|a, b| b.0.total_cmp(&a.0));
     let Some(((sum, span, channel, _), others)) = gains.split_first() else {
         return;
@@ -81,7 +81,8 @@ fn check_record(context: &Context, record: &Record, out: &mut Vec<Diagnostic>) {
     );
 }
 
-/// The parts with the decimal points that some have lost, if no sum is above 1 then.
+/// Restores the decimal points that some parts have lost. Returns the title of the fix and the new texts; `None` if a
+/// sum is still above 1.
 fn with_points(texts: &[&str]) -> Option<(&'static str, Vec<String>)> {
     let new = texts
         .iter()
@@ -90,8 +91,8 @@ fn with_points(texts: &[&str]) -> Option<(&'static str, Vec<String>)> {
     is_within(&new).then_some(("point-lost", new))
 }
 
-/// Nine parts that are given kind by kind, each for red, green and blue, if no sum is above 1 once they are given
-/// channel by channel.
+/// Turns nine parts that may be given kind by kind (kd in red, green and blue, then ks, then kt) into parts channel by
+/// channel. Returns the title of the fix and the new texts; `None` if a sum is still above 1.
 fn by_channel(texts: &[&str]) -> Option<(&'static str, Vec<String>)> {
     let nine: &[&str; 9] = texts.try_into().ok()?;
     let new: Vec<String> = (0..9).map(|i| nine[i % 3 * 3 + i / 3].to_owned()).collect();
@@ -108,7 +109,8 @@ fn is_within(texts: &[String]) -> bool {
     })
 }
 
-/// A sum of decimals without the rounding of its last digits, in as many as show that it is above 1.
+/// Writes a sum of decimal numbers without the rounding of its last digits, with as many decimals as show that the sum
+/// is above 1.
 fn short(x: f64) -> String {
     let texts = [6, 9, 12, 15].map(|digits| format!("{x:.digits$}"));
     let above = texts.iter().find(|t| t.parse().is_ok_and(|x: f64| x > 1.0));

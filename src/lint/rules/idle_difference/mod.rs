@@ -1,4 +1,5 @@
-//! W332: a difference that takes nothing away for certain: what is taken away lies apart, or merely touches.
+//! W332: a difference that certainly takes nothing away: the tool lies apart from the first operand, or merely touches
+//! it.
 
 pub(in crate::lint::rules) mod touching;
 
@@ -35,7 +36,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The finding about operands that merely touch: rather a union is meant.
+/// The finding about operands that merely touch. The fix makes a union of the difference, which is rather meant. `None`
+/// if the record is no difference.
 fn touch(context: &Context, operation: NodeId, operands: (NodeId, NodeId)) -> Option<Diagnostic> {
     let (d, p) = about(context, operation, operands)?;
     let union = RecordType::of(RecordKind::Union).code.to_string();
@@ -56,7 +58,7 @@ fn finding(
     reason: &Reason,
 ) -> Option<Diagnostic> {
     let (d, _) = about(context, operation, operands)?;
-    // What is within something that was taken away already may touch what is left.
+    // A tool within a solid that was taken away before may still touch what is left.
     let gap = match reason {
         Reason::Within | Reason::Same => return None,
         Reason::Apart { end, begin, .. } => Some(begin - end),
@@ -70,7 +72,7 @@ fn finding(
     })
 }
 
-/// A finding about a difference, with its operands, and the record of the difference.
+/// Begins the finding about a difference, with the names of its operands. Returns the record of the difference, too.
 fn about<'c>(
     context: &'c Context,
     operation: NodeId,

@@ -8,10 +8,11 @@ use crate::solids::distance;
 use crate::solids::extent::ball;
 use crate::solids::within::{CLEARANCE_REL, far};
 
-/// Parts of an operand that are looked at.
+/// Most parts of an operand: with more, nothing is known.
 const MAX_PARTS: usize = 64;
 
-/// Whether what two solids have in common has no thickness for certain. Other rules speak of surfaces and of what is empty.
+/// Whether the common part of two solids certainly has no thickness. `false` for surfaces and for empty solids, which
+/// other rules report.
 pub(in crate::lint::rules) fn touch(context: &Context, a: NodeId, b: NodeId) -> bool {
     let (Some(first), Some(second)) = (parts(context, a), parts(context, b)) else {
         return false;
@@ -20,7 +21,7 @@ pub(in crate::lint::rules) fn touch(context: &Context, a: NodeId, b: NodeId) -> 
     first.iter().all(is_thin)
 }
 
-/// The parts of a union; `None` where they are too many, or another rule speaks of one.
+/// The parts of a union. `None` if there are too many, or if one is a surface or empty.
 fn parts(context: &Context, node: NodeId) -> Option<Vec<NodeId>> {
     let (mut all, mut open) = (Vec::new(), vec![node]);
     while let Some(node) = open.pop() {
@@ -69,7 +70,7 @@ fn thin_box([a, b]: [&Aabb; 2]) -> bool {
     })
 }
 
-/// Whether two balls are as far from each other as their radii.
+/// Whether two nodes are balls whose centres are as far apart as their radii together, up to rounding, or farther.
 fn balls_touch(context: &Context, x: NodeId, y: NodeId) -> bool {
     let scene = context.scene;
     let of = |node: NodeId| {

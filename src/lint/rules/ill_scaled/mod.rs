@@ -9,8 +9,8 @@ use crate::lint::{Context, live_nodes};
 use crate::scene::{Geometry, Node, Shape};
 use sizes::{Length, Sizes};
 
-/// The largest ratio of two lengths: of the sixteen digits of a double, half are then left for the
-/// smaller one, and squares of such numbers, which every curved surface asks for, have none left.
+/// The largest ratio of two lengths. Half of the sixteen digits of a double are then left for the smaller length. Its
+/// square, which every curved surface needs, has no digit left.
 const RATIO_MAX: f64 = 1e8;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -24,7 +24,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             out.push(finding(context, (shape, span), small, large));
         }
     }
-    // Shapes that come out like that only by what moves and stretches them.
+    // The lengths of a shape may also differ too much only after a transformation.
     if scene.matrices.is_empty() {
         return;
     }
@@ -69,10 +69,11 @@ fn finding(
         .with("small-size", Value::Decimal(rough(small.size)))
 }
 
-/// The smallest and the largest length of a shape moved by a matrix, where they are too different.
+/// The smallest and the largest length of a shape that is moved by a matrix, if their ratio is above [`RATIO_MAX`].
 fn extremes(geometry: &Geometry, m: &Matrix) -> Option<(Length, Length)> {
     if let (Geometry::Sphere { centre, radius }, true) = (geometry, m.is_translation()) {
-        // Nearly all spheres are not far away in any direction.
+        // Largest coordinate of a sphere's centre, in radii, up to which no lengths are compared: nearly all spheres
+        // end here.
         const MAX_CENTRE_RADII: f64 = RATIO_MAX / 2.0;
         if *radius > 0.0
             && m.point(*centre)
@@ -85,7 +86,7 @@ fn extremes(geometry: &Geometry, m: &Matrix) -> Option<(Length, Length)> {
     let mut small: Option<Length> = None;
     let mut large: Option<Length> = None;
     let mut take = |length: Length| {
-        // A length of zero is another rule's matter.
+        // Another rule reports a length of zero.
         if length.size > 0.0 && length.size.is_finite() {
             if small.is_none_or(|s| length.size < s.size) {
                 small = Some(length);
@@ -97,7 +98,7 @@ fn extremes(geometry: &Geometry, m: &Matrix) -> Option<(Length, Length)> {
     };
     geometry.sizes(&mut Sizes::new(m, &mut take));
     let (small, mut large) = (small?, large?);
-    // How far away it is counts as a length too, but never as the small one.
+    // The distance from the origin counts as a length too, but never as the small one.
     if let Some(p) = geometry.place() {
         let [x, y, z] = m.point(p);
         let size = x.hypot(y).hypot(z);

@@ -5,23 +5,24 @@ use crate::scene::{Geometry, Vec3};
 use crate::solids::shapes::AnyShape;
 use crate::solids::shapes::quadric::Quadric;
 
-/// How much two axes must differ in stretch for a length to be told with its axis: lengths are told
-/// in four digits, and what is the same in all of them needs no axis.
+/// The ratio of the largest stretch to the smallest one above which a length is told with its axis. Lengths are told in
+/// four digits; below this ratio the digits are the same for all axes.
 const UNEVEN: f64 = 1.001;
 
-/// A length of a shape and what it is.
+/// A length of a shape, with the name that messages give it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Length {
     pub size: f64,
     pub what: &'static str,
-    /// The axis of the shape along which it lies, where the others come out differently.
+    /// The axis of the shape along which the length lies, if lengths along the other axes are stretched differently and
+    /// the name does not tell the axis.
     pub axis: Option<usize>,
 }
 
-/// Takes a shape's lengths, moved by a matrix.
+/// Hands a shape's lengths, after a transformation by a matrix, to a closure.
 pub(super) struct Sizes<'a> {
     pub matrix: &'a Matrix,
-    /// How much longer the matrix makes what lies along an axis.
+    /// For each axis the factor by which the matrix stretches lengths along it.
     pub stretch: [f64; 3],
     is_uneven: bool,
     take: &'a mut dyn FnMut(Length),
@@ -44,7 +45,7 @@ impl<'a> Sizes<'a> {
         }
     }
 
-    /// A length where it is, in all directions.
+    /// Adds a length that is already stretched, without an axis.
     pub(super) fn add(&mut self, size: f64, what: &'static str) {
         let axis = None;
         (self.take)(Length { size, what, axis });
@@ -59,19 +60,19 @@ impl<'a> Sizes<'a> {
         });
     }
 
-    /// Adds a size along each axis.
+    /// Adds a size along each axis, not stretched yet.
     pub(super) fn axes(&mut self, sizes: [f64; 3], what: [&'static str; 3]) {
         (0..3).for_each(|i| self.along(i, sizes[i], what[i]));
     }
 
-    /// Adds a size along each axis, which is a part of its name.
+    /// Adds a size along each axis, not stretched yet. Each name tells the axis.
     pub(super) fn named(&mut self, sizes: [f64; 3], what: [&'static str; 3]) {
         (0..3).for_each(|i| self.add(sizes[i] * self.stretch[i], what[i]));
     }
 }
 
 impl Geometry {
-    /// Adds the shape's lengths, moved, by the names that people have for them.
+    /// Adds the shape's lengths after the transformation, under the names that people use.
     pub(super) fn sizes(&self, sizes: &mut Sizes) {
         match AnyShape::of(self) {
             AnyShape::Cone(s) => {
@@ -153,7 +154,8 @@ impl Geometry {
         }
     }
 
-    /// A point of the geometry, where its record names one.
+    /// A point that tells where the shape is, in its own coordinates: its centre or a vertex, or for a box and a
+    /// rectangle the point nearest to the origin. `None` for planes, half-spaces and general quadrics.
     pub(super) fn place(&self) -> Option<Vec3> {
         match AnyShape::of(self) {
             AnyShape::Cone(_) => Some([0.0; 3]),

@@ -14,10 +14,10 @@ use crate::syntax::quote;
 use crate::syntax::table::{Family, Kind, RecordKind};
 use crate::trace::plan::unseen::view::{Held, held as held_at};
 
-/// Lamps whose place is tried with other signs: each asks all parts of the scene again.
+/// Most lamps for which other signs are tried: each trial asks all parts of the scene again.
 const MAX_TURNED: usize = 16;
 
-/// The lamps that W326 speaks of, with what they are in.
+/// The lamps that W326 reports, each with the solid that holds it.
 fn within<'c>(context: &Context<'c>) -> Vec<(&'c PointLight, Held)> {
     let scene = context.scene;
     let Some(render) = scene.render else {
@@ -30,7 +30,7 @@ fn within<'c>(context: &Context<'c>) -> Vec<(&'c PointLight, Held)> {
         .collect();
     let holders = held_at(scene, context.bounds(), render.root, &places);
     let (holders, eyes) = holders.split_at(lamps.len());
-    // It lights what a camera sees that is inside of the same thing.
+    // A lamp that is inside of the same solid as a camera lights what this camera sees, and is meant to be there.
     let is_alone = |held: &Held| {
         let together =
             |eye: &Held| !held.on_surface && !eye.on_surface && eye.solid.span == held.solid.span;
@@ -41,7 +41,7 @@ fn within<'c>(context: &Context<'c>) -> Vec<(&'c PointLight, Held)> {
         .collect()
 }
 
-/// The solids that a lamp is inside of.
+/// The spans of the solids that hold a lamp.
 pub(super) fn solids(context: &Context) -> FxHashSet<Span> {
     let inside = within(context).into_iter().filter(|(_, h)| !h.on_surface);
     inside.map(|(_, held)| held.solid.span).collect()
@@ -95,7 +95,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The only transformation of each ID that has one alone, where it is a translation.
+/// For each ID with transformations the only one, if it is a translation; `None` for other IDs.
 fn only_moves<'c>(context: &'c Context) -> FxHashMap<u32, Option<&'c Record>> {
     let mut all = FxHashMap::default();
     let moves = |r: &&Record| r.ty().family == Family::Transformation;
@@ -107,7 +107,8 @@ fn only_moves<'c>(context: &'c Context) -> FxHashMap<u32, Option<&'c Record>> {
     all
 }
 
-/// The place of a lamp with the other sign of a coordinate.
+/// The fix that gives one coordinate of a lamp's place the other sign. `None` unless exactly one coordinate frees the
+/// lamp in this way.
 fn mirrored(context: &Context, lamp: &PointLight, held: &Held, place: &Params) -> Option<Fix> {
     let (axis, number) = sign_that_frees(context, lamp.position, held, place)?;
     let all: Vec<&str> = (0..place.len())

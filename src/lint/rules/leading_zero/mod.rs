@@ -8,7 +8,7 @@ use crate::syntax::{quote, with_point};
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for record in context.records() {
-        // Of parts of colours and of light other rules speak.
+        // Other rules report parts of colours and of light that are above 1.
         let has_parts = matches!(
             record.kind,
             RecordKind::Colour | RecordKind::Optics | RecordKind::OpticsRgb

@@ -1,4 +1,5 @@
-//! W308: an intersection whose surface is made of pieces with different properties.
+//! W308: an intersection whose surface is made of pieces with different properties, and that has no properties of its
+//! own.
 
 use std::cell::LazyCell;
 
@@ -25,7 +26,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let parts = parts(scene);
     let owners: FxHashSet<u32> = scene.paints.iter().map(|p| p.owner).collect();
     let mut proofs = Proofs::new(scene, context.bounds());
-    // Of what is empty W319 speaks.
+    // W319 reports empty intersections.
     let empty: LazyCell<FxHashSet<NodeId>, _> = LazyCell::new(|| {
         let is_empty = |proven: &&Proven| matches!(proven.what, Proof::Empty(..));
         let empty = context.proven().iter().filter(is_empty);
@@ -36,21 +37,22 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let Node::Intersection(a, b) = *node else {
             continue;
         };
-        // Of a surface and a solid only the surface is seen.
+        // In an intersection of a surface with a solid only the surface is seen.
         let surface = [a, b].iter().any(|&c| parts[c as usize].surface.is_some());
         let differ: [bool; 3] = std::array::from_fn(|aspect| {
             let [a, b] = [a, b].map(|c| looks[c as usize][aspect]);
             seen[i] & 1 << aspect != 0 && !same(scene, aspect, a, b)
         });
-        // A ∩ −B in place of A − B is how the cut is made to look like the tool.
+        // An author writes A ∩ −B in place of A − B to make the cut look like the tool.
         let tool = [a, b].iter().any(|&c| is_complement(scene, c));
-        // Who assigns anything to the result has thought of what it looks like.
+        // An author who assigns anything to the result has thought of its look.
         if !surface && !tool && differ.contains(&true) && !owners.contains(&scene.origins[i].id) {
-            // Of what only touches W321 speaks.
+            // W321 reports operands that only touch.
             if context.is_flat(i as NodeId) || empty.contains(&(i as NodeId)) {
                 continue;
             }
-            // Of what holds all of the other one no face is left; of what is apart, of neither.
+            // An operand that holds all of the other one leaves no face of its own; operands that lie apart leave no
+            // face at all.
             let within =
                 |x, y, proofs: &mut Proofs| matches!(proofs.covered(x, y), Some(Reason::Within));
             let nothing = |proofs: &mut Proofs| {
@@ -72,7 +74,7 @@ fn is_complement(scene: &Scene, node: NodeId) -> bool {
     unpainted.any(|(_, n)| matches!(n, Node::Complement(_)))
 }
 
-/// The origin of an aspect of all of an object, if it is the same everywhere.
+/// The origin of an aspect (texture, optics or refractive index) of a whole object.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Source {
     Default,
@@ -83,7 +85,7 @@ enum Source {
     Mixed,
 }
 
-/// The source of each node's look, aspect by aspect.
+/// For each node the source of each aspect.
 fn looks(scene: &Scene) -> Vec<[Source; ASPECTS]> {
     fold_up(&scene.nodes, |_, node, looks: &[[Source; ASPECTS]]| {
         let of = |n: NodeId| looks[n as usize];
@@ -143,8 +145,8 @@ fn same(scene: &Scene, aspect: usize, a: Source, b: Source) -> bool {
     }
 }
 
-/// The aspects of each node, as bits, that can be seen in what is drawn: nothing that holds the node overrides them.
-/// What a difference takes away has none.
+/// For each node the aspects, as bits, that can be seen in what is drawn: no paint above the node overrides them. A
+/// node that a difference takes away has none.
 fn seen(scene: &Scene) -> Vec<u8> {
     const ALL: u8 = (1 << ASPECTS) - 1;
     let mut seen = vec![0; scene.nodes.len()];
@@ -179,7 +181,7 @@ fn seen(scene: &Scene) -> Vec<u8> {
 fn report(context: &Context, mixed: &[(NodeId, [bool; 3])], out: &mut Vec<Diagnostic>) {
     let titles = context.titles();
     let properties = Properties::new(context);
-    // Of these W340 has a guess.
+    // W340 proposes a difference in place of these intersections.
     let differences = swapped_difference::intersections(context);
     let finding = |&(node, differ): &(NodeId, [bool; 3])| {
         let origin = context.scene.origins[node as usize];

@@ -1,4 +1,4 @@
-//! N603: automatic lights shine where there is none.
+//! N603: the scene has no light, so automatic lights are added.
 
 use crate::diagnostics::{Code, Diagnostic};
 use crate::lint::Context;
@@ -11,7 +11,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     };
     let scene = context.scene;
     let light = |k: Option<Kind>| matches!(k, Some(Kind::AmbientLight | Kind::PointLight));
-    // One that is wrong was meant to be there.
+    // A light with an error was meant to be there.
     let meant = |item: &Item| match item {
         Item::Record(r) => matches!(r.kind, RecordKind::AmbientLight | RecordKind::PointLight),
         Item::Broken(b) => b

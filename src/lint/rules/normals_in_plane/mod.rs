@@ -1,4 +1,5 @@
-//! W339: a triangle whose normals lie in its own plane, as where each corner has been written with its normal behind it.
+//! W339: a triangle whose normals lie in its own plane, as where each corner has been written with its normal behind
+//! it.
 
 use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Value};
 use crate::geometry::array::{cross, dot, sub, unit};
@@ -6,9 +7,9 @@ use crate::lint::Context;
 use crate::scene::record::Params;
 use crate::scene::{Geometry, TriangleNormals, Vec3};
 
-/// The cosine of the angle between a normal and that of the plane below which the normal lies in the plane.
+/// A normal lies in the plane if the cosine of the angle between it and the plane's normal is below this.
 const IN_PLANE_COS: f64 = 1e-6;
-/// The cosine of 60 degrees: normals as far as this from that of the plane still round off a mesh.
+/// The cosine of 60 degrees, the largest angle from the plane's normal at which a normal may still round off a mesh.
 const ROUNDING_COS: f64 = 0.5;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -40,7 +41,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The cosines of the angles between normals and that of the plane, whichever side that is on; `None` where there is none.
+/// The cosines of the angles between the normals and the plane's normal, without their signs. `None` if the triangle
+/// has no plane, or a normal no direction.
 fn cosines(vertices: &[Vec3; 3], normals: &[Vec3]) -> Option<Vec<f64>> {
     let [a, b, c] = *vertices;
     let plane = unit(cross(sub(b, a), sub(c, a)))?;
@@ -48,7 +50,8 @@ fn cosines(vertices: &[Vec3; 3], normals: &[Vec3]) -> Option<Vec<f64>> {
     normals.iter().map(cosine).collect()
 }
 
-/// Whether the normals fit if each stands behind its corner.
+/// Whether the numbers make sense if each corner is followed by its normal: all three normals are then near the plane's
+/// normal.
 fn is_interleaved(vertices: &[Vec3; 3], normals: &[Vec3; 3]) -> bool {
     let [a, first, b] = *vertices;
     let [second, c, third] = *normals;

@@ -10,8 +10,8 @@ use crate::syntax::table::RecordKind;
 
 type Matrix3 = [[f64; 3]; 3];
 
-/// How far an entry may be from the nearest rotation's: the language's own bound. Six decimals are
-/// what a hand-written matrix has.
+/// Largest difference between an entry and that of the nearest rotation; the language has the same bound. Six decimals
+/// are what a hand-written matrix has.
 const TOLERANCE: f64 = 1e-6;
 
 /// Decimals written by the fix: enough to be far below [`TOLERANCE`].
@@ -32,7 +32,7 @@ fn check_record(p: &Params, out: &mut Vec<Diagnostic>) {
     if is_plainly_a_rotation(&m) {
         return;
     }
-    // The resolver has reported these.
+    // The resolver reports matrices with another last row, and singular ones.
     if m.0[3] != [0.0, 0.0, 0.0, 1.0] || m.is_singular() || m.inverse().is_none() {
         return;
     }
@@ -65,8 +65,9 @@ fn check_record(p: &Params, out: &mut Vec<Diagnostic>) {
     out.push(finding);
 }
 
-/// Whether a matrix is a rotation without further ado. Where the products of the columns are those of the unit vectors
-/// within ε, the singular values are within 3ε/2 of 1, and so are the entries of those of the nearest rotation.
+/// Whether a quick test proves that a matrix is a rotation. If the scalar products of the columns differ from those of
+/// the unit vectors by at most ε, the singular values are within 3ε/2 of 1, and the entries within 3ε/2 of those of the
+/// nearest rotation.
 fn is_plainly_a_rotation(m: &Matrix) -> bool {
     let column = |j: usize| [m.0[0][j], m.0[1][j], m.0[2][j]];
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -85,7 +86,7 @@ fn is_plainly_a_rotation(m: &Matrix) -> bool {
         && dot(across, z) > 0.0
 }
 
-/// Says what the matrix does besides turning.
+/// Adds to the finding what the matrix does besides turning.
 fn deed(finding: Diagnostic, m: &Matrix3, mirrors: bool) -> Diagnostic {
     let column = |j: usize| [m[0][j], m[1][j], m[2][j]];
     let length = |v: [f64; 3]| v[0].hypot(v[1]).hypot(v[2]);
@@ -131,8 +132,8 @@ fn nearest_orthogonal(m: &Matrix3) -> Option<Matrix3> {
     /// Scaled iterations settle within nine steps in double precision, whatever the condition
     /// (Higham, section 8.9).
     const STEPS: usize = 16;
-    /// A step that moves no entry further than this has converged: the next would move them by its
-    /// square.
+    /// The iteration has converged if a step moves no entry by more than this: the next step would move entries by the
+    /// square of it.
     const SETTLED: f64 = 1e-13;
     let norm = |m: &Matrix3| m.iter().flatten().fold(0.0f64, |s, x| s.hypot(*x));
     let size = norm(m);
@@ -143,7 +144,7 @@ fn nearest_orthogonal(m: &Matrix3) -> Option<Matrix3> {
             to[..3].copy_from_slice(from);
         }
         let back = wide.inverse()?.0;
-        // Transposed.
+        // The iteration needs the transpose of the inverse.
         let back: Matrix3 = std::array::from_fn(|i| std::array::from_fn(|j| back[j][i]));
         let scale = (norm(&back) / norm(&x)).sqrt();
         let next: Matrix3 = std::array::from_fn(|i| {

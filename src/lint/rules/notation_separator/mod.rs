@@ -5,8 +5,8 @@ use crate::lint::Context;
 use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::{Item, commas, quote};
 
-/// Whether a separator is a comma that may be a decimal one. Where there is a space behind it, what is around it must be
-/// digits alone.
+/// Whether a separator is a comma that may be a decimal one, since digits stand on both sides. If a space follows the
+/// comma, the numbers on both sides must have no other point or comma.
 fn is_between_digits(text: &str, separator: &Token) -> bool {
     let before = &text[..separator.start as usize];
     let behind = &text[separator.end() as usize..];
@@ -66,7 +66,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let text = context.text.as_bytes();
         let space = |i: usize| text.get(i).is_none_or(u8::is_ascii_whitespace);
         let is_next = |a: &Token, b: &Token| a.end() == b.start;
-        // Whether there is a space behind each and those directly behind it.
+        // For each separator whether white space follows the unbroken row of separators that it begins.
         let mut behind: Vec<bool> = separators.iter().map(|t| space(t.end() as usize)).collect();
         for i in (1..separators.len()).rev() {
             if is_next(separators[i - 1], separators[i]) {
@@ -79,7 +79,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             let before = t.start as usize;
             let is_behind_another = i > 0 && is_next(separators[i - 1], t);
             let apart = behind || is_behind_another || before == 0 || space(before - 1);
-            // Of the spaces on both sides those behind it stay.
+            // Where spaces stand on both sides, those behind the separator stay.
             let blank = |i: &usize| matches!(text[*i], b' ' | b'\t');
             let blanks = (0..before).rev().take_while(blank).count();
             let start = before - if behind { blanks } else { 0 };
@@ -117,7 +117,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             out.push((finding.fix(Fix::guess("points", points))).fix(Fix::guess("fix", edits)));
             continue;
         }
-        // What is wrong there may be what the separators say: a decimal comma, a comment.
+        // A broken record on the line may be broken by what the separators stand for, as a decimal comma or a comment.
         let may_say_more = line.iter().any(|t| t.kind() == TokenKind::Word)
             || separators
                 .iter()

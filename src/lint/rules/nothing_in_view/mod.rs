@@ -12,25 +12,27 @@ use crate::syntax::quote;
 use crate::syntax::table::RecordKind;
 use crate::trace::plan::unseen::view::{OutOfView, Parts, USUAL, held, out_of_view};
 
-/// The cosine of the angle between two directions that are meant as one.
+/// Least cosine of the angle between two directions that are meant as one.
 const AIMED: f64 = 0.9;
-/// The cosine of the angle between a direction and that to the middle, where the camera is aimed at it.
+/// Least cosine of the angle between the direction of a camera and the way to the middle, for a camera that is aimed at
+/// the middle.
 const AIMED_AT_MIDDLE: f64 = 0.97;
-/// The length up to which people write directions: most have the length 1, or a 1 and a part of it.
+/// The greatest length of directions as people write them: most have the length 1, or one component 1 and another one a
+/// part of 1.
 pub(super) const LONGEST_WRITTEN: f64 = 1.5;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let Some(render) = scene.render else { return };
     for (camera, p) in chosen_cameras(context) {
-        // Of an angle of view that looks like radians another rule speaks.
+        // Another rule reports an angle of view that looks like radians.
         if angle_in_radians::meant(context, camera, &p).is_some() {
             continue;
         }
         let is_written = p.ty.kind == RecordKind::Camera;
         let seen = |of| out_of_view(scene, context.bounds(), render.root, camera, of);
         let unseen = seen(Parts::All);
-        // A floor without end is seen from almost everywhere.
+        // An endless floor is seen from almost everywhere, so the bounded objects are judged without it.
         let ended = || seen(Parts::Bounded);
         let Some(side) = unseen.or_else(ended) else {
             continue;
@@ -50,7 +52,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             true => turned(context, render.root, camera, &p, side),
             false => Vec::new(),
         };
-        // A mirror may show what lies behind the camera.
+        // A mirror may show what lies behind the camera, so the direction may be meant.
         let may_be_meant = fixes.iter().all(|f| f.title == "fix") && has_mirror(scene);
         if unseen.is_none() && (is_inside || may_be_meant) {
             continue;
@@ -73,7 +75,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The direction from a camera to the middle of what has an end.
+/// The direction from a camera to the middle of the bounded objects, as a message writes it.
 fn way(context: &Context, root: NodeId, camera: &Camera) -> String {
     let middle = context.bounds()[root as usize].bounded().centre();
     let way = sub(middle, camera.position);
@@ -81,7 +83,7 @@ fn way(context: &Context, root: NodeId, camera: &Camera) -> String {
     quote(&numbers.join(" "))
 }
 
-/// Whether something reflects.
+/// Whether a paint of the scene reflects light.
 fn has_mirror(scene: &Scene) -> bool {
     scene.nodes.iter().any(|node| match node {
         Node::Paint { paint, .. } => {
@@ -104,8 +106,9 @@ pub(super) fn name(side: OutOfView) -> &'static str {
     }
 }
 
-/// Fixes that turn the camera to what is drawn, or to what of it has an end: the other sign, the point that the direction
-/// is meant as, and the middle. None where something moves the camera.
+/// Fixes that turn the camera towards what is drawn, or towards the bounded objects: direction and up vector are
+/// exchanged, components of the direction get the other sign, the direction is read as a point to look at, or the
+/// camera looks at the middle. Empty if a transformation moves the camera.
 fn turned(
     context: &Context,
     root: NodeId,
@@ -124,12 +127,13 @@ fn turned(
     let mut fixes = Vec::from_iter(signs.map(|signs| with_signs(signs, p)));
     fixes.extend(turned_to_point(camera, p, sees));
     let way = sub(ended.centre(), camera.position);
-    // A direction that is a place within what is drawn is that place, unless the other sign aims at the middle.
+    // A direction that is a place among the bounded objects is rather a point to look at, unless the opposite direction
+    // aims at the middle.
     let aim = unit(camera.direction)
         .zip(unit(way))
         .map(|(a, b)| -dot(a, b));
     let is_place = ended.contains(camera.direction) && aim.is_some_and(|aim| aim < AIMED);
-    // Of a direction as people write one a minus is rather lost.
+    // A direction of a length that people write has rather lost a minus.
     let is_lost = signs.is_some_and(|signs| is_one_lost(camera.direction, signs));
     if match is_lost {
         true => length(camera.direction) > LONGEST_WRITTEN,
@@ -145,8 +149,8 @@ fn turned(
     [swapped, fixes].concat()
 }
 
-/// The fixes with those that give one coordinate of the place the other sign, where the camera sees something then: second
-/// where it then looks at the middle, last otherwise.
+/// Adds fixes that give one coordinate of the camera's place the other sign, if the camera is then in no solid and sees
+/// something. The fix comes second if the camera then looks at the middle, and last otherwise.
 fn with_other_places(
     context: &Context,
     root: NodeId,
@@ -185,8 +189,8 @@ fn with_other_places(
     fixes
 }
 
-/// The fix that swaps the direction, which is an axis as most up vectors are, and the up vector, if the camera sees
-/// something then.
+/// The fix that exchanges the direction and the up vector. `None` unless the direction is a coordinate axis, as most up
+/// vectors are, the up vector is not, and the camera then sees something.
 fn swapped(context: &Context, root: NodeId, camera: &Camera, p: &Params, of: Parts) -> Option<Fix> {
     let is_axis = |mut vector: Vec3| {
         vector.sort_by(f64::total_cmp);
@@ -212,11 +216,12 @@ fn swapped(context: &Context, root: NodeId, camera: &Camera, p: &Params, of: Par
     )
 }
 
-/// The parts of a direction whose signs are changed.
+/// For each component of a direction whether its sign is changed.
 type Signs = [bool; 3];
 
-/// The parts of the direction that get the other sign, if the camera sees something then: the longest one, all for what is
-/// behind the camera, or another one that may have lost its minus.
+/// The components of the direction that get the other sign so that the camera sees something; `None` if no choice
+/// helps. The longest component is tried first, then all of them if the objects are behind the camera, then each
+/// positive one, which may have lost its minus.
 fn signs(way: Vec3, side: OutOfView, sees: impl Fn(Vec3) -> bool) -> Option<Signs> {
     let longest = longest(way)?;
     let only = |part: usize| [0, 1, 2].map(|i| i == part);
@@ -231,7 +236,8 @@ fn longest(way: Vec3) -> Option<usize> {
     (0..3).max_by(|&i, &j| way[i].abs().total_cmp(&way[j].abs()))
 }
 
-/// Whether one part that has no minus gets one, and it is not the longest.
+/// Whether a single component changes its sign, which was positive and is not the longest: it has rather lost its
+/// minus.
 fn is_one_lost(way: Vec3, signs: Signs) -> bool {
     let mut parts = (0..3).filter(|&i| signs[i]);
     let (Some(part), None) = (parts.next(), parts.next()) else {
@@ -240,7 +246,7 @@ fn is_one_lost(way: Vec3, signs: Signs) -> bool {
     way[part] > 0.0 && Some(part) != longest(way)
 }
 
-/// The fix that gives parts of the direction the other sign.
+/// The fix that gives the chosen components of the direction the other sign.
 fn with_signs(signs: Signs, p: &Params) -> Fix {
     let text = |i: usize| match (signs[i], p.text_of(3 + i).strip_prefix('-')) {
         (true, Some(rest)) => rest.to_owned(),
@@ -252,7 +258,7 @@ fn with_signs(signs: Signs, p: &Params) -> Fix {
     fix("fix-sign", values, numbers, p)
 }
 
-/// The fix that turns the camera to the point that the direction is meant as, if it sees something then.
+/// The fix that reads the direction as a point to look at. `None` if the camera then sees nothing.
 fn turned_to_point(camera: &Camera, p: &Params, sees: impl Fn(Vec3) -> bool) -> Option<Fix> {
     let way = sub(camera.direction, camera.position);
     if !sees(way) {
@@ -267,7 +273,7 @@ fn turned_to_point(camera: &Camera, p: &Params, sees: impl Fn(Vec3) -> bool) -> 
     Some(fix("fix-point", values, numbers, p))
 }
 
-/// The parts that a camera is meant to see: those that have an end, if there are any.
+/// The parts of the scene that a camera is meant to see: the bounded ones, or all if there are none.
 pub(super) fn to_be_seen(context: &Context, root: NodeId) -> Parts {
     match context.bounds()[root as usize].bounded().is_empty() {
         true => Parts::All,
@@ -299,7 +305,8 @@ fn fix(
     }
 }
 
-/// Whether the camera would see some of these parts if it looked this way. The up vector must not be along it.
+/// Whether the camera would see some of the parts `of` if it looked along `way`. `false` if the up vector is nearly
+/// along `way`.
 pub(super) fn sees(context: &Context, root: NodeId, camera: &Camera, way: Vec3, of: Parts) -> bool {
     /// The least sine between direction and up.
     const UPRIGHT: f64 = 0.01;

@@ -1,6 +1,6 @@
-//! W330: things are seen, and no light falls on any of them.
+//! W330: a camera sees objects, and no light falls on any of them.
 //!
-//! There are no bounds for what mirrors and glass show, so a small picture is looked at.
+//! Mirrors and glass leave no bounds for what is lit, so the rule looks at a small picture.
 
 use crate::diagnostics::{Code, Diagnostic};
 use crate::lint::Context;
@@ -32,7 +32,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         if is_lit(scene, camera) != Some(false) {
             continue;
         }
-        // It is no lamp's fault where all is black by itself.
+        // No lamp is to blame if all that the camera sees is black even under an ambient light.
         let mut bright = scene.clone();
         bright.ambient_lights.push(AmbientLight {
             id: 0,
@@ -55,7 +55,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Whether a camera is inside of something, or all lights are: of that other rules speak.
+/// Whether a camera or every lamp is inside of a solid, which other rules report.
 fn is_shut_in(context: &Context) -> bool {
     let (mut cameras, mut lights) = (Vec::new(), Vec::new());
     camera_in_solid::check(context, &mut cameras);
@@ -63,8 +63,8 @@ fn is_shut_in(context: &Context) -> bool {
     !cameras.is_empty() || lights.len() == context.scene.point_lights.len()
 }
 
-/// Whether light comes from anything in a small picture. `None` where nothing is to be seen, or the picture cannot be
-/// taken or takes too long.
+/// Whether light comes from any object in a small picture. `None` if no object is seen, or the picture cannot be taken
+/// or takes too long.
 fn is_lit(scene: &Scene, camera: &Camera) -> Option<bool> {
     let mut lit = None;
     glance(scene, &Images::default(), camera, DEPTH, |pixels, x, y| {

@@ -1,4 +1,4 @@
-//! W342: an object that a comment calls a mirror or glass, whose optics (-201) are none, or that has none.
+//! W342: an object that a comment calls a mirror or glass, with the optics (-201) of something else, or with none.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -9,17 +9,17 @@ use crate::syntax::table::{Family, RecordKind};
 use crate::syntax::words::{self, plain};
 use crate::syntax::{Record, quote};
 
-/// A kind of optics by the words for it, without accents.
+/// A kind of optics, and the words for it, without accents.
 struct Look {
-    /// Words behind which the object is named, or nothing.
+    /// Nouns. A noun counts if the next word names a shape, or if it is the last word.
     nouns: &'static [&'static str],
     /// Beginnings of adjectives.
     adjectives: &'static [&'static str],
-    /// The part of the light that is the greatest one: its place in the record.
+    /// The index of the parameter that is the greatest one in optics of this kind: 1 for ks, 2 for kt.
     part: usize,
-    /// The cases: the optics are others, and there are none.
+    /// The cases of the finding: the object has other optics, or none.
     cases: [&'static str; 2],
-    /// Records that give it.
+    /// Records, without their ID, that give an object these optics.
     lines: &'static [&'static str],
 }
 
@@ -42,24 +42,25 @@ const LOOKS: [Look; 2] = [
 
 /// Comments of more words are about something else.
 const MAX_COMMENT_WORDS: usize = 5;
-/// Words by which a comment speaks of something beside a mirror or glass, without accents.
+/// Words that show that a comment speaks of something beside a mirror or glass, without accents.
 const BESIDE: [&str; 27] = [
     "in", "on", "under", "behind", "for", "of", "with", "without", "and", "or", "not", "no",
     "looking", "like", "v", "ve", "na", "pod", "za", "u", "pro", "bez", "s", "se", "nebo", "neni",
     "jako",
 ];
-/// Optics have a part from here on, and lack one up to here.
+/// The least part of the light that counts as present in optics, and the greatest one that counts as missing.
 const LEAST_PART: f64 = 0.5;
 const MAX_LACKED_PART: f64 = 0.1;
-/// The parts of a colour that may be optics add up to 1, but for rounding.
+/// Largest difference between 1 and the sum of a colour's parts, if the colour may be meant as optics.
 const SUM_EPS: f64 = 1e-9;
 
 /// Objects and optics that a comment calls a mirror or glass.
 struct Called<'a> {
-    /// The first record of each ID with such a comment.
+    /// For each ID the first record with a comment that calls it so, and the kind of optics.
     looks: Vec<(&'a Record, &'static Look)>,
-    /// All records of each ID that give optics, or a colour.
+    /// For each ID the records that give optics.
     optics: FxHashMap<u32, Vec<&'a Record>>,
+    /// For each ID the records that give a colour.
     colours: FxHashMap<u32, Vec<&'a Record>>,
 }
 
@@ -129,7 +130,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The IDs whose optics are others than a comment says: an index for them is no matter.
+/// The IDs whose optics differ from what a comment says: these are wrong before any index is missing.
 pub(super) fn with_other_optics(context: &Context) -> FxHashSet<u32> {
     let called = Called::of(context);
     let looks = called.looks.iter();
@@ -145,7 +146,8 @@ fn gives_optics(record: &Record) -> bool {
     super::OPTICS.contains(&record.kind) || record.kind == RecordKind::Assignment
 }
 
-/// What a comment calls the object of a record.
+/// The kind of optics that a comment claims for the object of a record. `None` if it claims none or both, or seems to
+/// be about another object.
 fn look(comment: &str, p: &Params) -> Option<&'static Look> {
     let words = comment.split(|c: char| !c.is_alphabetic());
     let words = words.filter(|w| !w.is_empty()).map(plain);
@@ -176,7 +178,8 @@ fn look(comment: &str, p: &Params) -> Option<&'static Look> {
     (!is_another).then_some(look)
 }
 
-/// The finding about optics whose greatest part is another one.
+/// The finding about optics in which another part is the greatest, and that of the kind is missing; the fix exchanges
+/// the two. `None` for other optics.
 fn other(p: &Params, look: &Look) -> Option<Diagnostic> {
     let greatest = (0..3).max_by(|&i, &j| p.number(i).total_cmp(&p.number(j)))?;
     if p.number(greatest) < LEAST_PART || p.number(look.part) > MAX_LACKED_PART {

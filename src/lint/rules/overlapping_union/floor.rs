@@ -1,5 +1,5 @@
-//! Half-spaces that overlap other parts, and would not with the other sign of d: other programs have the inside at
-//! ax + by + cz ≤ d.
+//! Half-spaces that overlap other parts, and would not overlap them with the other sign of d: in other programs the
+//! inside is ax + by + cz ≤ d.
 
 use rustc_hash::FxHashMap;
 
@@ -15,10 +15,10 @@ use crate::scene::record::Params;
 use crate::syntax::table::{RecordKind, ShapeKind};
 use crate::trace::plan::unseen::sides::Sides;
 
-/// Most half-spaces that are looked at: all other parts are looked at for each.
+/// Most half-spaces for which the other sign is tried: each is held against all other parts.
 const MAX_HALF_SPACES: usize = 16;
 
-/// The fixes of half-spaces, by their records.
+/// The fixes of half-spaces, by the spans of their records.
 pub(super) struct Floors(FxHashMap<Span, Fix>);
 
 impl Floors {
@@ -28,7 +28,7 @@ impl Floors {
         for overlap in found {
             let [one, two] = overlap.parts.map(|i| &unions.parts[i as usize]);
             for (floor, other) in [(one, two), (two, one)] {
-                // A body in water is in it by intent.
+                // A body that overlaps water or glass is in there on purpose.
                 let is_clear = unions.media[floor.medium as usize].transmits();
                 if is_clear || half_space(context, floor).is_none() {
                     continue;
@@ -51,14 +51,14 @@ impl Floors {
         )
     }
 
-    /// The fix of the half-space that is one of two parts.
+    /// The fix of that of two overlapping parts which is a half-space; `None` if neither has a fix.
     pub(super) fn fix(&self, unions: &Unions, found: &Overlap) -> Option<Fix> {
         let spans = found.parts.map(|i| unions.parts[i as usize].named.span);
         spans.iter().find_map(|span| self.0.get(span)).cloned()
     }
 }
 
-/// The record of a part that is a half-space.
+/// The record of a part that is a half-space; `None` for other parts.
 fn half_space<'c>(context: &'c Context, part: &UnionOperand) -> Option<Params<'c>> {
     let (core, _) = context.scene.core(part.node, part.matrix);
     if !matches!(context.scene.nodes[core as usize], Node::Shape(_)) {
@@ -69,8 +69,8 @@ fn half_space<'c>(context: &'c Context, part: &UnionOperand) -> Option<Params<'c
     (is_one && p.id == part.named.id).then_some(p)
 }
 
-/// The other sign of d, where the half-space then holds nothing of the parts that it overlaps, no camera, no other lamp and
-/// no other part.
+/// The fix that gives d the other sign. `None` unless the half-space then holds nothing of the parts that it overlaps,
+/// no camera, and no lamp or other part that it does not hold now.
 fn other_sign(context: &Context, floor: &UnionOperand, overlapped: &[Aabb]) -> Option<Fix> {
     let scene = context.scene;
     let p = half_space(context, floor)?;

@@ -1,4 +1,4 @@
-//! Differences between the parts of a union that light notices.
+//! Properties of the parts of a union by which light tells the parts apart.
 
 use crate::scene::{DEFAULT_INDEX, Node, NodeId, Optics, Rgb, Scene, Texture};
 use crate::solids::shapes::facts::Facts;
@@ -17,12 +17,12 @@ impl Medium {
 
     pub(super) fn bits(&self) -> [u64; 12] {
         let all = [self.optics.kd, self.optics.ks, self.optics.kt, self.index];
-        // Zeros of both signs are one number.
+        // Adding 0 makes zeros of both signs one number.
         std::array::from_fn(|i| (all[i / 3][i % 3] + 0.0).to_bits())
     }
 }
 
-/// The properties given to the whole, which override those of its parts.
+/// The properties that paints above a node give to it. They override those of the node itself.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Coat {
     pub(super) optics: Option<Optics>,
@@ -49,17 +49,17 @@ impl Coat {
     }
 }
 
-/// The visible colours of a part that lets no light through.
+/// The source of the visible colours of an opaque part.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Colouring {
     White,
     /// The colours of the scene's paint with this index.
     Paint(u32),
-    /// The profile's own.
+    /// The colours of a profile's own points.
     Own,
 }
 
-/// The colouring as a texture, to be compared; `None` where it is the shape's own.
+/// The texture of a colouring, to be compared with others; `None` for the colours of a profile.
 pub(super) fn texture(scene: &Scene, colouring: Colouring) -> Option<&Texture> {
     const WHITE: Texture = Texture::Colour([1.0; 3]);
     match colouring {
@@ -69,14 +69,14 @@ pub(super) fn texture(scene: &Scene, colouring: Colouring) -> Option<&Texture> {
     }
 }
 
-/// The medium and the colouring of what is within a node; `None` where it has several or that is not
-/// known.
+/// The medium and the colouring of the inside of a node, below the paints `coat`. Each is `None` if there are several,
+/// or if it is not known.
 pub(super) fn looks(
     scene: &Scene,
     mut node: NodeId,
     mut coat: Coat,
 ) -> (Option<Medium>, Option<Colouring>) {
-    // What is all there is.
+    // The colouring of the shape at the end of the walk, if there is one.
     let mut own = None;
     loop {
         node = match scene.nodes[node as usize] {

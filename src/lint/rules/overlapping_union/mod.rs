@@ -1,10 +1,10 @@
-//! W307: parts of a union that overlap and are of different media, or are cut open there.
+//! W307: parts of a union that overlap and are of different media, or are cut open where they overlap.
 //!
-//! Opaque solids that overlap are everyday modelling, and the picture does not depend on it: all
-//! that can be seen of each is what lies outside of the other. It does where light gets in: what
-//! both hold belongs to the first operand, and the second one's surface is not seen in there. And it
-//! does where a difference cuts through what both hold: the cut face looks like the first operand.
-//! (Where an intersection cuts, the face looks like what cuts.)
+//! Overlapping opaque solids are everyday modelling, and the picture does not depend on the overlap: only the part of
+//! each solid outside of the other is seen. The picture depends on it in two cases. Where light gets in, the overlap
+//! belongs to the first operand, and the second one's surface is not seen in there. Where a difference cuts through the
+//! overlap, the cut face looks like the first operand. (Where an intersection cuts, the face looks like the shape that
+//! cuts.)
 
 mod floor;
 mod medium;
@@ -52,7 +52,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if found.is_empty() {
         return;
     }
-    // A solid that holds a camera or a lamp is hardly where it should be. W325 and W326 speak of it.
+    // A solid that holds a camera or a lamp is hardly where it should be, and W325 and W326 report it.
     let is_one_of = |found: &Overlap, solids: &FxHashSet<Span>| {
         let parts = found.parts.map(|i| unions.parts[i as usize].named.span);
         parts.iter().any(|span| solids.contains(span))
@@ -60,7 +60,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let around_cameras = camera_in_solid::solids(context);
     found.retain(|f| !is_one_of(f, &around_cameras));
     let around_lamps = lamp_in_solid::solids(context);
-    // One after the other: each fix has IDs of its own.
+    // Not in parallel, since each fix takes new IDs of its own.
     let mut splitter = Splitter::new(context, bounds);
     let pieces = found.iter().map(|f| match is_one_of(f, &around_lamps) {
         true => None,
@@ -77,7 +77,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let fix = (pieces[i].as_ref()).and_then(|pieces| pieces.fix(context, &properties, &p));
         let other_sign = floors.fix(&unions, found);
         let radius = radius::fix(context, &unions, found);
-        // Nobody can tell which of them was meant.
+        // With several fixes nobody can tell which one was meant.
         let fix = fix.map(|fix| match other_sign.is_some() || radius.is_some() {
             true => Fix {
                 applicability: Applicability::Choice,

@@ -1,4 +1,4 @@
-//! Spheres that overlap other parts, and may have their radius first.
+//! Spheres that overlap other parts, and may be written with the radius first.
 
 use rustc_hash::FxHashSet;
 
@@ -13,17 +13,17 @@ use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, ShapeKind};
 use crate::trace::plan::unseen::LeftOut;
 
-/// Unions of more parts are not looked at for opaque spheres: each sphere is held against all parts.
+/// Most shapes and parts with which opaque spheres are examined: each sphere is held against all parts.
 const MAX_PARTS: usize = 1000;
 
-/// So many overlaps that another reading undoes are no chance.
+/// Least number of overlaps that the other reading has to undo: that many are no coincidence.
 const MIN_OVERLAPS: usize = 2;
 
-/// The share of its radius that a sphere reaches into what has no end, at least, for a deep cut.
+/// A sphere cuts deep into an endless part if it reaches in by more than this share of its radius.
 const DEEP_REL: f64 = 0.25;
 
-/// The findings about opaque spheres that overlap several other parts deeply, and with their radius first would overlap none
-/// and touch one.
+/// The findings about opaque spheres that overlap several other parts deeply, and with the first number as the radius
+/// would overlap none and touch one.
 pub(super) fn opaque(context: &Context) -> Vec<Diagnostic> {
     let scene = context.scene;
     let is_sphere = |kind| kind == RecordKind::Shape(ShapeKind::Sphere);
@@ -31,7 +31,7 @@ pub(super) fn opaque(context: &Context) -> Vec<Diagnostic> {
         return Vec::new();
     }
     let all = roots(scene, &live_nodes(scene));
-    // What a sphere swallows counts, too.
+    // No part is left out: parts that a sphere swallows count, too.
     let unions = Unions::new(scene, context.bounds(), &all, &LeftOut::default());
     if unions.parts.len() > MAX_PARTS {
         return Vec::new();
@@ -66,8 +66,8 @@ fn finding(p: &Params, overlapped: &[&UnionOperand]) -> Diagnostic {
     d.fix(moved(p, false))
 }
 
-/// Whether a sphere as it is written overlaps another part by much: it holds the middle of that, or cuts deep into what has
-/// no end.
+/// Whether a sphere as it is written overlaps another part deeply: it holds the middle of a bounded part, or cuts deep
+/// into an endless one.
 fn is_deep_in(p: &Params, other: &Aabb) -> bool {
     let [centre @ .., radius]: [f64; 4] = p.numbers(0);
     match other.is_finite() {
@@ -79,7 +79,8 @@ fn is_deep_in(p: &Params, other: &Aabb) -> bool {
     }
 }
 
-/// How far a sphere with its radius first is from the box of another part, as a share of the radius.
+/// The distance of a sphere, read with its radius first, from the box of another part, as a share of the radius.
+/// Negative if the sphere reaches into the box.
 fn gap(p: &Params, other: &Aabb) -> f64 {
     let [radius, centre @ ..]: [f64; 4] = p.numbers(0);
     (distance(centre, other) - radius) / radius
@@ -90,8 +91,8 @@ fn distance(point: [f64; 3], other: &Aabb) -> f64 {
     (0..3).map(|i| off(i).powi(2)).sum::<f64>().sqrt()
 }
 
-/// The fix of a sphere that is one of two parts: its first number as the radius, where spaces set that apart, or where the
-/// sphere then touches the other part instead of overlapping it.
+/// The fix that reads the first number of a sphere, one of two overlapping parts, as its radius. `None` unless wider
+/// space sets that number apart, or the sphere then touches the other part.
 pub(super) fn fix(context: &Context, unions: &Unions, found: &Overlap) -> Option<Fix> {
     let [one, two] = found.parts.map(|i| &unions.parts[i as usize]);
     let of = |ball: &UnionOperand, other: &UnionOperand| {
@@ -102,7 +103,7 @@ pub(super) fn fix(context: &Context, unions: &Unions, found: &Overlap) -> Option
     of(two, one).or_else(|| of(one, two))
 }
 
-/// The record of a part that is a sphere whose first number may be a radius.
+/// The record of a part that is a sphere whose first number may be a radius; `None` for other parts.
 fn sphere<'c>(context: &'c Context, part: &UnionOperand) -> Option<Params<'c>> {
     let (core, _) = context.scene.core(part.node, part.matrix);
     if !matches!(context.scene.nodes[core as usize], Node::Shape(_)) {
@@ -120,9 +121,10 @@ fn is_set_apart(p: &Params) -> bool {
     is_wide && gap(1) == " " && gap(2) == " "
 }
 
-/// Whether the sphere with its radius first and the box of another part have no more than their borders in common.
+/// Whether the sphere, read with its radius first, and the box of another part have no more than their borders in
+/// common.
 fn touches(context: &Context, p: &Params, ball: &UnionOperand, other: &Aabb) -> bool {
-    // What is moved or scaled is where nobody reads it from the record.
+    // The record of a sphere that is moved or scaled does not say where the sphere is.
     let is_there = context.scene.core(ball.node, ball.matrix).1 == Matrix::IDENTITY;
     is_there && gap(p, other).abs() <= MIN_REL_DEPTH
 }

@@ -1,4 +1,4 @@
-//! Parts that overlap.
+//! The search for parts of unions that overlap.
 
 use rustc_hash::FxHashSet;
 
@@ -16,33 +16,34 @@ use crate::solids::lowest::lowest;
 use crate::solids::shapes::AnyShape;
 use crate::solids::shapes::quadric::Quadric;
 
-/// Most boxes looked at and points tried, for all parts together: some tenths of a second.
+/// Most boxes examined and points tried, for all parts together: some tenths of a second.
 const MAX_STEPS: usize = 10_000_000;
 
-/// Points tried for a pair of parts whose boxes overlap.
+/// Number of points that are tried for a pair of parts with overlapping boxes.
 const POINTS_PER_PAIR: u32 = 24;
 
-/// Depth of a point inside of both parts, as a share of the smaller one, at least: what overlaps by less is meant to
-/// touch, and written with six or seven digits.
+/// Least depth of a point inside of both parts, as a share of the size of the smaller part. Parts that overlap by less
+/// are meant to touch, and written with six or seven digits.
 pub(super) const MIN_REL_DEPTH: f64 = 1e-6;
 
-/// Most steps of the closer look at one pair of which no point was found.
+/// Most steps of the closer look at one pair for which no point was found.
 const MAX_CLOSE_LOOK_STEPS: usize = 40_000;
 /// Most steps of closer looks at all pairs together: some tenths of a second.
 const MAX_CLOSE_LOOK_STEPS_IN_ALL: usize = 6_000_000;
 
 /// Most pairs that are remembered for a closer look.
 const MAX_PAIRS_REMEMBERED: usize = 100_000;
-/// Most of these pairs of which both may be without end.
+/// Most pairs of two endless parts that get a closer look.
 const MAX_ENDLESS_PAIRS: usize = 2_000;
 
 /// Two parts that overlap.
 pub(super) struct Overlap {
-    /// The union of both.
+    /// The innermost union that has both parts.
     pub(super) union: NodeId,
     /// Indices of the parts, in the order of the operands.
     pub(super) parts: [u32; 2],
-    /// A point of both, in the coordinates of the scene: with as many digits as it takes to be in both.
+    /// A point inside of both parts, in the coordinates of the scene, with as many digits as it takes to be inside of
+    /// both.
     pub(super) witness: [String; 3],
     /// Whether the parts are opaque, and cut open at the point.
     pub(super) open: bool,
@@ -53,16 +54,16 @@ pub(super) struct Search<'a> {
     unions: &'a Unions,
     inside: Inside<'a>,
     left: usize,
-    /// Unions that have been spoken of.
+    /// The unions that have a finding already.
     done: FxHashSet<NodeId>,
     bounds: &'a [NodeBounds],
     /// Steps that are left for closer looks.
     close: usize,
-    /// Pairs of which the first part lies within the second.
+    /// Pairs whose first part lies within the second.
     nested: FxHashSet<[u32; 2]>,
 }
 
-/// Two parts to be looked at, and whether both are opaque.
+/// The indices of two parts, and whether both are opaque.
 type Pair = ([u32; 2], bool);
 
 impl<'a> Search<'a> {
@@ -102,7 +103,7 @@ impl<'a> Search<'a> {
             let mut near = Vec::new();
             let steps = match part.bounds.is_finite() {
                 true => boxes.near(&part.bounds, &mut near),
-                // Two without end: later.
+                // Pairs of two endless parts come later.
                 false => boxes.near_finite(&part.bounds, &mut near),
             };
             match self.left.checked_sub(steps + near.len() + 1) {
@@ -136,12 +137,13 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// A pair of parts, if the order of these shows and it is the first one's turn.
+    /// The pair of the parts `i` and `j`, if the picture depends on their order. `None` if it does not, or if the pair
+    /// comes up as `j` and `i`.
     fn differ(&self, i: u32, j: u32) -> Option<Pair> {
         let unions = self.unions;
         let transmits = |p: &UnionOperand| unions.media[p.medium as usize].transmits();
         let (part, other) = (&unions.parts[i as usize], &unions.parts[j as usize]);
-        // Each pair once.
+        // Of the two orders in which a pair comes up, only one counts.
         let opaque = !transmits(part) && !transmits(other);
         let turn = match (transmits(part), transmits(other)) {
             (true, true) => i < j || part.bounds.is_finite() && !other.bounds.is_finite(),
@@ -166,7 +168,7 @@ impl<'a> Search<'a> {
         optics(one) != optics(two) || a != b
     }
 
-    /// The union of two parts, unless a finding names it already.
+    /// The innermost union of two parts; `None` if a finding names that union already.
     fn union(&self, parts: [&UnionOperand; 2]) -> Option<NodeId> {
         let place = self.unions.ancestry.join(parts[0].union, parts[1].union)?;
         let union = self.unions.places[place as usize];
@@ -218,7 +220,8 @@ impl<'a> Search<'a> {
         witness: Vec3,
         (within, depth): (&Aabb, f64),
     ) -> Option<Overlap> {
-        /// Most digits of a point: an overlap of less than a millionth is not spoken of.
+        /// Most powers of ten by which the digits of the point become finer: an overlap of less than a millionth is not
+        /// reported.
         const FINER: usize = 7;
         if self.is_nested((parts, open), both_parts, (within, depth)) {
             self.nested.insert(parts);
@@ -240,8 +243,9 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Whether the first of two parts lies within the second, and the second is larger. Then the first owns all of
-    /// itself, and the second what is around it. The other order would leave nothing of the first.
+    /// Whether the first of two parts lies within the second, and the second is larger. This order is meant: the first
+    /// part owns all of itself, and the second what is around it. The other order would leave nothing of the inner
+    /// part.
     fn is_nested(
         &mut self,
         (pair, open): Pair,
@@ -254,8 +258,8 @@ impl<'a> Search<'a> {
             && self.reaches_out(([j, i], open), [two, one], within) == Some(true)
     }
 
-    /// Whether a point of one part is found that is as far outside of another as it has to be in both for a warning.
-    /// `None`: that is not looked for.
+    /// Whether a point of the first part is found that is outside of the second by `depth`. `None` if the search is not
+    /// possible, or no steps are left.
     fn reaches_out(
         &mut self,
         (pair, open): Pair,
@@ -296,7 +300,7 @@ impl<'a> Search<'a> {
         Some(witness.is_some())
     }
 
-    /// A point of two parts that overlap by little, or are both without end.
+    /// A closer look at a pair of parts that overlap by little or are both endless. `None` if no common point is found.
     fn closely(&mut self, (pair, opaque): Pair) -> Option<Overlap> {
         let parts = pair.map(|i| &self.unions.parts[i as usize]);
         let union = (self.union(parts)).filter(|_| !opaque && !self.nested.contains(&pair))?;
@@ -327,7 +331,7 @@ impl<'a> Search<'a> {
             Field::new(self.scene, parts[0].node, &parts[0].matrix)?,
             Field::new(self.scene, parts[1].node, &parts[1].matrix)?,
         ];
-        // What is left of both, where something cuts.
+        // The object that the cut leaves, if something cuts the parts.
         let cut = parts[0].cut;
         let mut left = cut.and_then(|root| Field::new(self.scene, root, &Matrix::IDENTITY));
         let cost = one.cost + two.cost + left.as_ref().map_or(0, |f| f.cost);
@@ -338,7 +342,7 @@ impl<'a> Search<'a> {
             let Some(c) = left.as_mut().map(|left| left.at(p)) else {
                 return [a, b];
             };
-            // The lowest of the three does not count.
+            // The search takes two slopes: the larger two of the three count.
             match a.distance < b.distance {
                 true => [a.both(c), b],
                 false => [a, b.both(c)],
@@ -376,8 +380,8 @@ impl<'a> Search<'a> {
         around.transformed(&matrix)
     }
 
-    /// A point of both parts at which something cuts, between one more point of both and the ones
-    /// before: `halves` are a point that is left and one that is cut off.
+    /// Searches for a point inside of both parts on a cut, between the new point `p` and an earlier one. `halves` keeps
+    /// two points inside of both parts: one that the cut leaves, and one that it takes away.
     fn opened(
         &mut self,
         parts: [(&UnionOperand, &Matrix); 2],
@@ -385,7 +389,7 @@ impl<'a> Search<'a> {
         depth: f64,
         halves: &mut [Option<Vec3>; 2],
     ) -> Option<Vec3> {
-        /// Times that the way between two points is halved.
+        /// Number of times that the way between the two points is halved.
         const HALVINGS: u32 = 40;
         let root = parts[0].0.cut?;
         if !self.deep(parts, p, depth, false) {
@@ -406,13 +410,13 @@ impl<'a> Search<'a> {
                 false => off = between,
             }
         }
-        // Parts need not be convex.
+        // The parts need not be convex, so the point on the cut may be outside of them.
         let cut = middle(left, off);
         (self.deep(parts, cut, depth, false)).then_some(cut)
     }
 
-    /// Whether a point, and what is around it, is in both parts and in the box of the render record,
-    /// and, if asked for, left by whatever cuts.
+    /// Whether a point, and the points around it at the distance `depth`, are in both parts and in the box of the
+    /// render record. With `left`, no cut may take them away.
     fn deep(
         &mut self,
         parts: [(&UnionOperand, &Matrix); 2],
@@ -423,7 +427,7 @@ impl<'a> Search<'a> {
         self.holds([(parts[0], true), (parts[1], true)], p, depth, left)
     }
 
-    /// Whether the first part alone holds the point, outside of the second.
+    /// Like `deep`, for a point in the first part and outside of the second.
     fn sticks_out(
         &mut self,
         parts: [(&UnionOperand, &Matrix); 2],
@@ -434,7 +438,8 @@ impl<'a> Search<'a> {
         self.holds([(parts[0], true), (parts[1], false)], p, depth, left)
     }
 
-    /// For each part whether it is to hold the point.
+    /// Whether a point, and the points around it at the distance `depth`, are in each part with the flag `true`,
+    /// outside of each part with `false`, and in the box of the render record. With `left`, no cut may take them away.
     fn holds(
         &mut self,
         parts: [((&UnionOperand, &Matrix), bool); 2],
@@ -468,7 +473,8 @@ impl<'a> Search<'a> {
 }
 
 impl Geometry {
-    /// The place where an endless shape is at home, and the size of its features there. Nobody asks shapes that end.
+    /// The place of an endless shape's features, in its own coordinates, and the size of these features. Shapes that
+    /// end get a default, since nobody asks them.
     fn home(&self) -> (Vec3, f64) {
         match AnyShape::of(self) {
             AnyShape::HalfSpace(s) => {

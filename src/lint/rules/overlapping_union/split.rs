@@ -1,4 +1,5 @@
-//! A union as the handout has it where media meet, (A − B) ∪ (B − A) ∪ (A ∩ B), the common piece first.
+//! The fix that writes a union as the handout has it where media meet, (A − B) ∪ (B − A) ∪ (A ∩ B), but the common
+//! piece first.
 
 use crate::diagnostics::{Edit, Fix, Span};
 use crate::lint::Context;
@@ -13,16 +14,16 @@ use crate::solids::shapes::facts::Facts;
 /// The largest ID that the language knows.
 const ID_MAX: u32 = i32::MAX as u32;
 
-/// Writes unions anew as pieces; each fix of a file has IDs of its own.
+/// Chooses the pieces of unions and new IDs for them. No two fixes of a file share an ID.
 pub(super) struct Splitter<'a> {
     scene: &'a Scene,
     proofs: Proofs<'a>,
     parts: Vec<Parts>,
-    /// An ID that is free, as are those above it.
+    /// A free ID; all larger ones are free, too. `None` if there is none left.
     free: Option<u32>,
 }
 
-/// The pieces of a union by their IDs; those that are empty for certain are left out.
+/// The IDs of the pieces of a union. Pieces that are certainly empty are left out.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pieces {
     first: NodeId,
@@ -34,7 +35,7 @@ pub(super) struct Pieces {
 enum Rest {
     OnlyA(u32),
     OnlyB(u32),
-    /// Two pieces and their union.
+    /// The IDs of A − B, B − A and their union.
     Either([u32; 3]),
 }
 
@@ -79,9 +80,8 @@ impl<'a> Splitter<'a> {
 }
 
 impl Pieces {
-    /// The pieces come in front of the union, whose record keeps its place and its comments. The
-    /// common piece has the properties of A, to which it belongs in a union; there is no fix where
-    /// these cannot be repeated.
+    /// The fix that writes the pieces in front of the union, whose record keeps its place and its comments. The common
+    /// piece gets the properties of A, to which it belongs in a union. `None` if these properties cannot be repeated.
     pub(super) fn fix(self, context: &Context, properties: &Properties, p: &Params) -> Option<Fix> {
         let (a, b, both) = (p.text_of(0), p.text_of(1), self.both);
         let mut lines = vec![format!("{both} -102 {a} {b}")];
@@ -108,14 +108,14 @@ impl Pieces {
             "fix",
             vec![
                 edit(front, lines.join("\n") + "\n"),
-                // First: the faces that it shares with the others look like it.
+                // The common piece is the first operand, so faces that it shares with the other pieces look like it.
                 edit(p.span_of(0, 1), both.to_string()),
                 edit(p.span_of(1, 1), rest.to_string()),
             ],
         ))
     }
 
-    /// The records that give the common piece what the first operand looks like.
+    /// The records that give the common piece the properties of the first operand; `None` if these cannot be repeated.
     fn looks(
         self,
         context: &Context,
@@ -129,7 +129,7 @@ impl Pieces {
     }
 }
 
-/// Whether a shape has never been given any property.
+/// Whether a node is a shape, moved or not, without any property: no paint, and no colours of its own.
 fn is_default(scene: &Scene, mut node: NodeId) -> bool {
     loop {
         node = match scene.nodes[node as usize] {

@@ -1,4 +1,4 @@
-//! The unions of a scene and what they are made of, every part in its place.
+//! The unions of a scene and their operands, every operand in its place.
 
 use rustc_hash::FxHashMap;
 
@@ -11,10 +11,10 @@ use crate::solids::shapes::facts::Facts;
 use crate::solids::{Named, named};
 use crate::trace::plan::unseen::LeftOut;
 
-/// Most nodes gone through more often than once, in scenes that share parts.
+/// Most repeated visits of nodes, in scenes that share parts.
 const MAX_REPEATED_NODES: usize = 200_000;
 
-/// A part of a union that is none itself.
+/// A part of a union that is no union itself.
 pub(super) struct UnionOperand {
     pub(super) node: NodeId,
     pub(super) named: Named,
@@ -24,9 +24,11 @@ pub(super) struct UnionOperand {
     pub(super) medium: u32,
     pub(super) colouring: Option<Colouring>,
     pub(super) union: u32,
-    /// The outermost object that the operand is part of, where an intersection or a difference may cut something off.
+    /// The outermost object that the operand is a part of, if an intersection or a difference in between may cut
+    /// something off; `None` otherwise.
     pub(super) cut: Option<NodeId>,
-    /// Whether only differences cut something off: their cut faces look like what they cut through.
+    /// Whether differences, and no intersection, may cut something off: a cut face then looks like the part it cuts
+    /// through.
     pub(super) opened: bool,
 }
 
@@ -38,14 +40,14 @@ struct Task {
     union: u32,
     root: NodeId,
     cut: bool,
-    /// Whether an intersection may be what cuts.
+    /// Whether an intersection above may cut something off.
     clipped: bool,
 }
 
 pub(super) struct Unions {
-    /// Unions where they occur, as nodes: those above before those below.
+    /// The nodes of the unions, once for each place where a union occurs. A union stands before the unions within it.
     pub(super) places: Vec<NodeId>,
-    /// The place that each place is an operand of.
+    /// For each place of a union the place of the union around it.
     pub(super) ancestry: Ancestry,
     /// The operands in their order.
     pub(super) parts: Vec<UnionOperand>,
@@ -53,9 +55,9 @@ pub(super) struct Unions {
 }
 
 impl Unions {
-    /// The operands of all unions, as far as their properties show.
+    /// Collects the operands of all unions whose medium is known.
     ///
-    /// Operands that cannot be seen may be left out: nothing in the picture depends on them.
+    /// Skips the operands in `left_out`: they cannot be seen, so nothing in the picture depends on them.
     pub(super) fn new(
         scene: &Scene,
         bounds: &[NodeBounds],
@@ -124,7 +126,7 @@ impl Unions {
                 }
                 operation @ (Node::Intersection(first, _) | Node::Difference(first, _)) => {
                     all.part(scene, bounds, &task, &mut known);
-                    // What is within is of the first operand.
+                    // The inside of the result is that of the first operand.
                     todo.push(Task {
                         node: first,
                         copy: None,
@@ -134,7 +136,7 @@ impl Unions {
                         ..task
                     });
                 }
-                // What its inside is made of is not to be told.
+                // The medium inside of a complement is not known.
                 Node::Complement(_) => {}
             }
         }
@@ -164,7 +166,7 @@ impl Unions {
         });
         let own = bounds[task.node as usize].all;
         let bounds = match scene.nodes[task.node as usize] {
-            // Closer than its own box would come, moved.
+            // The bounds of the moved shape are closer than its own box, moved.
             Node::Shape(s) => scene.shapes[s as usize].geometry.bounds(&task.matrix),
             _ => own.transformed(&task.matrix),
         };

@@ -1,5 +1,5 @@
-//! W334: a property that a later record of the same kind, an assignment, or a texture overrides before anything uses it;
-//! and one of a whole object that overrides several of its parts.
+//! W334: a property that a later record of the same kind, an assignment or a texture overrides before anything uses it;
+//! and a property of a whole object that overrides those of several parts.
 
 mod taken_back;
 mod whole;
@@ -13,7 +13,7 @@ use crate::syntax::Record;
 use crate::syntax::quote;
 use crate::syntax::table::{Effect, Kind, RecordKind};
 
-/// Each gives all that another one of its kind gives. Of textures W331 speaks.
+/// The kinds of records that give all that an earlier record of the same kind gives. W331 reports textures.
 const KINDS: [RecordKind; 5] = [
     RecordKind::Assignment,
     RecordKind::Colour,
@@ -22,10 +22,10 @@ const KINDS: [RecordKind; 5] = [
     RecordKind::RefractiveIndex,
 ];
 
-/// The most objects that are proposed.
+/// Most objects that one finding proposes.
 const PROPOSALS: usize = 2;
 
-/// Findings that get proposals: each looks through the whole scene for them.
+/// Most findings with proposals: each one searches the whole scene.
 pub(super) const MAX_PROPOSED: usize = 16;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -73,7 +73,7 @@ struct Pair<'a> {
     case: &'static str,
 }
 
-/// The case of an assignment whose T is 0, behind what gave a texture or a colour.
+/// The case of an assignment whose texture T is 0, behind a record that gave a texture or a colour.
 const TAKEN_BACK: &str = "taken-back";
 
 fn is_colour(record: &Record) -> bool {
@@ -85,8 +85,8 @@ fn takes_back(context: &Context, assignment: &Record) -> bool {
     context.record_params(assignment).integer(0) == 0
 }
 
-/// The places of the records that override another one, each with whether it is an assignment that takes a texture or a
-/// colour back.
+/// For each record that overrides another one, by its start in the text: whether it is an assignment that takes a
+/// texture or a colour back.
 pub(super) fn overriding(context: &Context) -> FxHashMap<u32, bool> {
     let mut overriding = FxHashMap::default();
     for pair in pairs(context) {
@@ -96,20 +96,20 @@ pub(super) fn overriding(context: &Context) -> FxHashMap<u32, bool> {
     overriding
 }
 
-/// The objects whose optics are given twice: a record about one of them may be meant for another.
+/// The IDs of the objects whose optics are given twice: one of the two records may be meant for another object.
 pub(super) fn with_two_optics(context: &Context) -> FxHashSet<u32> {
     let pairs = pairs(context).into_iter();
     let of_optics = pairs.filter(|pair| pair.first.ty().gives_optics());
     of_optics.map(|pair| pair.first.id).collect()
 }
 
-/// Whether a record says what part of the light is reflected, and what goes through.
+/// Whether a record gives the parts of the light that are scattered, reflected and let through.
 fn gives_parts(record: &Record) -> bool {
     matches!(record.kind, RecordKind::Optics | RecordKind::OpticsRgb)
 }
 
-/// The only optics that have an index and no parts, where exactly one pair gives other optics parts twice: the second are
-/// rather theirs.
+/// The ID of the only optics with an index and no parts of the light, if exactly one pair gives other optics these
+/// parts twice: the second record is rather meant for that ID. `None` otherwise.
 fn without_parts(context: &Context, pairs: &[Pair]) -> Option<u32> {
     let is_twice = |pair: &&Pair| pair.case.is_empty() && gives_parts(pair.second);
     let mut twice = pairs.iter().filter(is_twice);
@@ -128,12 +128,13 @@ fn without_parts(context: &Context, pairs: &[Pair]) -> Option<u32> {
     Some(only.id)
 }
 
-/// The optics whose parts are given to others by a slip of an ID: what their index lacks is said there.
+/// The ID of the optics whose parts of the light another ID has by a slip. W334 reports the slip, and so no other rule
+/// needs to report the index.
 pub(super) fn with_lost_parts(context: &Context) -> Option<u32> {
     without_parts(context, &pairs(context))
 }
 
-/// The records about an ID since the ID was used, the last one of each kind.
+/// The records about an ID since its last use: the last one of each kind.
 #[derive(Default)]
 struct Unused<'a> {
     of_kind: [Option<&'a Record>; KINDS.len()],
@@ -141,7 +142,7 @@ struct Unused<'a> {
 }
 
 impl<'a> Unused<'a> {
-    /// Adds a record of one of the kinds, and gives the one that it overrides.
+    /// Adds a record, whose kind has the index `kind` in [`KINDS`]. Returns the pair with the record that it overrides.
     fn add(&mut self, record: &'a Record, kind: usize) -> Option<Pair<'a>> {
         let first = self.of_kind[kind].replace(record)?;
         let (second, case) = (record, "");
@@ -152,7 +153,7 @@ impl<'a> Unused<'a> {
         })
     }
 
-    /// Adds a texture, and gives the colour that it covers.
+    /// Adds a texture. Returns the pair with the colour that it covers.
     fn add_texture(&mut self, second: &'a Record) -> Option<Pair<'a>> {
         self.texture = Some(second);
         let (first, case) = (self.take_colour()?, "textured");
@@ -163,7 +164,8 @@ impl<'a> Unused<'a> {
         })
     }
 
-    /// Adds what an assignment overrides beside another one. A texture that another covers is not among it.
+    /// Adds the pairs of an assignment with the colour, texture and optics that it overrides. A texture counts only
+    /// where the assignment takes it back: W331 reports one that another texture covers.
     fn assign(&mut self, context: &Context, second: &'a Record, pairs: &mut Vec<Pair<'a>>) {
         let colour = self.take_colour();
         let (texture, case) = match (self.texture.take(), takes_back(context, second)) {
@@ -175,7 +177,7 @@ impl<'a> Unused<'a> {
             second,
             case,
         }));
-        // It gives the optics as well, as 0 does.
+        // An assignment gives the optics as well, even where it names 0.
         let gives = |last: &&mut Option<&Record>| last.is_some_and(|r| r.ty().gives_optics());
         let of_optics = self.of_kind.iter_mut().filter(gives);
         let of_optics = of_optics.filter_map(Option::take);
@@ -187,12 +189,12 @@ impl<'a> Unused<'a> {
         }));
     }
 
-    /// Whether an object has its texture or colour from an assignment, for all that is unused.
+    /// Whether no unused record gives a texture or a colour, so that an object can have them from an assignment only.
     fn is_plain(&self) -> bool {
         self.texture.is_none() && !self.of_kind.iter().flatten().any(|r| is_colour(r))
     }
 
-    /// The colour that nothing has overridden, which then is so.
+    /// Takes out the colour record that nothing has overridden yet.
     fn take_colour(&mut self) -> Option<&'a Record> {
         let mut colours = self.of_kind.iter_mut();
         colours.find_map(|last| last.take_if(|r| is_colour(r)))
@@ -215,7 +217,7 @@ fn pairs<'a>(context: &Context<'a>) -> Vec<Pair<'a>> {
         for id in context.references(record) {
             unused.remove(&id);
         }
-        // Of what stands above its definition another finding speaks.
+        // Another finding reports a record that stands above the definition of its ID.
         if !defined.contains(&record.id) {
             continue;
         }
@@ -249,9 +251,10 @@ fn pairs<'a>(context: &Context<'a>) -> Vec<Pair<'a>> {
     pairs
 }
 
-/// The second record with the ID of what was defined shortly before, has no such record, and is not used before that.
-/// Right under the records of such a one that one alone is meant: the line above was copied, and its ID was not changed.
-/// A record of a property is meant for an object right above it only.
+/// Fixes that give the second record the ID of another object: one that is defined above, has no record of this kind,
+/// and is not used before. The objects defined last come first. If the line above is about one of them, that one alone
+/// is proposed: the line was copied, and its ID was not changed. A record about optics, a texture or a colour is
+/// proposed only for an object right above it.
 pub(super) fn neighbours(context: &Context, second: &Record) -> Vec<Fix> {
     let head = context.document.id_token(second).span();
     let is_light = |kind: Option<Kind>| matches!(kind, Some(Kind::PointLight | Kind::AmbientLight));

@@ -5,8 +5,8 @@ use crate::lint::Context;
 use crate::syntax::table::RecordKind;
 use crate::syntax::{Record, quote};
 
-/// Adds the proposal that keeps the texture: what gave it moves behind the assignment, or one assignment has both.
-/// It is a choice where the assignment may be meant for another object.
+/// Adds the fix that keeps the texture: the record that gave it moves behind the assignment, or two assignments become
+/// one. The fix is a choice if there are other fixes, for which the assignment is meant for another object.
 pub(super) fn propose(context: &Context, first: &Record, second: &Record, fixes: &mut Vec<Fix>) {
     let applicability = match fixes.is_empty() {
         true => Applicability::Unsafe,
@@ -32,7 +32,8 @@ fn joined(
     Some(fix.with("number", number))
 }
 
-/// A texture moves with its object: it cannot stand behind a transformation.
+/// The fix that moves the first record behind the assignment. `None` if the record is a texture and a transformation
+/// stands in between: a texture moves with its object.
 fn behind(
     context: &Context,
     first: &Record,
@@ -55,7 +56,7 @@ fn behind(
     Some(fix)
 }
 
-/// The text of a record on one line.
+/// The text of a record on one line; `None` if the record has several.
 fn text_of(context: &Context, record: &Record) -> Option<String> {
     let Span { start, end } = context.document.span(record.first, record.last);
     let text = &context.text[start as usize..end as usize];

@@ -1,4 +1,4 @@
-//! A property of a whole object that overrides several different ones of its parts: none of them has an effect.
+//! A property of a whole object that overrides different properties of several parts: none of these has an effect.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -12,13 +12,14 @@ use crate::syntax::Item;
 /// The cases of the message, by aspect.
 const CASES: [&str; ASPECTS] = ["whole", "whole-optics", "whole-index"];
 
-/// The least number of different values that are taken away: one may be a default of the part.
+/// Least number of parts whose property is overridden, with different values: a single one may be a default of the
+/// part.
 const MIN_VALUES: usize = 2;
 
-/// The most records that are pointed at.
+/// Most records that get a label.
 const MAX_LABELS: usize = 8;
 
-/// The findings, a record of a whole object each.
+/// Adds the findings, one for each record that gives a property to a whole object.
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     if context.has_broken() || scene.paints.len() <= MIN_VALUES {
@@ -31,7 +32,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (aspect, case) in CASES.into_iter().enumerate() {
         for (cover, parts) in above.taken_away(scene, aspect) {
             let span = given[&cover][aspect];
-            // An assignment is spoken of once.
+            // An assignment that gives several aspects is reported once.
             if told.contains(&span) {
                 continue;
             }
@@ -65,7 +66,8 @@ fn finding(context: &Context, span: Span, parts: &[Span], is_proposed: bool) -> 
     Some(d)
 }
 
-/// Where each paint has its aspects from: properties given to an object one after the other are one paint.
+/// For each node that paints the spans of the records that give its aspects. Properties given to an object one after
+/// the other are one paint.
 fn given(scene: &Scene) -> FxHashMap<NodeId, [Span; ASPECTS]> {
     let mut given: FxHashMap<NodeId, [Span; ASPECTS]> = FxHashMap::default();
     let mut last: FxHashMap<NodeId, NodeId> = FxHashMap::default();
@@ -87,7 +89,7 @@ fn given(scene: &Scene) -> FxHashMap<NodeId, [Span; ASPECTS]> {
     given
 }
 
-/// The nodes that paint, each with its child and what it gives.
+/// The nodes that paint, each with its child and its paint.
 fn paints(scene: &Scene) -> impl Iterator<Item = (NodeId, NodeId, &Paint)> {
     let nodes = (0..).zip(&scene.nodes);
     nodes.filter_map(|(node, n)| match *n {
@@ -104,8 +106,8 @@ fn is_same(aspect: usize, one: &Paint, other: &Paint) -> bool {
     }
 }
 
-/// What is above each node that is drawn, aspect by aspect. What is only taken away from something else counts as not
-/// drawn: another rule speaks of it.
+/// The paints above each node that is drawn, aspect by aspect. A node that is only taken away from another object
+/// counts as not drawn: another rule reports it.
 struct Above {
     /// Whether the node has a way up on which nothing gives the aspect.
     free: Vec<[bool; ASPECTS]>,
@@ -141,8 +143,9 @@ impl Above {
         Above { free, cover }
     }
 
-    /// The paints of whole objects that take away different values of an aspect, and what gives those. A value that is
-    /// seen elsewhere is not lost: the whole then has a look of its own by intent.
+    /// The nodes of whole objects whose paints override different values of an aspect, each with the nodes of the
+    /// paints below that give these values. A whole object is left out if one of the values is seen elsewhere: the
+    /// whole then has a look of its own on purpose.
     fn taken_away(&self, scene: &Scene, aspect: usize) -> Vec<(NodeId, Vec<NodeId>)> {
         let mut of: FxHashMap<NodeId, Vec<NodeId>> = FxHashMap::default();
         let mut kept: Vec<NodeId> = Vec::new();
@@ -152,7 +155,7 @@ impl Above {
             };
             if self.free[node as usize][aspect] {
                 kept.push(cover);
-            // Of textures W331 speaks.
+            // W331 reports textures.
             } else if aspect != 0 || matches!(paint.texture, Some(Texture::Colour(_))) {
                 of.entry(cover).or_default().push(node);
             }

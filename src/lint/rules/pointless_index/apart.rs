@@ -1,8 +1,9 @@
-//! Proofs that an index changes nothing in a picture: no ray that the index could bend comes to where it counts.
+//! Proofs that an index changes nothing in a picture: no ray that the index could bend reaches a surface on which the
+//! index counts.
 //!
 //! An index counts where light goes through a surface with the medium of that index on one side. Opaque solids have
 //! such surfaces where transparent ones overlap or touch them: glass ends inside of a stone, and the light goes on in
-//! the medium of the stone. So what lets light through has to lie apart.
+//! the medium of the stone. So the proof asks for transparent shapes to lie apart from those with the index.
 
 use crate::diagnostics::Span;
 use crate::geometry::{Aabb, Matrix};
@@ -12,7 +13,7 @@ use crate::solids::shapes::facts::Facts;
 use crate::solids::within::CLEARANCE_REL;
 use crate::trace::plan::unseen::Starts;
 
-/// Nodes gone through, and pairs of shapes compared: some hundredths of a second.
+/// Most nodes visited, and most pairs of shapes compared: some hundredths of a second.
 const NODES: usize = 200_000;
 const PAIRS: usize = 4_000_000;
 
@@ -22,7 +23,7 @@ struct Leaf {
     /// The record that gives the index of its inside.
     source: Option<Span>,
     is_solid: bool,
-    /// Whether a ray may get from its one side to the other.
+    /// Whether a ray may get from one side of the surface to the other.
     clear: bool,
 }
 
@@ -32,19 +33,20 @@ struct Task {
     matrix: Matrix,
     optics: Option<Optics>,
     source: Option<Option<Span>>,
-    /// Whether the inside of the node may be what is around it.
+    /// Whether the node is within a complement, so that its inside may be all that is around it.
     complement: bool,
 }
 
 pub(super) struct Apart {
     leaves: Vec<Leaf>,
-    /// Whether no ray starts within a solid. Those that do see where media meet.
+    /// Whether no ray starts within a solid. A ray that does sees where media meet.
     is_closed: bool,
     left: usize,
 }
 
 impl Apart {
-    /// `sources`: for each node that sets an index the record that says so. `None` where there is too much to look at.
+    /// Collects the shapes below `roots`. `sources` has the span of the record for each node that sets an index. `None`
+    /// if there is too much to look at.
     pub(super) fn new(
         scene: &Scene,
         bounds: &[NodeBounds],
@@ -138,7 +140,7 @@ fn leaves(scene: &Scene, sources: &[Option<Span>], roots: &[NodeId]) -> Option<V
                 task.source = task.source.or(own);
             }
             Node::Complement(_) => task.complement = true,
-            // Of a tool nothing is seen.
+            // Nothing is seen of the tool of a difference.
             Node::Difference(first, _) => {
                 todo.push(Task {
                     node: first,

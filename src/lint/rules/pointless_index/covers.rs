@@ -1,4 +1,4 @@
-//! The optics further up that keep light out of an object with an index, which lets it through by itself.
+//! Optics of a whole object that keep light out of a part with an index, though the part by itself lets light through.
 
 use super::{lets_through, paint_of, transmits};
 use crate::diagnostics::Span;
@@ -10,7 +10,7 @@ use crate::syntax::table::RecordKind;
 pub(super) struct Covers<'a> {
     scene: &'a Scene,
     transmits: Vec<bool>,
-    /// For each node that is drawn the outermost paint above it with optics, which is what counts.
+    /// For each node the outermost paint with optics above it: these optics count.
     above: Vec<Option<NodeId>>,
 }
 
@@ -37,7 +37,8 @@ impl<'a> Covers<'a> {
         paint_of(self.scene, self.scene.nodes[node as usize])?.optics
     }
 
-    /// The paint that covers all that lets light through of an object with the index that a record gives.
+    /// The paint with opaque optics above a transparent object with the index that a record gives; `None` if there is
+    /// none.
     pub(super) fn of(&self, sources: &[Option<Span>], source: Span) -> Option<NodeId> {
         let nodes = (0..).zip(&self.scene.nodes);
         let mut own = nodes.filter(|(node, _)| sources[*node as usize] == Some(source));

@@ -9,8 +9,9 @@ use crate::scene::{Entity, Node, Paint, fold_up};
 use crate::syntax::table::{Kind, RecordKind};
 use crate::syntax::{Record, quote};
 
-/// The index with the ID of the only optics that let light through and have no index, where it has that of other optics,
-/// with that ID. What is used above it is left out, as that would not change, and what nothing uses.
+/// For an index under the ID of some optics: the ID of the only other optics that let light through and have no index,
+/// and the fix that gives the index that ID. Optics that are used above the index do not count, since they would not
+/// change, nor do unused ones.
 pub(super) fn of_clear_optics(context: &Context, index: &Params) -> Option<(u32, Fix)> {
     let is_optics = |e: &&Entity| e.kind == Some(Kind::Optics);
     let start = index.id_span().start;
@@ -42,7 +43,7 @@ pub(super) fn of_clear_optics(context: &Context, index: &Params) -> Option<(u32,
     Some((only.id, written(index, only.id)))
 }
 
-/// The index with another ID.
+/// The fix that writes another ID in the record of an index.
 fn written(index: &Params, id: u32) -> Fix {
     let text = id.to_string();
     let number = quote(&text);
@@ -50,13 +51,13 @@ fn written(index: &Params, id: u32) -> Fix {
     fix.with("number", number)
 }
 
-/// The index with the ID of the object that lets light through and has no index: the one whose record stands right
-/// above, or the only one. None of those `without` it: their optics may be meant for another object themselves.
+/// The fix that gives the index to an object that lets light through and has none: the only one, or the one whose
+/// optics stand right above. `None` for an object of `without`: its optics may be meant for another object.
 pub(super) fn of_glass(context: &Context, index: &Params, without: &FxHashSet<u32>) -> Option<Fix> {
     let scene = context.scene;
     let start = index.id_span().start;
     let own = |paint: u32| -> &Paint { &scene.paints[paint as usize] };
-    // Whether any part has an index of its own, and whether what is outermost lets light through.
+    // For each node whether any part has an index, and whether its outermost optics let light through.
     let known = fold_up(&scene.nodes, |_, node, known: &[(bool, bool)]| {
         let has_index = node.children().any(|n| known[n as usize].0);
         match node {
@@ -73,7 +74,7 @@ pub(super) fn of_glass(context: &Context, index: &Params, without: &FxHashSet<u3
     let above = context.records();
     let above = above.take_while(|r| context.document.span(r.first, r.last).start < start);
     let above: Vec<&Record> = above.collect();
-    // What is used above the index would not change.
+    // An object that is used above the index would not change.
     let taken: FxHashSet<u32> = (above.iter().flat_map(|r| context.references(r))).collect();
     let is_meant = |e: &&Entity| {
         let is_other = e.kind == Some(Kind::Object) && e.id != index.id && e.span.start < start;

@@ -1,5 +1,5 @@
-//! W318: a refractive index that nothing is seen of, because no light goes through, or one that is
-//! less than 1.
+//! W318: a refractive index without effect, because no light goes through the object; and an index below 1, or so large
+//! that it has rather lost its decimal point.
 
 mod apart;
 mod covers;
@@ -52,10 +52,10 @@ fn below_one(p: &Params) -> Option<Diagnostic> {
     Some(d.case("below-one").with("parts", parts.join(", ")))
 }
 
-/// No material that people write has a larger index; diamond has 2.4, germanium 4.
+/// The largest index that people write for a material: diamond has 2.4, germanium 4.
 const LARGEST: f64 = 5.0;
 
-/// Indices that have rather lost their points: `15` for `1.5`.
+/// The finding about indices above [`LARGEST`], which have rather lost their decimal points: `15` for `1.5`.
 fn too_large(p: &Params) -> Option<Diagnostic> {
     let large: Vec<usize> = (0..p.len()).filter(|&i| p.number(i) > LARGEST).collect();
     let (&first, &last) = (large.first()?, large.last()?);
@@ -72,15 +72,15 @@ fn too_large(p: &Params) -> Option<Diagnostic> {
     Some(d.fix(fix.with("number", quote(&numbers.join(" ")))))
 }
 
-/// Indices that have no effect on any object that has them: no light goes through these, and nothing that lets light
-/// through comes near them.
+/// Reports indices that have no effect on any object with them: no light goes through these objects, and no transparent
+/// object comes near them.
 fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let sources = sources(context);
     let transmits = transmits(scene);
     let reach = reach(scene);
-    // For each record that gives an index: whether light goes through anything that has it, and
-    // something that none goes through.
+    // For each record that gives an index: whether light goes through any object with that index, and the ID of an
+    // object that no light goes through.
     let mut of_record: FxHashMap<Span, (bool, Option<u32>)> = FxHashMap::default();
     for (i, node) in scene.nodes.iter().enumerate() {
         let (Node::Paint { child, .. }, Some(source)) = (node, sources[i]) else {
@@ -122,7 +122,8 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
         let Some(p) = context.params(span) else {
             continue;
         };
-        // An index below 1 has been reported, and W334 says where the optics of this one are.
+        // An index below 1 has been reported already, and W334 reports optics that were written under another ID by a
+        // slip.
         if below_one(&p).is_some() || told == Some(p.id) {
             continue;
         }
@@ -171,11 +172,11 @@ fn paint_of(scene: &Scene, node: Node) -> Option<&Paint> {
     }
 }
 
-/// For each node that sets an index other than the default: the record that says so.
+/// For each node that sets an index other than the default: the span of the record that gives the index.
 fn sources(context: &Context) -> Vec<Option<Span>> {
     let scene = context.scene;
     let mut sources = vec![None; scene.nodes.len()];
-    // The last word on the index of each object and each property.
+    // For each object and each property the record that last gave it an index.
     let mut last: FxHashMap<u32, Option<Span>> = FxHashMap::default();
     let mut next = 0;
     for record in context.records() {
@@ -204,7 +205,7 @@ fn sources(context: &Context) -> Vec<Option<Span>> {
     sources
 }
 
-/// Whether light goes through any part of each node, as it is by itself.
+/// For each node whether light goes through any part of it, by the paints of the node itself and not by those above.
 fn transmits(scene: &Scene) -> Vec<bool> {
     fold_up(&scene.nodes, |_, node, transmits: &[bool]| {
         let of = |n: NodeId| transmits[n as usize];
@@ -217,12 +218,15 @@ fn transmits(scene: &Scene) -> Vec<bool> {
     })
 }
 
-/// In what company the index of a node is seen: it is covered by none that holds it, and the optical
-/// property is its own, or one that lets light through, or one that does not.
+/// The optics with which the index of a node is seen, on all ways down from what is drawn on which no paint above
+/// overrides the index. All three are `false` if there is no such way.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct IndexCompany {
+    /// On some way no paint above has optics, so the node's own count.
     bare: bool,
+    /// On some way the optics of a paint above count, and they let light through.
     transmits: bool,
+    /// On some way the optics of a paint above count, and they let no light through.
     opaque: bool,
 }
 
@@ -254,7 +258,7 @@ fn reach(scene: &Scene) -> Vec<IndexCompany> {
                 down.opaque |= !through;
             }
         }
-        // Of a tool nothing is seen.
+        // Nothing is seen of the tool of a difference.
         let seen = match node {
             Node::Difference(..) => 1,
             _ => 2,

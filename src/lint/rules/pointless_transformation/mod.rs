@@ -20,7 +20,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     let entities = context.scene.entities.iter();
     let kinds: FxHashMap<u32, Kind> = entities.filter_map(|e| Some((e.id, e.kind?))).collect();
-    // Where something else of the kind is moved in the same way, one of a series that is not is meant.
+    // If the same type of transformation does move another entity of the same kind, this one is one of a series, and is
+    // meant.
     let what = |p: &Params| {
         let axis = match p.ty.kind {
             RecordKind::Rotation => p.integer(1),

@@ -1,4 +1,5 @@
-//! A transformation of an earlier object among the records of a later one, which has none such: the later one is meant.
+//! A transformation of an earlier object among the records of a later one. If the later object has none of that type,
+//! the later one is meant.
 
 use std::cell::LazyCell;
 
@@ -24,15 +25,15 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let entities = context.scene.entities.iter();
         entities.filter_map(|e| Some((e.id, e.node()?))).collect()
     });
-    // Of equal shapes in one place W333 speaks.
+    // W333 reports equal shapes in one place.
     let are_equal = |a: u32, b: u32| match (nodes.get(&a), nodes.get(&b)) {
         (Some(&a), Some(&b)) => duplicate_operand::are_equal(context.scene, a, b),
         _ => false,
     };
-    // What the objects above the last one are given, and those that something uses.
+    // The transformations of all objects above the last one, and the IDs that records above use.
     let mut above: FxHashSet<(u32, RecordKind)> = FxHashSet::default();
     let mut used: FxHashSet<u32> = FxHashSet::default();
-    // The last object, while all below it is of it; and its transformations.
+    // The last object, as long as all records below are about it, and its transformations.
     let mut last: Option<&Record> = None;
     let mut own: Vec<(u32, RecordKind)> = Vec::new();
     let mut objects: FxHashSet<u32> = FxHashSet::default();
@@ -67,7 +68,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The finding about a transformation in the place of that of a later object.
+/// The finding about the transformation `record` of an earlier object that is rather meant for the object `later`.
 fn finding(context: &Context, record: &Record, later: &Record) -> Diagnostic {
     let p = context.record_params(record);
     let id = later.id.to_string();

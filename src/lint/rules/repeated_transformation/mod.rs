@@ -1,5 +1,5 @@
-//! W336: a transformation that stands there twice, one right behind the other, or that moves a lamp again in the place of
-//! the one right above; a note on a move of a shape that has a place, in the place of the one right above; a
+//! W336: a transformation that occurs twice, one right behind the other; a second move of a lamp right behind another
+//! lamp that nothing moves; a note on a move of a shape that has a place, right behind a shape that nothing moves; a
 //! transformation of an earlier object among the records of a later one.
 
 mod group;
@@ -37,7 +37,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     other_shape::check(context, out);
 }
 
-/// Says of a lamp that nothing moves, and of the move right behind it that moves another lamp again.
+/// Reports each second move of a lamp that stands right behind another lamp, which nothing moves.
 fn other_lamps(context: &Context, out: &mut Vec<Diagnostic>) {
     let lamps = context
         .records()
@@ -48,7 +48,7 @@ fn other_lamps(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     let is_move = |r: &&Record| super::TRANSFORMATIONS.contains(&r.kind);
     let changed: FxHashSet<u32> = context.records().filter(is_move).map(|r| r.id).collect();
-    // The lamps that have a place above.
+    // The lamps that a translation above has moved.
     let mut placed: FxHashSet<u32> = FxHashSet::default();
     let mut above: Option<&Record> = None;
     for record in context.records() {
@@ -64,7 +64,7 @@ fn other_lamps(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The finding about a move of a lamp in the place of another.
+/// The finding about the move `place` of one lamp that is rather meant for the lamp `other`.
 fn other_lamp(context: &Context, place: &Record, other: &Record) -> Diagnostic {
     let p = context.record_params(place);
     let id = other.id.to_string();
@@ -78,7 +78,7 @@ fn other_lamp(context: &Context, place: &Record, other: &Record) -> Diagnostic {
         .fix(fix.with("number", quote(&id)))
 }
 
-/// Whether two records are the same word for word, and nothing between says that they are two.
+/// Whether two records are the same word for word, without a comment in between, which would say that both are meant.
 fn is_repeated(context: &Context, first: &Record, second: &Record) -> bool {
     let words = |r: &Record| {
         let tokens = context.document.significant(r.first, r.last);

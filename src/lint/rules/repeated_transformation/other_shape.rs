@@ -17,7 +17,7 @@ const ORIGIN: Vec3 = [0.0; 3];
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let shapes = context.scene.shapes.iter();
     let shapes: FxHashMap<u32, &Shape> = shapes.map(|s| (s.id, s)).collect();
-    // What is only turned or scaled stays at the origin.
+    // A shape that is only turned or scaled stays at the origin.
     let places = [RecordKind::Translation, RecordKind::RotationMatrix];
     let changes = (context.records()).filter(|r| places.contains(&r.kind));
     let changed: FxHashSet<u32> = changes.map(|r| r.id).collect();
@@ -54,7 +54,7 @@ fn is_change(record: &Record) -> bool {
     TRANSFORMATIONS.contains(&record.kind)
 }
 
-/// Whether the own numbers of a shape or a camera say where it is.
+/// Whether the record's own numbers put a shape or a camera elsewhere than at the origin.
 fn has_place(context: &Context, shapes: &FxHashMap<u32, &Shape>, own: &Record) -> bool {
     match own.kind {
         RecordKind::Camera => context.record_params(own).numbers(0) != ORIGIN,
@@ -62,7 +62,7 @@ fn has_place(context: &Context, shapes: &FxHashMap<u32, &Shape>, own: &Record) -
     }
 }
 
-/// Whether a shape is around the origin, or something else is a lamp.
+/// Whether the record `other` is a shape around the origin, or a lamp.
 fn is_about_origin(shapes: &FxHashMap<u32, &Shape>, other: &Record) -> bool {
     let is_around = |b: Aabb| b.is_bounded() && b.contains(ORIGIN);
     other.kind == RecordKind::PointLight || bounds(shapes, other.id).is_some_and(is_around)
@@ -73,7 +73,7 @@ fn bounds(shapes: &FxHashMap<u32, &Shape>, id: u32) -> Option<Aabb> {
     Some(shape.geometry.bounds(&Matrix::IDENTITY))
 }
 
-/// The finding about a move of a shape in the place of another.
+/// The finding about the move `place` of one shape that is rather meant for the shape `other`.
 fn finding(context: &Context, place: &Record, other: &Record) -> Diagnostic {
     let p = context.record_params(place);
     let id = other.id.to_string();

@@ -9,7 +9,7 @@ use crate::lint::spelling::decimal;
 use crate::syntax::table::RecordKind;
 use crate::syntax::words;
 
-/// The angles that people know by heart in radians, as parts of π: they are known with two decimals.
+/// Angles in degrees whose radians people know by heart, as parts of π: two decimals are enough to recognise them.
 const BY_HEART: [u32; 11] = [15, 30, 45, 60, 90, 120, 135, 150, 180, 270, 360];
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -43,7 +43,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The place of the angle in the record.
+/// The index of the angle among the record's parameters.
 const ANGLE: usize = 0;
 /// Two angles are the same up to this part of them: people round radians to two digits.
 const ROUNDED: f64 = 0.02;

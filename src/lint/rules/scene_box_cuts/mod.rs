@@ -1,8 +1,8 @@
 //! W312: the box of the render record cuts what is drawn.
 //!
-//! Planes, half-spaces, quadrics and everything else without end are what the box is for: they are
-//! passed over. A point of something that ends, outside of the box, and one inside are the proof. Of
-//! what lies wholly outside it says that it is not drawn.
+//! The box is there to cut planes, half-spaces, quadrics and other endless shapes: the rule ignores them. The proof of
+//! a cut is a point of a bounded shape outside of the box, and one inside. A shape that lies wholly outside is reported
+//! as not drawn.
 
 use std::cell::Cell;
 
@@ -63,7 +63,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.extend(not_drawn(scene, &p, &tree, &unseen, &clip));
     let (ends, endless): (Vec<_>, Vec<_>) =
         (tree.leaves.iter()).partition(|l| l.bounds.is_bounded());
-    // Rays may meet these outside of the box, and they do not reach out of it.
+    // Points on endless shapes and on shapes wholly outside prove no cut, though rays may meet them outside of the box.
     let aside: FxHashSet<u32> = endless.into_iter().chain(&unseen).map(|l| l.id).collect();
     let aims = || -> Vec<Aabb> {
         let within = ends.iter().map(|l| l.bounds.intersection(&whole.bounded()));
@@ -102,7 +102,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let Some(shape) = leaf.and_then(|l| l.written(scene)) else {
         return;
     };
-    // So finely that the place named is outside too.
+    // With enough digits that the printed point is outside, too.
     let out_by = beyond(&volume, met.point);
     let [x, y, z] = met.point.map(|x| near(x, out_by));
     out.push(
@@ -116,8 +116,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     );
 }
 
-/// Reports shapes that end and lie wholly outside of the box: one finding for all of them, about the first. A shape
-/// that is taken away from something is not drawn anyway.
+/// The finding about bounded shapes that lie wholly outside of the box: one for all of them, about the first. A shape
+/// that is taken away from another object is not drawn anyway.
 fn not_drawn(
     scene: &Scene,
     p: &Params,
@@ -125,7 +125,7 @@ fn not_drawn(
     unseen: &[Leaf],
     clip: &Aabb,
 ) -> Option<Diagnostic> {
-    // What occurs in several places may be seen in another one.
+    // A shape that occurs in several places may be seen in another one.
     let seen: FxHashSet<u32> = tree.leaves.iter().map(|l| l.id).collect();
     let counts = |l: &&Leaf| {
         l.bounds.is_finite() && !tree.places[l.place as usize].turned && !seen.contains(&l.id)
@@ -151,8 +151,8 @@ fn not_drawn(
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// The side of the box of the render record, as the index of its parameter, beyond which all of another
-/// box lies, and where that begins.
+/// The side of the render record's box beyond which all of the box `b` lies, as the index of the side's parameter, and
+/// the coordinate at which `b` begins.
 fn beyond_side(b: &Aabb, axis: usize, above: bool) -> (usize, f64) {
     match above {
         true => (5 + axis, b.min[axis]),
@@ -160,8 +160,8 @@ fn beyond_side(b: &Aabb, axis: usize, above: bool) -> (usize, f64) {
     }
 }
 
-/// An axis along which a box lies wholly beyond another one, and whether it lies above. The first is
-/// rounded outwards, the second is as written: what is so apart is apart.
+/// An axis along which the box `b` lies wholly beyond the box `clip`, and whether `b` lies above. `None` if there is
+/// none. `b` is rounded outwards and `clip` is as written, so boxes that are found apart are apart.
 fn apart(b: &Aabb, clip: &Aabb) -> Option<(usize, bool)> {
     if b.is_empty() {
         return None;

@@ -15,8 +15,8 @@ pub(super) enum Crossing {
     },
 }
 
-/// Comparisons of pieces per point of the profile before the search is given up: of a profile whose
-/// pieces all overlap in height there are as many pairs as the square of their number.
+/// Most comparisons of pieces, per piece of the profile, before the search is given up. In a profile whose pieces all
+/// overlap in height the number of pairs is the square of the number of pieces.
 const COMPARISONS: usize = 32;
 
 /// A crossing of two pieces in their inner points, if there is one for certain. A profile that merely touches itself
@@ -31,7 +31,7 @@ pub(super) fn first_crossing(profile: &[Point]) -> Option<Crossing> {
         pieces.push((n - 1, [0.0, first[1]], first));
         pieces.push((n, last, [0.0, last[1]]));
     }
-    // What lies on the axis is no surface.
+    // A piece on the axis makes no surface.
     pieces.retain(|(_, a, b)| (a[0] > 0.0 || b[0] > 0.0) && a != b);
     let low = |s: &(usize, Point, Point)| s.1[1].min(s.2[1]);
     let high = |s: &(usize, Point, Point)| s.1[1].max(s.2[1]);
@@ -68,9 +68,9 @@ fn crossing_point((a, b): (Point, Point), (c, d): (Point, Point)) -> Option<Poin
     Some([0, 1].map(|i| a[i] + (b[i] - a[i]) * share))
 }
 
-/// The side of the line a → b that a point is on: positive on the left; `None` where rounding does not let that be
-/// told. The bound is that of Shewchuk's adaptive predicate, (3 + 16u)u with u = ε/2, on the sum of the two products'
-/// sizes ("Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997, section 4.3).
+/// The side of the line a → b that a point is on: positive on the left. `None` where rounding leaves the side open. The
+/// bound is that of Shewchuk's adaptive predicate, (3 + 16u)u with u = ε/2, on the sum of the two products' sizes
+/// ("Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997, section 4.3).
 fn side(a: Point, b: Point, p: Point) -> Option<f64> {
     const U: f64 = f64::EPSILON / 2.0;
     const BOUND: f64 = (3.0 + 16.0 * U) * U;

@@ -48,7 +48,7 @@ fn tube(p: &Params, shape: &Shape) -> Diagnostic {
 fn profile(p: &Params, shape: &Shape, (a, b): (usize, usize), at: [f64; 2]) -> Diagnostic {
     let [x, y] = at.map(rough);
     let n = p.count;
-    // A piece of the profile with its two points, or a disc with its one.
+    // The span of a piece of the profile has its two points, that of a closing disc its one point.
     let piece = |s: usize| match s.checked_sub(n - 1) {
         Some(0) => ("start", p.span_of(1, 2)),
         Some(_) => ("end", p.span_of(2 * n - 1, 2)),

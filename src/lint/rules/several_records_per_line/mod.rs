@@ -15,13 +15,13 @@ struct Line<'a> {
     first: Option<&'a Item>,
     /// The record before the others on the line, if it began on an earlier line.
     torn: Option<&'a Item>,
-    /// The records that begin behind another one.
+    /// The records that begin on the line, behind another record.
     more: Vec<&'a Item>,
     /// Whether some record on the line cannot be read.
     broken: bool,
 }
 
-/// The first tokens of records that may be the place of the lamp before them.
+/// The indices of the first tokens of records that may be meant as the place of the lamp before them.
 type Places = FxHashSet<u32>;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -37,7 +37,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             line = Line::default();
             continue;
         }
-        // A broken stretch was reported; where it ends is only a guess.
+        // A broken stretch has been reported, and its end is only a guess.
         if matches!(before, Item::Broken(_)) || matches!(item, Item::Broken(_)) {
             line.broken = true;
             continue;
@@ -56,7 +56,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     report(context, &line, true, &places, out);
 }
 
-/// Whether a line ends among some tokens.
+/// Whether one of the tokens from `first` to `end`, without the latter, ends a line.
 fn breaks(context: &Context, first: u32, end: u32) -> bool {
     let tokens = &context.document.tokens[first as usize..end as usize];
     tokens.iter().any(|t| t.kind() == TokenKind::Newline)
@@ -67,12 +67,13 @@ fn is_torn(context: &Context, item: &Item) -> bool {
     breaks(context, first, last)
 }
 
-/// Reports a line, and what becomes of its last record where that `ends` with nothing behind it.
+/// Reports a line with several records. If the line `ends` behind its last record, the fix joins the lines of that
+/// record.
 fn report(context: &Context, line: &Line, ends: bool, places: &Places, out: &mut Vec<Diagnostic>) {
     let Some(first) = line.more.first() else {
         return;
     };
-    // That one is rather surplus numbers of the record before is an error.
+    // Another finding, an error, reports a record that is rather surplus numbers of the record before.
     let is_surplus = |item: &&Item| context.document.is_redefining(item.ends().0);
     if line.more.iter().any(is_surplus) {
         return;
@@ -88,7 +89,7 @@ fn report(context: &Context, line: &Line, ends: bool, places: &Places, out: &mut
             text: "\n".to_owned(),
         }
     }));
-    // One with another record behind it is joined with that one's line.
+    // If another record follows the last one, the report of that record's line joins the last one.
     if let Some(last) = line.more.last().filter(|_| ends) {
         edits.extend(joined(context, last));
     }
@@ -100,10 +101,10 @@ fn report(context: &Context, line: &Line, ends: bool, places: &Places, out: &mut
     };
     let finding = Diagnostic::new(Code::S503, context.document.item_span(first))
         .with("count", Value::Count(line.more.len() as u64));
-    // What could not be read is read by its lines: with others it may be something else. So beside it only a line is
-    // cut that is whole records. And a record that may have taken another one's numbers must not look as if all were
-    // well. Nor must a lamp stay at the origin whose place may have been read as a shape. And a 0 behind a record may be
-    // a number too many of it.
+    // Text that cannot be read is understood by its lines: cut otherwise, it may become something else. So beside it, a
+    // line is cut only if it holds whole records and nothing else. A record that may have taken another one's numbers
+    // must not look as if all were well. A lamp whose place may have been read as a shape must not stay at the origin.
+    // A 0 behind a record may be a number too many of it.
     let has_zero = line
         .more
         .iter()
@@ -120,13 +121,13 @@ fn report(context: &Context, line: &Line, ends: bool, places: &Places, out: &mut
     });
 }
 
-/// The fix that takes out a lone 0 behind the record of a line. Nothing else of the scene changes.
+/// The fix that removes a lone 0 behind the only record of a line. Nothing else of the scene changes.
 fn without_zero(context: &Context, line: &Line) -> Option<Fix> {
     let [zero @ Item::Void { .. }] = line.more[..] else {
         return None;
     };
     let own = context.document.item_span(zero);
-    // It makes a comment behind it stand by itself.
+    // Such a 0 may introduce the comment behind it.
     let has_comment = context.text[own.range()].contains('#');
     let before = &context.text[..own.start as usize];
     let start = before.trim_end_matches([' ', '\t']).len() as u32;
@@ -139,7 +140,7 @@ fn without_zero(context: &Context, line: &Line) -> Option<Fix> {
     (!has_comment && line.torn.is_none()).then_some(fix)
 }
 
-/// A record of several lines in one, unless it has comments or is long.
+/// The edits that join the lines of a record into one; none if the record has comments or is too long for a line.
 fn joined(context: &Context, item: &Item) -> Vec<Edit> {
     let (first, last) = item.ends();
     let tokens = &context.document.tokens[first as usize..=last as usize];

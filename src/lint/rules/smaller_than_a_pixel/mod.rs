@@ -16,7 +16,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let Some(size) = size.filter(|s| *s < 1.0) else {
             continue;
         };
-        // Of what is not seen at all another rule speaks.
+        // Another rule reports a scene that is out of view.
         if out_of_view(scene, bounds, render.root, camera, Parts::All).is_some() {
             continue;
         }

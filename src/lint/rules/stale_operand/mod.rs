@@ -1,11 +1,10 @@
 //! W309: a change that comes too late for the operation it was meant for.
 //!
-//! An operation takes its operands as they are at that point. A change that comes later is plainly
-//! of no use if nothing takes the operand after it: neither another operation nor the render record. If
-//! something does, then the one ID stands for several states of one thing, each used where it was
-//! ready; that is a way to model, and nothing is said. Nor is anything said of an original that changes after it
-//! was copied: that is what copies are for. What holds for operands holds for properties, too, which an
-//! assignment takes as they are, and for the colours of a texture.
+//! An operation takes its operands as they are at that point. A later change is useless if nothing takes the operand
+//! after the change: neither another operation nor the render record. If something does take it, the ID stands for
+//! several states of one object, each used when it was ready: that is a way to model, and the rule is silent. The rule
+//! is also silent about an original that changes after it was copied: that is what copies are for. The same holds for
+//! properties, which an assignment takes as they are, and for the colours of a texture.
 
 use super::overridden_property::{MAX_PROPOSED, neighbours};
 use crate::diagnostics::{Code, Diagnostic, Value};
@@ -50,30 +49,32 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// A change that reaches nothing.
+/// A change that comes after the last use of its ID, so that nothing uses the changed state.
 struct Late<'a> {
     change: &'a Record,
-    /// The last record that took what is changed.
+    /// The last record that took the changed ID as an operand or a property.
     taker: &'a Record,
-    /// Further changes of the same thing.
+    /// The number of further changes of the same ID.
     more: u64,
 }
 
-/// The state of an ID.
+/// The state of an ID while the records are gone over in file order.
 #[derive(Clone, Default)]
 struct IdState<'a> {
-    /// Whether the ID is defined. An ID that is not there yet is not taken, and the record that defines it changes
-    /// nothing.
+    /// Whether the ID is defined already. An ID that is not defined yet is not taken, and the record that defines it
+    /// changes nothing.
     defined: bool,
-    /// Whether the ID is taken as it is at the end of the file.
+    /// Whether the render record or a choice of cameras takes the ID, in its state at the end of the file.
     at_the_end: bool,
+    /// The last record that took the ID as an operand or a property.
     taker: Option<&'a Record>,
+    /// The first change since then. `more` is the number of further ones.
     change: Option<&'a Record>,
     more: u64,
 }
 
 fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
-    // What nothing defines is not taken either.
+    // An ID that nothing defines has no entry, since nothing can take it.
     let ids = &context.scene.ids;
     let number = |id| ids.get(id).map(|number| number as usize);
     let mut entries = vec![IdState::default(); context.scene.entities.len()];
@@ -122,7 +123,7 @@ fn late<'a>(context: &Context<'a>) -> Vec<Late<'a>> {
     late
 }
 
-/// Whether records of a type change something of a kind; a promise does not.
+/// Whether records of a type change an entity of a kind. A promise changes nothing.
 fn changes_kind(ty: &RecordType, of: Option<Kind>) -> bool {
     let is_right = of.is_none_or(|of| match ty.effect {
         Effect::Defines(_) => false,
@@ -132,7 +133,7 @@ fn changes_kind(ty: &RecordType, of: Option<Kind>) -> bool {
     changes(ty) && is_right
 }
 
-/// Whether records of a type change something; a promise does not.
+/// Whether records of a type change an entity of any kind. A promise changes nothing.
 fn changes(ty: &RecordType) -> bool {
     !matches!(ty.effect, Effect::Defines(_)) && ty.family != Family::Bound
 }

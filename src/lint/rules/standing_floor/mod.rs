@@ -6,7 +6,7 @@ use crate::lint::records::chosen_cameras;
 use crate::syntax::table::{RecordKind, ShapeKind};
 use crate::syntax::words::{self, FLOOR, plain};
 
-/// Words by which a comment speaks of something beside it, without accents.
+/// Words that show that a comment speaks of something beside the floor, without accents.
 const BESIDE: [&str; 20] = [
     "on", "under", "above", "over", "from", "below", "plan", "lamp", "wall", "walls", "na", "nad",
     "pod", "od", "z", "s", "stena", "steny", "zed", "zdi",
@@ -18,7 +18,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if !context.document.contents.comments {
         return;
     }
-    // The picture's up is along y.
+    // In the picture, up must be along y.
     let cameras = chosen_cameras(context);
     let is_along_y = |up: &[f64; 3]| up[1].abs() > up[0].abs().max(up[2].abs());
     if cameras.is_empty() || !cameras.iter().all(|(c, _)| is_along_y(&c.up)) {
@@ -36,7 +36,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let turned = context.with_parts(|r| turns.contains(&r.kind));
     for record in called.into_iter().filter(|r| !turned.contains(&r.id)) {
         let span = context.document.span(record.first, record.last);
-        // Its side with the normal along z is above then.
+        // This rotation turns the side with the normal along z upwards.
         let line = format!("{} -2 -90 1", record.id);
         let lines = [line.clone()];
         let fix = context.add_behind(span, "fix", Applicability::Unsafe, &lines);

@@ -1,5 +1,5 @@
-//! W338: a pair of cameras for a stereo picture that makes none: one camera for both eyes, two with one view, the eyes in
-//! each other's place, or a selection below that overrides the pair.
+//! W338: a pair of cameras for a stereo picture that makes none: one camera for both eyes, two cameras with one view,
+//! the eyes exchanged, or a selection below that overrides the pair.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::geometry::array::{dot, sub, unit};
@@ -10,8 +10,8 @@ use crate::solids::staging::Basis;
 use crate::syntax::table::RecordKind;
 use crate::syntax::{Record, quote};
 
-/// The cosine of the angle between two views, and between the way from eye to eye and the picture's left, from which on
-/// two cameras are a pair of eyes: some 45 degrees.
+/// Least cosine of the angle between the views of a pair of eyes, and of that between the picture's left and the way
+/// from the left eye to the right one if the eyes are swapped: some 45 degrees.
 const EYES_COS: f64 = 0.7;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -68,7 +68,7 @@ fn pair(context: &Context, p: &Params, left: &Camera, right: &Camera) -> Option<
     Some(d)
 }
 
-/// The finding about a camera for both eyes. The only other one is the guess.
+/// The finding about a single camera for both eyes. If there is exactly one other camera, the fix names it.
 fn one_camera(context: &Context, p: &Params, camera: &Camera) -> Diagnostic {
     let d = Diagnostic::new(Code::W338, p.span()).with("id", camera.id.to_string());
     let mut others = context.scene.cameras.iter().filter(|c| c.id != camera.id);
@@ -82,7 +82,7 @@ fn one_camera(context: &Context, p: &Params, camera: &Camera) -> Diagnostic {
     }
 }
 
-/// Whether two cameras show the same.
+/// Whether two cameras show the same picture. `false` if one has a projection matrix.
 fn is_same(left: &Camera, right: &Camera) -> bool {
     left.position == right.position
         && unit(left.direction) == unit(right.direction)
@@ -90,8 +90,8 @@ fn is_same(left: &Camera, right: &Camera) -> bool {
         && right.projection.is_none()
 }
 
-/// The cosine of the angle between the way from the left eye to the right one and the right of the picture; `None` where
-/// the two are no pair of eyes, or where a matrix may turn the picture around.
+/// The cosine of the angle between the way from the left eye to the right one and the right of the picture; `None` if
+/// the two are no pair of eyes, or if a matrix may turn the picture around.
 fn sides(left: &Camera, right: &Camera) -> Option<f64> {
     let [left_basis, right_basis] = [Basis::of(left)?, Basis::of(right)?];
     let is_pair = dot(left_basis.forward, right_basis.forward) > EYES_COS

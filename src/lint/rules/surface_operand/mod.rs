@@ -68,13 +68,13 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 
 #[derive(Clone, Copy)]
 enum Case {
-    /// An intersection keeps the part of a surface that is inside the other operand.
+    /// An intersection keeps the part of a surface that is inside of the other operand.
     Inside,
-    /// A difference keeps what is outside.
+    /// A difference keeps the part of a surface that is outside of the other operand.
     Outside,
-    /// A surface takes nothing away.
+    /// The tool of a difference is a surface, which takes nothing away.
     Tool,
-    /// Two surfaces have no inside that anything could be in.
+    /// Both operands are surfaces, without an inside in which a part of the other one could lie.
     Both,
     Complement,
 }

@@ -1,4 +1,4 @@
-//! W340: a difference whose operands are in each other's place, or another operation than the comments say.
+//! W340: by what comments say, a difference has its operands exchanged, or another operation is meant.
 
 mod phrases;
 
@@ -16,23 +16,23 @@ use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
 use crate::syntax::words::{self, plain};
 
-/// The cases of operations that are a difference by their comments.
+/// The cases of a union and of an intersection that comments describe as a difference.
 const UNION: &str = "union";
 const INTERSECTION: &str = "intersection";
 /// The case of an operation that its comment calls another one.
 const CALLED: &str = "called";
-/// Before a hole or what is taken away: that it is something else.
+/// Words that show, before a word for a hole or for taking away, that this word is about another object.
 const OF_ANOTHER: [&str; 16] = [
     "with", "having", "s", "in", "into", "v", "ve", "do", "for", "pro", "from", "od", "z", "ze",
     "of", "not",
 ];
-/// Behind a hole: that it is in this.
+/// Words that show, behind a word for a hole, that the hole is in the object of the comment.
 const IN: [&str; 7] = ["in", "into", "through", "v", "ve", "do", "skrz"];
-/// Words of a comment that are looked at.
+/// Most words of a comment that are read.
 const MAX_COMMENT_WORDS: usize = 64;
-/// Comments on the records of one object that are looked at.
+/// Most comments on the records of one object that are read.
 const MAX_COMMENTS: usize = 8;
-/// Words of which so many letters are the same may be one word with two endings.
+/// Least number of equal letters at the beginning of two words that may be one word with two endings.
 const STEM: usize = 4;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -40,7 +40,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.extend(said.iter().map(|(p, _, meant)| finding(p, meant)));
 }
 
-/// The intersections of which W340 says that a difference is meant.
+/// The intersections that W340 reports, since comments describe a difference.
 pub(super) fn intersections(context: &Context) -> FxHashSet<NodeId> {
     let said = said(context).into_iter();
     said.filter(|(p, _, meant)| {
@@ -51,13 +51,13 @@ pub(super) fn intersections(context: &Context) -> FxHashSet<NodeId> {
     .collect()
 }
 
-/// What comments say of an operation: the case of the finding, and the type that is meant.
+/// What comments say of an operation: the case of the finding, and the type of the operation that is meant.
 struct Meant {
     case: &'static str,
     ty: &'static RecordType,
 }
 
-/// The operations that comments say otherwise, with what they say of each.
+/// The operations that comments contradict, each with its record, its node and what the comments say.
 fn said<'c>(context: &'c Context) -> Vec<(Params<'c>, NodeId, Meant)> {
     let mut out = Vec::new();
     if !context.document.contents.comments {
@@ -80,7 +80,7 @@ fn said<'c>(context: &'c Context) -> Vec<(Params<'c>, NodeId, Meant)> {
     if comments.is_empty() {
         return out;
     }
-    // That nothing is left has a rule of its own.
+    // Another rule reports operations of which nothing is left.
     let is_empty = |proven: &&Proven| matches!(proven.what, Proof::Empty(..));
     let empty = context.proven().iter().filter(is_empty);
     let empty: FxHashSet<NodeId> = empty.map(|proven| proven.node).collect();
@@ -110,7 +110,7 @@ fn said<'c>(context: &'c Context) -> Vec<(Params<'c>, NodeId, Meant)> {
                 is_without(&said, one, two) || is_taken_from(&said, one, two)
             };
             let is_said = p.comments().flat_map(of).any(is_own);
-            // A ∩ −B is A − B.
+            // With a complement as an operand, the operation is a difference already: A ∩ −B is A − B.
             if is_said && !operands.iter().any(|o| o.is_complement) {
                 let ty = difference;
                 out.push((p, node, Meant { case, ty }));
@@ -183,7 +183,8 @@ fn split(comment: &str) -> Vec<String> {
     words.take(MAX_COMMENT_WORDS).collect()
 }
 
-/// The words of a comment without accents, its signs of subtraction, and the IDs of the operands where it has both.
+/// The words of a comment without accents, with its signs of subtraction, and with the IDs of the operands if the
+/// comment has both.
 fn split_all(comment: &str, ids: [i64; 2]) -> Vec<String> {
     let is_open = |c: Option<char>| c.is_none_or(|c| c.is_whitespace() || c.is_ascii_digit());
     let mut before = None;
@@ -209,10 +210,10 @@ fn split_all(comment: &str, ids: [i64; 2]) -> Vec<String> {
     words
 }
 
-/// An operand of a difference.
+/// An operand of a difference, a union or an intersection.
 struct Operand<'a> {
     id: i64,
-    /// The type of the shape that it is, or is cut out of.
+    /// The type of the shape that the operand is, or is cut out of; `None` for other objects.
     ty: Option<&'static RecordType>,
     is_complement: bool,
     comments: Vec<&'a [String]>,
@@ -261,7 +262,7 @@ impl Operand<'_> {
         }
     }
 
-    /// Whether a comment says that it is a hole or is taken away.
+    /// Whether a comment says that the operand is a hole or is taken away.
     fn is_taken(&self) -> bool {
         self.comments.iter().any(|said| {
             let is_taken = |&at: &usize| is_hole(&said[at]) || is_cut(said, at);
@@ -282,7 +283,7 @@ fn begins(word: &str, beginnings: &[&str]) -> bool {
     beginnings.iter().any(|b| word.starts_with(b))
 }
 
-/// Whether two words are one but for their endings, two letters or less.
+/// Whether two words are equal but for their endings of two letters at most.
 fn is_one_word(a: &str, b: &str) -> bool {
     let same = a.chars().zip(b.chars()).take_while(|(x, y)| x == y).count();
     let longer = a.chars().count().max(b.chars().count());

@@ -4,21 +4,22 @@ use super::{Operand, begins};
 use crate::syntax::table::{RecordKind, RecordType};
 use crate::syntax::words::{self, HOLE};
 
-/// The sign of a subtraction among the words of a comment.
+/// The word that stands for the sign of a subtraction among the words of a comment.
 pub(super) const SIGN: &str = "-";
-/// Between `cube` and what it is without: words as these.
+/// Words between an object and the one that it is without, as in `cube without ball`.
 const WITHOUT: [&str; 5] = ["without", "minus", "less", "bez", SIGN];
-/// Between things of which only the first one is without something; the first word may be an article, too.
+/// Words that end the search for a name behind one of [`WITHOUT`]: `cube without ball and cone`. Right behind that
+/// word, `a` is an article.
 const AND: [&str; 4] = ["a", "and", "i", "plus"];
-/// Before a hole: what has it.
+/// Words between an object and the hole that it has.
 const WITH: [&str; 5] = ["with", "having", "s", "se", "ma"];
-/// Words for a hole by themselves, without accents; a participle that begins so is longer.
+/// Words for a hole, without accents, which may have an ending. A participle that begins with one of them is longer.
 const NOTCH: [&str; 5] = ["notch", "recess", "dent", "vyrez", "zarez"];
-/// The longest ending of such a word.
+/// The longest ending of one of the words [`NOTCH`].
 const MAX_ENDING: usize = 2;
-/// Behind `with`: what else is a hole.
+/// Beginnings of words that mean a hole behind one of [`WITH`].
 const HOLLOW: [&str; 6] = ["hollow", "groove", "slot", "prohlub", "vyhloub", "drazk"];
-/// Words for what is taken away, without accents.
+/// Words, without accents, that say by themselves that the object is taken away.
 const TAKEN: [&str; 7] = [
     "subtracted",
     "removed",
@@ -28,28 +29,29 @@ const TAKEN: [&str; 7] = [
     "odecteny",
     "odectene",
 ];
-/// Before a verb of taking away: that it is done to the object.
+/// Words that show, before a verb of taking away, that the object is what is taken: `what is cut away`.
 const DONE: [&str; 9] = [
     "what", "that", "which", "to", "se", "bude", "bylo", "byla", "je",
 ];
-/// Behind a verb that may also mean what remains: that it is taken away.
+/// Words that show, behind a verb of taking away, that the object is what is taken, not what remains.
 const AWAY: [&str; 4] = ["away", "out", "off", "from"];
-/// Beginnings of words for a difference, without accents; the first thing behind it is what remains.
+/// Beginnings of words for a difference, without accents. The first object that is named behind them is the one that
+/// remains.
 const DIFFERENCE: [&str; 2] = ["difference", "rozdil"];
 /// Words before the name of an operation.
 const ARTICLES: [&str; 4] = ["the", "a", "an", "csg"];
-/// So many words are between a name and what is said of it at most.
+/// Most words between a name and what is said of it.
 const MAX_WORDS_BETWEEN: usize = 3;
 
 /// Words of one language for taking away, without accents.
 struct Taking {
     /// Beginnings of the verbs.
     verbs: &'static [&'static str],
-    /// Before what remains.
+    /// Words before the object that remains.
     from: &'static [&'static str],
-    /// Behind a participle and before what is taken.
+    /// Words behind a participle and before the object that is taken.
     by: &'static [&'static str],
-    /// Between what remains and what is taken.
+    /// Words between the object that remains and the one that is taken.
     with: &'static [&'static str],
 }
 
@@ -72,18 +74,18 @@ const TAKING: [Taking; 2] = [
         with: &["s", "se"],
     },
 ];
-/// Endings of participles, without accents.
+/// Endings of Czech participles, without accents.
 const PARTICIPLE: [&str; 6] = ["ny", "na", "ne", "ty", "ta", "te"];
-/// Endings of instrumentals, without accents.
+/// Endings of Czech nouns in the instrumental case, without accents.
 const INSTRUMENTAL: [&str; 4] = ["i", "ou", "em", "y"];
 
-/// Whether a word is one for a hole.
+/// Whether a word means a hole.
 pub(super) fn is_hole(word: &str) -> bool {
     let mut endings = NOTCH.iter().filter_map(|notch| word.strip_prefix(notch));
     begins(word, &HOLE) || endings.any(|ending| ending.len() <= MAX_ENDING)
 }
 
-/// Whether a word of a comment on an operand says that the operand is taken away.
+/// Whether the word `at` of a comment on an operand says that the operand is taken away.
 pub(super) fn is_cut(said: &[String], at: usize) -> bool {
     let word = said[at].as_str();
     if TAKEN.contains(&word) {
@@ -95,7 +97,7 @@ pub(super) fn is_cut(said: &[String], at: usize) -> bool {
     let behind = said.get(at + 1).map(String::as_str);
     let is_away = behind.is_some_and(|w| AWAY.contains(&w));
     match word {
-        // `the cut`, but not `cut ball`.
+        // In `the cut`, the object is taken away; in `cut ball`, it remains.
         "cut" if at + 1 == said.len() && at < MAX_WORDS_BETWEEN => {
             is_done || before.iter().all(|w| words::shapes(w).is_empty())
         }
@@ -108,7 +110,7 @@ pub(super) fn is_cut(said: &[String], at: usize) -> bool {
 /// Whether a comment on a difference says that its first operand is taken from the second one.
 pub(super) fn is_reverse(said: &[String], one: &Operand, two: &Operand) -> bool {
     let is_hole = |w: &String| is_hole(w) || begins(w, &HOLLOW);
-    // A shape that is cut out of something else than one shape may be of any kind.
+    // The type of the first operand must be known: an operand that is not made of one shape may have any name.
     let is_with_hole = |at: usize| {
         let mut behind = said[at + 1..].iter().take(MAX_WORDS_BETWEEN + 1);
         one.ty.is_some()
@@ -121,12 +123,12 @@ pub(super) fn is_reverse(said: &[String], one: &Operand, two: &Operand) -> bool 
         || is_taken_from(said, two, one) && !is_taken_from(said, one, two)
 }
 
-/// Whether a comment says that one operand is there without another one.
+/// Whether a comment says that the operand `whole` is without the operand `taken`.
 pub(super) fn is_without(said: &[String], whole: &Operand, taken: &Operand) -> bool {
     (1..said.len())
         .filter(|&at| WITHOUT.contains(&said[at].as_str()))
         .any(|at| {
-            // A dash between other words joins sentences.
+            // A dash is a minus only right between two names; between other words it joins sentences.
             let between = match said[at] == SIGN {
                 true => 0,
                 false => MAX_WORDS_BETWEEN,
@@ -142,7 +144,8 @@ pub(super) fn is_without(said: &[String], whole: &Operand, taken: &Operand) -> b
         })
 }
 
-/// The operation that a comment begins with, as `difference` or `the union of the legs`, if it names no other one.
+/// The operation that a comment begins with, as in `difference` or `the union of the legs`. `None` if the comment names
+/// another operation, too.
 pub(super) fn operation(said: &[String]) -> Option<&'static RecordType> {
     const ALL: [RecordKind; 3] = [
         RecordKind::Union,
@@ -159,8 +162,8 @@ pub(super) fn operation(said: &[String]) -> Option<&'static RecordType> {
     others.next().is_none().then_some(first)
 }
 
-/// Whether a comment that names nothing but two operands says that one is taken from the other, or calls them a
-/// difference in that order.
+/// Whether a comment says that the operand `taken` is taken from the operand `whole`, or calls the two a difference in
+/// this order. `false` if the comment names anything else.
 pub(super) fn is_taken_from(said: &[String], whole: &Operand, taken: &Operand) -> bool {
     let is = |o: &Operand, other: &Operand, w: &str| o.is_called(w) && !other.is_called(w);
     let is_whole = |w: &String| is(whole, taken, w);
@@ -190,7 +193,7 @@ pub(super) fn is_taken_from(said: &[String], whole: &Operand, taken: &Operand) -
             return false;
         };
         let reach = remains.saturating_sub(MAX_WORDS_BETWEEN + 1)..remains;
-        // `koule, od které se odečte kostka` takes the cube.
+        // In `koule, od které se odečte kostka`, the cube is taken, since `od` stands before the verb.
         let from = said[reach].iter().rev().take_while(|w| !is_verb(w));
         if from.into_iter().any(|w| taking.from.contains(&w.as_str())) {
             return true;
@@ -201,7 +204,7 @@ pub(super) fn is_taken_from(said: &[String], whole: &Operand, taken: &Operand) -
         let is_instrumental = |i: usize| INSTRUMENTAL.iter().any(|end| said[i].ends_with(end));
         let has_from = said.iter().any(|w| taking.from.contains(&w.as_str()));
         match is_in_order {
-            // `block with a ball taken away`, `block cut by a ball`, `kvádr s odečtenou koulí`.
+            // Examples: `block with a ball taken away`, `block cut by a ball`, `kvádr s odečtenou koulí`.
             true => {
                 let behind = &said[first + 1..last];
                 let is_with = |w: &String| taking.with.contains(&w.as_str());
@@ -210,7 +213,7 @@ pub(super) fn is_taken_from(said: &[String], whole: &Operand, taken: &Operand) -
                         || between && said[verb..last].iter().any(is_by)
                         || between && is_participle && is_instrumental(last))
             }
-            // `koulí vydlabaný kvádr`.
+            // Example: `koulí vydlabaný kvádr`.
             false => {
                 !has_from && between && is_participle && first + 1 == verb && is_instrumental(first)
             }
@@ -218,7 +221,7 @@ pub(super) fn is_taken_from(said: &[String], whole: &Operand, taken: &Operand) -
     })
 }
 
-/// The nearest name before a place in a comment, if it is that of the first operand alone.
+/// The nearest name before the word `at` of a comment, if it is a name of the first operand alone.
 fn named_before<'s>(
     said: &'s [String],
     at: usize,

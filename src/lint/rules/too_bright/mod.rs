@@ -16,7 +16,7 @@ use std::ops::ControlFlow;
 /// Most mirrors and panes on a path of light: more add nothing that matters.
 const DEPTH: u32 = 4;
 
-/// Fewest pixels that are no chance where few are looked at.
+/// Least number of bright pixels for a finding: fewer may be chance where few pixels are examined.
 const MIN_BRIGHT: usize = 4;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -57,10 +57,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.push(diagnostic);
 }
 
-/// The bytes of pictures on surfaces that are read, once they are decoded.
+/// Most bytes of pictures on surfaces, once they are decoded, for which the pictures are read.
 const MAX_IMAGE_BYTES: u64 = 16 << 20;
 
-/// The pictures of the scene; `None` where they cannot be read, or are larger than [`MAX_IMAGE_BYTES`].
+/// The pictures on the scene's surfaces; `None` if they cannot be read, or are larger than [`MAX_IMAGE_BYTES`].
 fn images(context: &Context) -> Option<Images> {
     if Images::files(context.scene).is_empty() {
         return Some(Images::default());
@@ -68,7 +68,8 @@ fn images(context: &Context) -> Option<Images> {
     Images::load_within(context.scene, context.folder?, MAX_IMAGE_BYTES).ok()
 }
 
-/// The intensity of a light as a part, where it seems to be in per cent.
+/// The fix that divides the intensity of a light by 100. `None` unless the intensity is from 10 to 100, which seems to
+/// be per cent.
 fn of_per_cent(context: &Context, light: &Entity) -> Option<Fix> {
     const INTENSITY: usize = 0;
     // A copy has no intensity of its own.
@@ -92,8 +93,8 @@ fn brightest(scene: &Scene) -> Option<&Entity> {
     scene.entities.iter().find(|e| e.id == id)
 }
 
-/// Whether all lights together, or the background, are brighter than white, and no surface gives out more than it gets:
-/// of that W301 and W302 speak. Most scenes are not overlit, and need no picture.
+/// Whether all lights together, or the background, are brighter than white, and no surface gives out more light than it
+/// gets, which W301 and W302 report. Most scenes are not overlit, and need no picture.
 fn is_overlit(scene: &Scene, render: &Render) -> bool {
     let is_white_at_most = |c: Rgb| c.iter().all(|&x| x <= 1.0);
     let ambient = scene.ambient_lights.iter().map(|l| (l.intensity, l.colour));

@@ -1,4 +1,5 @@
-//! N609: a single shape, difference or intersection that is moved and then turned about an axis through the origin, which takes it elsewhere.
+//! N609: a single shape, difference or intersection that is moved and then turned about an axis through the origin,
+//! which takes it elsewhere.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -13,7 +14,7 @@ use crate::solids::shapes::facts::Facts as _;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind};
 use crate::syntax::{Record, quote};
 
-/// The distance between two places that are the same but for rounding, as a share of how far away they are.
+/// Largest distance between two places that are equal but for rounding, as a share of their distance from the origin.
 const PLACE_REL_GAP: f64 = 1e-9;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -39,16 +40,16 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut turned = chains
         .iter()
         .filter(|(id, chain)| objects.contains(*id) && is_turned(chain));
-    // Several objects make an arrangement around the origin.
+    // Several turned objects are an arrangement around the origin, and are meant.
     let (Some((id, chain)), None) = (turned.next(), turned.next()) else {
         return;
     };
-    // Of an arm of a group, the group is moved or copied.
+    // The object is an arm of a group if another object that contains it is moved, or a copy.
     let is_group = context.records().any(|r| {
         let is_other = r.id != *id && (r.kind == RecordKind::Copy || chains.contains_key(&r.id));
         is_other && context.references(r).any(|part| part == *id)
     });
-    // Of what is not drawn another rule speaks.
+    // Another rule reports an object that is not drawn.
     let is_used = || {
         let mut records = context.records();
         records.any(|r| context.references(r).any(|used| used == *id))
@@ -59,7 +60,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.extend(solid(context, *id).and_then(|solid| finding(context, *id, solid, chain)));
 }
 
-/// The title of a shape, a difference or an intersection, and its bounds as it is defined.
+/// The title of a shape, a difference or an intersection, and its bounds before any transformation. `None` for other
+/// objects.
 fn solid(context: &Context, id: u32) -> Option<(&'static str, Aabb)> {
     let scene = context.scene;
     if let Some(shape) = scene.shapes.iter().find(|s| s.id == id) {
@@ -72,7 +74,8 @@ fn solid(context: &Context, id: u32) -> Option<(&'static str, Aabb)> {
     Some((title, context.bounds()[node].all))
 }
 
-/// The finding about a solid with a translation and a rotation behind it, and no more.
+/// The finding about a solid with a translation, then a rotation, and no other transformation. `None` for any other
+/// solid, or if the rotation leaves the solid where it is.
 fn finding(
     context: &Context,
     id: u32,

@@ -34,7 +34,7 @@ const SUBSTANCES: [Substance; 3] = [
     },
 ];
 
-/// A finding for each substance, where no record gives an index.
+/// The findings, one for each substance, if no record of the scene gives an index.
 pub(super) fn called(context: &Context, root: NodeId, kinds: &[Parts]) -> Vec<Diagnostic> {
     let has_index = |kind: RecordKind| kind == RecordKind::RefractiveIndex;
     let has_comment = || {

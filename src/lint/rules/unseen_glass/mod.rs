@@ -1,8 +1,8 @@
-//! W337: an object that lets all light through, and has no refractive index: a picture shows nothing of it; and glass
-//! without an index beside other that has one, or that a comment calls glass.
+//! W337: a clear object without a refractive index, of which a picture shows nothing; and glass without an index in a
+//! scene where other glass has one, or that a comment calls glass.
 //!
-//! In a union the first part owns a point, so what is clear may cut a hole into what comes behind it. Such a part has an
-//! effect.
+//! In a union the first part that holds a point owns it, so a clear part may cut a hole into a part behind it. A clear
+//! part that does so has an effect.
 
 mod called;
 mod unlike;
@@ -22,10 +22,10 @@ use crate::solids::{Named, named};
 use crate::syntax::Record;
 use crate::syntax::table::RecordKind;
 
-/// Nodes gone through, and pairs of parts compared: some hundredths of a second.
+/// Most nodes visited, and most pairs of parts compared: some hundredths of a second.
 const NODES: usize = 200_000;
 const PAIRS: usize = 1_000_000;
-/// Pairs of parts whose boxes overlap, and which are looked at more closely: some hundredths of a second.
+/// Most pairs of parts with overlapping boxes that are examined more closely: some hundredths of a second.
 const CLOSE_PAIRS: usize = 20_000;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -39,7 +39,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if !has(lets_through) {
         return;
     }
-    // Somebody who writes the index of a vacuum means it.
+    // An author who writes the index of a vacuum anywhere knows about indices.
     let is_vacuum = |r: &Record| {
         let p = context.record_params(r);
         r.kind == RecordKind::RefractiveIndex && p.numbers(0) == DEFAULT_INDEX
@@ -57,7 +57,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.extend(called::called(context, render.root, &kinds));
 }
 
-/// Clear objects that have no index, but for those that cut holes.
+/// The finding about clear objects without an index, except those that cut holes into other parts.
 fn invisible(context: &Context, root: NodeId, kinds: &[Parts]) -> Option<Diagnostic> {
     let scene = context.scene;
     let all = members(context, root, is_clear)?;
@@ -94,14 +94,15 @@ fn invisible(context: &Context, root: NodeId, kinds: &[Parts]) -> Option<Diagnos
     finding(context, &unseen, cases, "1.5 1.5 1.5")
 }
 
-/// A finding for objects without an index and the records of their optics, and the guess that gives them one.
+/// The finding about objects without an index, each with the record of its optics, and the fix that gives them one.
+/// `None` if no objects are left. `one` and `several` are the cases of the finding.
 fn finding(
     context: &Context,
     objects: &[(Named, Origin)],
     [one, several]: [&'static str; 2],
     index: &str,
 ) -> Option<Diagnostic> {
-    // Of optics that are others than a comment says, W342 speaks.
+    // W342 reports optics that differ from what a comment says.
     let others = match objects.is_empty() {
         true => return None,
         false => with_other_optics(context),
@@ -137,25 +138,25 @@ fn finding(
     Some(d.fix(Fix::guess("fix", edits)))
 }
 
-/// A condition on optics.
+/// A condition on optics, which chooses the parts that a search is about.
 type Test = fn(&Optics) -> bool;
 
 /// A part of the outermost union.
 struct Member {
     node: NodeId,
-    /// What moves it with the union that it is a part of.
+    /// The transformation of the union that the part is an operand of.
     moved: Matrix,
     bounds: Aabb,
-    /// Whether the optics of all of it meet the condition.
+    /// Whether the optics of the whole part meet the condition.
     meets: bool,
-    /// An index that something gives it.
+    /// An index that a paint above the part or within it gives.
     index: Option<Rgb>,
-    /// The paint that meets the condition.
+    /// The paint whose optics count; `None` if there is none above, and those within do not all meet the condition.
     paint: Option<NodeId>,
 }
 
 impl Member {
-    /// Whether it meets the condition and has no index.
+    /// Whether the part meets the condition and has no index.
     fn is_plain(&self) -> bool {
         self.meets && self.index.is_none()
     }
@@ -169,12 +170,13 @@ impl Member {
 /// Properties that paints above a node give to it.
 #[derive(Clone, Copy, Default)]
 struct Above {
-    /// Whether a paint has optics, and whether these meet the condition.
+    /// Whether the outermost optics above meet the condition, and the paint that gives them.
     optics: Option<(bool, NodeId)>,
     index: Option<Rgb>,
 }
 
-/// All parts, in the order of the operands; `None` if there are too many.
+/// All parts of the outermost union, in the order of the operands, with their optics held against the condition `test`.
+/// `None` if there are too many.
 fn members(context: &Context, root: NodeId, test: Test) -> Option<Vec<Member>> {
     let scene = context.scene;
     let owns = owns(scene, test);
@@ -227,17 +229,18 @@ fn members(context: &Context, root: NodeId, test: Test) -> Option<Vec<Member>> {
     Some(out)
 }
 
-/// The index of a paint, if it is another than that of the space outside. What an assignment gives has an index, too.
+/// The index of a paint, if it differs from that of the space outside. An assignment always gives an index, often that
+/// of the space outside.
 fn bent(paint: &Paint) -> Option<Rgb> {
     paint.index.filter(|&index| index != DEFAULT_INDEX)
 }
 
-/// Whether half of all light or more goes through.
+/// Whether half of the light or more goes through, in each colour channel.
 fn lets_through(o: &Optics) -> bool {
     o.kt.iter().all(|&x| x >= 0.5)
 }
 
-/// Whether no part of the light is scattered besides.
+/// Whether half of the light or more goes through, in each colour channel, and none is scattered.
 fn is_glass(o: &Optics) -> bool {
     o.kd == [0.0; 3] && lets_through(o)
 }
@@ -249,9 +252,9 @@ fn is_clear(o: &Optics) -> bool {
 /// Properties of a node by itself.
 #[derive(Clone, Copy, Default)]
 struct Own {
-    /// A paint whose optics meet the condition, where all parts have such.
+    /// A paint whose optics meet the condition, if the optics of all parts do.
     paint: Option<NodeId>,
-    /// An index that anything of it has.
+    /// An index that any part of the node has.
     index: Option<Rgb>,
 }
 
@@ -264,7 +267,7 @@ fn owns(scene: &Scene, test: Test) -> Vec<Own> {
                 paint: of(a).paint.and(of(b).paint).and(of(a).paint),
                 index: of(a).index.or(of(b).index),
             },
-            // Of a tool nothing is seen.
+            // Nothing is seen of the tool of a difference.
             Node::Difference(a, _) => of(a),
             Node::Complement(child) | Node::Transform { child, .. } | Node::Copy { child, .. } => {
                 of(child)

@@ -1,4 +1,4 @@
-//! Glass without an index in a scene in which other glass has one: rather forgotten in one of them.
+//! Glass without an index in a scene in which other glass has one: the index is rather forgotten.
 
 use rustc_hash::FxHashSet;
 
@@ -10,8 +10,8 @@ use crate::lint::spelling::spelled;
 use crate::scene::NodeId;
 use crate::solids::named;
 
-/// Solids that let half of the light through and have no index, where another solid that lets light through has one.
-/// A solid within the box of such a one may be a bubble of air.
+/// The finding about solids that let half of the light through and have no index, if another solid that lets light
+/// through has one. A solid within the box of a solid with an index is left out: it may be a bubble of air.
 pub(super) fn others(context: &Context, root: NodeId, kinds: &[Parts]) -> Option<Diagnostic> {
     let scene = context.scene;
     let is_like: Test = |o| is_glass(o) && !is_clear(o);

@@ -1,4 +1,4 @@
-//! The record that gives a paint its texture.
+//! The records that make textures and colours, and the nodes that paint with them.
 
 use rustc_hash::FxHashMap;
 
@@ -15,21 +15,22 @@ pub(super) struct Given<'a> {
     pub replaced: Option<usize>,
 }
 
-/// A node that paints, and what it has its texture or colour from.
+/// A node that paints, with the record that gives its texture or colour.
 pub(super) struct Painting {
     pub node: NodeId,
-    /// Index into all that is given.
+    /// Index of the record among all that give a texture or colour; `None` if the paint has neither.
     pub texture: Option<usize>,
-    /// The painting that goes on from this one: properties given to an object one after the other are one paint.
+    /// The index of the painting that goes on from this one: properties given to an object one after the other are one
+    /// paint.
     pub next: Option<usize>,
 }
 
-/// All textures and colours, and all that paints, in file order.
+/// All records that make textures and colours, and all paintings, in file order.
 pub(super) fn textures<'a>(context: &Context<'a>) -> (Vec<Given<'a>>, Vec<Painting>) {
     let scene = context.scene;
     let mut given: Vec<Given> = Vec::new();
     let mut paintings: Vec<Painting> = Vec::new();
-    // The texture of each ID, and the last painting of each object, so far.
+    // The present texture of each ID, and the last painting of each object.
     let mut current: FxHashMap<u32, usize> = FxHashMap::default();
     let mut last: FxHashMap<u32, usize> = FxHashMap::default();
     // Nodes are in file order, and a record makes one at most.

@@ -1,4 +1,4 @@
-//! Colours of what is taken away, beside those that the cut has instead.
+//! Colours of tools that are taken away, held against the colours that the cuts have.
 
 use crate::scene::{Node, NodeId, Rgb, Scene, Texture, fold_up};
 use rustc_hash::FxHashSet;
@@ -21,13 +21,13 @@ impl Colours {
     }
 }
 
-/// The textures and colours that differ from those of the cuts that they are not seen on.
+/// The colours that are not seen on the cuts of their tools, and differ from those of the cuts.
 pub(super) struct Instead {
     differing: FxHashSet<usize>,
 }
 
 impl Instead {
-    /// `paintings`: nodes that give a colour which is cut away, each with the number of its record.
+    /// `paintings` are nodes that give a colour which is cut away, each with the index of its record.
     pub(super) fn new(
         scene: &Scene,
         paintings: impl Iterator<Item = (NodeId, usize)>,
@@ -47,7 +47,7 @@ impl Instead {
         Instead { differing }
     }
 
-    /// Whether a cut has another colour than that of a record.
+    /// Whether a cut has another colour than the record with this index gives.
     pub(super) fn differs(&self, record: usize) -> bool {
         self.differing.contains(&record)
     }
@@ -65,7 +65,7 @@ fn given(scene: &Scene, node: Node) -> Option<Colours> {
     }
 }
 
-/// For each node the colours of the cuts that it makes as a part of a tool.
+/// For each node the colours of the cut faces that it leaves as a part of a tool.
 fn cuts(scene: &Scene, is_drawn: impl Fn(NodeId) -> bool) -> Vec<Colours> {
     let own = fold_up(&scene.nodes, |_, node, own: &[Colours]| {
         let of = |n: NodeId| own[n as usize];

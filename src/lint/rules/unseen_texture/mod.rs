@@ -1,7 +1,7 @@
 //! W331: a texture that no picture shows.
 //!
-//! A paint gives its texture to what is below it, but for what other paints above cover. What is left must be diffuse,
-//! and must be a part that a ray of a camera may meet.
+//! A paint gives its texture to all below it that no other paint above covers. The texture is seen where the optics are
+//! diffuse, on a part that a ray of a camera may meet.
 
 mod given;
 mod instead;
@@ -57,7 +57,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The nodes that give textures of which W331 says that they are hidden.
+/// The nodes of the paints whose textures W331 reports as hidden.
 pub(super) fn hidden(context: &Context) -> Vec<NodeId> {
     let Some(sightings) = Sightings::new(context) else {
         return Vec::new();
@@ -72,7 +72,7 @@ pub(super) fn hidden(context: &Context) -> Vec<NodeId> {
     hidden.map(|p| p.node).collect()
 }
 
-/// All textures and colours, and what is found out about each.
+/// All textures and colours of a scene, with the facts that are found about each.
 struct Sightings<'a> {
     given: Vec<Given<'a>>,
     paintings: Vec<Painting>,
@@ -81,7 +81,7 @@ struct Sightings<'a> {
 }
 
 impl<'a> Sightings<'a> {
-    /// `None` where there is nothing to be found out.
+    /// `None` if there is nothing that the rule could report.
     fn new(context: &Context<'a>) -> Option<Sightings<'a>> {
         let has_textures = context.document.contents.has(super::TEXTURES);
         let has = |kinds: &[RecordKind]| context.document.contents.has(kinds);
@@ -108,7 +108,7 @@ impl<'a> Sightings<'a> {
             views,
         } = self;
         let is_drawn = |p: &Painting| views.showing(p) != Showing::Absent;
-        // Whether each painting is drawn, or one that goes on from it.
+        // For each painting whether it is drawn, or a later painting that goes on from it.
         let mut drawn = vec![false; paintings.len()];
         let overriding = overridden_property::overriding(context);
         for (i, painting) in paintings.iter().enumerate().rev() {
@@ -128,7 +128,7 @@ impl<'a> Sightings<'a> {
             }
         }
         for i in (0..given.len()).rev() {
-            // A property that is replaced before anything has it.
+            // A texture that is replaced before any object has it counts as covered.
             if !found[i].is_used
                 && let Some(next) = given[i].replaced
                 && found[next].is_used
@@ -137,7 +137,7 @@ impl<'a> Sightings<'a> {
                 found[i].add(Why::Covered, Some(given[next].params.span()));
             }
         }
-        // The colours of checkerboards and the like.
+        // Colours that checkerboards and other textures name count as seen.
         let named = (context.records()).filter(|r| super::TEXTURES.contains(&r.kind));
         let named: FxHashSet<u32> = named.flat_map(|r| context.references(r)).collect();
         for (given, found) in given.iter().zip(found) {
@@ -145,7 +145,7 @@ impl<'a> Sightings<'a> {
         }
     }
 
-    /// The nodes that give colours which are only cut away, each with the number of its record.
+    /// The nodes that give colours which are only cut away, each with the index of its record.
     fn removed(&self) -> impl Iterator<Item = (NodeId, usize)> {
         let is_removed =
             |found: &TextureSightings| !found.is_seen && found.reasons == [Why::Removed];
@@ -154,13 +154,14 @@ impl<'a> Sightings<'a> {
             .filter_map(move |p| Some((p.node, p.texture.filter(|&i| is_asked(i))?)))
     }
 
-    /// The colours that would be seen in the place of those that are cut away.
+    /// The colours that are cut away, held against those of the cuts.
     fn colours(&self, context: &Context) -> Instead {
         let is_drawn = |node| self.views.all.reaches(node);
         Instead::new(context.scene, self.removed(), is_drawn)
     }
 
-    /// The colours that a union would show, and findings about the differences that take them away.
+    /// The indices of the colours that a union in place of a difference would show, and findings about these
+    /// differences.
     fn unions(&self, context: &Context, colours: &Instead) -> (FxHashSet<usize>, Vec<Diagnostic>) {
         let differing = self.removed().filter(|&(_, i)| colours.differs(i));
         let differing: Vec<(usize, NodeId)> = differing.map(|(node, i)| (i, node)).collect();
@@ -195,14 +196,15 @@ impl Why {
 struct TextureSightings {
     /// Whether an object is painted with the texture, drawn or not.
     is_used: bool,
+    /// Whether a picture shows the texture somewhere.
     is_seen: bool,
-    /// Each reason once.
+    /// The reasons why the texture is not seen, each once.
     reasons: Vec<Why>,
     /// The paint that covers the texture.
     cover: Option<Span>,
     /// A record that covers the texture, is about the same object, and is in no other finding.
     again: Option<Span>,
-    /// Whether something with the texture is hidden, and not by being an object that lies inside of a solid.
+    /// Whether an object with the texture is hidden in another way than by lying inside of a solid.
     is_hidden_otherwise: bool,
 }
 
@@ -214,7 +216,7 @@ impl TextureSightings {
         self.cover = self.cover.or(cover);
     }
 
-    /// Adds that a paint covers the texture, where W334 does not say that it takes it back.
+    /// Adds that the paint `cover` covers the texture, unless W334 reports that the object takes the texture back.
     fn cover(
         &mut self,
         scene: &Scene,
@@ -235,7 +237,7 @@ impl TextureSightings {
         }
     }
 
-    /// Whether all that has the texture are objects inside of solids: of these W335 speaks.
+    /// Whether all objects with the texture are hidden inside of solids, which W335 reports.
     fn is_in_solids(&self) -> bool {
         self.reasons == [Why::Hidden] && !self.is_hidden_otherwise
     }
@@ -261,14 +263,14 @@ impl TextureSightings {
     }
 }
 
-/// What may leave an object without a diffuse part.
+/// The records that may leave an object without a diffuse part.
 const OPTICS: &[RecordKind] = &[RecordKind::Optics, RecordKind::OpticsRgb];
 
 /// Number of nodes above which hidden parts and parts out of view are not looked for: that takes too long for an
 /// editor.
 const MAX_NODES: usize = 5000;
 
-/// A scene with more and more left out.
+/// The aspects of a scene that can be seen, with more and more of the scene left out.
 struct Views<'a> {
     scene: &'a Scene,
     /// The aspects that can be seen of all that is drawn.
@@ -279,7 +281,7 @@ struct Views<'a> {
     viewed: Option<VisibleAspects>,
     /// For each node that is drawn a paint above it that gives a texture.
     covers: Vec<Option<NodeId>>,
-    /// For each node the unseen part that it belongs to, or that belongs to it.
+    /// For each node the reason why a part around it, or within it, is not seen.
     unseen: Vec<Option<UnseenReason>>,
 }
 
@@ -301,7 +303,7 @@ impl<'a> Views<'a> {
         }
         let plan = Plan::of_picture(scene)?;
         let reach = |left_out: &LeftOut| VisibleAspects::new(scene, root, left_out);
-        // Where nothing at all is to be seen, it is no texture's fault.
+        // If nothing at all is to be seen, the textures are not to blame.
         let met = reach(&plan.left_out);
         views.unseen = unseen_parts(scene, &plan.unseen);
         views.met = (!plan.left_out.all() && met.shows(root)).then_some(met);
@@ -317,7 +319,7 @@ impl<'a> Views<'a> {
         self.all.showing(self.scene, painting.node)
     }
 
-    /// Finds out whether a painting is to be seen, and if not, why.
+    /// Adds to `found` whether a painting is to be seen, and if not, why.
     fn judge(
         &self,
         painting: &Painting,
@@ -347,7 +349,7 @@ impl<'a> Views<'a> {
     }
 }
 
-/// For each node that is reached the nearest paint with a texture on one of the ways to it.
+/// For each node that is drawn the nearest paint with a texture on one of the ways down to the node.
 fn covers(scene: &Scene, root: NodeId, reach: &VisibleAspects) -> Vec<Option<NodeId>> {
     let mut covers = vec![None; root as usize + 1];
     // Children stand before their parents.
@@ -369,10 +371,10 @@ fn covers(scene: &Scene, root: NodeId, reach: &VisibleAspects) -> Vec<Option<Nod
     covers
 }
 
-/// For each node why the part is unseen that it belongs to, or that belongs to it.
+/// For each node the reason why a part around it, or within it, is not seen.
 fn unseen_parts(scene: &Scene, unseen: &[Unseen]) -> Vec<Option<UnseenReason>> {
     let mut parts = vec![None; scene.nodes.len()];
-    // W335 speaks of what has a name.
+    // W335 reports only parts that have a name.
     for part in unseen.iter().filter(|p| named(scene, p.node).is_some()) {
         parts[part.node as usize] = Some(part.why);
     }

@@ -1,4 +1,4 @@
-//! Differences that take away what has colours of its own, as a union would join it.
+//! Differences that take away an object with colours of its own, as if a union were to join it.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -9,11 +9,11 @@ use crate::scene::{Node, NodeId, Scene};
 use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
 
-/// So many colours of one tool are none of a hole.
+/// Least number of colours of a tool that is no hole.
 const TOOL_COLOURS: usize = 2;
 
-/// The colours, each with a node that has it, that a difference takes away in the place of a union; and what is said of
-/// these differences.
+/// The indices of those colours that a difference takes away in the place of a union, and the findings about these
+/// differences. Each of `colours` comes with a node that has the colour.
 pub(super) fn unions(
     context: &Context,
     colours: &[(usize, NodeId)],
@@ -45,7 +45,7 @@ pub(super) fn unions(
             continue;
         }
         told.extend(colours);
-        // The rule about what takes nothing away speaks of it.
+        // Another rule reports a difference that takes nothing away.
         if touch(context, a, tool) {
             continue;
         }
@@ -63,7 +63,7 @@ pub(super) fn unions(
     (told, findings)
 }
 
-/// Whether an object is a union, painted or moved or not.
+/// Whether an object is a union, which may be painted or moved.
 fn is_union(scene: &Scene, node: NodeId) -> bool {
     scene
         .states(node)
@@ -71,7 +71,7 @@ fn is_union(scene: &Scene, node: NodeId) -> bool {
 }
 
 struct Above {
-    /// For each node the difference that takes it away, the outermost one.
+    /// For each node the outermost difference that takes it away.
     cut: Vec<Option<NodeId>>,
     /// Whether each node is an operand of a union.
     in_union: Vec<bool>,

@@ -10,7 +10,8 @@ use crate::syntax::lexer::TokenKind;
 use crate::syntax::quote;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
 
-/// The assignment of a property to the only shape that has none of its kind.
+/// The fix that assigns a property to the only shape without one of its kind. `None` if there are several, or if an
+/// operation has one.
 pub(super) fn to_the_only_one(context: &Context, property: &Entity) -> Option<Fix> {
     let kind = property.kind?;
     let gives = |ty: &RecordType| match ty.effect {
@@ -19,7 +20,7 @@ pub(super) fn to_the_only_one(context: &Context, property: &Entity) -> Option<Fi
     };
     let given = context.records().filter(|r| gives(r.ty())).map(|r| r.id);
     let given: FxHashSet<u32> = given.collect();
-    // What an operation has is its operands', too.
+    // The properties of an operation are those of its operands, too.
     let is_given = |r: &Record| given.contains(&r.id);
     let of = |family| context.records().filter(move |r| r.ty().family == family);
     if of(Family::Operation).any(is_given) {
@@ -39,7 +40,7 @@ pub(super) fn to_the_only_one(context: &Context, property: &Entity) -> Option<Fi
     let on_line = behind
         .clone()
         .take_while(|t| t.kind() != TokenKind::Newline);
-    // Nothing but a comment that is closed stands there.
+    // The line may have closed comments behind the record, and nothing else.
     let end = on_line
         .clone()
         .last()

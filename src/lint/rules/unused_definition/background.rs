@@ -1,12 +1,13 @@
-//! A colour that nothing needs as the background, where the render record has none.
+//! An unused colour as the background of a render record that has none.
 
 use crate::diagnostics::{Applicability, Diagnostic, Fix};
 use crate::lint::Context;
 use crate::scene::background;
 use crate::syntax::quote;
 
-/// Says of unused colours, given by the place of their findings and their IDs, that the render record may name them. The
-/// one that a comment calls the background is meant so; another one may be.
+/// Adds to the findings about unused colours that the render record may name them. `colours` are the indices of the
+/// findings in `out`, each with the ID of its colour. A colour that a comment calls the background is surely meant so;
+/// another one may be.
 pub(super) fn add(context: &Context, colours: &[(usize, u32)], out: &mut [Diagnostic]) {
     let Some(render) = context.scene.render.filter(|_| !colours.is_empty()) else {
         return;

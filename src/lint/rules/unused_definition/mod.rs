@@ -35,13 +35,13 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     };
     let root = render.root_id.to_string();
     let mut all = definitions(context);
-    // What seems to be unused may be what was meant where a record names what is not there.
+    // Where a record names an ID that does not exist, an ID that seems to be unused may be meant.
     let Some(names) = context.names() else {
         return;
     };
     spare_duplicates(context, &mut all);
     follow(names, &mut all);
-    // What only an unused thing needs goes with it.
+    // A definition that only unused ones name is not reported: it goes with them.
     for i in 0..all.len() {
         for &name in names.of(i) {
             if all[i] & USED == 0 && name as usize != i {
@@ -87,7 +87,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if let [(at, property)] = properties[..] {
         let fixes = &mut out[at].fixes;
         fixes.extend(slip::of_a_transparent_one(context, property));
-        // Nothing is seen of an index where no light goes through.
+        // A mere index has no effect on an object that lets no light through.
         if !slip::is_mere_index(context, property) {
             let is_drawn = |id: u32| {
                 let number = context.scene.ids.get(id);
@@ -116,7 +116,8 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Names the checkerboard of one colour that may mean the only unused one, in place of all guesses.
+/// Labels a checkerboard that names one colour twice, if a single colour is unused: the checkerboard may mean it. All
+/// fixes of the finding go.
 fn name_checkerboard(context: &Context, colours: &[(usize, u32)], out: &mut [Diagnostic]) {
     let [(at, _)] = colours[..] else { return };
     let mut boards = super::duplicate_operand::of_one_colour(context);
@@ -176,7 +177,7 @@ fn definitions(context: &Context) -> Vec<IdFlags> {
     all
 }
 
-/// Marks what is defined twice as used: which of the two was meant is not known.
+/// Marks IDs that are defined twice as used: which of the two definitions was meant is not known.
 fn spare_duplicates(context: &Context, all: &mut [IdFlags]) {
     let entities = context.scene.entities.iter();
     let mut entities = entities.map(|e| e.span.start).peekable();
@@ -196,7 +197,7 @@ fn spare_duplicates(context: &Context, all: &mut [IdFlags]) {
     }
 }
 
-/// Lights and cameras are; the render record is the beginning.
+/// Whether an entity counts as used even if no record names it: a light, a camera, a selection or the render record.
 fn is_asked_for_by_nobody(entity: &Entity) -> bool {
     matches!(
         entity.kind,
@@ -206,7 +207,7 @@ fn is_asked_for_by_nobody(entity: &Entity) -> bool {
     )
 }
 
-/// Marks as used what the used ones name.
+/// Marks as used all IDs that used IDs name, at any depth.
 fn follow(names: &Names, all: &mut [IdFlags]) {
     let mut open: Vec<usize> = (0..all.len()).filter(|&i| all[i] & USED != 0).collect();
     while let Some(i) = open.pop() {

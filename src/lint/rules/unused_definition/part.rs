@@ -1,4 +1,4 @@
-//! An operation whose operand another operation names in its place.
+//! An unused operation whose operand another operation names in the place of the unused one.
 
 use crate::diagnostics::{Applicability, Fix};
 use crate::lint::Context;
@@ -7,7 +7,8 @@ use crate::scene::names::references;
 use crate::syntax::table::{Family, RecordType};
 use crate::syntax::{Record, quote};
 
-/// An operation below names the unused one in place of one of its operands, where no other record names any of these.
+/// The fix that makes an operation below name the unused one in place of an operand of the unused one. `None` unless
+/// that is the only other use of these operands.
 pub(super) fn in_its_place(context: &Context, unused: &Entity) -> Option<Fix> {
     let own = context.params(unused.span)?;
     if !joins(own.ty) {
@@ -42,7 +43,7 @@ pub(super) fn in_its_place(context: &Context, unused: &Entity) -> Option<Fix> {
     Some(fix.with("text", quote(&words.join(" "))))
 }
 
-/// Whether it makes an object of two others: no copy, no complement.
+/// Whether records of a type make an object of two others: no copy, no complement.
 fn joins(ty: &RecordType) -> bool {
     ty.family == Family::Operation && ty.params.len() == 2
 }

@@ -9,8 +9,8 @@ use crate::scene::{Entity, Node};
 use crate::syntax::table::{Effect, Kind, RecordKind, RecordType};
 use crate::syntax::{Record, quote};
 
-/// The index with the ID of a transparent object that has none, if one digit or the order of two makes the difference;
-/// swapped digits come first.
+/// The fixes that give an index to a transparent object without one, if the two IDs differ in one digit or in the order
+/// of two digits. Swapped digits come first.
 pub(super) fn of_a_transparent_one(context: &Context, property: &Entity) -> Vec<Fix> {
     if !is_mere_index(context, property) {
         return Vec::new();
@@ -41,8 +41,8 @@ pub(super) fn of_a_transparent_one(context: &Context, property: &Entity) -> Vec<
     meant.into_iter().map(fix).collect()
 }
 
-/// The property with the ID of the object whose record stands right above, if that is drawn and given no such property: to be
-/// chosen, unless one digit or the order of two makes the difference.
+/// The fix that gives a property the ID of the object whose record stands right above, if that object is drawn and has
+/// no such property. The fix is a choice, unless the two IDs differ in one digit or in the order of two digits.
 pub(super) fn of_the_object_above(
     context: &Context,
     property: &Entity,
@@ -74,7 +74,7 @@ pub(super) fn of_the_object_above(
     );
     let number = quote(&text);
     let mut fix = Fix::guess("fix-write", vec![Edit { span: head, text }]);
-    // One digit of one differs from any other.
+    // IDs of a single digit always differ in one digit, which proves nothing.
     if !is_alike || written.len() == 1 {
         fix.applicability = Applicability::Choice;
     }
@@ -103,7 +103,7 @@ fn is_transparent(context: &Context, object: &Entity) -> bool {
     optics.is_some_and(|o| o.kt.iter().any(|&k| k > 0.0))
 }
 
-/// A shape behind a lamp on its line as the place of the lamp: a translation.
+/// The fix that makes a shape behind a lamp, on the lamp's line, a translation of the lamp.
 pub(super) fn of_a_lamp(context: &Context, lamp: &Record, place: &Record) -> Fix {
     let document = context.document;
     let own = document.span(place.first, place.last);

@@ -1,4 +1,5 @@
-//! The nodes that contain what is drawn, where the render record names an earlier step of the scene.
+//! Objects that contain what is drawn, and are not drawn themselves: the render record names an earlier step of the
+//! scene.
 
 use rustc_hash::FxHashSet;
 
@@ -15,7 +16,7 @@ pub(super) fn holders(context: &Context, names: &Names) -> FxHashSet<u32> {
     let Some(root) = context.scene.render.and_then(|r| ids.get(r.root_id)) else {
         return holders;
     };
-    // Each with what names it.
+    // Pairs of the number of an ID and that of an ID that names it.
     let all = 0..context.scene.entities.len() as u32;
     let named = all.flat_map(|i| names.of(i as usize).iter().map(move |&name| (name, i)));
     let mut named: Vec<(u32, u32)> = named.collect();
@@ -29,7 +30,7 @@ pub(super) fn holders(context: &Context, names: &Names) -> FxHashSet<u32> {
     holders
 }
 
-/// The render record draws an object instead of what it draws.
+/// The fix that makes the render record draw the object in place of the present one.
 pub(super) fn drawn(context: &Context, object: &Entity) -> Option<Fix> {
     let p = context.params(context.scene.render?.span)?;
     let place = p.span_of(ROOT, 1);
@@ -44,5 +45,5 @@ pub(super) fn drawn(context: &Context, object: &Entity) -> Option<Fix> {
     Some(fix.with("text", quote(&record)))
 }
 
-/// The place of what is drawn in the render record.
+/// The index of the drawn object among the parameters of the render record.
 const ROOT: usize = 0;

@@ -1,4 +1,4 @@
-//! The floor that a scene stands on: a plane without end, or a flat object below all others.
+//! The floor that a scene stands on: an endless plane, or a flat object below all others.
 
 use rustc_hash::FxHashSet;
 
@@ -7,9 +7,9 @@ use crate::geometry::array::{length, sub};
 use crate::lint::Context;
 use crate::scene::{Geometry, Node, NodeId, Vec3};
 
-/// A floor is as near to the lowest point of what stands on it as this part of the size of that.
+/// Largest distance of a floor from the lowest point of the objects on it, as a share of the size of the objects.
 const FLOOR_REL_GAP: f64 = 0.1;
-/// The height of a floor that ends, as a part of its width and of its depth.
+/// Largest thickness of a bounded floor, as a share of its width and of its depth.
 const MAX_REL_HEIGHT: f64 = 0.2;
 
 /// A way along a coordinate axis.
@@ -25,7 +25,7 @@ impl Way {
         is_negative: false,
     };
 
-    /// The way of a vector along an axis.
+    /// The way of a vector that lies along an axis; `None` for any other vector.
     pub(super) fn along(vector: Vec3) -> Option<Way> {
         let axis = vector.iter().position(|x| *x != 0.0)?;
         let is_alone = vector[axis + 1..].iter().all(|x| *x == 0.0);
@@ -40,7 +40,7 @@ impl Way {
         format!("{sign}{}", ["x", "y", "z"][self.axis])
     }
 
-    /// Where a box begins and ends on this way.
+    /// The coordinates along this way at which a box begins and ends.
     fn ends(self, b: &Aabb) -> [f64; 2] {
         match self.is_negative {
             true => [-b.max[self.axis], -b.min[self.axis]],
@@ -49,7 +49,8 @@ impl Way {
     }
 }
 
-/// The height of the floor across the y axis, where there is none across the way that a camera takes for up.
+/// The height of the floor across the y axis. `None` if there is none, or if a floor also lies across the way `taken`,
+/// which a camera takes for up.
 pub(super) fn floor(context: &Context, root: NodeId, taken: Way) -> Option<f64> {
     let bounds = &context.bounds()[root as usize];
     if !bounds.all.is_bounded() {
@@ -70,7 +71,8 @@ fn stands_on(objects: &Aabb, way: Way, floor: f64) -> bool {
     !objects.is_empty() && (lowest - floor).abs() <= FLOOR_REL_GAP * size
 }
 
-/// The height of the only plane without end in a union, if that is across the y axis: an untouched plane or half-space.
+/// The height of the only endless plane or half-space in a union, if nothing moves it and it lies across the y axis.
+/// `None` otherwise.
 fn plane(context: &Context, root: NodeId) -> Option<f64> {
     let scene = context.scene;
     let mut floor = None;
@@ -85,7 +87,7 @@ fn plane(context: &Context, root: NodeId) -> Option<f64> {
                 }
                 _ => {}
             },
-            // What is moved or cut may be a floor, too.
+            // An endless object that is moved or cut may be a floor, too.
             _ if !context.bounds()[node as usize].all.is_finite() => return None,
             _ => {}
         }
@@ -101,7 +103,7 @@ fn parts(context: &Context, root: NodeId) -> Vec<Aabb> {
     boxes.filter(|b| !b.is_empty()).collect()
 }
 
-/// The top of a flat object on which all others stand.
+/// The top, along `way`, of a flat object on which all others stand; `None` if there is none.
 fn flat(parts: &[Aabb], way: Way) -> Option<f64> {
     let top = |b: &Aabb| way.ends(b)[1];
     let lowest = (0..parts.len()).min_by(|i, j| top(&parts[*i]).total_cmp(&top(&parts[*j])))?;
@@ -122,7 +124,7 @@ fn flat(parts: &[Aabb], way: Way) -> Option<f64> {
 fn operands(context: &Context, root: NodeId) -> Vec<NodeId> {
     let mut left = vec![root];
     let mut operands = Vec::new();
-    // Unions of copies have many ways to one node.
+    // Each node counts once: unions of copies may have many ways to it.
     let mut seen = FxHashSet::default();
     while let Some(node) = left.pop() {
         if !seen.insert(node) {

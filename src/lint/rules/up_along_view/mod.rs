@@ -1,5 +1,5 @@
-//! W328: a camera whose up vector is nearly along its view direction; a note on one that takes another axis for up in a
-//! scene where y is.
+//! W328: a camera whose up vector is nearly along its view direction; a note on a camera that takes another axis for up
+//! in a scene where y is up.
 
 mod floor;
 
@@ -14,11 +14,12 @@ use crate::solids::staging::Basis;
 use crate::syntax::table::RecordKind;
 use floor::Way;
 
-/// The sine of the angle between the two below which nobody has chosen it.
+/// The sine of the angle between up vector and direction below which nobody has chosen the angle.
 const SINE: f64 = 1e-3;
 /// The up vector of most cameras.
 const UP: Vec3 = [0.0, 1.0, 0.0];
-/// The cosine of the angle in the picture between its way up and that of the scene from which it is turned.
+/// The picture counts as turned if the cosine of the angle in it between its own way up and that of the scene is at
+/// most this.
 const TURNED: f64 = 0.5;
 /// A camera that looks up or down by more than this sine may have another way up.
 const LEVEL: f64 = 0.7;
@@ -49,7 +50,8 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// A fix that has the same way up in the picture, but for the digits that are left out.
+/// The fix that writes the picture's own way up, with two decimals, as the up vector. `None` if something turns the
+/// camera.
 fn upright(camera: &Camera, p: &Params) -> Option<Fix> {
     let written: [Vec3; 2] = [p.numbers(3), p.numbers(6)];
     if written != [camera.direction, camera.up] {
