@@ -16,14 +16,14 @@ pub struct Action {
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum What {
-    /// Mends a finding, the one with this index among all; a safe fix is the preferred one, if `zpg check --fix` would
+    /// Mends the finding with this index among all. `preferred` marks the first safe fix, if `zpg check --fix` would
     /// apply it.
     Fix {
         finding: usize,
         edits: Vec<Edit>,
         preferred: bool,
     },
-    /// Has a comment allow a finding.
+    /// Adds a comment that allows the finding with this index among all.
     Allow { finding: usize, edits: Vec<Edit> },
     /// Shows the page of a code.
     Explain(Code),
@@ -40,13 +40,13 @@ pub fn actions(analysis: &Analysis, span: Span, language: Language) -> Vec<Actio
             .filter(|(_, d)| touches(d))
     };
     let mut out = Vec::new();
-    // What was meant is tried when somebody asks for it, not with every key.
+    // Repairs are tried only when somebody asks for actions at their finding, not with every key.
     let proposals = match here().any(|(_, d)| repair::is_tried(d)) {
         true => repair::proposals(analysis),
         false => Vec::new(),
     };
     let mut left = allowing::TRIED_BYTES;
-    // Of a long scene it is taken as proposed: nobody waits for the cursor.
+    // In a long scene a fix is taken as applied without a trial: nobody waits for the cursor.
     let mut is_applied = |fix| match left.checked_sub(analysis.source.text.len()) {
         Some(rest) => {
             left = rest;
@@ -117,7 +117,7 @@ pub fn has_safe_fixes(analysis: &Analysis) -> bool {
     analysis.findings().iter().any(is_safe)
 }
 
-/// Applies all safe fixes, as `zpg check --fix` does.
+/// The edits of all safe fixes, applied as `zpg check --fix` does.
 pub fn fix_all(analysis: &Analysis, settings: &Settings) -> Vec<Edit> {
     let read = |source: SourceFile| Analysis::of(source).with_settings(settings.clone());
     let text = &analysis.source.text;

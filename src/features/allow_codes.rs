@@ -7,7 +7,8 @@ use crate::syntax::lexer::Token;
 
 use super::completion::{Completion, Insert, Proposal, SnippetPart, Sort};
 
-/// The codes that may stand at an offset: those of findings first, the nearest one at the top. `None` elsewhere.
+/// The codes that may be typed at an offset between the brackets. Codes of findings come first, the nearest finding
+/// at the top. `None` outside of the brackets.
 pub(super) fn completion(analysis: &Analysis, offset: u32) -> Option<Completion> {
     let tokens = &analysis.document.tokens;
     let at = tokens
@@ -45,7 +46,8 @@ pub(super) fn completion(analysis: &Analysis, offset: u32) -> Option<Completion>
     })
 }
 
-/// The other entries of the list that an offset is in, and what is there of its own.
+/// The other entries of the list that an offset is in, and the span of what has been typed of its own entry. `None`
+/// if the offset is in no list.
 fn place<'a>(comment: &Token, text: &'a str, offset: u32) -> Option<(Vec<&'a str>, Span)> {
     if !comment.kind().is_comment() || offset > comment.end() {
         return None;

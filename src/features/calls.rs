@@ -18,7 +18,8 @@ pub struct Node {
     pub id_span: Span,
 }
 
-/// A neighbour in the hierarchy, and the tokens that refer to it, or by which it refers.
+/// A neighbour in the hierarchy, and the tokens of the reference: tokens of the neighbour for [`incoming`] calls, of
+/// the entity itself for [`outgoing`] ones.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Call {
     pub node: Node,

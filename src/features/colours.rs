@@ -1,6 +1,6 @@
 //! Colours in a scene, as boxes that open a picker.
 //!
-//! A scene has linear colours, a picker sRGB; both ways go through the curve of the pictures.
+//! Scenes have linear colours, pickers sRGB. Both conversions use the curve by which pictures are written.
 
 use crate::analysis::Analysis;
 use crate::diagnostics::{Edit, Span};
@@ -12,7 +12,7 @@ use crate::trace::film::srgb8;
 use super::token_at_offset;
 use super::tokens::{Role, of_param};
 
-/// A colour as it is shown, and its three numbers.
+/// A colour in the text, and its sRGB values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Colour {
     /// The numbers of the colour, from the first to the last.
@@ -41,7 +41,7 @@ fn of_record(analysis: &Analysis, record: &Record) -> Vec<[(Span, f64); 3]> {
     let ty = record.ty();
     let skip = match ty.kind {
         RecordKind::Colour => 0,
-        // Behind the count and the points.
+        // The colours of a profile stand behind the count and the points.
         _ if ty.repeats.len() == 2 => 1 + 2 * record.count(),
         _ => return Vec::new(),
     };
@@ -54,13 +54,13 @@ fn of_record(analysis: &Analysis, record: &Record) -> Vec<[(Span, f64); 3]> {
     numbers.as_chunks::<3>().0.to_vec()
 }
 
-/// A linear part as it is shown.
+/// The sRGB value of a linear one, to 8 bits, from 0 to 1.
 fn shown(linear: f64) -> f64 {
     f64::from(srgb8(linear as f32)) / 255.0
 }
 
-/// The edit that writes another colour over one: only the numbers that are shown differently, to 8 bits, change. `None`
-/// if no colour stands there.
+/// The edit that replaces the colour at `span` by the sRGB colour `picked`. Only numbers whose sRGB value changes, to
+/// 8 bits, are written anew. `None` if no colour stands there.
 pub fn repaint(analysis: &Analysis, span: Span, picked: [f64; 3]) -> Option<Edit> {
     let items = &analysis.document.items[token_at_offset::items_in(&analysis.document, span)];
     let records = items.iter().filter_map(|item| match item {

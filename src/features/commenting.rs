@@ -1,7 +1,7 @@
 //! Commenting records out and in, whole lines at a time.
 //!
-//! Lines that a record or a comment goes across are commented out together, and come back together. Twice gives the text
-//! as it was.
+//! If a record or a comment spans several lines, they are commented out together, and come back together. Commenting
+//! lines out and in gives the text as it was.
 
 use std::ops::RangeInclusive;
 
@@ -11,19 +11,20 @@ use crate::analysis::Analysis;
 use crate::diagnostics::{Edit, SourceFile, Span, fixes};
 use crate::syntax::commented_out::{self, CommentedOut, END, SIGN, TILDE};
 
-/// The direction that is asked for.
+/// The direction that a user asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
-    /// Out, or in where all lines are commented out.
+    /// In if all lines are commented out, else out.
     Toggle,
     Out,
     In,
 }
 
-/// More lines are replaced as a whole: an edit for each sign keeps the cursor at its place, but costs time.
+/// The most lines of which each sign gets an edit of its own. Single edits keep the cursor at its place, but cost
+/// time, so more lines are replaced as a whole.
 const LINES_WITH_EDITS_OF_THEIR_OWN: usize = 1000;
 
-/// The edits that comment out or in the lines that some selections touch; they are one step, in one direction.
+/// The edits that comment out or in the lines that some selections touch, all in one direction.
 pub fn edits(analysis: &Analysis, selections: &[Span], mode: Mode) -> Vec<Edit> {
     let lines = Lines::of(analysis);
     let coming_in = lines.touched(selections, &|line| lines.goes_on(line));
@@ -36,14 +37,14 @@ pub fn edits(analysis: &Analysis, selections: &[Span], mode: Mode) -> Vec<Edit> 
         let all = coming_in.into_iter().flatten();
         return lines.gathered(all, |line| lines.comes_in(line));
     }
-    // What is out is no part of a record, even where recovery takes it for one.
+    // A line that is commented out is no part of a record, even where recovery takes it for one.
     let is_out = |line| lines.commented_out(line).is_some();
     let hangs = |line: usize| {
         let is_spanned = lines.spanned[line] && !is_out(line) && !(line > 0 && is_out(line - 1));
         is_spanned || lines.goes_on(line)
     };
     let going_out = lines.touched(selections, &hangs);
-    // A blank line between records stays one.
+    // A blank line between records stays blank.
     let has_to = |line: &usize| {
         !lines.is_blank(*line) || hangs(*line) || *line + 1 < lines.count() && hangs(*line + 1)
     };
@@ -51,7 +52,7 @@ pub fn edits(analysis: &Analysis, selections: &[Span], mode: Mode) -> Vec<Edit> 
     lines.gathered(all, |line| lines.goes_out(line, hangs(line)))
 }
 
-/// The direction in which the lines of a selection would be commented; `None` where nothing stands.
+/// The direction in which [`Mode::Toggle`] comments the lines of a selection; `None` if all of them are blank.
 pub fn direction(analysis: &Analysis, selection: Span) -> Option<Mode> {
     let lines = Lines::of(analysis);
     let touched = lines.touched(&[selection], &|line| lines.goes_on(line));
@@ -64,7 +65,7 @@ pub fn direction(analysis: &Analysis, selection: Span) -> Option<Mode> {
 
 struct Lines<'a> {
     source: &'a SourceFile,
-    /// Whether a record or a comment that began on an earlier line goes on, for each line.
+    /// For each line, whether a record or a comment that began on an earlier line goes on.
     spanned: Vec<bool>,
 }
 
@@ -111,7 +112,8 @@ impl<'a> Lines<'a> {
         self.commented_out(line).is_some_and(|c| c.goes_on)
     }
 
-    /// The lines of some selections with all that hang together with them, in order, none twice.
+    /// The lines that some selections touch, as ranges in order, none twice. Each range is extended by the lines that
+    /// hang together with it. `hangs` tells whether a line belongs to the line before it.
     fn touched(
         &self,
         selections: &[Span],
@@ -138,7 +140,7 @@ impl<'a> Lines<'a> {
         out
     }
 
-    /// The lines of a selection. One of whole lines ends where the next one begins.
+    /// The first and last line of a selection. A selection that ends at the start of a line does not touch that line.
     fn selected(&self, selection: Span) -> (usize, usize) {
         let first = self.source.line_index(selection.start);
         let last = self.source.line_index(selection.end);
@@ -146,7 +148,7 @@ impl<'a> Lines<'a> {
         (first, last - usize::from(ends_before))
     }
 
-    /// Whether there is a line, and each is commented out or blank.
+    /// Whether every line is commented out or blank, and at least one is not blank.
     fn all_are_out(&self, lines: &[RangeInclusive<usize>]) -> bool {
         let mut written = (lines.iter().cloned().flatten())
             .filter(|line| !self.is_blank(*line))
@@ -186,7 +188,7 @@ impl<'a> Lines<'a> {
             let plain = match &text[at..inside.end] {
                 coded if coded.starts_with(SIGN) => "#",
                 coded if coded.starts_with(TILDE) => "~",
-                // Written by hand.
+                // This sign was written by hand, so it stays.
                 _ => {
                     at += 1;
                     continue;
@@ -199,7 +201,7 @@ impl<'a> Lines<'a> {
         out
     }
 
-    /// The edits of all lines; one for all where there are many.
+    /// The edits of all lines; a single edit if there are too many lines.
     fn gathered(
         &self,
         lines: impl Iterator<Item = usize>,

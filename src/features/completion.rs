@@ -13,7 +13,7 @@ use crate::syntax::words::names;
 use super::token_at_offset::{Typing, typing};
 use super::{allow_codes, entity, templates};
 
-/// A proposal to take the place of the part of a word that has been typed.
+/// A proposal that replaces the part of a word that has been typed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Proposal {
     pub label: String,
@@ -27,14 +27,14 @@ pub struct Proposal {
     pub kind: Sort,
 }
 
-/// A text, some pieces of which are places to fill.
+/// A text to insert. Some of its pieces are places to fill.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Insert(pub Vec<SnippetPart>);
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SnippetPart {
     Fixed(String),
-    /// A value that is right, and that the user may replace.
+    /// A valid value that the user may replace.
     Place(String),
 }
 
@@ -79,7 +79,7 @@ impl Insert {
     }
 }
 
-/// The sort of a proposal, for its sign in the list.
+/// The sort of a proposal, for its icon in the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sort {
     Shape,
@@ -91,14 +91,14 @@ pub enum Sort {
     File,
 }
 
-/// Proposals and what they replace.
+/// Proposals, and the span of the word that they replace.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Completion {
     pub word: Span,
     pub proposals: Vec<Proposal>,
 }
 
-/// More IDs than these are not proposed; the last ones of the file are.
+/// The most IDs that are proposed: the last ones of the file.
 const MAX_IDS: usize = 200;
 
 /// The proposals for the text at an offset.
@@ -131,7 +131,7 @@ pub fn completion(analysis: &Analysis, offset: u32, language: Language) -> Compl
             param.map_or_else(Vec::new, |p| values(analysis, p, offset, language))
         }),
     };
-    // What is there already is no help: whoever takes it loses the key that ends the word.
+    // A proposal that is equal to the typed word is no help: who accepts it loses the key that ends the word.
     proposals.retain(|p| !p.insert.is(word));
     Completion {
         word: typing.word,
@@ -167,8 +167,8 @@ fn changes(analysis: &Analysis, language: Language) -> Vec<Proposal> {
     ids(analysis, &kinds, u32::MAX, language)
 }
 
-/// The types that a record with this ID may have: those that define where the ID is new, those that change
-/// what it names where it is not.
+/// The types that a record with the typed ID may have: types that define an entity if the ID is new, else types that
+/// change its entity.
 fn types(analysis: &Analysis, typing: &Typing, word: &str, language: Language) -> Vec<Proposal> {
     let by_number = word.starts_with(|c: char| c.is_ascii_digit() || "+-".contains(c));
     let others = |r: &crate::syntax::Record| {
@@ -249,8 +249,8 @@ fn values(analysis: &Analysis, param: &Param, offset: u32, language: Language) -
     }
 }
 
-/// The IDs of these kinds that are defined before an offset, the last one first. An ID that is defined more than once, as
-/// after `ID 0`, is one.
+/// The IDs of entities of these kinds that are defined before an offset, the last one first. An ID that is defined
+/// more than once, as after `ID 0`, is proposed once.
 fn ids(analysis: &Analysis, kinds: &[Kind], before: u32, language: Language) -> Vec<Proposal> {
     let mut seen = FxHashSet::default();
     let fits = |e: &&crate::scene::Entity| {

@@ -24,7 +24,8 @@ pub fn records(analysis: &Analysis) -> impl DoubleEndedIterator<Item = &Record> 
         })
 }
 
-/// The comment of a record: within it, or behind it on its last line. In one line.
+/// The first comment with words in a record, or behind it on its last line, joined into one line. Comments for zpg do
+/// not count.
 pub fn comment(analysis: &Analysis, record: &Record) -> Option<String> {
     let tokens = &analysis.document.tokens;
     let (first, last) = (record.first as usize, record.last as usize);
@@ -49,8 +50,8 @@ pub fn name(analysis: &Analysis, id: u32, language: Language) -> Option<String> 
     Some(comment(analysis, record).unwrap_or_else(|| language.name(record.ty().title)))
 }
 
-/// The record's type and, where there is one, its comment: "sphere, a ball". Where the record cannot be read,
-/// what it makes.
+/// The type of an entity's record and its comment, if there is one, as in "sphere, a ball". If the record cannot be
+/// read, the kind of the entity.
 pub fn described(analysis: &Analysis, id: u32, language: Language) -> Option<String> {
     let Some(record) = analysis.definition(id) else {
         return Some(language.name(entity(analysis, id)?.kind?.name()));
@@ -67,7 +68,7 @@ pub fn span(analysis: &Analysis, record: &Record) -> Span {
     analysis.document.span(record.first, record.last)
 }
 
-/// The linear colour that an entity has been given, where it is one colour.
+/// The linear colour of an entity; `None` if it has no colour or more than one.
 pub fn colour(analysis: &Analysis, id: u32) -> Option<Rgb> {
     let scene = &analysis.scene;
     let entity = entity(analysis, id)?;
@@ -102,7 +103,8 @@ fn painted(analysis: &Analysis, node: NodeId) -> Option<&Texture> {
 /// The largest ID of the language.
 pub const MAX_ID: u32 = i32::MAX as u32;
 
-/// The ID that a new record takes: one above the largest of the file; at least 2, as 1 is the render record's.
+/// The ID that a new record takes: one above the largest of the file, and at least 2, as 1 is the render record's.
+/// `None` if the largest is [`MAX_ID`].
 pub fn next_id(analysis: &Analysis) -> Option<u32> {
     let ids = analysis
         .document

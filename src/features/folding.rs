@@ -27,8 +27,8 @@ pub fn headings(analysis: &Analysis) -> Vec<usize> {
     heading_tokens(analysis).into_iter().map(line).collect()
 }
 
-/// The tokens with which sections begin: a lone `0` that introduces a comment, first on its line. The comment is the
-/// token behind it.
+/// The indices of the tokens with which sections begin. Each is a lone `0` that is first on its line and has a
+/// comment as the next token. A record that is commented out begins no section.
 pub fn heading_tokens(analysis: &Analysis) -> Vec<usize> {
     let document = &analysis.document;
     let mut out = Vec::new();
@@ -63,7 +63,7 @@ pub fn folds(analysis: &Analysis) -> Vec<Fold> {
     };
     let headings = headings(analysis);
     for (i, &first) in headings.iter().enumerate() {
-        // Headings one after the other are one.
+        // A section ends before the next heading, or at the end of the file.
         let Some(next) = headings[i + 1..].iter().find(|&&n| n > first) else {
             add(
                 first,

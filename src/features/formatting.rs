@@ -8,7 +8,7 @@ use crate::analysis::Analysis;
 use crate::diagnostics::{Edit, Span};
 use crate::format::{self, Options, difference};
 
-/// The edits that format a scene, in as few lines as possible.
+/// The edits that format a scene. They touch as few lines as possible.
 pub fn whole(analysis: &Analysis, options: &Options) -> Vec<Edit> {
     let text = &analysis.source.text;
     let formatted = format::format(text, &analysis.document, options);
@@ -25,8 +25,8 @@ pub fn lines(analysis: &Analysis, options: &Options, lines: RangeInclusive<usize
         .collect()
 }
 
-/// The edits that format the line before the one that an offset is on, when a line has been ended. A record that goes
-/// on there is left alone: the new line is for its next numbers.
+/// The edits that format the line before the one that `offset` is on, after a line has been ended. Empty if a record
+/// goes on across the line break: the new line is for the record's next numbers.
 pub fn on_line_break(analysis: &Analysis, options: &Options, offset: u32) -> Vec<Edit> {
     let at = analysis.source.line_index(offset);
     let edits = match at.checked_sub(1) {
@@ -40,7 +40,7 @@ pub fn on_line_break(analysis: &Analysis, options: &Options, offset: u32) -> Vec
     }
 }
 
-/// The edits, in whole lines, that make one text of another.
+/// The edits, in whole lines, that turn `before` into `after`.
 pub fn edits(before: &str, after: &str) -> Vec<Edit> {
     let input = InternedInput::new(before, after);
     let starts = |lines: &[Token]| -> Vec<u32> {
@@ -54,7 +54,7 @@ pub fn edits(before: &str, after: &str) -> Vec<Edit> {
     };
     let (old, new) = (starts(&input.before), starts(&input.after));
     let hunks: Vec<Hunk> = match input.before.len() == input.after.len() {
-        // As many lines as there were: each stays where it is, as a rule.
+        // If the number of lines is the same, each line stays at its place as a rule.
         true => runs(&input.before, &input.after),
         false => difference::of(&input).hunks().collect(),
     };
@@ -72,7 +72,7 @@ pub fn edits(before: &str, after: &str) -> Vec<Edit> {
     hunks.into_iter().map(edit).collect()
 }
 
-/// The lines that are not the same in the same place.
+/// The runs of lines that differ from the line at the same place. Both texts have the same number of lines.
 fn runs(before: &[Token], after: &[Token]) -> Vec<Hunk> {
     let mut out: Vec<Hunk> = Vec::new();
     for (i, _) in (0..)

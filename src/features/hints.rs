@@ -19,14 +19,15 @@ pub struct Hint {
     pub doc: String,
 }
 
-/// The subject of a hint. All hints but names stand behind what they are about.
+/// The subject of a hint. The name of a parameter stands before the parameter; all other hints stand behind their
+/// subjects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// The name of a type, behind its number.
     Type,
     /// The name of a parameter, before it.
     Parameter,
-    /// The entity that a reference points at.
+    /// The name of the entity that a reference points at.
     Reference,
     /// The extent of a profile, behind its number of points.
     Profile,
@@ -132,7 +133,8 @@ fn of_record(
     }
 }
 
-/// The label before a parameter. Matrices have a hint a row, repeated groups their number from the second on.
+/// The label before parameter `i`; `None` if it has none. A matrix has a label for each row. In repeated groups,
+/// parameters of the first group have their names, each later group has its number.
 fn label(
     ty: &RecordType,
     param: &Param,
@@ -179,7 +181,7 @@ fn reference(
     })
 }
 
-/// Most characters of a hint: longer ones push the numbers out of sight.
+/// The most characters of a hint: longer ones push the numbers out of sight.
 const MAX_HINT_CHARS: usize = 24;
 
 fn shortened(name: &str) -> String {
@@ -189,7 +191,7 @@ fn shortened(name: &str) -> String {
     }
 }
 
-/// How wide and high a profile is.
+/// The hint about the greatest radius of a profile and its range of heights; `None` for other records.
 fn profile(analysis: &Analysis, record: &Readable, at: u32, language: Language) -> Option<Hint> {
     let of_profile = matches!(
         record.ty.kind,

@@ -18,11 +18,11 @@ use super::{entity, pages};
 pub struct Hover {
     pub span: Span,
     pub markdown: String,
-    /// The entity that is spoken of, where there is one: a picture may show it.
+    /// The ID of the entity that the text is about, if there is one: a picture may show the entity.
     pub id: Option<u32>,
 }
 
-/// How many numbers of a record are named: those of long profiles fill no screen.
+/// The most numbers of a record that are listed, so that a long profile does not fill the screen.
 const MAX_VALUES: usize = 24;
 
 /// The text about the token at an offset, and about the findings there.
@@ -38,7 +38,7 @@ pub fn hover(analysis: &Analysis, offset: u32, language: Language) -> Option<Hov
             Role::Param(i, param) => about_param(analysis, place, (i, param), id, language),
         };
     }
-    // Rules are not run for this: they may take longer than anybody waits.
+    // Only findings that are known already are shown: to run the rules may take longer than anybody waits.
     let findings = analysis.known_findings().unwrap_or_default();
     let here = |span: Span| span.start <= offset && offset <= span.end && span.start < span.end;
     let mut span = place.map(|p| p.token.span());
@@ -182,13 +182,13 @@ fn about_entity(analysis: &Analysis, id: u32, language: Language) -> String {
     out
 }
 
-/// The text about the place of an object when the file ends.
+/// The text about the bounding box of an object at the end of the file.
 fn bounds_text(all: &Aabb, language: Language) -> String {
     if all.is_empty() {
         return language.say("hover-bounds-empty", &[]);
     }
     let size = |i: usize| all.max[i] - all.min[i];
-    // Boxes are never too small: what is below a thousandth of the size is rounding.
+    // Bounding boxes are never too small, and digits below a thousandth of their size are rounding.
     let size = (0..3)
         .map(size)
         .filter(|x| x.is_finite())
@@ -232,7 +232,7 @@ fn first_line(analysis: &Analysis, record: &Record) -> String {
     out
 }
 
-/// Text of the user's within Markdown.
+/// The user's text, with its punctuation escaped for Markdown.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

@@ -21,7 +21,8 @@ pub enum Action {
     Render,
     Preview,
     Crosscheck,
-    /// Shows what refers to this ID: so many tokens, at least two. A single use says nothing that the eye misses.
+    /// Shows the references to an ID: the ID, and the number of tokens, at least two. A single use gets no button, as
+    /// the eye does not miss it.
     Uses(u32, usize),
 }
 

@@ -1,7 +1,7 @@
 //! Features of an editor, as plain functions of an [`Analysis`] and a place in its text.
 //!
-//! A place is a byte offset into the text, a stretch is a [`Span`]. Nothing here knows of a protocol; `lsp` puts
-//! the answers into its types. One file is one feature:
+//! A place is a byte offset into the text; a stretch of text is a [`Span`]. No feature knows of a protocol: `lsp`
+//! puts the answers into its types. Each feature has a file:
 //!
 //! | What people see | File |
 //! |---|---|
@@ -20,8 +20,8 @@
 //! | buttons above records | [`lenses`] |
 //! | pictures | [`picture`] |
 //!
-//! Three files are below all of them: [`token_at_offset`] tells what stands at an offset, [`entity`] what an ID means,
-//! [`pages`] has the pages of `zpg explain`.
+//! All features build on three files: [`token_at_offset`] tells which token is at an offset, [`entity`] which entity
+//! an ID names, and [`pages`] has the pages of `zpg explain`.
 
 pub mod actions;
 mod allow_codes;

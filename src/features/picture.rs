@@ -31,7 +31,7 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// Prepares a picture of this shape (width by height).
+    /// Prepares pictures of the given aspect ratio: width divided by height.
     ///
     /// # Errors
     ///
@@ -82,7 +82,7 @@ impl Stage {
     }
 }
 
-/// The scene with one object in it.
+/// The scene with one object drawn alone, by the automatic camera and lights.
 fn alone(scene: &Scene, id: u32, node: NodeId) -> Scene {
     let mut scene = scene.clone();
     let span = scene.origins[node as usize].span;

@@ -21,14 +21,15 @@ pub struct Problem {
     pub unnecessary: bool,
 }
 
-/// The findings of a scene, as `zpg check` puts them: all, or the [`MAX_SHOWN`] gravest and how many are left out.
+/// The findings of a scene, as `zpg check` words them. If there are more than [`MAX_SHOWN`], the gravest ones, and a
+/// remark on how many are left out.
 pub fn problems(analysis: &Analysis, language: Language) -> Vec<Problem> {
     let all = repair::proposals(analysis);
     let mut shown: Vec<&Diagnostic> = all.iter().collect();
     if all.len() <= MAX_SHOWN {
         return shown.iter().map(|d| problem(d, language)).collect();
     }
-    // The sort keeps the order of places.
+    // The sort is stable, so that findings of one severity stay in the order of places.
     shown.sort_by_key(|d| rank(d.severity));
     shown.truncate(MAX_SHOWN);
     let mut out: Vec<Problem> = shown.iter().map(|d| problem(d, language)).collect();

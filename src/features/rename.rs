@@ -24,7 +24,7 @@ pub fn prepare(analysis: &Analysis, offset: u32) -> Result<Span, Complaint> {
     }
 }
 
-/// Gives the entity at an offset another ID, wherever it is named.
+/// The edits that give the entity at an offset another ID, wherever it is named.
 ///
 /// # Errors
 ///
@@ -62,7 +62,7 @@ pub fn rename(analysis: &Analysis, offset: u32, new: &str) -> Result<Vec<Edit>, 
         .collect())
 }
 
-/// Whether all entities can be numbered anew: everything can be read.
+/// Whether all entities can be numbered anew. They can if every record can be read.
 pub fn can_renumber(analysis: &Analysis) -> bool {
     !analysis
         .document
@@ -71,8 +71,8 @@ pub fn can_renumber(analysis: &Analysis) -> bool {
         .any(|i| matches!(i, Item::Broken(_)))
 }
 
-/// Numbers all entities anew, in the order of the file: 2, 3, 4 …; the render record keeps 1. Nothing where
-/// something cannot be read, as it may name any ID.
+/// The edits that number all entities anew, in the order of the file: 2, 3, 4 …; the render record keeps 1. `None` if
+/// a record cannot be read, as it may name any ID.
 pub fn renumber(analysis: &Analysis) -> Option<Vec<Edit>> {
     let (document, text) = (&analysis.document, analysis.source.text.as_str());
     let mut named: Vec<(Span, u32)> = Vec::new();

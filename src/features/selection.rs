@@ -6,7 +6,7 @@ use crate::diagnostics::Span;
 use super::folding;
 use super::token_at_offset::{Role, place_at};
 
-/// The stretches around an offset, the smallest first; each holds the one before it.
+/// The spans around an offset, the smallest first; each holds the one before it.
 pub fn selection(analysis: &Analysis, offset: u32) -> Vec<Span> {
     let source = &analysis.source;
     let mut out: Vec<Span> = Vec::new();
@@ -54,7 +54,7 @@ pub fn selection(analysis: &Analysis, offset: u32) -> Vec<Span> {
     out
 }
 
-/// The vector that a parameter belongs to: the position of its first number, and how many there are.
+/// The vector that a parameter belongs to: the position of its first number, and the number of its numbers.
 fn group(ty: &crate::syntax::table::RecordType, i: usize, count: usize) -> (usize, usize) {
     let mut start = 0;
     for &length in ty.vectors {

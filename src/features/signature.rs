@@ -16,10 +16,10 @@ pub struct Signature {
     pub active: Option<usize>,
 }
 
-/// A stretch of the label, and what it means.
+/// A parameter's stretch of the label, and its explanation.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Parameter {
-    /// Bytes of the label, half-open.
+    /// The range of bytes of the label, half-open.
     pub at: (usize, usize),
     pub doc: String,
 }
@@ -81,8 +81,8 @@ fn label(ty: &'static RecordType, language: Language) -> (String, Vec<Parameter>
     (label, params)
 }
 
-/// The point of a profile that a position of the record is about, as "point 2/5: y". The number of points is left out
-/// as long as it is not known.
+/// The words for the point or colour of a profile that the parameter at `position` belongs to, as "point 2/5: y". A
+/// `count` of 0 is not known yet: then the number of points is left out. `None` for other parameters.
 fn point(ty: &RecordType, position: usize, count: usize, language: Language) -> Option<String> {
     let mut inside = position.checked_sub(ty.params.len())?;
     for group in ty.repeats {
@@ -106,8 +106,8 @@ fn point(ty: &RecordType, position: usize, count: usize, language: Language) -> 
     None
 }
 
-/// The index among the listed parameters, each of which is there once, of the parameter at a position of
-/// the record. As long as the count is not known, there is no end of the first repeated group.
+/// The index in the label of the parameter at `position` of the record; the label has each parameter of a repeated
+/// group once. While the count is not known, and so 0, the first repeated group has no end.
 fn listed(ty: &RecordType, position: usize, count: usize) -> Option<usize> {
     if position < ty.params.len() {
         return Some(position);

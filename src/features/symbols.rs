@@ -14,12 +14,12 @@ use super::{entity, folding, uses};
 /// An entity in the outline.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Symbol {
-    /// "21 ball", or what the heading of a section says.
+    /// The ID and the comment or type, as "21 ball"; for a section, the words of its heading.
     pub name: String,
     /// The type's title; empty for a section.
     pub detail: String,
     pub sort: Sort,
-    /// The text from the first record below the entity to the entity's own.
+    /// The span from the first record below the entity to the entity's own record.
     pub span: Span,
     /// The span of the ID, or of the heading.
     pub id_span: Span,
@@ -40,12 +40,12 @@ pub enum Sort {
     Undefined,
 }
 
-/// Deeper trees are cut off: what is below hangs on the last level.
+/// The most levels of a tree. Entities below the last level are put on it.
 const MAX_DEPTH: usize = 12;
 
-/// The outline of a scene: its sections, and in each of them trees of operations. Each entity is there once, below the
-/// first operation of its section that names it, seen from the render record. Operations that only go on with one of
-/// the same kind are left out.
+/// The outline of a scene: its sections, and in each of them trees of operations. Each entity is there once, below
+/// the first operation of its section that names it, on the way down from the render record. An operation is left out
+/// if another one of the same kind only goes on with it.
 pub fn symbols(analysis: &Analysis, language: Language) -> Vec<Symbol> {
     let all = Definitions::of(analysis);
     let sections = sections(analysis);
@@ -53,7 +53,7 @@ pub fn symbols(analysis: &Analysis, language: Language) -> Vec<Symbol> {
         let start = entity::span(analysis, all.records[at]).start;
         sections.partition_point(|s| s.heading.start <= start)
     };
-    // Who hangs on whom: depth first from the last record, as operands are defined before.
+    // The parent of each record is found depth first from the last record, as operands are defined before operations.
     let mut above: Vec<Option<usize>> = vec![None; all.records.len()];
     let mut depth = vec![0usize; all.records.len()];
     let mut taken = vec![false; all.records.len()];
@@ -65,13 +65,13 @@ pub fn symbols(analysis: &Analysis, language: Language) -> Vec<Symbol> {
         taken[top] = true;
         let mut open = vec![top];
         while let Some(at) = open.pop() {
-            // What stands in for an operation that is left out.
+            // The operation above stands in for an operation that is left out.
             let shown = match goes_on[at] {
                 true => above[at].unwrap_or(at),
                 false => at,
             };
             for (place, operand) in all.operands(analysis, at).enumerate() {
-                // Only what stands before: a cycle is an error, and no tree.
+                // Only operands that stand before the record count: a cycle is an error, and no tree.
                 if operand >= at || taken[operand] {
                     continue;
                 }
@@ -91,7 +91,7 @@ pub fn symbols(analysis: &Analysis, language: Language) -> Vec<Symbol> {
             }
         }
     }
-    // Children stand before their parents in the file, so they are complete when they are hung up.
+    // Children stand before their parents in the file, so they are complete when the parent takes them.
     let mut below: Vec<Vec<Symbol>> = (0..all.records.len()).map(|_| Vec::new()).collect();
     let mut tops: Vec<Vec<Symbol>> = (0..=sections.len()).map(|_| Vec::new()).collect();
     for (i, above) in above.iter().enumerate().filter(|(i, _)| !goes_on[*i]) {
@@ -115,8 +115,9 @@ pub fn symbols(analysis: &Analysis, language: Language) -> Vec<Symbol> {
     out
 }
 
-/// Whether an operation goes on with the work of its operand, as `5 -101 4 3` does with that of `4 -101 2 1`. One that
-/// has a name is a part of its own.
+/// Whether a record only goes on with the work of its operand, which is of the same kind, as `5 -101 4 3` does with
+/// that of `4 -101 2 1`. An operand that has a name is a part of its own. `place` counts the record's operands from
+/// 0.
 fn goes_on_with(analysis: &Analysis, record: &Record, operand: &Record, place: usize) -> bool {
     let is_chained = match record.kind {
         RecordKind::Union | RecordKind::Intersection => true,
@@ -130,11 +131,11 @@ fn goes_on_with(analysis: &Analysis, record: &Record, operand: &Record, place: u
 struct Section {
     title: String,
     heading: Span,
-    /// The text to the last token before the next heading.
+    /// The span from the heading to the last token before the next heading.
     span: Span,
 }
 
-/// The sections, in order. Headings on lines one after the other are one, called by the first that has words.
+/// The sections, in order. Headings on consecutive lines are one heading, with the words of the first that has any.
 fn sections(analysis: &Analysis) -> Vec<Section> {
     let (document, source) = (&analysis.document, &analysis.source);
     let line = |offset| source.line_index(offset);
@@ -157,7 +158,8 @@ fn sections(analysis: &Analysis) -> Vec<Section> {
             span: heading,
         });
     }
-    // Lines that are drawn, records that are commented out and comments for zpg begin no section.
+    // A heading begins no section if it is only a line drawn in signs, a record that is commented out, or a comment
+    // for zpg.
     out.retain(|s| !s.title.is_empty());
     for i in 0..out.len() {
         let next = out.get(i + 1).map(|s| s.span.start);
@@ -215,7 +217,7 @@ impl<'a> Definitions<'a> {
         Definitions { records, by_id }
     }
 
-    /// The records that a record's object is made of.
+    /// The indices of the records that define the operands of the record with index `at`.
     fn operands(&self, analysis: &Analysis, at: usize) -> impl Iterator<Item = usize> {
         let references = uses::references_of(analysis, self.records[at]);
         let known = |(_, id): (Span, u32)| self.by_id.get(&id).copied();
@@ -248,7 +250,7 @@ pub fn label(analysis: &Analysis, record: &Record, language: Language) -> String
     format!("{} {words}", record.id)
 }
 
-/// The sort of what a record defines, for its sign.
+/// The sort of the entity that a record defines, for its icon.
 pub fn sort(record: &Record) -> Sort {
     match record.ty().effect {
         _ if record.ty().family == Family::Operation => Sort::Operation,
@@ -267,7 +269,7 @@ pub fn sort(record: &Record) -> Sort {
     }
 }
 
-/// The entities whose ID, type or comment holds the words of a query, in any case.
+/// The entities whose ID, type and comment together hold all words of a query, in any case; `limit` at most.
 pub fn matching(analysis: &Analysis, query: &str, limit: usize, language: Language) -> Vec<Symbol> {
     let query = query.to_lowercase();
     let words: Vec<&str> = query.split_whitespace().collect();

@@ -1,4 +1,4 @@
-//! Records and scenes to be filled in: found by what they are called, the likeliest first.
+//! Records and scenes with places to fill. They are found by their names, the likeliest first.
 
 use std::cmp::Reverse;
 
@@ -13,14 +13,15 @@ use crate::syntax::words::{names, plain};
 use super::completion::{Insert, Proposal, SnippetPart, Sort};
 use super::entity;
 
-/// The types of which scenes have most, by their numbers: counted in the scenes of the course, shapes first that people
-/// begin with. The others follow in the order of the reference.
+/// The codes of the most frequent types, as counted in the scenes of the course; shapes that people begin with come
+/// first. Other types follow in the order of the reference.
 const COMMON: [i32; 24] = [
     11, 12, 4, -101, -1, -701, -2, -299, -402, -401, -501, -201, -103, -102, 14, 9, 1, 3, 16, 5,
     -3, -399, -105, -203,
 ];
 
-/// Types in the order in which people use them: what this file has most of first, then what scenes have.
+/// All types, in the order in which people use them: first by their number in this file, then by their frequency in
+/// scenes.
 pub(super) fn by_use(analysis: &Analysis) -> Vec<&'static RecordType> {
     let mut used: FxHashMap<i32, usize> = FxHashMap::default();
     for record in entity::records(analysis) {
@@ -36,15 +37,16 @@ pub(super) fn by_use(analysis: &Analysis) -> Vec<&'static RecordType> {
     all
 }
 
-/// The text that an editor compares with a word that somebody types, if the word begins one of the names. Accents do
-/// not count, so the word itself is the beginning of the text.
+/// The text that an editor compares with a typed word; `None` if the word begins none of the names. Accents do not
+/// count: the text begins with the word as it was typed.
 pub(super) fn filter(word: &str, names: &[String]) -> Option<String> {
     let typed = plain(word);
     let fits = names.iter().find_map(|name| name.strip_prefix(&typed))?;
     Some(format!("{word}{fits} {}", names.join(" ")))
 }
 
-/// Whole records whose type begins with a word: for an empty one all that may begin here.
+/// Proposals of whole records whose type has a name that begins with `word`. For an empty word, all records that may
+/// begin here.
 pub(super) fn records(
     analysis: &Analysis,
     word: &str,
@@ -79,7 +81,8 @@ pub(super) fn sort(ty: &RecordType) -> Sort {
     }
 }
 
-/// The ID of a new record: what it changes is the last thing that it can, what it defines is new.
+/// The ID of a new record: the last entity that the record can change, or a new ID if it defines an entity. `None` if
+/// there is none.
 fn subject(analysis: &Analysis, ty: &RecordType, before: u32) -> Option<u32> {
     let last = |kinds| last_of(analysis, kinds, before, &FxHashSet::default());
     match ty.effect {
@@ -90,8 +93,8 @@ fn subject(analysis: &Analysis, ty: &RecordType, before: u32) -> Option<u32> {
     }
 }
 
-/// A record as a text with places to fill, each with a value that is right: the numbers of the type's example; for
-/// references the last entities of the file that fit.
+/// A record as a text with places to fill. Each place has a valid value: numbers are those of the type's example,
+/// references name the last entities of the file that fit.
 pub(super) fn record(
     id: Option<String>,
     ty: &'static RecordType,
@@ -138,7 +141,7 @@ fn last_of(analysis: &Analysis, kinds: &[Kind], before: u32, used: &FxHashSet<u3
     all.find(fits).map(|e| e.id)
 }
 
-/// A scene to begin with; what stands between `‹` and `›` is a place to fill.
+/// A scene to begin with; text between `‹` and `›` is a place to fill.
 const NEW_SCENE: &str = "\
 2 11  ‹0 1 0›  ‹1›
 2 -701 ‹0.9 0.2 0.1›
@@ -155,7 +158,7 @@ const NEW_SCENE: &str = "\
 /// The names of a new scene, as [`names`] gives them.
 const NEW_SCENE_NAMES: [&str; 4] = ["new", "scene", "nova", "scena"];
 
-/// A whole scene, where the file has no record yet.
+/// The proposal of a whole scene; `None` if the file has a record already.
 fn new_scene(analysis: &Analysis, word: &str, language: Language) -> Option<Proposal> {
     if entity::records(analysis).next().is_some() {
         return None;

@@ -6,7 +6,7 @@ use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{Param, ParamKind, RecordType};
 use crate::syntax::{Document, Item, Record};
 
-/// A token of a record that can be read, and what it is for.
+/// A token of a record that can be read, and its role.
 #[derive(Debug, Clone, Copy)]
 pub struct TokenAtOffset<'a> {
     pub record: &'a Record,
@@ -34,7 +34,7 @@ impl TokenAtOffset<'_> {
     }
 }
 
-/// The ID that a parameter refers to; `None` for other parameters, and for 0, which is none.
+/// The ID that a parameter refers to; `None` for other parameters, and for 0, which names no entity.
 pub fn reference(param: &Param, token: &Token, text: &str) -> Option<u32> {
     let ParamKind::Reference { .. } = param.kind else {
         return None;
@@ -59,17 +59,18 @@ pub fn items_in(document: &Document, span: Span) -> std::ops::Range<usize> {
     start..end.max(start)
 }
 
-/// A record of which the type is known: its parameters are taken in their order.
+/// A record whose type is known, so that its tokens are parameters in the type's order.
 pub struct Readable {
     pub ty: &'static RecordType,
-    /// The ID's token, then the type's and those of the parameters.
+    /// The index of the first token, the ID; the type and the parameters follow, up to `last`.
     pub first: u32,
     pub last: u32,
-    /// The value of the count parameter, 0 where the type has none.
+    /// The value of the count parameter; 0 if the type has none.
     pub count: usize,
 }
 
-/// A record that can be read, or one whose ID and type are known at least.
+/// The item as a record of a known type, if it can be read, or if at least its ID and type can. `None` for other
+/// items.
 pub fn readable(analysis: &Analysis, item: &Item) -> Option<Readable> {
     let broken = match item {
         Item::Record(record) => {
@@ -114,7 +115,8 @@ pub fn record_at(analysis: &Analysis, offset: u32) -> Option<&Record> {
     }
 }
 
-/// The token at an offset, or that ends there, which is no comment and no space. Of two that touch the second one counts.
+/// The token at an offset, or one that ends there; of two that touch, the second one. Comments and spaces do not
+/// count.
 pub fn token_at(analysis: &Analysis, offset: u32) -> Option<Token> {
     let tokens = &analysis.document.tokens;
     let end = tokens.partition_point(|t| t.start <= offset);
@@ -123,12 +125,12 @@ pub fn token_at(analysis: &Analysis, offset: u32) -> Option<Token> {
         .copied()
 }
 
-/// The token of a record at an offset, or that ends there.
+/// The token of a readable record at an offset, or one that ends there.
 pub fn place_at(analysis: &Analysis, offset: u32) -> Option<TokenAtOffset<'_>> {
     let record = record_at(analysis, offset)?;
     let document = &analysis.document;
     let holds = |t: &Token| t.start <= offset && offset <= t.end();
-    // The last one: of two tokens that touch the second one counts.
+    // The last match counts: of two tokens that touch, the second one is meant.
     let mut tokens = document.significant(record.first, record.last).enumerate();
     let mut found = None;
     for (i, token) in tokens.by_ref() {
@@ -152,18 +154,18 @@ pub fn place_at(analysis: &Analysis, offset: u32) -> Option<TokenAtOffset<'_>> {
     })
 }
 
-/// The record that a person is typing: the tokens of a record that may not be complete, up to a place.
+/// The record that a person is typing, up to the place of the cursor. It may not be complete.
 #[derive(Debug, Clone, Copy)]
 pub struct Typing {
-    /// How many significant tokens stand before the one at the place.
+    /// The number of the record's significant tokens before the token at the place.
     pub index: usize,
-    /// The part of the token at the place that is there already; empty behind white space.
+    /// The part of the token at the place that has been typed; empty behind white space.
     pub word: Span,
-    /// The ID, once it is there.
+    /// The record's ID, once it has been typed.
     pub id: Option<u32>,
-    /// The type, once it is there and known.
+    /// The record's type, once it has been typed and is known.
     pub ty: Option<&'static RecordType>,
-    /// The value of the count parameter, 0 where there is none yet.
+    /// The value of the count parameter; 0 while there is none.
     pub count: usize,
     /// Whether a record that is complete ends before the place, so that another one may begin.
     pub complete: bool,
@@ -171,7 +173,7 @@ pub struct Typing {
 
 /// The record that is being typed at an offset. `None` within comments.
 ///
-/// A record that cannot be read is taken to begin where its line begins: that is how people write.
+/// A record that cannot be read is taken to begin at the start of its line: that is how people write.
 pub fn typing(analysis: &Analysis, offset: u32) -> Option<Typing> {
     let (document, text) = (&analysis.document, analysis.source.text.as_str());
     let tokens = &document.tokens;
@@ -214,8 +216,8 @@ pub fn typing(analysis: &Analysis, offset: u32) -> Option<Typing> {
     })
 }
 
-/// The index of the token that begins the record at an offset: that of the record around it, or of the
-/// one before it if it is on the same line or lacks its last numbers; else the first of the line.
+/// The index of the first token of the record at an offset: the record around the offset, or the record before it, if
+/// that one ends on the same line or lacks its last numbers. Otherwise the first token of the line.
 fn first_token(analysis: &Analysis, offset: u32) -> usize {
     let document = &analysis.document;
     let tokens = &document.tokens;
@@ -232,7 +234,8 @@ fn first_token(analysis: &Analysis, offset: u32) -> usize {
         }
         Some(Item::Broken(broken)) => {
             let start = tokens[broken.first as usize].start;
-            // Profiles are long; whatever else has several lines may be what somebody has only begun.
+            // Profiles are long. Another broken record on several lines may be one that somebody has only begun, with
+            // more records behind it.
             let is_long = broken.ty().is_some_and(RecordType::is_counted);
             let goes_on = is_long && tokens[broken.last as usize].end() >= offset;
             match start >= line_start || goes_on {

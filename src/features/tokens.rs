@@ -38,12 +38,12 @@ impl Role {
     ];
 }
 
-/// A token that means something.
+/// A token with its meaning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Meaning {
     pub span: Span,
     pub role: Role,
-    /// Whether the record of an ID defines it here.
+    /// Whether the token is the ID of a record that defines its entity.
     pub defines: bool,
 }
 

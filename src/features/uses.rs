@@ -12,7 +12,7 @@ use super::token_at_offset::{self, place_at};
 pub struct Occurrence {
     pub span: Span,
     pub kind: Kind,
-    /// The item of the use; index into the document's items.
+    /// The index of the token's item among the document's items.
     pub item: u32,
 }
 
@@ -32,7 +32,7 @@ pub fn refers(ty: &RecordType) -> bool {
     ty.params.iter().chain(ty.optional).any(is_one)
 }
 
-/// The references of a record: the token's span and the ID.
+/// The references of a record: for each the token's span and the ID.
 pub fn references_of(analysis: &Analysis, record: &Record) -> Vec<(Span, u32)> {
     if !refers(record.ty()) {
         return Vec::new();
@@ -135,8 +135,8 @@ pub fn definition(analysis: &Analysis, offset: u32) -> Option<(Span, Span)> {
     ))
 }
 
-/// The spans that are highlighted at an offset: every place where the entity is named, with the kind of each. Another
-/// number is alone: the same digits elsewhere mean something else.
+/// The spans that are highlighted at an offset: every place where the entity is named, with the kind of each. A
+/// number that names no entity is highlighted alone, as the same digits elsewhere mean something else.
 pub fn highlights(analysis: &Analysis, offset: u32) -> Vec<(Span, Option<Kind>)> {
     let named = references(analysis, offset, true);
     if named.is_empty() {

@@ -1,4 +1,4 @@
-//! The value of the model that each number of a record is.
+//! The value of the model that each part of a record stands for.
 
 use super::locate::Path;
 use super::model::{Node, Scene, Texture, Volume};
@@ -13,7 +13,8 @@ pub(super) enum RecordField {
     Parameter(usize),
 }
 
-/// The value that a part of a record is; for what is nowhere by itself, the value around it.
+/// The path to the value that a part of a record stands for. A part without a value of its own stands for the value
+/// around it.
 pub(super) fn value(scene: &Scene, place: ModelElement, matter: Matter, part: RecordField) -> Path {
     let path = place.path();
     let kind = match matter {
@@ -35,7 +36,7 @@ pub(super) fn value(scene: &Scene, place: ModelElement, matter: Matter, part: Re
     }
 }
 
-/// The value that some parts of a record are together.
+/// The path to the smallest value that holds what some parts of a record stand for.
 pub(super) fn values(
     scene: &Scene,
     place: ModelElement,
@@ -50,7 +51,7 @@ pub(super) fn values(
     if parts.len() > 1 && parts.contains(&RecordField::Id) && defines(scene, place, kind) {
         return place.path();
     }
-    // A change has no ID and no type in the model.
+    // A record that changes an object has no ID and no type in the model.
     let is_parameter = |part: &&RecordField| matches!(part, RecordField::Parameter(_));
     let parameters: Vec<RecordField> = parts.iter().filter(is_parameter).copied().collect();
     let parts = match parameters.is_empty() {
@@ -63,7 +64,7 @@ pub(super) fn values(
         .unwrap_or_else(|| place.path())
 }
 
-/// Whether a record is what its place in the model is, and does not only change or add to it.
+/// Whether a record defines its element of the model, rather than changing the element or adding to it.
 fn defines(scene: &Scene, place: ModelElement, kind: RecordKind) -> bool {
     match place {
         ModelElement::Node(i) => {
@@ -157,7 +158,7 @@ fn parameter(
     }
 }
 
-/// The name of the texture with two colours.
+/// The name of the node's texture, which has two colours.
 fn pattern(node: Option<&Node>) -> &'static str {
     match node {
         Some(Node::Paint {
@@ -168,11 +169,11 @@ fn pattern(node: Option<&Node>) -> &'static str {
     }
 }
 
-/// A parameter of a shape.
+/// The path to the value of a shape's parameter with the number `i`, from 0.
 fn shape(path: Path, node: &Node, i: usize) -> Path {
     let fields: &[(&'static str, usize)] = match node {
         Node::SurfaceOfRevolution { profile, .. } => {
-            // The first says how many points there are.
+            // The first parameter is the number of points.
             let Some(i) = i.checked_sub(1) else {
                 return path.name("profile");
             };
@@ -207,7 +208,8 @@ fn shape(path: Path, node: &Node, i: usize) -> Path {
     among(path, fields, i)
 }
 
-/// The field that a number falls into, among fields of some lengths.
+/// The path to number `i` of several fields, which are given by their names and lengths. A field of length 1 is no
+/// list.
 fn among(path: Path, fields: &[(&'static str, usize)], mut i: usize) -> Path {
     for &(name, length) in fields {
         match length {

@@ -1,4 +1,4 @@
-//! A scene in JSON as it is analysed: by way of its records, with everything said of the JSON.
+//! Analysis of a scene in JSON: its records are analysed, and the findings get their places in the JSON.
 
 use std::collections::HashMap;
 
@@ -22,7 +22,7 @@ pub fn analyse(source: SourceFile) -> Analysis {
                 matters,
                 made_up,
             } = spell(&model, Language::English);
-            // Pictures are looked for beside the JSON.
+            // The records get the path of the JSON, so that pictures are looked for beside the JSON.
             let records = SourceFile::new(source.path.clone(), text.into_bytes());
             let origin = Json {
                 values: Places::new(&source.text),
@@ -43,7 +43,7 @@ fn finding(unreadable: Unreadable) -> Diagnostic {
     Diagnostic { at, ..finding }
 }
 
-/// The way back from the records.
+/// The way from the records back to the values of the JSON.
 #[derive(Debug)]
 struct Json {
     model: Scene,
@@ -60,7 +60,7 @@ impl Json {
         let whole = records.line_span(line);
         let text = records.slice(whole);
         let is_image = matter == Matter::Type(Some(RecordKind::ImageTexture));
-        // One blank stands between two words; the name of a picture may have more.
+        // Words are counted by the blanks between them. The name of a picture may have blanks, so it is one word.
         let word = |at: u32| {
             let at = (at.clamp(whole.start, whole.end) - whole.start) as usize;
             let words = text.as_bytes()[..at].iter().filter(|b| **b == b' ').count();
@@ -80,7 +80,7 @@ impl Json {
 impl Origin for Json {
     fn place(&self, file: &SourceFile, records: &SourceFile, span: Span) -> (Span, Option<String>) {
         match self.path(records, span) {
-            // What the file lacks is said where it begins.
+            // A finding about something that the file lacks is put at the beginning of the file.
             None => (Span::default(), None),
             Some(path) => (self.values.find(&file.text, &path), Some(path.to_string())),
         }

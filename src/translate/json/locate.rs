@@ -1,6 +1,6 @@
 //! Places of the values of a JSON text.
 //!
-//! The text has been read before: it is JSON. Nothing here goes deeper into itself however deep the text is.
+//! The text has been read before, so it is valid JSON. No function is recursive, however deeply the text is nested.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -10,26 +10,26 @@ use rustc_hash::FxHashMap;
 
 use crate::diagnostics::Span;
 
-/// A step from a value to one in it.
+/// A step from a value to a value in it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum PathSegment {
     Name(Cow<'static, str>),
     Index(usize),
 }
 
-/// The way from the whole to a value: `cameras[0].fovy`.
+/// The path from the whole text to a value, as in `cameras[0].fovy`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Path(pub Vec<PathSegment>);
 
 impl Path {
-    /// The way to a named value in this one.
+    /// The path to a named value in this path's value.
     #[must_use]
     pub fn name(mut self, name: impl Into<Cow<'static, str>>) -> Path {
         self.0.push(PathSegment::Name(name.into()));
         self
     }
 
-    /// The way to an item of this list.
+    /// The path to an item of this path's value, a list.
     #[must_use]
     pub fn item(mut self, index: usize) -> Path {
         self.0.push(PathSegment::Index(index));
@@ -59,15 +59,15 @@ impl fmt::Display for Path {
     }
 }
 
-/// Most bytes that are looked through for values inside of parts; after that the parts themselves are named.
+/// The most bytes that are searched for values inside of elements. After that, a search ends at the element.
 const BYTES: usize = 1 << 26;
 
-/// The places of a text.
+/// The spans of the values of a JSON text.
 #[derive(Debug)]
 pub(super) struct Places {
-    /// The spans of the values of the whole, by name.
+    /// The spans of the outermost object's values, by name.
     top: FxHashMap<String, Span>,
-    /// The items of the lists among these values, by name.
+    /// The spans of the items of those values that are lists, by the name of the list.
     items: FxHashMap<String, Vec<Span>>,
     left: AtomicUsize,
 }
@@ -94,7 +94,7 @@ impl Places {
         places
     }
 
-    /// The value that a path leads to, or the last one on the way that is there.
+    /// The span of the value that a path leads to; if there is none, the span of the last value on the way.
     pub(super) fn find(&self, text: &str, path: &Path) -> Span {
         let Some(PathSegment::Name(first)) = path.0.first() else {
             return whole(text);
@@ -132,7 +132,7 @@ impl Places {
     }
 }
 
-/// The text without the blanks around it.
+/// The span of the text without the blanks around it.
 fn whole(text: &str) -> Span {
     let start = text.len() - text.trim_start_matches(is_blank).len();
     let end = text.trim_end_matches(is_blank).len().max(start);
@@ -143,7 +143,7 @@ fn is_blank(c: char) -> bool {
     matches!(c, ' ' | '\t' | '\n' | '\r' | '\u{feff}')
 }
 
-/// The span of the value that a step leads to. Of a name that is there twice the last counts.
+/// The span of the value that a step leads to. If a name is there twice, the last value counts.
 fn inside(text: &str, value: Span, step: &PathSegment) -> Option<Span> {
     let mut entries = Entries::new(text, value);
     let mut found = None;
@@ -159,7 +159,7 @@ fn inside(text: &str, value: Span, step: &PathSegment) -> Option<Span> {
     found
 }
 
-/// Goes through what a list or an object has.
+/// Goes through the values of a list or an object.
 struct Entries<'a> {
     text: &'a str,
     at: usize,
@@ -199,7 +199,7 @@ impl<'a> Entries<'a> {
         Some((name, self.value()?))
     }
 
-    /// The next value; the signs between values are left out.
+    /// The next value, after the signs between values.
     fn value(&mut self) -> Option<Span> {
         let bytes = &self.text.as_bytes()[..self.end];
         let is_between = |b: &&u8| matches!(b, b' ' | b'\t' | b'\n' | b'\r' | b',' | b':');
@@ -212,7 +212,7 @@ impl<'a> Entries<'a> {
     }
 }
 
-/// The end of the value that begins at a byte.
+/// The offset of the end of the value that begins at `start`.
 fn end_of(bytes: &[u8], start: usize) -> usize {
     let mut depth = 0usize;
     let mut at = start;

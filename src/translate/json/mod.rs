@@ -1,9 +1,8 @@
 //! The resolved scene as JSON, for programs that read scenes and for programs that write them.
 //!
-//! [`write()`] makes a [`model::Scene`] of a resolved scene; [`read()`] takes JSON apart and finds what is
-//! wrong with it; [`spell()`] writes the records of the language that make the same scene; [`analyse()`] does both,
-//! and says what there is to say of the scene in the words and places of the JSON. The schema is
-//! `grammar/scene.schema.json`.
+//! [`write()`] turns a resolved scene into a [`model::Scene`]. [`read()`] parses JSON as a model, or finds its fault.
+//! [`spell()`] writes a model as records of the language, which make the same scene. [`analyse()`] reads JSON, spells
+//! it and analyses the records; its findings name places of the JSON. The schema is `grammar/scene.schema.json`.
 
 mod fields;
 mod file;

@@ -1,5 +1,5 @@
-//! A scene as it stands in JSON. Things are referred to by their index in their list, from 0; a node
-//! only names nodes before it. Matrices are sixteen numbers, row by row.
+//! The model of a scene in JSON. Elements are referred to by their index in their list, from 0; a node refers only to
+//! nodes before it. Matrices are sixteen numbers, row by row.
 
 use serde::{Deserialize, Serialize};
 
@@ -32,8 +32,8 @@ pub struct Scene {
     pub bounds: Vec<Bound>,
 }
 
-/// A node with the ID by which the language knows it. Transformations and paints have none: they
-/// change what they are of.
+/// A node with the ID of the object that it defines in the language. Transformations and paints have no ID: they
+/// change the object of the node below them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "serde_json::Map<String, serde_json::Value>")]
 pub struct Item {
@@ -173,7 +173,7 @@ pub enum Node {
 }
 
 impl Node {
-    /// A shape.
+    /// The node for a shape.
     pub fn of(geometry: &Geometry) -> Node {
         match geometry {
             Geometry::Revolution { profile, colours } => Node::SurfaceOfRevolution {
@@ -246,7 +246,7 @@ impl Node {
         })
     }
 
-    /// The nodes that it is made of.
+    /// The indices of the nodes that the node is made of.
     pub fn children(&self) -> [Option<u32>; 2] {
         match *self {
             Node::Union { operands: [a, b] }
@@ -256,7 +256,7 @@ impl Node {
             | Node::Copy { of }
             | Node::Transform { of, .. }
             | Node::Paint { of, .. } => [Some(of), None],
-            // Shapes.
+            // Shapes are made of no other nodes.
             _ => [None; 2],
         }
     }

@@ -1,4 +1,4 @@
-//! The pictures that a scene names, seen from where its translation lies.
+//! Paths to the pictures of a scene, as seen from the folder of its translation.
 
 use std::collections::BTreeMap;
 use std::path::{Component, Path, PathBuf};
@@ -9,11 +9,12 @@ use crate::syntax::table::RecordKind;
 use crate::translate::target::{Options, Prepared};
 use crate::translate::{Feature, FeatureSupport};
 
-/// The pictures that cannot be named from the new place.
+/// The paths of pictures that cannot be named from the new folder.
 #[derive(Default)]
 pub(super) struct Left(Vec<String>);
 
-/// Makes every path to a picture lead to the same file from the new place. A scene on standard output keeps its paths.
+/// Changes every path to a picture so that it leads to the same file from the folder of the output. Returns the
+/// pictures for which there is no path. A scene on standard output keeps its paths.
 pub(super) fn follow(model: &mut Scene, scene: &Prepared, options: &Options) -> Left {
     let mut left = Left::default();
     let Some(new) = options.output else {
@@ -47,7 +48,8 @@ pub(super) fn follow(model: &mut Scene, scene: &Prepared, options: &Options) -> 
 }
 
 impl Left {
-    /// The support for a feature if pictures are left behind.
+    /// The support for image textures if pictures are left behind; `None` for other features, and if none is left
+    /// behind.
     pub(super) fn verdict(&self, feature: Feature, options: &Options) -> Option<FeatureSupport> {
         let is_image = feature == Feature::Record(RecordKind::ImageTexture);
         let output = options.output.filter(|_| is_image && !self.0.is_empty())?;
@@ -59,24 +61,24 @@ impl Left {
     }
 }
 
-/// The path to a picture from another folder. `None` where the language has none: it goes down only.
+/// The path to a picture from the folder `new`. `None` if there is none: paths of the language lead down only.
 fn moved(file: &str, old: &Path, new: &Path) -> Option<String> {
     let path = old.join(file);
     let real = path.canonicalize().ok()?;
-    // A name that is a link stays, if what it leads to is in the folder, too.
+    // The name of a link is kept, if the file that it leads to is in the new folder, too.
     let named = folder(&path).canonicalize().ok()?.join(path.file_name()?);
     let below = |path: &Path| real.starts_with(new).then(|| spelled(path, new)).flatten();
     if let Some(path) = below(&named).or_else(|| below(&real)) {
         return Some(path);
     }
-    // Somebody may have copied it already.
+    // A copy of the picture may be in the new folder already.
     let there = new.join(file).canonicalize().ok()?;
     let bytes = |path: PathBuf| std::fs::read(path).ok();
     let is_same = there.starts_with(new) && bytes(there)? == bytes(real)?;
     is_same.then(|| file.to_owned())
 }
 
-/// A path below a folder as scenes write it.
+/// A path below a folder as scenes write it; `None` if a name has a character that scenes cannot write.
 fn spelled(path: &Path, folder: &Path) -> Option<String> {
     let below = path.strip_prefix(folder).ok()?;
     let name = |c: Component| {

@@ -1,4 +1,4 @@
-//! JSON as a model of a scene, with all that types cannot say made sure of.
+//! Reading of JSON as a model of a scene, with checks of what the types leave open.
 
 use std::collections::HashSet;
 

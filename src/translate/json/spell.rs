@@ -1,9 +1,9 @@
-//! A model of a scene as records of the language, one a line.
+//! A model of a scene as records of the language, one record on each line.
 //!
-//! Records change objects, nodes never change: a node that transforms or paints another is written as
-//! a change of the object that is the other so far, if nothing else needs that as it is, and as the
-//! change of a copy if something does. Of scenes that were records before nothing is copied: all that
-//! needs a state stands before the change of it.
+//! Records change objects, whereas nodes never change. A node that transforms or paints another one is written as a
+//! change of that one's object, if nothing else needs the object as it was; otherwise as a change of a copy. In a
+//! scene that was records before, nothing has to be copied: whatever needs a state of an object stands before the
+//! change of the state.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt::{self, Write};
@@ -18,11 +18,11 @@ use crate::syntax::table::{RecordKind, RecordType};
 /// The largest ID.
 pub(super) const ID_MAX: u32 = i32::MAX as u32;
 
-/// Distance of a matrix from a rotation, at most, to be written as one without more ado: less than what is found fault
-/// with (W303).
+/// The largest distance of a matrix from a rotation at which the matrix is written without an `allow` comment. It is
+/// less than the distance that W303 finds fault with.
 const ROTATION_EPS: f64 = 1e-7;
 
-/// A part of the model.
+/// An element of the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModelElement {
     Head,
@@ -36,7 +36,7 @@ pub enum ModelElement {
 }
 
 impl ModelElement {
-    /// The way to the element.
+    /// The path to the element.
     pub fn path(self) -> Path {
         let list = |name: &'static str, i: u32| Path::default().name(name).item(i as usize);
         match self {
@@ -58,12 +58,12 @@ impl fmt::Display for ModelElement {
     }
 }
 
-/// The part of an element that a record spells, where the record's type does not tell.
+/// The part of an element that a record spells. Most records tell it by their type; some colours do not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Matter {
-    /// The part that its type tells; of a heading none.
+    /// The part that the record's type tells; `None` for a heading.
     Type(Option<RecordKind>),
-    /// A colour that a pattern names.
+    /// A colour of a pattern: 0 for the first, 1 for the second.
     PatternColour(u8),
     /// The colour of the background.
     Background,
@@ -72,19 +72,19 @@ pub enum Matter {
 /// The records of a scene.
 #[derive(Debug)]
 pub struct Records {
-    /// The text, a record or heading a line.
+    /// The text, with a record or a heading on each line.
     pub text: String,
     /// The element that each line stands for.
     pub places: Vec<ModelElement>,
     /// The part of the element that each line spells.
     pub matters: Vec<Matter>,
-    /// The IDs that the model does not have, and what they were made up for.
+    /// The IDs that were made up, since the model has none, and the elements that got them.
     pub made_up: HashMap<u32, ModelElement>,
 }
 
-/// Writes the records that make a scene, which has passed through [`read`](super::read()).
+/// Writes the records that make a scene. The scene has to be valid, as [`read`](super::read()) checks it.
 ///
-/// Headings are in the language.
+/// Headings are in `language`.
 pub fn spell(scene: &Scene, language: Language) -> Records {
     let mut speller = Speller::new(scene, language);
     speller.objects();
@@ -114,13 +114,13 @@ struct Speller<'a> {
     made_up: HashMap<u32, ModelElement>,
     /// The element that the next lines stand for.
     place: ModelElement,
-    /// The matter of the next colour, if it is not the one of its object.
+    /// The matter of the next colour, if its type does not tell it.
     matter: Option<Matter>,
     ids: HashSet<u32>,
     next_id: u32,
-    /// For each node that has been written, the ID of the object that it is.
+    /// For each node that has been written, the ID of its object.
     holders: Vec<u32>,
-    /// How often each node will still be named.
+    /// For each node, the number of references to it that are still to be written.
     uses: Vec<u32>,
     colours: HashMap<[u64; 3], u32>,
     /// Whether a matrix has been written that is no rotation.
@@ -158,7 +158,7 @@ impl<'a> Speller<'a> {
         }
     }
 
-    /// An ID that no entity has.
+    /// A new ID that no entity has; notes it in `made_up`.
     fn fresh(&mut self) -> u32 {
         while self.next_id > ID_MAX || !self.ids.insert(self.next_id) {
             self.next_id = if self.next_id >= ID_MAX {
@@ -221,7 +221,7 @@ impl<'a> Speller<'a> {
         }
     }
 
-    /// Writes a node; the ID of the object that it is.
+    /// Writes a node, and returns the ID of its object.
     fn node(&mut self, item: &Item) -> u32 {
         match &item.node {
             Node::Transform { of, matrix } => {
@@ -268,13 +268,14 @@ impl<'a> Speller<'a> {
         }
     }
 
-    /// The ID of a node that is named once more.
+    /// The ID of a node's object, for one of the references to the node.
     fn used(&mut self, node: u32) -> u32 {
         self.uses[node as usize] -= 1;
         self.holders[node as usize]
     }
 
-    /// The ID of an object that is the node and may be changed.
+    /// The ID of an object that has the state of the node and may be changed: the node's own object, or a copy if the
+    /// node is needed again.
     fn changeable(&mut self, node: u32) -> u32 {
         let holder = self.used(node);
         if self.uses[node as usize] == 0 {
@@ -285,7 +286,7 @@ impl<'a> Speller<'a> {
         copy
     }
 
-    /// Writes a transformation, to the bit: what comes after another one in one record.
+    /// Writes a transformation, exact to the bit. A transformation that follows another one is written as one record.
     fn transform(&mut self, id: u32, matrix: &[f64; 16], after_another: bool) {
         let m = Matrix::from_rows(matrix);
         let bits = |m: &Matrix| m.0.map(|row| row.map(f64::to_bits));
@@ -333,7 +334,7 @@ impl<'a> Speller<'a> {
         })
     }
 
-    /// The ID of a colour.
+    /// The ID of a colour. Its record is written when it is first needed.
     fn colour(&mut self, rgb: Rgb, matter: Matter) -> u32 {
         let key = rgb.map(f64::to_bits);
         if let Some(&id) = self.colours.get(&key) {
@@ -459,17 +460,17 @@ impl<'a> Speller<'a> {
 enum Param<'a> {
     Real(f64),
     Integer(u32),
-    /// Quoted.
+    /// A name, written in quotes.
     Name(&'a str),
 }
 
-/// Numbers, groups of them run together.
+/// The numbers of all groups, one after the other, as parameters.
 fn reals<'a, T: AsRef<[f64]>>(groups: &[T]) -> Vec<Param<'a>> {
     let all = groups.iter().flat_map(|g| g.as_ref());
     all.map(|&x| Param::Real(x)).collect()
 }
 
-/// The type of the record that makes a node of others.
+/// The type of the record for an operation or a copy; `None` for other nodes.
 fn operation(node: &Node) -> Option<RecordKind> {
     Some(match node {
         Node::Union { .. } => RecordKind::Union,

@@ -1,4 +1,4 @@
-//! The resolved scene: as JSON, and as records.
+//! Translation of the resolved scene into JSON and into records.
 
 use super::model::{Node, Scene};
 use super::pictures::{Left, follow};
@@ -63,7 +63,7 @@ impl Target for Zpg {
         let mut model = write(scene.scene());
         let left = follow(&mut model, scene, options);
         let contents = &scene.analysis.document.contents;
-        // In JSON it is written.
+        // JSON names every index, so a scene from JSON keeps it.
         if scene.analysis.is_records() && !contents.has(&[RecordKind::RefractiveIndex]) {
             leave_out_default_index(&mut model);
         }
@@ -80,7 +80,8 @@ impl Target for Zpg {
     }
 }
 
-/// Takes the index 1 out that assignments of optics give, where no other index is in the scene.
+/// Removes the refractive index 1, which assignments of optics give, from all paints. Does nothing if the scene has
+/// another index, or one without optics.
 fn leave_out_default_index(model: &mut Scene) {
     let is_default = |node: &Node| match node {
         Node::Paint {

@@ -14,15 +14,15 @@ use crate::diagnostics::{Complaint, Span};
 /// The reason why a text is no scene in JSON, and the place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Unreadable {
-    /// Names and indices, as in `cameras[0].fovy`; `None` for the text as a whole.
+    /// The path to the value, as in `cameras[0].fovy`; `None` for the text as a whole.
     pub at: Option<String>,
-    /// The value in question, or where the text ceases to be JSON.
+    /// The span of the value in question, or the place where the text ceases to be JSON.
     pub span: Span,
     pub why: Complaint,
 }
 
 impl Unreadable {
-    /// The error of an element that refers to one that is not there, or has a value that it cannot have.
+    /// The error of an element that refers to a missing element, or has a value that is not allowed.
     pub fn content(text: &str, at: ModelElement, why: Complaint) -> Unreadable {
         Unreadable {
             at: Some(at.to_string()),
@@ -31,7 +31,7 @@ impl Unreadable {
         }
     }
 
-    /// The text is not JSON. `mark` is the length of the mark before it.
+    /// The error of a text that is not JSON. `mark` is the length of the byte order mark before the text, in bytes.
     pub fn syntax(text: &str, mark: usize, error: &serde_json::Error) -> Unreadable {
         let at = mark + offset(text, error.line(), error.column());
         Unreadable {
@@ -44,7 +44,7 @@ impl Unreadable {
         }
     }
 
-    /// The text is not JSON, or not of the form that the schema has; the error is at a path.
+    /// The error of a text that is not JSON, or not of the form that the schema has. `path` leads to the error.
     pub fn form(
         text: &str,
         mark: usize,
@@ -86,7 +86,7 @@ impl fmt::Display for Unreadable {
 
 impl std::error::Error for Unreadable {}
 
-/// The byte of a line and a column, both from 1, of the parser.
+/// The byte offset of the parser's line and column, both counted from 1.
 fn offset(text: &str, line: usize, column: usize) -> usize {
     let mut lines = text.split_inclusive('\n');
     let before: usize = lines
@@ -112,14 +112,14 @@ fn way(path: &serde_path_to_error::Path) -> Path {
         })
 }
 
-/// An error without its position.
+/// The message of an error without its position.
 fn said(error: &serde_json::Error) -> String {
     let text = error.to_string();
     let end = text.rfind(" at line ").unwrap_or(text.len());
     text[..end].to_owned()
 }
 
-/// The node that a path leads to.
+/// The node that a path leads to; `None` if it leads elsewhere.
 fn node_at_fault(text: &str, way: &Path) -> Option<Map<String, Value>> {
     let index = match way.0.as_slice() {
         [PathSegment::Name(list), PathSegment::Index(index)] if list == "nodes" => *index,
@@ -129,10 +129,10 @@ fn node_at_fault(text: &str, way: &Path) -> Option<Map<String, Value>> {
     scene["nodes"][index].as_object().cloned()
 }
 
-/// Nodes are told apart by their types before their fields are read: the field that a mistake is in makes
-/// the same mistake alone.
+/// The field of a node in which the mistake is. The parser reads a node's type before its fields, and so reports
+/// mistakes of the whole node. The field at fault gives the same message when it is read alone, with the type.
 fn field_at_fault<'a>(node: &'a Map<String, Value>, said: &str) -> Option<&'a String> {
-    // What is missing is no field.
+    // A missing field is none of the node's fields.
     if said.starts_with("missing") {
         return None;
     }
@@ -143,13 +143,13 @@ fn field_at_fault<'a>(node: &'a Map<String, Value>, said: &str) -> Option<&'a St
         let fields = fields.map(|(name, value)| (name.clone(), value.clone()));
         Item::try_from(fields.collect::<Map<_, _>>())
     };
-    // The type is in all of them.
+    // The type is tried first, since it is read along with every field.
     let (ty, _) = node.get_key_value("type")?;
     let mut fields = std::iter::once(ty).chain(node.keys());
     fields.find(|field| alone(field).is_err_and(|e| e.to_string() == said))
 }
 
-/// The meaning of a message of the parser.
+/// The complaint for a message of the parser.
 fn why(said: &str) -> Complaint {
     let quoted: Vec<&str> = said.split('`').skip(1).step_by(2).collect();
     let first = quoted.first().copied().unwrap_or_default().to_owned();
@@ -180,7 +180,7 @@ fn why(said: &str) -> Complaint {
     if said == "number out of range" {
         return Complaint::new("json-out-of-range");
     }
-    // More than a list may have.
+    // The parser says this about a list with too many items.
     if said == "trailing characters" {
         return Complaint::new("json-too-many");
     }

@@ -3,7 +3,7 @@
 use crate::syntax::table::RecordKind;
 use crate::translate::{Feature, FeatureSupport};
 
-/// The support of a feature: JSON has all of the result, but not a record's steps on the way there.
+/// The support of a feature. JSON has the whole resolved scene, but not the steps by which records made it.
 pub fn verdict(feature: Feature) -> FeatureSupport {
     match feature {
         Feature::Record(

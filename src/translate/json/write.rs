@@ -4,12 +4,12 @@ use super::model::{self, Item, Node};
 use crate::geometry::Matrix;
 use crate::scene::{self, NodeId, Promise, Scene, Texture, Volume};
 
-/// The scene with all that its records still stand for at the end of the file: states of objects that
-/// nothing names any more are left out.
+/// The model of a resolved scene, with all objects as they are at the end of the file. Earlier states of objects are
+/// left out unless something refers to them.
 pub fn write(scene: &Scene) -> model::Scene {
     let numbers = numbers(scene);
     let node = |n: NodeId| numbers[n as usize].unwrap_or_default();
-    // In the order of what they are about, as they are written as records.
+    // Promises are sorted by their nodes, the order in which they are written as records.
     let mut promises: Vec<&Promise> = scene.promises.iter().collect();
     promises.sort_by_key(|p| p.node);
     let items = (0..scene.nodes.len()).filter(|&i| numbers[i].is_some());
@@ -66,7 +66,7 @@ pub fn write(scene: &Scene) -> model::Scene {
     }
 }
 
-/// For each node its index among those that count, in their order.
+/// For each node its index in the model; `None` for a node that is left out.
 fn numbers(scene: &Scene) -> Vec<Option<u32>> {
     let mut used = vec![false; scene.nodes.len()];
     let ends = scene.entities.iter().filter_map(|e| e.node());
@@ -97,7 +97,7 @@ fn numbers(scene: &Scene) -> Vec<Option<u32>> {
 fn item(scene: &Scene, i: usize, node: impl Fn(NodeId) -> u32) -> Item {
     use scene::Node as N;
     let pair = |a, b| [node(a), node(b)];
-    // What goes on from a state that others need is a change of that, as its record is.
+    // A change of a state that others need, too, refers to that state, as its record does.
     let step = scene.steps.get(&(i as NodeId));
     let of = |child| node(step.map_or(child, |s| s.from));
     let made = match scene.nodes[i] {

@@ -1,7 +1,8 @@
-//! Assembly of closed meshes from the graph of operations: objects after those they are made of, without recursion.
+//! Assembly of closed meshes from the graph of operations. Each object is built after the objects that it is made of,
+//! so that no recursion is needed.
 //!
-//! A thing is a union of pieces, each with one inside, so that a difference is taken of every piece
-//! for itself and its cut faces look like the piece they are in. Pieces are joined at the very end.
+//! A thing is a union of pieces, and each piece has one material inside. A difference is taken of every piece
+//! separately, so that its cut faces look like the piece that they are in. Pieces are joined at the very end.
 
 use std::collections::HashMap;
 
@@ -16,21 +17,21 @@ use crate::scene::Scene;
 use crate::solids::shapes::facts::Facts;
 use crate::trace::graph::{self, Graph, Part, Target};
 
-/// Fewest triangles of a shape: those of a triangle as a slab.
+/// The fewest triangles of a shape: a triangle becomes a slab, which has eight.
 const MIN_SHAPE_TRIANGLES: f64 = 8.0;
 
-/// Most shapes of a scene in which each keeps its form, however small it is.
+/// The most shapes of a scene in which small shapes are made finer than the tolerance, so that each keeps its form.
 const MAX_SHAPES_KEEPING_FORM: usize = 1000;
-/// Length of such a shape, in tolerances, at least.
+/// The least length of a shape, in tolerances, in a scene of few shapes: a shorter shape gets a smaller tolerance.
 const MIN_LENGTH_TOLERANCES: f64 = 40.0;
 
-/// A solid with one inside, or a surface.
+/// A piece of a thing: a solid with one material inside, or a surface.
 #[derive(Debug, Clone)]
 pub struct MeshPart {
-    /// Closed. Of a surface only what is not labelled [`DROPPED`] is meant.
+    /// A closed mesh. If the part is a surface, triangles labelled [`DROPPED`] only close it and do not belong to it.
     pub mesh: Mesh,
     pub bounds: Aabb,
-    /// The label of what its inside is made of.
+    /// The label whose properties the part's inside has.
     pub inside: u32,
     pub surface: bool,
     /// Whether the part is one shape that no operation cut anything from, and neither did the render box.
@@ -39,37 +40,37 @@ pub struct MeshPart {
     pub around: Option<u32>,
 }
 
-/// Pieces, the first of those that hold a point owning it, and what their labels mean.
+/// A union of pieces, and what their labels mean. Where pieces overlap, the first one owns the common points.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Thing {
     pub pieces: Vec<MeshPart>,
     pub skins: Vec<SurfaceLabel>,
 }
 
-/// The counts of things that could not be done as they should be.
+/// The numbers of operations and shapes that could not be built as they should be.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Troubles {
-    /// Operands that were left as they were.
+    /// Operands that an operation failed to cut and left as they were.
     pub uncut: u64,
     /// Pairs of solids that overlap and were not joined.
     pub unjoined: u64,
-    /// Shapes without end, and what was taken away from all of space.
+    /// Shapes without end, and complements, which have no end either.
     pub endless: u64,
 }
 
-/// Builds the scene's pieces, in its own coordinates, cut to the region.
+/// Builds the scene's pieces in the scene's coordinates, and cuts them to the region.
 pub(super) struct Assembly<'a> {
     scene: &'a Scene,
     graph: &'a Graph,
     pub budget: Budget,
     pub troubles: Troubles,
-    /// For each object: a box in its coordinates that holds all that matters of it, and by how much
-    /// it is stretched at most; empty where it does not occur.
+    /// For each object, a box in its own coordinates that holds all of it that matters; empty if it does not occur.
     regions: Vec<Aabb>,
+    /// For each object, the tolerance in its own coordinates: the finest that any of its placements needs.
     tolerances: Vec<f64>,
     /// How often each object still has to be placed.
     uses: Vec<u32>,
-    /// How many shapes that makes in the end.
+    /// The number of shapes in the whole scene, each counted once for every placement.
     shapes: f64,
     things: Vec<Option<Thing>>,
 }
@@ -77,7 +78,7 @@ pub(super) struct Assembly<'a> {
 /// An operand of an operation, in the coordinates of the result.
 pub(super) struct Operand {
     pub pieces: Vec<MeshPart>,
-    /// Whether the operand is all space but the pieces.
+    /// Whether the operand is all of space except the pieces.
     pub outside: bool,
 }
 
@@ -105,11 +106,13 @@ impl<'a> Assembly<'a> {
         out
     }
 
-    /// Tells each object, from the root down, where and how large it occurs.
+    /// Fills `regions`, `tolerances`, `uses` and `shapes` from the root down: where each object occurs, how fine and
+    /// how often.
     fn look_down(&mut self, region: &Aabb, tolerance: f64) {
         let graph = self.graph;
         let root = graph.root as usize;
-        // Somewhat more, so that no face of the region itself is left when it is cut at the end.
+        // The box is somewhat larger than the region, so that none of the box's own faces is left after the cut at
+        // the end.
         self.regions[root] = enlarged(region, 1.1);
         self.tolerances[root] = tolerance;
         self.uses[root] = 1;
@@ -144,7 +147,7 @@ impl<'a> Assembly<'a> {
     /// # Errors
     /// There would be too many triangles.
     pub(super) fn pieces(&mut self, region: &Aabb, boxed: bool) -> Result<Thing, TooMany> {
-        // Before any is made.
+        // A scene that needs too many is refused before any triangle is made.
         let needed = MIN_SHAPE_TRIANGLES * self.shapes;
         self.budget.foresee(needed)?;
         for object in 0..self.graph.objects.len() {
@@ -209,7 +212,8 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// A part as an operand, in the coordinates of the object; its labels are numbers in `skins`.
+    /// Builds a part as an operand, in the coordinates of the object. The part's labels are added to `skins`; labels
+    /// are indices into it.
     fn operand(
         &mut self,
         object: usize,
@@ -304,7 +308,7 @@ impl<'a> Assembly<'a> {
         })
     }
 
-    /// The region of an object as an operand.
+    /// The whole region of an object as an operand: a box that stands for all of space.
     fn all_of_space(&self, object: usize, skins: &mut Vec<SurfaceLabel>) -> Operand {
         let region = enlarged(&self.regions[object], 1.01);
         let label = skins.len() as u32;
@@ -324,7 +328,8 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// The pieces of an operand, as a solid with an end where it has none.
+    /// The pieces of an operand. An operand that is all of space except some pieces is cut to the object's region
+    /// first.
     fn inside_out(
         &mut self,
         object: usize,
@@ -353,7 +358,8 @@ impl MeshPart {
 }
 
 impl Thing {
-    /// Gives faces made by tools, whose labels begin at `tools`, the looks of the piece they are on.
+    /// Gives cut faces the look of the piece that they are on. Labels from `tools` on belong to tools, whose faces
+    /// are cut faces.
     fn hand_down(&mut self, tools: u32) {
         let mut looks: HashMap<(u32, u32), u32> = HashMap::new();
         for piece in &mut self.pieces {
@@ -396,7 +402,7 @@ fn group(group: &graph::Group) -> Vec<u32> {
     out
 }
 
-/// A box about the same centre.
+/// The box enlarged by the factor `by` about its centre.
 pub(super) fn enlarged(b: &Aabb, by: f64) -> Aabb {
     let c = b.centre();
     let half: [f64; 3] = std::array::from_fn(|i| by * (b.max[i] / 2.0 - b.min[i] / 2.0));

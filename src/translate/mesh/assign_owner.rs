@@ -1,5 +1,5 @@
-//! Pieces that overlap, as a union sees them: the first that holds a point owns it, and a boundary
-//! within another medium has that on its other side.
+//! Ownership where pieces of a union overlap: the first piece that holds a point owns it. A boundary inside another
+//! medium is given that medium on its other side.
 
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -22,12 +22,12 @@ pub struct Medium {
     pub clear: bool,
 }
 
-/// Most pairs of different media that are told apart.
+/// The most overlapping pairs of pieces with different media. If there are more, no pair is separated.
 const MAX_MEDIA_PAIRS: usize = 20_000;
 
 impl Parts {
-    /// Leaves out what is where the same is already: the same triangles, or the whole of the same shape,
-    /// which may be of other triangles as a part of another object.
+    /// Drops pieces that are there twice: those with the same triangles, and those that are the whole of the same
+    /// shape in the same place. The triangles of the latter may differ, if the shape is a part of another object.
     pub fn drop_equals(&mut self) {
         let mut seen: HashSet<u64> = HashSet::new();
         let mut wholes: HashSet<(u32, [u64; 16])> = HashSet::new();
@@ -39,9 +39,9 @@ impl Parts {
         });
     }
 
-    /// Takes from each solid what earlier ones of another medium hold, where that can be seen: through
-    /// clear ones, or everywhere with `within`. What of a clear solid lies in a later one becomes a
-    /// piece with that one's index around it. `media` are beside the skins.
+    /// Takes away from each solid what earlier solids of another medium own, if the earlier solid is clear, or always
+    /// with `within`. The part of a clear solid's boundary that lies in a later clear solid becomes a piece with the
+    /// later one's refractive index around it. `media` has an entry for each of the skins.
     pub fn carve(&mut self, media: &[Medium], within: bool) {
         let medium = |p: &MeshPart| media.get(p.inside as usize).filter(|_| !p.surface).copied();
         if !within && !self.pieces.iter().filter_map(medium).any(|m| m.clear) {
@@ -62,8 +62,8 @@ impl Parts {
         for &(_, j) in &pairs {
             seconds[j].get_or_insert_with(|| tool(&self.pieces[j]));
         }
-        // What is left of each once it has lost what earlier ones hold, which is before it takes from later
-        // ones: what it has lost to another one is that one's to take.
+        // For each solid, what is left of it after it has lost points to earlier solids, and before its boundary is
+        // split by later ones. It must not take the points that it has lost: those are for the earlier solid to take.
         let mut firsts: Vec<Option<Option<Mesh>>> = vec![None; self.pieces.len()];
         let mut pieces: Vec<Vec<MeshPart>> = std::mem::take(&mut self.pieces)
             .into_iter()
@@ -103,8 +103,8 @@ impl Parts {
         self.pieces = pieces.into_iter().flatten().collect();
     }
 
-    /// The parts of a piece whose faces lie in a tool, and outside; a piece that lies wholly on one side stays as it
-    /// is.
+    /// Splits a piece into the part inside the tool and the part outside; a part that shows no face is `None`. A
+    /// piece that lies wholly on one side stays as it is. If the cut fails, the whole piece counts as outside.
     fn parted(&mut self, piece: MeshPart, tool: &Mesh) -> [Option<MeshPart>; 2] {
         let shown = |m: &Mesh| m.labels.iter().any(|l| *l != DROPPED);
         let [held, left] = [Operation::Intersection, Operation::Difference]
@@ -129,14 +129,14 @@ impl Parts {
     }
 }
 
-/// A piece that takes from others, and leaves no faces of its own.
+/// The mesh of a piece as a tool: it cuts others, and all its faces are labelled [`DROPPED`], so that none is seen.
 fn tool(piece: &MeshPart) -> Mesh {
     let mut tool = piece.mesh.clone();
     tool.label_all(DROPPED);
     tool
 }
 
-/// The same for pieces of one form in one place.
+/// A hash of a piece's triangles and points, equal for pieces of one form in one place.
 fn form(piece: &MeshPart) -> u64 {
     let mut hasher = DefaultHasher::new();
     piece.surface.hash(&mut hasher);

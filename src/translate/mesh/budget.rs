@@ -1,23 +1,24 @@
-//! Limits on how many triangles there may be, and how much work is put into joining them, so that a
-//! small tolerance ends in words and not in full memory or never.
+//! Limits on the number of triangles and on the work of joining them: a tolerance that is too small ends with a
+//! message, rather than with full memory or never.
 
 use crate::diagnostics::{Complaint, Value};
 
 /// The most triangles that are made: about two gigabytes of them.
 pub(super) const MOST_TRIANGLES: u64 = 1 << 25;
 
-/// The most triangles that operations are given, each as often as it is given to one: some minutes.
+/// The most work on operations, in triangles: each operation counts the triangles that it is given. The limit is some
+/// minutes of work.
 const MOST_WORK: f64 = (1u64 << 24) as f64;
 
-/// Factor over the limit at which work that is expected is not begun: where solids lie in heaps, more goes in later
-/// rounds than in the first.
+/// Factor by which the expected work must be over the limit for joining not to begin. The estimate may be too high:
+/// where solids lie in heaps, more triangles vanish in later rounds than in the first.
 const WORK_OVERRUN: f64 = 1.5;
 
-/// Bytes taken for each triangle on the way to a file: measured on a geodesic sphere of five million, which takes 440
-/// for each.
+/// Bytes of memory for each triangle on the way to a file. A geodesic sphere of five million triangles was measured
+/// to take 440 for each.
 const BYTES: u64 = 512;
 
-/// How many triangles there are so far, and how many there may be.
+/// Counts the triangles and the work on them, and refuses what goes over the limits.
 #[derive(Debug)]
 pub struct Budget {
     most: u64,
@@ -30,11 +31,11 @@ pub struct Budget {
 pub enum TooMany {
     /// A mesh that needs at least `needed` triangles, of which `most` may be made.
     Made { needed: f64, most: u64 },
-    /// Solids that overlap and are to be joined: their number, and one of them.
+    /// Too many overlapping solids to join: how many they are, and the ID of a shape that is one of them.
     Joined { solids: usize, shape: u32 },
 }
 
-/// Solids that overlap and are too many to be joined.
+/// A group of overlapping solids that are to be joined; the error if they are too many.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Crowd {
     pub solids: usize,
@@ -43,8 +44,8 @@ pub struct Crowd {
 }
 
 impl Crowd {
-    /// Whether joining so many triangles in all is beyond the limit for certain. Half of what is joined is taken to be
-    /// left of each pair at the end.
+    /// Whether joining these solids, with `triangles` in all, is certainly beyond the limit. The estimate is low:
+    /// each round is taken to work on half of the triangles.
     pub fn is_hopeless(&self, triangles: usize) -> bool {
         let rounds = (self.solids as f64).log2().max(1.0);
         triangles as f64 * rounds / 2.0 > MOST_WORK
@@ -52,7 +53,7 @@ impl Crowd {
 }
 
 impl TooMany {
-    /// The message in words, with what to do about it.
+    /// The message for the user, with advice.
     pub fn complaint(&self) -> Complaint {
         match self {
             TooMany::Made { needed, most } if !needed.is_finite() => {
@@ -75,7 +76,7 @@ impl Default for Budget {
 }
 
 impl Budget {
-    /// The budget of so much memory, in bytes.
+    /// The budget for `memory` bytes; `None` sets the usual limit.
     pub fn of(memory: Option<u64>) -> Budget {
         Budget {
             most: memory.map_or(MOST_TRIANGLES, |m| (m / BYTES).min(MOST_TRIANGLES)),
@@ -84,10 +85,10 @@ impl Budget {
         }
     }
 
-    /// Asks for as many triangles as are to come at least, before any is made.
+    /// Checks that `needed` triangles in all are within the limit, before any is made. Does not count them.
     ///
     /// # Errors
-    /// There would be too many.
+    /// More triangles are needed than may be made.
     pub fn foresee(&self, needed: f64) -> Result<(), TooMany> {
         match needed <= self.most as f64 {
             true => Ok(()),
@@ -98,10 +99,10 @@ impl Budget {
         }
     }
 
-    /// Asks for some more triangles before they are made.
+    /// Counts `triangles` more, before they are made.
     ///
     /// # Errors
-    /// There would be too many.
+    /// There would be more triangles than may be made.
     pub fn spend(&mut self, triangles: f64) -> Result<(), TooMany> {
         let needed = self.spent as f64 + triangles;
         self.foresee(needed)?;
@@ -109,8 +110,9 @@ impl Budget {
         Ok(())
     }
 
-    /// Whether joining solids of so many triangles two by two, in so many rounds, will be beyond the
-    /// limit. `left`: what share of the triangles each round leaves; it is taken to go on like the last.
+    /// Whether joining solids two by two is expected to go over the limit. `triangles` is the number of their
+    /// triangles, `left` the share of the triangles that each round leaves; rounds beyond the list leave as much as
+    /// its last.
     pub fn will_not_do(&self, triangles: usize, left: &[f64], rounds: u32) -> bool {
         let last = left.last().copied().unwrap_or(1.0);
         let left = left.iter().copied().chain(std::iter::repeat(last));
@@ -122,10 +124,10 @@ impl Budget {
         work > WORK_OVERRUN * MOST_WORK
     }
 
-    /// Asks for operations on so many triangles.
+    /// Counts the work of an operation on `triangles`.
     ///
     /// # Errors
-    /// There would be too many.
+    /// The work goes over the limit; the error is `crowd`.
     pub fn work(&mut self, triangles: usize, crowd: Crowd) -> Result<(), Crowd> {
         self.work += triangles as f64;
         if self.work <= MOST_WORK {

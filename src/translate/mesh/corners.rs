@@ -1,5 +1,5 @@
-//! Corners of triangles as files have them: with the true surface's normal, and with surface
-//! coordinates where there is a picture on them.
+//! Corners of triangles for files: each with the true surface's normal, and with surface coordinates if the triangle
+//! shows a picture.
 
 use super::surface_label::SurfaceLabel;
 use super::triangle_mesh::Mesh;
@@ -8,22 +8,22 @@ use crate::parallel;
 use crate::scene::Vec3;
 use crate::trace::graph::Graph;
 
-/// How far from a corner, towards the middle of its triangle, it is looked at: on the triangle's own
-/// side of an edge. Farther than points are rounded, and so little that normals and surface coordinates
-/// differ by a thousandth of what they do across the triangle.
+/// The share of the way from a corner to the middle of its triangle at which normal and surface coordinates are
+/// looked up, so that the place is on the triangle's own side of an edge. The share is more than points are rounded,
+/// and so small that normals and surface coordinates differ by a thousandth of their change across the triangle.
 const ASIDE: f64 = 1e-3;
 
 /// A corner of a triangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corner {
-    /// Unit, outwards.
+    /// A unit vector that points outwards.
     pub normal: Vec3,
-    /// Texture coordinates without a seam within the triangle; 0 where they are not asked for.
+    /// Texture coordinates without a seam inside the triangle; 0 if the triangle shows no picture.
     pub uv: [f64; 2],
 }
 
-/// The corners of every triangle; of those without area the normals are 0. Surface coordinates are
-/// those of labels that are `pictured`.
+/// The corners of every triangle. Triangles without area have normals of 0. Only triangles whose label is `pictured`
+/// have surface coordinates.
 pub fn corners(
     mesh: &Mesh,
     skins: &[SurfaceLabel],
@@ -54,7 +54,7 @@ pub fn corners(
                 let uv = skin.uv(graph, near, flat)?;
                 let turns = skin.turns(graph);
                 Some(std::array::from_fn(|i| match turns[i] {
-                    // On the middle's side of the seam.
+                    // The coordinate is moved to the side of the seam that the triangle's middle is on.
                     true => uv[i] - (uv[i] - around[i]).round(),
                     false => uv[i],
                 }))

@@ -1,8 +1,8 @@
-//! Solids joined, cut and taken away from each other, as meshes.
+//! Union, intersection and difference of two solids as closed meshes.
 //!
-//! The work is done by `boolmesh`, which follows "Manifold" (Smith, "Towards Topologically Robust
-//! Boolean Operations on Meshes", 2009–2024): the result is closed whatever the rounding. It takes what
-//! it is given on trust, so that its answers are checked here: closed, and of a volume that can be.
+//! The work is done by `boolmesh`, which follows "Manifold" (Smith, "Towards Topologically Robust Boolean Operations
+//! on Meshes", 2009–2024): the result is closed whatever the rounding. `boolmesh` does not check its operands, so
+//! this module checks the results: each has to be closed and to have a possible volume.
 
 use boolmesh::prelude::{Manifold, OpType, compute_boolean};
 use std::cell::Cell;
@@ -23,15 +23,15 @@ pub(super) enum Operation {
     Difference,
 }
 
-/// The operation could not be carried out.
+/// The error of an operation that could not be carried out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Failed;
 
-/// Parts thinner than this, by the size of the operands, are what rounding left between faces in one
-/// place: half a million roundings, and a ten-millionth of the default tolerance.
+/// The least thickness of a part, in sizes of the operands. Thinner parts are what rounding left between faces in one
+/// place. The value is half a million roundings, and a ten-millionth of the default tolerance.
 const THINNEST: f64 = 1e-10;
 
-/// A label carried along: what lies between corners of one label has this label.
+/// A triangle's label, as `boolmesh` carries it at each corner. A point between corners of one label has this label.
 #[derive(Debug, Clone, PartialEq, Default)]
 struct Tag(u32);
 
@@ -51,10 +51,11 @@ impl Mul<f64> for Tag {
     }
 }
 
-/// Combines two closed meshes; triangles keep their labels. May be empty.
+/// Combines two closed meshes. Triangles keep their labels. The result may be empty.
 ///
 /// # Errors
-/// The result was not closed, or had a volume that cannot be; also with one of the two moved by less than matters.
+/// The result was not closed or had an impossible volume, even after one of the meshes was moved by an invisible
+/// distance.
 pub(super) fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, Failed> {
     let (of_a, of_b) = (a.volume(), b.volume());
     let size = a.bounds().radius().max(b.bounds().radius());
@@ -78,8 +79,9 @@ pub(super) fn combine(a: &Mesh, b: &Mesh, operation: Operation) -> Result<Mesh, 
         flush::put_back(&mut mesh, &planes, size);
         return Ok(finished(mesh));
     }
-    // Faces in one place are what fails, if anything. By the size of the operands: each time more beyond
-    // what points are rounded, and at last still a hundred-thousandth of the default tolerance.
+    // If an operation fails, then because of faces in one place, so one mesh is moved. The distances are in sizes of
+    // the operands. Each is farther beyond the rounding of points than the last; the largest is still a
+    // hundred-thousandth of the default tolerance.
     const NUDGES: [f64; 3] = [1e-11, -1e-9, 1e-8];
     if let Some(mesh) = attempt(b) {
         return Ok(finished(mesh));
@@ -107,7 +109,7 @@ fn attempt(a: &Mesh, b: &Mesh, operation: Operation) -> Option<Mesh> {
     });
     match result? {
         Ok(m) => Some(back(&m)),
-        // It has no other word for a result without triangles.
+        // The library reports a result without triangles as this error.
         Err(e) if e.starts_with("empty ") => Some(Mesh::default()),
         Err(_) => None,
     }
@@ -117,8 +119,8 @@ thread_local! {
     static QUIET: Cell<bool> = const { Cell::new(false) };
 }
 
-/// The library asserts and unwraps what holds for exact numbers only. That ends in `None` here, and
-/// without a word: panics of this call alone are kept from being printed.
+/// Calls the library and returns `None` if it panics: it asserts and unwraps what holds for exact numbers only. The
+/// panics of this call are not printed; those of other threads are.
 fn without_panic<T>(call: impl FnOnce() -> T) -> Option<T> {
     static HOOK: Once = Once::new();
     HOOK.call_once(|| {
@@ -135,13 +137,13 @@ fn without_panic<T>(call: impl FnOnce() -> T) -> Option<T> {
     result.ok()
 }
 
-/// Points of one place would become one point there, and faces that touch in an edge would share it:
-/// all but the first are moved by the least that makes them different.
+/// Converts a mesh for the library. The library would merge points in one place, so that faces that only touch in an
+/// edge would share the edge. All points in one place but the first are moved by the least that makes them different.
 fn manifold(mesh: &Mesh) -> Result<Manifold<Tag>, String> {
     let mut seen = HashSet::with_capacity(mesh.points.len());
     let mut points: Vec<f64> = Vec::with_capacity(3 * mesh.points.len());
     for &[x, y, z] in &mesh.points {
-        // Adding zero makes one of the two zeros.
+        // Adding zero turns −0 into 0.
         let mut p = [x + 0.0, y + 0.0, z + 0.0];
         while !seen.insert(p.map(f64::to_bits)) {
             p[0] = p[0].next_up();
@@ -170,7 +172,7 @@ fn back(m: &Manifold<Tag>) -> Mesh {
     for (corners, tags) in m.hs.chunks_exact(3).zip(m.vals.chunks_exact(3)) {
         mesh.triangles
             .push([0, 1, 2].map(|i| corners[i].tail as u32));
-        // All three are the same, but where a corner was rounded off its triangle: most of them are.
+        // The three tags are the same, unless a corner was rounded off its triangle; then two of them are the same.
         mesh.labels.push(if tags[1] == tags[2] {
             tags[1].0
         } else {
@@ -180,11 +182,11 @@ fn back(m: &Manifold<Tag>) -> Mesh {
     mesh
 }
 
-/// Whether a mesh can be what the operation makes of solids with these volumes.
+/// Whether a mesh is closed and has a volume that the operation can make of solids with the volumes `a` and `b`.
 fn plausible(mesh: &Mesh, a: f64, b: f64, operation: Operation) -> bool {
     let volume = mesh.volume();
-    // Rounding, and what thin parts lose when short edges are collapsed; what fails is off by more, since
-    // whole parts are lost or there twice.
+    // The slack covers rounding, and the volume that thin parts lose when short edges are collapsed. A failed
+    // operation is off by more, since it loses or doubles whole parts.
     let slack = 1e-6 * (a + b);
     let (least, most) = match operation {
         Operation::Union => (a.max(b), a + b),

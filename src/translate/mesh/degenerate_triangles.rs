@@ -1,7 +1,6 @@
-//! Triangles without area, as files have them: coordinates are mostly written in single precision. They are taken out
-//! so that what was closed stays closed: an edge without length is collapsed, one that passes through a
-//! corner is flipped into the triangle behind it, and where neither can be a point is moved by what the
-//! precision rounds.
+//! Removal of needles: triangles without area in the numbers of a file, mostly single precision. Closed meshes stay
+//! closed: an edge without length is collapsed; an edge that passes through the third corner is flipped into the
+//! triangle behind it; if neither can be done, a point is moved by a few steps of the precision.
 
 use std::collections::HashMap;
 
@@ -10,19 +9,19 @@ use crate::geometry::array::{cross, length, sub};
 use crate::geometry::exact;
 use crate::scene::Vec3;
 
-/// Most times that each triangle is looked at.
+/// The most times that each triangle is looked at.
 const MAX_ROUNDS: usize = 16;
 
-/// The numbers that points are written in.
+/// The kind of numbers that points are written in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Precision {
     Single,
-    /// Doubles, or digits that make no difference.
+    /// Doubles, or decimal digits that are as good as exact.
     Double,
 }
 
 impl Precision {
-    /// A point as it is written.
+    /// The point as it is written: rounded to this precision.
     fn written(self, p: Vec3) -> Vec3 {
         match self {
             Precision::Single => p.map(|x| f64::from(x as f32)),
@@ -30,7 +29,7 @@ impl Precision {
         }
     }
 
-    /// The number that is so many numbers further up, or down.
+    /// The number `steps` representable numbers above `x`, or below `x` if `up` is false.
     fn stepped(self, x: f64, steps: u32, up: bool) -> f64 {
         let mut single = x as f32;
         let mut double = x;
@@ -47,12 +46,13 @@ impl Precision {
     }
 }
 
-/// Whether a triangle as it is written has no area, exactly or in single precision.
+/// Whether a triangle has no area once its corners are rounded: exactly, or as a reader computes it in single
+/// precision.
 fn is_needle(corners: [Vec3; 3], precision: Precision) -> bool {
     let p = corners.map(|p| precision.written(p));
     let away = |i: usize, j: usize| length(sub(p[i], p[j]));
     let longest = away(0, 1).max(away(1, 2)).max(away(2, 0));
-    // Where products underflow, single precision says nothing of a shape.
+    // For shorter edges, single-precision products underflow to 0 whatever the shape of the triangle.
     const MIN_EDGE_LENGTH: f64 = 1e-15;
     let single = |i: usize| {
         let way = |j: usize| [0, 1, 2].map(|k| p[j % 3][k] as f32 - p[i][k] as f32);
@@ -64,12 +64,13 @@ fn is_needle(corners: [Vec3; 3], precision: Precision) -> bool {
         return true;
     }
     let (u, v) = (sub(p[1], p[0]), sub(p[2], p[0]));
-    // What is far above the rounding of doubles is not zero.
+    // A cross product far above the rounding of doubles is not zero; only the others are computed exactly.
     length(cross(u, v)) <= 1e-12 * length(u) * length(v) && exact::collinear(p)
 }
 
 impl Mesh {
-    /// Takes out triangles without area, as far as no point is moved farther than `most` for that; how far one was.
+    /// Removes triangles without area, and moves no point farther than `most` for that. Returns the largest distance
+    /// that a point was moved.
     pub fn drop_needles(&mut self, precision: Precision, most: f64) -> f64 {
         let all = 0..self.triangles.len();
         let mut todo: Vec<usize> = all
@@ -93,16 +94,16 @@ impl Mesh {
     }
 }
 
-/// A mesh with what lies around its edges and points.
+/// A mesh with the triangles at each of its edges and points.
 struct Net<'a> {
     mesh: &'a mut Mesh,
     gone: Vec<bool>,
-    /// The triangle that passes an edge this way.
+    /// The triangle that has the edge in this direction.
     edges: HashMap<[u32; 2], usize>,
     around: HashMap<u32, Vec<usize>>,
     precision: Precision,
     most: f64,
-    /// The earlier places of points that have been moved.
+    /// The original places of points that have been moved.
     before: HashMap<u32, Vec3>,
 }
 
@@ -175,7 +176,7 @@ impl<'a> Net<'a> {
         self.precision.written(self.mesh.points[i as usize])
     }
 
-    /// Takes out a triangle without area, and says which others are to be looked at again.
+    /// Removes the triangle `t`, which has no area. Adds triangles that have to be looked at again to `todo`.
     fn mend(&mut self, t: usize, todo: &mut Vec<usize>) {
         let corners = self.mesh.triangles[t];
         let short = |[a, b]: [u32; 2]| length(sub(self.place(a), self.place(b)));
@@ -188,7 +189,8 @@ impl<'a> Net<'a> {
         self.nudge(t, longest);
     }
 
-    /// Makes two points one, where no other triangles would come to lie on each other.
+    /// Merges the point `lost` into `kept`. Returns `false`, and changes nothing, if other triangles would come to
+    /// lie on each other.
     fn collapse(&mut self, [kept, lost]: [u32; 2]) -> bool {
         let beside = |i: u32| -> Vec<u32> {
             let all = self.around[&i].iter().flat_map(|&t| self.mesh.triangles[t]);
@@ -216,10 +218,12 @@ impl<'a> Net<'a> {
         true
     }
 
-    /// Turns the longest edge, on which the third corner lies, to the far corner of the triangle behind it.
+    /// Flips edge `[a, b]` of the needle triangle `t`: the needle and its neighbour become two triangles that share
+    /// the edge between their third corners. At the border of a surface, drops the needle. Returns `false` if it
+    /// changes nothing.
     fn flip(&mut self, t: usize, [a, b]: [u32; 2], todo: &mut Vec<usize>) -> bool {
         let Some(&behind) = self.edges.get(&[b, a]) else {
-            // The border of a surface: it goes through the corner from now on.
+            // The edge is on the border of a surface. Without the needle, the border passes through the third corner.
             self.drop(t);
             return true;
         };
@@ -250,7 +254,8 @@ impl<'a> Net<'a> {
         true
     }
 
-    /// Moves the corner that lies on the longest edge by a little of the precision.
+    /// Moves the corner of triangle `t` that lies on its longest edge by a few steps of the precision, if no triangle
+    /// at the corner is a needle then.
     fn nudge(&mut self, t: usize, longest: [u32; 2]) {
         let on_it = self.mesh.triangles[t]
             .into_iter()
@@ -282,7 +287,7 @@ impl<'a> Net<'a> {
         } = self;
         let moved = |(i, first): (&u32, &Vec3)| length(sub(mesh.points[*i as usize], *first));
         let moved = before.iter().map(moved).fold(0.0, f64::max);
-        // Told apart by their number.
+        // For `only`, labels say which triangles stay: 0 for those that do, 1 for the others.
         let labels = std::mem::take(&mut mesh.labels);
         mesh.labels = gone.iter().map(|&g| u32::from(g)).collect();
         let mut left = mesh.only(|gone| gone == 0);

@@ -1,4 +1,4 @@
-//! How much of a scene without end becomes triangles, and how fine they are.
+//! The region of a scene that becomes triangles, and how fine the triangles are.
 
 use super::options::{DEFAULT_TOLERANCE, Options};
 use crate::diagnostics::Complaint;
@@ -8,26 +8,26 @@ use crate::solids::bounds::NodeBounds;
 use crate::solids::shapes::facts::Facts;
 use crate::solids::staging::seen_box;
 
-/// How much larger than its bounded parts the region is that things without end are cut to: a floor that
+/// Factor by which the region is larger than the scene's bounded parts. Endless shapes are cut to the region: a floor
 /// reaches beyond what stands on it.
 const AROUND: f64 = 2.0;
 
-/// Factor by which parts without end go on farther where that costs nothing, since they are flat, and a camera looks
-/// along them.
+/// Further factor for scenes whose endless shapes are all flat, if a camera looks along them: they need few triangles
+/// however far they reach.
 const FLAT_EXTENT_FACTOR: f64 = 16.0;
 
-/// Half the side of that region in a scene without bounded parts.
+/// Half the side of the cube that stands for the bounded parts in a scene that has none.
 const NOTHING_BOUNDED: f64 = 5.0;
 
-/// Distance up to which what encloses a scene, or bounds it, is looked for, in sizes of the scene.
+/// Distance up to which walls, skies and planes around a scene belong to the region, in radii of the scene.
 const MAX_ENCLOSURE_SIZES: f64 = 100.0;
 
-/// The region that the mesh is made in, and the fineness.
+/// The region that the mesh is made in, and how fine the mesh is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
-    /// Holds what has an end, with room around.
+    /// A box that holds everything that has an end, with room around it; or the render box.
     pub region: Aabb,
-    /// The box that meshes are cut off at: the region, or more.
+    /// The box that meshes are cut off at: the region, or a larger box.
     pub cut: Aabb,
     /// Whether the region is the render record's box.
     pub boxed: bool,
@@ -37,7 +37,7 @@ pub struct Extent {
 }
 
 impl Extent {
-    /// How long the edges of triangles with a texture are at most.
+    /// The greatest length of the edges of triangles with a texture.
     pub fn grain(&self) -> f64 {
         self.radius / 64.0
     }
@@ -84,20 +84,20 @@ impl Extent {
     }
 }
 
-/// A box that holds faces in its own, which are still to be seen there: larger by less than can be seen.
+/// The box enlarged by less than can be seen, so that faces of the scene that lie in the box's faces are in it.
 fn widened(b: &Aabb) -> Aabb {
     let hair = 1e-6 * b.radius();
     Aabb::new(b.min.map(|x| x - hair), b.max.map(|x| x + hair))
 }
 
-/// A box about the same centre, so many times as large.
+/// The box enlarged by the factor `by` about its centre.
 fn grown(b: &Aabb, by: f64) -> Aabb {
     let c = b.centre();
     let end = |corner: Vec3| std::array::from_fn(|i| c[i] + by * (corner[i] - c[i]));
     Aabb::new(end(b.min), end(b.max))
 }
 
-/// Whether all endless shapes are flat, and of few triangles: textures in space make small ones.
+/// Whether all endless shapes are flat and need few triangles: a solid texture in the scene needs many small ones.
 fn is_flat(scene: &Scene) -> bool {
     let is_solid = |t: &Texture| matches!(t, Texture::Solid { .. });
     let mut textures = scene.paints.iter().filter_map(|p| p.texture.as_ref());
@@ -106,7 +106,7 @@ fn is_flat(scene: &Scene) -> bool {
     !textures.any(is_solid) && (scene.shapes.iter()).all(|s| flat(&s.geometry) || ends(&s.geometry))
 }
 
-/// Room around what there is, also where that is flat.
+/// The box with room around it on all sides, also in a direction in which it is flat.
 fn around(seen: &Aabb) -> Aabb {
     let least = seen.radius() / 4.0;
     let c = seen.centre();
@@ -118,8 +118,8 @@ fn around(seen: &Aabb) -> Aabb {
     )
 }
 
-/// A box around the faces of what has no end itself: walls of rooms, skies, the nearest points of planes. What is
-/// farther away than [`MAX_ENCLOSURE_SIZES`] sizes of what is seen is not looked for.
+/// A box around the bounded faces of solids without end, such as walls of rooms and skies, and around the nearest
+/// points of planes. Empty if the box reaches farther than [`MAX_ENCLOSURE_SIZES`] radii of `seen`.
 fn faces(scene: &Scene, bounds: &[NodeBounds], seen: &Aabb) -> Aabb {
     let Some(root) = scene.render.map(|r| r.root) else {
         return Aabb::EMPTY;
@@ -152,7 +152,7 @@ fn faces(scene: &Scene, bounds: &[NodeBounds], seen: &Aabb) -> Aabb {
     }
 }
 
-/// The point of a plane that is nearest to the origin.
+/// The point nearest to the origin of a plane, or of a half-space's face; `None` for other shapes.
 fn plane_foot(geometry: &Geometry) -> Option<Vec3> {
     let [a, b, c, d] = geometry.plane()?;
     let n = [a, b, c];

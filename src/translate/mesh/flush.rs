@@ -1,7 +1,8 @@
-//! Faces of two meshes that lie in one plane: in one plane of the numbers too, and then a hair apart.
+//! Flush faces: faces of two meshes that lie in one plane, but for rounding. They are put into exactly one plane, and
+//! then moved a hair apart.
 //!
-//! A library that has to say which of them is in front goes by the normals of the corners, which are those
-//! of all faces around them: beside a notch they may say one thing at one corner and another at the next.
+//! The library decides which of two flush faces is in front by the normals at their corners. Such a normal is made of
+//! all faces around the corner, so beside a notch it may decide one way at one corner and another way at the next.
 
 use super::csg::Operation;
 use super::shape::DROPPED;
@@ -10,30 +11,30 @@ use crate::geometry::Matrix;
 use crate::geometry::array::{cross, dot, sub};
 use crate::scene::Vec3;
 
-/// Coordinates that are nearer to each other than this, by the size of the operands, are the same: they
-/// differ by what rotations were rounded, some tens of roundings.
+/// Coordinates that differ by less than this, in sizes of the operands, are the same. They differ by the rounding of
+/// rotations, some tens of roundings.
 const ROUNDED: f64 = 1e-14;
 
-/// Difference up to which normals of length 1 are the same, and offsets by the size of the operands: the normals of
-/// narrow triangles are rounded by more.
+/// Planes are the same if their unit normals differ by less than this, and so do their offsets, in sizes of the
+/// operands. The normals of narrow triangles are rounded by more than coordinates.
 const PLANE_EPS: f64 = 1e-13;
 
-/// Relative distance up to which a triangle is as near as the rest of it after its sides were cut, even where the rest
-/// is narrow.
+/// Relative distance within which a triangle of a result lies in the plane of a triangle that it was cut from, even
+/// if the triangle of the result is narrow.
 const CUT: f64 = 1e-9;
 
-/// Two meshes whose faces in one plane are in one plane of the numbers.
+/// Two meshes whose flush faces are in exactly one plane.
 pub(super) struct Aligned {
     pub a: Mesh,
     pub b: Mesh,
-    /// Whether there are faces in one plane.
+    /// Whether the meshes have flush faces.
     pub shared: bool,
     /// The map from the present coordinates back to the earlier ones, if the meshes were turned.
     pub back: Option<Matrix>,
 }
 
-/// Turns the two so that faces that lie in one plane are along the axes, and makes coordinates the same that
-/// differ by roundings.
+/// Rotates both meshes so that flush faces lie along the axes, and makes coordinates equal that differ by roundings
+/// only. `size` is the size of the operands.
 pub(super) fn aligned(a: &Mesh, b: &Mesh, size: f64) -> Aligned {
     let (mut a, mut b) = (a.clone(), b.clone());
     let axes = axes(&a, &b, size);
@@ -59,13 +60,14 @@ pub(super) fn aligned(a: &Mesh, b: &Mesh, size: f64) -> Aligned {
     }
 }
 
-/// Whether a direction is along an axis, but for some roundings.
+/// Whether a direction is along an axis, up to rounding.
 fn is_along(n: &Vec3) -> bool {
     n.iter().any(|x| x.abs() > 1.0 - 1e-15)
 }
 
-/// The directions of the largest faces of `a` that lie in the plane of a face of `b`, at right angles, the
-/// second that of any face where only one is shared; `None` where none is.
+/// Three axes at right angles. The first is the normal of the largest face of `a` that is flush with a face of `b`.
+/// The second is the normal of the largest such face at right angles to the first; if there is none, of the largest
+/// face that need not be flush. `None` if no face is flush.
 fn axes(a: &Mesh, b: &Mesh, size: f64) -> Option<[Vec3; 3]> {
     let others = sorted(b, size);
     let shared = |p: &Plane| [*p, p.reversed()].iter().any(|p| p.is_among(&others));
@@ -80,7 +82,7 @@ fn axes(a: &Mesh, b: &Mesh, size: f64) -> Option<[Vec3; 3]> {
     let second = largest(&|p| upright(p) && shared(p))
         .or_else(|| largest(&upright))
         .unwrap_or_else(|| across(first));
-    // At right angles as far as numbers go.
+    // The second axis is made orthogonal to the first up to rounding.
     let k = dot(first, second);
     let second = sub(second, first.map(|x| k * x));
     let length = dot(second, second).sqrt();
@@ -88,7 +90,7 @@ fn axes(a: &Mesh, b: &Mesh, size: f64) -> Option<[Vec3; 3]> {
     Some([first, second, cross(first, second)])
 }
 
-/// A direction at right angles to another one: an axis if there is one.
+/// A unit vector at right angles to `n` and to the coordinate axis that is farthest from the direction of `n`.
 fn across(n: Vec3) -> Vec3 {
     let least = (0..3).min_by(|&i, &k| n[i].abs().total_cmp(&n[k].abs()));
     let mut axis = [0.0; 3];
@@ -103,14 +105,14 @@ fn across(n: Vec3) -> Vec3 {
 pub(super) struct Plane {
     /// A unit vector.
     normal: Vec3,
-    /// How far from the origin it is along the normal, by the size of the operands.
+    /// The distance of the plane from the origin along the normal, in sizes of the operands.
     offset: f64,
     area: f64,
-    /// A number that is much the same for planes that are.
+    /// A number to sort by: planes that are nearly the same have nearly the same keys.
     key: f64,
 }
 
-/// The planes of all triangles that have one, with the triangle's number.
+/// The planes of all triangles that have an area, each with the triangle's index.
 fn planes_of(mesh: &Mesh, size: f64) -> impl Iterator<Item = (usize, Plane)> {
     (0..mesh.triangles.len()).filter_map(move |t| {
         let [a, b, c] = mesh.corners(t);
@@ -122,7 +124,8 @@ fn planes_of(mesh: &Mesh, size: f64) -> impl Iterator<Item = (usize, Plane)> {
             normal,
             offset,
             area,
-            // The parts of it add up to less than two.
+            // The coefficients add up to less than two, so keys of two planes differ by less than twice what their
+            // numbers do.
             key: dot(normal, [0.618, 0.277, 0.151]) + 0.414 * offset,
         };
         offset.is_finite().then_some((t, plane))
@@ -148,7 +151,7 @@ impl Plane {
         }
     }
 
-    /// Whether a plane of a list, in the order of keys, is the same as this one.
+    /// Whether the plane is in a list, which is sorted by keys.
     fn is_among(&self, planes: &[Plane]) -> bool {
         let key = self.key;
         let from = planes.partition_point(|p| p.key < key - 2.0 * PLANE_EPS);
@@ -182,17 +185,17 @@ fn snap(a: &mut Mesh, b: &mut Mesh, least: f64) {
     }
 }
 
-/// Most planes that are moved: more belong to round things.
+/// The most planes that are moved: meshes with more flush planes are round.
 const MAX_PLANES: usize = 16;
 
-/// Distance that faces are moved by, by the size of the operands: far more than points are rounded, and a
+/// The distance that faces are moved, in sizes of the operands: far more than points are rounded, and a
 /// hundred-millionth of the default tolerance.
 const FACE_REL_SHIFT: f64 = 1e-11;
 
-/// `b` with its faces in planes of faces of `a` a hair further on or back, so that what is meant by the
-/// operation is left: nothing of what the two have in common if that is a face, and no skin where a tool ends
-/// where the solid does. And the planes, which are to be [put back](put_back). `None` if there is nothing to
-/// move.
+/// Moves the faces of `b` that are flush with faces of `a` by a hair, so that the operation leaves what is meant:
+/// solids that only share a face have no intersection, and no skin is left where a tool ends flush with the solid.
+/// Returns the moved `b` and the planes, for [`put_back`]. `None` for a union, and if no plane or too many are to be
+/// moved.
 pub(super) fn apart(
     a: &Mesh,
     b: &Mesh,
@@ -237,7 +240,7 @@ pub(super) fn apart(
     Some((moved, planes))
 }
 
-/// Brings what was moved by [`apart`] back.
+/// Moves points of the result that [`apart`] has moved back into the planes.
 pub(super) fn put_back(mesh: &mut Mesh, planes: &[Plane], size: f64) {
     for point in &mut mesh.points {
         for plane in planes {
@@ -249,11 +252,12 @@ pub(super) fn put_back(mesh: &mut Mesh, planes: &[Plane], size: f64) {
     }
 }
 
-/// Most comparisons of triangles with others in their planes.
+/// The most comparisons of triangles with others in their planes, in one call.
 const MAX_TRIANGLE_COMPARISONS: usize = 4_000_000;
 
-/// Gives triangles of what was made of `a` and `b` the labels of those of `a` that they lie in: of faces in one
-/// place the first one's is seen. What has been dropped stays so, and what is beyond patience.
+/// Relabels the triangles of `mesh`, a result of `a` and `b`, that lie in a triangle of `a`: where faces are in one
+/// place, the first operand's face is seen. Dropped triangles stay dropped. After [`MAX_TRIANGLE_COMPARISONS`], the
+/// rest is left as it was.
 pub(super) fn first_seen(mesh: &mut Mesh, a: &Mesh, b: &Mesh, size: f64) {
     let both = a.bounds().intersection(&b.bounds());
     let slack = CUT * size;
@@ -289,7 +293,7 @@ fn centre(corners: &[Vec3; 3]) -> Vec3 {
     std::array::from_fn(|i| corners.iter().map(|p| p[i] / 3.0).sum())
 }
 
-/// Whether a point in the plane of a triangle is in it.
+/// Whether a point in the plane of triangle `t` lies in the triangle.
 fn holds(mesh: &Mesh, t: usize, plane: &Plane, point: Vec3) -> bool {
     let corners = mesh.corners(t);
     (0..3).all(|i| {

@@ -19,7 +19,8 @@ const NEAREST: u32 = 9728;
 const LINEAR: u32 = 9729;
 const REPEAT: u32 = 10497;
 
-/// The bytes of the file: a node for each object, called after the scene's, and one for each camera and light.
+/// The bytes of the file. It has a node for each object, named after the scene's object, and one for each camera and
+/// light.
 pub fn write(coloured: &Coloured, points: &[[f32; 3]], names: &Names, scenery: Scenery) -> Vec<u8> {
     let mesh = &coloured.model.mesh;
     let mut out = json!({ "asset": asset() });
@@ -38,7 +39,7 @@ pub fn write(coloured: &Coloured, points: &[[f32; 3]], names: &Names, scenery: S
         out["scenes"] = json!([{ "nodes": all }]);
         out["nodes"] = json!(nodes);
     }
-    // The format has no empty lists.
+    // The format does not allow empty lists.
     if !scenery.cameras.is_empty() {
         out["cameras"] = json!(scenery.cameras);
     }
@@ -52,7 +53,8 @@ pub fn write(coloured: &Coloured, points: &[[f32; 3]], names: &Names, scenery: S
     container(&out, &binary)
 }
 
-/// The nodes of the objects, and the numbers of their meshes; everything else goes into `out`.
+/// The nodes of the objects, and the binary chunk with the numbers of their meshes. All lists but the nodes go into
+/// `out`.
 fn meshes(
     coloured: &Coloured,
     points: &[[f32; 3]],
@@ -71,7 +73,7 @@ fn meshes(
         file.attribute(colours)
     });
     let pictured = materials.iter().any(|m| m.picture.is_some()).then(|| {
-        // Their t goes down.
+        // In glTF the second texture coordinate runs downwards.
         file.attribute(vertices.iter().map(|v| [v.uv[0], -v.uv[1]]))
     });
     let mut numbers: BTreeMap<u32, usize> = BTreeMap::new();
@@ -162,7 +164,7 @@ fn meshes(
     (nodes, file.binary)
 }
 
-/// The lists of a file as far as they are written.
+/// The binary chunk of a file and the lists that describe it, while they are written.
 #[derive(Default)]
 struct Parts {
     binary: Vec<u8>,
@@ -172,7 +174,7 @@ struct Parts {
     textures: Vec<Value>,
 }
 
-/// Numbers of all vertices: where they are, and how many each has.
+/// An attribute of all vertices: the index of its buffer view, and how many numbers a vertex has.
 struct Attribute {
     view: usize,
     width: usize,
@@ -194,7 +196,7 @@ impl Parts {
         }
     }
 
-    /// Writes the attribute of some vertices; gives the accessor's number.
+    /// Adds an accessor for the attribute of some vertices, and returns its index.
     fn part(&mut self, attribute: &Attribute, of: &Range<u32>) -> usize {
         let Attribute { view, width } = attribute;
         self.accessors.push(json!({
@@ -204,7 +206,7 @@ impl Parts {
         self.accessors.len() - 1
     }
 
-    /// Gives the texture's number.
+    /// Adds a picture, and returns the index of its texture.
     fn picture(&mut self, picture: &Picture) -> usize {
         let start = self.binary.len();
         self.binary.extend_from_slice(&picture.png);
@@ -212,7 +214,7 @@ impl Parts {
             .push(json!({ "bufferView": self.views.len(), "mimeType": "image/png" }));
         self.views
             .push(json!({ "buffer": 0, "byteOffset": start, "byteLength": picture.png.len() }));
-        // What comes next begins at a multiple of four.
+        // The next data has to begin at a multiple of four.
         self.binary.resize(self.binary.len().next_multiple_of(4), 0);
         self.textures.push(
             json!({ "source": self.images.len() - 1, "sampler": usize::from(picture.cells) }),
@@ -221,7 +223,7 @@ impl Parts {
     }
 }
 
-/// The unit vector, rounded; upwards where there is no direction: the format has no normals of length 0.
+/// The normal, or a vector upwards if the normal has length 0, which the format does not allow.
 fn rounded_unit(n: Vec3) -> Vec3 {
     if n == [0.0; 3] { [0.0, 1.0, 0.0] } else { n }
 }
@@ -250,7 +252,8 @@ impl Extensions {
     }
 }
 
-/// A mirror is a smooth metal, glass is transmission; what is between is mixed by their shares.
+/// A material in glTF: a mirror is a smooth metal, glass is transmission, and a mixture is weighted by its shares.
+/// Notes in `extensions` what the material uses.
 fn appearance(material: &Material, extensions: &mut Extensions) -> Value {
     let o = &material.optics;
     let mean = |k: [f64; 3]| k.iter().sum::<f64>() / 3.0;
@@ -272,7 +275,7 @@ fn appearance(material: &Material, extensions: &mut Extensions) -> Value {
     });
     if kt > 0.0 {
         extensions.transmission = true;
-        // The format knows no index below 1.
+        // The format does not allow a refractive index below 1.
         let index = mean(material.index).max(1.0);
         out["extensions"] = json!({
             "KHR_materials_transmission": { "transmissionFactor": share(kt) },
@@ -282,7 +285,8 @@ fn appearance(material: &Material, extensions: &mut Extensions) -> Value {
     out
 }
 
-/// A header of twelve bytes, then the two chunks, each padded to four.
+/// The bytes of the file: a header of twelve bytes, then the text and the binary chunk, each padded to a multiple of
+/// four.
 fn container(file: &Value, binary: &[u8]) -> Vec<u8> {
     let mut text = file.to_string().into_bytes();
     text.resize(text.len().next_multiple_of(4), b' ');

@@ -16,11 +16,13 @@ pub(super) const LIGHTS: &str = "KHR_lights_punctual";
 
 /// Distance from a camera, in radii of the scene, below which nothing is drawn: the format asks for a number above 0.
 const NEAR_PLANE_RADII: f64 = 1e-3;
-/// Distance that parallel rays go beyond the scene's farthest side, in radii.
+/// Distance that parallel rays go beyond the middle of the scene, in radii: past its farthest side.
 const PARALLEL_RAY_RADII: f64 = 2.0;
-/// Distance from the middle of the scene, in radii, below which a light is as bright as from there.
+/// The least distance of a light from the middle of the scene, in radii, that counts for its brightness: a nearer
+/// light is as bright as one at this distance.
 const MIN_LIGHT_RADII: f64 = 0.1;
-/// How far the middle of a picture may be from the axis, by half its size, and an axis from a right angle.
+/// Tolerance for a camera that is not askew: how far the middle of the picture may be from the optical axis, in units
+/// of half its size, and how far the dot products of the camera's axes may be from 0.
 const STRAIGHT: f64 = 1e-6;
 
 /// Cameras and lights, each with the node that places it.
@@ -32,7 +34,8 @@ pub struct Scenery {
 }
 
 impl Scenery {
-    /// The cameras of a scene, of which those that take the picture come first, and some lights.
+    /// The counterparts of the scene's cameras and of `lights`. Cameras that take the picture come first. A camera or
+    /// light without a counterpart is left out.
     pub fn of(scene: &Scene, lights: &[PointLight], extent: &Extent, names: &Names) -> Scenery {
         let mut out = Scenery::default();
         for camera in in_order(scene) {
@@ -60,7 +63,7 @@ impl Scenery {
     }
 }
 
-/// Whether a camera has a counterpart in the format.
+/// Whether a camera has a counterpart in glTF.
 pub(super) fn has_counterpart(camera: &Camera) -> bool {
     lens(camera).is_some()
 }
@@ -78,9 +81,10 @@ fn in_order(scene: &Scene) -> impl Iterator<Item = &Camera> {
     (view.cameras().chain(others)).filter_map(|i| scene.cameras.get(i))
 }
 
-/// The counterpart of a camera in the format, and its place: right, up, forward, position.
+/// The counterpart of a camera in glTF.
 enum Counterpart {
-    /// A perspective camera, with the vertical angle in radians, and width by height where the camera says that itself.
+    /// A perspective camera: the vertical angle in radians, width divided by height if the camera has its own, and
+    /// the distance of the near plane, 0 if the camera has none.
     Perspective {
         angle: f64,
         aspect: Option<f64>,
@@ -90,6 +94,8 @@ enum Counterpart {
     Parallel { half: [f64; 2] },
 }
 
+/// The counterpart of a camera, and its placement: right, up, forward, position. `None` for a camera that is askew or
+/// mirrors the picture.
 fn lens(camera: &Camera) -> Option<(Counterpart, [Vec3; 4])> {
     let basis = Basis::of(camera)?;
     if camera.projection.is_none() {
@@ -101,7 +107,7 @@ fn lens(camera: &Camera) -> Option<(Counterpart, [Vec3; 4])> {
         };
         return Some((own, [basis.right, basis.up, basis.forward, camera.position]));
     }
-    // A picture of one pixel has the shape of that.
+    // A picture of one pixel has the same shape as the pixel.
     match Lens::of(camera, 1, 1)? {
         Lens::Pinhole(Pinhole {
             position,
@@ -136,7 +142,8 @@ fn is_right_handed(right: Vec3, up: Vec3, forward: Vec3) -> bool {
     dot(cross(right, up), forward) < 0.0
 }
 
-/// A camera, and its place as sixteen numbers, column by column: it looks against its z.
+/// A camera in glTF, and its matrix as sixteen numbers, column by column. A glTF camera looks along −z. `None` if the
+/// camera has no counterpart.
 fn view(camera: &Camera, extent: &Extent) -> Option<(Value, [f64; 16])> {
     let radius = extent.radius;
     let (own, [right, up, forward, position]) = lens(camera)?;
@@ -175,8 +182,9 @@ fn view(camera: &Camera, extent: &Extent) -> Option<(Value, [f64; 16])> {
         .then_some((seen, matrix))
 }
 
-/// A light in candela that at the middle of the scene is as bright as ours: those of the format fade with distance, and
-/// a surface sends a π-th of what it receives each way.
+/// A light in glTF, in candela. At the middle of the scene it is as bright as the scene's light, which does not fade:
+/// glTF lights fade with the squared distance, and a surface sends a π-th of the light that it receives in each
+/// direction. `None` for a dark light, and for numbers that are not finite.
 fn lamp(light: &PointLight, extent: &Extent) -> Option<Value> {
     let distance =
         length(sub(light.position, extent.region.centre())).max(MIN_LIGHT_RADII * extent.radius);

@@ -19,7 +19,7 @@ pub struct Material {
     pub index: Rgb,
     /// `None` where the colour changes from point to point.
     pub colour: Option<Rgb>,
-    /// The number of the picture that is laid on; then the colour is white.
+    /// The number of the picture on the surface, if there is one; then `colour` is white.
     pub picture: Option<u32>,
     /// Whether the material is on a surface without an inside, which is seen from both sides.
     pub surface: bool,
@@ -28,16 +28,16 @@ pub struct Material {
 /// Triangles that have their properties from one entity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Object {
-    /// The entity; 0 where there is none, and where there are too many.
+    /// The ID of the entity; 0 if there is none, or if the scene has too many objects.
     pub id: u32,
-    /// The vertices of the object; no others have them.
+    /// The indices of the object's vertices, which no other object uses.
     pub vertices: Range<u32>,
     /// Indices of triangles of the mesh, by the number of their material.
     pub triangles: BTreeMap<usize, Vec<u32>>,
 }
 
 impl Object {
-    /// The name of the material in a file.
+    /// The name of the object in a file.
     pub fn name(&self) -> String {
         match self.id {
             0 => "Scene".to_owned(),
@@ -46,19 +46,20 @@ impl Object {
     }
 }
 
-/// More objects are one: programs take long to read very many.
+/// The most objects that are kept apart. In a scene with more, all triangles are one object, since programs take long
+/// to read very many.
 const MOST_OBJECTS: usize = 1000;
 
-/// A point as files know it: where normals, colours or surface coordinates differ there are several in
-/// one place.
+/// A vertex as files have it. Where normals, colours or surface coordinates differ, several vertices are in one
+/// place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vertex {
-    /// The number of the mesh's point.
+    /// Index of the mesh's point.
     pub point: u32,
     pub normal: Vec3,
-    /// Linear.
+    /// The linear colour.
     pub colour: Rgb,
-    /// Texture coordinates, as in the picture.
+    /// Texture coordinates, scaled as the picture needs them.
     pub uv: [f64; 2],
 }
 
@@ -78,7 +79,8 @@ pub struct Coloured<'m> {
 }
 
 impl<'m> Coloured<'m> {
-    /// The surfaces in colours; with `pictured`, textures are pictures where that is possible.
+    /// Gives a model's triangles vertices, colours and materials. With `pictured`, textures become pictures where
+    /// that is possible.
     pub fn new(model: &'m Model, graph: &Graph, pictured: bool) -> Coloured<'m> {
         let mesh = &model.mesh;
         let mut pictures = Pictures::default();
@@ -168,7 +170,7 @@ impl<'m> Coloured<'m> {
     }
 }
 
-/// The mesh's triangles with the IDs of their objects, in the order of these.
+/// The indices of the mesh's triangles with the IDs of their objects, sorted by ID.
 fn by_object(model: &Model) -> Vec<(usize, u32)> {
     let object = |label: &u32| model.skins[*label as usize].object();
     let labels = &model.mesh.labels;
@@ -182,7 +184,7 @@ fn by_object(model: &Model) -> Vec<(usize, u32)> {
     out
 }
 
-/// Optics, index, colour, picture, and whether it is a surface.
+/// The properties that tell materials apart: optics, refractive index, colour, picture, and whether it is a surface.
 type MaterialKey = (u32, u32, Option<[u64; 3]>, Option<u32>, bool);
 type VertexKey = (u32, [i64; 3], [u64; 3], [i64; 2]);
 
@@ -199,7 +201,7 @@ impl Vertex {
     }
 }
 
-/// Whether the colour goes over from point to point, rather than jumping.
+/// Whether the colour changes gradually from point to point, rather than in jumps.
 fn is_smooth(skin: &SurfaceLabel, graph: &Graph) -> bool {
     match &skin.texture {
         Some(t) => matches!(graph.textures[t.texture as usize], Texture::Image { .. }),

@@ -1,10 +1,10 @@
 //! The scene as triangles, for every program that reads meshes.
 //!
-//! [`shape`] makes each shape of triangles that keep within a tolerance of it; [`assemble`] places and combines
-//! them as the scene says, by [`operate`], with [`csg`] for two solids, [`unite`] for many, of which
-//! [`overlap_components`] finds those that overlap, and [`assign_owner`] for those of different media; [`shared`]
-//! finds surfaces that are there twice; [`surface_label`] knows what each triangle shows; [`precision`] what
-//! numbers in files cost; [`ply`], [`obj`] and [`glb`] write files.
+//! [`shape`] approximates each shape by triangles within a tolerance. [`assemble`] places and combines the shapes as
+//! the scene says; [`operate`] carries out the operations. [`csg`] combines two solids, [`unite`] joins many,
+//! [`overlap_components`] finds those that overlap, and [`assign_owner`] separates solids of different media.
+//! [`shared`] finds surfaces that are in one place; [`surface_label`] tells what each triangle shows; [`precision`]
+//! measures the accuracy that the numbers of a file cost; [`ply`], [`obj`] and [`glb`] write files.
 
 mod assemble;
 mod assign_owner;

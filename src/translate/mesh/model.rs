@@ -26,19 +26,19 @@ use crate::translate::{Feature, FeatureSupport, Report};
 pub struct Model {
     /// Solids joined into closed meshes, then surfaces; labels are indices into `skins`.
     pub mesh: Mesh,
-    /// How many of the triangles belong to solids.
+    /// The number of triangles that belong to solids; they come first.
     pub solid: usize,
     pub skins: Vec<SurfaceLabel>,
     pub extent: Extent,
-    /// How far points were moved so that every triangle has an area in the file.
+    /// The largest distance that a point was moved so that every triangle has an area in the file.
     pub moved: f64,
     pub(super) troubles: Troubles,
 }
 
-/// Makes the scene of triangles.
+/// Builds the scene as one mesh of triangles.
 ///
 /// # Errors
-/// There would be too many.
+/// There would be too many triangles, or too many overlapping solids to join.
 pub fn model(
     scene: &Scene,
     bounds: &[NodeBounds],
@@ -92,7 +92,7 @@ pub fn model(
     })
 }
 
-/// The report on a mesh for one of the targets, whose numbers put points off by no more than `off`.
+/// The report on a mesh for one of the targets. `off` is the largest distance that the file's numbers move a point.
 pub fn report(target: &'static str, scene: &Scene, model: &Model, off: f64) -> Report {
     let bounds = Bounds {
         tolerance: model.extent.tolerance,

@@ -7,9 +7,9 @@ use super::material::Coloured;
 use crate::scene::{DEFAULT_COLOUR, Rgb};
 use crate::translate::names::Names;
 
-/// The text of the mesh, and that of its materials, which is to be found under the name `library`; its
-/// pictures have the names that `picture` gives them. Objects are called after the scene's. Points are shared by all faces around them: what
-/// is closed stays so.
+/// The text of the mesh file, and that of the material file. `library` is the name of the material file; `picture`
+/// gives the file name of each picture. Objects are named after the scene's. All faces around a point share it, so
+/// that closed meshes stay closed.
 pub fn write(
     coloured: &Coloured,
     places: &[[String; 3]],
@@ -32,7 +32,8 @@ pub fn write(
     for ([x, y, z], colour) in places.iter().zip(&colours) {
         let _ = write!(out, "v {x} {y} {z}");
         if smooth {
-            // As many programs read them: linear, behind the coordinates. Finer than 8 bits.
+            // Colours stand behind the coordinates and are linear, as many programs read them. Four digits are finer
+            // than 8 bits.
             let [r, g, b] = colour.map(|c| (c * 1e4).round() / 1e4);
             let _ = write!(out, " {r} {g} {b}");
         }
@@ -42,7 +43,8 @@ pub fn write(
     let mut texels = Numbered::default();
     let numbers: Vec<[usize; 2]> = (coloured.vertices.iter())
         .map(|v| {
-            // Angles to a hundredth of a degree, places to a hundredth of a pixel of the largest pictures.
+            // Normals are written to a hundredth of a degree, surface coordinates to a hundredth of a pixel of the
+            // largest pictures.
             let [x, y, z] = v.normal.map(|x| (x * 1e4).round() / 1e4 + 0.0);
             let [s, t] = v.uv.map(|x| (x * 1e6).round() / 1e6 + 0.0);
             [
@@ -108,7 +110,7 @@ pub fn write(
     (out, library)
 }
 
-/// Lines that are written once, counted from 1.
+/// Lines of which each is written once, with their numbers, counted from 1.
 #[derive(Default)]
 struct Numbered {
     text: String,

@@ -1,4 +1,4 @@
-//! Operations on the pieces of things: what is left of each.
+//! Operations on the pieces of things. Each piece is cut separately.
 
 use std::collections::HashMap;
 
@@ -11,7 +11,7 @@ use super::unite::Union;
 use crate::geometry::Aabb;
 
 impl Assembly<'_> {
-    /// The solid in all operands of `kept` and in none of `taken`.
+    /// The pieces of what lies in all operands of `kept` and in none of `taken`.
     pub(super) fn intersection(
         &mut self,
         kept: Vec<Operand>,
@@ -21,7 +21,8 @@ impl Assembly<'_> {
         let tools = taken.into_iter().flat_map(|o| o.pieces);
         let tools = self.union_of_solids(tools, skins)?;
         let mut pieces = Vec::new();
-        // The solids of all but the first, and of the first where a surface is cut by it.
+        // Each operand's solids as one union, to cut the pieces of the other operands. The first operand's union is
+        // needed only to cut surfaces.
         let has_surfaces = kept.iter().flat_map(|o| &o.pieces).any(|p| p.surface);
         let mut solids: Vec<Option<Union>> = Vec::with_capacity(kept.len());
         for (i, operand) in kept.iter().enumerate() {
@@ -32,7 +33,8 @@ impl Assembly<'_> {
         }
         for (i, operand) in kept.into_iter().enumerate() {
             for piece in operand.pieces {
-                // One inside: the first operand's. Surfaces are kept of every operand.
+                // The first operand gives the inside its material, so only its solids are pieces. Surfaces are kept
+                // of every operand.
                 if i > 0 && !piece.surface {
                     continue;
                 }
@@ -55,7 +57,7 @@ impl Assembly<'_> {
         Ok(union)
     }
 
-    /// The part of a piece that is in all of some solids and outside of others.
+    /// The part of a piece that lies in all of `kept` and outside of `taken`; `None` if nothing of it is seen.
     fn cut<'u>(
         &mut self,
         mut piece: MeshPart,
@@ -92,7 +94,8 @@ impl Assembly<'_> {
         Some(piece)
     }
 
-    /// Cuts what reaches beyond the region; the faces that close it again are caps.
+    /// Cuts pieces that reach beyond the region, and labels the faces that close them again as caps. `boxed`: the
+    /// region is the render box, so that a cut piece no longer counts as whole.
     pub(super) fn cut_to(&mut self, thing: &mut Thing, region: &Aabb, boxed: bool) {
         let mut caps: HashMap<u32, u32> = HashMap::new();
         let pieces = std::mem::take(&mut thing.pieces);

@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 use crate::geometry::Aabb;
 use crate::geometry::bvh::Bvh;
 
-/// Boxes that hang together, one overlapping the next.
+/// Groups of boxes that are connected by overlaps, and the tree of all boxes.
 pub(super) struct OverlapComponents {
-    /// The items are the boxes' numbers; neighbours are near each other.
+    /// A tree whose items are the indices of the boxes. Items that follow each other are near each other in space.
     pub tree: Bvh,
     /// For each box the number of its component, from 0.
     pub numbers: Vec<u32>,
@@ -29,7 +29,7 @@ impl OverlapComponents {
             }
             found.push(first);
             loop {
-                // Each box is found once: those that have a component are not looked at again.
+                // A box that has a component is not looked at again, so each box is found once.
                 for i in found.drain(..) {
                     numbers[i as usize] = count;
                     left.take(i);
@@ -73,7 +73,7 @@ impl Left {
     fn of(tree: &Bvh, boxes: usize) -> Left {
         let n = tree.nodes.len();
         let (mut nodes, mut parents, mut leaves) = (vec![0; n], vec![0; n], vec![0; boxes]);
-        // Nodes stand before those below them.
+        // A node stands before its children, so the counts are added up from the end.
         for i in (0..n as u32).rev() {
             let node = &tree.nodes[i as usize];
             if node.count > 0 {

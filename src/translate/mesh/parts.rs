@@ -27,7 +27,7 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// Makes the scene of pieces.
+    /// Builds the scene's pieces.
     ///
     /// # Errors
     /// There would be too many triangles.
@@ -47,8 +47,8 @@ impl Parts {
         })
     }
 
-    /// Joins those solids that overlap, are chosen (by number and piece) and of one kind, and have the same around them; the
-    /// others stay as they are, and so do those that are too many.
+    /// Joins solids that overlap, are of the same kind, and have the same medium around them. `kind` gets a piece's
+    /// index and the piece; `None` leaves the piece as it is. A group of too many solids stays as it is, too.
     ///
     /// # Errors
     /// The work takes too long.
@@ -104,7 +104,7 @@ impl Parts {
         Ok(())
     }
 
-    /// Moves everything; lengths are to be stretched alike.
+    /// Maps all pieces, skins and lengths. `m` has to stretch all directions alike.
     pub fn place(&mut self, m: &Matrix) {
         for piece in &mut self.pieces {
             piece.mesh.transform(m);
@@ -134,7 +134,8 @@ impl Parts {
         self.extent.boxed && solids.any(|p| p.mesh.labels.iter().any(caps))
     }
 
-    /// Adds to a report what became of this scene in particular. So many parts without end were written as such.
+    /// Adds to a report what was approximated in this scene. `endless` is the number of endless parts that were
+    /// written as such and do not count.
     pub fn account(&self, report: &mut Report, endless: u64) {
         let troubles = Troubles {
             endless: self.troubles.endless.saturating_sub(endless),
@@ -163,7 +164,7 @@ pub(super) fn refusal(e: &TooMany) -> Error {
     Error::scene(e.complaint())
 }
 
-/// Reports on this scene in particular.
+/// Adds to a report what was approximated in this scene: endless parts, and operations that failed.
 pub(super) fn account(report: &mut Report, extent: &Extent, troubles: &Troubles) {
     for _ in 0..troubles.endless {
         let fidelity = Fidelity::Approximate(extent.cut_off());

@@ -9,17 +9,17 @@ use crate::scene::Texture;
 use crate::trace::film::{Packing, write_rgb8};
 use crate::trace::graph::Graph;
 
-/// A picture as PNG, and how it is laid on.
+/// A picture as PNG, and how a surface shows it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
     pub png: Vec<u8>,
     /// Whether texels are squares of one colour: nothing is interpolated.
     pub cells: bool,
-    /// Factors that surface coordinates are multiplied by.
+    /// Factors by which surface coordinates are multiplied to become texture coordinates.
     pub scale: [f64; 2],
 }
 
-/// The file of a texture's picture, beside one with a stem.
+/// The file name of a texture's picture. `stem` is that of the mesh file.
 pub fn file_name(stem: &str, number: u32) -> String {
     format!("{stem}_texture_{number}.png")
 }
@@ -41,7 +41,7 @@ pub struct Pictures {
 }
 
 impl Pictures {
-    /// Takes in the picture of a skin that has one, and gives its number.
+    /// Adds the picture of a skin, and returns its number; `None` if the skin shows no picture.
     pub fn of(&mut self, skin: &SurfaceLabel, graph: &Graph) -> Option<u32> {
         let number = skin
             .texture
@@ -55,13 +55,13 @@ impl Pictures {
     }
 }
 
-/// The texture of this index, if it is a picture.
+/// The picture of the texture with index `number`; `None` if the texture is no picture.
 pub fn picture(number: u32, graph: &Graph) -> Option<Picture> {
     Some(match &graph.textures[number as usize] {
         Texture::Checkerboard { n, m, colours } => {
             let [even, odd] = colours.map(srgb);
             Picture {
-                // Even where ⌊uN⌋ + ⌊vM⌋ is: below on the left, and above on the right.
+                // A cell is even where ⌊uN⌋ + ⌊vM⌋ is even: the lower left one and the upper right one.
                 png: png(2, 2, &[odd, even, even, odd].concat())?,
                 cells: true,
                 scale: [n, m].map(|x| f64::from(*x) / 2.0),
@@ -79,7 +79,7 @@ pub fn picture(number: u32, graph: &Graph) -> Option<Picture> {
     })
 }
 
-/// 8-bit RGB, row by row from the top.
+/// Encodes 8-bit RGB as PNG, row by row from the top.
 fn png(width: u32, height: u32, rgb: &[u8]) -> Option<Vec<u8>> {
     let mut out = Vec::new();
     write_rgb8(&mut out, [width, height], rgb, Packing::Small).ok()?;

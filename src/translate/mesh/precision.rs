@@ -1,9 +1,9 @@
-//! Loss of accuracy of points by the numbers of a file.
+//! The accuracy that points lose by the numbers of a file.
 
 use super::triangle_mesh::Mesh;
 use crate::scene::Vec3;
 
-/// The part of the tolerance that written digits may cost.
+/// The share of the tolerance that decimal digits may cost.
 const PART: f64 = 0.01;
 
 /// The places of a mesh's points as a file has them.
@@ -24,7 +24,7 @@ impl<T> Places<T> {
             largest = [0, 1, 2].map(|k| largest[k].max(p[k].abs()));
             all.push(place);
         }
-        // The mesh itself is made in doubles.
+        // The mesh itself is made in doubles, which are rounded, too.
         off += f64::EPSILON * length(largest);
         Places { all, off }
     }
@@ -38,7 +38,8 @@ pub(super) fn single(mesh: &Mesh) -> Places<f32> {
     })
 }
 
-/// The places of points in decimal digits: as many as single precision has where these are enough, else as few as are.
+/// The places of points in decimal digits. A coordinate has the digits of single precision if those are exact enough,
+/// else as few digits as are.
 pub(super) fn decimal(mesh: &Mesh, tolerance: f64) -> Places<String> {
     let within = within(tolerance);
     Places::of(mesh, |p| {
@@ -48,7 +49,7 @@ pub(super) fn decimal(mesh: &Mesh, tolerance: f64) -> Places<String> {
     })
 }
 
-/// Whether single precision costs no more than digits may.
+/// Whether single precision costs no more accuracy than decimal digits may.
 pub(super) fn is_single_enough(mesh: &Mesh, tolerance: f64) -> bool {
     let largest = mesh
         .points
@@ -58,14 +59,14 @@ pub(super) fn is_single_enough(mesh: &Mesh, tolerance: f64) -> bool {
     f64::from(f32::EPSILON) / 2.0 * largest <= within(tolerance)
 }
 
-/// The error of one coordinate that a tolerance leaves.
+/// The largest error of one coordinate that a tolerance leaves.
 fn within(tolerance: f64) -> f64 {
     PART * tolerance / 3f64.sqrt()
 }
 
-/// A number in digits, off by no more than that.
+/// A number in decimal digits, off by no more than `within`.
 fn digits(x: f64, within: f64) -> String {
-    // What is read in doubles is another number.
+    // A program that reads these digits as a double gets another number, so the check reads them as a double.
     let single = (x as f32).to_string();
     let is_near = |read: f64| (read - x).abs() <= within;
     if single.parse().is_ok_and(is_near) {

@@ -1,4 +1,4 @@
-//! More triangles where one colour a triangle is not enough.
+//! Division of triangles where one colour a triangle is not enough.
 
 use std::collections::HashMap;
 
@@ -6,7 +6,7 @@ use super::triangle_mesh::Mesh;
 use crate::geometry::array::{dot, sub};
 use crate::scene::Vec3;
 
-/// Number of triangles at which no more are made.
+/// The number of triangles at which no more are made.
 const MAX_TRIANGLES: usize = 1 << 22;
 
 /// The middle between two points.
@@ -15,8 +15,8 @@ fn middle(p: Vec3, q: Vec3) -> Vec3 {
 }
 
 impl Mesh {
-    /// Halves the edges of wanted triangles until none is longer than it may be where its middle is; what was
-    /// closed stays closed, and the surface where it is.
+    /// Halves the edges of triangles whose label is `wanted`, until no edge is longer than `longest` allows at its
+    /// middle. A closed mesh stays closed, and the surface stays where it is.
     pub fn refine(&mut self, wanted: impl Fn(u32) -> bool, longest: impl Fn(Vec3) -> f64) {
         loop {
             let mut middles: HashMap<(u32, u32), u32> = HashMap::new();
@@ -33,7 +33,7 @@ impl Mesh {
                     }
                 }
             }
-            // Each of them makes two triangles more, on a surface that is closed.
+            // On a closed surface each halved edge makes two more triangles.
             if middles.is_empty() || self.triangles.len() + 2 * middles.len() > MAX_TRIANGLES {
                 return;
             }
@@ -53,7 +53,7 @@ impl Mesh {
         let labels = std::mem::take(&mut self.labels);
         for (t, label) in triangles.into_iter().zip(labels) {
             let middle = |a: u32, b: u32| middles.get(&(a.min(b), a.max(b))).copied();
-            // Turned so that the edges that are split come first.
+            // The corners are rotated until the edges that are split come first.
             let turns = [t, [t[1], t[2], t[0]], [t[2], t[0], t[1]]];
             let split = |[a, b, c]: [u32; 3]| [middle(a, b), middle(b, c), middle(c, a)];
             let made = turns.into_iter().find_map(|t| {

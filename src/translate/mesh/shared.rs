@@ -1,4 +1,5 @@
-//! Pieces that show one surface in one place: what is made of a shape, beside the shape itself.
+//! Surfaces in one place: pieces that show the same surface of the same shape, as a shape and an object cut from it
+//! do.
 
 use std::collections::HashMap;
 
@@ -12,8 +13,8 @@ use crate::scene::{Geometry, Scene};
 use crate::trace::graph::Graph;
 
 impl Parts {
-    /// For each piece, the number of the group of solids that hang together by surfaces in one place;
-    /// `None` for one that has its surfaces for itself.
+    /// For each piece, the number of its group of solids, which are connected by surfaces in one place; `None` for a
+    /// piece that shares no surface.
     pub fn sharing(&self) -> Vec<Option<u32>> {
         let mut sets = UnionFind::new(self.pieces.len());
         let mut shares = vec![false; self.pieces.len()];
@@ -32,8 +33,9 @@ impl Parts {
             .collect()
     }
 
-    /// The number of surfaces that solids have in one place and are seen from both sides, since some
-    /// of these solids are seen into; their triangles may differ. Balls may be turned in their place.
+    /// The number of surfaces that two solids have in one place and that are seen from both sides, since one of the
+    /// solids is `seen_into`. The triangles of the two may differ. A ball that is rotated about its centre is in one
+    /// place with itself.
     pub fn clashes(
         &self,
         scene: &Scene,
@@ -55,7 +57,8 @@ impl Parts {
         clashes
     }
 
-    /// The skins of the surfaces of a solid that belong to shapes, and these.
+    /// The skins that a solid shows and that belong to shapes, each with the index of its primitive. Empty for a
+    /// surface.
     fn shown(&self, piece: &MeshPart) -> impl Iterator<Item = (&SurfaceLabel, u32)> {
         let mut labels = match piece.surface {
             true => Vec::new(),
@@ -73,7 +76,8 @@ impl Parts {
     }
 }
 
-/// The place of a shape to six digits: the same where matrices differ by roundings, and for balls that are turned.
+/// The place of a shape to six digits: the same where matrices differ by roundings, and for a ball that is rotated
+/// about its centre.
 fn round_place(geometry: &Geometry, matrix: &Matrix) -> [i64; 12] {
     let mut matrix = *matrix;
     if let Geometry::Sphere { centre, .. } = geometry

@@ -2,11 +2,11 @@
 
 use crate::geometry::array::{cross, dot};
 
-/// The bytes at the start of a file that are for people. Files that begin with "solid" are taken for text.
+/// The start of a file, for people to read. It must not begin with "solid": such files are taken for text.
 const HEADER: &[u8] = b"made by zpg; lengths as in the scene, y is up";
 const HEADER_BYTES: usize = 80;
 
-/// A triangle takes its normal, three points and two bytes that mean nothing.
+/// The bytes of a triangle: its normal, three points, and two bytes without a meaning.
 const TRIANGLE_BYTES: usize = 50;
 
 /// The bytes of the file. A triangle that rounding has left without an area has the normal 0, which readers take for
@@ -15,7 +15,7 @@ pub(super) fn write(places: &[[f32; 3]], triangles: &[[u32; 3]]) -> Vec<u8> {
     let mut out = Vec::with_capacity(HEADER_BYTES + 4 + TRIANGLE_BYTES * triangles.len());
     out.extend_from_slice(HEADER);
     out.resize(HEADER_BYTES, 0);
-    // There are fewer triangles than would not fit: see the budget.
+    // The budget allows fewer triangles than a `u32` can count.
     out.extend_from_slice(&(triangles.len() as u32).to_le_bytes());
     for triangle in triangles {
         let corners = triangle.map(|point| places[point as usize]);
@@ -27,7 +27,8 @@ pub(super) fn write(places: &[[f32; 3]], triangles: &[[u32; 3]]) -> Vec<u8> {
     out
 }
 
-/// The unit normal of a triangle, to the side from which its corners go round counter-clockwise.
+/// The unit normal of a triangle, on the side from which its corners run counter-clockwise; 0 for a triangle without
+/// area.
 fn normal([a, b, c]: [[f32; 3]; 3]) -> [f32; 3] {
     let edge = |p: [f32; 3]| [0, 1, 2].map(|k| f64::from(p[k]) - f64::from(a[k]));
     let normal = cross(edge(b), edge(c));

@@ -7,14 +7,15 @@ use crate::scene::{DEFAULT_COLOUR, Rgb, Texture, Vec3};
 use crate::trace::graph::{Coat, Graph, Part};
 use crate::trace::shapes::{Located, Primitive, Roots};
 
-/// Cosines of angles up to which faces face the same way: that of a triangle and the face that it stands for,
-/// and of triangles that are as large as they may be.
+/// The least cosines of the angle between a triangle and the face of the true surface that it stands for: the first
+/// is for most triangles; the second, tried if no face meets the first, is for triangles that are as large as they
+/// may be.
 const SAME_FACING_COSINES: [f64; 2] = [0.9, 0.5];
 
-/// Most faces near a point that are looked at.
+/// The most faces near a point that are looked at.
 const MAX_FACES_EXAMINED: usize = 8;
 
-/// A texture, and the matrix from the coordinates it was given in to those at hand.
+/// A texture, and the map from the coordinates in which it was given to the label's present coordinates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Texturing {
     pub texture: u32,
@@ -24,24 +25,25 @@ pub struct Texturing {
 /// The properties of the triangles of one label.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceLabel {
-    /// Index into [`Graph::primitives`]; `None` where the region ends.
+    /// Index into [`Graph::primitives`]; `None` for a cap, where the region ends.
     pub primitive: Option<u32>,
-    /// The map from the shape's coordinates to those at hand.
+    /// The map from the shape's coordinates to the label's present coordinates.
     pub matrix: Box<Matrix>,
     pub texture: Option<Box<Texturing>>,
-    /// Index into [`Graph::optics`], if it was given one; so with the index.
+    /// Index into [`Graph::optics`], if the surface was given optics.
     pub optics: Option<u32>,
+    /// Index into [`Graph::indices`], if the surface was given a refractive index.
     pub index: Option<u32>,
-    /// The entity whose record made the surface; 0 where none did.
+    /// The ID of the entity whose record made the surface; 0 where none did.
     pub shape: u32,
-    /// The outermost entity that was given properties; 0 where there is none.
+    /// The ID of the outermost entity that was given properties; 0 where there is none.
     pub owner: u32,
     /// Whether a tool made the face: it does not show the tool's own colours.
     pub cut: bool,
 }
 
 impl SurfaceLabel {
-    /// The surface of a part that is a shape.
+    /// The label for the surface of a part that is a shape, placed by `m`.
     pub fn new(part: &Part, primitive: u32, m: &Matrix, graph: &Graph) -> SurfaceLabel {
         let coat = &graph.paints[part.paint as usize];
         SurfaceLabel {
@@ -56,7 +58,7 @@ impl SurfaceLabel {
         }
     }
 
-    /// A face where the region cuts something, which looks like its inside.
+    /// The label for the faces where the region cuts a solid: they look like its inside.
     pub fn cap(inside: Option<&SurfaceLabel>) -> SurfaceLabel {
         let like = inside.cloned().unwrap_or(SurfaceLabel {
             primitive: None,
@@ -76,7 +78,7 @@ impl SurfaceLabel {
         }
     }
 
-    /// The label seen from the object that a part places, with what is painted over the surface.
+    /// The label in the object above, where a part places it by `m` and `over` is painted over the surface.
     pub fn placed(mut self, m: &Matrix, over: &Coat, graph: &Graph, owner: u32) -> SurfaceLabel {
         *self.matrix = m.after(&self.matrix);
         self.texture = texturing(over, graph).or_else(|| {
@@ -92,7 +94,7 @@ impl SurfaceLabel {
         self
     }
 
-    /// A tool's face on what it was taken away from.
+    /// The label of a tool's face on a solid that it cuts: the face has the properties of `inside`.
     pub fn cut_into(&self, inside: &SurfaceLabel) -> SurfaceLabel {
         SurfaceLabel {
             primitive: self.primitive,
@@ -104,17 +106,17 @@ impl SurfaceLabel {
         }
     }
 
-    /// The same for surfaces of one shape in one place.
+    /// The bits of the matrix, equal for surfaces of one shape in one place.
     pub fn place(&self) -> [u64; 16] {
         let mut place = [0; 16];
         for (bits, x) in place.iter_mut().zip(self.matrix.0.iter().flatten()) {
-            // Adding zero makes one of the two zeros.
+            // Adding zero turns −0 into 0.
             *bits = (x + 0.0).to_bits();
         }
         place
     }
 
-    /// The entity whose properties apply.
+    /// The ID of the entity whose properties apply.
     pub fn object(&self) -> u32 {
         if self.owner != 0 {
             self.owner
@@ -123,7 +125,7 @@ impl SurfaceLabel {
         }
     }
 
-    /// The colour if it is the same everywhere.
+    /// The colour if it is the same everywhere; `None` if it varies.
     pub fn plain_colour(&self, graph: &Graph) -> Option<Rgb> {
         match &self.texture {
             Some(t) => match &graph.textures[t.texture as usize] {
@@ -142,7 +144,7 @@ impl SurfaceLabel {
         }
     }
 
-    /// The colour of a point on or near the surface, looked for along a normal of its.
+    /// The colour of the true surface at or near `point`, looked for along `normal`.
     pub fn colour(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Rgb {
         if let Some(colour) = self.plain_colour(graph) {
             return colour;
@@ -172,14 +174,15 @@ impl SurfaceLabel {
         }
     }
 
-    /// The surface coordinates of a point on or near the surface, looked for along a normal of its.
+    /// The surface coordinates of the true surface at or near `point`, looked for along `normal`; `None` if it is not
+    /// met.
     pub fn uv(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Option<[f64; 2]> {
         let (primitive, located, face) = self.locate(graph, point, normal)?;
         let shape = graph.primitives[primitive as usize].shape();
         Some(shape.uv(located.point, face)).filter(|uv| uv.iter().all(|x| x.is_finite()))
     }
 
-    /// Whether each of the surface coordinates goes round from 1 to 0.
+    /// For each of the two surface coordinates, whether it goes round the surface and jumps from 1 to 0.
     pub fn turns(&self, graph: &Graph) -> [bool; 2] {
         match self.primitive.map(|p| &graph.primitives[p as usize]) {
             Some(Primitive::Torus(_)) => [true, true],
@@ -195,15 +198,15 @@ impl SurfaceLabel {
         }
     }
 
-    /// The unit normal that light is reckoned with at a point on or near the surface, on the side of
-    /// `normal`, along which it is looked for.
+    /// The unit normal for shading at or near `point`, on the side of `normal`. The true surface is looked for along
+    /// `normal`; `None` if it is not met.
     pub fn shading_normal(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Option<Vec3> {
         let back = self.matrix.inverse()?;
         let (primitive, located, face) = self.locate(graph, point, normal)?;
         let shape = graph.primitives[primitive as usize].shape();
         let shading = shape.shading_normal(located.point, face);
         let local = shading.unwrap_or(located.normal).0;
-        // Normals turn by the transpose of the inverse.
+        // Normals are mapped by the transpose of the inverse.
         let n: Vec3 = std::array::from_fn(|i| (0..3).map(|k| back.0[k][i] * local[k]).sum());
         let length = length(n);
         let length = if dot(n, normal) < 0.0 {
@@ -215,8 +218,9 @@ impl SurfaceLabel {
         n.iter().all(|x| x.is_finite()).then_some(n)
     }
 
-    /// The point of the true surface next to one, in the shape's coordinates, and its face: one that faces as
-    /// `normal` does, if there is any. Near an edge another face may be nearer.
+    /// The point of the true surface nearest to `point` on the line along `normal`, in the shape's coordinates, with
+    /// its primitive and its face. A face that faces as `normal` does is preferred, since near an edge another face
+    /// may be nearer.
     fn locate(&self, graph: &Graph, point: Vec3, normal: Vec3) -> Option<(u32, Located<f64>, u32)> {
         let primitive = self.primitive?;
         let m = &self.matrix.0;

@@ -1,4 +1,4 @@
-//! Meshes: files of their own, named after the scene.
+//! Translation into mesh formats. A mesh is written to files that are named after the scene.
 
 use std::borrow::Cow;
 use std::ffi::OsString;
@@ -17,7 +17,7 @@ use crate::translate::names::Names;
 use crate::translate::plain::plain;
 use crate::translate::target::{self, Output, OutputKind, Prepared, Target};
 
-/// The kinds of files there are for meshes.
+/// The mesh file formats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     Ply,
@@ -106,7 +106,7 @@ impl Target for Format {
                         .to_string_lossy()
                         .into_owned()
                 };
-                // In the text, names end at spaces.
+                // In an OBJ file a name ends at a space, so the stem must not contain one.
                 let stem = plain(&path.file_stem().unwrap_or_default().to_string_lossy());
                 let library = path.with_file_name(format!("{stem}.mtl"));
                 let picture = |number: u32| path.with_file_name(file_name(&stem, number));
@@ -131,8 +131,8 @@ impl Target for Format {
     }
 }
 
-/// Where to write: where it was said, else beside nobody, in the current folder; `None` for a scene
-/// without a name.
+/// The path of the output file: `said` if it is given, else the scene's name with `extension`, in the current folder.
+/// `None` for a scene without a name.
 fn destination(scene: &Path, said: Option<&Path>, extension: &str) -> Option<PathBuf> {
     if let Some(said) = said {
         return Some(said.to_owned());

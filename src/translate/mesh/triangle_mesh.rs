@@ -7,7 +7,8 @@ use crate::geometry::array::{cross, dot, sub};
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
 
-/// Triangles, counter-clockwise as seen from outside, each with the number of what it shows.
+/// Triangles with shared points. Corners run counter-clockwise as seen from outside. Each triangle has a label: a
+/// number that stands for what the triangle shows.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mesh {
     pub points: Vec<Vec3>,
@@ -22,13 +23,13 @@ impl Mesh {
         self.triangles.is_empty()
     }
 
-    /// Adds a point and says its number.
+    /// Adds a point and returns its index.
     pub fn point(&mut self, p: Vec3) -> u32 {
         self.points.push(p);
         self.points.len() as u32 - 1
     }
 
-    /// Adds a triangle labelled 0; one with two corners in one point is no triangle.
+    /// Adds a triangle labelled 0. Does nothing if two of the corners are the same point.
     pub fn triangle(&mut self, corners: [u32; 3]) {
         let [a, b, c] = corners;
         if a != b && b != c && c != a {
@@ -57,13 +58,13 @@ impl Mesh {
         out
     }
 
-    /// The volume that a closed mesh surrounds, negative where it is inside out.
+    /// The volume that a closed mesh surrounds; negative if the mesh is inside out.
     pub fn volume(&self) -> f64 {
         let bounds = self.bounds();
         if bounds.is_empty() {
             return 0.0;
         }
-        // From a point close by: what cancels is small then.
+        // Volumes are reckoned from the mesh's centre: far from the origin, large terms would cancel and lose digits.
         let from = bounds.centre();
         let six: f64 = (0..self.triangles.len())
             .map(|t| {
@@ -74,7 +75,7 @@ impl Mesh {
         six / 6.0
     }
 
-    /// Moves all points; a map that mirrors turns the triangles round, so that outside stays outside.
+    /// Maps all points. If the map mirrors, all triangles are reversed as well, so that their outsides stay outside.
     pub fn transform(&mut self, m: &Matrix) {
         for p in &mut self.points {
             *p = m.point(*p);
@@ -84,7 +85,7 @@ impl Mesh {
         }
     }
 
-    /// Turns inside out.
+    /// Reverses all triangles, so that inside and outside are exchanged.
     pub fn flip(&mut self) {
         for t in &mut self.triangles {
             t.swap(1, 2);
@@ -125,14 +126,14 @@ impl Mesh {
         out
     }
 
-    /// Leaves out connected parts whose volume is less than a layer this thick under their surface.
+    /// Drops connected parts whose volume is less than `thickness` times their surface area.
     pub fn drop_thin(&mut self, thickness: f64) {
         let mut sets = UnionFind::new(self.points.len());
         for &[a, b, c] in &self.triangles {
             sets.join(a, b);
             sets.join(b, c);
         }
-        // Volume, seen from the first point of each part, and area.
+        // For each part its first point, its volume (reckoned from that point) and its area.
         let mut sizes: HashMap<u32, (Vec3, f64, f64)> = HashMap::new();
         for (t, corners) in self.triangles.iter().enumerate() {
             let [a, b, c] = self.corners(t);

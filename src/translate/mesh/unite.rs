@@ -1,4 +1,4 @@
-//! The union of many solids: what lies apart is left alone, the rest is joined two by two, neighbours
+//! The union of many solids. Solids that lie apart are left alone; the others are joined two by two, neighbours
 //! first.
 
 use std::ops::ControlFlow;
@@ -15,22 +15,23 @@ use crate::parallel;
 #[derive(Debug, Default)]
 pub(super) struct Union {
     pub meshes: Vec<(Aabb, Mesh)>,
-    /// How many times two that overlap could not be joined and are both there.
+    /// The number of overlapping pairs that could not be joined; both meshes are there, then.
     pub failures: u64,
 }
 
 impl Union {
-    /// Joins closed meshes. The order matters only to faces in one place: those of the first are kept.
+    /// Joins closed meshes. The order of the meshes matters only where faces are in one place: the first mesh's faces
+    /// are kept.
     ///
     /// # Errors
-    /// Too many overlap.
+    /// Too many meshes overlap.
     pub(super) fn of(meshes: Vec<Mesh>, budget: &mut Budget) -> Result<Union, Crowd> {
         let boxes: Vec<Aabb> = meshes.iter().map(Mesh::bounds).collect();
         let components = OverlapComponents::of(&boxes);
         let mut meshes: Vec<Option<Mesh>> = meshes.into_iter().map(Some).collect();
         let mut groups: Vec<Vec<Member>> = Vec::new();
         groups.resize_with(components.count, Vec::new);
-        // In the order of the tree, in which neighbours are near each other.
+        // The tree's order puts neighbours near each other, also within a group.
         for &i in &components.tree.items {
             let Some(mesh) = meshes[i as usize].take().filter(|m| !m.is_empty()) else {
                 continue;
@@ -91,7 +92,7 @@ impl Union {
     }
 }
 
-/// Joins neighbours two by two; also how often that failed.
+/// Joins neighbours two by two. Returns what was made, and how often joining failed.
 fn round(group: Vec<Member>) -> (Vec<Member>, u64) {
     let mut pairs = Vec::with_capacity(group.len().div_ceil(2));
     let mut rest = group.into_iter();
@@ -106,15 +107,15 @@ fn round(group: Vec<Member>) -> (Vec<Member>, u64) {
     (made.into_iter().map(|(m, _)| m).collect(), failures)
 }
 
-/// Blocks of a sample.
+/// The number of blocks in a sample of a group.
 const SAMPLE_BLOCKS: usize = 16;
-/// Neighbours of a block.
+/// The number of members in a block: neighbours in the group.
 const MEMBERS_PER_BLOCK: usize = 16;
-/// Least members of a group of which a sample shows what will become of it.
+/// The least number of members of a group that is sampled before it is joined.
 const MIN_MEMBERS_TO_SAMPLE: usize = 4 * SAMPLE_BLOCKS * MEMBERS_PER_BLOCK;
 
-/// The share of its triangles that each of the first rounds will leave of a group; nothing for a small one, whose first
-/// round is done as soon.
+/// Estimates which share of a group's triangles each of the first rounds will leave, from a sample. Empty for a small
+/// group, whose first round takes no longer than a sample.
 fn trial(group: &[Member]) -> Vec<f64> {
     if group.len() < MIN_MEMBERS_TO_SAMPLE {
         return Vec::new();
@@ -139,7 +140,7 @@ fn trial(group: &[Member]) -> Vec<f64> {
 /// A mesh to be joined with others.
 #[derive(Clone)]
 struct Member {
-    /// The least number of the meshes in the member.
+    /// The smallest index of the meshes that were joined into the member.
     first: u32,
     bounds: Aabb,
     mesh: Mesh,
@@ -150,8 +151,8 @@ impl Member {
         self.mesh.triangles.len()
     }
 
-    /// Unites two members; tells whether they could be joined where they overlap. Of faces in one place those of the first
-    /// are kept.
+    /// Joins two members. The flag is false if they overlap and could not be joined: then the new member holds both
+    /// meshes. Where faces are in one place, those of the member with the smaller `first` are kept.
     fn with(self, other: Member) -> (Member, bool) {
         let (a, b) = match self.first < other.first {
             true => (self, other),
@@ -196,8 +197,8 @@ pub(super) fn overlapping(boxes: &[Aabb]) -> Vec<bool> {
     boxes.iter().enumerate().map(overlaps).collect()
 }
 
-/// The pairs of boxes that overlap and are wanted, in order: the second number larger, the pairs by
-/// the larger and then the smaller; `None` if there are too many.
+/// The pairs of boxes that overlap and are `wanted`. The second index of a pair is larger; the pairs are sorted by
+/// the second index, then by the first. `None` if there are more than `most`.
 pub(super) fn pairs(
     boxes: &[Aabb],
     most: usize,

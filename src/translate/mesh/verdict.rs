@@ -6,12 +6,12 @@ use crate::diagnostics::{Complaint, Value};
 use crate::syntax::table::RecordKind;
 use crate::translate::{Effect, Feature, FeatureSupport, Fidelity, Report};
 
-/// Off by no more than the tolerance.
+/// The message that something is off by no more than the tolerance.
 pub fn within(tolerance: f64) -> Complaint {
     Complaint::new("fidelity-within").with("tolerance", Value::Decimal(format!("{tolerance:.3e}")))
 }
 
-/// How far triangles are from what they stand for at most.
+/// The largest distances of triangles from the surfaces that they stand for.
 #[derive(Clone, Copy)]
 pub(super) struct Bounds {
     /// The distance of the triangles as they are made.
@@ -21,12 +21,12 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
-    /// Whether what the numbers add is more than what was asked for.
+    /// Whether the file's numbers add a larger error than the tolerance.
     fn is_coarse(self) -> bool {
         self.off > self.tolerance
     }
 
-    /// Names that if it is so.
+    /// Adds a note to the report if the file's numbers are coarse.
     pub(super) fn account(self, target: &str, report: &mut Report) {
         if !self.is_coarse() {
             return;

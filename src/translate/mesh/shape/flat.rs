@@ -31,8 +31,8 @@ pub fn cuboid(min: Vec3, max: Vec3) -> Mesh {
     mesh
 }
 
-/// The part of ax + by + cz + d ≤ 0 near a region, as a box that stands on the plane; `None` where
-/// the plane passes the region, and whether the region lies inside of the half-space then.
+/// The part of ax + by + cz + d ≤ 0 near a region, as a box that stands on the plane. `Err` if the plane misses the
+/// region: then the flag says whether the region lies in the half-space.
 pub fn half_space([a, b, c, d]: [f64; 4], region: &Aabb) -> Result<Mesh, bool> {
     let largest = a.abs().max(b.abs()).max(c.abs());
     if largest == 0.0 {
@@ -55,8 +55,8 @@ pub fn half_space([a, b, c, d]: [f64; 4], region: &Aabb) -> Result<Mesh, bool> {
     Ok(slab(&face, n.map(|x| -2.0 * reach * x), true))
 }
 
-/// A flat convex face drawn out: the face first, seen against the direction it is drawn. With
-/// `all`, everything is labelled 0; without, all but the face is labelled [`super::DROPPED`].
+/// A flat convex face, extruded by `by`; the face is seen against that direction. Its triangles come first. With
+/// `all`, every triangle is labelled 0; without, all but the face's are labelled [`super::DROPPED`].
 pub fn slab(face: &[Vec3], by: Vec3, all: bool) -> Mesh {
     let mut mesh = Mesh::default();
     let n = face.len() as u32;
@@ -83,18 +83,18 @@ pub fn slab(face: &[Vec3], by: Vec3, all: bool) -> Mesh {
     mesh
 }
 
-/// A flat surface as a slab behind it, so that it can be cut like a solid.
+/// A flat surface as a slab behind it, so that it can be cut like a solid. `None` for a face without area.
 pub fn surface(face: &[Vec3]) -> Option<Mesh> {
     let [a, b, c] = [face.first()?, face.get(1)?, face.get(2)?];
     let (e, f) = (sub(*b, *a), sub(*c, *a));
     let n = cross(e, f);
     let length = length(n);
     let size = dot(e, e).max(dot(f, f)).sqrt();
-    // What has no area, but for the rounding of the cross product, shows nothing.
+    // A face whose area is only a rounding of the cross product shows nothing.
     (length > 1e-12 * size * size).then(|| slab(face, n.map(|x| -x / length * size / 8.0), false))
 }
 
-/// A unit vector at right angles to two.
+/// A unit vector at right angles to `a` and `b`.
 pub fn normal_to(a: Vec3, b: Vec3) -> Vec3 {
     unit(cross(unit(a), unit(b)))
 }

@@ -16,15 +16,15 @@ use crate::syntax::table::ShapeKind;
 use std::f64::consts::TAU;
 use turned::{Profile, sides, turned};
 
-/// The label of triangles that are there only to close what is cut, and are not part of the result.
+/// The label of triangles that only close a mesh so that it can be cut, and are not part of the result.
 pub const DROPPED: u32 = u32::MAX;
 
 /// A solid as meshes.
 #[derive(Debug)]
 pub struct Solid {
-    /// Closed and apart from each other but for single points.
+    /// Closed meshes that lie apart from each other, or touch in single points.
     pub meshes: Vec<Mesh>,
-    /// Whether the space outside of the meshes is meant.
+    /// Whether the solid is the space outside of the meshes.
     pub outside: bool,
     /// Whether the meshes are all of the shape: the region cut nothing off.
     pub bounded: bool,
@@ -56,9 +56,9 @@ impl Solid {
     }
 }
 
-/// Makes a shape of triangles that are nowhere farther from its surface than `tolerance`. Shapes
-/// without end reach beyond `region`, a finite box. A surface becomes a slab behind it, all labelled
-/// [`DROPPED`] but the surface itself.
+/// Approximates a shape by triangles that are nowhere farther from its surface than `tolerance`. Shapes without end
+/// reach beyond `region`, a finite box. A surface becomes a slab behind it; all triangles but those of the surface
+/// itself are labelled [`DROPPED`].
 pub fn tessellate(
     geometry: &Geometry,
     tolerance: f64,
@@ -92,7 +92,7 @@ pub fn tessellate(
             Ok(Solid::of(flat::cuboid(min, max)))
         }
         Geometry::Torus { major, minor } => {
-            // However thin a wire is, it is round.
+            // The tube of a thin torus is made finer than the tolerance, so that it is still round.
             let half = (tolerance / 2.0).min(minor / 20.0);
             let around = sides(major + minor, half);
             let n = sides(minor, half);
@@ -183,8 +183,8 @@ pub fn tessellate(
     }
 }
 
-/// Whether triangles are all that a shape is; those of the others keep within the tolerance, or end where the
-/// region does.
+/// Whether a shape consists of flat faces with an end, so that triangles are exact. Other shapes keep within the
+/// tolerance, or end where the region does.
 pub fn is_faceted(kind: ShapeKind) -> bool {
     match kind {
         ShapeKind::Rectangle
@@ -233,7 +233,7 @@ fn ball(
     Ok(Solid::of(mesh))
 }
 
-/// Turns profiles with straight edges.
+/// Turns profiles with straight edges about the y axis.
 fn lathe(profiles: Vec<Profile>, tolerance: f64, budget: &mut Budget) -> Result<Solid, TooMany> {
     let radii = profiles.iter().flat_map(|p| &p.points).map(|p| p[0]);
     let n = sides(radii.fold(0.0, f64::max), tolerance);
@@ -245,15 +245,15 @@ fn lathe(profiles: Vec<Profile>, tolerance: f64, budget: &mut Budget) -> Result<
     })
 }
 
-/// The tube of a torus with n sides; one that reaches over the axis leaves out the lemon in its
-/// middle, by the even-odd rule.
+/// The profiles of a torus whose tube has `n` sides. A tube that reaches over the axis has a second profile: the
+/// lemon in its middle, which is left out by the even-odd rule.
 fn ring_profiles(major: f64, minor: f64, n: usize) -> Vec<Profile> {
     let at = |a: f64| [major + minor * a.cos(), minor * a.sin()];
     if minor < major {
         let points = (0..n).map(|k| at(TAU * k as f64 / n as f64)).collect();
         return vec![Profile { points, ring: true }];
     }
-    // Where the circle meets the axis.
+    // The angle at which the circle meets the axis.
     let meets = (-major / minor).acos();
     let height = (minor * minor - major * major).max(0.0).sqrt();
     let arc = |from: f64, to: f64| {

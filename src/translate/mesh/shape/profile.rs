@@ -1,4 +1,4 @@
-//! Profiles as they are written, made into simple ones: what they surround by the even-odd rule.
+//! Profiles as scenes give them, made into simple ones: the boundaries of what they surround by the even-odd rule.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -6,11 +6,12 @@ use super::turned::Profile;
 
 type Point = [f64; 2];
 
-/// Distance of points that are one, as a part of their numbers: what a few roundings may do.
+/// Points are the same if their coordinates differ by no more than this share of the largest one: what a few
+/// roundings may do.
 const POINT_REL_EPS: f64 = 1e-14;
 
-/// The boundary of what a profile (radius, height) surrounds when it is closed over the axis, or by
-/// itself where its last point is its first.
+/// The boundary of what a profile of points (radius, height) surrounds. The profile is closed over the axis, unless
+/// its last point is its first.
 pub(super) fn simple(written: &[Point]) -> Vec<Profile> {
     let mut around: Vec<Point> = written.to_vec();
     if written.first() == written.last() {
@@ -19,7 +20,7 @@ pub(super) fn simple(written: &[Point]) -> Vec<Profile> {
         around.insert(0, [0.0, first[1]]);
         around.push([0.0, last[1]]);
     }
-    // Adding zero makes one of the two zeros.
+    // Adding zero turns −0 into 0.
     for p in around.iter_mut().flatten() {
         *p += 0.0;
     }
@@ -46,7 +47,7 @@ pub(super) fn simple(written: &[Point]) -> Vec<Profile> {
     loops.iter().flat_map(|l| off_the_axis(l)).collect()
 }
 
-/// Heights in slices, and which edges are in each.
+/// Equal slices of the heights, and the indices of the edges in each slice.
 struct Slices {
     low: f64,
     height: f64,
@@ -83,7 +84,7 @@ impl Slices {
     }
 }
 
-/// The meetings of an edge with another: shares of the first at which it has to be split, and the places.
+/// The points where edge `e` has to be split because it meets edge `f`, each with its share of the way along `e`.
 fn meet(e: &[Point; 2], f: &[Point; 2]) -> Vec<(f64, Point)> {
     let [p, q] = *e;
     let d = [q[0] - p[0], q[1] - p[1]];
@@ -92,16 +93,17 @@ fn meet(e: &[Point; 2], f: &[Point; 2]) -> Vec<(f64, Point)> {
     let share = |x: Point| ((x[0] - p[0]) * d[0] + (x[1] - p[1]) * d[1]) / length;
     let (a, b) = (side(f[0]), side(f[1]));
     let mut out = Vec::new();
-    // Ends of the other that lie on this one.
+    // Ends of `f` that lie on `e`.
     for (s, x) in [(a, f[0]), (b, f[1])] {
         if s == 0.0 && (0.0..1.0).contains(&share(x)) && x != p && x != q {
             out.push((share(x), x));
         }
     }
     let apart = |a: f64, b: f64| a != 0.0 && b != 0.0 && (a > 0.0) != (b > 0.0);
-    // Where it only touches the other one, that has to be split.
+    // If an end of `e` only touches `f`, then `f` has to be split instead.
     if apart(a, b) && apart(side_of(f, p), side_of(f, q)) {
-        // The same numbers whichever edge asks: the first in order is the one that is walked.
+        // Both edges must get the same numbers, so the edge that is first in order is the first argument, whichever
+        // edge asks.
         let (first, second) = if bits(e) <= bits(f) { (e, f) } else { (f, e) };
         let at = crossing(first, second);
         if let Some(at) = at
@@ -114,7 +116,7 @@ fn meet(e: &[Point; 2], f: &[Point; 2]) -> Vec<(f64, Point)> {
     out
 }
 
-/// The side of an edge that a point is on: zero on it.
+/// The side of an edge that a point is on: positive to the left, negative to the right, zero on its line.
 fn side_of([p, q]: &[Point; 2], x: Point) -> f64 {
     (q[0] - p[0]) * (x[1] - p[1]) - (q[1] - p[1]) * (x[0] - p[0])
 }
@@ -123,7 +125,8 @@ fn bits(e: &[Point; 2]) -> [u64; 4] {
     [e[0][0], e[0][1], e[1][0], e[1][1]].map(f64::to_bits)
 }
 
-/// The crossing of two edges: at an end of one of them where it is that but for rounding.
+/// The crossing of two edges; an end of one of them if the crossing is there up to rounding. `None` if they do not
+/// cross.
 fn crossing([p, q]: &[Point; 2], [r, s]: &[Point; 2]) -> Option<Point> {
     let d = [q[0] - p[0], q[1] - p[1]];
     let e = [s[0] - r[0], s[1] - r[1]];
@@ -144,7 +147,7 @@ fn crossing([p, q]: &[Point; 2], [r, s]: &[Point; 2]) -> Option<Point> {
     within.then(|| end.unwrap_or(at))
 }
 
-/// Whether no edge meets another but at the point after it, and no point is there twice.
+/// Whether edges meet only where one follows the other, and no point is there twice.
 fn is_simple(edges: &[[Point; 2]]) -> bool {
     let mut seen = HashSet::with_capacity(edges.len());
     if !edges.iter().all(|e| seen.insert(e[0].map(f64::to_bits))) {
@@ -163,7 +166,7 @@ fn is_simple(edges: &[[Point; 2]]) -> bool {
     })
 }
 
-/// The edges cut where they meet. What is there twice bounds nothing.
+/// The edges, cut where they meet. An edge that is there an even number of times bounds nothing and is left out.
 fn split(edges: &[[Point; 2]]) -> Vec<[Point; 2]> {
     let slices = Slices::of(edges);
     let mut count: BTreeMap<[u64; 4], ([Point; 2], u32)> = BTreeMap::new();
@@ -221,7 +224,7 @@ fn oriented(edges: Vec<[Point; 2]>) -> Vec<[Point; 2]> {
             let others = near.iter().filter(|&&j| j as usize != i);
             others.filter(|&&j| beyond(edges[j as usize])).count()
         };
-        // An odd number: inside lies right of it, or above it.
+        // If the number is odd, the inside lies to the right of the edge, or above it.
         let inside_beyond = count % 2 == 1;
         let keep = if level {
             // Left of an edge that leads to the right is above it.
@@ -235,7 +238,8 @@ fn oriented(edges: Vec<[Point; 2]>) -> Vec<[Point; 2]> {
     out
 }
 
-/// Strings edges together: where several leave a point, the one that the inside reaches first.
+/// Links edges into loops. If several edges leave a point, a loop goes on with the first one clockwise from the edge
+/// that it came by: the inside lies on that side.
 fn loops(edges: Vec<[Point; 2]>) -> Vec<Vec<Point>> {
     let key = |p: Point| p.map(f64::to_bits);
     let mut from: HashMap<[u64; 2], Vec<u32>> = HashMap::new();
@@ -273,7 +277,7 @@ fn loops(edges: Vec<[Point; 2]>) -> Vec<Vec<Point>> {
     out
 }
 
-/// The parts of a loop that are surface: those that do not run along the axis.
+/// The parts of a loop that become a surface: those that do not run along the axis.
 fn off_the_axis(around: &[Point]) -> Vec<Profile> {
     let n = around.len();
     let Some(start) = around.iter().position(|p| p[0] == 0.0) else {

@@ -1,5 +1,5 @@
-//! Surfaces of second degree: brought to their axes, where each is a profile turned or drawn out, a
-//! ball, a saddle or less.
+//! Surfaces of second degree. Each is brought to its principal axes, where it is a profile turned or extruded, a
+//! ball, a saddle, a half-space, all of space or nothing.
 
 use super::super::budget::{Budget, TooMany};
 use super::super::triangle_mesh::Mesh;
@@ -7,7 +7,7 @@ use super::turned::{Profile, drawn_out, flattened, sides, turned};
 use super::{Solid, sphere};
 use crate::geometry::{Aabb, Matrix};
 
-/// The curve that bounds a profile: radius by height.
+/// The curve that bounds a profile, as a condition on the radius ρ at the height y.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Curve {
     /// ρ ≤ 1.
@@ -28,9 +28,9 @@ enum CanonicalQuadric {
     Everything,
     /// |x| ≤ 1.
     Ball,
-    /// The profile about y.
+    /// The profile, turned about the y axis.
     Turned(Curve),
-    /// The profile between −x and x, along z.
+    /// The profile between x = −ρ and x = ρ, extruded along z.
     DrawnOut(Curve),
     /// x² − z² ≤ y.
     Saddle,
@@ -38,18 +38,18 @@ enum CanonicalQuadric {
     HalfSpace,
 }
 
-/// A quadric on its axes.
+/// A quadric brought to its principal axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Canonical {
     form: CanonicalQuadric,
-    /// Whether the space outside of the form is meant.
+    /// Whether the solid is the space outside of the form.
     outside: bool,
     /// The map from the coordinates of the form to those of the quadric.
     out: Matrix,
 }
 
-/// Values below this part of what they were computed from are taken for zero: some hundreds of
-/// roundings, as many as the eigenvalues and the products of matrices take.
+/// Values below this share of the numbers that they were computed from are taken for zero: some hundreds of
+/// roundings, as many as eigenvalues and products of matrices take.
 const ROUNDING: f64 = 1e-13;
 
 /// The solid xᵀQx ≤ 0 as far as the region reaches.
@@ -64,7 +64,7 @@ pub(super) fn quadric(
         return Ok(Solid::nothing());
     };
     let near = region.transformed(&back);
-    // Beyond the region, so that no face of what is made lies in one of its own.
+    // The solid is made beyond the region, so that none of its faces lies in a face of the region.
     let pad: [f64; 3] = std::array::from_fn(|i| 0.05 * (near.max[i] - near.min[i]));
     let low: [f64; 3] = std::array::from_fn(|i| near.min[i] - pad[i]);
     let high: [f64; 3] = std::array::from_fn(|i| near.max[i] + pad[i]);
@@ -124,7 +124,7 @@ pub(super) fn quadric(
     })
 }
 
-/// Ends that are not on the axis are closed by discs.
+/// Closes the ends of a profile that are not on the axis by discs.
 fn closed_over_the_axis(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     if let (Some(&first), Some(&last)) = (points.first(), points.last()) {
         if first[0] > 0.0 {
@@ -187,7 +187,7 @@ fn mirrored(points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     points.into_iter().rev().map(|[x, y]| [x, -y]).collect()
 }
 
-/// x² − z² ≤ y below a lid.
+/// The solid x² − z² ≤ y, closed by a lid.
 fn saddle(
     low: [f64; 3],
     high: [f64; 3],
@@ -196,7 +196,7 @@ fn saddle(
 ) -> Result<Mesh, TooMany> {
     // Between two points h apart a parabola rises h²/4 above its chord.
     let step = 2.0 * tolerance.sqrt();
-    // Products of two such are numbers still, for the budget to refuse.
+    // The limit keeps the product of two such numbers finite, so that the budget can refuse it.
     let cells = |axis: usize| ((high[axis] - low[axis]) / step).ceil().clamp(1.0, 1e9);
     let (nx, nz) = (cells(0), cells(2));
     budget.spend(4.0 * nx * nz)?;
@@ -205,7 +205,7 @@ fn saddle(
         low[axis] + (high[axis] - low[axis]) * i as f64 / n as f64
     };
     let peak = low[0].abs().max(high[0].abs()).powi(2);
-    // Above all of it, by however much.
+    // The lid lies above the whole saddle; how far above does not matter.
     let lid = high[1].max(peak) + (high[1] - low[1]).abs().max(peak) * 0.1;
     let mut mesh = Mesh::default();
     let mut grid = |y: &dyn Fn(f64, f64) -> f64| -> Vec<Vec<u32>> {
@@ -236,7 +236,7 @@ fn saddle(
     Ok(mesh)
 }
 
-/// Brings xᵀQx ≤ 0 to its axes.
+/// Brings the solid xᵀQx ≤ 0 to its principal axes.
 fn canonical(q: &[f64; 16]) -> Canonical {
     let largest = q.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let s = |i: usize, j: usize| (q[4 * i + j] / 2.0 + q[4 * j + i] / 2.0) / largest;
@@ -266,7 +266,8 @@ fn canonical(q: &[f64; 16]) -> Canonical {
     if constant.abs() <= ROUNDING * size {
         constant = 0.0;
     }
-    // More negative than positive: the outside of the same form with all signs turned.
+    // If more eigenvalues are negative than positive, the solid is the outside of the same form with all signs
+    // reversed.
     let minus = curved.iter().filter(|c| c.0 < 0.0).count();
     let outside = 2 * minus > curved.len();
     let sign = if outside { -1.0 } else { 1.0 };
@@ -285,7 +286,8 @@ fn canonical(q: &[f64; 16]) -> Canonical {
     let unit = |c: (f64, usize), of: f64| axis(c.1, (of / c.0.abs()).sqrt());
 
     if slope > 0.0 {
-        // The direction in which it falls, and the place where the plane through it is crossed.
+        // `along` is the direction in which the linear part falls. `start` is the point where the form has its
+        // origin: there the linear part cancels the constant.
         let along: [f64; 3] = std::array::from_fn(|k| {
             let parts = flat.iter().map(|&i| axes[i][k] * linear[i] * sign / slope);
             -parts.sum::<f64>()

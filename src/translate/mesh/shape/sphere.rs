@@ -8,20 +8,21 @@ use crate::geometry::array::length;
 use crate::geometry::icosahedron;
 use crate::scene::Vec3;
 
-/// The circumradius of a facet by its distance from the centre.
+/// The circumradius of an icosahedron's facet, divided by the facet's distance from the centre.
 const FACET: f64 = 0.763_932_022_500_210_3;
 
-/// The unit sphere, nowhere farther than `tolerance` from its facets; all corners lie on it.
+/// The unit sphere as triangles whose corners lie on it; the sphere is nowhere farther than `tolerance` from them.
 pub(super) fn sphere(tolerance: f64, budget: &mut Budget) -> Result<Mesh, TooMany> {
-    // A facet whose corners are at an angle ρ from its middle sinks by 1 − cos ρ. Those at the
-    // middle of an icosahedron's facet, flattest to the centre, are the largest.
+    // A triangle whose corners are at an angle ρ from its middle, as seen from the centre, is 1 − cos ρ below the
+    // sphere there. The largest triangles are at the middle of an icosahedron's facet, where the facet is nearest to
+    // the centre.
     let widest = (1.0 - tolerance.min(0.5)).acos().tan();
     let divisions = (FACET / widest).ceil().max(1.0);
     budget.spend(20.0 * divisions * divisions)?;
     Ok(divided(divisions as u32))
 }
 
-/// The unit sphere with each edge of the icosahedron in so many parts.
+/// The unit sphere as an icosahedron with each edge divided into `n` parts.
 fn divided(n: u32) -> Mesh {
     let mut mesh = Mesh {
         points: icosahedron::vertices().into(),
@@ -31,7 +32,7 @@ fn divided(n: u32) -> Mesh {
     for face in icosahedron::FACES {
         let face = face.map(|i| i as u32);
         let at = face.map(|i| mesh.points[i as usize]);
-        // Number of the point i parts from the first corner, and j from there to the third.
+        // The index of the point that is i parts from the first corner, and from there j parts towards the third.
         let mut rows: Vec<Vec<u32>> = Vec::with_capacity(n as usize + 1);
         for i in 0..=n {
             let mut row = Vec::with_capacity(i as usize + 1);
@@ -61,7 +62,8 @@ fn divided(n: u32) -> Mesh {
     mesh
 }
 
-/// A point on an edge, which the neighbour has or will want too: the first that asks makes them all.
+/// The index of a point on an edge of the icosahedron, with the weights of the edge's ends. Two facets need the
+/// points of an edge: the first that asks makes them all.
 fn on_edge(
     mesh: &mut Mesh,
     edges: &mut HashMap<(u32, u32), u32>,
@@ -95,7 +97,7 @@ fn unit(v: Vec3) -> Vec3 {
     v.map(|x| x / length)
 }
 
-/// The geodesic sphere of radius 1: each facet in four, so many times, its own facets exactly.
+/// The geodesic sphere of radius 1, whose facets are exact: each facet is divided into four, `splits` times.
 pub(super) fn geodesic(splits: u32, budget: &mut Budget) -> Result<Mesh, TooMany> {
     budget.spend(20.0 * 4f64.powi(splits as i32))?;
     let mut mesh = divided(1);

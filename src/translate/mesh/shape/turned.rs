@@ -4,26 +4,26 @@ use super::super::budget::{Budget, TooMany};
 use super::super::triangle_mesh::Mesh;
 use std::f64::consts::{PI, TAU};
 
-/// A profile in (radius, height): what it bounds lies to its left. It leads from the axis to the
-/// axis, or back to its first point, which is not repeated.
+/// A profile of points (radius, height); the solid lies to its left. It leads from the axis to the axis. A ring leads
+/// back to its first point, which is not repeated.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Profile {
     pub points: Vec<[f64; 2]>,
     pub ring: bool,
 }
 
-/// Fewest sides that something round is given: with fewer it would have no room inside.
+/// The fewest sides of a polygon that stands for a circle: with fewer it would have no room inside.
 const FEWEST_SIDES: f64 = 6.0;
-/// More than the budget of triangles allows, and still a whole number.
+/// The most sides: more than the budget of triangles allows, and still a whole number.
 const MOST_SIDES: f64 = 1e9;
 
-/// How many sides keep a circle within the tolerance of its polygon.
+/// The number of sides with which a polygon keeps within the tolerance of its circle.
 pub(super) fn sides(radius: f64, tolerance: f64) -> f64 {
     if radius <= 0.0 {
         return FEWEST_SIDES;
     }
     let sunk = (tolerance / radius).min(0.5);
-    // cos x ≈ 1 − x²/2 to all digits below, where 1 − sunk loses most of its own.
+    // For smaller numbers cos x ≈ 1 − x²/2 holds to all digits, whereas 1 − sunk would lose most digits of sunk.
     let angle = if sunk < 1e-8 {
         (2.0 * sunk).sqrt()
     } else {
@@ -69,7 +69,8 @@ pub(super) fn turned(profiles: &[Profile], n: f64, budget: &mut Budget) -> Resul
     Ok(mesh)
 }
 
-/// The solid between −radius and radius at each height, from z = −1 to z = 1. The profile rises.
+/// The solid between x = −radius and x = radius at each height of the profile, extruded from z = −1 to z = 1. The
+/// profile rises.
 pub(super) fn drawn_out(profile: &[[f64; 2]], budget: &mut Budget) -> Result<Mesh, TooMany> {
     budget.spend(8.0 * profile.len() as f64)?;
     let mut mesh = Mesh::default();
@@ -86,7 +87,7 @@ pub(super) fn drawn_out(profile: &[[f64; 2]], budget: &mut Budget) -> Result<Mes
     for pair in corners.windows(2) {
         let (low, high) = (pair[0], pair[1]);
         for i in 0..4 {
-            // Seen from outside the next corner is to the left.
+            // As seen from outside, the next corner is to the left.
             let j = (i + 1) % 4;
             mesh.quad([low[j], low[i], high[i], high[j]]);
         }
@@ -105,8 +106,8 @@ pub(super) fn flattened(
     tolerance: f64,
     budget: &mut Budget,
 ) -> Result<Vec<[f64; 2]>, TooMany> {
-    /// A chord this short a part of the curve is taken as it is: there are no more than the budget's
-    /// triangles of them.
+    /// The least share of the curve's parameter for a chord: a shorter one is taken as it is. The number of chords is
+    /// within the budget of triangles.
     const FINEST: f64 = 1.0 / (1u32 << 24) as f64;
     let first = curve(from);
     let mut out = vec![first];
@@ -134,7 +135,7 @@ pub(super) fn flattened(
     Ok(out)
 }
 
-/// The distance of a point from a line through two.
+/// The distance of `p` from the line through `a` and `b`.
 fn off(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let (px, py) = (p[0] - a[0], p[1] - a[1]);
