@@ -255,7 +255,7 @@ pub fn try_file_in_new_folder(path: &Path) -> Result<(), Complaint> {
     }
 }
 
-/// Makes sure, before long work begins, that files can be written into a folder, which need not be there yet; nothing is
+/// Makes sure, before long work begins, that files can be written into a folder, which need not exist yet; nothing is
 /// left of the attempt.
 pub fn try_folder(folder: &Path) -> Result<(), Complaint> {
     let there = folder.ancestors().find(|f| f.exists());
