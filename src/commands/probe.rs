@@ -145,7 +145,7 @@ impl FromStr for PixelArg {
 /// The options that take several numbers, and how many.
 const SEVERAL: [(&str, usize); 3] = [("--ray", 6), ("--pixel", 2), ("--point", 3)];
 
-/// The arguments of the program, with the numbers behind an option of [`SEVERAL`] joined into one argument. The user
+/// The arguments of the program, with the numbers behind an option of `SEVERAL` joined into one argument. The user
 /// need not keep them together with quotes.
 pub fn joined(written: impl Iterator<Item = OsString>) -> Vec<OsString> {
     fn number(arg: &OsString) -> Option<&str> {

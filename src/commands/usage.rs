@@ -20,8 +20,8 @@ use crate::lint::levels::UnknownCode;
 /// Reads a number of the command line that must satisfy a condition.
 ///
 /// # Errors
-/// The text is no such number: the complaint is the message `otherwise`. For a number with a decimal comma, the complaint
-/// says how to write it.
+/// The text is no such number: the complaint is the message `otherwise`. For a number with a decimal comma, the
+/// complaint says how to write it.
 pub fn number<T: FromStr + Copy>(
     text: &str,
     otherwise: &'static str,

@@ -77,8 +77,8 @@ impl Output {
     }
 }
 
-/// Writes what was found in all files. `fixes` says in a line what was mended; `complete` is whether
-/// every file could be read; with `quiet` nothing is summed up.
+/// Writes the findings of all files. `fixes` says in a line what was mended; `complete` is whether every file could be
+/// read. With `quiet` there is no summary.
 pub(super) fn write(
     out: &mut dyn Write,
     format: Format,
