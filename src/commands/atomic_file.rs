@@ -152,7 +152,7 @@ fn place(path: &Path) -> io::Result<Option<PathBuf>> {
         }
         match fs::read_link(&place) {
             Ok(target) => place = folder_of(&place).join(target),
-            // It is no link.
+            // The path cannot be read as a link, so it is the file itself.
             Err(_) => return Ok(Some(place)),
         }
     }

@@ -83,7 +83,7 @@ impl CameraArgs {
     ///
     /// # Errors
     ///
-    /// As [`viewpoint`](Self::viewpoint).
+    /// The same errors as [`viewpoint`](Self::viewpoint).
     pub fn staged(self, scene: &Scene, size: Size) -> Result<Cow<'_, Scene>, Error> {
         let aspect = f64::from(size.width) / f64::from(size.height);
         Ok(staging::staged(scene, self.viewpoint(scene)?, aspect))

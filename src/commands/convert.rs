@@ -139,7 +139,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         );
         return Status::Failure;
     };
-    // What cannot be written is known before anything is read.
+    // Files that cannot be written are refused before anything is read.
     if let Err(complaint) = can_write(args, to) {
         complain(look, &complaint);
         return Status::Failure;

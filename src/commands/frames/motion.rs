@@ -41,8 +41,7 @@ enum Motion {
     },
 }
 
-/// How many numbers at the beginning of a camera's record are its position and direction, and how many with the up
-/// direction behind them.
+/// The number of a camera's first numbers that are its position and direction; `AND_UP` counts the up direction, too.
 const POSITION_AND_DIRECTION: usize = 6;
 const AND_UP: usize = 9;
 

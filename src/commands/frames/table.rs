@@ -37,7 +37,7 @@ impl Table {
 }
 
 /// A cell as messages show it: cut to some letters, and without control characters. A file that is no table may have
-/// long cells, or such as move the cursor of a terminal.
+/// long cells, and control characters that move the cursor of a terminal.
 fn shown(cell: &str) -> String {
     const MAX_CELL_CHARS: usize = 40;
     let mut text: String = cell.chars().take(MAX_CELL_CHARS).collect();

@@ -52,8 +52,8 @@ pub struct Output {
 }
 
 impl Output {
-    /// Makes sure that a picture of this width and height, or a part of one, can be written to the file. `-` is standard
-    /// output, which takes a PNG.
+    /// Makes sure that a picture of this width and height, or a part of one, can be written to the file. `-` is
+    /// standard output, which takes a PNG.
     pub fn create(path: &Path, size: [u32; 2], is_part: bool) -> Result<Output, Complaint> {
         let format = match is_stdout(path) {
             true => Some(Format::Rows(picture_files::Format::Png)),

@@ -121,8 +121,9 @@ pub(super) fn draw(
         endings::fits(path, &["json"])?;
         try_file(path)?;
     }
-    // Rows are kept for a next run, which nobody wants who ends --watch with Ctrl-C. Nor does an editor that writes a
-    // scene to standard input and draws it again after each change.
+    // Rows of an interrupted run are not kept with --watch, which Ctrl-C ends for good. Nor are they kept for a scene
+    // from standard input or a picture on standard output: an editor that draws in this way draws anew after each
+    // change.
     let is_kept = !args.watch && !is_stdin(&job.scene) && !is_stdout(&job.picture);
     let unfinished: Vec<Unfinished> = match is_kept {
         true => (unfinished(&job.picture, cameras.len())
@@ -141,7 +142,7 @@ pub(super) fn draw(
         ..Seconds::default()
     };
     let start = Instant::now();
-    // In single precision, rounding may show parts that no camera sees otherwise: none is left out.
+    // In single precision, rounding may show parts that are hidden otherwise, so that the plan leaves out none.
     let plan = match args.picture.precision {
         Numbers::F32 => Plan::new(scene),
         Numbers::F64 | Numbers::Dd => Plan::of_picture(scene),

@@ -27,7 +27,7 @@ pub(super) struct Average {
 #[derive(Clone, Copy)]
 struct Parts {
     first: usize,
-    /// How much of `first`, and of the column or row behind it, is covered: from 0 to 1.
+    /// The covered part of `first`, and that of the column or row behind it: from 0 to 1.
     shares: [f64; 2],
 }
 
