@@ -126,7 +126,7 @@ fn goal(text: &str) -> Result<f64, Complaint> {
     usage::number(text, "expected-goal", |x| x > 0.0 && x <= 255.0)
 }
 
-/// Larger pictures would need more memory than a machine can be taken to have.
+/// The most pixels of a picture: larger ones would need more memory than a machine can be taken to have.
 const MAX_PIXELS: u64 = 1 << 26;
 
 pub fn run(args: &Args, look: LookChoice) -> Status {
@@ -225,7 +225,7 @@ fn folder(args: &Args, file: &Path) -> PathBuf {
     (args.output.clone()).unwrap_or_else(|| PathBuf::from(format!("{stem}-accuracy")))
 }
 
-/// The display of what is done now and how much is left, where standard error is a terminal.
+/// The progress bar with the current step and the seconds that are left, if standard error is a terminal.
 struct Shown {
     bar: indicatif::ProgressBar,
     language: Language,
@@ -255,7 +255,7 @@ impl Shown {
     fn show(&self, what: &'static str, share: f64) {
         self.bar.set_position((share * 1000.0) as u64);
         let spent = self.start.elapsed().as_secs_f64();
-        // At first by the budget, later by what it took so far.
+        // The time that is left follows from the budget at first, and later from the time that the finished share took.
         let by_budget = (self.budget - spent).max(0.0);
         let by_share = if share > 0.0 {
             spent / share - spent
@@ -269,7 +269,7 @@ impl Shown {
     }
 }
 
-/// The table without a scene.
+/// Runs `--shapes`: prints the table of time and error for each shape, number and solver, without a scene.
 fn shapes(args: &Args, look: LookChoice) -> Status {
     if let Err(complaint) = args.output.iter().try_for_each(|folder| try_folder(folder)) {
         complain(look, &complaint);

@@ -1,11 +1,12 @@
-//! Files that are worked on side by side, so that a mistake of zpg in one of them leaves the others alone.
+//! Isolation of the work on one file: a panic of zpg over one file leaves the work on the others alone.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 use crate::diagnostics::Complaint;
 
-/// Works on one file. Where zpg panics, which the panic's own message has told, that is a complaint about the file.
+/// Runs `work` on the file `path`. A panic becomes a complaint about the file; the panic's own message has been
+/// printed.
 pub(super) fn apart<T>(
     path: &Path,
     work: impl FnOnce() -> Result<T, Complaint>,

@@ -1,9 +1,10 @@
-//! Files that appear when they are complete. Until then they lie beside their place under a name of their
-//! own, locked. A run that is killed leaves its drafts behind without the lock, and the next run that
-//! writes into the folder removes them.
+//! Files that appear when they are complete. Until then each is a draft: a locked file beside its place, under another
+//! name. A run that is killed leaves its drafts behind without the lock, and the next run that writes into the folder
+//! removes them.
 //!
-//! `-` is standard output, written to when all is complete. Links are followed: what they lead to is written. A file that
-//! is there already keeps what belongs to it. Where a draft cannot take its place with all that, the file is written over.
+//! `-` is standard output, which is written when all bytes are there. Symbolic links are followed, and the file that
+//! they lead to is written. A file that is replaced keeps its owner, permissions and attributes. If a draft cannot have
+//! these, the old file is written over in place.
 
 use std::collections::HashSet;
 use std::ffi::OsString;
@@ -22,25 +23,25 @@ use crate::diagnostics::Complaint;
 /// How the names of drafts begin and end; in between are a few random characters.
 const NAME: (&str, &str) = (".zpg-", ".draft");
 
-/// How many links may follow each other, as on Linux.
+/// The most symbolic links that are followed, as on Linux.
 const MAX_LINKS: usize = 40;
 
-/// A file under way.
+/// A file that is being written.
 pub struct AtomicFile {
-    /// As it was given.
+    /// The path as it was given.
     path: PathBuf,
     way: WriteMethod,
 }
 
 /// How a file is written.
 enum WriteMethod {
-    /// The new file takes the place of what is there.
+    /// The draft `file` takes the place of whatever is at `place`.
     Exchange { file: NamedTempFile, place: PathBuf },
-    /// The file that is there gets the bytes of the new one, which lies in the temporary folder.
+    /// The bytes of `file`, which lies in the temporary folder, are copied over the file at `place`.
     Over { file: NamedTempFile, place: PathBuf },
-    /// An existing file that is not a plain one, a pipe for instance, is written to as it is.
+    /// The bytes go straight to the file: it is not a regular one (a pipe, a device), or a process has it open.
     Direct(File),
-    /// `-`
+    /// Standard output, for the path `-`.
     Stdout,
 }
 
@@ -78,7 +79,7 @@ impl AtomicFile {
                 let written = write(&mut bytes)
                     .and_then(|()| fill(&mut io::stdout().lock(), |out| out.write_all(&bytes)));
                 match written {
-                    // Nobody reads any more: that is their choice.
+                    // A reader that closes the pipe early is no failure.
                     Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(unprintable(&e)),
                     _ => Ok(()),
                 }
@@ -104,7 +105,7 @@ impl WriteMethod {
             Err(_) => None,
         };
         let Some(place) = place(path)? else {
-            // After what others have written to it.
+            // A file that a process has open may have content from others, and the new bytes go behind it.
             return File::options()
                 .append(true)
                 .open(path)
@@ -123,7 +124,7 @@ impl WriteMethod {
     }
 }
 
-/// Writes a file that is complete when it is closed.
+/// Writes a file with `write`; it appears when it is complete.
 pub fn write(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -140,8 +141,8 @@ fn fill(
     out.flush()
 }
 
-/// The file that a path leads to through links, which need not be there yet. `None` for what a process has open, as
-/// /dev/stdout is: whatever name that may have elsewhere, it is to be written through this one.
+/// The file that a path leads to through symbolic links; it need not exist yet. `None` for a file that a process has
+/// open, such as /dev/stdout: it must be written through this path, whatever name it has elsewhere.
 fn place(path: &Path) -> io::Result<Option<PathBuf>> {
     let mut place = path.to_owned();
     for _ in 0..MAX_LINKS {
@@ -151,16 +152,16 @@ fn place(path: &Path) -> io::Result<Option<PathBuf>> {
         }
         match fs::read_link(&place) {
             Ok(target) => place = folder_of(&place).join(target),
-            // It is no link.
+            // The path cannot be read as a link, so it is the file itself.
             Err(_) => return Ok(Some(place)),
         }
     }
-    // The links lead to themselves, which is said best by the system.
+    // The links are too many or lead to themselves, which the system's own error says best.
     fs::metadata(path).map(|_| Some(place))
 }
 
-/// A draft with all that belongs to the file that it is to replace. `None` where links, the owner, attributes or the folder
-/// forbid that.
+/// A draft with the owner, permissions and attributes of the file at `place`, which it is to replace. `None` if it
+/// cannot replace the file: there are hard links, or the owner, the attributes or the folder forbid it.
 fn successor(place: &Path, found: &Metadata) -> io::Result<Option<NamedTempFile>> {
     if belongings::has_other_names(found) {
         return Ok(None);
@@ -181,18 +182,19 @@ fn forbids_exchange(error: &io::Error) -> bool {
         error.kind(),
         io::ErrorKind::PermissionDenied
         | io::ErrorKind::ReadOnlyFilesystem
-        // Another file system begins at the file: a container's has such ones.
+        // Another file system begins at the file, as at some files of a container.
         | io::ErrorKind::ResourceBusy
         | io::ErrorKind::CrossesDevices
     )
 }
 
-/// Writes over a file. What it was is kept in the temporary folder until that is done, and named if it fails.
+/// Writes the bytes of `new` over the file at `place`. A copy of the old content is kept in the temporary folder until
+/// that is done; if it fails, the complaint names the copy.
 fn copy_over(mut new: File, place: &Path, path: &Path) -> Result<(), Complaint> {
     let folder = std::env::temp_dir();
     let kept = match File::open(place) {
         Ok(old) => Some(keep(old, place).map_err(|e| unwritable(&folder, &e))?),
-        // Not even its owner may read it.
+        // A file that may not be read is written over without a copy.
         Err(_) => None,
     };
     let copied = new.rewind().and_then(|()| {
@@ -214,7 +216,7 @@ fn copy_over(mut new: File, place: &Path, path: &Path) -> Result<(), Complaint> 
     }
 }
 
-/// Writes a copy into the temporary folder, with the ending of the file.
+/// Copies `old` into the temporary folder, under a name with the ending of `place`. Returns the path of the copy.
 fn keep(mut old: File, place: &Path) -> io::Result<PathBuf> {
     let mut ending = OsString::from(".");
     ending.push(place.extension().unwrap_or_default());
@@ -245,7 +247,7 @@ pub fn try_file(path: &Path) -> Result<(), Complaint> {
     }
 }
 
-/// The same for a file whose folder is made if it is not there yet.
+/// Like [`try_file`], for a file whose folder is made if it does not exist yet.
 pub fn try_file_in_new_folder(path: &Path) -> Result<(), Complaint> {
     match folder_of(path).exists() {
         true => try_file(path),
@@ -253,7 +255,7 @@ pub fn try_file_in_new_folder(path: &Path) -> Result<(), Complaint> {
     }
 }
 
-/// Makes sure, before long work begins, that files can be written into a folder, which need not be there yet; nothing is
+/// Makes sure, before long work begins, that files can be written into a folder, which need not exist yet; nothing is
 /// left of the attempt.
 pub fn try_folder(folder: &Path) -> Result<(), Complaint> {
     let there = folder.ancestors().find(|f| f.exists());
@@ -261,12 +263,12 @@ pub fn try_folder(folder: &Path) -> Result<(), Complaint> {
     (temporary(there.unwrap_or(Path::new("."))).map(drop)).map_err(|e| unwritable(folder, &e))
 }
 
-/// A new file in a folder for what is not complete, removed unless it is given a name.
+/// A new, locked draft in a folder. It is removed when it is dropped, unless it is moved to its place.
 pub fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
     clear(folder);
     let mut builder = tempfile::Builder::new();
     builder.prefix(NAME.0).suffix(NAME.1);
-    // Like any new file: readable for whom the user's mask allows.
+    // The draft gets the mode of any new file, which the user's mask restricts.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     loop {
@@ -275,20 +277,20 @@ pub fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
             // Another run may have found it without a lock just now, and removed it.
             Ok(()) if !file.path().exists() => {}
             Err(fs::TryLockError::WouldBlock) => {}
-            // Where nothing can be locked, nothing is removed either.
+            // On a file system without locks, no run removes drafts either.
             Ok(()) | Err(fs::TryLockError::Error(_)) => return Ok(file),
         }
     }
 }
 
-/// Removes what runs that were killed have left in a folder. It is looked at once.
+/// Removes the drafts that killed runs have left in a folder. A process does this once for each folder.
 fn clear(folder: &Path) {
     static CLEARED: LazyLock<Mutex<HashSet<PathBuf>>> = LazyLock::new(Mutex::default);
     let mut cleared = CLEARED.lock().unwrap_or_else(PoisonError::into_inner);
     if !cleared.insert(folder.to_owned()) {
         return;
     }
-    // What cannot be removed is no reason not to write.
+    // A draft that cannot be removed is no reason not to write.
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let name = entry.file_name();
         let name = name.to_string_lossy();
@@ -304,7 +306,7 @@ fn clear(folder: &Path) {
     }
 }
 
-/// A file cannot be written.
+/// The complaint that a file cannot be written. It names the folder if that is missing.
 pub fn unwritable(path: &Path, error: &io::Error) -> Complaint {
     let folder = path
         .parent()

@@ -1,4 +1,4 @@
-//! Properties of a file besides its bytes.
+//! Properties of a file besides its bytes: owner, permissions, attributes and other names.
 
 pub(super) use system::{copy, has_other_names};
 
@@ -17,7 +17,8 @@ mod system {
         found.nlink() > 1
     }
 
-    /// Gives a new file the owner, the permissions and the attributes of another; access control lists are such ones.
+    /// Gives the new file the owner, the permissions and the extended attributes of the file `path`. Access control
+    /// lists are among the attributes.
     pub(crate) fn copy(path: &Path, found: &Metadata, new: &File) -> io::Result<()> {
         let owner = |file: &Metadata| (file.uid(), file.gid());
         if owner(&new.metadata()?) != owner(found) {
@@ -31,7 +32,7 @@ mod system {
         }
         for name in names {
             let value = old.get_xattr(&name)?.unwrap_or_default();
-            // Some that a file has from the beginning nobody may set.
+            // Some attributes exist on every new file and nobody may set them: equal values are left alone.
             if new.get_xattr(&name)?.as_ref() != Some(&value) {
                 new.set_xattr(&name, &value)?;
             }
@@ -43,7 +44,7 @@ mod system {
         }
     }
 
-    /// The names of a file's attributes; none where there can be none.
+    /// The names of a file's extended attributes; empty if its file system has no attributes.
     fn attributes(file: &File) -> io::Result<Vec<OsString>> {
         match file.list_xattr() {
             Ok(names) => Ok(names.collect()),

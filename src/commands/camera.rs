@@ -52,7 +52,7 @@ impl ValueEnum for Side {
     }
 }
 
-/// So many cameras are named where there is none of the ID that was asked for.
+/// The most cameras that are listed in the complaint that no camera has the ID.
 const NAMED: usize = 20;
 
 impl CameraArgs {
@@ -66,11 +66,11 @@ impl CameraArgs {
         self.view.is_some()
     }
 
-    /// Whose view that is in a scene.
+    /// The viewpoint that the options choose: a camera of the scene, a side, or what the scene itself chooses.
     ///
     /// # Errors
     ///
-    /// There is no camera with the ID. The error names those that there are.
+    /// There is no camera with the ID. The error lists the scene's cameras.
     pub fn viewpoint(self, scene: &Scene) -> Result<Viewpoint, Error> {
         match (self.camera, self.view) {
             (Some(id), _) => Ok(Viewpoint::Camera(number(scene, id)?)),
@@ -79,22 +79,22 @@ impl CameraArgs {
         }
     }
 
-    /// The scene with the camera that takes a picture of this size, and with light.
+    /// The scene as it is drawn in a picture of this size: with the chosen camera, and with a light if it has none.
     ///
     /// # Errors
     ///
-    /// As [`viewpoint`](Self::viewpoint).
+    /// The same errors as [`viewpoint`](Self::viewpoint).
     pub fn staged(self, scene: &Scene, size: Size) -> Result<Cow<'_, Scene>, Error> {
         let aspect = f64::from(size.width) / f64::from(size.height);
         Ok(staging::staged(scene, self.viewpoint(scene)?, aspect))
     }
 }
 
-/// The camera that takes the picture of a staged scene. Of a pair it is the left one, and that is said.
+/// The camera that takes the picture of a staged scene. Of a stereo pair it is the left camera, and a note says so.
 ///
 /// # Errors
 ///
-/// There is none.
+/// The scene has no camera that takes the picture.
 pub(super) fn one_camera(staged: &Scene, look: LookChoice) -> Result<Camera, Error> {
     let mut cameras = staged.chosen_cameras();
     let camera = *cameras.next().ok_or_else(Error::nothing_to_draw)?;
@@ -107,11 +107,11 @@ pub(super) fn one_camera(staged: &Scene, look: LookChoice) -> Result<Camera, Err
     Ok(camera)
 }
 
-/// The number of the camera with this ID.
+/// The index of the camera with this ID among the scene's cameras.
 ///
 /// # Errors
 ///
-/// There is none; the error names those that there are.
+/// No camera has the ID. The error lists the scene's cameras.
 pub(super) fn number(scene: &Scene, id: u32) -> Result<usize, Error> {
     let cameras = &scene.cameras;
     if let Some(number) = cameras.iter().position(|c| c.id == id) {

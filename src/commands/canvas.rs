@@ -5,18 +5,18 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::{DrawTarget, Drawable, OriginDimensions, Pixel, Point, Size};
 use embedded_graphics::text::{Baseline, Text};
 
-/// Of titles. Both fonts have the letters of English and Czech.
+/// The font of titles. Both fonts have the letters of English and Czech.
 pub(super) const LARGE: MonoFont = iso_8859_2::FONT_10X20;
-/// Of all else.
+/// The font of all other text.
 pub(super) const SMALL: MonoFont = iso_8859_2::FONT_7X13;
 
 pub(super) type Colour = [u8; 3];
 
-/// The colour that pictures lie on.
+/// The background colour behind the pictures.
 pub(super) const PAPER: Colour = [32; 3];
 pub(super) const WHITE: Colour = [255; 3];
 
-/// Row by row, from the top.
+/// A picture of 8-bit RGB, row by row from the top.
 pub(super) struct Canvas {
     pub width: u32,
     pub height: u32,
@@ -32,7 +32,8 @@ impl Canvas {
         }
     }
 
-    /// A text of one line from its upper left corner, as far as it fits.
+    /// Writes one line of text with its upper left corner at `[x, y]`. Letters that would reach beyond column `end` are
+    /// left out.
     pub(super) fn write(
         &mut self,
         font: &MonoFont,
@@ -42,7 +43,7 @@ impl Canvas {
         text: &str,
     ) {
         let fit = letters(font, end.saturating_sub(x));
-        // A character of control would begin another line.
+        // A control character would begin another line.
         let shown = |c: char| if c.is_control() { '?' } else { c };
         let text: String = text.chars().take(fit).map(shown).collect();
         let style = MonoTextStyle::new(font, Rgb888::new(ink[0], ink[1], ink[2]));
@@ -50,7 +51,8 @@ impl Canvas {
         let Ok(_) = Text::with_baseline(&text, place, style, Baseline::Top).draw(self);
     }
 
-    /// Fills a rectangle from a corner on with a colour.
+    /// Fills a rectangle with a colour. `[left, top]` is its upper left corner; what lies outside of the canvas is left
+    /// out.
     pub(super) fn fill(
         &mut self,
         [left, top]: [u32; 2],
@@ -64,7 +66,8 @@ impl Canvas {
         }
     }
 
-    /// A picture of this width, whose right end must be within.
+    /// Copies a picture of this width onto the canvas, with its upper left corner at `[left, top]`. Rows below the
+    /// canvas are left out; the right edge must lie within the canvas.
     pub(super) fn paste(&mut self, [left, top]: [u32; 2], width: u32, rgb: &[u8]) {
         for (y, row) in (top..self.height).zip(rgb.chunks_exact(3 * width.max(1) as usize)) {
             let at = 3 * (y as usize * self.width as usize + left as usize);
@@ -80,7 +83,7 @@ impl Canvas {
     }
 }
 
-/// How many letters fit into a width.
+/// The number of letters that fit into a width in pixels.
 pub(super) fn letters(font: &MonoFont, width: u32) -> usize {
     (width / font.character_size.width) as usize
 }

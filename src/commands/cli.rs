@@ -1,4 +1,4 @@
-//! All commands together.
+//! The command line of zpg: all subcommands, and the call of the one that the arguments name.
 
 use clap::{CommandFactory, Parser, Subcommand};
 
@@ -62,18 +62,18 @@ pub enum Command {
     Man(man::Args),
 }
 
-/// Freed blocks of memory up to this size are used again: enough to read and draw a scene of ten thousand shapes. If larger
-/// ones were kept, too, large scenes would take a fifth more memory.
+/// The size in bytes up to which freed blocks of memory are kept for reuse: enough to read and draw a scene of ten
+/// thousand shapes. If larger blocks were kept, too, large scenes would take a fifth more memory.
 const KEPT_BYTES: usize = 4 << 20;
 
-/// Reads the arguments of the program, in the language that they or the environment ask for, and does
-/// what they say.
+/// Reads the arguments of the program and runs the subcommand that they name. Messages are in the language that the
+/// arguments or the environment ask for.
 pub fn run() -> Status {
     let written = probe::joined(std::env::args_os());
     let cli = match Cli::try_parse_from(&written) {
         Ok(cli) => cli,
         Err(error) => {
-            // The same answer once more, with the help in the language.
+            // The arguments are parsed again, so that the answer has the help in the chosen language.
             let look = LookChoice::among(written.iter().cloned());
             let mut command = help::in_language(Cli::command(), look.language(), width());
             let again = command.try_get_matches_from_mut(&written);

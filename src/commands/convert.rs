@@ -96,13 +96,13 @@ pub struct Args {
     report: Option<PathBuf>,
 }
 
-/// Takes the name of a target.
+/// The parser of `--to`, which takes the name of a target.
 fn target() -> impl TypedValueParser<Value = &'static dyn Target> {
     let values = TARGETS.map(|t| PossibleValue::new(t.name()).help(t.help()));
     PossibleValuesParser::new(values).try_map(|name| named(&name).ok_or("no such target"))
 }
 
-/// A length on the command line.
+/// Reads a length from the command line: a finite number above 0.
 pub(super) fn length(text: &str) -> Result<f64, Complaint> {
     usage::number(text, "expected-length", |x: f64| x > 0.0 && x.is_finite())
 }
@@ -139,7 +139,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         );
         return Status::Failure;
     };
-    // What cannot be written is known before anything is read.
+    // Files that cannot be written are refused before anything is read.
     if let Err(complaint) = can_write(args, to) {
         complain(look, &complaint);
         return Status::Failure;
@@ -171,8 +171,8 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         memory: args.memory.for_triangles(),
         confine: &|scene| args.memory.confine_scene(scene),
         file: &args.file,
-        // A mesh without a name of its own has that of the scene.
         language: look.language(),
+        // Without an output file, a mesh is named after the scene.
         output: (args.output.as_deref()).filter(|path| !is_text || !is_stdout(path)),
     };
     let made = to
@@ -203,7 +203,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     }
 }
 
-/// Says that a camera and light are added that a scene lacks.
+/// Notes that the translation adds a camera or a light that the scene lacks.
 fn say_added(args: &Args, scene: &Scene, look: LookChoice) {
     if scene.view == View::Automatic && !args.camera.is_given() {
         note(look, &Complaint::new("note-no-camera"));
@@ -213,7 +213,7 @@ fn say_added(args: &Args, scene: &Scene, look: LookChoice) {
     }
 }
 
-/// Makes sure that the files can be written that are named.
+/// Makes sure that the output and the report can be written.
 fn can_write(args: &Args, to: &dyn Target) -> Result<(), Complaint> {
     let output = args.output.as_deref().filter(|path| !is_stdout(path));
     if args.output.as_deref().is_some_and(is_stdout) {
@@ -230,7 +230,7 @@ fn can_write(args: &Args, to: &dyn Target) -> Result<(), Complaint> {
     named.try_for_each(try_file)
 }
 
-/// A file that is called `-` goes to standard output.
+/// Takes the path from a file that is called `-`: a file without a path goes to standard output.
 fn on_stdout_if_asked(mut made: Output) -> Output {
     for (path, _) in &mut made.files {
         path.take_if(|path| is_stdout(path));
@@ -238,7 +238,7 @@ fn on_stdout_if_asked(mut made: Output) -> Output {
     made
 }
 
-/// Writes the translation and its report.
+/// Writes the translation and its report, and prints how exact the translation is.
 fn deliver(args: &Args, made: &Output, look: LookChoice) -> Status {
     let report = args.report.as_ref().map(|path| {
         let text = format!("{:#}\n", made.report.to_json());
@@ -270,7 +270,7 @@ fn deliver(args: &Args, made: &Output, look: LookChoice) -> Status {
     }
 }
 
-/// Says which files there are now: on standard error, as one of them may be a device that standard output goes to.
+/// Names the written files on standard error, as one of them may be the device that standard output goes to.
 fn say_written<'f>(
     files: impl Iterator<Item = &'f (Option<PathBuf>, Vec<u8>)>,
     look: LookChoice,
@@ -283,7 +283,7 @@ fn say_written<'f>(
     Status::Clean
 }
 
-/// Writes all files, or none if one of them cannot be begun; what has no path goes to standard output.
+/// Writes all files, or none if one of them cannot be begun. A file without a path goes to standard output.
 fn write<'f>(
     files: impl Iterator<Item = &'f (Option<PathBuf>, Vec<u8>)> + Clone,
 ) -> Result<(), Complaint> {

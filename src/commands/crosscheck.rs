@@ -118,7 +118,7 @@ enum Other {
 }
 
 impl Other {
-    /// The name that people know it by.
+    /// The name of the program for people.
     fn title(self) -> &'static str {
         match self {
             Other::Povray => "POV-Ray",
@@ -134,8 +134,8 @@ impl Other {
     }
 }
 
-/// Larger pictures would need more memory than a machine can be taken to have: five of them are held,
-/// and what FLIP makes of two.
+/// The most pixels of a picture: larger ones would need more memory than a machine can be taken to have. Five pictures
+/// are held at once, beside what FLIP makes of two.
 const MAX_PIXELS: u64 = 1 << 24;
 
 /// The largest share of pixels that may differ off silhouettes.
@@ -145,7 +145,7 @@ fn difference(text: &str) -> Result<f64, Complaint> {
     usage::number(text, "expected-difference", |x| x > 0.0 && x <= 255.0)
 }
 
-/// The numbers of a run.
+/// The result of a run, as it stands in crosscheck.json.
 #[derive(Serialize)]
 struct Answer<T> {
     scene: String,
@@ -158,7 +158,7 @@ struct Answer<T> {
 /// The comparison of a camera's pictures.
 #[derive(Serialize)]
 struct Compared<T> {
-    /// `_left`, `_right`, or nothing.
+    /// The suffix of the camera's files: `_left`, `_right`, or nothing.
     name: &'static str,
     /// The share of pixels that were compared.
     compared: f64,
@@ -166,7 +166,7 @@ struct Compared<T> {
     comparison: T,
 }
 
-/// How two sights compare.
+/// The comparison of what zpg and another program see of a scene.
 trait Outcome: Serialize {
     /// The share of pixels that differ off silhouettes.
     fn share(&self) -> f64;
@@ -174,7 +174,7 @@ trait Outcome: Serialize {
     /// How many pixels there are, and how many of them were not compared.
     fn pixels(&self) -> [usize; 2];
 
-    /// The meanings of the difference's colours, as messages.
+    /// The colours of the difference picture, each with the message that says what it means.
     fn legend() -> &'static [([u8; 3], &'static str)];
 
     /// The share of pixels that were compared.
@@ -183,22 +183,22 @@ trait Outcome: Serialize {
         1.0 - left_out as f64 / all.max(1) as f64
     }
 
-    /// Where most of the pixels are that differ off silhouettes.
+    /// The shape that shows most of the pixels that differ off silhouettes, and where; `None` if no pixels differ.
     fn mostly(&self) -> Option<Whereabouts>;
 
-    /// Whether so much could be compared that it is an answer.
+    /// Whether enough pixels could be compared for an answer.
     fn tells(&self) -> bool {
         true
     }
 
-    /// The numbers for people, a line each: what it is, and the rest of the line.
+    /// The numbers for people, a line each: the message that labels the line, and the rest of the line.
     fn lines(&self, args: &Args, language: Language) -> Vec<(&'static str, Complaint)>;
 }
 
-/// How wide the first column of the answer is.
+/// The width of the first column of the answer, in characters.
 const WIDTH: usize = 18;
 
-/// Names of the pictures that are left.
+/// The names of the picture files that a run writes for each camera.
 const PICTURES: [&str; 4] = ["ours", "theirs", "difference", "side-by-side"];
 
 /// Three pictures of 8-bit RGB.
@@ -242,7 +242,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     }
 }
 
-/// Writes the numbers, and gives what is to be said of them.
+/// Writes crosscheck.json. Returns whether the two programs agree, and the text to print.
 fn answer<T: Outcome>(
     args: &Args,
     loaded: &Analysis,
@@ -303,7 +303,7 @@ fn answer<T: Outcome>(
     Ok((answer.agrees, text.into_bytes()))
 }
 
-/// Where most of what differs is.
+/// The line that says where most of the differing pixels are: on which shape, in which rows and columns.
 fn most(loaded: &Analysis, found: Whereabouts) -> Complaint {
     let record = found
         .shape
@@ -355,7 +355,7 @@ fn folder(args: &Args) -> PathBuf {
         .unwrap_or_else(|| PathBuf::from(format!("{}-{}", stem(args), args.with.name())))
 }
 
-/// The folder for what is written.
+/// The folder for the pictures and numbers of a run.
 struct Folder {
     path: PathBuf,
     /// Whether the folder was not there before.
@@ -363,7 +363,8 @@ struct Folder {
 }
 
 impl Folder {
-    /// Makes the folder; what is written there is no picture of the scene, nor are `files`.
+    /// Makes the folder. Refuses if one of the pictures or `files` that go there would overwrite the scene or a picture
+    /// that it names.
     fn made<'f>(
         args: &Args,
         loaded: &Analysis,
@@ -383,7 +384,7 @@ impl Folder {
         }
     }
 
-    /// Removes a new folder, which is of no use without an answer of the program.
+    /// Removes the folder if this run has made it: without an answer of the program it is of no use.
     fn forget(&self) {
         if self.is_new {
             let _ = fs::remove_dir_all(&self.path);
@@ -391,10 +392,10 @@ impl Folder {
     }
 }
 
-/// The program to run, from any folder.
+/// The program to run, with a path that holds in any folder, and with the time limit.
 fn program(args: &Args, name: &str) -> Program {
     let path = match &args.program {
-        // A name alone is looked for where programs are.
+        // The system looks for a name alone where programs are, so that it stays as it is.
         Some(path) if path.components().count() > 1 => {
             std::path::absolute(path).unwrap_or_else(|_| path.clone())
         }
@@ -407,8 +408,8 @@ fn program(args: &Args, name: &str) -> Program {
     }
 }
 
-/// Compares what each camera sees, and writes the pictures. `suffixes` are what the names of a camera's
-/// files end with; `look` is given one of them and the number of its camera.
+/// Compares what each camera sees, and writes the pictures. `suffixes` has the end of the file names for each camera.
+/// `look` gets the number of a camera, from 0, and its suffix, and returns the pictures and their comparison.
 fn each_camera<T: Outcome>(
     args: &Args,
     language: Language,
@@ -438,24 +439,24 @@ fn each_camera<T: Outcome>(
     Ok(compared)
 }
 
-/// Where the scene's pictures are.
+/// Loads the pictures that the scene names.
 fn images(loaded: &Analysis) -> Result<trace::Images, Error> {
     let folder = loaded.source.folder().unwrap_or(Path::new("."));
     trace::Images::load(&loaded.scene, folder).map_err(Error::from)
 }
 
-/// A program, as people are told of it.
+/// The words that tell people about a program.
 struct Asked {
-    /// The name that people know it by.
+    /// The name of the program for people.
     name: &'static str,
-    /// The ways to get it.
+    /// The message that says how to get the program.
     how: &'static str,
-    /// The advice for when it takes too long.
+    /// The message that says what to do if the program takes too long.
     late: &'static str,
 }
 
 impl Asked {
-    /// Why it gave no answer.
+    /// The complaint that the program gave no answer. Removes a new folder if the program did not even start.
     fn failed(&self, error: ProgramError, program: &Program, folder: &Folder) -> Complaint {
         match error {
             ProgramError::Missing => {

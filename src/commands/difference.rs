@@ -9,7 +9,7 @@ use rustc_hash::FxHashMap;
 
 use crate::format::difference;
 
-/// So many lines stand around what changes.
+/// The number of unchanged lines around each change.
 const AROUND: u32 = 3;
 
 /// The hunks of a unified diff, as `patch` and git read them.
@@ -20,7 +20,7 @@ fn hunks(input: &InternedInput<&str>, diff: &Diff) -> String {
             .last_mut()
             .and_then(|group| Some((group.last()?.before.end, group)))
         {
-            // What is around both would overlap.
+            // The unchanged lines around the two hunks would overlap, so that the hunks become one.
             Some((end, group)) if hunk.before.start - end <= 2 * AROUND => group.push(hunk),
             _ => all.push(vec![hunk]),
         }
@@ -45,7 +45,7 @@ fn hunks(input: &InternedInput<&str>, diff: &Diff) -> String {
         let below = (input.before.len() as u32 - last.before.end).min(AROUND);
         let around = |of: fn(&Hunk) -> &Range<u32>| of(first).start - above..of(last).end + below;
         let (old, new) = (around(|h| &h.before), around(|h| &h.after));
-        // A text takes all.
+        // Writing to a string cannot fail.
         let _ = writeln!(out, "@@ -{} +{} @@", place(&old), place(&new));
         let mut at = old.start;
         for hunk in group {
@@ -63,7 +63,8 @@ fn hunks(input: &InternedInput<&str>, diff: &Diff) -> String {
     out
 }
 
-/// The lines of a range as the head of a hunk names them: that before a range without lines.
+/// The lines of a range as the head of a hunk names them: the first line, from 1, and the number of lines. A range
+/// without lines is named by the line before it.
 fn place(lines: &Range<u32>) -> String {
     match lines.len() {
         0 => format!("{},0", lines.start),
@@ -103,14 +104,16 @@ pub(super) fn diff(out: &mut Vec<u8>, path: &str, old: &str, new: &str, colour: 
 /// A change in a line.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Change<'t> {
-    /// The number of the line as it is now, from 1; of one that is gone, of what stands there now.
+    /// The number of the line in the new text, from 1. For a line that is gone, the number of the line that stands
+    /// there now.
     pub line: usize,
-    /// Without the words that both begin or end with; nothing where there was none, or is none.
+    /// The old text of the line, without the words that `old` and `new` both begin or end with. Empty if the line is
+    /// new; `new` is empty if the line is gone.
     pub old: &'t str,
     pub new: &'t str,
 }
 
-/// The changes in the order of the lines.
+/// The changed lines of a text, in the order of the new lines.
 pub(super) fn changes<'t>(old: &'t str, new: &'t str) -> Vec<Change<'t>> {
     let input = InternedInput::new(old, new);
     let diff = difference::of(&input);
@@ -130,11 +133,12 @@ pub(super) fn changes<'t>(old: &'t str, new: &'t str) -> Vec<Change<'t>> {
     all
 }
 
-/// Pairs of lines, old and new: those that begin with the same word, as records do with their ID, and what is left between
-/// them in order. Each comes with the number of lines that there are before it now; nothing stands for no line.
+/// Pairs old lines with new ones: lines that begin with the same word, as records do with their ID, and the lines that
+/// are left between them, in order. Each pair comes with the number of new lines before it. An empty text stands for a
+/// missing line.
 fn pairs<'t>(old: &[&'t str], new: &[&'t str]) -> Vec<(usize, &'t str, &'t str)> {
     let id = |line: &'t str| line.split_whitespace().next().unwrap_or_default();
-    // How many of the lines to come begin with a word.
+    // The number of lines that begin with each word.
     let count = |lines: &[&'t str]| {
         let mut all: FxHashMap<&str, usize> = FxHashMap::default();
         lines

@@ -1,19 +1,20 @@
-//! The name of a file says what is in it: nothing is written to one whose name says otherwise.
+//! Refuses to write to a file whose name has the ending of another format.
 //!
-//! So a slip of the hand, as `--stats other.zpg`, costs nobody a scene, settings or a picture.
+//! A slip of the hand such as `--stats other.zpg` then destroys no scene, settings or picture.
 
 use std::path::Path;
 
 use crate::diagnostics::Complaint;
 
-/// How the names of files end that zpg reads or writes.
+/// The name endings of all files that zpg reads or writes.
 const KNOWN: [&str; 18] = [
     "zpg", "json", "toml", "pov", "xml", "ply", "obj", "mtl", "glb", "stl", "png", "jpg", "jpeg",
     "webp", "apng", "exr", "pfm", "sarif",
 ];
 
-/// Refuses a name with an ending that stands for something else than what is to be written, whose names end in `own`; the
-/// first of these is proposed. A name without an ending, or with one that zpg knows nothing of, fits everything.
+/// Refuses a file name whose ending stands for another format. `own` are the endings of the format to be written; the
+/// complaint proposes the first of them. A name without an ending, or with an ending that zpg does not know, fits every
+/// format.
 pub(super) fn fits(path: &Path, own: &[&str]) -> Result<(), Complaint> {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
     let is_one_of = |endings: &[&str]| endings.iter().any(|e| ending.eq_ignore_ascii_case(e));
@@ -26,7 +27,7 @@ pub(super) fn fits(path: &Path, own: &[&str]) -> Result<(), Complaint> {
         .with("right", format!(".{}", own.first().unwrap_or(&"txt"))))
 }
 
-/// Refuses to write a scene over one that is there already: somebody may have written it.
+/// Refuses to write a scene over a file that exists and is not empty: a person may have written its content.
 pub(super) fn is_new_scene(path: &Path) -> Result<(), Complaint> {
     match path.metadata() {
         Ok(found) if found.is_file() && found.len() > 0 => {

@@ -95,7 +95,8 @@ impl Answer {
     }
 }
 
-/// The answers to a topic of all the words, or to each of them, and what has none.
+/// The answer to all words as one topic, or else the answers to each of them. The second list has the words without an
+/// answer.
 fn answers(words: &[String], language: Language) -> (Vec<Answer>, Vec<String>) {
     let whole = words.join(" ");
     if let Some(answer) = Answer::of(&whole, language) {
@@ -121,7 +122,7 @@ fn answers(words: &[String], language: Language) -> (Vec<Answer>, Vec<String>) {
     }
 }
 
-/// The complaint of topics that have no answer.
+/// The complaint about topics that have no answer.
 fn no_topic(unknown: &[String], language: Language) -> Complaint {
     let near = match unknown {
         [topic] => suggestions(topic, language),
@@ -154,7 +155,7 @@ fn index(language: Language) -> String {
     index
 }
 
-/// A code in the list of all.
+/// The line about a code in a list of codes. In Czech it has the first sentence of the code's page.
 fn line(code: Code, language: Language) -> String {
     let title = match language {
         Language::English => String::new(),
@@ -164,13 +165,13 @@ fn line(code: Code, language: Language) -> String {
     line.trim_end().to_owned()
 }
 
-/// The codes that begin with a topic, such as `W3`.
+/// The codes that begin with a topic such as `W3`. `None` if there are none, or if the topic has a page of its own.
 fn group(topic: &str) -> Option<Selector> {
     let has_page = page(topic, Language::English).is_some();
     topic.trim().parse().ok().filter(|_| !has_page)
 }
 
-/// The first sentence of a page, in one line.
+/// The first sentence of a code's page, in one line.
 fn first_sentence(code: Code, language: Language) -> String {
     let page = code.explanation(language);
     let text = page.split("\n\n").nth(1).unwrap_or_default();
@@ -184,7 +185,7 @@ fn first_sentence(code: Code, language: Language) -> String {
     text[..end].trim_end_matches('.').to_owned()
 }
 
-/// The page on a topic. An adjective may have any of its endings.
+/// The page on a topic. A Czech adjective may have any of its endings.
 fn page(topic: &str, language: Language) -> Option<String> {
     let topic = normalise(topic);
     let others = || other_endings(&topic).find_map(|form| exact_page(form, language));
@@ -208,7 +209,7 @@ fn exact_page(topic: String, language: Language) -> Option<String> {
         }
         return Some(page);
     }
-    // What people call it. A word may stand for several types.
+    // The word may be another name that people use, and such a word may stand for several types.
     let types = topics::types(&topic);
     let list = |types: &[&RecordType]| {
         let one =
@@ -248,12 +249,12 @@ fn names(ty: &RecordType) -> impl Iterator<Item = String> {
     [ty.keyword.to_owned()].into_iter().chain(titles)
 }
 
-/// Names are spelled in lower case with hyphens.
+/// The topic as names are spelled: in lower case, with hyphens.
 fn normalise(topic: &str) -> String {
     topic.trim().to_lowercase().replace([' ', '_'], "-")
 }
 
-/// The numbers that the handout prints for a type by mistake, each with that type.
+/// The numbers that the handout prints for a type by mistake, each with the type that is meant.
 const MISPRINTS: [(i64, RecordKind); 1] = [(-204, RecordKind::Assignment)];
 
 /// How many names are suggested at most.
@@ -265,14 +266,14 @@ fn suggestions(topic: &str, language: Language) -> Vec<String> {
     if let Ok(number) = topic.parse::<i64>() {
         let misprint = MISPRINTS.iter().find(|m| m.0 == number || m.0 == -number);
         let misprinted = misprint.map(|m| RecordType::of(m.1));
-        // Of a number without its minus nothing else is meant.
+        // A number without its minus leaves no doubt: nothing else is suggested.
         if let Some(ty) = misprinted.or_else(|| RecordType::by_code(-number)) {
             return vec![ty.code.to_string()];
         }
     }
     let mut near = near_names(&topic, language);
     if near.is_empty() {
-        // One word of several.
+        // One word of several may have a page.
         let has_page = |word: &&str| page(word, language).is_some();
         let words = topic.split('-').filter(has_page);
         near.extend(words.map(str::to_owned));
@@ -308,11 +309,11 @@ fn near_names(topic: &str, language: Language) -> Vec<String> {
             let distance = strsim::damerau_levenshtein(&plain(topic), &plain(&name));
             // `light` is part of `point-light`.
             let part = topic.len() > 2 && name.split('-').any(|word| word == topic);
-            // An ending of a word, as `lom` of `zlom`, is another word.
+            // A name that is the end of the topic, as `lom` is of `zlom`, is another word.
             if distance > 0 && !topic.contains('-') && plain(topic).ends_with(&plain(&name)) {
                 return None;
             }
-            // No number is a misspelt code.
+            // A topic that begins with a letter is no misspelt number.
             if topic.starts_with(char::is_alphabetic) && !name.contains(char::is_alphabetic) {
                 return None;
             }

@@ -1,4 +1,4 @@
-//! `zpg farm`: a job for an engine that people have.
+//! `zpg farm`: writes a job for an engine that runs tasks on many machines.
 
 mod engine;
 mod measure;
@@ -93,14 +93,14 @@ fn at_least_one(text: &str) -> Result<u32, Complaint> {
     })
 }
 
-/// `command` is that of the whole program.
+/// Writes the job, and says so. `command` is the command line of the whole program.
 pub fn run(args: &Args, command: Command, look: LookChoice) -> Status {
     let configs = Configs::default().into();
     let found = paths::expand(&args.paths, &configs, look);
     if found.failed || found.files.is_empty() {
         return Status::Failure;
     }
-    // The scenes of an earlier job in the same folder are copies.
+    // Scenes in the folder of the job are copies that an earlier job has left.
     let (copies, files) = scenes::in_folder(&args.output, found.files);
     let places = scenes::places(&args.paths, files);
     let checked = match copies.first() {
@@ -126,7 +126,7 @@ pub fn run(args: &Args, command: Command, look: LookChoice) -> Status {
                 reading: start.elapsed().as_secs_f64(),
             }),
             Err(status) if !is_class || status == Status::Failure => return status,
-            // They go with the job, so that the sheet can say what is wrong with them.
+            // Scenes with errors go with the job, so that the sheet can say what is wrong with them.
             Err(_) => broken.push((path, place)),
         }
     }
@@ -148,13 +148,13 @@ pub fn run(args: &Args, command: Command, look: LookChoice) -> Status {
     Status::Clean
 }
 
-/// The frames, which are the same of all scenes, each of which has been looked at; `None` for one picture. What is wrong
-/// has been said.
+/// The frames, which are the same for all scenes and have been checked in each. `None` if each scene has one picture.
+/// `Err` is the exit status; the complaint has been printed.
 fn frames(args: &Args, scenes: &[Scene], look: LookChoice) -> Result<Option<Frames>, Status> {
     if let Some(told) = args.picture.frames.note() {
         terminal::note(look, &told);
     }
-    // Ctrl-C ends this at once.
+    // Ctrl-C ends the program at once, and nothing sets this flag.
     let stop = AtomicBool::new(false);
     let mut first = None;
     for scene in scenes.iter().filter(|_| args.picture.frames.are_given()) {
@@ -166,7 +166,7 @@ fn frames(args: &Args, scenes: &[Scene], look: LookChoice) -> Result<Option<Fram
     Ok(first)
 }
 
-/// Writes the job; what there is to say of it.
+/// Writes the folder of the job. Returns the text to print about it.
 fn job(
     args: &Args,
     options: String,
@@ -186,7 +186,7 @@ fn job(
         .try_fold(pictures, u32::checked_mul);
     let tasks = tasks.ok_or_else(|| Complaint::new("too-many-tasks"))?;
     let each = measured.seconds(tiles, args.cores);
-    // Who says how many bands there are wants them one by one, and processes of make share the tasks.
+    // A user who chooses the number of bands wants one band a run, and make shares single tasks among its processes.
     let chunk = match (args.tiles, args.engine) {
         (Some(_), _) | (_, Engine::Shell) => 1,
         (None, _) => (args.tile_time.0 / each).clamp(1.0, f64::from(tasks)) as u32,
@@ -230,7 +230,7 @@ fn job(
     Ok(format!("{}\n{summary}", wrote.wording(look.language())))
 }
 
-/// A limit, which is never short.
+/// A time limit in minutes: rounded up, and never short.
 fn minutes(seconds: f64) -> u64 {
     (seconds / 60.0).ceil().max(10.0) as u64
 }

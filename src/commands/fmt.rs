@@ -96,7 +96,7 @@ enum Outcome {
     Unchanged,
     /// Rewritten, or to be rewritten if it were not for `--check` or `--diff`.
     Changed,
-    /// The file could not be formatted; it has been said why.
+    /// The file could not be formatted; the complaint has been printed.
     Failed,
 }
 
@@ -162,7 +162,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     })
 }
 
-/// `2 files would be reformatted, 1 file left unchanged`
+/// The last line of a run, such as `2 files would be reformatted, 1 file left unchanged`.
 fn summary(changed: usize, unchanged: usize, only_looking: bool, look: LookChoice) -> String {
     let count = |message, n: usize| Complaint::new(message).with("count", Value::Count(n as u64));
     let changes = match only_looking {
@@ -252,7 +252,7 @@ fn format_file(
     if changed && !preserved::by_layout((&source.text, &document), &text) {
         return Err(Complaint::new("layout-changes-content").with("path", name));
     }
-    // What cannot be written is known whether it is to be written or not.
+    // A text that cannot be written is refused even if nothing is to be written.
     let bytes = match changed || is_stdin {
         true => bytes_of(&source, &text, document.contents.broken)?,
         false => Cow::default(),

@@ -1,4 +1,5 @@
-//! Habits of people who know ruff or speak Czech: options, commands and values that zpg calls otherwise, or does without.
+//! Hints for people who know ruff or a renderer, or who write Czech: options, commands and values that zpg calls
+//! otherwise, or does without.
 
 use std::path::{Path, PathBuf};
 
@@ -10,7 +11,7 @@ use crate::solids::staging::Side;
 use crate::syntax::words::plain;
 use crate::translate::registry::of_file;
 
-/// A word of ruff or of a renderer, and the message that says what there is instead.
+/// Words of ruff and of renderers, each with the message that says what zpg has instead.
 const HABITS: [(&str, &str); 87] = [
     ("--add-ignore", "habit-add-allow"),
     ("--max-depth", "habit-depth"),
@@ -194,7 +195,7 @@ const CZECH: [(&str, &str); 89] = [
     ("--cena", "--cost"),
 ];
 
-/// Hints at what zpg calls a command or an option that is named in Czech.
+/// The hint for a command or an option in Czech: what zpg calls it. `None` for other words.
 pub(super) fn czech(word: &str) -> Option<Complaint> {
     let name = word.split('=').next()?;
     let dashes = if name.starts_with("--") { "--" } else { "" };
@@ -203,11 +204,11 @@ pub(super) fn czech(word: &str) -> Option<Complaint> {
     Some(Complaint::new("habit-called").with("text", (*ours).to_owned()))
 }
 
-/// The message about a word, if it is one of them, behind a command of zpg.
+/// The message about a word of another program that stands behind a command of zpg. `None` for other words.
 pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
     let word = word.split('=').next().unwrap_or(word);
     match (word, command) {
-        // A formatter has the width of a line, and nothing else has one.
+        // Only a formatter has the width of a line.
         ("-l", of) if of != "fmt" => return None,
         ("--width", "fmt") => return Some("habit-line-length"),
         ("-j" | "--jobs", "render") => return Some("habit-threads"),
@@ -225,7 +226,7 @@ pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
         ("--output-format" | "--format" | "-f", "fmt") => return Some("habit-output-format-fmt"),
         ("--format" | "-f", "render") => return Some("habit-picture-format"),
         ("--werror" | "--strict" | "--max-warnings", "check") => return Some("habit-deny"),
-        // The way of compilers: `-Werror` and `-Wall`.
+        // Compilers have `-Werror` and `-Wall`.
         ("-W", "check") if is_given("-Werror") => return Some("habit-deny"),
         ("-W", "check") => return Some("habit-verbose"),
         ("-W" | "-H", "fmt" | "plan" | "explain" | "probe") => return None,
@@ -241,7 +242,7 @@ pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
         ("--samples" | "--adaptive" | "--depth" | "--precision" | "--quality", "accuracy") => {
             return Some("habit-axes");
         }
-        // Before the command, the usage is that of all.
+        // An option before the command has the usage of all of zpg, which begins with `[OPTIONS]`.
         ("--config" | "--isolated", "[OPTIONS]") => return Some("habit-behind-command"),
         _ => {}
     }
@@ -249,7 +250,7 @@ pub(super) fn message(word: &str, command: &str) -> Option<&'static str> {
     habit.map(|(_, message)| *message)
 }
 
-/// Hints at the command that explains, where `--explain W310` stands behind another one.
+/// The hint for `--explain W310` behind another command: `zpg explain W310`.
 pub(super) fn explain(word: &str) -> Option<Complaint> {
     let name = "--explain";
     if word.split('=').next() != Some(name) {
@@ -269,19 +270,19 @@ pub(super) fn explain(word: &str) -> Option<Complaint> {
     Some(Complaint::new("habit-called").with("text", text))
 }
 
-/// Hints at what there is instead of the name of a template on its own.
+/// The hint for the name of a template on its own behind `zpg new`: `--from` is missing.
 pub(super) fn template(word: &str, command: &str) -> Option<Complaint> {
     let is_one = command == "new" && Template::from_str(word, true).is_ok();
     is_one.then(|| Complaint::new("habit-from").with("text", word.to_owned()))
 }
 
-/// The endings of what zpg writes and does not read.
+/// The endings of files that zpg writes and does not read as scenes.
 const OUTPUTS: [&str; 13] = [
     "png", "apng", "jpg", "jpeg", "webp", "exr", "pfm", "pov", "xml", "ply", "obj", "glb", "stl",
 ];
 
-/// The size of a picture that the arguments of this run give in the way of others, `-W160 -H120` or `--width 160`, as
-/// zpg has it; otherwise a usual one.
+/// The size of a picture, as `160x120`, from the arguments of this run, which may give it in the way of other programs:
+/// `-W160 -H120` or `--width 160 --height 120`. `640x480` if they do not.
 pub(super) fn size() -> String {
     let width = number(&["-W", "+W", "--width", "Width"]);
     let height = number(&["-H", "+H", "--height", "Height"]);
@@ -289,19 +290,21 @@ pub(super) fn size() -> String {
     format!("{width}x{height}")
 }
 
-/// The length of a line that the arguments of this run give in the way of others; otherwise that of zpg.
+/// The length of a line from the arguments of this run, which may give it in the way of other programs. 100, as in zpg,
+/// if they do not.
 pub(super) fn line_length() -> String {
     let length = number(&["--line-length", "--width", "-l"]);
     length.unwrap_or(100).to_string()
 }
 
-/// The number of threads that the arguments of this run give in the way of others; otherwise a usual one.
+/// The number of threads from the arguments of this run, which may give it in the way of other programs. 4 if they do
+/// not.
 pub(super) fn threads() -> String {
     let threads = number(&["--jobs", "-j", "+WT", "Work_Threads"]);
     threads.unwrap_or(4).to_string()
 }
 
-/// Whether the arguments of this run hold a word.
+/// Whether a word is among the arguments of this run.
 fn is_given(word: &str) -> bool {
     std::env::args_os().any(|argument| argument == word)
 }
@@ -325,7 +328,7 @@ fn number(names: &[&str]) -> Option<u32> {
 /// The endings of pictures that zpg draws.
 const PICTURES: [&str; 7] = ["png", "apng", "jpg", "jpeg", "webp", "exr", "pfm"];
 
-/// Hints at what there is instead of a line of POV-Ray's settings: `Width=640`.
+/// The hint for a line of POV-Ray's settings such as `Width=640`: what zpg has instead. `None` for other words.
 fn of_povray_settings(word: &str) -> Option<Complaint> {
     let (name, value) = word.split_once('=')?;
     let name = name.to_ascii_lowercase();
@@ -345,7 +348,7 @@ fn of_povray_settings(word: &str) -> Option<Complaint> {
     Some(with_numbers(message))
 }
 
-/// A message with the numbers that the arguments of this run give.
+/// The message with the size, the threads and the line length that the arguments of this run give.
 pub(super) fn with_numbers(message: &'static str) -> Complaint {
     Complaint::new(message)
         .with("size", size())
@@ -353,7 +356,7 @@ pub(super) fn with_numbers(message: &'static str) -> Complaint {
         .with("length", line_length())
 }
 
-/// Hints at what there is instead of an option of POV-Ray: `+W640`, `+Opicture.png`.
+/// The hint for an option of POV-Ray such as `+W640` or `+Opicture.png`: what zpg has instead. `None` for other words.
 fn of_povray(word: &str) -> Option<Complaint> {
     let rest = word.strip_prefix('+')?;
     let of = |names: &[&str]| {
@@ -392,8 +395,7 @@ fn of_povray(word: &str) -> Option<Complaint> {
     }
 }
 
-/// Hints at what there is instead of a word that stands where a scene belongs and is none: the name of a picture, or an
-/// option of POV-Ray.
+/// The hint for a word that stands where a scene belongs and is none: the name of a picture, or an option of POV-Ray.
 pub(super) fn output(word: &Path) -> Option<Complaint> {
     let text = word.to_string_lossy();
     if let Some(complaint) = of_povray(&text).or_else(|| of_povray_settings(&text)) {
@@ -405,7 +407,7 @@ pub(super) fn output(word: &Path) -> Option<Complaint> {
     (is_output && !text.starts_with('-')).then_some(complaint)
 }
 
-/// Hints at what draws a picture, where one is named to translate a scene to.
+/// The hint for the name of a picture as the output of a translation: which command draws it.
 pub(super) fn picture(word: &Path, scene: &Path) -> Option<Complaint> {
     let ending = word.extension()?;
     let is_picture = PICTURES.iter().any(|e| ending.eq_ignore_ascii_case(e));
@@ -413,8 +415,8 @@ pub(super) fn picture(word: &Path, scene: &Path) -> Option<Complaint> {
     is_picture.then(|| complaint.with("scene", scene))
 }
 
-/// Hints at what there is instead of a picture where the name is that of a translation, for scenes of which the first one
-/// is told.
+/// The hint for the name of a translation, such as `scene.pov`, where `zpg render` takes a scene or a picture. It tells
+/// how to translate the first of the scenes.
 pub(super) fn translation(word: &Path, scenes: &[PathBuf]) -> Option<Complaint> {
     of_file(word).filter(|target| target.ending() != "zpg")?;
     let scene = scenes.iter().find(|path| *path != word)?;
@@ -422,7 +424,7 @@ pub(super) fn translation(word: &Path, scenes: &[PathBuf]) -> Option<Complaint> 
     Some(complaint.with("scene", scene.as_path()))
 }
 
-/// Values, as people say them, and what zpg calls them: of `--view`, `--precision` and `--to`.
+/// Other words for values of `--view`, `--precision` and `--to`, each with the value that zpg has.
 const VALUES: [(&str, &str); 24] = [
     ("double", "f64"),
     ("single", "f32"),
@@ -450,7 +452,7 @@ const VALUES: [(&str, &str); 24] = [
     ("sikmo", "iso"),
 ];
 
-/// Hints at what there is instead of a value of `--camera` that is a side.
+/// The hint for a side as the value of `--camera`: `--view` takes sides.
 pub(super) fn camera(argument: &str, value: &str) -> Option<Complaint> {
     let is_camera = argument.split(' ').next() == Some("--camera");
     let side = self::value(value).map_or_else(|| plain(value), str::to_owned);
@@ -458,13 +460,13 @@ pub(super) fn camera(argument: &str, value: &str) -> Option<Complaint> {
     is_side.then(|| Complaint::new("habit-view").with("text", side))
 }
 
-/// Hints at what there is instead of a word in the place of a file to check that is none.
+/// The hint for `fix` in the place of a file to check, unless there is a file of this name.
 pub(super) fn of_check(word: &Path) -> Option<Complaint> {
     let is_one = word.as_os_str() == "fix" && !word.exists();
     is_one.then(|| Complaint::new("habit-fix"))
 }
 
-/// The value that is meant by another word.
+/// The value that another word for it means.
 pub(super) fn value(word: &str) -> Option<&'static str> {
     let word = plain(word);
     let value = VALUES.iter().find(|(name, _)| *name == word);

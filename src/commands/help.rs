@@ -11,7 +11,8 @@ use clap::{Arg, Command};
 use crate::diagnostics::Language;
 use crate::diagnostics::layout::{hanging, paragraphs};
 
-/// The words of clap's own, and the messages that say them. One that holds another stands before it.
+/// The words that clap has in English alone, each with the message that translates it. A text that holds another one
+/// stands before it.
 const WORDS: [(&str, &str); 15] = [
     ("Usage:", "help-word-usage"),
     ("Commands:", "help-word-commands"),
@@ -39,7 +40,7 @@ const WORDS: [(&str, &str); 15] = [
     ("Print version", "help-word-version"),
 ];
 
-/// The headings of options, and the messages that say them. Options that most people need have none.
+/// The headings of groups of options. Options that most people need are in no group.
 pub(super) const FILES: &str = "Files and settings";
 pub(super) const CHOICE: &str = "Choice of findings";
 pub(super) const PICTURE: &str = "Picture";
@@ -73,7 +74,7 @@ pub(super) fn in_language(command: Command, language: Language, width: usize) ->
     fitted(command.term_width(width), width)
 }
 
-/// The text at the end, of each command, in lines of a width. The rest is for clap to lay out.
+/// Wraps the text at the end of each command's help to a width. The rest is for clap to lay out.
 fn fitted(command: Command, width: usize) -> Command {
     let after = command.get_after_help().map(ToString::to_string);
     let command = command.mut_subcommands(|sub| fitted(sub, width));
@@ -83,14 +84,14 @@ fn fitted(command: Command, width: usize) -> Command {
     }
 }
 
-/// Text that clap has laid out, with its own words in a language, and without lines that are wider than this.
+/// The help that clap has laid out, with clap's own words in a language, and its lines wrapped to `width`.
 pub(super) fn shown(text: String, language: Language, width: usize) -> String {
     let text = own_words(text, language);
     let lines = text.split('\n').map(|line| hanging(line, width));
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// The same, in lines of any width.
+/// The help that clap has laid out, with clap's own words in a language. Lines may become longer.
 pub(super) fn own_words(text: String, language: Language) -> String {
     match language {
         Language::English => text,
@@ -101,7 +102,7 @@ pub(super) fn own_words(text: String, language: Language) -> String {
                     true => text.replace(word, &language.say(message, &[])),
                     false => text,
                 });
-            // Empty lines of a text are indented as the others are.
+            // clap indents empty lines of a text like the others; they become empty again.
             let lines = all.split_inclusive('\n').map(|line| match line.trim_end() {
                 "" => "\n",
                 _ => line,
@@ -111,8 +112,8 @@ pub(super) fn own_words(text: String, language: Language) -> String {
     }
 }
 
-/// The command line with the descriptions that shells show in a language. It reads nothing: what values mean stands
-/// with the values, and their parsers are gone.
+/// The command line with the descriptions that shells show, in a language. It can parse no arguments any more: the
+/// meanings of values stand with the values, and their parsers are gone.
 pub(super) fn described(mut command: Command, language: Language) -> Command {
     command.build();
     match language {
@@ -121,12 +122,12 @@ pub(super) fn described(mut command: Command, language: Language) -> Command {
     }
 }
 
-/// The command with what its options for help and for the version do in a language. It has been built before.
+/// The command with its options `--help` and `--version` described in a language. It must have been built before.
 pub(super) fn described_help(command: Command, language: Language) -> Command {
     command.mut_args(|arg| of_clap(arg, language))
 }
 
-/// clap's own options, which it has built in English.
+/// Describes clap's own options, which clap has built in English, in a language. Other arguments stay as they are.
 fn of_clap(arg: Arg, language: Language) -> Arg {
     let message = match arg.get_id().as_str() {
         "help" => "help-word-help",
@@ -167,7 +168,7 @@ fn description(command: &str, arg: Arg, language: Language) -> Arg {
     let values = values.iter().map(|value| {
         let name = value.get_name().to_owned();
         let meaning = language.own(&id, Some(&name));
-        // It is shown until the program ends.
+        // The name is leaked, since clap keeps it until the program ends.
         let own = PossibleValue::new(&*name.leak());
         match meaning {
             Some(meaning) => own.help(meaning),
@@ -193,7 +194,7 @@ fn translated(command: Command, language: Language) -> Command {
     }
 }
 
-/// The message about an argument.
+/// The ID of the message about an argument: that of the command, or that of all commands. `None` if there is neither.
 fn id_of(command: &str, arg: &Arg, language: Language) -> Option<String> {
     let of = |command| format!("help-{command}-{}", arg.get_id());
     let ids = [of(command), of("any")].into_iter();
@@ -216,7 +217,7 @@ fn of_arg(command: &str, arg: Arg, language: Language) -> Arg {
     let say = |attribute: Option<&str>| language.own(&id, attribute);
     let help = say(None).unwrap_or_default();
     let arg = match say(Some("value")) {
-        // It is shown until the program ends.
+        // The name is leaked, since clap keeps it until the program ends.
         Some(name) => arg.value_name(&*name.leak()),
         None => arg,
     };
@@ -224,7 +225,7 @@ fn of_arg(command: &str, arg: Arg, language: Language) -> Arg {
     if !arg.get_action().takes_values() {
         return arg.help(help);
     }
-    // What clap adds to the text is in English, and a line may end within it.
+    // The default is added here, since clap would add it in English, and a line may end within it.
     let default: Vec<String> = (arg.get_default_values().iter())
         .map(|value| value.to_string_lossy().into_owned())
         .collect();
@@ -246,7 +247,7 @@ fn of_arg(command: &str, arg: Arg, language: Language) -> Arg {
         let help = format!("{help} {word} {}]", names.join(", "));
         return arg.hide_possible_values(true).help(help);
     }
-    // What a value means cannot be changed behind its parser.
+    // The list of values is written here, since the meanings of values belong to the parser and cannot be changed.
     let names: Vec<&str> = values.iter().map(|v| v.get_name()).collect();
     let width = names.iter().map(|n| n.len()).max().unwrap_or(0);
     let line = |name: &&str| match say(Some(name)) {

@@ -1,4 +1,4 @@
-//! `zpg join`: the parts of a picture as one.
+//! `zpg join`: puts the parts of a picture together.
 
 use std::fs;
 use std::io;
@@ -37,16 +37,16 @@ pub struct Args {
     keep: bool,
 }
 
-/// A file and what it says of itself.
+/// The file of a part, with the origin and the format that it states.
 struct PartFile {
     path: PathBuf,
     origin: Origin,
     format: Format,
 }
 
-/// Why there is no picture.
+/// The reason why no picture is written.
 enum Refusal {
-    /// Parts lack or do not belong.
+    /// Parts are missing, or do not belong to the same picture.
     No(Complaint),
     /// A file cannot be read or written.
     Failure(Complaint),
@@ -80,7 +80,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
 /// A picture that was made of parts.
 struct Joined {
     whole: Origin,
-    /// So many parts were removed.
+    /// The number of parts that were removed.
     removed: usize,
 }
 
@@ -104,7 +104,7 @@ fn join(args: &Args, look: LookChoice) -> Result<Joined, Refusal> {
         let complaint = Complaint::new("exr-of-png").with("path", part.path.as_path());
         return Err(Refusal::No(complaint));
     }
-    // Files are opened one by one as their turn comes, and may have changed until then.
+    // Each part is opened again when its rows are needed, and may have changed since.
     let mut fault = None;
     let rows = parts
         .iter()
@@ -122,14 +122,14 @@ fn join(args: &Args, look: LookChoice) -> Result<Joined, Refusal> {
         return Err(Refusal::No(complaint));
     }
     written.map_err(Refusal::Failure)?;
-    // Linear colours are more than a PNG has.
+    // EXR parts of a PNG stay, since their linear colours are more than a PNG has.
     let is_all = |part: &&PartFile| part.format == format;
     let mut removed = 0;
     if !args.keep {
         for part in parts.iter().filter(is_all) {
             match fs::remove_file(&part.path) {
                 Ok(()) => removed += 1,
-                // Another run has joined them as well.
+                // A part that is gone has been removed by another run that joined the same parts.
                 Err(e) if e.kind() != io::ErrorKind::NotFound => {
                     return Err(Refusal::Failure(unwritable(&part.path, &e)));
                 }
@@ -140,10 +140,10 @@ fn join(args: &Args, look: LookChoice) -> Result<Joined, Refusal> {
     Ok(Joined { whole, removed })
 }
 
-/// Rows, or why there are no more.
+/// The rows of a part from the top; an error ends them.
 type Rows<'p> = Box<dyn Iterator<Item = Result<picture_files::Row, Complaint>> + 'p>;
 
-/// The rows of a part that is still what it was.
+/// Opens a part again for its rows. `Err` if its origin has changed since it was first read.
 fn rows(part: &PartFile) -> Result<Rows<'_>, Complaint> {
     let rows = read::open(&part.path)?;
     match rows.origin == part.origin {
@@ -156,8 +156,8 @@ fn failing<'p>(complaint: Complaint) -> Rows<'p> {
     Box::new(std::iter::once(Err(complaint)))
 }
 
-/// The files that are named, and the pictures of the folders that are; and the pictures of the folders that are no parts:
-/// those of other formats, and one with the name of the picture to be made.
+/// Collects the files that are named, and the pictures in the folders that are named. The second list has the pictures
+/// in these folders that are no parts: those of other formats, and one with the name of the picture to be made.
 fn files(parts: &[PathBuf], output: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>), Complaint> {
     let (mut files, mut left_out) = (Vec::new(), Vec::new());
     for part in parts {
@@ -194,10 +194,10 @@ fn files(parts: &[PathBuf], output: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>
 /// The endings of pictures that are no parts.
 const OTHERS: [&str; 5] = ["jpg", "jpeg", "webp", "pfm", "apng"];
 
-/// So many files that are left out are named.
+/// The most left-out files that the note names.
 const NAMED_FILES: usize = 8;
 
-/// Says which pictures of folders are no parts.
+/// The note that names the pictures in folders that are left out.
 fn of_left_out(left_out: &[PathBuf]) -> Complaint {
     let named = left_out.iter().take(NAMED_FILES);
     let mut named: Vec<String> = named.map(|path| path.display().to_string()).collect();
@@ -207,7 +207,7 @@ fn of_left_out(left_out: &[PathBuf]) -> Complaint {
     Complaint::new("parts-left-out").with("paths", named.join(", "))
 }
 
-/// Opens a file and reads what it says of itself.
+/// Opens the file of a part and reads the origin and the format that it states.
 fn opened(path: PathBuf) -> Result<PartFile, Refusal> {
     if let Err(e) = fs::metadata(&path) {
         let complaint = Complaint::new("cannot-read").with("path", path.as_path());
@@ -223,7 +223,8 @@ fn opened(path: PathBuf) -> Result<PartFile, Refusal> {
     })
 }
 
-/// The origin of the picture that the parts make, which are in the order of their rows.
+/// The origin of the picture that the parts make together. The parts must be sorted by their rows. `Err` if a part does
+/// not belong, or rows are missing or there twice.
 fn whole(parts: &[PartFile]) -> Result<Origin, Complaint> {
     let unfinished = parts.iter().find(|part| part.origin.unfinished);
     if let Some(part) = unfinished {
@@ -268,13 +269,13 @@ fn whole(parts: &[PartFile]) -> Result<Origin, Complaint> {
     })
 }
 
-/// A part of the picture that most parts belong to.
+/// A part of the picture to which most of the parts belong.
 fn most_common(parts: &[PartFile]) -> &PartFile {
     let of = |one: &PartFile| {
         let alike = |part: &&PartFile| part.origin.is_of_one_picture(&one.origin);
         parts.iter().filter(alike).count()
     };
-    // Whatever belongs to no more than half of the parts is found out by the first that differs.
+    // Three candidates are enough: after a wrong choice, too, a part of another picture is found and complained about.
     let candidates = &parts[..parts.len().min(3)];
     candidates
         .iter()
@@ -282,10 +283,11 @@ fn most_common(parts: &[PartFile]) -> &PartFile {
         .unwrap_or(&parts[0])
 }
 
-/// So many gaps are named.
+/// The most gaps that the complaint about missing rows names.
 const NAMED_GAPS: usize = 8;
 
-/// Says which rows are missing.
+/// The complaint about missing rows. `missing` has the first row of each gap and the row behind its last one; `height`
+/// is the picture's number of rows.
 fn lacking(missing: &[(u32, u32)], height: u32) -> Complaint {
     let gap = |&(start, end): &(u32, u32)| match end - start {
         1 => start.to_string(),
@@ -302,7 +304,7 @@ fn lacking(missing: &[(u32, u32)], height: u32) -> Complaint {
         .with("height", height.to_string())
 }
 
-/// The difference that sets two pictures apart.
+/// The message that says in what two pictures differ: the version of zpg, the scene or the options.
 fn difference(one: &Origin, other: &Origin) -> &'static str {
     match () {
         () if one.version != other.version => "of-another-version",

@@ -1,4 +1,4 @@
-//! The language that people are spoken to in: the one that is asked for, or that of the environment.
+//! The language of messages: the one that `--lang` asks for, or that of the environment.
 
 use std::ffi::{OsStr, OsString};
 
@@ -22,7 +22,7 @@ impl From<LanguageChoice> for Language {
     }
 }
 
-/// The variables that name the language of messages; the first that says something counts.
+/// The environment variables that name the language of messages; the first one that is not empty counts.
 const VARIABLES: [&str; 3] = ["LC_ALL", "LC_MESSAGES", "LANG"];
 
 /// The language of the environment.
@@ -38,14 +38,15 @@ fn chosen(variable: impl Fn(&str) -> Option<OsString>) -> Language {
     }
 }
 
-/// `cs`, `cs_CZ.UTF-8`, `cs@latin`, and the old name `czech`.
+/// Whether a locale is Czech: `cs`, `cs_CZ.UTF-8`, `cs@latin`, or the old name `czech`.
 fn is_czech(locale: &OsStr) -> bool {
     let locale = locale.to_string_lossy().to_ascii_lowercase();
     let language = locale.split(['_', '-', '.', '@']).next();
     matches!(language, Some("cs" | "czech"))
 }
 
-/// The value of `--lang` among arguments of which the rest cannot be read.
+/// Finds the value of `--lang` among arguments that clap could not parse. The last one counts; `None` if there is none,
+/// or if it is no known language.
 pub(super) fn among(args: impl Iterator<Item = OsString>) -> Option<LanguageChoice> {
     let args: Vec<_> = args.map(|a| a.to_string_lossy().into_owned()).collect();
     let options = args.iter().take_while(|a| *a != "--").enumerate();

@@ -1,4 +1,4 @@
-//! Loading a scene for a command: what it needs of the scene, and what it says where that is not there.
+//! Loads a scene for a command, makes sure that it has what the command needs, and says what is missing.
 
 use std::path::Path;
 
@@ -9,15 +9,15 @@ use crate::analysis::{Analysis, repair};
 use crate::diagnostics::{Code, Complaint, Diagnostic, Error, Severity, SourceFile, Span};
 use crate::translate::json;
 
-/// Needs of a command besides that the scene is sound.
+/// The part that a command needs of a scene without errors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Needs {
-    /// A render record: something is to be drawn.
+    /// A render record, since the command draws something.
     Render,
     Nothing,
 }
 
-/// Whether a file is a scene in JSON: its name says so, or from standard input the first character.
+/// Whether a file is a scene in JSON: its name ends in .json, or, from standard input, its first character is `{`.
 pub fn is_json(path: &Path, bytes: &[u8]) -> bool {
     if path.as_os_str() == STDIN {
         let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
@@ -26,7 +26,7 @@ pub fn is_json(path: &Path, bytes: &[u8]) -> bool {
     (path.extension()).is_some_and(|e| e.eq_ignore_ascii_case("json"))
 }
 
-/// Reads a scene, as records or as JSON; never fails. `path` is what it goes by.
+/// Reads a scene, as records or as JSON; never fails. `path` is the scene's name in messages.
 pub fn analyse(path: &Path, bytes: Vec<u8>) -> Analysis {
     let name = path.to_string_lossy();
     match is_json(path, &bytes) {
@@ -35,13 +35,13 @@ pub fn analyse(path: &Path, bytes: Vec<u8>) -> Analysis {
     }
 }
 
-/// Reads a scene for a command that draws a sound one: says which errors it has, and gives the exit
-/// status where there are some or there is nothing to draw. All else is for `zpg check` to say.
+/// Reads a scene for a command that draws it. A scene with errors or without a render record is refused: its errors are
+/// printed, and `Err` is the exit status. Warnings and notes are left to `zpg check`.
 pub fn load_valid(path: &Path, look: LookChoice) -> Result<Analysis, Status> {
     load_for(Needs::Render, path, look)
 }
 
-/// As [`load_valid`], for a command that may need less.
+/// Like [`load_valid`], for a command that may do without a render record.
 pub fn load_for(needs: Needs, path: &Path, look: LookChoice) -> Result<Analysis, Status> {
     let bytes = file::read(path).map_err(|e| {
         complain(look, &e);
@@ -64,13 +64,13 @@ pub fn load_for(needs: Needs, path: &Path, look: LookChoice) -> Result<Analysis,
     })
 }
 
-/// Makes errors of warnings that there is no render record, for commands that cannot do without one.
+/// Raises the warning that there is no render record (E106) to an error, for commands that need the record.
 fn render_is_needed(findings: &mut [Diagnostic]) {
     let about = findings.iter_mut().filter(|d| d.code == Code::E106);
     about.for_each(|d| d.severity = Severity::Error);
 }
 
-/// Says why a command does not do what it was asked for, and gives the exit status.
+/// Prints why a command refuses to do its work, and returns the exit status.
 pub fn refuse(analysis: &Analysis, error: Error, look: LookChoice) -> Status {
     match error {
         Error::Scene { why, span } => {
@@ -92,7 +92,7 @@ pub fn refuse(analysis: &Analysis, error: Error, look: LookChoice) -> Status {
     }
 }
 
-/// With the place in the scene.
+/// The complaint with the path, line and column of `span` in front.
 fn placed(analysis: &Analysis, span: Span, why: Complaint) -> Complaint {
     let place = analysis.source.position(span.start);
     Complaint::new("at-place")

@@ -8,7 +8,7 @@ use super::usage::is_near;
 use super::{LookChoice, Status, complain, terminal};
 use crate::diagnostics::{Complaint, Language};
 
-/// Columns of text that a page at 80 has, without its margins.
+/// The width of text in columns: a page of 80 columns without its margins.
 const WIDTH: usize = 72;
 
 /// Print the page of the manual about zpg or one of its commands
@@ -23,7 +23,7 @@ pub struct Args {
     about: Option<String>,
 }
 
-/// The headings of sections, and the messages that say them.
+/// The English headings of sections, each with the message that translates it.
 pub const SECTIONS: [(&str, &str); 6] = [
     ("NAME", "help-section-name"),
     ("SYNOPSIS", "help-section-synopsis"),
@@ -60,13 +60,13 @@ pub fn run(args: &Args, command: clap::Command, look: LookChoice) -> Status {
 }
 
 fn page(mut command: clap::Command, version: &str, language: Language) -> std::io::Result<String> {
-    // The one that names all options would be longer than the page.
+    // The synopsis that clap_mangen would write names all options, and would be longer than the page.
     let usage = own_words(command.render_usage().to_string(), language);
     let usage = usage.split_once(": ").map_or("", |(_, usage)| usage);
     let command = described_help(command, language).override_usage(usage.to_owned());
     let notes = command.get_after_help().map(ToString::to_string);
     let has_commands = command.has_subcommands();
-    // No day is known, and the version stands where it would: an empty argument would move the next to the left.
+    // No date is known. The version stands in its place, since an empty argument would move the next one to the left.
     let man = Man::new(command).date(format!("zpg {version}")).source("");
     let mut page = Vec::new();
     man.render_title(&mut page)?;
@@ -78,7 +78,7 @@ fn page(mut command: clap::Command, version: &str, language: Language) -> std::i
     }
     man.render_options_section(&mut page)?;
     if let Some(notes) = notes {
-        // Lines that are laid out already.
+        // The lines of the notes are laid out already, and `nf` keeps `man` from filling them.
         let mut roff = Roff::default();
         roff.control("SH", ["NOTES"]).control("nf", []);
         for line in notes.lines() {
@@ -91,7 +91,7 @@ fn page(mut command: clap::Command, version: &str, language: Language) -> std::i
     Ok(lines_of_their_own(&named(&page, language)))
 }
 
-/// The page with the headings of its sections in a language.
+/// The page with its section headings translated into a language.
 fn named(page: &str, language: Language) -> String {
     let heading = |line: &str| {
         let name = line.strip_prefix(".SH ")?;
@@ -104,7 +104,7 @@ fn named(page: &str, language: Language) -> String {
     lines.map(|line| line + "\n").collect()
 }
 
-/// Items of lists begin lines, which `man` would fill up otherwise.
+/// Puts each item of a list on a line of its own: `man` would fill the items into one paragraph otherwise.
 fn lines_of_their_own(page: &str) -> String {
     page.replace("\n\\- ", "\n.br\n\\- ")
 }

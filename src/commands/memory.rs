@@ -1,5 +1,5 @@
-//! How much memory and how many threads a command may take. What would need more is refused before it is
-//! begun.
+//! How much memory and how many threads a command may take. Work that would need more memory is refused before it
+//! begins.
 
 use std::fs;
 use std::path::Path;
@@ -16,11 +16,11 @@ use crate::diagnostics::Complaint;
 use crate::scene::Scene;
 use crate::trace::Tracer;
 
-/// So many bytes are taken for each byte of a scene while it is read and looked at: measured on scenes of
-/// short records, with mistakes and without, which take up to 60.
+/// The bytes of memory that a scene takes for each byte of its file while it is read and checked. Measured on scenes of
+/// short records, with mistakes and without: up to 60.
 const PER_BYTE: u64 = 64;
 
-/// More threads for each processor are of no use.
+/// The most threads for each processor: more are of no use.
 const THREADS_PER_CORE: usize = 4;
 
 #[derive(Debug, Clone, Copy, clap::Args)]
@@ -61,7 +61,7 @@ impl FromStr for Bytes {
     }
 }
 
-/// `12G`, `1.5G`: as people say it, rounded up.
+/// A number of bytes for people, rounded up to tenths: `12G`, `1.5G`.
 fn spelled(bytes: f64) -> String {
     let unit = UNITS.iter().find(|u| bytes >= u.1 as f64);
     let (name, size) = unit.map_or((String::new(), 1.0), |u| (u.0.to_string(), u.1 as f64));
@@ -72,7 +72,7 @@ fn spelled(bytes: f64) -> String {
     }
 }
 
-/// A number that may be beyond counting: 12, 2⁶⁴, 1.5e30.
+/// A count that may be huge, for people: `12`, `2^64`, `1.50e30`.
 fn number(x: f64) -> String {
     let exponent = x.log2();
     match () {
@@ -94,12 +94,12 @@ impl Memory {
             .with("memory", spelled(self.bytes() as f64))
     }
 
-    /// Refuses a file that is too long to be read as a scene, given how many are read at a time.
+    /// Refuses a file that is too long to be read as a scene. `at_a_time` files share the memory.
     pub fn admit(self, file: &Path, at_a_time: usize) -> Result<(), Complaint> {
         if file.as_os_str() == STDIN {
             return Ok(());
         }
-        // What cannot be looked at cannot be read either, and that is said then.
+        // A file whose length is unknown cannot be read either, and reading it complains.
         let length = fs::metadata(file).map_or(0, |m| m.len());
         let needed = length.saturating_mul(PER_BYTE);
         match needed <= self.bytes() / at_a_time.max(1) as u64 {
@@ -111,7 +111,7 @@ impl Memory {
         }
     }
 
-    /// Refuses what takes so many bytes.
+    /// Refuses work that needs more than the allowed memory. `needed` is in bytes, `what` the message of the refusal.
     pub fn grant(self, needed: f64, what: &'static str) -> Result<(), Complaint> {
         match needed <= self.bytes() as f64 {
             true => Ok(()),
@@ -124,7 +124,8 @@ impl Memory {
         Some(self.bytes())
     }
 
-    /// Gives the rays of a scene the room that is left beside so many bytes, or refuses to begin.
+    /// Limits the memory that rays may take to a thread's share of what is left beside `taken` bytes. Refuses to begin
+    /// if that is surely too little.
     pub fn confine(self, tracer: &mut Tracer, taken: f64, threads: usize) -> Result<(), Complaint> {
         let left = (self.bytes() as f64 - taken).max(0.0);
         let room = left / threads.max(1) as f64;
@@ -134,14 +135,14 @@ impl Memory {
         }
     }
 
-    /// The complaint where rays find too much in one place.
+    /// The complaint that rays need too much memory, because many parts are in one place.
     pub fn crowded(self, tracer: &Tracer) -> Complaint {
         Complaint::new("too-many-parts-in-one-place")
             .with("parts", number(tracer.graph.occurrences()))
             .with("memory", spelled(self.bytes() as f64))
     }
 
-    /// Refuses to answer where some ray had no room.
+    /// Refuses to answer if some ray has needed more memory than allowed.
     pub fn check(self, tracer: &Tracer) -> Result<(), Complaint> {
         match tracer.graph.room.is_exhausted() {
             true => Err(self.crowded(tracer)),
@@ -149,34 +150,35 @@ impl Memory {
         }
     }
 
-    /// As [`confine`](Self::confine), for a scene that others trace on one thread.
+    /// Like [`confine`](Self::confine), for a scene that a translation traces on one thread.
     pub fn confine_scene(self, scene: &Scene) -> Result<(), Complaint> {
         match Tracer::new(scene) {
             Ok(mut tracer) => self.confine(&mut tracer, 0.0, 1),
-            // What cannot be traced is not.
+            // A scene that cannot be traced needs no memory for rays.
             Err(_) => Ok(()),
         }
     }
 }
 
-/// Half of the memory there is for this process.
+/// Half of the memory that this process may use, in bytes.
 static HALF: LazyLock<u64> = LazyLock::new(|| {
     let mut system = System::new();
     system.refresh_memory();
     memory_of(&system) / 2
 });
 
-/// The memory there is for this process, of a system that has been asked.
+/// The memory that this process may use, in bytes: the least of the machine's memory, the limit of the control group
+/// and the limit of the address space.
 fn memory_of(system: &System) -> u64 {
-    // It knows nothing where /proc is missing, and must not be asked for its groups then.
+    // Without /proc the total is 0, and the limits of control groups must not be asked for.
     let all = Some(system.total_memory()).filter(|&bytes| bytes > 0);
     let group = all.and_then(|_| Some(system.cgroup_limits()?.total_memory));
     let known = [all, group, address_space()].into_iter().flatten();
-    // Where nobody tells, what most machines have.
+    // If no limit is known: 8 GiB, which most machines have.
     known.filter(|&bytes| bytes > 0).min().unwrap_or(8 << 30)
 }
 
-/// The limit that `ulimit -v` sets.
+/// The limit that `ulimit -v` sets, in bytes; `None` if there is none, or it is unknown.
 fn address_space() -> Option<u64> {
     let limits = fs::read_to_string("/proc/self/limits").ok()?;
     let line = limits
@@ -185,7 +187,8 @@ fn address_space() -> Option<u64> {
     line.split_whitespace().next()?.parse().ok()
 }
 
-/// How many threads to work with; 0 is as many as there are processors.
+/// The number of threads to work with. `wanted` 0 means one for each processor; more than four for each are cut to
+/// four, with a warning.
 pub fn threads(wanted: usize, look: LookChoice) -> usize {
     let cores = available_parallelism().map_or(1, usize::from);
     let most = THREADS_PER_CORE * cores;

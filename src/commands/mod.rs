@@ -1,15 +1,16 @@
 //! One file per subcommand of the command line. Each has `Args`, derived for clap, and `run`, which
 //! returns the exit [`Status`].
 //!
-//! What they share: [`belongings`] of files stay theirs, [`camera`] says who takes the picture, [`canvas`] has text on
-//! pictures, [`load`] loads a scene and says why a command refuses, [`paths`] expands folders, [`difference`] shows how
-//! a file would change, [`atomic_file`] writes files that appear when they are complete, [`endings`] refuses names that say
-//! something else than what is written, [`frames`] says which pictures a scene with varying numbers has, [`help`] gives
-//! `--help` in other languages, [`language`] chooses one, [`memory`] says how much memory and how many threads may be
-//! taken, [`rewrite`] changes files, [`settings`] finds the scenes and settings of a run, [`size`] reads `640x480`,
-//! [`shell`] quotes words, [`refuse_overwrite`] keeps files that are read from being written over, [`terminal`] knows about colour and about output that nobody
-//! reads any more, [`time`] reads `90s`, [`topics`] are pages of `explain`, [`usage`] says what is wrong with
-//! arguments, [`watch`] does something again when a scene changes.
+//! Modules that the commands share: [`atomic_file`] writes files that appear when they are complete, [`belongings`]
+//! copies a file's owner, permissions and attributes, [`camera`] chooses the camera, [`canvas`] writes text on
+//! pictures, [`difference`] shows how a file would change, [`endings`] refuses a file name whose ending stands for
+//! another format, [`frames`] makes the scene of each frame, [`help`] gives `--help` in other languages, [`language`]
+//! chooses the language of messages, [`load`] loads a scene and says why a command refuses it, [`memory`] limits memory
+//! and threads, [`paths`] expands folders, [`refuse_overwrite`] keeps files that are read from being written over,
+//! [`rewrite`] changes files, [`settings`] finds the scenes and settings of a run, [`shell`] quotes words, [`size`]
+//! reads `640x480`, [`terminal`] knows about colour and about a closed standard output, [`time`] reads `90s`,
+//! [`topics`] are pages of `explain`, [`usage`] says what is wrong with arguments, [`watch`] repeats the work when a
+//! scene changes.
 
 pub mod accuracy;
 mod apart;

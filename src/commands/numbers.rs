@@ -69,14 +69,14 @@ impl Writable for Dd {
     }
 }
 
-/// Significant digits of a double-double number: 2⁻¹⁰² is 2·10⁻³¹.
+/// The number of significant digits of a double-double number: its precision of 2⁻¹⁰² is 2·10⁻³¹.
 const DIGITS: usize = 32;
 
 /// A finite number with [`DIGITS`] significant digits, correctly rounded: 0.00…, 1234.5… or, where
 /// that would need more zeros than digits, 1.2345…e67.
 fn digits(x: Dd) -> String {
     let (high, low) = x.parts();
-    // No limit of precision: the sum of the parts is exact.
+    // A precision of 0 means no limit, so that the sum of the parts is exact.
     let exact = |part: f64| {
         let part = FBig::<HalfEven, 2>::try_from(part).unwrap_or_default();
         part.with_precision(0).value()

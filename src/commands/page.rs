@@ -1,5 +1,4 @@
-//! Pages of `zpg explain` as people read them: as text on a terminal, else as the Markdown that they are, in lines of a
-//! width.
+//! Lays out pages of `zpg explain`: as text on a terminal, elsewhere as Markdown, wrapped to a width.
 
 use crate::diagnostics::layout::{hanging, wrapped};
 
@@ -10,12 +9,12 @@ pub(super) enum PageStyle {
     Text { colour: bool },
 }
 
-/// Escape sequences that text is set in, and the one that ends them.
+/// Escape sequences of a terminal: `BOLD` and `CODE` begin a style, `PLAIN` ends it.
 const BOLD: &str = "\u{1b}[1m";
 const CODE: &str = "\u{1b}[36m";
 const PLAIN: &str = "\u{1b}[0m";
 
-/// The page in lines no wider than this. Examples stay as they are.
+/// The page wrapped to `width` columns. Lines of examples are not wrapped.
 pub(super) fn laid_out(page: &str, form: PageStyle, width: usize) -> String {
     let mut pages = Pages {
         form,
@@ -51,7 +50,7 @@ struct Pages {
     form: PageStyle,
     width: usize,
     out: String,
-    /// The paragraph or the entry of a list so far, and how far its further lines are in.
+    /// The paragraph or the entry of a list that is being collected; `indent` stands before its further lines.
     text: String,
     indent: &'static str,
 }
@@ -62,7 +61,7 @@ impl Pages {
         self.out.push('\n');
     }
 
-    /// A line of prose, a heading or a table.
+    /// Takes in a line of prose, of a list or of a table, or a heading.
     fn add(&mut self, line: &str) {
         let is_heading = line.starts_with('#');
         if line.is_empty() || is_heading {
@@ -90,7 +89,7 @@ impl Pages {
         }
     }
 
-    /// Ends a paragraph.
+    /// Writes the paragraph or the entry that has been collected, if there is one.
     fn end(&mut self) {
         if !self.text.is_empty() {
             let text = wrapped(&std::mem::take(&mut self.text), self.width, self.indent);
@@ -104,7 +103,7 @@ impl Pages {
     }
 }
 
-/// Text with code in a colour in place of its backquotes.
+/// The text with code in a colour, in place of the backquotes around it.
 fn coloured(text: &str) -> String {
     let mut out = String::new();
     for (i, part) in text.split('`').enumerate() {

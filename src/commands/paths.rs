@@ -17,14 +17,14 @@ const EXTENSION: &str = "zpg";
 /// The files that PATH arguments stand for, each once.
 #[derive(Debug, Default)]
 pub struct Files {
-    /// In the order of the arguments, those of a folder sorted.
+    /// The files in the order of the arguments; the files of a folder are sorted.
     pub files: Vec<PathBuf>,
-    /// A folder, or a part of one, could not be read; this has been said.
+    /// Whether a folder, or a part of one, could not be read; the complaint has been printed.
     pub failed: bool,
 }
 
-/// Expands folders to their `*.zpg`, recursively, without what `.gitignore` and its kin and the settings exclude.
-/// A file is taken whatever it is called, even one that does not exist: reading it will tell.
+/// Expands each folder to its `*.zpg` files, recursively. Files that `.gitignore` and its kin or the settings exclude
+/// are left out. A path that is no folder is taken whatever its name, even if it does not exist: reading it will tell.
 pub fn expand(paths: &[PathBuf], configs: &Arc<Configs>, look: LookChoice) -> Files {
     let mut found = Files::default();
     let mut seen = HashSet::new();
@@ -47,7 +47,8 @@ pub fn expand(paths: &[PathBuf], configs: &Arc<Configs>, look: LookChoice) -> Fi
     found
 }
 
-/// A file's place below the folder among these paths that it was found in; of a file that is named itself, its name.
+/// The path of a file below the folder among `paths` that it was found in. For a file that is named itself, its bare
+/// name.
 pub fn place_below(paths: &[PathBuf], file: &Path) -> PathBuf {
     let mut folders = paths.iter().filter(|path| path.is_dir());
     let below = folders.find_map(|folder| file.strip_prefix(folder).ok());
@@ -57,7 +58,8 @@ pub fn place_below(paths: &[PathBuf], file: &Path) -> PathBuf {
     )
 }
 
-/// The same for a file however it is called.
+/// The canonical path of a file, which is the same for all spellings of its path. Standard input and missing files stay
+/// as they are written.
 fn identity(file: &Path) -> PathBuf {
     if file.as_os_str() == STDIN {
         return file.to_owned();
@@ -70,12 +72,13 @@ pub fn is_stdin(path: &Path) -> bool {
     path.as_os_str() == STDIN
 }
 
-/// Whether a path stands for standard output, which is written as standard input is.
+/// Whether a path stands for standard output: `-`, as for standard input.
 pub fn is_stdout(path: &Path) -> bool {
     is_stdin(path)
 }
 
-/// Whether settings exclude a file. Where they cannot be read, that is said when the file is.
+/// Whether settings exclude a file. Settings that cannot be read exclude nothing; reading the file complains about
+/// them.
 pub fn is_excluded(configs: &Configs, file: &Path) -> bool {
     (configs.for_file(file)).is_ok_and(|config| config.excludes_file(file))
 }
@@ -90,7 +93,7 @@ fn scenes_in(
     let mut walk = WalkBuilder::new(folder);
     let configs = configs.clone();
     walk.require_git(false).filter_entry(move |entry| {
-        // What was asked for by its name is taken.
+        // A folder that an argument names is searched even if the settings exclude it.
         let is_excluded = || {
             let config = configs.for_file(entry.path());
             config.is_ok_and(|config| config.excludes(entry.path()))
@@ -118,14 +121,14 @@ fn scenes_in(
     scenes
 }
 
-/// Something in a folder could not be read.
+/// The complaint that a file or a folder within `folder` could not be read.
 pub fn unreadable_entry(error: &ignore::Error, folder: &Path) -> Complaint {
     let why = error.io_error();
     let why = why.map_or_else(|| Complaint::quoted(error), Complaint::from);
     unreadable(place(error).unwrap_or(folder), why)
 }
 
-/// The file or folder that could not be read.
+/// The file or folder that an error is about; `None` if the error does not name it.
 fn place(error: &ignore::Error) -> Option<&Path> {
     match error {
         ignore::Error::WithPath { path, .. } => Some(path),

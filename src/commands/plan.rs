@@ -137,7 +137,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         }
     };
     match written {
-        // Nobody reads any more.
+        // A reader that closes the pipe early is no failure.
         Err(e) if e.kind() == io::ErrorKind::BrokenPipe => Status::Clean,
         Err(e) => {
             complain(look, &unprintable(&e));
@@ -147,13 +147,14 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     }
 }
 
-/// So many IDs are printed, and so many parts; JSON has all.
+/// The most IDs, and the most unseen parts, that are printed for people; JSON has all.
 const SHOWN: usize = 20;
 
-/// How wide the first column is.
+/// The width of the first column in characters.
 const WIDTH: usize = 20;
 
-/// The answer for people: what is on with its reasons, what is off, what there is.
+/// Writes the answer for people: the effects that are on with their reasons, those that are off, the counts of shapes
+/// and operations, and the objects that are not drawn or not seen.
 fn print(out: &mut dyn Write, answer: &Answer, language: Language) -> io::Result<()> {
     let say = |message, values: &[(&'static str, Value)]| language.say(message, values);
     let [on, off] = ["plan-on", "plan-off"].map(|message| say(message, &[]));

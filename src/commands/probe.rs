@@ -145,7 +145,8 @@ impl FromStr for PixelArg {
 /// The options that take several numbers, and how many.
 const SEVERAL: [(&str, usize); 3] = [("--ray", 6), ("--pixel", 2), ("--point", 3)];
 
-/// The arguments of the program, of which the numbers of such an option are one, also where no quotes keep them together.
+/// The arguments of the program, with the numbers behind an option of `SEVERAL` joined into one argument. The user
+/// need not keep them together with quotes.
 pub fn joined(written: impl Iterator<Item = OsString>) -> Vec<OsString> {
     fn number(arg: &OsString) -> Option<&str> {
         let text = arg.to_str()?.trim_end_matches(',');
@@ -245,7 +246,7 @@ fn ray_answer(tracer: &Tracer, ray: &Ray, numbers: Numbers) -> Result<RayAnswer,
     answer.map_err(Error::Request)
 }
 
-/// The rays of a file.
+/// Opens a file of rays; `-` is standard input.
 fn open(path: &Path) -> Result<Input, Error> {
     let input: Box<dyn Read> = if path.as_os_str() == STDIN {
         Box::new(io::stdin().lock())
@@ -256,7 +257,7 @@ fn open(path: &Path) -> Result<Input, Error> {
     Ok(Input::with_capacity(rays::BUFFER, input))
 }
 
-/// A render record for one object alone, with the background of the scene's own.
+/// A render record that shows the object `id` alone, without a box and with the scene's background.
 fn alone(scene: &Scene, id: u32) -> Result<Render, Error> {
     let found = scene.entities.iter().find(|e| e.id == id);
     match found {
@@ -281,11 +282,11 @@ fn alone(scene: &Scene, id: u32) -> Result<Render, Error> {
     }
 }
 
-/// So many objects are named where there is none of the ID that was asked for.
+/// The most objects that are listed in the complaint that no object has the ID.
 const NAMED: usize = 20;
 
-/// There is no object with this ID. Proposes the one whose ID is a letter away, of several the nearest number, and else
-/// names those that there are.
+/// The complaint that no object has this ID. It proposes the object whose ID differs in one character, the nearest
+/// number of several; if there is none, it lists the objects.
 fn unknown(scene: &Scene, id: u32) -> Error {
     let written = id.to_string();
     let objects = scene
@@ -310,7 +311,7 @@ fn unknown(scene: &Scene, id: u32) -> Error {
     Error::Request(complaint.with("id", id.to_string()))
 }
 
-/// Refuses to answer where a ray found more than there is memory for.
+/// Refuses to answer if a ray has needed more memory than allowed.
 fn check(args: &Args, loaded: &Analysis, tracer: &Tracer) -> Result<(), Error> {
     (args.memory.check(tracer)).map_err(|e| Error::at(render_span(loaded), e))
 }
@@ -319,7 +320,7 @@ fn render_span(loaded: &Analysis) -> Span {
     loaded.scene.render.map_or(Span::default(), |r| r.span)
 }
 
-/// The tracer of a scene, with its pictures.
+/// The tracer of a scene, with its textures loaded and the memory of its rays limited.
 fn tracer(args: &Args, loaded: &Analysis, scene: &Scene) -> Result<Tracer, Error> {
     let folder = loaded.source.folder().unwrap_or(Path::new("."));
     let images = Images::load(scene, folder)?;

@@ -1,4 +1,4 @@
-//! Refuses outputs that would write over the scene or over pictures that it names.
+//! Refuses outputs that would write over the scene, or over a picture that the scene names.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ use crate::analysis::Analysis;
 use crate::diagnostics::Complaint;
 use crate::scene::Texture;
 
-/// A name for the place of a file, the same however the path to it is written.
+/// The canonical path of a file that may not exist yet: all spellings of a path give the same result.
 fn place(path: &Path) -> PathBuf {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -17,7 +17,8 @@ fn place(path: &Path) -> PathBuf {
     (path.canonicalize().ok().or_else(new)).unwrap_or_else(|| path.to_owned())
 }
 
-/// Refuses to write over a scene or a picture that it names, or to write two things to one file.
+/// Refuses the outputs `written` if one of them is the scene `file` or a picture that the scene names, or if two of
+/// them are one file.
 pub(super) fn refuse_overwrite<'p>(
     file: &Path,
     loaded: &Analysis,
@@ -33,7 +34,7 @@ pub(super) fn refuse_overwrite<'p>(
     let scene = file.canonicalize().ok();
     let mut seen = HashSet::new();
     for path in written {
-        // What is not there yet is nothing to be spared.
+        // A file that does not exist yet needs no protection.
         let there = path.canonicalize().ok();
         let is_new = seen.insert(place(path));
         let what = match &there {

@@ -115,7 +115,7 @@ impl Args {
     }
 }
 
-/// A scene, and where its picture goes.
+/// A scene file, and the file that its picture goes to.
 struct Job {
     scene: PathBuf,
     picture: PathBuf,
@@ -138,7 +138,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
         return Status::Failure;
     }
     let stop = stop_on_interrupt(look);
-    // What was drawn last is no reason to draw again.
+    // A change of the pictures that were drawn last is no reason to draw again.
     let drawn = RefCell::new(Vec::new());
     let all = || {
         let Some(jobs) = jobs(args, look) else {
@@ -159,7 +159,8 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     }
 }
 
-/// A number among the scenes to be watched that names no file: other programs have `-w` for a width.
+/// Finds, with `--watch`, a number such as `640` or `640x480` among the paths that names no file: other programs have
+/// `-w` for a width, and the user may have meant that.
 fn width_behind_watch(args: &Args) -> Option<String> {
     let is_number = |path: &&PathBuf| {
         let text = path.to_str().unwrap_or_default();
@@ -170,9 +171,10 @@ fn width_behind_watch(args: &Args) -> Option<String> {
     Some(width.display().to_string())
 }
 
-/// The jobs to draw. What stands in the way is said, and then there are none.
+/// The scenes to draw, each with the file of its picture. `None` if the arguments do not allow that; the complaint has
+/// been printed.
 fn jobs(args: &Args, look: LookChoice) -> Option<Vec<Job>> {
-    // Nothing is drawn where a name among the scenes is meant as something else.
+    // Nothing is drawn if a path that names no scene is meant as an output or as another program's option.
     let no_scene = args.paths.iter().filter(|path| !path.exists());
     let instead = |path: &Path| {
         let translation = habits::translation(path, &args.paths);

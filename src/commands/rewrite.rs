@@ -1,4 +1,4 @@
-//! Changing a user's file.
+//! Changes of a user's file, and the checks before them.
 
 use std::borrow::Cow;
 use std::fs;
@@ -8,8 +8,8 @@ use super::atomic_file::{self, unwritable};
 use crate::diagnostics::{Complaint, SourceFile};
 use crate::syntax::{self, in_records, recognise};
 
-/// How the names of other tools' files end whose texts may look like scenes: documents, tables, meshes, and scenes and
-/// programs in other languages. Scenes in JSON are refused with words of their own.
+/// The name endings of other tools' files whose text may look like a scene: documents, tables, meshes, and scenes and
+/// programs in other languages. Scenes in JSON are refused elsewhere, with a message of their own.
 const OTHER_TOOLS: [&str; 59] = [
     "md", "markdown", "mdown", "mkd", "rst", "adoc", "org", "tex", "html", "htm", "xml", "svg",
     "yaml", "yml", "toml", "ini", "cfg", "csv", "tsv", "psv", "jsonl", "ndjson", "json5",
@@ -18,8 +18,8 @@ const OTHER_TOOLS: [&str; 59] = [
     "ngc", "srt", "vtt", "sub", "log", "py", "c", "h", "cpp", "rs", "js",
 ];
 
-/// Refuses to change a file that is another tool's by its name, unless that is forced, or is no regular file. Where nothing
-/// is written in the end, a pipe may be read.
+/// Refuses to change a file whose name has the ending of another tool's files, unless `force` is set. If `writes` is
+/// set, also refuses anything but a regular file; a command that only reads may read a pipe.
 pub(super) fn allow(path: &Path, force: bool, writes: bool) -> Result<(), Complaint> {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
     if !force && OTHER_TOOLS.iter().any(|e| ending.eq_ignore_ascii_case(e)) {
@@ -39,8 +39,9 @@ fn refused(path: &Path, why: &'static str) -> Complaint {
         .with("reason", Complaint::new(why))
 }
 
-/// The bytes of a scene with another text, in its encoding. Nothing may be lost, and it must be known
-/// for a scene when it is read again; `read_again` asks to look at its records, too.
+/// The bytes of the scene file with the new text, in the scene's encoding. Refuses a text that the encoding cannot
+/// hold, or that would not be recognised as a scene when it is read again. With `read_again`, too few numbers in
+/// records are a reason to refuse, too.
 pub(super) fn bytes_of<'t>(
     scene: &SourceFile,
     text: &'t str,
@@ -62,7 +63,7 @@ pub(super) fn bytes_of<'t>(
     }
 }
 
-/// Replaces a file as [`atomic_file`] does.
+/// Replaces the content of a file through [`atomic_file`]. Refuses anything but a regular file that may be written.
 pub(super) fn replace(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
     let found = fs::metadata(path).map_err(|e| unwritable(path, &e))?;
     if !found.is_file() {

@@ -1,4 +1,4 @@
-//! The files of settings that count, and those of scenes.
+//! The scene files of a run, and the settings that apply to them.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -48,8 +48,8 @@ pub struct Scenes {
 }
 
 impl Chosen {
-    /// Finds the scenes; `stdin` is what standard input goes by. What is wrong with the settings of the command line is
-    /// said, and then there are none.
+    /// Finds the scenes of the run. `stdin` is the name that standard input goes by. `None` if the arguments or the
+    /// settings of the command line are wrong; the complaint has been printed.
     pub fn scenes(&self, stdin: Option<&Path>, look: LookChoice) -> Option<Scenes> {
         let others = self.paths.iter().find(|path| !paths::is_stdin(path));
         if let (Some(other), Some(_)) = (others, stdin) {
@@ -70,7 +70,7 @@ impl Chosen {
         let mut files = match self.paths.is_empty() {
             true => {
                 let mut found = paths::expand(&roots, &configs, look);
-                // Nobody has written the dot.
+                // The user has not written the `.`, and the names are shown without it.
                 for file in &mut found.files {
                     if let Ok(plain) = file.strip_prefix(".") {
                         *file = plain.to_owned();
@@ -81,7 +81,7 @@ impl Chosen {
             false => paths::expand(&roots, &configs, look),
         };
         if self.force_exclude {
-            // What standard input goes by is excluded as a file of this name is.
+            // Standard input is excluded if a file of the name that it goes by is.
             files.files.retain(|file| match paths::is_stdin(file) {
                 true => stdin.is_none_or(|name| !paths::is_excluded(&configs, name)),
                 false => !paths::is_excluded(&configs, file),
@@ -93,8 +93,8 @@ impl Chosen {
         Some(Scenes { files, configs })
     }
 
-    /// The files and folders that the run is about: standard input if it has a name, otherwise this folder, where no path
-    /// is given.
+    /// The files and folders to look for scenes in: the paths that are given. Without them it is standard input if it
+    /// has a name, and else the current folder.
     pub fn roots(&self, stdin: Option<&Path>) -> Vec<PathBuf> {
         match (self.paths.is_empty(), stdin) {
             (true, Some(_)) => vec![PathBuf::from(file::STDIN)],
@@ -109,7 +109,8 @@ impl Chosen {
     }
 }
 
-/// Says of settings beside scenes that their name has a point before it, or is that of Python's, and so do not count.
+/// Notes files beside the scenes that are meant as settings and do not count: `.zpg.toml`, and `pyproject.toml` with a
+/// table for zpg.
 fn note_misnamed(files: &Files, look: LookChoice) {
     let folders: BTreeSet<&Path> = files
         .files
@@ -140,7 +141,8 @@ fn has_table(path: &Path) -> bool {
     tables.any(|rest| rest.starts_with([']', '.']))
 }
 
-/// A scene from standard input that the settings exclude goes on as it is, where it is printed at all.
+/// Copies a scene from standard input, which the settings exclude, to standard output as it is. If `is_printed` is
+/// false, nothing is printed.
 pub fn pass_through(is_printed: bool, look: LookChoice) -> Status {
     match file::read(Path::new(file::STDIN)) {
         Ok(_) if !is_printed => Status::Clean,

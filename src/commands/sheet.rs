@@ -72,7 +72,7 @@ pub struct Args {
     size: Size,
 }
 
-/// The sides that a thumbnail may have.
+/// The widths and heights in pixels that a thumbnail may have.
 const SIDES: std::ops::RangeInclusive<u32> = 32..=1024;
 
 fn columns(text: &str) -> Result<u32, Complaint> {
@@ -186,8 +186,8 @@ fn name_of(folder: &Path) -> String {
         .into_owned()
 }
 
-/// The pictures of a folder and those in it, but for sheets. What cannot be looked into is said, and changes the
-/// status.
+/// The pictures of a folder and its subfolders, without earlier sheets. A folder that cannot be read is complained
+/// about, and makes `status` a failure.
 fn pictures_in(
     folder: &Path,
     look: LookChoice,
@@ -201,7 +201,7 @@ fn pictures_in(
         Ok(_) => {}
     }
     let mut pictures = Vec::new();
-    // Pictures are often what `.gitignore` names.
+    // `.gitignore` does not count, as it often names pictures.
     let mut walk = WalkBuilder::new(folder);
     walk.standard_filters(false).hidden(true);
     for entry in walk.build() {

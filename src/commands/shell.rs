@@ -1,6 +1,6 @@
 //! Words of command lines that zpg writes for people and scripts.
 
-/// A word as a shell reads it.
+/// The word, in single quotes if a shell would otherwise not read it as one plain word.
 pub(super) fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./,:=+@".contains(c);
     match word.chars().all(is_plain) && !word.is_empty() {

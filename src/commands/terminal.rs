@@ -35,7 +35,7 @@ pub struct LookChoice {
     #[arg(short, long, global = true)]
     pub quiet: bool,
 
-    /// Leave out what may help: it has been said
+    /// Leave out notes: they have been said
     #[arg(skip)]
     no_notes: bool,
 }
@@ -51,7 +51,7 @@ enum ColorChoice {
 }
 
 impl LookChoice {
-    /// The look that is asked for among arguments of which the rest cannot be read.
+    /// The look with the `--lang` among arguments that clap could not parse; all other settings have their defaults.
     pub fn among(args: impl Iterator<Item = OsString>) -> LookChoice {
         LookChoice {
             lang: language::among(args),
@@ -59,7 +59,7 @@ impl LookChoice {
         }
     }
 
-    /// The same without notes.
+    /// The same look without notes: [`note`] prints nothing.
     #[must_use]
     pub fn without_notes(self) -> LookChoice {
         LookChoice {
@@ -68,7 +68,7 @@ impl LookChoice {
         }
     }
 
-    /// How findings look that go to this stream.
+    /// The look of findings that are printed on this stream.
     pub fn on(self, stream: &impl IsTerminal) -> Look {
         Look {
             colour: self.colour(stream),
@@ -77,7 +77,7 @@ impl LookChoice {
         }
     }
 
-    /// How findings look that go to a file.
+    /// The look of findings that are written to a file.
     pub fn on_file(self) -> Look {
         Look {
             colour: self.color == ColorChoice::Always,
@@ -102,11 +102,11 @@ impl LookChoice {
     }
 }
 
-/// Whether to use colour where no option says: <https://no-color.org>, <https://force-color.org> and
-/// <https://bixense.com/clicolors>, the first of them that is set.
+/// Whether to use colour if no option says so. The variables of <https://no-color.org>, <https://force-color.org> and
+/// <https://bixense.com/clicolors> decide, the first of them that is set; without them a terminal has colour.
 fn usual(is_terminal: bool, variable: impl Fn(&str) -> Option<OsString>) -> bool {
     let is_set = |name| variable(name).is_some_and(|value| !value.is_empty());
-    // Many programs take 0 for a no.
+    // In many programs the value 0 means no.
     let says_yes = |name| is_set(name) && variable(name).is_some_and(|value| value != "0");
     if is_set("NO_COLOR") {
         return false;
@@ -117,7 +117,7 @@ fn usual(is_terminal: bool, variable: impl Fn(&str) -> Option<OsString>) -> bool
     is_terminal && variable("TERM").is_none_or(|terminal| terminal != "dumb")
 }
 
-/// Says on standard error what went wrong.
+/// Prints an error on standard error.
 pub fn complain(look: LookChoice, complaint: &Complaint) {
     let kind = look.language().say("error", &[]);
     for one in complaint.each() {
@@ -125,7 +125,8 @@ pub fn complain(look: LookChoice, complaint: &Complaint) {
     }
 }
 
-/// Complaints about many files: what is wrong with the settings of all of them is said once.
+/// Prints the complaints about many files. A complaint that is the same as the last one, as about the settings of all
+/// files, is printed once.
 pub struct Complaints {
     look: LookChoice,
     said: Vec<Complaint>,
@@ -147,7 +148,7 @@ impl Complaints {
     }
 }
 
-/// Says on standard error what should be known, unless nobody wants to.
+/// Prints a warning on standard error, unless `--quiet` is given.
 pub fn warn(look: LookChoice, complaint: &Complaint) {
     if look.quiet {
         return;
@@ -156,7 +157,7 @@ pub fn warn(look: LookChoice, complaint: &Complaint) {
     tell(&format!("{kind}: {}", complaint.wording(look.language())));
 }
 
-/// Says on standard error what may help, unless nobody wants to.
+/// Prints a note on standard error, unless `--quiet` is given or notes are left out.
 pub fn note(look: LookChoice, complaint: &Complaint) {
     if look.quiet || look.no_notes {
         return;
@@ -171,13 +172,13 @@ pub fn tell(line: &str) {
     let _ = writeln!(io::stderr(), "{}", wrapped(line, width(), "  "));
 }
 
-/// How wide text may be where nobody says: in a pipe, in a file.
+/// The width of text in columns if neither COLUMNS nor a terminal says one: in a pipe, in a file.
 const USUAL_WIDTH: usize = 80;
-/// Longer lines are hard to read.
+/// The greatest width that is taken from a terminal: longer lines are hard to read.
 const MOST_WIDTH: usize = 120;
 const LEAST_WIDTH: usize = 40;
 
-/// How wide text may be: as COLUMNS says, or as the terminal is.
+/// The width of text in columns, from COLUMNS or else from the terminal.
 pub fn width() -> usize {
     let said = std::env::var("COLUMNS").ok();
     if let Some(said) = said.and_then(|said| said.parse().ok()) {
@@ -204,7 +205,7 @@ pub fn stop_on_interrupt(look: LookChoice) -> Arc<AtomicBool> {
     stop
 }
 
-/// Has Ctrl-C, and where there is such a thing SIGTERM, end the program at once, and the programs that it runs.
+/// Makes Ctrl-C, and on Unix SIGTERM, end the program at once, together with the programs that it runs.
 pub fn end_on_interrupt(look: LookChoice) {
     let leaves = |reason: String| {
         let why = Complaint::new("ctrl-c-leaves-programs").with("reason", reason);
@@ -230,7 +231,7 @@ pub fn end_on_interrupt(look: LookChoice) {
 #[cfg(unix)]
 const TERMINATED: u8 = 143;
 
-/// Shows how many rows of a picture are done, unless nobody wants to know.
+/// A progress bar on standard error that ends at `rows`; hidden with `--quiet`.
 pub fn progress_bar(rows: u64, look: LookChoice) -> ProgressBar {
     if look.quiet {
         return ProgressBar::hidden();
@@ -245,8 +246,7 @@ pub fn progress_bar(rows: u64, look: LookChoice) -> ProgressBar {
     bar
 }
 
-/// Prints what was found in a scene for people, on standard error, with a summary; nothing when
-/// nothing was found.
+/// Prints the findings of a scene on standard error, with a summary. Prints nothing if there are no findings.
 pub fn report(source: &SourceFile, found: &[Diagnostic], look: LookChoice) {
     if found.is_empty() {
         return;
@@ -257,17 +257,17 @@ pub fn report(source: &SourceFile, found: &[Diagnostic], look: LookChoice) {
     tell(&tally.sentence(look.language()));
 }
 
-/// The same without the summary.
+/// Prints the findings of a scene on standard error, without a summary.
 pub fn findings(source: &SourceFile, found: &[Diagnostic], look: LookChoice) {
     let stderr = io::stderr();
     let look = look.on(&stderr);
     let mut out = BufWriter::new(stderr.lock());
-    // As above: there is nobody to tell.
+    // Nobody is left to be told when standard error is gone.
     let _ = human::write(&mut out, source, found, look).and_then(|()| out.flush());
 }
 
-/// Writes to standard output, buffered. Output that nobody reads any more (a closed pipe) is no
-/// failure; an unwritable one is.
+/// Writes to standard output, buffered, and returns `status`. Output that nobody reads any more (a closed pipe) is no
+/// failure; output that cannot be written gives [`Status::Failure`].
 pub fn print(
     look: LookChoice,
     status: Status,
@@ -287,7 +287,7 @@ pub fn print(
     }
 }
 
-/// Whoever read standard output has gone.
+/// Whether the reader of standard output has closed it.
 static UNREAD: AtomicBool = AtomicBool::new(false);
 
 /// Whether nobody reads standard output any more, as far as [`print()`] has noticed.
@@ -295,7 +295,7 @@ pub fn is_unread() -> bool {
     UNREAD.load(Ordering::Relaxed)
 }
 
-/// Standard output cannot be written to.
+/// The complaint that standard output cannot be written.
 pub fn unprintable(error: &io::Error) -> Complaint {
     Complaint::new("cannot-print").with("reason", Complaint::from(error))
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use crate::diagnostics::Complaint;
 
-/// From a second to a day.
+/// A time in seconds, from one second to a day.
 #[derive(Debug, Clone, Copy)]
 pub struct Seconds(pub f64);
 

@@ -1,4 +1,5 @@
-//! Things that people want to make and that are no type of record: a page each of `zpg explain`, with a scene that does it.
+//! Pages of `zpg explain` about things that people want to make and that are no record type. Each has a scene that does
+//! it.
 
 mod tables;
 
@@ -7,9 +8,9 @@ use crate::diagnostics::Language;
 use crate::syntax::table::{RECORD_TYPES, RecordType};
 use crate::syntax::words::{self, plain};
 
-/// A page.
+/// A page of `zpg explain` about a thing to make, such as glass.
 pub(super) struct Topic {
-    /// In English and in Czech.
+    /// The title in English and in Czech.
     titles: [&'static str; 2],
     /// Other words that lead here, without accents and in lower case.
     words: &'static [&'static str],
@@ -17,7 +18,7 @@ pub(super) struct Topic {
     texts: [&'static str; 2],
 }
 
-/// The pages of a topic, which are called after it.
+/// The English and the Czech text of a topic, from the files of this name.
 macro_rules! texts {
     ($name:literal) => {
         [
@@ -213,7 +214,7 @@ pub(super) const TOPICS: [Topic; 15] = [
     },
 ];
 
-/// The sentence that names the help with a word of the command line.
+/// The sentence that says which `--help` explains a word of the command line; `None` if no help does.
 pub(super) fn help(word: &str, language: Language) -> Option<String> {
     let word = plain(word);
     let (command, _) = COMMANDS
@@ -230,7 +231,7 @@ pub(super) fn help(word: &str, language: Language) -> Option<String> {
     Some(language.say(message, &values))
 }
 
-/// The types that a word leads to here, the likeliest first.
+/// The record types that a word may stand for, the likeliest first.
 pub(super) fn types(word: &str) -> Vec<&'static RecordType> {
     let named = words::named(word);
     if !named.is_empty() {
@@ -243,7 +244,7 @@ pub(super) fn types(word: &str) -> Vec<&'static RecordType> {
             .filter_map(|&code| RecordType::by_code(code.into()))
             .collect();
     }
-    // The meaning of a parameter.
+    // Any other word may be the meaning of a parameter.
     let is_its = |doc: &str| {
         let doc = plain(doc);
         doc == word || doc.strip_prefix("the") == Some(&word)
@@ -257,14 +258,14 @@ pub(super) fn types(word: &str) -> Vec<&'static RecordType> {
     RECORD_TYPES.iter().filter(has).collect()
 }
 
-/// All names that are no titles, without accents.
+/// All words that lead to record types and are no titles, without accents.
 pub(super) fn all() -> impl Iterator<Item = &'static str> {
     let own = WORDS.iter().map(|n| n.0);
     words::all().map(|n| n.0).chain(own)
 }
 
 impl Topic {
-    /// The topic of a word.
+    /// The topic that a word leads to: its title, or another word for it.
     pub(super) fn of(word: &str) -> Option<&'static Topic> {
         let word = plain(word);
         let is_its = |topic: &&Topic| {

@@ -1,4 +1,4 @@
-//! Wrong usage, in the language that was asked for.
+//! Answers to wrong arguments, in the chosen language.
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -20,7 +20,8 @@ use crate::lint::levels::UnknownCode;
 /// Reads a number of the command line that must satisfy a condition.
 ///
 /// # Errors
-/// `otherwise`, a message of the catalogues, for anything else; of a number with a decimal comma, how it is written.
+/// The text is no such number: the complaint is the message `otherwise`. For a number with a decimal comma, the
+/// complaint says how to write it.
 pub fn number<T: FromStr + Copy>(
     text: &str,
     otherwise: &'static str,
@@ -42,8 +43,8 @@ pub fn whole<T: FromStr + Copy>(text: &str) -> Result<T, Complaint> {
     number(text, "expected-whole-number", |_| true)
 }
 
-/// Answers arguments that cannot be read by a command, those that ask for help, and none: with the commands that a
-/// newcomer needs.
+/// Answers arguments that clap does not take: with a complaint, with the help that they ask for, or, if there are none,
+/// with the commands that a newcomer needs. Returns the exit status.
 pub fn refuse(error: &clap::Error, command: &mut Command, look: LookChoice) -> Status {
     let language = look.language();
     let is_bare = matches!(
@@ -56,7 +57,7 @@ pub fn refuse(error: &clap::Error, command: &mut Command, look: LookChoice) -> S
         let _ = writeln!(io::stderr(), "{start}");
         return Status::Failure;
     }
-    // As `zpg --help`: clap takes it for the name of a command.
+    // clap takes `--help` for the name of a command here; the answer is that of `zpg --help`.
     let word = error.get(ContextKind::InvalidSubcommand).and_then(listed);
     if word.is_some_and(|word| ["--help", "-h"].contains(&&*word)) {
         let help = laid_out(&command.render_long_help(), look.colour(&io::stdout()));
@@ -82,14 +83,14 @@ pub fn refuse(error: &clap::Error, command: &mut Command, look: LookChoice) -> S
     let say = |line: Complaint| tell(&format!("\n{}", line.wording(language)));
     complain(look, &what);
     let usage = error.get(ContextKind::Usage).map(ToString::to_string);
-    // With an unknown argument, the usage is that of the argument which clap takes for the one that was meant.
+    // For an unknown argument, clap's usage is that of the argument which clap believes was meant.
     let unknown = error.get(ContextKind::InvalidArg).and_then(listed);
     let is_meant = |near: &String| {
         unknown
             .as_deref()
             .is_none_or(|written| is_near(written, near))
     };
-    // An answer of its own says what to write instead.
+    // A word of another program or in Czech has an answer of its own, which says what to write instead.
     let has_answer = unknown.as_deref().is_some_and(|word| {
         let message = habits::message(word, command_of(usage.as_deref()));
         message.is_some()
@@ -98,7 +99,8 @@ pub fn refuse(error: &clap::Error, command: &mut Command, look: LookChoice) -> S
                 .is_some()
     });
     let usage = usage.filter(|_| !has_answer && suggested(error).iter().all(is_meant));
-    // With a conflict, that of all arguments that are there, and these may not go together either.
+    // For a conflict, clap's usage has all arguments that were given, though these do not go together: the general
+    // usage is shown.
     let usage = match error.kind() {
         ErrorKind::ArgumentConflict => usage.map(|usage| general(&usage, command)),
         _ => usage,
@@ -110,13 +112,13 @@ pub fn refuse(error: &clap::Error, command: &mut Command, look: LookChoice) -> S
     Status::Failure
 }
 
-/// The name of the subcommand that a usage is of.
+/// The name of the subcommand in a usage such as `Usage: zpg render [OPTIONS]`; empty if there is none.
 fn command_of(usage: Option<&str>) -> &str {
     let name = usage.and_then(|u| u.split_whitespace().nth(2));
     name.unwrap_or_default()
 }
 
-/// The usage of the subcommand that a usage is of, as its help begins.
+/// The general usage of the subcommand that a usage is about, as its help begins.
 fn general(usage: &str, command: &mut Command) -> String {
     let mut name = usage.split_whitespace().skip(2);
     let of = name
@@ -135,7 +137,7 @@ fn laid_out(help: &StyledStr, colour: bool) -> String {
     }
 }
 
-/// The complaint about the arguments; nothing if that is for clap to say, as help is.
+/// The complaint about the arguments. `None` for help and the version, which clap prints itself.
 fn complaint(error: &clap::Error, command: &Command) -> Option<Complaint> {
     let commands: Vec<String> = (command.get_subcommands())
         .map(|c| c.get_name().to_owned())
@@ -221,7 +223,7 @@ fn complaint(error: &clap::Error, command: &Command) -> Option<Complaint> {
     Some(what.or_meant(near))
 }
 
-/// An argument that is missing, as `--for <ENGINE>`, with the values that a command knows for it.
+/// A missing argument such as `--for <ENGINE>`, followed by the values that the subcommand `of` knows for it.
 fn with_values(arg: &str, of: Option<&Command>) -> String {
     let option = arg
         .split(' ')
@@ -233,14 +235,14 @@ fn with_values(arg: &str, of: Option<&Command>) -> String {
     });
     let values = found.map_or(Vec::new(), clap::Arg::get_possible_values);
     let names: Vec<&str> = values.iter().map(|value| value.get_name()).collect();
-    // A placeholder such as `<povray|mitsuba>` names them.
+    // A placeholder such as `<povray|mitsuba>` names the values already.
     match names.is_empty() || arg.contains('|') {
         true => arg.to_owned(),
         false => format!("{arg} ({})", names.join(", ")),
     }
 }
 
-/// Guesses at what else is meant by a word that clap has no name for.
+/// Guesses what a word means for which clap has no suggestion. Returns the commands or the values that may be meant.
 fn meant(error: &clap::Error, written: &str, commands: &[String]) -> Vec<String> {
     match error.kind() {
         ErrorKind::InvalidSubcommand if is_scene(Path::new(written)) => {
@@ -266,14 +268,14 @@ fn meant(error: &clap::Error, written: &str, commands: &[String]) -> Vec<String>
     }
 }
 
-/// Whether a word is a scene or a folder, and no command.
+/// Whether a word in the place of a command is the path of a scene, or of anything that exists.
 fn is_scene(path: &Path) -> bool {
     let endings = ["zpg", "json"];
     let ending = path.extension().unwrap_or_default();
     endings.iter().any(|e| ending.eq_ignore_ascii_case(e)) || path.exists()
 }
 
-/// The name that clap takes for the one that was meant, or several.
+/// The names that clap suggests in place of an unknown one.
 fn suggested(error: &clap::Error) -> Vec<String> {
     let kinds = [
         ContextKind::SuggestedArg,
@@ -294,9 +296,9 @@ fn opposite(word: &str) -> String {
     name.replacen("--no-", "--", 1)
 }
 
-/// Whether someone may have meant one name who has written another: a part of it, or few letters are others.
+/// Whether someone who has written `written` may have meant `name`: one is a part of the other, or few letters differ.
 pub fn is_near(written: &str, name: &str) -> bool {
-    // Nobody means the opposite.
+    // Nobody who writes `--no-fix` means `--fix`.
     if written.starts_with("--no-") && !name.starts_with("--no-") {
         return false;
     }
@@ -305,7 +307,7 @@ pub fn is_near(written: &str, name: &str) -> bool {
     part || strsim::osa_distance(written, name) <= 1 + written.len() / 4
 }
 
-/// Why a value is not right: which ones there are, or what reading it complained about.
+/// Why a value is wrong: the values that are possible, or the complaint of the parser.
 fn reason(error: &clap::Error) -> Option<Complaint> {
     if let Some(values) = error.get(ContextKind::ValidValue).and_then(listed) {
         return Some(Complaint::new("usage-values").with("values", values));
@@ -316,7 +318,7 @@ fn reason(error: &clap::Error) -> Option<Complaint> {
     Some(ours.unwrap_or_else(|| Complaint::quoted(source)))
 }
 
-/// A value of clap's; several with commas.
+/// The text of a value in an error of clap's; several texts are joined by commas.
 fn listed(value: &ContextValue) -> Option<String> {
     match value {
         ContextValue::String(s) => Some(s.clone()),

@@ -1,4 +1,4 @@
-//! Doing something again whenever a scene changes.
+//! Repeats work whenever a scene changes.
 
 use std::collections::HashSet;
 use std::io::{self, IsTerminal, Write};
@@ -14,12 +14,13 @@ use crate::commands::terminal::{is_unread, tell};
 use crate::commands::{LookChoice, Status, complain};
 use crate::diagnostics::Complaint;
 
-/// Time in which nothing must happen before a file is read, since an editor writes it in several steps. It is also how
-/// often the command looks whether it is to stop.
+/// The time without events that must pass before a changed file is read, since an editor writes it in several steps. It
+/// is also how often the command checks whether it is to stop.
 const QUIET_TIME: Duration = Duration::from_millis(100);
 
-/// Runs `work` now and after every change of a scene, of a picture that scenes name, or of settings, until it is stopped.
-/// Changes of files that `is_made` by the work do not count. Once `stop` is set, it ends.
+/// Runs `work` now and after every change of a scene, of a picture that scenes name, or of settings, until `stop` is
+/// set or nobody reads standard output any more. Changes of files for which `is_made` is true do not count: the work
+/// has written these files.
 pub(super) fn run(
     paths: &[PathBuf],
     look: LookChoice,
@@ -72,8 +73,8 @@ fn unwatchable(error: &notify::Error) -> Complaint {
     Complaint::new("cannot-watch").with("reason", error.to_string())
 }
 
-/// The folders to watch: a folder with all below it, and for a file its folder, since editors put a new file in the place
-/// of the old one.
+/// The folders to watch. A folder is watched with all its subfolders. For a file its folder is watched, since editors
+/// put a new file in the place of the old one.
 fn folders(paths: &[PathBuf]) -> HashSet<(PathBuf, RecursiveMode)> {
     let of = |path: &PathBuf| match path.is_dir() {
         true => (path.clone(), RecursiveMode::Recursive),
@@ -85,8 +86,8 @@ fn folders(paths: &[PathBuf]) -> HashSet<(PathBuf, RecursiveMode)> {
     paths.iter().map(of).collect()
 }
 
-/// Waits until something has changed and it is quiet again: `true`, or `false` where it is to stop. `None`: nothing will
-/// come any more.
+/// Waits until something has changed and it is quiet again. `Some(true)`: something has changed. `Some(false)`: `stop`
+/// is set. `None`: the watcher has ended, and no event will come any more.
 fn wait(
     changes: &Receiver<notify::Result<Event>>,
     look: LookChoice,
@@ -106,14 +107,14 @@ fn wait(
     Some(true)
 }
 
-/// Whether an event may change what comes out: not that a file was read.
+/// Whether an event may change the result of the work. Reading a file does not, nor does a file that the work has made.
 fn matters(event: &Event, is_made: &dyn Fn(&Path) -> bool) -> bool {
     let kind = !matches!(event.kind, EventKind::Access(_));
     let file = |path: &PathBuf| is_read(path) && !is_made(path);
     kind && event.paths.iter().any(file)
 }
 
-/// Scenes, the pictures they name, and settings.
+/// Whether the work may read a file, by its name: a scene, a picture that a scene may name, or settings.
 fn is_read(path: &Path) -> bool {
     let extensions = ["zpg", "json", "png", "jpg", "jpeg"];
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");

@@ -156,7 +156,7 @@ pub struct Args {
 }
 
 impl Args {
-    /// How the names of files end that can hold what is printed.
+    /// The endings of file names that fit what is printed.
     fn endings(&self) -> &'static [&'static str] {
         match self.show_settings {
             true => &["toml"],
@@ -170,7 +170,7 @@ impl Args {
 struct Checked {
     is_scene: bool,
     output: Output,
-    /// The scene as it is mended, or the difference.
+    /// The mended scene for standard output, or the diff; else empty.
     data: Vec<u8>,
     tally: Tally,
     statistics: Statistics,
@@ -178,7 +178,7 @@ struct Checked {
     fixed: usize,
     /// How many findings comments allow now.
     allowed: usize,
-    /// Changes that guesses have made, a line each.
+    /// The changes that unsafe fixes have made, a line each.
     changes: Vec<String>,
 }
 
@@ -209,7 +209,7 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     once(args, look)
 }
 
-/// Checks everything.
+/// Checks all files once.
 fn once(args: &Args, look: LookChoice) -> Status {
     let stdin = args.stdin_filename.as_deref();
     let Some(Scenes { files, configs }) = args.chosen.scenes(stdin, look) else {
@@ -289,7 +289,7 @@ struct Checker<'a> {
 }
 
 impl Checker<'_> {
-    /// The name that a file goes by.
+    /// The name of a file in messages and for settings: that of `--stdin-filename` for standard input.
     fn name<'p>(&'p self, path: &'p Path) -> &'p Path {
         match &self.args.stdin_filename {
             Some(name) if is_stdin(path) => name,
@@ -330,14 +330,14 @@ impl Checker<'_> {
         })
     }
 
-    /// Writes to the file that was asked for, or to standard output.
+    /// Writes to the file of `--output-file`, or to standard output.
     fn put(&self, status: Status, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Status {
         let look = self.choice_of_look;
         let named = self.args.output_file.as_ref();
         let Some(path) = named.filter(|path| !is_stdout(path)) else {
             return terminal::print(look, status, write);
         };
-        // As ruff does.
+        // A missing folder is made, as ruff does.
         let folder = path.parent().unwrap_or(Path::new(""));
         let written = std::fs::create_dir_all(folder)
             .map_err(|e| unwritable(path, &e))
@@ -376,7 +376,8 @@ impl Checker<'_> {
         let mut left = None;
         let mut changes = Vec::new();
         if !loaded.is_scene() && self.args.diff {
-            // Nothing but differences is printed, and there is none.
+            // With --diff the findings are not printed, and there is no difference: why the file is no scene is said
+            // here.
             terminal::findings(&loaded.source, loaded.findings(), self.choice_of_look);
         }
         if loaded.is_scene() && (self.args.fix || self.args.diff) {
@@ -389,7 +390,7 @@ impl Checker<'_> {
             (loaded, fixed) = (mended.analysis, mended.count);
             left = Some(mended.findings);
             let source = &loaded.source;
-            // What cannot be written is known whether it is to be written or not.
+            // A text that cannot be written is refused even if nothing is to be written.
             let bytes = match fixed > 0 || is_stdin {
                 true => bytes_of(source, &source.text, false)?,
                 false => Cow::default(),
@@ -423,7 +424,7 @@ impl Checker<'_> {
         }
         let mut tally = Tally::default();
         let mut findings = left.unwrap_or_else(|| match fixing::is_tried(&loaded) {
-            // A guess is weighed against the findings themselves.
+            // Guesses are tried against the findings, which stay in the analysis for that.
             true => repair::proposals(&loaded),
             false => {
                 let found = loaded.take_findings();
@@ -496,7 +497,7 @@ impl Checker<'_> {
         self.put(status, report)
     }
 
-    /// What a difference leaves: guesses that it does not show, or all findings where it shows no change.
+    /// The line about the findings that a difference does not show: guesses, or all findings where it has no change.
     fn left(&self, all: &[Checked], total: &Tally) -> Option<String> {
         let count = |n: usize| Value::Count(n as u64);
         let guesses = match self.args.unsafe_fixes {
@@ -505,7 +506,7 @@ impl Checker<'_> {
         };
         let is_changed = all.iter().any(|c| c.fixed > 0);
         let findings = total.errors + total.warnings + total.notes + total.style;
-        // What is no scene has its own message.
+        // A file that is no scene has its own message.
         let is_read = all.iter().all(|c| c.is_scene);
         let language = self.look.language;
         if !is_changed && findings > 0 && is_read {
@@ -520,7 +521,8 @@ impl Checker<'_> {
         (guesses > 0).then(|| language.say("diff-left", &left))
     }
 
-    /// `Fixed 3 findings in 1 file.` and its like, a line; empty if that is not so.
+    /// The line `Fixed 3 findings in 1 file.` or its like, with a line below it for each change by an unsafe fix. Empty
+    /// if nothing was changed, or with `--quiet`.
     fn fixes(&self, all: &[Checked]) -> String {
         let of = |checked: &Checked| checked.fixed + checked.allowed;
         let changed = all.iter().map(of).sum::<usize>();
@@ -543,7 +545,8 @@ impl Checker<'_> {
     }
 }
 
-/// `scene.zpg:4: -204 → -299`, a line for each line of the scene that has changed from `old`.
+/// The changes from `old` to the text of `now`, such as `scene.zpg:4: -204 → -299`: a line for each changed line of the
+/// scene.
 fn changes_of(now: &SourceFile, old: &str, language: Language) -> Vec<String> {
     let shown = |text: &str| match text {
         "" => language.say("change-nothing", &[]),

@@ -77,8 +77,8 @@ impl Output {
     }
 }
 
-/// Writes what was found in all files. `fixes` says in a line what was mended; `complete` is whether
-/// every file could be read; with `quiet` nothing is summed up.
+/// Writes the findings of all files. `fixes` says in a line what was mended; `complete` is whether every file could be
+/// read. With `quiet` there is no summary.
 pub(super) fn write(
     out: &mut dyn Write,
     format: Format,
@@ -105,7 +105,7 @@ pub(super) fn write(
         Format::Human if total.files > 0 && !quiet => {
             let files = [("files", Value::Count(total.files as u64))];
             let sum = match total.is_clean() && !complete {
-                // What could not be read has passed no check.
+                // A file that could not be read has passed no check.
                 true => look.language.say("tally-incomplete", &files),
                 false => total.sentence(look.language),
             };

@@ -16,7 +16,7 @@ pub(super) struct Statistics(BTreeMap<Code, (usize, usize)>);
 #[derive(Serialize)]
 struct Report<'a> {
     version: u32,
-    /// The most frequent first.
+    /// The codes with their counts, the most frequent first.
     statistics: Vec<Row>,
     summary: &'a Tally,
 }
@@ -57,7 +57,7 @@ impl Statistics {
         rows
     }
 
-    /// As JSON, with what the run adds up to.
+    /// Writes the counts as JSON, with the totals of the run.
     pub(super) fn write_json(&self, out: &mut dyn Write, total: &Tally) -> io::Result<()> {
         let row = |(code, &(count, fixable)): (&Code, &(usize, usize))| Row {
             code: code.as_str(),
@@ -74,7 +74,8 @@ impl Statistics {
         writeln!(out)
     }
 
-    /// A line for each code, the most frequent first: how many, how many of them `--fix` mends.
+    /// Writes a line for each code, the most frequent first: how many findings it has, and how many of them `--fix`
+    /// mends.
     pub(super) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let rows = self.rows();
         let width = |n: Option<usize>| n.unwrap_or(0).to_string().len();

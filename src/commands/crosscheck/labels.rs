@@ -1,4 +1,4 @@
-//! Pictures beside each other, with what they are above them and what their colours mean below.
+//! Pictures side by side, each with a title above it, and a legend of colours below the last one.
 
 use crate::commands::canvas::{Canvas, LARGE, PAPER, SMALL, WHITE};
 
@@ -8,7 +8,7 @@ pub(super) type Meaning = ([u8; 3], String);
 /// Room around a line of text, in pixels.
 const MARGIN: u32 = 4;
 
-/// Pictures of one size beside each other, each under its title, and under the last one what its colours mean.
+/// Puts pictures of one size side by side, each under its title, and the legend of colours under the last one.
 pub(super) fn beside<const N: usize>(
     [width, height]: [u32; 2],
     pictures: [(&str, &[u8]); N],
@@ -39,7 +39,7 @@ pub(super) fn beside<const N: usize>(
     sheet
 }
 
-/// Where the entries of a legend stand: how far from the left, and in which line.
+/// The place of each entry of a legend: pixels from the left, and the line from 0.
 fn legend_places(width: u32, legend: &[Meaning]) -> Vec<[u32; 2]> {
     let (mut x, mut row) = (MARGIN, 0);
     let place = |(_, meaning): &Meaning| {

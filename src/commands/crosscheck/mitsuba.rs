@@ -1,4 +1,4 @@
-//! Geometry, beside Mitsuba's.
+//! Comparison of geometry with Mitsuba: which shape each pixel shows, where, and with which normal.
 
 use super::{Args, Compared, Outcome, Pictures};
 use super::{Asked, Folder, each_camera, images, program, stem};
@@ -22,10 +22,10 @@ const ASKED: Asked = Asked {
     late: "crosscheck-late-mitsuba",
 };
 
-/// So many pairs of surfaces in one place are named.
+/// The most pairs of surfaces in one place that are named.
 const NAMED: usize = 3;
 
-/// Looks, compares and writes what is seen.
+/// Has zpg and Mitsuba look through each camera, compares what the two see, and writes it as pictures.
 pub(super) fn compare(
     args: &Args,
     loaded: &Analysis,

@@ -1,4 +1,4 @@
-//! Pictures, beside POV-Ray's.
+//! Comparison of pictures with those of POV-Ray.
 
 use super::{Args, Compared, Outcome, Pictures};
 use super::{Asked, Folder, each_camera, images, program, stem};
@@ -22,7 +22,7 @@ const ASKED: Asked = Asked {
     late: "crosscheck-late-povray",
 };
 
-/// Takes, compares and writes all pictures.
+/// Has zpg and POV-Ray draw the picture of each camera, compares the two, and writes them.
 pub(super) fn compare(
     args: &Args,
     loaded: &Analysis,

@@ -18,25 +18,25 @@ pub(super) enum Engine {
 
 /// The work of a job in tasks. A task is a picture, or a band of rows of one.
 pub(super) struct Work {
-    /// Letters, digits and dashes.
+    /// The name of the job: letters, digits and dashes.
     pub name: String,
     /// The summary for people.
     pub summary: String,
     /// The options of `zpg render`, as a shell reads them.
     pub options: String,
-    /// png or exr.
+    /// The name ending of the pictures: png or exr.
     pub ending: &'static str,
     pub tasks: u32,
     /// Bands of each picture.
     pub tiles: u32,
-    /// Whether numbers vary from frame to frame, even if there is a single one.
+    /// Whether numbers vary from frame to frame, even if there is a single frame.
     pub is_framed: bool,
     /// Pictures of each scene.
     pub frames: u32,
     pub first_frame: u32,
     /// Digits of the number of a frame in the name of its file.
     pub digits: usize,
-    /// So many tasks are drawn in one go.
+    /// The number of tasks that are drawn in one go.
     pub chunk: u32,
     pub cores: u32,
     pub megabytes: u64,
@@ -44,16 +44,16 @@ pub(super) struct Work {
     pub minutes: u64,
     /// Minutes that joining all pictures may take at most.
     pub join_minutes: u64,
-    /// Whether there are several scenes, of which there is a sheet at the end.
+    /// Whether there are several scenes, so that a sheet of all pictures is made at the end.
     pub is_class: bool,
 }
 
-/// Slurm runs so many elements of one array at a time.
+/// The most elements of one array that Slurm runs at a time.
 const AT_A_TIME: u32 = 64;
-/// So many elements an array of Slurm has at most: its MaxArraySize is 1001 unless it is set.
+/// The most elements that an array of Slurm has: its MaxArraySize is 1001 unless it is set.
 const ARRAY: u32 = 1000;
 
-/// Files that engines start from.
+/// The files that start the job on some engine.
 const STARTED: [&str; 6] = [
     "job.yaml",
     "job-plain.yaml",
@@ -72,18 +72,18 @@ const SLURM_JOIN: &str = include_str!("join.slurm");
 const SLURM_SUBMIT: &str = include_str!("submit.sh");
 const MAKE: &str = include_str!("Makefile");
 
-/// Tasks in chunks, as the extension TASK_CHUNKING has them.
+/// The tasks of job.yaml: in chunks, by the extension TASK_CHUNKING.
 const CHUNKS: &str = "        - name: Tasks
           type: CHUNK[INT]
           range: 1-@TASKS@
           chunks: {defaultTaskCount: @CHUNK@, rangeConstraint: CONTIGUOUS}";
-/// The first task of each chunk.
+/// The tasks of job-plain.yaml, for engines without that extension: the first task of each chunk.
 const STEPS: &str = "        - name: Tasks
           type: INT
           range: 1-@TASKS@:@CHUNK@";
 
 impl Engine {
-    /// So many tasks are drawn in one go at least, where there are so many in all.
+    /// The least number of tasks in one go that an engine needs for this many tasks in all.
     pub(super) fn least_chunk(self, tasks: u32) -> u32 {
         match self {
             Engine::Slurm => tasks.div_ceil(ARRAY),
@@ -91,7 +91,7 @@ impl Engine {
         }
     }
 
-    /// How a job is started.
+    /// The README, which says how the job is started.
     fn readme(self, language: Language) -> &'static str {
         match (self, language) {
             (Engine::Openjd, Language::English) => include_str!("README.openjd.md"),
@@ -146,7 +146,7 @@ impl Engine {
         folder: &Path,
     ) -> Result<(), Complaint> {
         let files = self.files(work, language);
-        // What an earlier job of another engine has left would draw other tasks.
+        // Files that an earlier job of another engine has left would draw other tasks.
         for name in STARTED {
             if !files.iter().any(|(written, _)| *written == name) {
                 let _ = std::fs::remove_file(folder.join(name));
@@ -186,7 +186,7 @@ impl Work {
             ("MINUTES", number(self.minutes)),
             ("JOIN_MINUTES", number(self.join_minutes)),
             ("SECONDS", number(60 * self.minutes)),
-            // The last one: nothing is put into what people have written.
+            // The options are the last, so that nothing is put into what people have written.
             ("OPTIONS", self.options.clone()),
         ];
         let mut filled = text.to_owned();

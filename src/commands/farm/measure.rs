@@ -1,4 +1,4 @@
-//! How long pictures take, and how much memory.
+//! Estimates how long pictures take, and how much memory.
 
 use std::sync::Arc;
 
@@ -12,30 +12,30 @@ use crate::trace::Images;
 
 /// Seconds taken to foretell how long the pictures take.
 const MEASURING_SECONDS: f64 = 6.0;
-/// Most scenes that are looked at for that, spread evenly.
+/// The most scenes that are measured for that, spread evenly over all.
 const MAX_SCENES_MEASURED: usize = 6;
-/// Seconds a pixel to put the bands of a picture together, at most: many times what it takes here.
+/// The most seconds a pixel that putting the bands of a picture together takes: many times the time that was measured.
 const JOIN_SECONDS_PER_PIXEL: f64 = 1e-6;
 /// Factor on the memory of this process, since another machine may take more.
 const MEMORY_MARGIN: f64 = 1.25;
 
 /// The time and the memory that the dearest picture takes.
 pub(super) struct Measured {
-    /// Reading the scene and building, in seconds.
+    /// Seconds to read the scene and to build the tracer.
     pub build: f64,
-    /// All pixels, in seconds on one processor.
+    /// Seconds to draw all pixels of a picture on one processor.
     pixels: f64,
     /// Rows of a picture.
     rows: u32,
-    /// Bytes that this process has taken.
+    /// The most bytes that this process has taken.
     process: f64,
     /// Bytes that all pixels of the picture take.
     picture: f64,
-    /// Putting the bands of the picture together takes so many seconds at most.
+    /// The most seconds that putting the bands of the picture together takes.
     pub join: f64,
 }
 
-/// Draws small parts of some of the pictures.
+/// Measures the time and the memory of pictures: small parts of some of them are drawn.
 ///
 /// # Errors
 ///
@@ -79,11 +79,12 @@ pub(super) fn measure(
 }
 
 impl Measured {
-    /// How many bands a picture is divided into so that each takes so many seconds on one processor.
+    /// The number of bands that a picture is divided into: `wanted`, or as many as take `seconds` each on one
+    /// processor.
     ///
     /// # Errors
     ///
-    /// More are wanted than there are rows.
+    /// More bands are wanted than the picture has rows.
     pub(super) fn tiles(&self, wanted: Option<u32>, seconds: f64) -> Result<u32, Complaint> {
         match wanted {
             Some(count) if count > self.rows => Err(Complaint::new("more-tiles-than-rows")
@@ -96,7 +97,7 @@ impl Measured {
         }
     }
 
-    /// The seconds of a task: reading, building, and a band on so many processors.
+    /// The seconds of a task: reading and building, and drawing one of `tiles` bands on `cores` processors.
     pub(super) fn seconds(&self, tiles: u32, cores: u32) -> f64 {
         self.build + self.pixels / f64::from(tiles) / f64::from(cores)
     }

@@ -14,13 +14,13 @@ use crate::diagnostics::Complaint;
 /// The table of frames in the folder of the job.
 const TABLE: &str = "table.csv";
 
-/// Options that the scripts of the job give each task.
+/// Options that the scripts of the job give each task, and that are not passed on.
 const OF_TASKS: [&str; 2] = ["only", "fps"];
 
-/// The options about pictures that this program was called with, as a shell reads them. `command` is that of the whole
-/// program.
+/// The options about pictures in the arguments of this program, as a shell reads them. `command` is the command line of
+/// the whole program.
 pub(super) fn given(command: Command) -> String {
-    // They have been read once, so they can be read again.
+    // The arguments have been read once without an error, so they can be read again.
     let all = command.get_matches_from(std::env::args_os());
     let Some((_, matches)) = all.subcommand() else {
         return String::new();

@@ -15,16 +15,16 @@ use crate::scene::Texture;
 /// A scene of the job.
 pub(super) struct Scene {
     pub path: PathBuf,
-    /// Its place among the scenes of the job.
+    /// The path of the scene within the job's folder of scenes.
     pub place: PathBuf,
     pub loaded: Analysis,
     /// Seconds that it took to read the scene.
     pub reading: f64,
 }
 
-/// The list of the scenes that are drawn, one a line.
+/// The file of the job that lists the scenes that are drawn, one a line.
 const LIST: &str = "scenes.txt";
-/// The folder of the scenes.
+/// The folder of the job with the scenes.
 const SCENES: &str = "scenes";
 
 /// The files that lie in a folder, and the others.
@@ -37,8 +37,8 @@ pub(super) fn in_folder(folder: &Path, files: Vec<PathBuf>) -> (Vec<PathBuf>, Ve
     files.into_iter().partition(is_in)
 }
 
-/// Where scenes lie among the scenes of the job: as below the folder that was named, or, where two have the same place,
-/// in folders with numbers.
+/// Each scene file with its path within the job's folder of scenes. The path is the one below the folder that was
+/// named; if two scenes had the same path, folders with numbers keep the scenes apart.
 pub(super) fn places(paths: &[PathBuf], files: Vec<PathBuf>) -> Vec<(PathBuf, PathBuf)> {
     let below: Vec<PathBuf> = (files.iter())
         .map(|file| place_below(paths, file))
@@ -94,7 +94,7 @@ pub(super) fn name(place: &Path) -> String {
     )
 }
 
-/// Makes sure that nothing else is in the folder: it is not there, empty, or a job already. Whether it is a job.
+/// Makes sure that the folder does not exist, is empty, or is an earlier job. Returns whether it is an earlier job.
 pub(super) fn check_folder(folder: &Path) -> Result<bool, Complaint> {
     let entries = match fs::read_dir(folder) {
         Ok(entries) => entries,
@@ -110,7 +110,8 @@ pub(super) fn check_folder(folder: &Path) -> Result<bool, Complaint> {
     }
 }
 
-/// Copies the scenes and the textures that they name into the job, and writes the list of those that are drawn.
+/// Copies the scenes, the textures that they name and the `broken` scenes into the job, and writes the list of the
+/// scenes that are drawn.
 pub(super) fn copy(
     job: &Path,
     scenes: &[Scene],

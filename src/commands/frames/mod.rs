@@ -14,7 +14,7 @@ use crate::diagnostics::{Complaint, Value};
 
 pub use motion::Frames;
 
-/// At 25 frames a second, more than an hour.
+/// The most frames: more than an hour at 25 frames a second.
 const MOST_FRAMES: u32 = 100_000;
 
 /// The options that say how a scene's numbers vary.
@@ -53,14 +53,14 @@ pub struct FrameArgs {
     fps: Option<u16>,
 }
 
-/// Frames from one to another, both among them.
+/// A range of frames, with both ends among them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Range {
     pub first: u32,
     pub last: u32,
 }
 
-/// A number that varies evenly.
+/// A number of the scene that varies evenly from the first frame to the last.
 #[derive(Debug, Clone)]
 struct Set {
     name: Name,
@@ -154,7 +154,7 @@ impl FrameArgs {
         self.frames_from.as_deref()
     }
 
-    /// Whether it was said how many frames a second there are.
+    /// Whether `--fps` is given.
     pub fn has_fps(&self) -> bool {
         self.fps.is_some()
     }
@@ -164,12 +164,13 @@ impl FrameArgs {
         self.fps.unwrap_or(25)
     }
 
-    /// The number of the first frame, as far as the arguments say.
+    /// The number of the first frame; 0 if `--frames` does not say.
     pub fn first(&self) -> u32 {
         self.frames.map_or(0, |frames| frames.first)
     }
 
-    /// The note that one frame is drawn, if its number may be meant as how many there are.
+    /// The note for `--frames 5`: it draws frame 5 alone, and the user may have meant the first five. `None` for a
+    /// range, and for frames 0 and 1.
     pub fn note(&self) -> Option<Complaint> {
         let frame = self.frames.filter(|f| f.first == f.last && f.first > 1)?;
         let last = frame.last - 1;

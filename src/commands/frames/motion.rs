@@ -20,7 +20,7 @@ pub struct Frames {
     motions: Vec<Motion>,
 }
 
-/// How numbers vary.
+/// A way in which numbers of a scene vary from frame to frame.
 enum Motion {
     Even {
         number: Number,
@@ -32,7 +32,7 @@ enum Motion {
         number: Number,
         values: Vec<f64>,
     },
-    /// The numbers of a camera that goes around.
+    /// The numbers of a camera that goes around: by `degrees` in all frames together.
     Around {
         numbers: Vec<Number>,
         camera: Box<Camera>,
@@ -41,7 +41,7 @@ enum Motion {
     },
 }
 
-/// The numbers of a camera that say where it is and where to, with the up direction behind them.
+/// The number of a camera's first numbers that are its position and direction; `AND_UP` counts the up direction, too.
 const POSITION_AND_DIRECTION: usize = 6;
 const AND_UP: usize = 9;
 
@@ -60,7 +60,7 @@ impl Motion {
         let step = frame - all.first;
         match self {
             Motion::Even { from, .. } if step == 0 => vec![*from],
-            // Without rounding.
+            // The last value is the given one, without rounding.
             Motion::Even { to, .. } if frame == all.last => vec![*to],
             Motion::Even { from, to, .. } => {
                 let steps = f64::from(all.last - all.first);
@@ -90,7 +90,8 @@ impl Frames {
     ///
     /// # Errors
     ///
-    /// It is a scene in JSON, a number is not there or is set twice, or a table cannot be read.
+    /// The scene is in JSON, the frames do not fit together, a number is not there or is set twice, or a table cannot
+    /// be read.
     pub fn of(args: &FrameArgs, analysis: &Analysis) -> Result<Frames, Error> {
         let source = &analysis.source;
         if !analysis.is_records() {
@@ -150,12 +151,12 @@ impl Frames {
         self.drawn.first..=self.drawn.last
     }
 
-    /// How many are drawn.
+    /// The number of frames that are drawn.
     pub fn count(&self) -> u32 {
         self.drawn.count()
     }
 
-    /// Whether cameras go around, and this one is not among them.
+    /// Whether some cameras go around, but this one does not.
     pub fn leaves_behind(&self, camera: &Camera) -> bool {
         let mut around = (self.motions.iter()).filter_map(|motion| match motion {
             Motion::Around { camera, .. } => Some(camera.id),
@@ -165,7 +166,8 @@ impl Frames {
         first.is_some_and(|first| first != camera.id && !around.any(|id| id == camera.id))
     }
 
-    /// The number of a frame as it stands in file names: of at least four digits, and of as many as the last one has.
+    /// The number of a frame in file names, with zeros in front: at least four digits, and as many as the last frame
+    /// has.
     pub fn label(&self, frame: u32) -> String {
         let digits = self.all.last.to_string().len().max(4);
         format!("{frame:0digits$}")
@@ -183,11 +185,12 @@ impl Frames {
         with_values(&self.source, &self.values(frame))
     }
 
-    /// The same, if it is a scene with these numbers. What it has errors of, its findings say.
+    /// The scene of a frame, after a check that it reads with the frame's numbers. A scene with errors is returned,
+    /// too: its findings tell them.
     ///
     /// # Errors
     ///
-    /// A value is out of the range of all numbers, or the text cannot be read as meant.
+    /// A value is out of the range of all numbers, or the scene reads with other numbers than those written in.
     pub fn checked(&self, base: &Analysis, frame: u32) -> Result<Analysis, Complaint> {
         let values = self.values(frame);
         if let Some((number, _)) = values.iter().find(|(_, x)| !x.is_finite()) {
@@ -202,7 +205,7 @@ impl Frames {
     }
 }
 
-/// The frames that the arguments name, or else those of the table.
+/// The frames that the arguments name, or else one for each row of the table. `Err` if the two differ in number.
 fn range(frames: Option<Range>, table: Option<&Table>) -> Result<Range, Complaint> {
     let rows = table.map_or(0, |table| table.rows.len() as u64);
     match (frames, table) {
@@ -231,7 +234,7 @@ fn twice(motions: &[Motion]) -> Vec<Complaint> {
     pairs.map(complaint).collect()
 }
 
-/// A camera that goes around, or the two of a stereo camera.
+/// The motion of a camera that goes around, or the motions of the two cameras of a stereo camera.
 fn around(analysis: &Analysis, turn: Orbit) -> Result<Vec<Motion>, Error> {
     let scene = &analysis.scene;
     let pair = (records_of(analysis, turn.camera).into_iter())
@@ -251,7 +254,7 @@ fn around(analysis: &Analysis, turn: Orbit) -> Result<Vec<Motion>, Error> {
     let orbit = orbit::Orbit::of(&all, centre)
         .ok_or_else(|| Complaint::new("orbit-without-direction").with("id", id()))?;
     let motion = |(record, camera): (&Record, Camera)| {
-        // A slanted pair has one axis, so that the up direction of one of them turns, too.
+        // The cameras of a slanted pair turn about one axis, and then the up direction of a camera turns, too.
         let count = match orbit.turned(&camera, 90.0).up == camera.up {
             true => POSITION_AND_DIRECTION,
             false => AND_UP,
@@ -267,7 +270,7 @@ fn around(analysis: &Analysis, turn: Orbit) -> Result<Vec<Motion>, Error> {
     Ok(cameras.into_iter().map(motion).collect())
 }
 
-/// The record with the numbers of a camera.
+/// The record with the numbers of a camera. `Err` if a transformation moves the camera, or it is given by a matrix.
 fn record(analysis: &Analysis, id: u32) -> Result<&Record, Complaint> {
     let say = |message| Complaint::new(message).with("id", id.to_string());
     let records = records_of(analysis, id);

@@ -7,7 +7,7 @@ use crate::analysis::file;
 use crate::analysis::parameters::Name;
 use crate::diagnostics::{Complaint, SourceFile};
 
-/// So many mistakes of a table are named at most.
+/// The most mistakes of a table that are named.
 const MOST_NAMED: usize = 20;
 
 /// The numbers of a table.
@@ -15,7 +15,7 @@ const MOST_NAMED: usize = 20;
 pub(super) struct Table {
     path: PathBuf,
     pub names: Vec<Name>,
-    /// A row for each frame, as long as there are names.
+    /// The rows of numbers, one for each frame. Each row has as many numbers as there are names.
     pub rows: Vec<Vec<f64>>,
 }
 
@@ -24,19 +24,20 @@ impl Table {
     ///
     /// # Errors
     ///
-    /// All mistakes, up to some, with their rows and columns.
+    /// The file cannot be read, or it has mistakes: the first of them are named with their rows and columns.
     pub(super) fn read(path: &Path) -> Result<Table, Complaint> {
         let source = SourceFile::new(path.to_string_lossy(), file::read(path)?);
         parsed(path, source.text.trim_start_matches('\u{feff}'))
     }
 
-    /// The complaint about the name of a column.
+    /// The complaint about the name of a column, which is counted from 0.
     pub(super) fn misnamed(&self, column: usize, why: Complaint) -> Complaint {
         in_cell(&self.path, 1, (column + 1).to_string(), why)
     }
 }
 
-/// A cell as it is shown in messages: what is no table may be long, and may move the cursor of a terminal.
+/// A cell as messages show it: cut to some letters, and without control characters. A file that is no table may have
+/// long cells, and control characters that move the cursor of a terminal.
 fn shown(cell: &str) -> String {
     const MAX_CELL_CHARS: usize = 40;
     let mut text: String = cell.chars().take(MAX_CELL_CHARS).collect();
@@ -46,12 +47,12 @@ fn shown(cell: &str) -> String {
     text.replace(char::is_control, "\u{fffd}")
 }
 
-/// The rows of a text, by places in it.
+/// Counts the rows of a text up to ascending byte offsets.
 struct Rows<'a> {
     text: &'a str,
     /// The end of a line: in old files a carriage return alone.
     end: char,
-    /// How many lines end before a place.
+    /// The last byte offset, and the number of lines that end before it.
     before: (usize, u64),
 }
 
@@ -62,8 +63,9 @@ impl<'a> Rows<'a> {
         Rows { text, end, before }
     }
 
-    /// The row, from 1, of the first text behind a place. Places go up. The reader leaves out empty rows, and gives as
-    /// the line of a record that of the first empty row before it.
+    /// The row, from 1, of the first text behind byte offset `place`, which must not go down from call to call. The
+    /// line number of the CSV reader would not do: the reader skips empty rows, and names the first of them as the line
+    /// of the record that follows.
     fn row(&mut self, place: u64) -> u64 {
         let place = usize::try_from(place).unwrap_or(usize::MAX);
         let rest = self.text.get(place..).unwrap_or("");
@@ -102,7 +104,7 @@ fn parsed(path: &Path, text: &str) -> Result<Table, Complaint> {
     let mut wrong = Vec::new();
     let mut rows = Rows::of(text);
     for record in reader.records() {
-        // The text is in memory, and is UTF-8.
+        // No error is expected: the text is in memory, and is UTF-8.
         let record = record.map_err(|e| file::unreadable(path, Complaint::quoted(e)))?;
         let row = rows.row(record.position().map_or(0, csv::Position::byte));
         if titles.is_empty() {
@@ -113,7 +115,7 @@ fn parsed(path: &Path, text: &str) -> Result<Table, Complaint> {
                     Err(why) => wrong.push(in_cell(path, row, (i + 1).to_string(), why)),
                 }
             }
-            // Of columns without names nothing more can be said.
+            // Cells of columns without names cannot be checked.
             if !wrong.is_empty() {
                 break;
             }

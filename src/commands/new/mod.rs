@@ -90,12 +90,12 @@ pub fn run(args: &Args, look: LookChoice) -> Status {
     terminal::print(look, Status::Clean, |out| writeln!(out, "{line}"))
 }
 
-/// Whether what a path leads to is there, and no plain file.
+/// Whether a path leads to something that exists and is no regular file.
 fn is_device(path: &Path) -> bool {
     path.metadata().is_ok_and(|found| !found.is_file())
 }
 
-/// Refuses a name that no scene has, and that of a file that is there.
+/// Refuses a file name that does not end in .zpg, and a file that exists unless `--force` is given.
 fn may_write(args: &Args) -> Result<(), Complaint> {
     let path = args.file.as_path();
     if is_stdout(path) || is_device(path) {
@@ -103,7 +103,7 @@ fn may_write(args: &Args) -> Result<(), Complaint> {
     }
     let ending = path.extension().unwrap_or_default();
     if !ending.eq_ignore_ascii_case("zpg") {
-        // What follows a dot may be part of the name, unless it is known to be no scene.
+        // Text behind a dot may be part of the name, unless it is the ending of another format.
         endings::fits(path, &["zpg"])?;
         let mut right = match ending.eq_ignore_ascii_case("txt") {
             true => path.with_extension("").into_os_string(),

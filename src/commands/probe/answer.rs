@@ -9,7 +9,7 @@ use crate::diagnostics::Complaint;
 use crate::geometry::vec::Vec3;
 use crate::trace::{Crossing, Membership, Ray, Tracer, Walkers};
 
-/// The answer about a ray: what is on it.
+/// The answer about a ray: the boundary crossings on it.
 #[derive(Debug, Serialize)]
 pub(super) struct RayAnswer {
     ray: RayJson,
@@ -34,7 +34,7 @@ struct HitJson {
     entering: Option<bool>,
 }
 
-/// The answer about a pixel: what is on its ray, and its colour, linear RGB.
+/// The answer about a pixel: the boundary crossings on the ray through its centre, and its colour in linear RGB.
 #[derive(Debug, Serialize)]
 pub(super) struct PixelAnswer {
     pixel: [u32; 2],
@@ -43,7 +43,7 @@ pub(super) struct PixelAnswer {
     ray: RayAnswer,
 }
 
-/// The answer about a point: what is there.
+/// The answer about a point: the solids that contain it.
 #[derive(Debug, Serialize)]
 pub(super) struct PointAnswer {
     point: [f64; 3],
@@ -51,13 +51,13 @@ pub(super) struct PointAnswer {
     in_scene: bool,
 }
 
-/// Zero has no sign.
+/// The numbers, with a zero that has no sign.
 fn plain<const N: usize>(numbers: [f64; N]) -> [f64; N] {
     numbers.map(|x| x + 0.0)
 }
 
 impl RayAnswer {
-    /// Traces a ray in some precision; the error is that numbers are out of range.
+    /// Traces a ray in the precision `R`. `Err` if numbers of the ray or of its crossings are out of range.
     pub(super) fn new<R: Writable>(
         tracer: &Tracer,
         walkers: &mut Walkers<R>,

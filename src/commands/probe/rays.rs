@@ -1,4 +1,4 @@
-//! Files of rays: read, traced and answered in batches, so that any number of them will do.
+//! Files of rays of any length: they are read, traced and answered in batches.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 
@@ -20,10 +20,10 @@ pub(super) const BUFFER: usize = 1 << 20;
 const BATCH: usize = 1 << 14;
 /// Rays that a thread takes at once.
 const SHARE: usize = 64;
-/// Bytes that a line may have: there is no end to one without a line break.
+/// The most bytes of a line: a file without line breaks would be a line without end.
 const LINE_MAX: u64 = 1 << 16;
 
-/// A line that cannot be read, holds no ray, or one that cannot be answered.
+/// A line that cannot be read, that holds no ray, or whose ray cannot be answered.
 #[derive(Debug)]
 pub(super) struct BadRay {
     line: u64,
@@ -31,7 +31,7 @@ pub(super) struct BadRay {
 }
 
 impl BadRay {
-    /// The complaint about it; `path` is the file of rays.
+    /// The complaint about the line; `path` is the file of rays.
     pub(super) fn complaint(self, path: &Path) -> Complaint {
         Complaint::new("at-line")
             .with("path", path)
@@ -42,10 +42,10 @@ impl BadRay {
 
 /// Reads N numbers separated by white space, commas or both.
 pub(super) fn numbers<const N: usize>(s: &str) -> Result<[f64; N], Complaint> {
-    // As the handout writes points: `[0,6; 1; 1,2]`.
+    // The handout writes points as `[0,6; 1; 1,2]`.
     let s = s.trim();
     let s = (s.strip_prefix('[').and_then(|s| s.strip_suffix(']'))).unwrap_or(s);
-    // As scenes of POV-Ray do, with `<0, 4, 11>`.
+    // Scenes of POV-Ray have `<0, 4, 11>`.
     let s = &s.replace([';', '<', '>'], " ");
     let mut out = [0.0; N];
     let mut count = 0;
@@ -53,7 +53,7 @@ pub(super) fn numbers<const N: usize>(s: &str) -> Result<[f64; N], Complaint> {
     for word in words.filter(|word| !word.is_empty()) {
         let number = match word.parse::<f64>() {
             Ok(x) if x.is_finite() => x,
-            // "inf" and "NaN" are words to us.
+            // "inf" and "NaN" count as words, not as numbers.
             Ok(_) if word.bytes().any(|b| b.is_ascii_digit()) => {
                 return Err(Complaint::new("number-out-of-range").with("word", quote(word)));
             }
@@ -64,7 +64,7 @@ pub(super) fn numbers<const N: usize>(s: &str) -> Result<[f64; N], Complaint> {
         }
         count += 1;
     }
-    // As many with commas for points, as in `0,5 1 9 0 0 -1`.
+    // There may be as many numbers as wanted if commas are decimal ones, as in `0,5 1 9 0 0 -1`.
     let pointed = || {
         let words = s.split_whitespace().map(|word| word.replacen(',', ".", 1));
         let numbers: Option<Vec<String>> = words
@@ -93,9 +93,9 @@ pub(super) fn parse(s: &str) -> Result<Ray, Complaint> {
     Ok(Ray::new(Vec3::new(ox, oy, oz), direction))
 }
 
-/// Answers every ray of a file on standard output, in order. A line that holds no ray, or one that
-/// cannot be answered, is told to `bad` after all rays before it, and some behind, have been answered.
-/// One that cannot be read ends the file.
+/// Answers every ray of a file on standard output, in order. A line that holds no ray, or whose ray cannot be answered,
+/// is handed to `bad` after the answers to all rays before it, and to some behind it. A line that cannot be read ends
+/// the file.
 pub(super) fn stream<R: Writable>(
     tracer: &Tracer,
     input: &mut Input,
@@ -113,7 +113,7 @@ pub(super) fn stream<R: Writable>(
         let (batch, end) = lines.batch();
         let (text, unanswered) = trace::<R>(tracer, &batch);
         if tracer.graph.room.is_exhausted() {
-            // Some of these answers are worth nothing; the caller says why.
+            // Memory has run out for some of these answers, which are worth nothing; the caller says why.
             return Status::Negative;
         }
         let written = out.write_all(&text).and_then(|()| out.flush());
@@ -155,7 +155,7 @@ enum End {
 enum Content {
     Nothing,
     Ray(Box<Ray>),
-    /// Something else: why it is no ray.
+    /// Something else, with the reason why it is no ray.
     NoRay(Complaint),
 }
 
@@ -165,14 +165,14 @@ type Asked = (u64, Result<Ray, Complaint>);
 /// The lines of a file of rays.
 struct Lines<'a> {
     input: &'a mut Input,
-    /// Of the last line that was read, from 1.
+    /// The number of the last line that was read, from 1.
     number: u64,
     line: Vec<u8>,
 }
 
 impl Lines<'_> {
-    /// The next lines that are to hold rays. A batch ends where waiting for input would begin, so
-    /// that whoever waits for an answer before asking on gets it.
+    /// The next batch of lines that are to hold rays, and why it ends. A batch ends before the input would have to be
+    /// waited for: a program that waits for an answer before it writes the next ray gets the answer.
     fn batch(&mut self) -> (Vec<Asked>, End) {
         let mut asked = Vec::new();
         let mut ready = true;
@@ -192,7 +192,7 @@ impl Lines<'_> {
         (asked, End::Batch)
     }
 
-    /// The next line; `None` where the file ends. The error says why it cannot be read.
+    /// The next line; `None` at the end of the file. `Err` says why the line cannot be read.
     fn next(&mut self) -> Result<Option<Content>, Complaint> {
         self.line.clear();
         self.number += 1;
@@ -220,7 +220,7 @@ impl Lines<'_> {
     }
 }
 
-/// The answers to a batch, and the lines that have none.
+/// The answers to a batch as JSON, a line each, and the lines of the batch that have no answer.
 fn trace<R: Writable>(tracer: &Tracer, batch: &[Asked]) -> (Vec<u8>, Vec<BadRay>) {
     let asked: Vec<&[Asked]> = batch.chunks(SHARE).collect();
     let shares = parallel::map_with(

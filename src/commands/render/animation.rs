@@ -8,8 +8,8 @@ use crate::commands::atomic_file;
 use crate::diagnostics::Complaint;
 use crate::trace::film::{Packing, encoder};
 
-/// Writes an animated picture that is shown again and again; its width and height. The pictures are 8-bit sRGB of one
-/// size.
+/// Writes an animated picture that is shown again and again, from PNG files of 8-bit sRGB and one size. Returns its
+/// width and height in pixels.
 pub(super) fn write(path: &Path, pictures: &[PathBuf], fps: u16) -> Result<[u32; 2], Complaint> {
     let mut size = [0; 2];
     atomic_file::write(path, |out| {
@@ -36,7 +36,7 @@ fn animated(out: &mut dyn Write, pictures: &[PathBuf], fps: u16) -> io::Result<[
     Ok(size)
 }
 
-/// The size of a PNG that we have written, and its pixels.
+/// Reads a PNG that this run has drawn: its width and height, and the bytes of its pixels.
 fn read(path: &Path) -> io::Result<([u32; 2], Vec<u8>)> {
     let mut reader = png::Decoder::new(BufReader::new(File::open(path)?)).read_info()?;
     let length = reader.output_buffer_size();

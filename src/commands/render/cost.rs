@@ -16,10 +16,11 @@ use crate::trace::{Images, Settings};
 /// Seconds that are taken to find out where the time of a picture goes.
 const COST_SECONDS: f64 = 1.0;
 
-/// The least width of the first column.
+/// The least width of the first column, in characters.
 const LABEL_WIDTH: usize = 36;
 
-/// The cost of a picture, in some ten lines.
+/// The text that `--cost` asks for, in some ten lines: rays, tests and times of a picture, its dearest objects and its
+/// dearest effect.
 pub(super) fn spent(
     camera: &Camera,
     (loaded, scene): (&Analysis, &Scene),

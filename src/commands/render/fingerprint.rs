@@ -21,7 +21,7 @@ fn digits(hash: Sha256) -> String {
         .collect()
 }
 
-/// Takes in what is written.
+/// A writer that takes all bytes into a hash.
 struct Hashed(Sha256);
 
 impl Write for Hashed {
@@ -39,18 +39,18 @@ impl Write for Hashed {
 pub(super) fn of_scene(scene: &Scene, folder: &Path) -> String {
     let mut hash = of_json(&json::write(scene));
     for file in Images::files(scene) {
-        // What cannot be read is said when it is to be drawn.
+        // A texture that cannot be read is complained about when it is to be drawn.
         let bytes = std::fs::read(folder.join(file)).unwrap_or_default();
         hash.update(Sha256::digest(&bytes));
     }
     digits(hash)
 }
 
-/// The hash of a value as JSON, which takes in more.
+/// The hash of a value as JSON. The caller may add more bytes.
 fn of_json(value: &impl Serialize) -> Sha256 {
-    // JSON is written in pieces of a few bytes.
+    // The buffer gathers JSON, which is written in pieces of a few bytes.
     let mut out = BufWriter::new(Hashed(Sha256::new()));
-    // Nothing fails but writing, which does not here.
+    // Only writing can fail, and writing into a hash does not.
     let _ = serde_json::to_writer(&mut out, value);
     out.into_inner()
         .map_or_else(|_| Sha256::new(), |hashed| hashed.0)
@@ -64,12 +64,11 @@ pub(super) enum Content {
     Picture,
     Left,
     Right,
-    /// Rows that an interrupted run has drawn, of the camera with this number, as they are before anything is made of
-    /// them.
+    /// Rows that an interrupted run has drawn with the camera of this number, before exposure and stereo are applied.
     Rows(usize),
 }
 
-/// The options that a picture depends on, besides the camera, which is the scene's.
+/// The options that a picture depends on. The camera is no part of them, as the hash of the scene has it.
 #[derive(Serialize)]
 struct Options {
     content: Content,
@@ -84,7 +83,7 @@ struct Options {
     stereo: Option<&'static str>,
 }
 
-/// A hash of the options, however they are written; the band of rows is none of them.
+/// A hash of the options that a picture depends on. Neither their spelling nor the band of rows matters.
 pub(super) fn of_settings(args: &Args, settings: &Settings, content: Content) -> String {
     let (samples, tolerance) = match args.picture.sampling() {
         Sampling::Fixed(samples) => (Some(samples), None),

@@ -15,7 +15,7 @@ use crate::commands::terminal::{self, LookChoice, complain, note, report};
 use crate::commands::{Status, load_valid, refuse};
 use crate::diagnostics::{Complaint, Diagnostic, Error, Value};
 
-/// How names end of films that other programs make.
+/// The name endings of films, which other programs make.
 const FILMS: [&str; 10] = [
     "mp4", "m4v", "mov", "mkv", "webm", "avi", "mpg", "mpeg", "ogv", "gif",
 ];
@@ -53,7 +53,7 @@ pub fn check(args: &Args, is_one: bool) -> Result<(), Complaint> {
     }
 }
 
-/// How ffmpeg makes a film of frames.
+/// The complaint that zpg writes no film, with the command of ffmpeg that makes one of frames.
 fn by_ffmpeg(args: &Args, film: &Path) -> Complaint {
     let stem = film.file_stem().unwrap_or_default().to_string_lossy();
     let (fps, first) = (args.picture.frames.fps(), args.picture.frames.first());
@@ -75,7 +75,7 @@ fn by_ffmpeg(args: &Args, film: &Path) -> Complaint {
         .with("line", line)
 }
 
-/// Draws the frames of scenes. All of them are looked at before the first one is drawn.
+/// Draws the frames of scenes. The frames of all scenes are checked before the first one is drawn.
 pub(super) fn run(args: &Args, jobs: &[Job], stop: &Arc<AtomicBool>, look: LookChoice) -> Status {
     if let Some(told) = args.picture.frames.note() {
         note(look, &told);
@@ -114,9 +114,9 @@ fn place(picture: &Path, label: &str) -> PathBuf {
     }
 }
 
-/// The frames of a scene. What is wrong with any of them has been said.
+/// The frames of a scene, all of them checked. `Err` is the exit status; the complaint has been printed.
 fn prepared(args: &Args, job: &Job, stop: &AtomicBool, look: LookChoice) -> Result<Frames, Status> {
-    // Besides the scene itself, that of a frame.
+    // Memory holds the scene itself and the scene of a frame.
     if let Err(why) = args.memory.admit(&job.scene, 2) {
         complain(look, &why);
         return Err(Status::Failure);
@@ -128,7 +128,7 @@ fn prepared(args: &Args, job: &Job, stop: &AtomicBool, look: LookChoice) -> Resu
             .picture
             .camera
             .staged(&loaded.scene, args.picture.size)?;
-        // That of --view has no ID.
+        // The camera of --view has no ID, which is 0 then.
         let cameras = staged.chosen_cameras().filter(|camera| camera.id > 0);
         for camera in cameras.filter(|camera| frames.leaves_behind(camera)) {
             let id = camera.id.to_string();
@@ -142,7 +142,7 @@ fn prepared(args: &Args, job: &Job, stop: &AtomicBool, look: LookChoice) -> Resu
     Ok(frames)
 }
 
-/// Makes sure that the scene of each frame is sound. What is wrong with one has been said.
+/// Makes sure that the scene of each frame is sound. `Err` is the exit status; the complaint has been printed.
 pub fn check_each(
     frames: &Frames,
     loaded: &Analysis,
@@ -175,7 +175,7 @@ fn about(message: &'static str, frame: u32) -> Complaint {
     Complaint::new(message).with("frame", frame.to_string())
 }
 
-/// Refuses files that cannot be written, or that the scene needs.
+/// Refuses pictures that cannot be written, or that would overwrite the scene or a picture that it names.
 fn writable(args: &Args, job: &Job, loaded: &Analysis, frames: &Frames) -> Result<(), Complaint> {
     let pictures: Vec<PathBuf> = match is_animated(&job.picture) {
         true => {
@@ -192,13 +192,14 @@ fn writable(args: &Args, job: &Job, loaded: &Analysis, frames: &Frames) -> Resul
             frames.drawn().map(frame).collect()
         }
     };
-    // A stereo camera makes a pair of each.
+    // A stereo camera makes a pair of each picture.
     let pairs: Vec<PathBuf> = pictures.iter().flat_map(|p| left_and_right(p)).collect();
     let written = pictures.iter().chain(&pairs);
     refuse_overwrite(&job.scene, loaded, written.map(PathBuf::as_path))
 }
 
-/// Draws the frames into files, and hands on the file and what was said of each.
+/// Draws each frame into a file, and hands the file and the lines to print to `is_drawn`. Ends after the first frame
+/// with a status that is not clean.
 fn draw(
     args: &Args,
     job: &Job,
@@ -225,20 +226,20 @@ fn draw(
         if status != Status::Clean {
             return status;
         }
-        // What is to be known of the first frame is to be known of most.
+        // Notes on the first frame hold for most of the others, and are not repeated.
         look = look.without_notes();
     }
     Status::Clean
 }
 
-/// Says which frame it is about.
+/// The error with the number of the frame that it is about.
 fn in_frame(error: Error, frame: u32, look: LookChoice) -> Error {
     match error {
         Error::Scene { why, span } => Error::Scene {
             why: about("in-frame", frame).with("why", why),
             span,
         },
-        // Arguments and files are the same in all frames, or name theirs.
+        // Errors about arguments hold for all frames, and those about files name the file of the frame.
         Error::Request(_) | Error::Interrupted => error,
         Error::Finding(_) => {
             complain(look, &about("frame-has-errors", frame));
@@ -247,7 +248,8 @@ fn in_frame(error: Error, frame: u32, look: LookChoice) -> Error {
     }
 }
 
-/// Draws the frames into a folder of its own, and makes an animated picture of them, or a pair; says which.
+/// Draws the frames into a temporary folder, and makes an animated picture of them, or a stereo pair. Returns the lines
+/// to print.
 fn animate(
     args: &Args,
     job: &Job,
@@ -273,7 +275,7 @@ fn animate(
     if status != Status::Clean {
         return Err(status);
     }
-    // A stereo camera has made pairs of them.
+    // A stereo camera has made a left and a right picture of each frame.
     let parts: Vec<(PathBuf, Vec<PathBuf>)> = match drawn.first().is_some_and(|path| path.exists())
     {
         true => vec![(job.picture.clone(), drawn)],

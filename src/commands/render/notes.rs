@@ -14,12 +14,12 @@ use crate::trace::camera;
 use crate::trace::film::{MAX_BRIGHT_PERCENT, is_above_white};
 use crate::trace::{Film, Picture, Settings, Tracer};
 
-/// At most so many places of a picture are looked at across and down.
+/// The most pixels across, and the most pixels down, that are asked what they see.
 const PLACES: u32 = 32;
 
 const NOTHING_IN_VIEW: &str = "note-nothing-in-view";
 
-/// Says what the scene lacks, and why a picture shows nothing.
+/// Notes that the scene has no camera or no light, and why a picture shows nothing.
 pub(super) fn say(
     args: &Args,
     tracer: &Tracer,
@@ -52,8 +52,8 @@ pub(super) fn say(
     }
 }
 
-/// Says what of the records is hardly meant, as long as they are there: objects that are not part of what is drawn, and
-/// commas that may be decimal ones. Nothing of a band.
+/// Notes records that are hardly meant, before the records are forgotten: objects that are not part of what is drawn,
+/// and commas that may be decimal ones. Says nothing for a band.
 pub(super) fn say_of_records(args: &Args, loaded: &Analysis, look: LookChoice) {
     if look.quiet || args.tile.is_some() {
         return;
@@ -82,12 +82,13 @@ pub(super) fn say_of_records(args: &Args, loaded: &Analysis, look: LookChoice) {
     }
 }
 
-/// Whether a scene in whose picture nothing is seen has nothing to be seen. `of_all`: the camera looks at the whole of it.
+/// Whether the scene of an empty picture is empty, too: the camera looks at the whole scene (`of_all`), or the scene
+/// has nothing to be seen.
 fn has_nothing(scene: &Scene, of_all: bool) -> bool {
     of_all || seen_box(scene, &node_bounds(scene)).is_empty()
 }
 
-/// Why a picture shows nothing, or not what is meant.
+/// The message that says why a picture shows nothing, or not what is meant; `None` if it shows something.
 fn fault(
     tracer: &Tracer,
     (scene, camera): (&Scene, &Camera),
@@ -114,7 +115,7 @@ fn fault(
     let seen = seen.ok()?;
     let first = film.pixels.first()?;
     match seen.is_empty() {
-        // What is smaller than the distance of these places is of another colour than the background.
+        // An object that falls between these places still gives some pixel another colour than the background.
         true => film
             .pixels
             .iter()
@@ -128,8 +129,8 @@ fn fault(
     }
 }
 
-/// Says how much of the pictures is brighter than white, and what mends it: the record that gives out more light than it
-/// gets, where there is one, or another exposure.
+/// Notes how much of the pictures is brighter than white, and how to mend that: by the record that gives out more light
+/// than it gets, if there is one, or by another exposure.
 pub(super) fn say_brightness(loaded: &Analysis, films: &[Film], exposure: f64, look: LookChoice) {
     let pixels = || films.iter().flat_map(|film| &film.pixels);
     let largest = |pixel: &[f32; 3]| pixel.iter().copied().fold(0.0, f32::max);
@@ -153,11 +154,11 @@ pub(super) fn say_brightness(loaded: &Analysis, films: &[Film], exposure: f64, l
     );
 }
 
-/// A number above 0 with two digits, no larger than it is.
+/// A number above 0, rounded down to two digits.
 fn rounded_down(x: f64) -> String {
     let digits = (1.0 - x.log10().floor()).max(0.0);
     let unit = 10f64.powf(-digits);
-    // Without this, 0.29 would become 0.28.
+    // Without the small term, 0.29 would become 0.28.
     let whole = (x / unit + 1e-9).floor();
     format!("{:.*}", digits as usize, whole * unit)
 }

@@ -86,7 +86,7 @@ pub enum Stereo {
     Anaglyph,
 }
 
-/// Points on the front of time and error, as `zpg accuracy` measures it; see `scenes/accuracy`.
+/// Settings on the Pareto front of time and error, as `zpg accuracy` measures it; the reports are in `scenes/accuracy`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
 pub enum Quality {
     /// One sample in each pixel
@@ -142,11 +142,12 @@ fn samples(text: &str) -> Result<u32, Complaint> {
 /// Pictures of more pixels than this would need more memory than a machine can be taken to have.
 const MAX_PIXELS: u64 = 1 << 28;
 
-/// Bytes that a pixel takes until it is in a file, with one sample in it or many: measured, up to 30 and 75.
+/// The bytes of memory that a pixel takes until it is in a file, with a fixed number of samples or an adaptive one.
+/// Measured: up to 30 and 75.
 const PIXEL_BYTES: f64 = 40.0;
 const ADAPTIVE_PIXEL_BYTES: f64 = 96.0;
 
-/// Bytes that a pixel takes.
+/// The bytes of memory that a pixel takes until it is in a file.
 pub fn bytes_of_pixels(sampling: Sampling) -> f64 {
     match sampling {
         Sampling::Fixed(_) => PIXEL_BYTES,
@@ -155,7 +156,7 @@ pub fn bytes_of_pixels(sampling: Sampling) -> f64 {
 }
 
 impl PictureArgs {
-    /// The samples of each pixel.
+    /// The samples of each pixel, by `--samples`, `--adaptive` or `--quality`.
     pub fn sampling(&self) -> Sampling {
         match (self.samples, self.adaptive) {
             (Some(samples), _) => Sampling::Fixed(samples),
@@ -164,11 +165,11 @@ impl PictureArgs {
         }
     }
 
-    /// How the picture, or a band of it, is to be taken.
+    /// The settings that draw the picture, or the band `tile` of it.
     ///
     /// # Errors
     ///
-    /// The part is not within the picture, the band is none, or there are too many pixels.
+    /// The part of `--crop` is not within the picture, there are more bands than rows, or there are too many pixels.
     pub fn settings(&self, tile: Option<Tile>) -> Result<Settings, Error> {
         let Size { width, height } = self.size;
         let crop = self.crop.map(|c| c.0);
@@ -210,7 +211,7 @@ impl PictureArgs {
     }
 }
 
-/// A number from 0 to 1, or a fraction as `--help` has it.
+/// Reads a number from 0 to 1, or a fraction such as `1/4096`.
 fn cutoff(text: &str) -> Result<f64, Complaint> {
     let number = |text: &str| usage::number(text, "expected-cutoff", |x: f64| x >= 0.0);
     let value = match text.split_once('/') {

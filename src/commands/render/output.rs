@@ -20,7 +20,7 @@ enum Format {
 }
 
 impl Format {
-    /// By the ending of a name.
+    /// The format that the ending of a file name stands for; `None` if there is none.
     fn of(path: &Path) -> Option<Format> {
         if let Some(format) = picture_files::Format::of(path) {
             return Some(Format::Rows(format));
@@ -34,7 +34,7 @@ impl Format {
         })
     }
 
-    /// So many pixels a picture is wide and high at most.
+    /// The most pixels that a picture of this format may be wide or high.
     fn longest_side(self) -> u32 {
         match self {
             Format::Jpeg => u16::MAX.into(),
@@ -44,7 +44,7 @@ impl Format {
     }
 }
 
-/// A picture to be.
+/// A picture file that is being written.
 pub struct Output {
     path: PathBuf,
     draft: AtomicFile,
@@ -52,8 +52,8 @@ pub struct Output {
 }
 
 impl Output {
-    /// Makes sure that a picture of this width and height, or a part of one, can be written to the file. `-` is standard
-    /// output, which takes a PNG.
+    /// Makes sure that a picture of this width and height, or a part of one, can be written to the file. `-` is
+    /// standard output, which takes a PNG.
     pub fn create(path: &Path, size: [u32; 2], is_part: bool) -> Result<Output, Complaint> {
         let format = match is_stdout(path) {
             true => Some(Format::Rows(picture_files::Format::Png)),
@@ -75,7 +75,7 @@ impl Output {
         })
     }
 
-    /// The same for a map of costs, which is a PNG.
+    /// Makes sure that a map of costs can be written to the file, which must be a PNG.
     pub fn create_map(path: &Path) -> Result<Output, Complaint> {
         let output = Output::create(path, [0; 2], false)?;
         match output.format {
@@ -84,13 +84,13 @@ impl Output {
         }
     }
 
-    /// Writes a map of costs whose scale ends at `max`; the file that it is in now.
+    /// Writes a map of costs whose colour scale ends at `max`, and returns its path.
     pub fn finish_map(self, costs: &CostMap, max: u32) -> Result<PathBuf, Complaint> {
         self.draft.finish(|out| costs.write_png(out, max))?;
         Ok(self.path)
     }
 
-    /// Writes the picture; the file that it is in now. The formats that have room for it get its origin.
+    /// Writes the picture. PNG and EXR also get its origin. Returns the path; `None` for standard output.
     pub fn finish(self, film: &Film, origin: &Origin) -> Result<Option<PathBuf>, Complaint> {
         self.draft.finish(|out| match self.format {
             Format::Rows(format) => {
@@ -113,8 +113,8 @@ pub fn wrote(path: &Path, [width, height]: [u32; 2]) -> Complaint {
         .with("height", height.to_string())
 }
 
-/// Where the pictures of scenes go: a file each. Without `output` that is the current folder. Several scenes need a
-/// folder, which is made; the scenes of a folder keep their subfolders, as `below` has them.
+/// The file for the picture of each scene. Without `output` it is in the current folder. Several scenes need a folder,
+/// which is made. The scenes of a folder keep their subfolders: `below` gives a scene's path below its folder.
 pub fn places(
     scenes: &[PathBuf],
     several: bool,
@@ -161,7 +161,7 @@ fn is_folder(path: &Path) -> bool {
     path.is_dir() || path.to_string_lossy().ends_with(std::path::is_separator)
 }
 
-/// Whether a file is the picture, one of its pair, or a draft of it.
+/// Whether a file has the name of the picture, or of the left or right picture of its pair.
 pub fn is_made(picture: &Path, file: &Path) -> bool {
     let pair = left_and_right(picture);
     let names = pair.iter().map(PathBuf::as_path).chain([picture]);
@@ -170,7 +170,7 @@ pub fn is_made(picture: &Path, file: &Path) -> bool {
         .is_some_and(|file| names.any(|name| name == file))
 }
 
-/// The paths of a stereo pair.
+/// The paths of the left and the right picture of a stereo pair.
 pub fn left_and_right(path: &Path) -> Vec<PathBuf> {
     let extension = path.extension().unwrap_or_default().to_string_lossy();
     ["_left", "_right"]
@@ -178,7 +178,7 @@ pub fn left_and_right(path: &Path) -> Vec<PathBuf> {
         .into()
 }
 
-/// Where an interrupted run leaves the rows of each camera that it has drawn.
+/// The files beside the picture, one for each camera, in which an interrupted run leaves the rows that it has drawn.
 pub fn unfinished(picture: &Path, cameras: usize) -> Vec<PathBuf> {
     let sides: &[&str] = match cameras {
         1 => &[""],

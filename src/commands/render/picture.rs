@@ -1,4 +1,4 @@
-//! A picture or a pair: drawn, put into files, and what is said of it.
+//! Draws a picture or a stereo pair, writes its files, and says so.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -27,7 +27,8 @@ use crate::trace::plan::Plan;
 use crate::trace::stats::Counts;
 use crate::trace::{CostMap, Crop, Film, Images, Numbers, Picture, Settings, Tracer};
 
-/// Draws, and says what was written and, if that is asked, what it has cost.
+/// Draws the picture of a job and writes its files. `load` is the seconds that reading the scene took. Returns the
+/// lines to print: the files, and what the picture has cost if that is asked.
 pub(super) fn draw(
     args: &Args,
     job: &Job,
@@ -71,7 +72,7 @@ pub(super) fn draw(
     let maps: Vec<PathBuf> = (args.heatmap.iter())
         .flat_map(|path| per_camera(path.clone()))
         .collect();
-    // What must not or cannot be written is known before anything is drawn.
+    // Files that must not or cannot be written are refused before anything is drawn.
     let written = paths
         .iter()
         .filter(|path| !is_stdout(path))
@@ -120,8 +121,9 @@ pub(super) fn draw(
         endings::fits(path, &["json"])?;
         try_file(path)?;
     }
-    // Who watches a scene ends that with Ctrl-C and wants no more of it, and so does an editor, which draws what it
-    // writes to standard input.
+    // Rows of an interrupted run are not kept with --watch, which Ctrl-C ends for good. Nor are they kept for a scene
+    // from standard input or a picture on standard output: an editor that draws in this way draws anew after each
+    // change.
     let is_kept = !args.watch && !is_stdin(&job.scene) && !is_stdout(&job.picture);
     let unfinished: Vec<Unfinished> = match is_kept {
         true => (unfinished(&job.picture, cameras.len())
@@ -140,7 +142,7 @@ pub(super) fn draw(
         ..Seconds::default()
     };
     let start = Instant::now();
-    // What rounding may show in single precision is drawn there.
+    // In single precision, rounding may show parts that are hidden otherwise, so that the plan leaves out none.
     let plan = match args.picture.precision {
         Numbers::F32 => Plan::new(scene),
         Numbers::F64 | Numbers::Dd => Plan::of_picture(scene),
@@ -249,7 +251,7 @@ struct Pictures<'a> {
 }
 
 impl Pictures<'_> {
-    /// The origin that a file of so many columns states.
+    /// The origin that a file states with this content, and with `width` columns.
     fn origin(&self, width: u32, content: Content) -> Origin {
         let is_unfinished = matches!(content, Content::Rows(_));
         Origin {
@@ -283,18 +285,18 @@ impl Pictures<'_> {
     }
 }
 
-/// Width and height of what is drawn of a picture.
+/// Width and height in pixels of the part of a picture that is drawn.
 fn drawn_size(settings: &Settings) -> [u32; 2] {
     (settings.crop).map_or([settings.width, settings.height], |c| [c.width, c.height])
 }
 
-/// Whether a file has these rows of this picture, to its end.
+/// Whether a file states this origin, and its rows can be read to the end.
 fn is_drawn(path: &Path, origin: &Origin) -> bool {
     let is_sound = |rows: read::Rows| rows.origin == *origin && rows.all(path).all(|r| r.is_ok());
     read::open(path).is_ok_and(is_sound)
 }
 
-/// Keeps what an interrupted run has drawn, and says so.
+/// Keeps the rows that an interrupted run has drawn, and notes their file. `start` is the first row of the band.
 fn leave(unfinished: &[Unfinished], drawn: &[Picture], start: u32, look: LookChoice) {
     for (unfinished, picture) in unfinished.iter().zip(drawn) {
         match unfinished.leave(picture, start) {
@@ -313,7 +315,7 @@ fn leave(unfinished: &[Unfinished], drawn: &[Picture], start: u32, look: LookCho
     }
 }
 
-/// A line, unless nobody wants to know.
+/// The message as a line; empty with `--quiet`.
 fn line(look: LookChoice, about: &Complaint) -> String {
     match look.quiet {
         true => String::new(),
@@ -370,7 +372,8 @@ fn totals(pictures: &[Picture]) -> (Counts, Samples) {
     (counts, samples)
 }
 
-/// Writes the maps of costs, if they are asked for, on one scale, and says which. Gives what is to be said of the files.
+/// Writes the maps of costs to `files`, if there are any, all on one colour scale, and prints where the scale ends.
+/// Returns the lines that name the files.
 fn write_maps(
     files: Vec<Output>,
     pictures: &[Picture],

@@ -1,4 +1,4 @@
-//! The answer to `--stats`.
+//! The report that `--stats` asks for: what a picture has cost.
 
 use std::fs;
 use std::io::Write;
@@ -10,7 +10,7 @@ use crate::commands::atomic_file;
 use crate::diagnostics::Error;
 use crate::trace::stats::{Intersections, Rays, Work};
 
-/// The answer to `--stats`.
+/// The report that `--stats` asks for: what a picture has cost.
 #[derive(Serialize)]
 pub struct Stats {
     pub size: [u32; 2],

@@ -1,11 +1,11 @@
-//! Bands of rows, of which a picture is put together.
+//! Bands of rows, from which a picture is put together.
 
 use std::ops::Range;
 use std::str::FromStr;
 
 use crate::diagnostics::Complaint;
 
-/// Band `first` to `last` of `count`, from 1: `3/8`, `3-5/8`.
+/// The bands `first` to `last` of the `count` bands of a picture, counted from 1: `3/8`, `3-5/8`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Tile {
     first: u32,
@@ -30,7 +30,8 @@ impl FromStr for Tile {
 }
 
 impl Tile {
-    /// The rows of a picture of this height: band I of N has those from ⌊(I−1)·height/N⌋ up to ⌊I·height/N⌋.
+    /// The rows of these bands in a picture of this height. Band I of N has the rows from ⌊(I−1)·height/N⌋ up to, and
+    /// without, ⌊I·height/N⌋.
     ///
     /// # Errors
     ///

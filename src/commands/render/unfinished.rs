@@ -1,4 +1,4 @@
-//! Rows that an interrupted run has drawn, which are kept, and which the next one takes up.
+//! Keeps the rows that an interrupted run has drawn, and lets the next run go on from them.
 
 use std::fs;
 use std::ops::Range;
@@ -12,18 +12,18 @@ use crate::picture_files::{self, Format, Origin, Row, read};
 use crate::trace::stats::Counts;
 use crate::trace::{CostMap, Film, Picture, Samples};
 
-/// The rows of one camera, in a file beside the picture.
+/// The file beside the picture that keeps the drawn rows of one camera.
 pub(super) struct Unfinished {
     pub path: PathBuf,
-    /// Of the whole picture of this camera.
+    /// The origin of the whole picture of this camera.
     pub origin: Origin,
 }
 
-/// Draws rows of the whole picture.
+/// A function that draws these rows of the whole picture.
 type Draw<'d> = &'d mut dyn FnMut(Range<u32>) -> Result<Picture, Error>;
 
 impl Unfinished {
-    /// Whether there are rows of this very picture. That there are rows of another one is said.
+    /// Whether the file has rows of this very picture. A note says so if it has rows of another one.
     fn is_there(&self, look: LookChoice) -> bool {
         if !self.path.exists() {
             return false;
@@ -39,7 +39,8 @@ impl Unfinished {
         is_ours
     }
 
-    /// Draws those of the wanted rows that are not in the file. Rows after damage are not.
+    /// The picture of the wanted rows: the file's rows are taken, and the others are drawn. Rows behind damage in the
+    /// file are drawn, too.
     pub(super) fn go_on(
         &self,
         wanted: Range<u32>,
@@ -62,7 +63,7 @@ impl Unfinished {
         Ok(picture)
     }
 
-    /// Takes the rows of the file into a picture whose first row is this one.
+    /// Copies the rows of the file into `picture`, whose first row is row `start` of the whole picture.
     fn fill(&self, picture: &mut Picture, start: u32) -> Result<(), Complaint> {
         let rows = read::open(&self.path)?;
         let drawn = rows.origin.rows.clone();
@@ -79,8 +80,8 @@ impl Unfinished {
         Ok(())
     }
 
-    /// Writes the finished rows of a picture whose first row is this one; how many they are. Where there is none,
-    /// nothing is written.
+    /// Writes the finished rows of `picture`, whose first row is row `start` of the whole picture, and returns their
+    /// number. If there are none, nothing is written.
     pub(super) fn leave(&self, picture: &Picture, start: u32) -> Result<u32, Complaint> {
         let at = |row: u32| start + row;
         let missing = gaps(&picture.finished);
@@ -104,7 +105,7 @@ impl Unfinished {
         Ok(origin.rows.iter().map(|rows| rows[1]).sum())
     }
 
-    /// The picture is there: its rows are not needed any more.
+    /// Removes the file if it has rows of this picture: the picture is complete.
     pub(super) fn remove(&self) {
         let is_ours = |rows: read::Rows| rows.origin.is_of_one_picture(&self.origin);
         if self.path.exists() && read::open(&self.path).is_ok_and(is_ours) {
@@ -114,7 +115,7 @@ impl Unfinished {
     }
 }
 
-/// A picture of which nothing is drawn.
+/// A picture of these rows in which nothing is drawn yet.
 fn blank(width: u32, rows: Range<u32>) -> Picture {
     let height = rows.end - rows.start;
     let count = width as usize * height as usize;
@@ -136,7 +137,7 @@ fn blank(width: u32, rows: Range<u32>) -> Picture {
     }
 }
 
-/// Puts rows into a picture, from row `start` on.
+/// Copies drawn rows into a picture, from its row `start` on.
 fn put(picture: &mut Picture, start: u32, rows: Picture) {
     let at = start as usize * picture.film.width as usize;
     let end = at + rows.film.pixels.len();
@@ -148,7 +149,7 @@ fn put(picture: &mut Picture, start: u32, rows: Picture) {
     picture.counts += rows.counts;
 }
 
-/// Where rows are missing.
+/// The ranges of rows that are not finished.
 fn gaps(finished: &[bool]) -> Vec<Range<u32>> {
     let mut gaps: Vec<Range<u32>> = Vec::new();
     for (row, _) in (0..)

@@ -7,13 +7,13 @@ use crate::trace::film::srgb8;
 /// A picture of 8-bit RGB, row by row from the top.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Thumbnail {
-    /// Columns and rows of the picture itself.
+    /// The width and height in pixels of the picture that was shrunk.
     pub original: [u32; 2],
     pub size: [u32; 2],
     pub rgb: Vec<u8>,
 }
 
-/// Pixels of a picture, which come in any order.
+/// The sums of a picture's pixels, from which the smaller picture is made. Pixels may be added in any order.
 pub(super) struct Average {
     from: [u32; 2],
     to: [u32; 2],
@@ -22,11 +22,12 @@ pub(super) struct Average {
     sums: Vec<Rgb>,
 }
 
-/// Where a column or a row comes to lie: no more than two of the smaller picture, as nothing is made larger.
+/// The columns or rows of the smaller picture that one column or row of the larger one covers. There are at most two of
+/// them, as no picture is made larger.
 #[derive(Clone, Copy)]
 struct Parts {
     first: usize,
-    /// How much of the first one it covers, and of the next one.
+    /// The covered part of `first`, and that of the column or row behind it: from 0 to 1.
     shares: [f64; 2],
 }
 
@@ -34,7 +35,8 @@ impl Parts {
     fn all(from: u32, to: u32) -> Vec<Parts> {
         let [wide, narrow] = [from, to].map(u64::from);
         let parts = |i: u64| {
-            // In units of which one pixel of the larger picture has `narrow`, and one of the smaller `wide`.
+            // The unit of length is such that a pixel of the larger picture has `narrow` units, and one of the smaller
+            // picture `wide`.
             let [start, end] = [i * narrow, (i + 1) * narrow];
             let first = start / wide;
             let within = end.min((first + 1) * wide) - start;
@@ -47,7 +49,8 @@ impl Parts {
     }
 }
 
-/// The size of a picture that is to be no larger than `most`, with the same sides to each other.
+/// The size of a picture that is shrunk to fit into `most` and keeps its proportions. A picture that fits keeps its
+/// size.
 fn fitted([width, height]: [u32; 2], most: [u32; 2]) -> [u32; 2] {
     let [w, h, most_w, most_h] = [width, height, most[0], most[1]].map(u64::from);
     let rounded = |a: u64, b: u64, c: u64| ((2 * a * b + c) / (2 * c).max(1)).max(1) as u32;
@@ -61,7 +64,7 @@ fn fitted([width, height]: [u32; 2], most: [u32; 2]) -> [u32; 2] {
 }
 
 impl Average {
-    /// Of a picture of some size, to fit into another one. It is not made larger.
+    /// Begins the average of a picture of size `from`, to fit into `most`. The picture is not made larger.
     pub(super) fn new(from: [u32; 2], most: [u32; 2]) -> Average {
         let to = fitted(from, most);
         Average {
@@ -73,11 +76,11 @@ impl Average {
         }
     }
 
-    /// Adds a pixel of the larger picture. What is brighter than white counts as white, as it looks on a screen: one
-    /// bright spot does not make all around it white.
+    /// Adds a pixel of the larger picture, in linear light. A colour brighter than white counts as white, as it looks
+    /// on a screen: otherwise one bright spot would make all pixels around it white.
     pub(super) fn add(&mut self, x: usize, y: usize, colour: Rgb) {
         let (column, row) = (self.columns[x], self.rows[y]);
-        // What is no number is black.
+        // NaN counts as black.
         let colour = colour.map(|c| if c > 0.0 { c.min(1.0) } else { 0.0 });
         let width = self.to[0] as usize;
         for (down, share) in row.shares.into_iter().enumerate() {

@@ -16,12 +16,12 @@ pub(super) struct Cell<'e> {
 pub(super) struct Heading {
     pub folder: String,
     pub pictures: usize,
-    /// Of all scenes, if there are findings.
+    /// The errors and warnings of all scenes, if there are findings.
     pub counts: Option<Counts>,
 }
 
 impl Cell<'_> {
-    /// `640 × 480`.
+    /// The size of the picture, as `640 × 480`; `None` if there is no picture.
     pub(super) fn size(&self) -> Option<String> {
         let [width, height] = self.picture.as_ref().ok()?.original;
         Some(format!("{width} × {height}"))
@@ -32,7 +32,7 @@ impl Cell<'_> {
         self.entry.scene.map(|scene| scene.counts())
     }
 
-    /// The reason that stands in place of the picture.
+    /// The text in place of the picture, which says why there is none; `None` if there is a picture.
     pub(super) fn reason(&self, language: Language) -> Option<String> {
         let why = self.picture.as_ref().err()?;
         Some(match self.entry.picture {
@@ -45,7 +45,7 @@ impl Cell<'_> {
     }
 }
 
-/// Why there is no picture of a scene.
+/// The complaint that there is no picture of a scene, with the number of the scene's errors.
 pub(super) fn without_picture(counts: Counts) -> Complaint {
     match counts.errors {
         0 => Complaint::new("sheet-no-picture"),
@@ -54,7 +54,7 @@ pub(super) fn without_picture(counts: Counts) -> Complaint {
 }
 
 impl Heading {
-    /// In one line.
+    /// The heading in one line.
     pub(super) fn line(&self, language: Language) -> String {
         let pictures = [("count", Value::Count(self.pictures as u64))];
         let pictures = language.say("sheet-pictures", &pictures);
@@ -69,7 +69,7 @@ impl Heading {
     }
 }
 
-/// How many errors and warnings a scene has, or that it is clean.
+/// The texts that say how many errors and how many warnings a scene has, or a single one that the scene is clean.
 pub(super) fn found(counts: Counts, language: Language) -> Vec<String> {
     match counts == Counts::default() {
         true => vec![language.say("sheet-scene-clean", &[])],

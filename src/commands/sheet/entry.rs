@@ -7,13 +7,13 @@ use super::findings::Scene;
 
 /// A box of the sheet.
 pub(super) struct SheetBox<'f> {
-    /// Of the picture, or else of the scene, within their folders.
+    /// The path of the picture, or else of the scene, within its folder.
     pub name: String,
     pub picture: Option<PathBuf>,
     pub scene: Option<&'f Scene>,
 }
 
-/// Of all pictures of a folder, in the order of names.
+/// The boxes for all pictures of a folder and for the scenes without a picture, in the order of names.
 pub(super) fn entries<'f>(
     folder: &Path,
     pictures: Vec<PathBuf>,
@@ -41,7 +41,7 @@ pub(super) fn entries<'f>(
             });
         }
     }
-    // "a.png" before "a-b.png", whatever comes first among characters.
+    // Names are compared without endings first, so that "a.png" comes before "a-b.png".
     entries.sort_by_cached_key(|entry| {
         (
             Path::new(&entry.name).with_extension(""),
@@ -54,11 +54,11 @@ pub(super) fn entries<'f>(
 /// The scenes that were checked.
 struct Scenes<'f> {
     all: &'f [Scene],
-    /// The folders of each and its own name.
+    /// The names in the path of each scene: its folders, and last its own name.
     names: Vec<Vec<String>>,
-    /// So many folders, from the first, are those of all.
+    /// The number of outermost folders that all scenes share.
     common: usize,
-    /// By their names without an ending.
+    /// The numbers of the scenes, by their file names without an ending.
     by_stem: HashMap<String, Vec<usize>>,
 }
 
@@ -90,7 +90,8 @@ impl<'f> Scenes<'f> {
         }
     }
 
-    /// The scene of a picture's name: the one in the same folder, or the only one that may be meant.
+    /// The number of the scene that a picture shows: it has the picture's name, and is in the same folder or the only
+    /// one that may be meant. `within` is the path of the picture within its folder.
     fn of_picture(&self, within: &Path) -> Option<usize> {
         let names = names(within);
         let (_, folders) = names.split_last()?;
@@ -133,8 +134,8 @@ fn stem(path: &Path) -> String {
         .into_owned()
 }
 
-/// Names that the scene of a picture may have: that of the picture, or without what `render` adds for an eye of a pair or a
-/// frame.
+/// The names without an ending that the scene of a picture may have: the picture's own name, and the name without what
+/// `render` adds for an eye of a pair or for a frame.
 fn meant(stem: &str) -> Vec<String> {
     let mut all = vec![stem.to_owned()];
     let mut rest = stem;

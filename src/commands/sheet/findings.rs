@@ -13,7 +13,7 @@ use crate::diagnostics::{Complaint, Language, Value};
 /// The name of the file of findings that a folder of pictures may have.
 pub(super) const FILE: &str = "findings.json";
 
-/// Of all scenes.
+/// The findings of all scenes, as they stand in findings.json.
 #[derive(Deserialize)]
 pub(super) struct Findings {
     version: u32,
@@ -21,7 +21,7 @@ pub(super) struct Findings {
     pub scenes: Vec<Scene>,
 }
 
-/// A scene and what was found in it, in the order of places.
+/// A scene and its findings, in the order of their places.
 #[derive(Deserialize)]
 pub(super) struct Scene {
     pub path: PathBuf,
@@ -33,7 +33,7 @@ pub(super) struct Scene {
 pub(super) struct Finding {
     pub code: String,
     pub severity: String,
-    /// In English.
+    /// The message of the finding in English.
     pub message: String,
     pub span: Span,
 }
@@ -57,7 +57,7 @@ pub(super) struct Counts {
 }
 
 impl Findings {
-    /// The findings of a folder, if it has some.
+    /// Reads the file of findings in a folder; `None` if there is none.
     pub(super) fn of_folder(folder: &Path) -> Result<Option<Findings>, Complaint> {
         let path = folder.join(FILE);
         let bytes = match fs::read(&path) {
@@ -102,7 +102,7 @@ impl Scene {
 }
 
 impl Counts {
-    /// The number of errors and that of warnings, each unless it is 0.
+    /// The texts for the number of errors and for the number of warnings; `None` for a number that is 0.
     pub(super) fn parts(self, language: Language) -> [Option<String>; 2] {
         let part = |count: u64, message| {
             (count > 0).then(|| language.say(message, &[("count", Value::Count(count))]))

@@ -13,17 +13,17 @@ use crate::diagnostics::{Complaint, Language};
 /// The text by which a sheet names itself, so that it is no picture of the next one.
 const MARK: (&str, &str) = ("Software", "zpg sheet");
 
-/// Between boxes, in pixels.
+/// Pixels between boxes.
 const GAP: u32 = 12;
-/// Within a box, around text.
+/// Pixels around text within a box.
 const MARGIN: u32 = 4;
-/// From one line of text to the next one.
+/// Pixels from one line of text to the next one.
 const LINE: u32 = 16;
 const HEAD_LINE: u32 = 24;
-/// A name, a size, and what was found.
+/// The lines of text in a box: a name, a size, and what was found.
 const LINES: u32 = 3;
 
-/// The colour behind a picture.
+/// The background colour of a box, behind its picture.
 const CARD: Colour = [48; 3];
 const GREY: Colour = [170; 3];
 const RED: Colour = [255, 128, 128];
@@ -39,7 +39,8 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    /// Of so many boxes. Unless a number of columns is given, the sheet is about a third wider than high.
+    /// The layout of `count` boxes with thumbnails of `size`. Unless a number of columns is given, the sheet is about a
+    /// third wider than high. `Err` if the sheet is too large for a PNG.
     pub(super) fn new(
         count: usize,
         columns: Option<u32>,
@@ -51,7 +52,7 @@ impl Layout {
         let usual = (count as f64 * high / wide * 4.0 / 3.0).sqrt().ceil() as u32;
         let columns = columns.unwrap_or(usual).clamp(1, most);
         let width = u64::from(columns) * u64::from(size.width + GAP) + u64::from(GAP);
-        // The format has numbers of 31 bits.
+        // A PNG has 31 bits for its width and for its height.
         let fits = |side: u64| {
             u32::try_from(side)
                 .ok()
@@ -82,12 +83,12 @@ impl Layout {
     }
 }
 
-/// With the gap below it.
+/// The height of a box in pixels, with the gap below it.
 fn box_height(size: Size) -> u32 {
     size.height + MARGIN + LINES * LINE + GAP
 }
 
-/// Writes the sheet, for which boxes come one by one.
+/// Writes the sheet, whose boxes are read one by one.
 pub(super) fn write<'e>(
     out: &mut dyn Write,
     layout: &Layout,
@@ -155,7 +156,7 @@ fn draw(row: &mut Canvas, left: u32, size: Size, cell: &Cell, language: Language
             (0, _) => YELLOW,
             _ => RED,
         };
-        // Where not both have room, errors have.
+        // If the warnings have no room beside the errors, they are left out.
         let mut parts = found(counts, language);
         while parts.len() > 1 && parts.join(", ").chars().count() > letters(&SMALL, width) {
             parts.pop();
@@ -164,7 +165,7 @@ fn draw(row: &mut Canvas, left: u32, size: Size, cell: &Cell, language: Language
     }
 }
 
-/// A name in so many letters: what is too much is left out of its middle.
+/// A name in at most `fit` letters: of a longer one the middle is replaced by dots.
 fn shortened(name: &str, fit: usize) -> String {
     let letters: Vec<char> = name.chars().collect();
     if letters.len() <= fit {

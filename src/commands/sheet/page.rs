@@ -27,12 +27,12 @@ code{font-family:ui-monospace,'DejaVu Sans Mono',monospace;font-size:12px}
 /// Most findings of a scene that are listed.
 const MAX_FINDINGS_LISTED: usize = 20;
 
-/// Pixels by which a column may be narrower than a thumbnail: two have room on a small screen.
+/// Pixels by which a column may be narrower than a thumbnail, so that two columns have room on a small screen.
 const COLUMN_SLACK_PIXELS: u32 = 20;
-/// Least width of a column where a number of them is asked for.
+/// The least width of a column in pixels, if a number of columns is asked for.
 const MIN_COLUMN_PIXELS: u32 = 140;
 
-/// How boxes are set in columns.
+/// The style that sets boxes in columns, with room for thumbnails of this size.
 fn columns(columns: Option<u32>, size: Size) -> String {
     let width = match columns {
         None => format!(
@@ -54,7 +54,7 @@ fn columns(columns: Option<u32>, size: Size) -> String {
     )
 }
 
-/// Writes the sheet, for which boxes come one by one. No row has more than `most` of them.
+/// Writes the sheet, whose boxes are read one by one. No row has more than `most` boxes.
 pub(super) fn write<'e>(
     out: &mut dyn Write,
     heading: &Heading,
@@ -104,7 +104,7 @@ fn figure(cell: &Cell, language: Language) -> String {
     format!("<figure>{shown}<figcaption><b>{name}</b>{size}{listed}</figcaption></figure>")
 }
 
-/// How much was found in a scene, and below it what.
+/// The HTML for the findings of a scene: how many there are, and a list below.
 fn findings(counts: Counts, findings: &[Finding], language: Language) -> String {
     let [errors, warnings] = counts.parts(language);
     let part = |class: &str, text: Option<String>| {

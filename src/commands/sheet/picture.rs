@@ -11,17 +11,17 @@ use crate::geometry::array::each;
 use crate::trace::bitmap::Bitmap;
 use crate::trace::decode::{Limits, Pixels, broken, rgb};
 
-/// How files end that may be pictures.
+/// The name endings of files that may be pictures.
 pub(super) const ENDINGS: [&str; 6] = ["png", "jpg", "jpeg", "webp", "exr", "pfm"];
 
-/// A hundred million pixels.
+/// The largest picture that is read: about a hundred million pixels.
 const LIMITS: Limits = Limits {
     side: 1 << 20,
     bytes: 3 << 27,
     too_large: "sheet-picture-too-large",
 };
 
-/// Reads a picture, and makes it no larger than `most`. What format it is stands in the file's first bytes.
+/// Reads a picture and shrinks it to fit into `most`, in pixels. The file's first bytes tell its format.
 ///
 /// # Errors
 ///
@@ -107,7 +107,7 @@ fn pfm(mut file: BufReader<File>, most: [u32; 2]) -> Result<Thumbnail, Complaint
             let number = |c: usize| {
                 let at = 4 * (c % samples);
                 let bytes = [pixel[at], pixel[at + 1], pixel[at + 2], pixel[at + 3]];
-                // The sign says in which order bytes are.
+                // The sign of the scale says in which order the bytes are.
                 f64::from(match scale < 0.0 {
                     true => f32::from_le_bytes(bytes),
                     false => f32::from_be_bytes(bytes),

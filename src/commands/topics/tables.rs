@@ -1,6 +1,7 @@
 //! The words that lead to types of records, and to commands.
 
-/// Words that lead to types, without accents and in lower case, as those of [`words`](crate::syntax::words). They are nobody's guess in a scene.
+/// Words that lead to record types, without accents and in lower case, like those of [`words`](crate::syntax::words).
+/// They are not proposed as types for the words of a scene.
 pub(super) const WORDS: [(&str, &[i32]); 78] = [
     ("indexofrefraction", &[-203]),
     ("krabice", &[12]),
@@ -82,8 +83,8 @@ pub(super) const WORDS: [(&str, &[i32]); 78] = [
     ("plocha", &[3, 5, 6]),
 ];
 
-/// Words of the command line, without accents and in lower case, and the command whose help speaks of them, with the option
-/// that does.
+/// Words of the command line, without accents and in lower case. Before them stands the command whose `--help` explains
+/// them, some with the option that does; an empty command is `zpg --help`.
 pub(super) const COMMANDS: [(&str, &[&str]); 12] = [
     (
         "check",
