@@ -2,10 +2,10 @@
 
 #![warn(missing_docs)]
 
-/// The style; the default is the one to use.
+/// The style of the layout. The default is the recommended one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Options {
-    /// Characters a line may have: where a profile wraps, and how far alignment may go.
+    /// The columns that a line should take at most: longer profiles wrap, and alignment hardly goes further.
     pub width: usize,
     /// Whether numbers and comments stand under each other.
     pub align: bool,
