@@ -58,7 +58,7 @@ impl DocumentRange {
     }
 }
 
-/// Most items that are tried before a cut is given up.
+/// The most items that are tried before a cut is given up.
 const MAX_ITEMS_TRIED: usize = 1000;
 
 /// The index of the token with which a part may begin whose first item is `item`: the line break behind the record

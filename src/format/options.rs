@@ -18,7 +18,7 @@ pub struct Options {
 /// How numbers are spelled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Numbers {
-    /// Numbers in the shortest spelling of the same value.
+    /// Every number gets the shortest spelling of its value.
     Shortest,
     /// Numbers stay as they are written.
     Keep,

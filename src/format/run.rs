@@ -70,7 +70,7 @@ pub(super) fn has_comments(context: &Context, record: &Record) -> bool {
 #[derive(Default)]
 pub(super) struct Run<'a> {
     entries: Vec<RecordLine<'a>>,
-    /// The values of the first records, one record after another; at most so many as [`KEPT`] says.
+    /// The values of the first records, one record after another; at most [`KEPT`] values.
     cells: Vec<Cell<'a>>,
     /// The columns, each as wide as the records need.
     columns: Vec<Column>,
@@ -79,7 +79,7 @@ pub(super) struct Run<'a> {
     spaces: usize,
 }
 
-/// Most values whose spelling is kept until they are written.
+/// The most values whose spelling is kept until they are written.
 const KEPT: usize = 1 << 12;
 
 impl<'a> Run<'a> {

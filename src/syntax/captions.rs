@@ -25,7 +25,7 @@ pub struct Captions {
     ids: HashMap<u32, (u32, bool)>,
 }
 
-/// Most characters of a comment; a longer one is cut off.
+/// The most characters of a comment; a longer one is cut off.
 const MAX_CAPTION_CHARS: usize = 72;
 
 /// The state of the walk along the tokens.

@@ -244,7 +244,7 @@ enum Raw<'s> {
     Never(&'s ()),
 }
 
-/// Offsets of the `#` that open a comment nobody closes, ascending; the lexer walks along them.
+/// Offsets of the `#` that open comments which nobody closes, ascending. The lexer drops those that it has passed.
 #[derive(Debug, Clone, Copy, Default)]
 struct Unclosed<'s>(&'s [u32]);
 

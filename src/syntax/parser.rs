@@ -103,7 +103,7 @@ struct Plan<'s> {
     doubted: Option<usize>,
     /// How many more tokens may be looked at in search of the ends of gaps.
     budget: usize,
-    /// See [`Document::searched`].
+    /// The number of tokens that become [`Document::searched`].
     searched: usize,
 }
 
@@ -294,7 +294,7 @@ impl<'s> Plan<'s> {
         }
         let mut from = start;
         let least = self.gaps.last().map_or(0, |g| g.to);
-        // Back to the beginning of a line, and some items further.
+        // The gap goes back to the beginning of a line, some items before `start`.
         let mut context = CONTEXT;
         while from > least && (context > 0 || !self.columns.starts_line(from)) {
             let Some(item) = self.items.pop() else { break };
@@ -311,7 +311,7 @@ impl<'s> Plan<'s> {
             return Some(to);
         }
         match self.gaps.last_mut() {
-            // Nothing lies between the two.
+            // No item lies between this gap and the last one.
             Some(last) if last.to == from => last.to = to,
             _ => self.gaps.push(Gap {
                 from,
@@ -578,7 +578,7 @@ fn defines(ty: &RecordType) -> bool {
     matches!(ty.effect, Effect::Defines(_)) && ty.kind != RecordKind::Render
 }
 
-/// How many significant tokens an item has that was read.
+/// The number of significant tokens of an item that was read.
 fn significant(item: &Item) -> usize {
     match item {
         Item::Record(r) => 2 + r.params as usize,

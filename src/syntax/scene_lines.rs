@@ -112,7 +112,7 @@ struct Names<'a> {
     known: FxHashMap<&'a str, bool>,
 }
 
-/// Most different words that are looked up.
+/// The most different words that are looked up.
 const LOOKED_UP: usize = 1000;
 
 impl<'a> Names<'a> {
